@@ -1,0 +1,27 @@
+# Language standard, optimisation, warnings, sanitizers and the compiler cache, for every target of moat.
+
+set(CMAKE_CXX_STANDARD 20)
+set(CMAKE_CXX_STANDARD_REQUIRED ON)
+set(CMAKE_CXX_EXTENSIONS OFF)
+set(CMAKE_POSITION_INDEPENDENT_CODE ON)
+
+if(NOT CMAKE_BUILD_TYPE)
+  set(CMAKE_BUILD_TYPE Release CACHE STRING "Release, RelWithDebInfo or Debug" FORCE)
+endif()
+set(CMAKE_CXX_FLAGS_RELEASE "-O3 -DNDEBUG")
+
+find_program(CCACHE ccache)
+if(CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
+  set(CMAKE_CXX_COMPILER_LAUNCHER ${CCACHE})
+endif()
+
+add_library(moat_compiler INTERFACE)
+target_compile_options(moat_compiler INTERFACE -Wall -Wextra -Wpedantic -Wconversion -Wshadow)
+if(MOAT_WARNINGS_AS_ERRORS)
+  target_compile_options(moat_compiler INTERFACE -Werror)
+endif()
+if(MOAT_SANITIZE)
+  # Sanitizers must be in every object of a program, so they are not a property of one target.
+  add_compile_options(-fsanitize=${MOAT_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all)
+  add_link_options(-fsanitize=${MOAT_SANITIZE})
+endif()

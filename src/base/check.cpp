@@ -1,0 +1,73 @@
+#include "base/check.hpp"
+
+#include <cmath>
+#include <cstdio>
+
+#include "base/error.hpp"
+
+namespace moat {
+namespace {
+
+std::string with_unit(double value, std::string_view unit) {
+  std::string text = to_text(value);
+  if (!unit.empty() && unit != "1") text.append(" ").append(unit);
+  return text;
+}
+
+}  // namespace
+
+std::string to_text(double value) {
+  char buffer[32];
+  std::snprintf(buffer, sizeof buffer, "%.6g", value);
+  return buffer;
+}
+
+Check::Check(std::string_view kind, std::string_view name) : object_{kind} {
+  if (!name.empty()) object_.append(" \"").append(name).append("\"");
+}
+
+void Check::that(bool allowed, std::string_view parameter, double value, std::string_view unit,
+                 std::string_view range, std::string_view advice) const {
+  if (allowed) return;
+  std::string message = object_ + ": ";
+  message.append(parameter).append(" = ").append(with_unit(value, unit)).append(" is not allowed; it must be ");
+  message.append(range).append(".");
+  if (!advice.empty()) message.append(" ").append(advice);
+  throw InputError{message};
+}
+
+void Check::that(bool allowed, std::string_view problem, std::string_view advice) const {
+  if (allowed) return;
+  std::string message = object_ + ": ";
+  message.append(problem);
+  if (!advice.empty()) message.append(" ").append(advice);
+  throw InputError{message};
+}
+
+void Check::positive(std::string_view parameter, double value, std::string_view unit, std::string_view advice) const {
+  that(std::isfinite(value) && value > 0.0, parameter, value, unit, "> " + with_unit(0.0, unit) + " and finite", advice);
+}
+
+void Check::not_negative(std::string_view parameter, double value, std::string_view unit,
+                         std::string_view advice) const {
+  that(std::isfinite(value) && value >= 0.0, parameter, value, unit, ">= " + with_unit(0.0, unit) + " and finite",
+       advice);
+}
+
+void Check::finite(std::string_view parameter, double value, std::string_view unit, std::string_view advice) const {
+  that(std::isfinite(value), parameter, value, unit, "a finite number", advice);
+}
+
+void Check::above_up_to(std::string_view parameter, double value, double lowest, double highest,
+                        std::string_view unit, std::string_view advice) const {
+  that(value > lowest && value <= highest, parameter, value, unit,
+       "> " + with_unit(lowest, unit) + " and <= " + with_unit(highest, unit), advice);
+}
+
+void Check::between(std::string_view parameter, double value, double lowest, double highest, std::string_view unit,
+                    std::string_view advice) const {
+  that(value >= lowest && value <= highest, parameter, value, unit,
+       "from " + with_unit(lowest, unit) + " to " + with_unit(highest, unit), advice);
+}
+
+}  // namespace moat

@@ -1,0 +1,70 @@
+// Checks of parameters, with messages that say what to do.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "base/quantity.hpp"
+#include "base/required.hpp"
+
+namespace moat {
+
+/// Checks the parameters of one object and throws InputError with a message of the form
+///
+///     Gap "moat left": clearance = -0.1 m is not allowed; it must be > 0 m. Give the free distance ...
+///
+///     const Check check{"Gap", name};
+///     check.positive("clearance", clearance, "Give the free distance to the wall at rest.");
+class Check {
+ public:
+  /// kind is the type a user wrote ("Gap"); name is the object's own name, may be empty.
+  Check(std::string_view kind, std::string_view name);
+
+  /// value > 0 and finite.
+  void positive(std::string_view parameter, double value, std::string_view unit, std::string_view advice = {}) const;
+  /// value >= 0 and finite.
+  void not_negative(std::string_view parameter, double value, std::string_view unit,
+                    std::string_view advice = {}) const;
+  /// Neither NaN nor infinite.
+  void finite(std::string_view parameter, double value, std::string_view unit, std::string_view advice = {}) const;
+  /// lowest < value <= highest.
+  void above_up_to(std::string_view parameter, double value, double lowest, double highest, std::string_view unit,
+                   std::string_view advice = {}) const;
+  /// lowest <= value <= highest.
+  void between(std::string_view parameter, double value, double lowest, double highest, std::string_view unit,
+               std::string_view advice = {}) const;
+  /// Any other condition, with its allowed range in words.
+  void that(bool allowed, std::string_view parameter, double value, std::string_view unit, std::string_view range,
+            std::string_view advice = {}) const;
+  /// A condition that is not about one number: throws `Kind "name": problem advice`.
+  void that(bool allowed, std::string_view problem, std::string_view advice = {}) const;
+
+  template <int m, int l, int t>
+  void positive(std::string_view parameter, Quantity<m, l, t> value, std::string_view advice = {}) const {
+    positive(parameter, value.si(), unit_symbol(m, l, t), advice);
+  }
+  template <int m, int l, int t>
+  void not_negative(std::string_view parameter, Quantity<m, l, t> value, std::string_view advice = {}) const {
+    not_negative(parameter, value.si(), unit_symbol(m, l, t), advice);
+  }
+  template <int m, int l, int t>
+  void finite(std::string_view parameter, Quantity<m, l, t> value, std::string_view advice = {}) const {
+    finite(parameter, value.si(), unit_symbol(m, l, t), advice);
+  }
+  template <class Q>
+  void positive(std::string_view parameter, const Required<Q>& value, std::string_view advice = {}) const {
+    positive(parameter, value.value(), advice);
+  }
+  template <class Q>
+  void not_negative(std::string_view parameter, const Required<Q>& value, std::string_view advice = {}) const {
+    not_negative(parameter, value.value(), advice);
+  }
+
+ private:
+  std::string object_;
+};
+
+/// A number as messages print it: shortest form that tells it apart, up to 6 digits.
+std::string to_text(double value);
+
+}  // namespace moat

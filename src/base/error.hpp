@@ -1,0 +1,46 @@
+// What moat throws.
+#pragma once
+
+#include <stdexcept>
+#include <string>
+
+namespace moat {
+
+/// Base of everything moat throws on purpose.
+class Error : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// A parameter, option or model that cannot be right. The message names the object, the parameter,
+/// its value, the allowed range with its unit, and what to do.
+class InputError : public Error {
+ public:
+  using Error::Error;
+};
+
+/// A file that cannot be read, understood or written. The message names the file and the line.
+class FileError : public Error {
+ public:
+  using Error::Error;
+};
+
+/// A time step that did not converge although it was cut down to the smallest length.
+/// What was computed before `time` has been recorded.
+class ConvergenceError : public Error {
+ public:
+  ConvergenceError(const std::string& message, double time_s, double step_s, double residual_ratio,
+                   std::string worst)
+      : Error{message},
+        time{time_s},
+        step{step_s},
+        residual{residual_ratio},
+        worst_degree_of_freedom{std::move(worst)} {}
+
+  double time;      ///< start of the failed step, s
+  double step;      ///< its last length, s
+  double residual;  ///< largest out-of-balance force over the largest force in the equations
+  std::string worst_degree_of_freedom;
+};
+
+}  // namespace moat

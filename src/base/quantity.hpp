@@ -1,0 +1,101 @@
+// Physical quantities: a double in SI whose dimension is part of its type.
+#pragma once
+
+#include <compare>
+#include <string>
+
+namespace moat {
+
+/// A physical quantity with the dimension kg^mass * m^(half_length / 2) * s^time.
+///
+/// The value is kept in SI units. Lengths count in halves because the stiffness of a Hertz contact
+/// is measured in N/m^1.5. Adding, comparing or passing quantities of different dimension does not
+/// compile; multiplying and dividing them gives the dimension one expects:
+///
+///     const Stiffness k = 1.93 * MN / cm;
+///     const Time period = 2 * pi * sqrt(mass / k);
+///
+/// Quantities are made from units (`10 * cm`, base/units.hpp) and read back by division
+/// (`gap / cm` is a plain double) or with si().
+template <int mass, int half_length, int time>
+class Quantity {
+ public:
+  static constexpr int mass_exponent = mass;
+  static constexpr int half_length_exponent = half_length;
+  static constexpr int time_exponent = time;
+  static constexpr bool dimensionless = mass == 0 && half_length == 0 && time == 0;
+
+  /// Zero.
+  constexpr Quantity() = default;
+
+  /// From a value that is already in SI units. A plain number becomes a quantity only where the
+  /// quantity has no dimension.
+  constexpr explicit(!dimensionless) Quantity(double si_value) : si_{si_value} {}
+
+  /// The value in SI units (m, kg, s, N, ...).
+  [[nodiscard]] constexpr double si() const { return si_; }
+
+  constexpr operator double() const
+    requires(dimensionless)
+  {
+    return si_;
+  }
+
+  constexpr Quantity operator-() const { return Quantity{-si_}; }
+  constexpr Quantity operator+() const { return *this; }
+  constexpr Quantity& operator+=(Quantity other) { si_ += other.si_; return *this; }
+  constexpr Quantity& operator-=(Quantity other) { si_ -= other.si_; return *this; }
+  constexpr Quantity& operator*=(double factor) { si_ *= factor; return *this; }
+  constexpr Quantity& operator/=(double divisor) { si_ /= divisor; return *this; }
+
+  friend constexpr Quantity operator+(Quantity a, Quantity b) { return Quantity{a.si_ + b.si_}; }
+  friend constexpr Quantity operator-(Quantity a, Quantity b) { return Quantity{a.si_ - b.si_}; }
+  friend constexpr Quantity operator*(double factor, Quantity q) { return Quantity{factor * q.si_}; }
+  friend constexpr Quantity operator*(Quantity q, double factor) { return Quantity{q.si_ * factor}; }
+  friend constexpr Quantity operator/(Quantity q, double divisor) { return Quantity{q.si_ / divisor}; }
+  friend constexpr Quantity<-mass, -half_length, -time> operator/(double number, Quantity q) {
+    return Quantity<-mass, -half_length, -time>{number / q.si_};
+  }
+  friend constexpr auto operator<=>(Quantity a, Quantity b) = default;
+
+ private:
+  double si_ = 0.0;
+};
+
+template <int m1, int l1, int t1, int m2, int l2, int t2>
+constexpr Quantity<m1 + m2, l1 + l2, t1 + t2> operator*(Quantity<m1, l1, t1> a, Quantity<m2, l2, t2> b) {
+  return Quantity<m1 + m2, l1 + l2, t1 + t2>{a.si() * b.si()};
+}
+
+template <int m1, int l1, int t1, int m2, int l2, int t2>
+constexpr Quantity<m1 - m2, l1 - l2, t1 - t2> operator/(Quantity<m1, l1, t1> a, Quantity<m2, l2, t2> b) {
+  return Quantity<m1 - m2, l1 - l2, t1 - t2>{a.si() / b.si()};
+}
+
+using Dimensionless = Quantity<0, 0, 0>;
+using Mass = Quantity<1, 0, 0>;
+using Length = Quantity<0, 2, 0>;
+using Time = Quantity<0, 0, 1>;
+using Frequency = Quantity<0, 0, -1>;
+using Speed = Quantity<0, 2, -1>;
+using Acceleration = Quantity<0, 2, -2>;
+using Force = Quantity<1, 2, -2>;
+using Energy = Quantity<1, 4, -2>;
+using Power = Quantity<1, 4, -3>;
+/// N/m
+using Stiffness = Quantity<1, 0, -2>;
+/// N s/m
+using DampingCoefficient = Quantity<1, 0, -1>;
+/// N/m^1.5, the stiffness of a Hertz contact
+using HertzStiffness = Quantity<1, -1, -2>;
+
+/// The SI unit of a dimension as it is written in output and messages: "m", "N/m^1.5", "1".
+std::string unit_symbol(int mass, int half_length, int time);
+
+/// The SI unit of a quantity type.
+template <class Q>
+std::string unit_symbol() {
+  return unit_symbol(Q::mass_exponent, Q::half_length_exponent, Q::time_exponent);
+}
+
+}  // namespace moat

@@ -1,0 +1,52 @@
+#include "base/quantity.hpp"
+
+#include <gtest/gtest.h>
+
+#include <concepts>
+
+#include "base/units.hpp"
+
+namespace moat {
+namespace {
+
+using namespace units;
+
+template <class A, class B>
+concept Addable = requires(A a, B b) { a + b; };
+template <class A, class B>
+concept Comparable = requires(A a, B b) { a < b; };
+
+static_assert(Addable<Length, Length> && !Addable<Length, Mass> && !Addable<Length, double>);
+static_assert(Comparable<Force, Force> && !Comparable<Force, Stiffness>);
+static_assert(!std::convertible_to<double, Length> && !std::convertible_to<Length, double>);
+static_assert(!std::convertible_to<Stiffness, Mass> && !std::convertible_to<Stiffness, HertzStiffness>);
+static_assert(std::convertible_to<Dimensionless, double>);
+static_assert(std::same_as<decltype(2.95e9 * N / m_3_2), HertzStiffness>);
+static_assert(std::same_as<decltype(kg * m / s / s), Force>);
+static_assert(std::same_as<decltype(1.0 / s), Frequency>);
+static_assert(sizeof(Length) == sizeof(double));
+
+TEST(Quantity, KeepsSi) {
+  EXPECT_DOUBLE_EQ((10 * cm).si(), 0.1);
+  EXPECT_DOUBLE_EQ((1.93 * MN).si(), 1.93e6);
+  EXPECT_DOUBLE_EQ((0.4 * g).si(), 0.4 * 9.80665);
+  EXPECT_DOUBLE_EQ((2.95e9 * N / m_3_2).si(), 2.95e9);
+  EXPECT_DOUBLE_EQ((1.93 * MN / cm).si(), 1.93e8);
+}
+
+TEST(Quantity, ReadsBackByDivision) {
+  const double gap_in_cm = 0.25 * m / cm;
+  EXPECT_DOUBLE_EQ(gap_in_cm, 25.0);
+}
+
+TEST(Quantity, NamesItsUnit) {
+  EXPECT_EQ(unit_symbol<Length>(), "m");
+  EXPECT_EQ(unit_symbol<HertzStiffness>(), "N/m^1.5");
+  EXPECT_EQ(unit_symbol<DampingCoefficient>(), "N s/m");
+  EXPECT_EQ((unit_symbol<Quantity<1, -1, 3>>()), "kg m^-0.5 s^3");
+  EXPECT_EQ((unit_symbol<Quantity<0, 3, 0>>()), "m^1.5");
+  EXPECT_EQ((unit_symbol<Quantity<2, 4, 0>>()), "kg^2 m^2");
+}
+
+}  // namespace
+}  // namespace moat
