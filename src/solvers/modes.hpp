@@ -1,0 +1,33 @@
+// Periods and mode shapes of a linear structure.
+#pragma once
+
+#include <vector>
+
+#include "base/sparse_matrix.hpp"
+#include "base/vector.hpp"
+
+namespace moat {
+
+struct Mode {
+  double angular_frequency = 0.0;  ///< rad/s
+  Vector shape;                    ///< scaled so that shape^T M shape = 1, M in kg
+
+  [[nodiscard]] double period() const;  ///< s; infinite for a rigid-body mode
+};
+
+/// The `count` slowest modes of K shape = omega^2 M shape, slowest first.
+///
+/// stiffness: symmetric, positive semi-definite, N/m; mass: the diagonal of M, kg, all > 0.
+/// Small structures are solved dense by Eigen, large ones by Spectra's shift-and-invert Lanczos.
+/// Throws InputError if count is not from 1 to the size, Error if the iteration does not converge.
+std::vector<Mode> slowest_modes(const SparseMatrix& stiffness, const Vector& mass, int count);
+
+/// Rayleigh damping C = mass_factor M + stiffness_factor K that gives the damping ratio `ratio` at
+/// two angular frequencies: ratio = mass_factor / (2 omega) + stiffness_factor omega / 2.
+struct RayleighFactors {
+  double mass_factor = 0.0;       ///< 1/s
+  double stiffness_factor = 0.0;  ///< s
+};
+RayleighFactors rayleigh_factors(double ratio, double first_angular_frequency, double second_angular_frequency);
+
+}  // namespace moat
