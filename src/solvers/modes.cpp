@@ -97,13 +97,4 @@ std::vector<Mode> slowest_modes(const SparseMatrix& stiffness, const Vector& mas
   return modes;
 }
 
-RayleighFactors rayleigh_factors(double ratio, double first_angular_frequency, double second_angular_frequency) {
-  const Check check{"Rayleigh damping", ""};
-  check.not_negative("damping ratio", ratio, "1");
-  check.positive("first angular frequency", first_angular_frequency, "1/s");
-  check.positive("second angular frequency", second_angular_frequency, "1/s");
-  const double sum = first_angular_frequency + second_angular_frequency;
-  return {2.0 * ratio * first_angular_frequency * second_angular_frequency / sum, 2.0 * ratio / sum};
-}
-
 }  // namespace moat

@@ -22,12 +22,4 @@ struct Mode {
 /// Throws InputError if count is not from 1 to the size, Error if the iteration does not converge.
 std::vector<Mode> slowest_modes(const SparseMatrix& stiffness, const Vector& mass, int count);
 
-/// Rayleigh damping C = mass_factor M + stiffness_factor K that gives the damping ratio `ratio` at
-/// two angular frequencies: ratio = mass_factor / (2 omega) + stiffness_factor omega / 2.
-struct RayleighFactors {
-  double mass_factor = 0.0;       ///< 1/s
-  double stiffness_factor = 0.0;  ///< s
-};
-RayleighFactors rayleigh_factors(double ratio, double first_angular_frequency, double second_angular_frequency);
-
 }  // namespace moat
