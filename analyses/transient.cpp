@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <ctime>
+#include <limits>
 
 #include "base/check.hpp"
 #include "base/error.hpp"
@@ -87,61 +88,47 @@ double Transient::solve_cutting(double h) {
                          time, h, last_report_.residual, worst_name};
 }
 
-// The trial step of length h crosses a change of regime. Solves shorter steps until one ends just beyond the
-// first change, within the location tolerance; returns its length.
-double Transient::locate_change(double h) {
+// Looks for a change of regime in the trial step of length h.
+RegimeScan Transient::scan(double h) const {
+  // The middle of the band [-tolerance, 0) where a located step may end: beyond the change, not before it.
+  return model_->scan_regimes(h, -0.5 * options_.location_tolerance.si());
+}
+
+// The trial step of length h crosses a change of regime, as `seen` tells. Solves shorter steps until one ends
+// just beyond the first change; returns its length.
+double Transient::locate_change(double h, RegimeScan seen) {
   const double tolerance = options_.location_tolerance.si();
-  // Aims at the middle of the band [-tolerance, 0), so that the step ends beyond the change and not before it.
-  const double aim = -0.5 * tolerance;
-  RegimeScan scan = model_->scan_regimes(h);
+  const double shortest = 4.0 * std::numeric_limits<double>::epsilon() * (model_->state().time + h);
   double before = 0.0, beyond = h;
-  double margin_before = 0.0, margin_beyond = scan.margin;
-  bool know_before = false, know_beyond = scan.margin < 0.0;
-  double next = scan.fraction * h;
-  int same_side = 0;
+  double margin_before = 0.0;
+  double margin_beyond = seen.margin;
+  double next = seen.fraction * h;
   constexpr int most_solves = 100;
   for (int count = 0; count < most_solves; ++count) {
-    // Keep off the ends of the bracket, where a guess adds nothing.
     const double width = beyond - before;
-    if (!(next > before + 1e-3 * width * (count > 6) && next < beyond)) next = before + 0.5 * width;
-    if (next <= before || next >= beyond) next = beyond;
+    // A guess outside the bracket, or slow progress: halve it.
+    if (!(next > before && next < beyond) || (count > 8 && count % 2 == 0)) next = before + 0.5 * width;
+    if (width <= shortest) next = beyond;
     ++statistics_.event_solves;
-    if (!solve(next)) return solve_cutting(next * 0.5);
-    scan = model_->scan_regimes(next);
-    if (scan.margin < 0.0) {
-      if (scan.margin >= -tolerance || next - before <= 1e-15 * (model_->state().time + next)) return next;
+    if (!solve(next)) return solve_cutting(0.5 * next);
+    seen = scan(next);
+    if (seen.margin < 0.0 && (seen.margin >= -tolerance || width <= shortest)) return next;
+    if (seen.crossed) {
       beyond = next;
-      margin_beyond = scan.margin;
-      same_side = know_beyond && same_side > 0 ? same_side + 1 : 1;
-      know_beyond = true;
-    } else if (scan.crossed) {
-      // Crossed and came back within this step: the change is earlier.
-      beyond = next;
-      know_beyond = false;
-      next = scan.fraction * next;
-      continue;
+      margin_beyond = seen.margin;
+      next = seen.fraction * beyond;
     } else {
-      if (next >= h) return next;  // what looked like a change from the interpolant was none
+      if (width <= shortest) return next;  // the interpolant saw a change where there is none
       before = next;
-      margin_before = scan.margin;
-      know_before = true;
-      same_side = same_side < 0 ? same_side - 1 : -1;
+      margin_before = seen.margin;
+      const double fall = margin_before - margin_beyond;
+      next = margin_beyond < 0.0 ? before + (beyond - before) * (margin_before + 0.5 * tolerance) / fall : beyond;
     }
-    if (!know_before || !know_beyond) {
-      next = know_beyond && !know_before ? before + (scan.fraction < 1.0 ? scan.fraction : 0.5) * (beyond - before)
-                                         : before + 0.5 * (beyond - before);
-      continue;
-    }
-    // Illinois: halving the far side's value keeps the secant from sticking to one end.
-    double far_before = margin_before - aim, far_beyond = margin_beyond - aim;
-    if (same_side >= 2) far_before *= 0.5;
-    if (same_side <= -2) far_beyond *= 0.5;
-    next = before + (beyond - before) * far_before / (far_before - far_beyond);
   }
-  throw ConvergenceError{"A touch or separation near t = " + to_text(model_->state().time) +
+  throw ConvergenceError{"A touch or separation after t = " + to_text(model_->state().time) +
                              " s could not be located to " + to_text(tolerance) +
                              " m. Raise TransientOptions::location_tolerance; results up to this time are kept.",
-                         model_->state().time, beyond, scan.margin, "a gap"};
+                         model_->state().time, beyond, seen.margin, "a gap"};
 }
 
 void Transient::count_event(double time) {
@@ -171,10 +158,11 @@ void Transient::change_regimes() {
 void Transient::advance() {
   const double start = model_->state().time;
   const double target = std::min(next_grid_time(start, step_), end_);
-  const double planned = target - start;
+  // Exactly the nominal length where it is meant, so that the tangent and its factors stay the same.
+  const double planned = std::abs(target - start - step_) < 1e-9 * step_ ? step_ : target - start;
   double h = solve_cutting(planned);
-  const bool changes = model_->scan_regimes(h).crossed;
-  if (changes) h = locate_change(h);
+  const RegimeScan seen = scan(h);
+  if (seen.crossed) h = locate_change(h, seen);
   const bool on_grid = h == planned;
   // Grid times are multiples of the step, not sums of steps.
   if (on_grid) model_->trial().time = target;
@@ -183,7 +171,7 @@ void Transient::advance() {
   statistics_.factorisations = equations_.factorisations();
   const StepView accepted = view(on_grid);
   for (StepObserver* observer : observers_) observer->step(accepted);
-  if (changes) change_regimes();
+  if (seen.crossed) change_regimes();
 }
 
 void Transient::run() {

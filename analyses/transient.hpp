@@ -82,7 +82,8 @@ class Transient {
  private:
   bool solve(double h);
   double solve_cutting(double h);
-  double locate_change(double h);
+  [[nodiscard]] RegimeScan scan(double h) const;
+  double locate_change(double h, RegimeScan seen);
   void change_regimes();
   void count_event(double time);
   [[nodiscard]] StepView view(bool on_grid) const;

@@ -150,37 +150,56 @@ class LinkBlock final : public ElementBlock {
   void scan_element(std::size_t i, double step, RegimeScan& scan) const
     requires LawWithRegimes<Law>
   {
-    const Law& law = laws_[i];
-    const State& state = committed_[i];
-    const double start = law.regime_margin(state, start_deformations_[i], start_rates_[i]);
-    const double end = law.regime_margin(state, deformations_[i], rates_[i]);
-    scan.margin = std::min(scan.margin, end);
-    double fraction = 1.0;
-    if (end < 0.0) {
-      fraction = start > 0.0 ? start / (start - end) : 0.0;
-    } else {
-      // The deformation's extremum inside the step may be beyond the margin though both ends are not.
-      const double turning = turning_point(i, step);
-      if (turning <= 0.0) return;
-      const double deformation = interpolate(i, step, turning);
-      const double inside = law.regime_margin(state, deformation, 0.0);
-      if (inside >= 0.0) return;
-      fraction = turning;
+    const double end_margin = laws_[i].regime_margin(committed_[i], deformations_[i], rates_[i]);
+    scan.margin = std::min(scan.margin, end_margin);
+    double beyond = 1.0;
+    if (end_margin >= 0.0) {
+      // Beyond the margin and back within the step: only where the deformation turns inside it.
+      beyond = turning_point(i);
+      if (beyond <= 0.0 || margin_inside(i, step, beyond) >= 0.0) return;
     }
     scan.crossed = true;
-    scan.fraction = std::min(scan.fraction, fraction);
+    if (scan.fraction > 0.0) scan.fraction = std::min(scan.fraction, first_crossing(i, step, beyond, scan.aim));
   }
 
-  // Cubic Hermite interpolation of the deformation at a fraction of the step.
-  double interpolate(std::size_t i, double step, double x) const {
+  // Fraction of the step at which the interpolated margin falls to `aim`, looked for between 0 and `beyond`
+  // by regula falsi (Illinois). `beyond` itself if it never falls that far.
+  double first_crossing(std::size_t i, double step, double beyond, double aim) const {
+    double low = 0.0, high = beyond;
+    double above = margin_inside(i, step, low) - aim, below = margin_inside(i, step, high) - aim;
+    if (below >= 0.0) return beyond;
+    if (above <= 0.0) return 0.0;
+    int side = 0;
+    for (int count = 0; count < 60 && high - low > 1e-15; ++count) {
+      const double x = low + (high - low) * above / (above - below);
+      const double value = margin_inside(i, step, x) - aim;
+      if (value > 0.0) {
+        low = x;
+        above = value;
+        if (side == 1) below *= 0.5;
+        side = 1;
+      } else {
+        high = x;
+        below = value;
+        if (side == -1) above *= 0.5;
+        side = -1;
+      }
+    }
+    return high;
+  }
+
+  // The margin where the deformation is interpolated by the cubic through deformation and rate at both ends.
+  double margin_inside(std::size_t i, double step, double x) const {
     const double rise = deformations_[i] - start_deformations_[i];
     const double left = step * start_rates_[i] - rise, right = rise - step * rates_[i];
-    return start_deformations_[i] + x * rise + x * (1.0 - x) * ((1.0 - x) * left + x * right);
+    const double deformation = start_deformations_[i] + x * rise + x * (1.0 - x) * ((1.0 - x) * left + x * right);
+    const double slope = rise + (1.0 - x) * (1.0 - 3.0 * x) * left + x * (2.0 - 3.0 * x) * right;
+    return laws_[i].regime_margin(committed_[i], deformation, slope / step);
   }
 
   // Fraction at which the deformation turns inside the step, 0 if it does not. A linear rate is exact for
-  // average acceleration and close enough to decide whether to look.
-  double turning_point(std::size_t i, double) const {
+  // average acceleration and close enough for others to decide whether to look.
+  double turning_point(std::size_t i) const {
     const double start = start_rates_[i], end = rates_[i];
     return start * end < 0.0 ? start / (start - end) : 0.0;
   }

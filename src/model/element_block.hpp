@@ -30,14 +30,16 @@ struct ElementInfo {
   std::string deformation_quantity{}, force_quantity{};
 };
 
-/// What a look at the regimes of all elements at the end of a trial step found.
+/// A look at the regimes of all elements at the end of a trial step.
 struct RegimeScan {
+  /// In: the margin at which a located step is meant to end, just beyond zero.
+  double aim = 0.0;
   /// Smallest margin: how far the nearest element is from its next change of regime; negative: beyond it.
   double margin = std::numeric_limits<double>::infinity();
-  /// Fraction of the step at which the first change is expected; 1 if none inside.
-  double fraction = 1.0;
   /// True if a change was seen inside the step, even if all margins are positive again at its end.
   bool crossed = false;
+  /// Fraction of the step at which the first margin is expected to reach the aim; 1 if none does.
+  double fraction = 1.0;
 };
 
 /// One change of regime that happened.

@@ -146,8 +146,8 @@ void Model::commit() {
   for (const auto& block : blocks_) block->commit();
 }
 
-RegimeScan Model::scan_regimes(double step) const {
-  RegimeScan scan;
+RegimeScan Model::scan_regimes(double step, double aim) const {
+  RegimeScan scan{.aim = aim};
   for (const auto& block : blocks_)
     if (block->has_regimes()) block->scan_regimes(step, scan);
   return scan;

@@ -98,8 +98,9 @@ class Model {
   void assemble_linear_stiffness(StiffnessStage stage, SparseMatrix& matrix) const;
   /// The trial state of nodes and elements becomes the committed one.
   void commit();
-  /// Looks for changes of regime between the committed and the trial state, `step` seconds apart.
-  [[nodiscard]] RegimeScan scan_regimes(double step) const;
+  /// Looks for changes of regime between the committed and the trial state, `step` seconds apart;
+  /// `aim` <= 0 is where a located step should end (RegimeScan).
+  [[nodiscard]] RegimeScan scan_regimes(double step, double aim) const;
   /// Changes the regime of every element that is beyond its margin, then evaluates anew at the committed state.
   void change_regimes(std::vector<RegimeChange>& changes);
   /// Duration of the shortest contact going on, s; infinite if there is none.
