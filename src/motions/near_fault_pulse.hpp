@@ -10,7 +10,7 @@
 namespace moat {
 
 /// Parameters of the pulse of Mavroeidis and Papageorgiou (Bulletin of the Seismological Society of America 93(3),
-/// 2003): a cosine under a bell of the same shape as a raised cosine. With f = 1 / pulse_period and the time t counted
+/// 2003): a cosine under a raised-cosine bell. With f = 1 / pulse_period and the time t counted
 /// from the middle of the pulse, the ground velocity is
 ///
 ///     v(t) = amplitude / 2 * [1 + cos(2 pi f t / oscillation_ratio)] * cos(2 pi f t + phase)
