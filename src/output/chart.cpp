@@ -45,6 +45,8 @@ constexpr int left_margin = 92;
 constexpr int right_margin = 24;
 constexpr int top_margin = 40;
 constexpr int bottom_margin = 58;
+constexpr int legend_row = 22;
+constexpr int y_label_middle = 18;
 constexpr int title_size = 16;
 constexpr int label_size = 14;
 constexpr int tick_size = 13;
@@ -110,6 +112,7 @@ class PixelSvgDevice : public vtkSVGContextDevice2D {
   void SetClipping(int*) override {}
 
   void DrawPoly(float* points, int n, unsigned char*, int) override {
+    if (this->Pen->GetLineType() == vtkPen::NO_PEN) return;
     std::vector<float> pixels = to_pixels(points, n);
     Superclass::DrawPoly(pixels.data(), n);
   }
@@ -269,14 +272,18 @@ struct LegendEntry {
   std::string name;
   Series::Style style;
   std::array<unsigned char, 3> colour;
+  float x = 0.0f;  ///< left end of the line sample, pixels
+  int row = 0;     ///< 0: beside the title
 };
 
 /// One panel: the VTK chart and what is drawn by hand above it.
 struct Panel {
   vtkNew<vtkChartXY> chart;
+  std::string title, y_label;
   std::vector<LegendEntry> legend;
-  float left = 0.0f, right = 0.0f, top = 0.0f;  // of the plot area, pixels, y upwards
-  std::string title;
+  int heading = top_margin;  // height of the strip above the plot area
+  int height = 0;            // of the whole panel
+  int bottom = 0;            // pixels, upwards
 };
 
 int pen_type(Series::Style style) {
@@ -287,18 +294,24 @@ int pen_type(Series::Style style) {
 constexpr float marker_size = 6.0f;
 constexpr float line_width = 1.6f;
 
-void build_panel(const Chart& chart, int width, int height, int bottom, Panel& panel) {
+const std::array<unsigned char, 3>& colour_of(std::size_t series) { return palette[series % palette.size()]; }
+
+void build_panel(const Chart& chart, int width, const Panel& panel) {
   const int plot_width = width - left_margin - right_margin;
-  const int plot_height = height - top_margin - bottom_margin;
-  panel.left = static_cast<float>(left_margin);
-  panel.right = static_cast<float>(width - right_margin);
-  panel.top = static_cast<float>(bottom + height - top_margin);
-  panel.title = chart.title;
+  const int plot_height = panel.height - panel.heading - bottom_margin;
+  const Check check{"Chart", chart.title};
+  if (chart.x_range) {
+    check.finite("start of x range", chart.x_range->first, "1");
+    check.finite("end of x range", chart.x_range->second, "1");
+    check.that(chart.x_range->first < chart.x_range->second, "the x range ends before it starts.",
+               "Give its lower end first.");
+    if (chart.logarithmic_x) check.positive("start of logarithmic x range", chart.x_range->first, "1");
+  }
 
   vtkChartXY* drawn = panel.chart;
   drawn->SetLayoutStrategy(vtkChart::AXES_TO_RECT);
-  drawn->SetSize(vtkRectf(panel.left, static_cast<float>(bottom + bottom_margin), static_cast<float>(plot_width),
-                          static_cast<float>(plot_height)));
+  drawn->SetSize(vtkRectf(static_cast<float>(left_margin), static_cast<float>(panel.bottom + bottom_margin),
+                          static_cast<float>(plot_width), static_cast<float>(plot_height)));
   drawn->SetShowLegend(false);
   drawn->GetBackgroundBrush()->SetOpacityF(0.0);
 
@@ -306,11 +319,10 @@ void build_panel(const Chart& chart, int width, int height, int bottom, Panel& p
   double x_high = -x_low;
   double y_low = x_low;
   double y_high = -x_low;
-  std::size_t colour_number = 0;
-  for (const Series& series : chart.series) {
-    const std::array<unsigned char, 3> colour = palette[colour_number++ % palette.size()];
+  for (std::size_t i = 0; i < chart.series.size(); ++i) {
+    const Series& series = chart.series[i];
+    const std::array<unsigned char, 3>& colour = colour_of(i);
     const Curve curve = thinned(chart, visible_part(chart, series), plot_width, plot_height);
-    if (!series.name.empty()) panel.legend.push_back({series.name, series.style, colour});
     if (curve.x.empty()) continue;
     const auto [left, right] = std::minmax_element(curve.x.begin(), curve.x.end());
     const auto [low, high] = std::minmax_element(curve.y.begin(), curve.y.end());
@@ -334,12 +346,11 @@ void build_panel(const Chart& chart, int width, int height, int bottom, Panel& p
     plot->GetPen()->SetLineType(markers ? vtkPen::SOLID_LINE : pen_type(series.style));
     if (markers) vtkPlotPoints::SafeDownCast(plot)->SetMarkerSize(marker_size);
   }
-  Check{"Chart", chart.title}.that(x_low <= x_high, "there is no point to draw.",
-                                   "Give at least one series with a point inside the x range.");
+  check.that(x_low <= x_high, "there is no point to draw.",
+             "Give at least one series with a point inside the x range.");
 
   for (const int side : {vtkAxis::BOTTOM, vtkAxis::LEFT}) {
     vtkAxis* axis = drawn->GetAxis(side);
-    axis->SetTitle(side == vtkAxis::BOTTOM ? chart.x_label : chart.y_label);
     set_text(axis->GetTitleProperties(), label_size);
     set_text(axis->GetLabelProperties(), tick_size);
     axis->GetGridPen()->SetColor(225, 225, 225, 255);
@@ -347,6 +358,9 @@ void build_panel(const Chart& chart, int width, int height, int bottom, Panel& p
   }
   vtkAxis* x_axis = drawn->GetAxis(vtkAxis::BOTTOM);
   vtkAxis* y_axis = drawn->GetAxis(vtkAxis::LEFT);
+  x_axis->SetTitle(chart.x_label);
+  // VTK puts the title beside the widest number as Arial has it, where wider faces run into it: see draw_labels.
+  y_axis->SetTitle("");
   if (chart.x_range) std::tie(x_low, x_high) = *chart.x_range;
   if (chart.logarithmic_x) {
     if (!chart.x_range) std::tie(x_low, x_high) = logarithmic_range(x_low, x_high);
@@ -358,94 +372,154 @@ void build_panel(const Chart& chart, int width, int height, int bottom, Panel& p
   if (chart.logarithmic_y) {
     std::tie(y_low, y_high) = logarithmic_range(y_low, y_high);
     set_logarithmic_ticks(y_axis, y_low, y_high);
+  } else if (y_low == 0.0 && y_high == 0.0) {
+    // Around zero alone VTK chooses 1e-7.
+    y_axis->SetBehavior(vtkAxis::FIXED);
+    y_axis->SetUnscaledRange(-1.0, 1.0);
   }
 }
 
-/// Title at the left, legend at the right of the strip above the plot area: never on top of a curve.
-void draw_heading(vtkContext2D* painter, const Panel& panel) {
-  const float middle = panel.top + 0.5f * static_cast<float>(top_margin) - 2.0f;
+float text_width(vtkContext2D* painter, const std::string& text) {
+  std::array<float, 4> bounds{};
+  painter->ComputeStringBounds(text, bounds.data());
+  // Measured in Arial; the faces that stand in for it run up to a sixth wider.
+  return 1.15f * bounds[2];
+}
+
+void use_title_font(vtkContext2D* painter) {
   vtkTextProperty* text = painter->GetTextProp();
   set_text(text, title_size);
-  text->SetOrientation(0.0);
   text->SetBold(1);
+  text->SetOrientation(0.0);
   text->SetJustificationToLeft();
   text->SetVerticalJustificationToCentered();
-  painter->DrawString(panel.left, middle, panel.title);
+}
 
-  set_text(text, label_size);
-  constexpr float sample = 26.0f;
-  constexpr float gap = 6.0f;
+void use_legend_font(vtkContext2D* painter) {
+  use_title_font(painter);
+  set_text(painter->GetTextProp(), label_size);
+}
+
+constexpr float sample_width = 26.0f;
+constexpr float sample_gap = 6.0f;
+
+/// Places the legend at the right of the strip above the plot area, never on top of a curve or the title.
+void lay_out_heading(vtkContext2D* painter, const Chart& chart, int width, int height, Panel& panel) {
   constexpr float between = 18.0f;
-  float x = panel.right;
-  for (auto entry = panel.legend.rbegin(); entry != panel.legend.rend(); ++entry) {
-    std::array<float, 4> bounds{};
-    painter->ComputeStringBounds(entry->name, bounds.data());
-    // Faces other than Arial run up to a sixth wider.
-    x -= 1.15f * bounds[2];
-    painter->DrawString(x, middle, entry->name);
-    x -= gap;
-    painter->GetPen()->SetColor(entry->colour[0], entry->colour[1], entry->colour[2]);
+  panel.title = chart.title;
+  panel.y_label = chart.y_label;
+  use_title_font(painter);
+  const float title_end = static_cast<float>(left_margin) + text_width(painter, panel.title) + between;
+  use_legend_font(painter);
+  std::vector<float> widths;
+  float total = 0.0f;
+  for (std::size_t i = 0; i < chart.series.size(); ++i) {
+    const Series& series = chart.series[i];
+    if (series.name.empty()) continue;
+    panel.legend.push_back({series.name, series.style, colour_of(i)});
+    widths.push_back(sample_width + sample_gap + text_width(painter, series.name) + between);
+    total += widths.back();
+  }
+  const float end = static_cast<float>(width - right_margin);
+  const bool beside_title = title_end + total <= end + between;
+  float x = beside_title ? end + between - total : static_cast<float>(left_margin);
+  int row = beside_title ? 0 : 1;
+  for (std::size_t i = 0; i < panel.legend.size(); ++i) {
+    if (row > 0 && x > static_cast<float>(left_margin) && x + widths[i] > end + between) {
+      x = static_cast<float>(left_margin);
+      ++row;
+    }
+    panel.legend[i].x = x;
+    panel.legend[i].row = row;
+    x += widths[i];
+  }
+  panel.heading = top_margin + row * legend_row;
+  panel.height = height + row * legend_row;
+}
+
+void draw_labels(vtkContext2D* painter, const Panel& panel) {
+  const float title_height = static_cast<float>(panel.bottom + panel.height - top_margin / 2 - 2);
+  use_title_font(painter);
+  painter->DrawString(static_cast<float>(left_margin), title_height, panel.title);
+  use_legend_font(painter);
+  for (const LegendEntry& entry : panel.legend) {
+    const float y = title_height - static_cast<float>(entry.row * legend_row);
+    painter->DrawString(entry.x + sample_width + sample_gap, y, entry.name);
+    painter->GetPen()->SetColor(entry.colour[0], entry.colour[1], entry.colour[2]);
     painter->GetPen()->SetOpacity(255);
-    if (entry->style == Series::Style::markers) {
+    if (entry.style == Series::Style::markers) {
       painter->GetPen()->SetWidth(marker_size);
       painter->GetPen()->SetLineType(vtkPen::SOLID_LINE);
-      std::array<float, 2> point{x - 0.5f * sample, middle};
+      std::array<float, 2> point{entry.x + 0.5f * sample_width, y};
       painter->DrawMarkers(VTK_MARKER_CIRCLE, false, point.data(), 1, nullptr, 0);
     } else {
       painter->GetPen()->SetWidth(2.0f);
-      painter->GetPen()->SetLineType(pen_type(entry->style));
-      painter->DrawLine(x - sample, middle, x, middle);
+      painter->GetPen()->SetLineType(pen_type(entry.style));
+      painter->DrawLine(entry.x, y, entry.x + sample_width, y);
     }
-    x -= sample + between;
   }
+
+  vtkTextProperty* text = painter->GetTextProp();
+  text->SetOrientation(90.0);
+  text->SetJustificationToCentered();
+  text->SetVerticalJustificationToCentered();
+  const int plot_height = panel.height - panel.heading - bottom_margin;
+  painter->DrawString(static_cast<float>(y_label_middle),
+                      static_cast<float>(panel.bottom + bottom_margin + plot_height / 2), panel.y_label);
+}
+
+/// Puts the SVG header around what the device draws into `page`.
+std::string document(vtkXMLDataElement* page, int width, int height) {
+  const std::string w = std::to_string(width);
+  const std::string h = std::to_string(height);
+  std::ostringstream text;
+  text << "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" << w << "\" height=\"" << h << "\" viewBox=\"0 0 " << w
+       << " " << h << "\" font-family=\"Arial, Helvetica, 'Liberation Sans', 'DejaVu Sans', sans-serif\">\n"
+       << "<rect width=\"" << w << "\" height=\"" << h << "\" fill=\"#ffffff\"/>\n";
+  page->PrintXML(text, vtkIndent{});
+  text << "</svg>\n";
+  return text.str();
 }
 
 std::string paint(const std::vector<Chart>& charts, int width, int height) {
-  const int total_height = height * static_cast<int>(charts.size());
-  vtkNew<vtkXMLDataElement> root;
-  root->SetName("svg");
-  root->SetAttribute("xmlns", "http://www.w3.org/2000/svg");
-  root->SetIntAttribute("width", width);
-  root->SetIntAttribute("height", total_height);
-  root->SetAttribute("viewBox", ("0 0 " + std::to_string(width) + " " + std::to_string(total_height)).c_str());
-  root->SetAttribute("font-family", "Arial, Helvetica, 'Liberation Sans', 'DejaVu Sans', sans-serif");
-  vtkNew<vtkXMLDataElement> background;
-  background->SetName("rect");
-  background->SetAttribute("width", "100%");
-  background->SetAttribute("height", "100%");
-  background->SetAttribute("fill", "#ffffff");
-  root->AddNestedElement(background);
   vtkNew<vtkXMLDataElement> page;
   page->SetName("g");
+  // The device states a stroke or a fill for each thing it draws, never both.
   page->SetAttribute("stroke", "none");
   page->SetAttribute("fill", "none");
   page->SetAttribute("stroke-linejoin", "round");
-  root->AddNestedElement(page);
-  vtkNew<vtkXMLDataElement> definitions;  // stays empty
+  vtkNew<vtkXMLDataElement> definitions;  // stays empty: PixelSvgDevice uses none
 
   vtkNew<Paper> paper;
-  paper->resize(width, total_height);
   vtkNew<PixelSvgDevice> device;
   device->SetSVGContext(page, definitions);
+  paper->resize(width, height);
   device->Begin(paper);
   vtkNew<vtkContext2D> painter;
   painter->Begin(device);
 
   std::vector<Panel> panels(charts.size());
+  int total_height = 0;
+  for (std::size_t i = 0; i < charts.size(); ++i) {
+    lay_out_heading(painter, charts[i], width, height, panels[i]);
+    total_height += panels[i].height;
+  }
+  paper->resize(width, total_height);
+  device->Begin(paper);
+
   vtkNew<vtkContextScene> scene;
   scene->SetGeometry(width, total_height);
+  int top = total_height;
   for (std::size_t i = 0; i < charts.size(); ++i) {
-    build_panel(charts[i], width, height, total_height - height * static_cast<int>(i + 1), panels[i]);
+    top = panels[i].bottom = top - panels[i].height;
+    build_panel(charts[i], width, panels[i]);
     scene->AddItem(panels[i].chart);
   }
   scene->Paint(painter);
-  for (const Panel& panel : panels) draw_heading(painter, panel);
+  for (const Panel& panel : panels) draw_labels(painter, panel);
   painter->End();
   device->End();
-
-  std::ostringstream text;
-  root->PrintXML(text, vtkIndent{});
-  return text.str();
+  return document(page, width, total_height);
 }
 
 }  // namespace

@@ -28,12 +28,14 @@ struct Chart {
 };
 
 /// The chart as SVG text, `width` x `height` pixels; several charts are stacked above each other, each `height` high,
-/// with their plot areas aligned. Long series are thinned to about two points per pixel and keep their peaks. The text
-/// has no prolog and no ids, so it may be placed inside an HTML page, several times.
+/// with their plot areas aligned. A legend that finds no room beside the title gets rows of its own, which make its
+/// panel higher. Long series are thinned to about two points per pixel and keep their peaks. The text has no prolog
+/// and no ids, so it may be placed inside an HTML page, several times.
 ///
 /// Throws InputError for no chart or a size below 200 x 150 pixels, and where a chart has no point to draw, a series
-/// has x and y of different length or a value that is not finite, or a logarithmic axis gets a value that is not
-/// positive. Safe to call from several threads: VTK's fonts are shared, so they wait for each other.
+/// has x and y of different length or a value that is not finite, a logarithmic axis gets a value that is not positive,
+/// or an x range ends before it starts. Safe to call from several threads: VTK's fonts are shared, so they wait for
+/// each other.
 std::string svg_text(const std::vector<Chart>& charts, int width = 1000, int height = 420);
 
 /// Writes one chart. Throws as svg_text does, and FileError.

@@ -98,7 +98,8 @@ fs::path make_results_folder(fs::path wanted, WhenFolderExists when_exists) {
   }
   for (int number = 2;; ++number) {
     fs::path numbered = wanted;
-    numbered += "_" + std::to_string(number);
+    numbered += "_";
+    numbered += std::to_string(number);
     std::error_code error;
     if (!fs::exists(fs::symlink_status(numbered, error)) && create(numbered)) return numbered;
   }
