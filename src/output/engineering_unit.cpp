@@ -15,6 +15,12 @@ EngineeringUnit engineering_unit(std::string_view si_symbol) {
   return {std::string{si_symbol}, 1.0};
 }
 
+std::string with_raised_digits(std::string_view unit) {
+  std::string text{unit};
+  for (std::size_t at = text.find("^2"); at != std::string::npos; at = text.find("^2")) text.replace(at, 2, "²");
+  return text;
+}
+
 std::string in_words(std::string_view quantity) {
   std::string words{quantity};
   std::replace(words.begin(), words.end(), '_', ' ');

@@ -14,6 +14,9 @@ struct EngineeringUnit {
 /// cm for m, cm/s for m/s, kN for N, kJ for J; any other unit stays as it is.
 EngineeringUnit engineering_unit(std::string_view si_symbol);
 
+/// A unit for reading: "m/s^2" with a raised 2.
+std::string with_raised_digits(std::string_view unit);
+
 /// A quantity's name in words: "absolute_acceleration" -> "absolute acceleration".
 std::string in_words(std::string_view quantity);
 

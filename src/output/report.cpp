@@ -10,8 +10,8 @@
 #include "output/file_io.hpp"
 #include "output/impact_columns.hpp"
 #include "output/peak_groups.hpp"
+#include "output/result_charts.hpp"
 #include "output/results_folder.hpp"
-#include "output/table_columns.hpp"
 
 namespace moat {
 namespace {
@@ -52,13 +52,6 @@ std::string escaped(std::string_view text) {
   return html;
 }
 
-/// "m/s^2" with a raised 2.
-std::string pretty(std::string_view unit) {
-  std::string text{unit};
-  for (std::size_t at = text.find("^2"); at != std::string::npos; at = text.find("^2")) text.replace(at, 2, "²");
-  return text;
-}
-
 std::string capitalised(std::string text) {
   if (!text.empty() && text[0] >= 'a' && text[0] <= 'z') text[0] = static_cast<char>(text[0] - 'a' + 'A');
   return text;
@@ -71,7 +64,7 @@ std::string row(std::string_view name, std::string_view value) {
 std::string number_with_unit(double si_value, std::string_view si_symbol) {
   const EngineeringUnit unit = engineering_unit(si_symbol);
   const double value = unit.per_si * si_value;
-  return with_decimals(value, decimals_for(std::abs(value))) + " " + pretty(unit.symbol);
+  return with_decimals(value, decimals_for(std::abs(value))) + " " + with_raised_digits(unit.symbol);
 }
 
 std::string motion_section(const CaseResult& result) {
@@ -92,7 +85,7 @@ std::string peak_section(const CaseResult& result) {
   std::string html = "<h2>Peaks</h2>\n<table>\n";
   for (const PeakGroup& group : group_peaks(result.peaks)) {
     html += "<tr class=\"group\"><th>" + escaped(capitalised(group.quantity)) + "</th><th class=\"number\">" +
-            escaped(pretty(group.unit)) + "</th><th class=\"number\">at s</th></tr>\n";
+            escaped(with_raised_digits(group.unit)) + "</th><th class=\"number\">at s</th></tr>\n";
     for (const PeakRow& peak : group.rows)
       html += "<tr><td>" + escaped(peak.where) + "</td><td class=\"number\">" + peak.value +
               "</td><td class=\"number\">" + peak.time + "</td></tr>\n";
@@ -108,7 +101,7 @@ std::string impact_section(const CaseResult& result) {
   for (const ImpactColumn& column : impact_columns) {
     const EngineeringUnit unit = engineering_unit(column.unit);
     html += "<th class=\"number\">" + escaped(capitalised(in_words(column.name)));
-    if (unit.symbol != "1") html += " [" + escaped(pretty(unit.symbol)) + "]";
+    if (unit.symbol != "1") html += " [" + escaped(with_raised_digits(unit.symbol)) + "]";
     html += "</th>";
     double largest = 0.0;
     for (const Impact& impact : result.impacts)
@@ -143,69 +136,11 @@ std::string solver_section(const CaseResult& result) {
   return html + "</ul>\n";
 }
 
-std::vector<const Column*> columns_of(const Table& table, std::string_view quantity) {
-  std::vector<const Column*> found;
-  for (const Column& column : table.columns)
-    if (column.quantity == quantity && !column.values.empty()) found.push_back(&column);
-  return found;
-}
-
-bool is_base(const Column& column) { return column.where == "base" || column.where.ends_with(" base"); }
-
-/// The base, if there is one, and the last column.
-std::vector<const Column*> base_and_top(const Table& table, std::string_view quantity) {
-  const std::vector<const Column*> all = columns_of(table, quantity);
-  std::vector<const Column*> picked;
-  const auto base = std::find_if(all.begin(), all.end(), [](const Column* column) { return is_base(*column); });
-  if (base != all.end()) picked.push_back(*base);
-  if (!all.empty() && (picked.empty() || all.back() != picked.front())) picked.push_back(all.back());
-  return picked;
-}
-
-std::vector<double> scaled(const Column& column) {
-  const double factor = engineering_unit(column.unit).per_si;
-  std::vector<double> values = column.values;
-  for (double& value : values) value *= factor;
-  return values;
-}
-
-std::string axis_label(const Column& column) {
-  return in_words(column.quantity) + " [" + pretty(engineering_unit(column.unit).symbol) + "]";
-}
-
-Chart history_chart(const Column& time, const std::vector<const Column*>& columns) {
-  Chart chart;
-  chart.title = capitalised(in_words(columns.front()->quantity));
-  chart.x_label = "time [s]";
-  chart.y_label = axis_label(*columns.front());
-  chart.x_range = std::pair{time.values.front(), time.values.back()};
-  for (const Column* column : columns) chart.series.push_back({column->where, time.values, scaled(*column)});
-  return chart;
-}
-
 std::string chart_section(const CaseResult& result) {
-  const Table& table = result.histories;
-  require_equal_lengths(table);
-  const std::vector<const Column*> times = columns_of(table, "time");
   std::string html;
-  std::vector<Chart> histories;
-  if (!times.empty() && times.front()->values.back() > times.front()->values.front()) {
-    for (const auto& columns : {base_and_top(table, "displacement"), base_and_top(table, "absolute_acceleration"),
-                                columns_of(table, "impact_force")})
-      if (!columns.empty()) histories.push_back(history_chart(*times.front(), columns));
-  }
+  const std::vector<Chart> histories = history_charts(result);
   if (!histories.empty()) html += "<h2>Histories</h2>\n" + svg_text(histories, 1000, 300);
-
-  const std::vector<const Column*> forces = columns_of(table, "isolator_force");
-  const std::vector<const Column*> displacements = base_and_top(table, "displacement");
-  if (!forces.empty() && !displacements.empty() && is_base(*displacements.front())) {
-    Chart loop;
-    loop.title = "Isolators";
-    loop.x_label = "base displacement [" + engineering_unit(displacements.front()->unit).symbol + "]";
-    loop.y_label = axis_label(*forces.front());
-    loop.series.push_back({forces.front()->where, scaled(*displacements.front()), scaled(*forces.front())});
-    html += "<h2>Hysteresis</h2>\n" + svg_text({loop}, 700, 440);
-  }
+  if (const auto loop = hysteresis_chart(result)) html += "<h2>Hysteresis</h2>\n" + svg_text({*loop}, 700, 440);
   return html;
 }
 

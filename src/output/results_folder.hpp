@@ -13,6 +13,7 @@ inline constexpr const char* histories_csv = "histories.csv";
 inline constexpr const char* histories_vtt = "histories.vtt";
 inline constexpr const char* impacts = "impacts.csv";
 inline constexpr const char* report = "report.html";
+inline constexpr const char* charts = "charts.svg";
 inline constexpr const char* frames = "frames.pvd";
 /// Sub-folder of the frames frame_000000.vtu, frame_000001.vtu ...
 inline constexpr const char* frames_folder = "frames";

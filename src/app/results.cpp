@@ -1,0 +1,38 @@
+#include "app/results.hpp"
+
+#include <cstdio>
+
+#include "output/csv_writer.hpp"
+#include "output/report.hpp"
+#include "output/result_charts.hpp"
+#include "output/results_folder.hpp"
+#include "output/summary.hpp"
+#include "output/vtk_table.hpp"
+
+namespace moat {
+
+void write_results(const CaseResult& result, const std::filesystem::path& folder) {
+  write_summary_json(result, folder / results_file::summary);
+  write_csv(result.impacts, folder / results_file::impacts);
+  write_csv(result.histories, folder / results_file::histories_csv);
+  write_vtt(result.histories, folder / results_file::histories_vtt);
+  write_report_html(result, folder);
+  if (const auto charts = history_charts(result); !charts.empty()) write_svg(charts, folder / results_file::charts);
+}
+
+std::string terminal_summary(const CaseResult& result) {
+  std::string text;
+  char line[160];
+  if (!result.periods.empty()) text += "\nperiods [s]\n";
+  for (const NamedPeriod& period : result.periods) {
+    std::snprintf(line, sizeof line, "  %-34s %.3f\n", period.name.c_str(), period.value);
+    text += line;
+  }
+  text += "\n" + peak_table(result);
+  std::snprintf(line, sizeof line, "\n%zu impact%s, %ld steps, %ld Newton iterations, %.3g s of processor time\n",
+                result.impacts.size(), result.impacts.size() == 1 ? "" : "s", result.solver.accepted_steps,
+                result.solver.newton_iterations, result.solver.cpu_seconds);
+  return text + line;
+}
+
+}  // namespace moat

@@ -1,0 +1,64 @@
+// The command line of an input script.
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "base/quantity.hpp"
+#include "model/model.hpp"
+#include "motions/ground_motion.hpp"
+
+namespace moat {
+
+/// Turns a main() into a program with options, help, progress, results folder and exit codes.
+///
+///     int main(int argc, char** argv) {
+///       Script script{argc, argv, "Five-storey isolated building inside a moat"};
+///       const Length gap = script.length("gap", 10 * cm, "clearance on each side");   // --gap "12 cm"
+///       const GroundMotion motion = script.motion(near_fault_pulse());                // --record FILE
+///       Model model;
+///       ...
+///       return script.run(model, motion);
+///     }
+///
+/// Every function that takes a name adds an option --name and returns its value at once: the default, or what the
+/// command line says, with its unit. run() knows all options, answers --help, and refuses what it does not know.
+///
+/// Errors: once a Script exists, an exception that leaves main() is printed as one message to standard error and
+/// ends the program with exit code 1. Exit codes: 0 done; 1 bad input or another error; 2 wrong usage of the command
+/// line; 3 a step did not converge (what was computed before is in the results folder).
+class Script {
+ public:
+  Script(int argc, char** argv, std::string title);
+  ~Script();
+  Script(const Script&) = delete;
+  Script& operator=(const Script&) = delete;
+
+  /// Throw InputError for text that is not a number with a unit of the right dimension. An option may be named once.
+  Length length(const std::string& name, Length preset, const std::string& help);
+  Time time(const std::string& name, Time preset, const std::string& help);
+  Mass mass(const std::string& name, Mass preset, const std::string& help);
+  Force force(const std::string& name, Force preset, const std::string& help);
+  Speed speed(const std::string& name, Speed preset, const std::string& help);
+  Acceleration acceleration(const std::string& name, Acceleration preset, const std::string& help);
+  Stiffness stiffness(const std::string& name, Stiffness preset, const std::string& help);
+  HertzStiffness hertz_stiffness(const std::string& name, HertzStiffness preset, const std::string& help);
+  double number(const std::string& name, double preset, const std::string& help);
+  int integer(const std::string& name, int preset, const std::string& help);
+  std::string text(const std::string& name, const std::string& preset, const std::string& help);
+
+  /// Adds --record FILE (PEER AT2, or two columns with --record-unit g) and returns that motion, else the preset.
+  GroundMotion motion(const GroundMotion& preset);
+
+  /// Computes the model under the motion, shows progress and peaks, writes the results folder, and returns the exit
+  /// code. Adds --out, --force, --step, --end, --frame-interval, --quiet.
+  int run(Model& model, const GroundMotion& motion);
+
+ private:
+  struct CommandLine;
+  template <class Q>
+  Q quantity(const std::string& name, Q preset, const std::string& help);
+  std::unique_ptr<CommandLine> command_line_;
+};
+
+}  // namespace moat

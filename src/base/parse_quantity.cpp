@@ -1,0 +1,117 @@
+#include "base/parse_quantity.hpp"
+
+#include <array>
+#include <cctype>
+#include <charconv>
+#include <cmath>
+#include <optional>
+
+#include "base/error.hpp"
+#include "base/units.hpp"
+
+namespace moat {
+namespace {
+
+struct Symbol {
+  std::string_view name;
+  double si;
+  int mass, half_length, time;
+};
+
+template <class Q>
+constexpr Symbol symbol(std::string_view name, Q unit) {
+  return {name, unit.si(), Q::mass_exponent, Q::half_length_exponent, Q::time_exponent};
+}
+
+constexpr std::array symbols{
+    symbol("m", units::m),   symbol("mm", units::mm), symbol("cm", units::cm),      symbol("km", units::km),
+    symbol("s", units::s),   symbol("ms", units::ms), symbol("min", units::minute), symbol("kg", units::kg),
+    symbol("t", units::tonne), symbol("tonne", units::tonne), symbol("N", units::N), symbol("kN", units::kN),
+    symbol("MN", units::MN), symbol("GN", units::GN), symbol("J", units::J),        symbol("kJ", units::kJ),
+    symbol("MJ", units::MJ), symbol("Hz", units::Hz), symbol("g", units::g)};
+
+struct Unit {
+  double si = 1.0;
+  int mass = 0, half_length = 0, time = 0;
+};
+
+[[noreturn]] void refuse(std::string_view what, std::string_view text, const std::string& problem) {
+  std::string message{what};
+  message.append(": \"").append(text).append("\" ").append(problem);
+  throw InputError{message};
+}
+
+// A power in halves: 2 -> 4, 1.5 -> 3. Nothing for anything finer.
+std::optional<int> power_in_halves(std::string_view text) {
+  double power = 0.0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), power);
+  if (error != std::errc{} || end != text.data() + text.size() || std::abs(power) > 8.0) return std::nullopt;
+  const double halves = 2.0 * power;
+  if (halves != std::round(halves)) return std::nullopt;
+  return static_cast<int>(halves);
+}
+
+void multiply(Unit& unit, std::string_view factor, int sign, std::string_view what, std::string_view text) {
+  const std::size_t caret = factor.find('^');
+  const std::string_view name = factor.substr(0, caret);
+  std::optional<int> halves = 2;
+  if (caret != std::string_view::npos) halves = power_in_halves(factor.substr(caret + 1));
+  for (const Symbol& known : symbols) {
+    if (known.name != name) continue;
+    const auto raised = [&](int exponent) -> int {
+      if (halves && exponent * *halves % 2 == 0) return sign * exponent * *halves / 2;
+      refuse(what, text, "has a power that is not a whole or half number: \"" + std::string{factor} + "\".");
+    };
+    if (!halves) raised(1);
+    unit.mass += raised(known.mass);
+    unit.half_length += raised(known.half_length);
+    unit.time += raised(known.time);
+    unit.si *= std::pow(known.si, 0.5 * sign * *halves);
+    return;
+  }
+  refuse(what, text, "has an unknown unit \"" + std::string{name} + "\". Known are m mm cm km s ms min kg t tonne N kN " +
+                         "MN GN J kJ MJ Hz and g (gravity), joined by / or a blank, with powers as in N/m^1.5.");
+}
+
+Unit parse_unit(std::string_view unit_text, std::string_view what, std::string_view text) {
+  Unit unit;
+  int sign = 1;
+  std::size_t at = 0;
+  while (at < unit_text.size()) {
+    const char c = unit_text[at];
+    if (c == '/') sign = -1;
+    if (c == '/' || c == '*' || std::isspace(static_cast<unsigned char>(c)) != 0) {
+      ++at;
+      continue;
+    }
+    std::size_t end = unit_text.find_first_of("/* \t", at);
+    if (end == std::string_view::npos) end = unit_text.size();
+    multiply(unit, unit_text.substr(at, end - at), sign, what, text);
+    at = end;
+  }
+  return unit;
+}
+
+}  // namespace
+
+double parse_si(std::string_view text, std::string_view what, int mass, int half_length, int time) {
+  const std::string wanted = unit_symbol(mass, half_length, time);
+  std::size_t start = text.find_first_not_of(" \t");
+  if (start == std::string_view::npos) start = text.size();
+  if (start < text.size() && text[start] == '+') ++start;
+  double number = 0.0;
+  const auto [end, error] = std::from_chars(text.data() + start, text.data() + text.size(), number);
+  if (error != std::errc{} || !std::isfinite(number))
+    refuse(what, text, "does not start with a number. Write a number with its unit, in " + wanted + " for example.");
+  const std::string_view unit_text = text.substr(static_cast<std::size_t>(end - text.data()));
+  const bool has_unit = unit_text.find_first_not_of(" \t") != std::string_view::npos;
+  if (!has_unit && wanted != "1")
+    refuse(what, text, "has no unit. Write the unit behind the number, in " + wanted + " for example.");
+  const Unit unit = parse_unit(unit_text, what, text);
+  if (unit.mass != mass || unit.half_length != half_length || unit.time != time)
+    refuse(what, text, "is in " + unit_symbol(unit.mass, unit.half_length, unit.time) + ", but it must be in " +
+                           (wanted == "1" ? std::string{"no unit: a plain number"} : wanted + " or multiples of it") + ".");
+  return number * unit.si;
+}
+
+}  // namespace moat
