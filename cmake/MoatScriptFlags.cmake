@@ -34,7 +34,7 @@ file(GENERATE OUTPUT ${CMAKE_BINARY_DIR}/script_link.txt CONTENT "$<JOIN:${_link
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
   add_custom_command(OUTPUT ${_header_folder}/moat.hpp.gch
     COMMAND "$<FILTER:${_compile},EXCLUDE,^$>" -x c++-header ${_header_folder}/moat.hpp
-      -MD -MF ${_header_folder}/moat.hpp.d -MT ${_header_folder}/moat.hpp.gch -o ${_header_folder}/moat.hpp.gch
+      -MD -MF ${_header_folder}/moat.hpp.d -MT script_header/moat.hpp.gch -o ${_header_folder}/moat.hpp.gch
     DEPENDS ${_header_folder}/moat.hpp ${CMAKE_BINARY_DIR}/script_compile.txt
     DEPFILE ${_header_folder}/moat.hpp.d
     COMMENT "Precompiling moat.hpp for scripts"
