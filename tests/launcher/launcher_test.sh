@@ -32,6 +32,7 @@ script=$world/study/tower.cpp
   program apt-get <<<'#!/bin/bash
     echo "apt-get $*" >>"$WORLD/calls"
     case $* in
+      *--yes*assume-no*) echo "--yes wins over --assume-no" >&2; exit 1 ;;
       *assume-no*) echo "0 upgraded, 14 newly installed, 0 to remove."; echo "Need to get 0 B/531 MB of archives." ;;
       *install*) for word in "$@"; do echo "$word"; done >>"$WORLD/installed" ;;
     esac'
@@ -112,7 +113,7 @@ case $case in
     launch run "$script" --gap 3 'two words'
     code_is 0
     out_is "30 m, called $script [--gap] [3] [two words]"
-    called "apt-get .*install --no-install-recommends .*libvtk9-dev"
+    called "apt-get .*install --yes --no-install-recommends .*libvtk9-dev"
     not_called libgtest-dev
     err_tells "14 packages, 0 B to download"
     for phase in lists install configure build compile; do err_tells "moat: $phase"; done
