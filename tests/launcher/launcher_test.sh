@@ -52,7 +52,7 @@ script=$world/study/tower.cpp
         printf "%s\n" "$COMPILER" -isystem "$ROOT/src" >"$build/script_compile.txt" ;;
     esac'
   program ctest <<<'#!/bin/bash
-    echo "ctest $*" >>"$WORLD/calls"
+    echo "ctest $* with records ${MOAT_RECORDS-none}" >>"$WORLD/calls"
     [[ ! -e $WORLD/ctest_fails ]] || exit 8
     [[ -e $WORLD/skips ]] || { echo "100% tests passed, 0 tests failed out of 1"; exit; }
     log=$ROOT/build/release/Testing/Temporary/LastTest.log; mkdir -p "${log%/*}"
@@ -292,6 +292,17 @@ case $case in
     code_is 2
     err_tells MOAT_RECORDS
     not_called .
+    ;;
+  finds_records_from_anywhere)
+    cd "$world"
+    records=study
+    launch test
+    code_is 0
+    called "with records $world/study"
+    records=nowhere
+    launch test
+    code_is 2
+    err_tells "MOAT_RECORDS is nowhere, which is not a folder"
     ;;
   passes_on_the_code_of_ctest)
     touch "$world/ctest_fails"
