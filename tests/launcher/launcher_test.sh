@@ -44,7 +44,10 @@ script=$world/study/tower.cpp
       *" -n") [[ -e $build/src/libmoat.so && ! -e $WORLD/work ]] && echo "ninja: no work to do." ;;
       *--build*)
         [[ ! -e $WORLD/build_fails ]] || { echo "the reason why"; exit 1; }
-        date +%N >"$build/src/libmoat.so"; rm -f "$WORLD/work" ;;
+        mkdir "$WORLD/building" || { echo "two build at the same time"; exit 1; }
+        sleep 0.2 # long enough for another one to come along
+        date +%N >"$build/src/libmoat.so"; rm -f "$WORLD/work"
+        rmdir "$WORLD/building" ;;
       *)
         touch "$build/build.ninja" "$build/script_link.txt"
         echo "CMAKE_HOME_DIRECTORY:INTERNAL=$ROOT" >"$build/CMakeCache.txt"
