@@ -30,7 +30,7 @@ class Quantity {
 
   /// From a value that is already in SI units. A plain number becomes a quantity only where the
   /// quantity has no dimension.
-  constexpr explicit(!dimensionless) Quantity(double si_value) : si_{si_value} {}
+  constexpr explicit(!dimensionless) Quantity(double value_in_si) : si_{value_in_si} {}
 
   /// The value in SI units (m, kg, s, N, ...).
   [[nodiscard]] constexpr double si() const { return si_; }

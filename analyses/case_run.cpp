@@ -1,0 +1,57 @@
+#include "analyses/case_run.hpp"
+
+#include "analyses/periods.hpp"
+#include "base/check.hpp"
+
+namespace moat {
+namespace {
+
+CaseOptions checked(CaseOptions options) {
+  Check{"CaseOptions", options.title}.not_negative("history_interval", options.history_interval);
+  return options;
+}
+
+}  // namespace
+
+CaseRun::CaseRun(Model& model, const GroundMotion& motion, CaseOptions options)
+    : options_{checked(std::move(options))},
+      periods_{characteristic_periods(model)},
+      transient_{model, motion, options_.transient},
+      peaks_{model},
+      histories_{model, options_.history_interval.si() > 0.0 ? options_.history_interval.si() : motion.time_step()} {
+  attach(peaks_);
+  attach(impacts_);
+  attach(histories_);
+}
+
+CaseResult CaseRun::result() const {
+  const GroundMotion& motion = transient_.motion();
+  CaseResult result{.title = options_.title,
+                    .motion = {.name = motion.name(),
+                               .peak_acceleration = motion.peak_acceleration().si(),
+                               .peak_velocity = motion.peak_velocity().si(),
+                               .time_step = motion.time_step(),
+                               .duration = motion.duration()},
+                    .periods = periods_,
+                    .peaks = peaks_.peaks(),
+                    .impacts = impacts_.impacts(),
+                    .histories = histories_.table(),
+                    .solver = transient_.statistics(),
+                    .assumptions = transient_.assumptions()};
+  result.assumptions.insert(
+      result.assumptions.end(),
+      {"Displacements and velocities are relative to the ground, accelerations absolute; positive to the right.",
+       "A peak is the largest magnitude over continuous time, also between steps and on both sides of an event.",
+       "total_base_shear is the force of isolators and impacts together; sum_of_floor_inertia_maxima adds the "
+       "maxima of mass times absolute acceleration of base and floors, which are not simultaneous.",
+       "storey_shear is the elastic force of the columns, without that of the storey's damping."});
+  return result;
+}
+
+CaseResult run_case(Model& model, const GroundMotion& motion, CaseOptions options) {
+  CaseRun run{model, motion, std::move(options)};
+  run.run();
+  return run.result();
+}
+
+}  // namespace moat

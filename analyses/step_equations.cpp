@@ -1,0 +1,66 @@
+#include "analyses/step_equations.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace moat {
+
+StepEquations::StepEquations(Model& model, NewmarkScheme scheme) : model_{&model}, scheme_{scheme} {
+  model.prepare();
+  tangent_ = model.pattern();
+  forces_.setZero(size() + 1);
+}
+
+void StepEquations::begin(double h, double ground_acceleration) {
+  h_ = h;
+  ground_acceleration_ = ground_acceleration;
+  const MotionState& start = model_->state();
+  predicted_displacement_ =
+      start.displacement + h * start.velocity + (0.5 - scheme_.beta) * h * h * start.acceleration;
+  predicted_velocity_ = start.velocity + (1.0 - NewmarkScheme::gamma) * h * start.acceleration;
+  model_->trial().time = start.time + h;
+}
+
+void StepEquations::balance_committed_state(double ground_acceleration) {
+  MotionState& trial = model_->trial();
+  trial = model_->state();
+  model_->evaluate();
+  model_->internal_forces(forces_);
+  const int count = size();
+  trial.acceleration.head(count) =
+      (-forces_.head(count).array() / model_->masses().array() - ground_acceleration).matrix();
+  model_->commit();
+}
+
+bool StepEquations::compute_residual(const Vector& acceleration, Vector& residual) {
+  const int count = size();
+  MotionState& trial = model_->trial();
+  trial.acceleration.head(count) = acceleration;
+  trial.displacement.head(count) =
+      predicted_displacement_.head(count) + scheme_.displacement_weight(h_) * acceleration;
+  trial.velocity.head(count) = predicted_velocity_.head(count) + NewmarkScheme::velocity_weight(h_) * acceleration;
+  model_->evaluate();
+  model_->internal_forces(forces_);
+
+  const Vector& mass = model_->masses();
+  double largest = 0.0;
+  for (int i = 0; i < count; ++i) {
+    const double inertia = mass[i] * acceleration[i];
+    const double load = mass[i] * ground_acceleration_;
+    residual[i] = inertia + forces_[i] + load;
+    // Each term alone passes through zero at some instant; the largest of them does not.
+    largest = std::max({largest, std::abs(inertia), std::abs(forces_[i]), std::abs(load)});
+  }
+  scale_ = largest;
+  return std::isfinite(largest);
+}
+
+bool StepEquations::compute_direction(const Vector& residual, Vector& direction) {
+  model_->assemble_tangent(1.0, NewmarkScheme::velocity_weight(h_), scheme_.displacement_weight(h_), tangent_);
+  if (!factorisation_.factorise(tangent_)) return false;
+  direction = -residual;
+  factorisation_.solve(direction);
+  return true;
+}
+
+}  // namespace moat

@@ -1,0 +1,203 @@
+#include "analyses/transient.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <ctime>
+#include <limits>
+
+#include "base/check.hpp"
+#include "base/error.hpp"
+
+namespace moat {
+namespace {
+
+TransientOptions checked(const TransientOptions& options) {
+  const Check check{"TransientOptions", ""};
+  check.that(options.scheme.beta > 0.0 && options.scheme.beta <= 0.5, "scheme.beta", options.scheme.beta, "1",
+             "> 0 and <= 0.5", "Use NewmarkScheme::average_acceleration() or linear_acceleration().");
+  check.not_negative("step", options.step);
+  check.that(options.steps_per_sample >= 1, "steps_per_sample", options.steps_per_sample, "1", ">= 1");
+  check.not_negative("end", options.end);
+  check.that(options.force_tolerance > 0.0 && options.force_tolerance < 1.0, "force_tolerance",
+             options.force_tolerance, "1", "> 0 and < 1");
+  check.that(options.largest_iterations >= 1, "largest_iterations", options.largest_iterations, "1", ">= 1");
+  check.that(options.largest_cuts >= 0, "largest_cuts", options.largest_cuts, "1", ">= 0");
+  check.positive("location_tolerance", options.location_tolerance);
+  check.that(options.largest_events_per_second >= 1, "largest_events_per_second", options.largest_events_per_second,
+             "1", ">= 1");
+  return options;
+}
+
+double process_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
+
+// The first multiple of `step` after `time`; one that is closer than round-off is skipped.
+double next_grid_time(double time, double step) {
+  constexpr double coincident = 1e-6;
+  const double position = time / step;
+  return (std::floor(position + coincident) + 1.0) * step;
+}
+
+}  // namespace
+
+Transient::Transient(Model& model, GroundMotion motion, TransientOptions options)
+    : model_{&model},
+      motion_{std::move(motion)},
+      options_{checked(options)},
+      equations_{model, options.scheme},
+      newton_{equations_, {.tolerance = options.force_tolerance, .largest_iterations = options.largest_iterations}} {
+  step_ = options_.step.si() > 0.0 ? options_.step.si() : motion_.time_step() / options_.steps_per_sample;
+  end_ = options_.end.si() > 0.0 ? options_.end.si() : motion_.duration();
+  acceleration_.setZero(model.degrees_of_freedom());
+  event_window_start_ = model.state().time;
+  equations_.balance_committed_state(motion_.acceleration_at(model.state().time));
+  change_regimes();
+}
+
+void Transient::attach(StepObserver& observer) { observers_.push_back(&observer); }
+
+StepView Transient::view(bool on_grid) const {
+  return {*model_, motion_.acceleration_at(model_->state().time), on_grid};
+}
+
+bool Transient::finished() const { return model_->state().time >= end_ * (1.0 - 1e-12); }
+
+// One step of length h from the committed state into the trial state. Not accepted yet.
+bool Transient::solve(double h) {
+  equations_.begin(h, motion_.acceleration_at(model_->state().time + h));
+  acceleration_ = model_->state().acceleration.head(model_->degrees_of_freedom());
+  last_report_ = newton_.solve(acceleration_);
+  statistics_.newton_iterations += last_report_.iterations;
+  return last_report_.converged;
+}
+
+// Solves a step, cut in half until it converges; returns the length that did.
+double Transient::solve_cutting(double h) {
+  for (int cut = 0; cut <= options_.largest_cuts; ++cut, h *= 0.5) {
+    if (solve(h)) return h;
+    ++statistics_.rejected_steps;
+  }
+  h *= 2.0;
+  const NodeId worst{last_report_.worst_degree_of_freedom};
+  const std::string worst_name{model_->node_name(worst)};
+  const double time = model_->state().time;
+  throw ConvergenceError{"The step from t = " + to_text(time) + " s did not converge although it was cut to " +
+                             to_text(h) + " s: the forces are out of balance by " + to_text(last_report_.residual) +
+                             " of the largest force (allowed: " + to_text(options_.force_tolerance) +
+                             "), worst at \"" + worst_name +
+                             "\". Check the parameters of the elements there; results up to this time are kept.",
+                         time, h, last_report_.residual, worst_name};
+}
+
+// Looks for a change of regime in the trial step of length h.
+RegimeScan Transient::scan(double h) const {
+  // The middle of the band [-tolerance, 0) where a located step may end: beyond the change, not before it.
+  return model_->scan_regimes(h, -0.5 * options_.location_tolerance.si());
+}
+
+// The trial step of length h crosses a change of regime, as `seen` tells. Solves shorter steps until one ends
+// just beyond the first change; returns its length.
+double Transient::locate_change(double h, RegimeScan seen) {
+  const double tolerance = options_.location_tolerance.si();
+  const double shortest = 4.0 * std::numeric_limits<double>::epsilon() * (model_->state().time + h);
+  double before = 0.0, beyond = h;
+  double margin_before = 0.0;
+  double margin_beyond = seen.margin;
+  double next = seen.fraction * h;
+  constexpr int most_solves = 100;
+  for (int count = 0; count < most_solves; ++count) {
+    const double width = beyond - before;
+    // A guess outside the bracket, or slow progress: halve it.
+    if (!(next > before && next < beyond) || (count > 8 && count % 2 == 0)) next = before + 0.5 * width;
+    if (width <= shortest) next = beyond;
+    ++statistics_.event_solves;
+    if (!solve(next)) return solve_cutting(0.5 * next);
+    seen = scan(next);
+    if (seen.margin < 0.0 && (seen.margin >= -tolerance || width <= shortest)) return next;
+    if (seen.crossed) {
+      beyond = next;
+      margin_beyond = seen.margin;
+      next = seen.fraction * beyond;
+    } else {
+      if (width <= shortest) return next;  // the interpolant saw a change where there is none
+      before = next;
+      margin_before = seen.margin;
+      const double fall = margin_before - margin_beyond;
+      next = margin_beyond < 0.0 ? before + (beyond - before) * (margin_before + 0.5 * tolerance) / fall : beyond;
+    }
+  }
+  throw ConvergenceError{"A touch or separation after t = " + to_text(model_->state().time) +
+                             " s could not be located to " + to_text(tolerance) +
+                             " m. Raise TransientOptions::location_tolerance; results up to this time are kept.",
+                         model_->state().time, beyond, seen.margin, "a gap"};
+}
+
+void Transient::count_event(double time) {
+  if (time - event_window_start_ > 1.0) {
+    event_window_start_ = time;
+    events_in_window_ = 0;
+  }
+  ++statistics_.events;
+  if (++events_in_window_ <= options_.largest_events_per_second) return;
+  throw Error{"More than " + std::to_string(options_.largest_events_per_second) +
+              " touches and separations within one second before t = " + to_text(time) +
+              " s: a contact chatters. Check impact stiffness and damping, or raise "
+              "TransientOptions::largest_events_per_second."};
+}
+
+void Transient::change_regimes() {
+  changes_.clear();
+  model_->change_regimes(changes_);
+  if (changes_.empty()) return;
+  // The force may jump; a stale acceleration would cost second order.
+  equations_.balance_committed_state(motion_.acceleration_at(model_->state().time));
+  count_event(model_->state().time);
+  const StepView after = view(false);
+  for (StepObserver* observer : observers_) observer->event(after, changes_);
+}
+
+void Transient::advance() {
+  const double start = model_->state().time;
+  const double target = std::min(next_grid_time(start, step_), end_);
+  // Exactly the nominal length where it is meant, so that the tangent and its factors stay the same.
+  const double planned = std::abs(target - start - step_) < 1e-9 * step_ ? step_ : target - start;
+  double h = solve_cutting(planned);
+  const RegimeScan seen = scan(h);
+  if (seen.crossed) h = locate_change(h, seen);
+  const bool on_grid = h == planned;
+  // Grid times are multiples of the step, not sums of steps.
+  if (on_grid) model_->trial().time = target;
+  model_->commit();
+  ++statistics_.accepted_steps;
+  statistics_.factorisations = equations_.factorisations();
+  const StepView accepted = view(on_grid);
+  for (StepObserver* observer : observers_) observer->step(accepted);
+  if (seen.crossed) change_regimes();
+}
+
+void Transient::run() {
+  const double started = process_seconds();
+  for (StepObserver* observer : observers_) observer->start(view(true));
+  const auto finish = [&] {
+    statistics_.cpu_seconds += process_seconds() - started;
+    for (StepObserver* observer : observers_) observer->finish(view(true));
+  };
+  try {
+    while (!finished()) advance();
+  } catch (...) {
+    finish();
+    throw;
+  }
+  finish();
+}
+
+std::vector<std::string> Transient::assumptions() const {
+  return {"Newmark's method, beta = " + to_text(options_.scheme.beta) + ", gamma = 1/2, step " + to_text(step_) +
+              " s; every step solved until the forces balance to " + to_text(options_.force_tolerance) +
+              " of the largest force.",
+          "Touch and separation located until the gap is zero to " + to_text(options_.location_tolerance.si()) +
+              " m, acceleration recomputed there.",
+          "Ground acceleration linear between samples; the system starts at rest at the first sample unless "
+          "initial values are given."};
+}
+
+}  // namespace moat

@@ -1,0 +1,107 @@
+// Time history of a model under a ground motion.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "analyses/newmark.hpp"
+#include "analyses/step_equations.hpp"
+#include "base/quantity.hpp"
+#include "base/units.hpp"
+#include "model/model.hpp"
+#include "motions/ground_motion.hpp"
+#include "output/case_result.hpp"
+#include "output/step_observer.hpp"
+#include "solvers/newton.hpp"
+
+namespace moat {
+
+/// How a time history is computed. Every bound is checked by Transient's constructor.
+struct TransientOptions {
+  NewmarkScheme scheme = NewmarkScheme::average_acceleration();
+
+  /// >= 0 s. Length of a step; 0 takes steps_per_sample of the motion instead.
+  Time step{};
+
+  /// >= 1. Steps between two samples of the motion, used if step is 0.
+  int steps_per_sample = 2;
+
+  /// >= 0 s. Where the analysis ends; 0: at the last sample of the motion.
+  Time end{};
+
+  /// > 0, < 1. Largest out-of-balance force of an accepted step, relative to the largest force in its equations.
+  double force_tolerance = 1e-10;
+
+  /// >= 1. Newton iterations before a step is cut.
+  int largest_iterations = 20;
+
+  /// >= 0. How often a step that does not converge is cut in half before the analysis gives up.
+  int largest_cuts = 12;
+
+  /// > 0 m. A touch or a separation is located until the gap is zero to this.
+  Length location_tolerance = 1e-12 * units::m;
+
+  /// >= 1. Touches and separations per second of motion, averaged over a second, before the analysis gives up.
+  int largest_events_per_second = 10000;
+};
+
+/// Integrates M a + f(u, v) = -M iota a_g(t) from the model's committed state.
+///
+/// Newmark's method with Newton-Raphson in every step. Touch and separation of gaps are located: the step
+/// that would cross one is solved again, shorter, until it ends there; then the acceleration is computed
+/// anew from the forces after the change, and one odd step leads back to the time grid.
+///
+/// A step that does not converge is cut in half; if that does not help, advance() throws ConvergenceError
+/// naming time, step, residual and the worst degree of freedom. It is never accepted.
+///
+///     Transient analysis{model, motion, {.step = 2.5 * ms}};
+///     while (!analysis.finished()) analysis.advance();
+class Transient {
+ public:
+  /// The model must outlive the analysis. Throws InputError for an option outside its range.
+  Transient(Model& model, GroundMotion motion, TransientOptions options = {});
+
+  /// Calls the observer from now on; it must outlive the analysis.
+  void attach(StepObserver& observer);
+
+  [[nodiscard]] bool finished() const;
+  /// One accepted step, and the change of regime at its end if there is one.
+  void advance();
+  /// Until finished(), telling the observers of start and end, also when a step fails.
+  void run();
+
+  [[nodiscard]] const Model& model() const { return *model_; }
+  [[nodiscard]] const GroundMotion& motion() const { return motion_; }
+  [[nodiscard]] const SolverStatistics& statistics() const { return statistics_; }
+  /// Nominal step, s.
+  [[nodiscard]] double step_size() const { return step_; }
+  [[nodiscard]] double end_time() const { return end_; }
+  /// One sentence each: scheme, step, tolerances.
+  [[nodiscard]] std::vector<std::string> assumptions() const;
+
+ private:
+  bool solve(double h);
+  double solve_cutting(double h);
+  [[nodiscard]] RegimeScan scan(double h) const;
+  double locate_change(double h, RegimeScan seen);
+  void change_regimes();
+  void count_event(double time);
+  [[nodiscard]] StepView view(bool on_grid) const;
+
+  Model* model_;
+  GroundMotion motion_;
+  TransientOptions options_;
+  StepEquations equations_;
+  NewtonSolver newton_;
+  double step_ = 0.0;
+  double end_ = 0.0;
+  Vector acceleration_;
+  NewtonReport last_report_;
+  std::vector<RegimeChange> changes_;
+  std::vector<StepObserver*> observers_;
+  SolverStatistics statistics_;
+  double event_window_start_ = 0.0;
+  int events_in_window_ = 0;
+};
+
+}  // namespace moat

@@ -1,0 +1,32 @@
+// Lead-rubber bearings under a building.
+#pragma once
+
+#include "model/model.hpp"
+
+namespace moat {
+
+/// The lead-rubber bearings (LRB) of a building taken together: bilinear hysteresis with kinematic
+/// hardening (materials/bilinear.hpp).
+///
+///      [ base ] -> u          F_y at d_y, then post_yield_stiffness;
+///     ====LRB====             initial stiffness F_y / d_y
+///     ////ground////
+///
+/// Reports `isolator_force` [N] and `isolator_deformation` [m] under its name, positive to the right.
+struct LeadRubberBearing {
+  std::string name = "bearings";
+  NodeId lower = ground;
+  /// What it carries. A ShearBuilding sets it; give it when you add a bearing yourself.
+  NodeId upper{};
+  /// F_y > 0 N.
+  Required<Force> yield_force;
+  /// d_y > 0 m.
+  Required<Length> yield_displacement;
+  /// 0 <= post_yield_stiffness < F_y / d_y, N/m.
+  Required<Stiffness> post_yield_stiffness;
+};
+
+/// Throws InputError for a bad parameter, unknown, missing or equal nodes, or a name that is taken.
+void add(Model& model, const LeadRubberBearing& bearing);
+
+}  // namespace moat

@@ -1,0 +1,216 @@
+// Elements with one law between two nodes.
+#pragma once
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "materials/contact_state.hpp"
+#include "materials/response.hpp"
+#include "model/element_block.hpp"
+#include "model/model.hpp"
+
+namespace moat {
+
+/// All elements of a model that put a law of type Law between two nodes.
+///
+///     deformation d = u(second) - u(first) - offset;  the law's force pulls `second` back and `first` along.
+///
+/// A spring has its lower node first; a contact has its right node first and its clearance as offset,
+/// so that d is the indentation and a positive force is compression.
+template <ForceLaw Law>
+class LinkBlock final : public ElementBlock {
+ public:
+  using State = typename Law::State;
+
+  /// Appends an element. effective_mass (kg) is used only to estimate how long a contact lasts.
+  std::size_t add(ElementInfo info, const Law& law, double effective_mass = 0.0) {
+    infos_.push_back(std::move(info));
+    laws_.push_back(law);
+    effective_masses_.push_back(effective_mass);
+    const std::size_t count = infos_.size();
+    committed_.resize(count);
+    trial_.resize(count);
+    for (auto* values : {&deformations_, &rates_, &forces_, &stiffnesses_, &dampings_, &start_deformations_, &start_rates_})
+      values->resize(count, 0.0);
+    return count - 1;
+  }
+
+  [[nodiscard]] const Law& law(std::size_t element) const { return laws_[element]; }
+  [[nodiscard]] const State& committed(std::size_t element) const { return committed_[element]; }
+
+  std::unique_ptr<ElementBlock> clone() const override { return std::make_unique<LinkBlock>(*this); }
+  std::size_t size() const override { return infos_.size(); }
+  const ElementInfo& info(std::size_t element) const override { return infos_[element]; }
+
+  void add_couplings(PatternBuilder& pattern) const override {
+    for (const ElementInfo& info : infos_) pattern.couple(info.first.index, info.second.index);
+  }
+
+  void find_slots(const SparseMatrix& matrix) override {
+    links_.clear();
+    for (const ElementInfo& info : infos_) {
+      const int first = info.first.index, second = info.second.index;
+      const auto entry = [&](int degree_of_freedom) { return degree_of_freedom == ground_index ? matrix.size : degree_of_freedom; };
+      links_.push_back({entry(first), entry(second), matrix.slot(first, first), matrix.slot(first, second),
+                        matrix.slot(second, first), matrix.slot(second, second)});
+    }
+  }
+
+  void evaluate(const double* displacement, const double* velocity) override {
+    for (std::size_t i = 0; i < links_.size(); ++i) {
+      const Link& link = links_[i];
+      deformations_[i] = displacement[link.second] - displacement[link.first] - infos_[i].offset;
+      rates_[i] = velocity[link.second] - velocity[link.first];
+      const Response response = laws_[i].evaluate(committed_[i], deformations_[i], rates_[i], trial_[i]);
+      forces_[i] = response.force;
+      stiffnesses_[i] = response.stiffness;
+      dampings_[i] = response.damping;
+    }
+  }
+
+  void add_forces(double* force) const override {
+    for (std::size_t i = 0; i < links_.size(); ++i) {
+      force[links_[i].second] += forces_[i];
+      force[links_[i].first] -= forces_[i];
+    }
+  }
+
+  void add_tangent(double displacement_weight, double velocity_weight, double* values) const override {
+    for (std::size_t i = 0; i < links_.size(); ++i)
+      scatter(links_[i], displacement_weight * stiffnesses_[i] + velocity_weight * dampings_[i], values);
+  }
+
+  void add_linear_stiffness(StiffnessStage stage, double* values) const override {
+    for (std::size_t i = 0; i < links_.size(); ++i) scatter(links_[i], laws_[i].linear_stiffness(stage), values);
+  }
+
+  void commit() override {
+    committed_.swap(trial_);
+    if constexpr (LawWithRegimes<Law>) {
+      start_deformations_ = deformations_;
+      start_rates_ = rates_;
+    }
+  }
+
+  std::span<const double> deformations() const override { return deformations_; }
+  std::span<const double> rates() const override { return rates_; }
+  std::span<const double> forces() const override { return forces_; }
+
+  bool has_regimes() const override { return LawWithRegimes<Law>; }
+
+  void scan_regimes(double step, RegimeScan& scan) const override {
+    if constexpr (LawWithRegimes<Law>)
+      for (std::size_t i = 0; i < links_.size(); ++i) scan_element(i, step, scan);
+  }
+
+  void change_regimes(std::size_t block_index, std::vector<RegimeChange>& changes) override {
+    if constexpr (LawWithRegimes<Law>) {
+      for (std::size_t i = 0; i < links_.size(); ++i) {
+        // One change may lead straight into another (a touch that is already separating); three visit every phase.
+        for (int change = 0; change < 3; ++change) {
+          if (laws_[i].regime_margin(committed_[i], start_deformations_[i], start_rates_[i]) >= 0.0) break;
+          committed_[i] = laws_[i].next_regime(committed_[i], start_deformations_[i], start_rates_[i]);
+          if (change == 0) changes.push_back({block_index, i});
+        }
+      }
+    }
+  }
+
+  double shortest_contact() const override {
+    double shortest = std::numeric_limits<double>::infinity();
+    if constexpr (LawWithRegimes<Law>)
+      for (std::size_t i = 0; i < links_.size(); ++i)
+        if (committed_[i].phase != ContactPhase::open)
+          shortest = std::min(shortest, laws_[i].contact_duration(effective_masses_[i], committed_[i].approach_speed));
+    return shortest;
+  }
+
+  ContactView contact(std::size_t element) const override {
+    if constexpr (std::same_as<State, ContactState>)
+      return {committed_[element].phase != ContactPhase::open, committed_[element].approach_speed};
+    else
+      return {};
+  }
+
+ private:
+  // Where an element reads and scatters; the ground has the last entry of every array.
+  struct Link {
+    int first, second;
+    int first_first, first_second, second_first, second_second;
+  };
+
+  static void scatter(const Link& link, double stiffness, double* values) {
+    values[link.second_second] += stiffness;
+    values[link.first_first] += stiffness;
+    values[link.first_second] -= stiffness;
+    values[link.second_first] -= stiffness;
+  }
+
+  void scan_element(std::size_t i, double step, RegimeScan& scan) const
+    requires LawWithRegimes<Law>
+  {
+    const double end_margin = laws_[i].regime_margin(committed_[i], deformations_[i], rates_[i]);
+    scan.margin = std::min(scan.margin, end_margin);
+    double beyond = 1.0;
+    if (end_margin >= 0.0) {
+      // Beyond the margin and back within the step: only where the deformation turns inside it.
+      beyond = turning_point(i);
+      if (beyond <= 0.0 || margin_inside(i, step, beyond) >= 0.0) return;
+    }
+    scan.crossed = true;
+    if (scan.fraction > 0.0) scan.fraction = std::min(scan.fraction, first_crossing(i, step, beyond, scan.aim));
+  }
+
+  // Fraction of the step at which the interpolated margin falls to `aim`, looked for between 0 and `beyond`
+  // by regula falsi (Illinois). `beyond` itself if it never falls that far.
+  double first_crossing(std::size_t i, double step, double beyond, double aim) const {
+    double low = 0.0, high = beyond;
+    double above = margin_inside(i, step, low) - aim, below = margin_inside(i, step, high) - aim;
+    if (below >= 0.0) return beyond;
+    if (above <= 0.0) return 0.0;
+    int side = 0;
+    for (int count = 0; count < 60 && high - low > 1e-15; ++count) {
+      const double x = low + (high - low) * above / (above - below);
+      const double value = margin_inside(i, step, x) - aim;
+      if (value > 0.0) {
+        low = x;
+        above = value;
+        if (side == 1) below *= 0.5;
+        side = 1;
+      } else {
+        high = x;
+        below = value;
+        if (side == -1) above *= 0.5;
+        side = -1;
+      }
+    }
+    return high;
+  }
+
+  // The margin where the deformation is interpolated by the cubic through deformation and rate at both ends.
+  double margin_inside(std::size_t i, double step, double x) const {
+    const double rise = deformations_[i] - start_deformations_[i];
+    const double left = step * start_rates_[i] - rise, right = rise - step * rates_[i];
+    const double deformation = start_deformations_[i] + x * rise + x * (1.0 - x) * ((1.0 - x) * left + x * right);
+    const double slope = rise + (1.0 - x) * (1.0 - 3.0 * x) * left + x * (2.0 - 3.0 * x) * right;
+    return laws_[i].regime_margin(committed_[i], deformation, slope / step);
+  }
+
+  // Fraction at which the deformation turns inside the step, 0 if it does not. A linear rate is exact for
+  // average acceleration and close enough for others to decide whether to look.
+  double turning_point(std::size_t i) const {
+    const double start = start_rates_[i], end = rates_[i];
+    return start * end < 0.0 ? start / (start - end) : 0.0;
+  }
+
+  std::vector<ElementInfo> infos_;
+  std::vector<Law> laws_;
+  std::vector<double> effective_masses_;
+  std::vector<Link> links_;
+  std::vector<State> committed_, trial_;
+  std::vector<double> deformations_, rates_, forces_, stiffnesses_, dampings_;
+  std::vector<double> start_deformations_, start_rates_;
+};
+
+}  // namespace moat

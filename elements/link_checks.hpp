@@ -1,0 +1,21 @@
+// What every element between two nodes checks when it is added.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "base/check.hpp"
+#include "model/model.hpp"
+
+namespace moat {
+
+struct NamedEnd {
+  std::string_view field;
+  NodeId node;
+};
+
+/// Throws InputError unless both ends are nodes of the model (or the ground) and differ; returns the
+/// Check that names the element.
+Check check_link(const Model& model, std::string_view kind, const std::string& name, NamedEnd first, NamedEnd second);
+
+}  // namespace moat

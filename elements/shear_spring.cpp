@@ -1,0 +1,24 @@
+#include "elements/shear_spring.hpp"
+
+#include "elements/link_block.hpp"
+#include "elements/link_checks.hpp"
+#include "materials/linear.hpp"
+
+namespace moat {
+
+void add(Model& model, const ShearSpring& spring) {
+  const Check check = check_link(model, "ShearSpring", spring.name, {"lower", spring.lower}, {"upper", spring.upper});
+  const Linear law{.stiffness = spring.stiffness};
+  law.check(check);
+  model.register_element("ShearSpring", spring.name);
+  model.block<LinkBlock<Linear>>().add({.name = spring.name,
+                                        .place = spring.name,
+                                        .kind = ElementKind::storey,
+                                        .first = spring.lower,
+                                        .second = spring.upper,
+                                        .deformation_quantity = "drift",
+                                        .force_quantity = "storey_shear"},
+                                       law);
+}
+
+}  // namespace moat

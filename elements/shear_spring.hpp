@@ -1,0 +1,28 @@
+// Linear spring between two floors: one storey.
+#pragma once
+
+#include "model/model.hpp"
+
+namespace moat {
+
+/// A linear shear spring, usually one storey: F = stiffness * (u_upper - u_lower).
+///
+///        o upper -> u_upper
+///       /
+///      / stiffness          drift = u_upper - u_lower, storey shear = F, both positive to the right
+///     o lower -> u_lower
+///
+/// Reports `drift` [m] and `storey_shear` [N] under its name. Damping is an element of its own
+/// (ViscousDamper), so that the storey shear is that of the columns.
+struct ShearSpring {
+  std::string name;
+  Required<NodeId> lower;
+  Required<NodeId> upper;
+  /// > 0 N/m.
+  Required<Stiffness> stiffness;
+};
+
+/// Throws InputError for a bad parameter, unknown or equal nodes, or a name that is taken.
+void add(Model& model, const ShearSpring& spring);
+
+}  // namespace moat

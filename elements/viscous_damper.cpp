@@ -1,0 +1,22 @@
+#include "elements/viscous_damper.hpp"
+
+#include "elements/link_block.hpp"
+#include "elements/link_checks.hpp"
+#include "materials/viscous.hpp"
+
+namespace moat {
+
+void add(Model& model, const ViscousDamper& damper) {
+  const Check check = check_link(model, "ViscousDamper", damper.name, {"lower", damper.lower}, {"upper", damper.upper});
+  const Viscous law{.damping = damper.damping};
+  law.check(check);
+  model.register_element("ViscousDamper", damper.name);
+  model.block<LinkBlock<Viscous>>().add({.name = damper.name,
+                                         .place = damper.name,
+                                         .kind = ElementKind::damper,
+                                         .first = damper.lower,
+                                         .second = damper.upper},
+                                        law);
+}
+
+}  // namespace moat

@@ -1,0 +1,21 @@
+// Linear dashpot between two nodes.
+#pragma once
+
+#include "model/model.hpp"
+
+namespace moat {
+
+/// A linear dashpot: F = damping * (v_upper - v_lower). Rayleigh damping of a superstructure is made of
+/// these: the stiffness part in each storey, the mass part from each floor to the base. Not reported.
+struct ViscousDamper {
+  std::string name;
+  Required<NodeId> lower;
+  Required<NodeId> upper;
+  /// > 0 N s/m.
+  Required<DampingCoefficient> damping;
+};
+
+/// Throws InputError for a bad parameter, unknown or equal nodes, or a name that is taken.
+void add(Model& model, const ViscousDamper& damper);
+
+}  // namespace moat

@@ -1,0 +1,27 @@
+// Linear dashpot.
+#pragma once
+
+#include "base/check.hpp"
+#include "base/quantity.hpp"
+#include "base/required.hpp"
+#include "materials/response.hpp"
+
+namespace moat {
+
+/// F = damping * d'.
+struct Viscous {
+  /// > 0 N s/m.
+  Required<DampingCoefficient> damping;
+
+  using State = NoState;
+
+  void check(const Check& check) const { check.positive("damping", damping); }
+  Response evaluate(const State&, double, double rate, State&) const {
+    return {damping.si() * rate, 0.0, damping.si()};
+  }
+  double stored_energy(const State&, double) const { return 0.0; }
+  double dissipation_rate(const State&, double, double rate) const { return damping.si() * rate * rate; }
+  double linear_stiffness(StiffnessStage) const { return 0.0; }
+};
+
+}  // namespace moat

@@ -1,0 +1,11 @@
+// Which branch of a yielding element counts in a linear (modal) analysis.
+#pragma once
+
+namespace moat {
+
+enum class StiffnessStage {
+  initial,     ///< before first yield
+  post_yield,  ///< on the branch after yield, for elements that have one
+};
+
+}  // namespace moat

@@ -1,0 +1,107 @@
+// All elements of one type in a model, seen from the analyses.
+#pragma once
+
+#include <cstddef>
+#include <limits>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "base/sparse_matrix.hpp"
+#include "base/stiffness_stage.hpp"
+#include "model/node.hpp"
+
+namespace moat {
+
+enum class ElementKind { storey, bearing, gap, damper, other };
+
+/// What an element is called, joins and reports.
+struct ElementInfo {
+  /// Unique in its model: "storey 1", "moat left".
+  std::string name;
+  /// Where its peaks are listed; elements with the same place share them ("moat").
+  std::string place;
+  ElementKind kind = ElementKind::other;
+  /// Deformation = displacement of `second` - displacement of `first` - offset.
+  NodeId first, second;
+  double offset = 0.0;  ///< m
+  /// Names under which deformation and force are reported; not reported where empty.
+  std::string deformation_quantity{}, force_quantity{};
+};
+
+/// A look at the regimes of all elements at the end of a trial step.
+struct RegimeScan {
+  /// In: the margin at which a located step is meant to end, just beyond zero.
+  double aim = 0.0;
+  /// Smallest margin: how far the nearest element is from its next change of regime; negative: beyond it.
+  double margin = std::numeric_limits<double>::infinity();
+  /// True if a change was seen inside the step, even if all margins are positive again at its end.
+  bool crossed = false;
+  /// Fraction of the step at which the first margin is expected to reach the aim; 1 if none does.
+  double fraction = 1.0;
+};
+
+/// One change of regime that happened.
+struct RegimeChange {
+  std::size_t block = 0;    ///< index into Model::blocks()
+  std::size_t element = 0;  ///< index in that block
+};
+
+/// A contact as a gap element sees it.
+struct ContactView {
+  bool touching = false;        ///< from touch until the gap opens, also while the force is zero
+  double approach_speed = 0.0;  ///< m/s, at first touch
+};
+
+/// All elements of one type, in contiguous arrays. Analyses know elements only through this class;
+/// one virtual call serves a whole block.
+///
+/// A block holds two vectors of states. evaluate() computes the trial states from the committed ones
+/// and the given displacements, never the other way round; commit() makes the trial states the
+/// committed ones. Dropping a trial step therefore needs no call at all.
+///
+/// Arrays of displacements, velocities and forces have one entry per degree of freedom and one more,
+/// the last, for the ground.
+class ElementBlock {
+ public:
+  virtual ~ElementBlock() = default;
+
+  [[nodiscard]] virtual std::unique_ptr<ElementBlock> clone() const = 0;
+  [[nodiscard]] virtual std::size_t size() const = 0;
+  [[nodiscard]] virtual const ElementInfo& info(std::size_t element) const = 0;
+
+  /// Tells which degrees of freedom its elements couple.
+  virtual void add_couplings(PatternBuilder& pattern) const = 0;
+  /// Remembers where in the matrix its elements scatter to.
+  virtual void find_slots(const SparseMatrix& matrix) = 0;
+
+  /// Forces, tangents and trial states at trial displacements and velocities.
+  virtual void evaluate(const double* displacement, const double* velocity) = 0;
+  /// Adds the internal forces of the last evaluate().
+  virtual void add_forces(double* force) const = 0;
+  /// Adds displacement_weight * df/du + velocity_weight * df/dv of the last evaluate().
+  virtual void add_tangent(double displacement_weight, double velocity_weight, double* values) const = 0;
+  /// Adds the constant stiffness of a linear analysis.
+  virtual void add_linear_stiffness(StiffnessStage stage, double* values) const = 0;
+
+  /// The trial states of the last evaluate() become the committed ones.
+  virtual void commit() = 0;
+
+  /// Results of the last evaluate(), one entry per element: m, m/s, N.
+  [[nodiscard]] virtual std::span<const double> deformations() const = 0;
+  [[nodiscard]] virtual std::span<const double> rates() const = 0;
+  [[nodiscard]] virtual std::span<const double> forces() const = 0;
+
+  /// Whether elements of this type change regime at located instants (contacts do).
+  [[nodiscard]] virtual bool has_regimes() const { return false; }
+  /// Looks for changes between the committed state and the last evaluate(), `step` seconds later.
+  virtual void scan_regimes(double step, RegimeScan& scan) const;
+  /// Puts every element that is beyond its margin at the committed state into its next regime and lists it.
+  virtual void change_regimes(std::size_t block_index, std::vector<RegimeChange>& changes);
+  /// How long one cycle of the fastest element that is in contact now lasts, s; infinite if none is.
+  [[nodiscard]] virtual double shortest_contact() const { return std::numeric_limits<double>::infinity(); }
+  [[nodiscard]] virtual ContactView contact(std::size_t element) const;
+};
+
+}  // namespace moat

@@ -1,0 +1,172 @@
+#include "model/model.hpp"
+
+#include "base/check.hpp"
+#include "base/error.hpp"
+
+namespace moat {
+
+Model::Model(const Model& other)
+    : nodes_{other.nodes_},
+      node_names_{other.node_names_},
+      element_names_{other.element_names_},
+      block_of_type_{other.block_of_type_},
+      base_shears_{other.base_shears_},
+      prepared_{other.prepared_},
+      masses_{other.masses_},
+      diagonal_slots_{other.diagonal_slots_},
+      pattern_{other.pattern_},
+      state_{other.state_},
+      trial_{other.trial_} {
+  for (const auto& block : other.blocks_) blocks_.push_back(block->clone());
+}
+
+Model& Model::operator=(const Model& other) {
+  if (this != &other) *this = Model{other};
+  return *this;
+}
+
+NodeId Model::add_node(Node node) {
+  const Check check{"Node", node.name};
+  check.that(!node.name.empty(), "a node has no name.", "Give .name: results are listed under it.");
+  check.that(node.name != "ground", "this name is taken.", "`ground` is always there; choose another name.");
+  check.positive("mass", node.mass, "Every degree of freedom needs mass.");
+  check.finite("initial_displacement", node.initial_displacement);
+  check.finite("initial_velocity", node.initial_velocity);
+  check.positive("half_width", node.half_width);
+  check.that(node_names_.insert(node.name).second, "a node of this name exists.", "Give every node its own name.");
+  nodes_.push_back(std::move(node));
+  prepared_ = false;
+  return NodeId{node_count() - 1};
+}
+
+const Node& Model::node(NodeId id) const {
+  require_node(id, "Model", "node");
+  if (id == ground) throw InputError{"Model: the ground has no mass and no degree of freedom."};
+  return nodes_[static_cast<std::size_t>(id.index)];
+}
+
+std::string_view Model::node_name(NodeId id) const {
+  return id == ground ? std::string_view{"ground"} : std::string_view{node(id).name};
+}
+
+double Model::effective_mass(NodeId a, NodeId b) const {
+  if (a == ground && b == ground) throw InputError{"Model: two points of the ground have no effective mass."};
+  if (a == ground) return node(b).mass.si();
+  if (b == ground) return node(a).mass.si();
+  const double first = node(a).mass.si(), second = node(b).mass.si();
+  return first * second / (first + second);
+}
+
+void Model::require_node(NodeId id, std::string_view object, std::string_view field) const {
+  if (id == ground || (id.index >= 0 && id.index < node_count())) return;
+  std::string message{object};
+  message.append(": ").append(field);
+  message += id.specified() ? " is not a node of this model. Use the NodeId that add(model, Node{...}) returned."
+                            : " is not given. Set it to a node of this model or to `ground`.";
+  throw InputError{message};
+}
+
+void Model::register_element(std::string_view kind, const std::string& name) {
+  const Check check{kind, name};
+  check.that(!name.empty(), "an element has no name.", "Give .name: results are listed under it.");
+  check.that(element_names_.insert(name).second, "an element of this name exists.",
+             "Give every element its own name.");
+}
+
+void Model::add_base_shear(BaseShear shear) {
+  const Check check{"BaseShear", shear.where};
+  check.that(!shear.nodes.empty(), "no nodes are given.", "List the base and all floors of one building.");
+  for (const NodeId id : shear.nodes) {
+    require_node(id, "BaseShear \"" + shear.where + "\"", "a node");
+    check.that(id != ground, "the ground has no inertia.", "List only nodes with mass.");
+  }
+  base_shears_.push_back(std::move(shear));
+}
+
+void Model::prepare() {
+  if (prepared_) return;
+  if (nodes_.empty()) throw InputError{"Model: there is no node. Add nodes with add(model, Node{...}) first."};
+  const int count = node_count();
+  PatternBuilder builder{count};
+  for (const auto& block : blocks_) block->add_couplings(builder);
+  pattern_ = builder.build();
+  for (const auto& block : blocks_) block->find_slots(pattern_);
+  diagonal_slots_.clear();
+  for (int i = 0; i < count; ++i) diagonal_slots_.push_back(pattern_.slot(i, i));
+
+  masses_.resize(count);
+  // What was added since the last analysis starts from its initial values; the rest goes on from where it is.
+  const Eigen::Index known = std::max<Eigen::Index>(state_.displacement.size() - 1, 0);
+  for (Vector* vector : {&state_.displacement, &state_.velocity, &state_.acceleration}) {
+    vector->conservativeResize(count + 1);
+    vector->tail(count + 1 - known).setZero();
+  }
+  for (int i = 0; i < count; ++i) {
+    const Node& node = nodes_[static_cast<std::size_t>(i)];
+    masses_[i] = node.mass.si();
+    if (i < known) continue;
+    state_.displacement[i] = node.initial_displacement.si();
+    state_.velocity[i] = node.initial_velocity.si();
+  }
+  trial_ = state_;
+  prepared_ = true;
+  evaluate();
+  for (const auto& block : blocks_) block->commit();
+}
+
+void Model::evaluate() {
+  for (const auto& block : blocks_) block->evaluate(trial_.displacement.data(), trial_.velocity.data());
+}
+
+void Model::internal_forces(Vector& force) const {
+  force.setZero(degrees_of_freedom() + 1);
+  for (const auto& block : blocks_) block->add_forces(force.data());
+}
+
+void Model::assemble_tangent(double acceleration_weight, double velocity_weight, double displacement_weight,
+                             SparseMatrix& matrix) const {
+  std::fill(matrix.values.begin(), matrix.values.end(), 0.0);
+  for (std::size_t i = 0; i < diagonal_slots_.size(); ++i)
+    matrix.values[static_cast<std::size_t>(diagonal_slots_[i])] =
+        acceleration_weight * masses_[static_cast<Eigen::Index>(i)];
+  for (const auto& block : blocks_) block->add_tangent(displacement_weight, velocity_weight, matrix.values.data());
+}
+
+void Model::assemble_linear_stiffness(StiffnessStage stage, SparseMatrix& matrix) const {
+  std::fill(matrix.values.begin(), matrix.values.end(), 0.0);
+  for (const auto& block : blocks_) block->add_linear_stiffness(stage, matrix.values.data());
+}
+
+void Model::commit() {
+  state_.time = trial_.time;
+  // Swapping would leave an old state in the trial, which starts the next step's prediction.
+  state_.displacement = trial_.displacement;
+  state_.velocity = trial_.velocity;
+  state_.acceleration = trial_.acceleration;
+  for (const auto& block : blocks_) block->commit();
+}
+
+RegimeScan Model::scan_regimes(double step, double aim) const {
+  RegimeScan scan{.aim = aim};
+  for (const auto& block : blocks_)
+    if (block->has_regimes()) block->scan_regimes(step, scan);
+  return scan;
+}
+
+void Model::change_regimes(std::vector<RegimeChange>& changes) {
+  const std::size_t before = changes.size();
+  for (std::size_t i = 0; i < blocks_.size(); ++i)
+    if (blocks_[i]->has_regimes()) blocks_[i]->change_regimes(i, changes);
+  if (changes.size() == before) return;
+  trial_ = state_;
+  evaluate();
+}
+
+double Model::shortest_contact() const {
+  double shortest = std::numeric_limits<double>::infinity();
+  for (const auto& block : blocks_)
+    if (block->has_regimes()) shortest = std::min(shortest, block->shortest_contact());
+  return shortest;
+}
+
+}  // namespace moat

@@ -1,0 +1,137 @@
+// Nodes, elements and their state.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <string_view>
+#include <typeindex>
+#include <unordered_map>
+#include <unordered_set>
+#include <vector>
+
+#include "base/sparse_matrix.hpp"
+#include "base/vector.hpp"
+#include "model/element_block.hpp"
+#include "model/node.hpp"
+
+namespace moat {
+
+/// Where all degrees of freedom are at one instant, relative to the ground. Every vector has one
+/// entry more than there are degrees of freedom: the last belongs to the ground and stays zero.
+struct MotionState {
+  double time = 0.0;    ///< s
+  Vector displacement;  ///< m
+  Vector velocity;      ///< m/s
+  Vector acceleration;  ///< m/s^2
+};
+
+/// Reports the shear that the outside exerts on a set of nodes, from their inertia: the sum of mass
+/// times absolute acceleration is the force of isolators and impacts together (`total_base_shear`);
+/// the sum of the maxima of its terms is the design value that many papers quote
+/// (`sum_of_floor_inertia_maxima`).
+struct BaseShear {
+  /// Where the two quantities are listed.
+  std::string where = "base";
+  std::vector<NodeId> nodes;
+};
+
+/// A structure: nodes joined by elements, and all state of both.
+///
+/// Nodes and elements are added with the free functions add(model, ...). An analysis then moves the
+/// model: it fills trial(), calls evaluate(), reads forces and tangents, and either commit()s the
+/// trial state or overwrites it. A copy is complete and independent.
+class Model {
+ public:
+  Model() = default;
+  Model(const Model& other);
+  Model& operator=(const Model& other);
+  Model(Model&&) noexcept = default;
+  Model& operator=(Model&&) noexcept = default;
+  ~Model() = default;
+
+  /// Throws InputError for a mass that is not positive or a name that exists.
+  NodeId add_node(Node node);
+  [[nodiscard]] int node_count() const { return static_cast<int>(nodes_.size()); }
+  [[nodiscard]] const Node& node(NodeId id) const;
+  [[nodiscard]] const std::vector<Node>& nodes() const { return nodes_; }
+  /// The node's name; "ground" for the ground.
+  [[nodiscard]] std::string_view node_name(NodeId id) const;
+  /// m1 m2 / (m1 + m2) of two nodes, kg; the ground's mass is infinite.
+  [[nodiscard]] double effective_mass(NodeId a, NodeId b) const;
+  /// Throws InputError unless id is the ground or a node of this model; `object` and `field` are named.
+  void require_node(NodeId id, std::string_view object, std::string_view field) const;
+  /// Throws InputError if the name is empty or taken by another element.
+  void register_element(std::string_view kind, const std::string& name);
+
+  /// The block that holds elements of type Block, made when first asked for.
+  template <class Block>
+  Block& block();
+
+  void add_base_shear(BaseShear shear);
+  [[nodiscard]] const std::vector<BaseShear>& base_shears() const { return base_shears_; }
+  [[nodiscard]] const std::vector<std::unique_ptr<ElementBlock>>& blocks() const { return blocks_; }
+
+  /// Gives degrees of freedom their numbers and the matrix its pattern. Called by analyses; cheap when
+  /// nothing was added since. Throws InputError for a model without nodes.
+  void prepare();
+
+  [[nodiscard]] int degrees_of_freedom() const { return node_count(); }
+  /// The diagonal of the mass matrix, kg.
+  [[nodiscard]] const Vector& masses() const { return masses_; }
+  /// A zero matrix with the pattern of this model.
+  [[nodiscard]] const SparseMatrix& pattern() const { return pattern_; }
+
+  /// The committed state.
+  [[nodiscard]] const MotionState& state() const { return state_; }
+  /// The state that evaluate() looks at, for analyses to fill.
+  [[nodiscard]] MotionState& trial() { return trial_; }
+  [[nodiscard]] const MotionState& trial() const { return trial_; }
+
+  /// Computes all elements at the trial state.
+  void evaluate();
+  /// force := internal forces of the last evaluate(); one entry more than degrees of freedom.
+  void internal_forces(Vector& force) const;
+  /// matrix := acceleration_weight M + velocity_weight df/dv + displacement_weight df/du.
+  void assemble_tangent(double acceleration_weight, double velocity_weight, double displacement_weight,
+                        SparseMatrix& matrix) const;
+  /// matrix := stiffness of a linear analysis.
+  void assemble_linear_stiffness(StiffnessStage stage, SparseMatrix& matrix) const;
+  /// The trial state of nodes and elements becomes the committed one.
+  void commit();
+  /// Looks for changes of regime between the committed and the trial state, `step` seconds apart;
+  /// `aim` <= 0 is where a located step should end (RegimeScan).
+  [[nodiscard]] RegimeScan scan_regimes(double step, double aim) const;
+  /// Changes the regime of every element that is beyond its margin, then evaluates anew at the committed state.
+  void change_regimes(std::vector<RegimeChange>& changes);
+  /// Duration of the shortest contact going on, s; infinite if there is none.
+  [[nodiscard]] double shortest_contact() const;
+
+ private:
+  std::vector<Node> nodes_;
+  std::unordered_set<std::string> node_names_, element_names_;
+  std::vector<std::unique_ptr<ElementBlock>> blocks_;
+  std::unordered_map<std::type_index, std::size_t> block_of_type_;
+  std::vector<BaseShear> base_shears_;
+
+  bool prepared_ = false;
+  Vector masses_;
+  std::vector<int> diagonal_slots_;
+  SparseMatrix pattern_;
+  MotionState state_, trial_;
+};
+
+template <class Block>
+Block& Model::block() {
+  prepared_ = false;
+  const auto [found, inserted] = block_of_type_.try_emplace(std::type_index{typeid(Block)}, blocks_.size());
+  if (inserted) blocks_.push_back(std::make_unique<Block>());
+  return static_cast<Block&>(*blocks_[found->second]);
+}
+
+/// Adds a node.
+inline NodeId add(Model& model, Node node) { return model.add_node(std::move(node)); }
+
+/// Adds a report of base shear. Throws InputError for an empty or unknown set of nodes.
+inline void add(Model& model, BaseShear shear) { model.add_base_shear(std::move(shear)); }
+
+}  // namespace moat

@@ -1,0 +1,46 @@
+// A point with mass that moves along the direction of shaking.
+#pragma once
+
+#include <compare>
+#include <string>
+
+#include "base/quantity.hpp"
+#include "base/required.hpp"
+#include "base/sparse_matrix.hpp"
+#include "base/units.hpp"
+
+namespace moat {
+
+/// Names a node of a model. Made by add(model, Node{...}); only `ground` exists beforehand.
+struct NodeId {
+  static constexpr int unspecified = -2;
+  int index = unspecified;
+
+  [[nodiscard]] constexpr bool specified() const { return index != unspecified; }
+  friend constexpr auto operator<=>(NodeId, NodeId) = default;
+};
+
+/// What everything stands on. It moves with the ground motion; displacements are relative to it.
+inline constexpr NodeId ground{ground_index};
+
+/// A node: one horizontal degree of freedom with mass.
+///
+///     const NodeId base = add(model, Node{.name = "base", .mass = 550 * tonne});
+///
+/// Displacement is positive to the right (+x), relative to the ground.
+struct Node {
+  /// Unique in its model; used in every table, file and message.
+  std::string name;
+  /// > 0 kg: every degree of freedom needs mass.
+  Required<Mass> mass;
+  /// At time zero, relative to the ground.
+  Length initial_displacement{};
+  /// At time zero, relative to the ground.
+  Speed initial_velocity{};
+  /// For drawings only: position along the shaking, height, and half the width of the floor.
+  Length x{};
+  Length height{};
+  Length half_width = 5.0 * units::m;
+};
+
+}  // namespace moat

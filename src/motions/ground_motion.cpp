@@ -1,0 +1,149 @@
+#include "motions/ground_motion.hpp"
+
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <utility>
+
+#include "base/check.hpp"
+#include "base/units.hpp"
+
+namespace moat {
+namespace {
+
+/// Velocity and displacement at the time `time` after a sample, from the state at that sample and an acceleration
+/// that starts at `acceleration` and grows at `slope`.
+struct GroundState {
+  double velocity = 0.0;
+  double displacement = 0.0;
+
+  [[nodiscard]] GroundState after(double time, double acceleration, double slope) const {
+    return {velocity + time * (acceleration + time * slope / 2.0),
+            displacement + time * (velocity + time * (acceleration / 2.0 + time * slope / 6.0))};
+  }
+};
+
+/// Times strictly between 0 and `interval` at which velocity + acceleration t + slope t^2/2 vanishes.
+/// Unused entries are 0.
+std::array<double, 2> standstill_times(double velocity, double acceleration, double slope, double interval) {
+  const double discriminant = acceleration * acceleration - 2.0 * slope * velocity;
+  if (discriminant < 0.0) return {};
+  // This form does not subtract nearly equal numbers, and it survives slope = 0 or acceleration = 0.
+  const double sum = -(acceleration + std::copysign(std::sqrt(discriminant), acceleration));
+  std::array<double, 2> times{};
+  const double first = slope != 0.0 ? sum / slope : 0.0;
+  const double second = sum != 0.0 ? 2.0 * velocity / sum : 0.0;
+  if (first > 0.0 && first < interval) times[0] = first;
+  if (second > 0.0 && second < interval) times[1] = second;
+  return times;
+}
+
+std::string formatted(const char* format, double value) {
+  std::array<char, 64> buffer;
+  std::snprintf(buffer.data(), buffer.size(), format, value);
+  return buffer.data();
+}
+
+}  // namespace
+
+GroundMotion::GroundMotion(std::string name, double time_step, std::vector<double> samples,
+                           std::vector<std::string> notes)
+    : name_{std::move(name)},
+      time_step_{time_step},
+      duration_{samples.empty() ? 0.0 : static_cast<double>(samples.size() - 1) * time_step},
+      samples_{std::move(samples)},
+      notes_{std::move(notes)} {
+  const Check check{"GroundMotion", name_};
+  check.positive("time step", time_step_, "s", "Give the interval between two samples.");
+  check.that(samples_.size() >= 2, "number of samples", static_cast<double>(samples_.size()), "1", ">= 2",
+             "Give the acceleration at the beginning and at the end of at least one time step.");
+  for (std::size_t i = 0; i < samples_.size(); ++i) {
+    if (!std::isfinite(samples_[i])) {
+      check.finite("sample " + std::to_string(i) + " (counted from 0)", samples_[i], "m/s^2",
+                   "Repair the record before using it.");
+    }
+  }
+}
+
+std::vector<double> GroundMotion::velocity() const {
+  std::vector<double> result(samples_.size());
+  for (std::size_t i = 1; i < samples_.size(); ++i)
+    result[i] = result[i - 1] + time_step_ * (samples_[i - 1] + samples_[i]) / 2.0;
+  return result;
+}
+
+std::vector<double> GroundMotion::displacement() const {
+  std::vector<double> result(samples_.size());
+  GroundState state;
+  for (std::size_t i = 1; i < samples_.size(); ++i) {
+    state = state.after(time_step_, samples_[i - 1], (samples_[i] - samples_[i - 1]) / time_step_);
+    result[i] = state.displacement;
+  }
+  return result;
+}
+
+Acceleration GroundMotion::peak_acceleration() const {
+  double peak = 0.0;
+  for (const double sample : samples_) peak = std::max(peak, std::abs(sample));
+  return Acceleration{peak};
+}
+
+Speed GroundMotion::peak_velocity() const {
+  double peak = 0.0;
+  double velocity = 0.0;
+  for (std::size_t i = 1; i < samples_.size(); ++i) {
+    const double first = samples_[i - 1];
+    const double last = samples_[i];
+    if (first * last < 0.0) {
+      const double time_of_zero = time_step_ * first / (first - last);
+      peak = std::max(peak, std::abs(velocity + time_of_zero * first / 2.0));
+    }
+    velocity += time_step_ * (first + last) / 2.0;
+    peak = std::max(peak, std::abs(velocity));
+  }
+  return Speed{peak};
+}
+
+Length GroundMotion::peak_displacement() const {
+  double peak = 0.0;
+  GroundState state;
+  for (std::size_t i = 1; i < samples_.size(); ++i) {
+    const double acceleration = samples_[i - 1];
+    const double slope = (samples_[i] - acceleration) / time_step_;
+    for (const double time : standstill_times(state.velocity, acceleration, slope, time_step_))
+      peak = std::max(peak, std::abs(state.after(time, acceleration, slope).displacement));
+    state = state.after(time_step_, acceleration, slope);
+    peak = std::max(peak, std::abs(state.displacement));
+  }
+  return Length{peak};
+}
+
+GroundMotion GroundMotion::scaled_by(double factor) const {
+  Check{"GroundMotion", name_}.finite("scale factor", factor, "1");
+  std::vector<double> scaled = samples_;
+  for (double& sample : scaled) sample *= factor;
+  std::vector<std::string> notes = notes_;
+  notes.push_back("accelerations multiplied by " + to_text(factor));
+  return GroundMotion{name_, time_step_, std::move(scaled), std::move(notes)};
+}
+
+GroundMotion GroundMotion::scaled_to_pga(Acceleration target) const {
+  const Check check{"GroundMotion", name_};
+  check.positive("target PGA", target, "Give it as, for example, 0.4 * g.");
+  const double peak = peak_acceleration().si();
+  check.that(peak > 0.0, "a motion that is zero everywhere cannot be scaled to a peak acceleration.",
+             "Check the file or the parameters it was made from.");
+  return scaled_by(target.si() / peak);
+}
+
+std::string GroundMotion::description() const {
+  const double acceleration = peak_acceleration().si();
+  const double speed = peak_velocity().si();
+  std::string text = name_ + ": PGA " + formatted("%.4f", acceleration / standard_gravity) + " g, PGV " +
+                     formatted("%.2f", 100.0 * speed) + " cm/s, PGV/PGA ";
+  text += acceleration > 0.0 ? formatted("%.4f", speed / acceleration) + " s" : "undefined";
+  text += ", time step " + to_text(time_step_) + " s, duration " + to_text(duration_) + " s, ";
+  return text + std::to_string(samples_.size()) + " samples";
+}
+
+}  // namespace moat

@@ -1,0 +1,147 @@
+#include "motions/response_spectrum.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <numbers>
+#include <string>
+
+#include "base/check.hpp"
+
+namespace moat {
+namespace {
+
+constexpr double steps_per_period = 64.0;
+constexpr double shortest_period_in_time_steps = 0.01;
+constexpr double longest_period = 1000.0;  // s
+
+/// The largest absolute value of the cubic through values and slopes at both ends of a step.
+double peak_of_cubic(double value_0, double slope_0, double value_1, double slope_1, double step) {
+  double peak = std::max(std::abs(value_0), std::abs(value_1));
+  // Steps are short against the period: without a change of sign of the slope there is no extremum inside.
+  if (slope_0 * slope_1 >= 0.0) return peak;
+  const double rise = (value_1 - value_0) / step;
+  // Slope at the fraction x of the step: slope_0 + 2 b x + 3 c x^2; one root inside, because its sign changes.
+  const double b = 3.0 * rise - 2.0 * slope_0 - slope_1;
+  const double c = slope_0 + slope_1 - 2.0 * rise;
+  const double root = std::sqrt(std::max(0.0, b * b - 3.0 * c * slope_0));
+  const double sum = -(b + std::copysign(root, b));
+  for (const double x : {c != 0.0 ? sum / (3.0 * c) : 0.0, sum != 0.0 ? slope_0 / sum : 0.0}) {
+    if (x > 0.0 && x < 1.0) peak = std::max(peak, std::abs(value_0 + step * x * (slope_0 + x * (b + x * c))));
+  }
+  return peak;
+}
+
+/// One oscillator under a ground acceleration that is linear over a step of constant length.
+class Oscillator {
+ public:
+  Oscillator(double circular_frequency, double damping_ratio, double step)
+      : stiffness_{circular_frequency * circular_frequency},
+        damping_{2.0 * damping_ratio * circular_frequency},
+        step_{step} {
+    const double decay = damping_ratio * circular_frequency;
+    const double damped = circular_frequency * std::sqrt(1.0 - damping_ratio * damping_ratio);
+    const double fading = std::exp(-decay * step);
+    const double cosine = fading * std::cos(damped * step);
+    const double sine = fading * std::sin(damped * step) / damped;
+    displacement_from_displacement_ = cosine + decay * sine;
+    displacement_from_velocity_ = sine;
+    velocity_from_displacement_ = -stiffness_ * sine;
+    velocity_from_velocity_ = cosine - decay * sine;
+  }
+
+  /// Moves on by one step and notes the peaks on the way.
+  void advance(double ground_0, double ground_1) {
+    // The particular solution shift + rate * t follows the linear load; the rest vibrates freely.
+    const double slope = (ground_1 - ground_0) / step_;
+    const double rate = -slope / stiffness_;
+    const double shift = -(ground_0 + damping_ * rate) / stiffness_;
+    const double free_displacement = displacement_ - shift;
+    const double free_velocity = velocity_ - rate;
+    const double displacement = displacement_from_displacement_ * free_displacement +
+                                displacement_from_velocity_ * free_velocity + shift + rate * step_;
+    const double velocity =
+        velocity_from_displacement_ * free_displacement + velocity_from_velocity_ * free_velocity + rate;
+
+    peak_displacement_ =
+        std::max(peak_displacement_, peak_of_cubic(displacement_, velocity_, displacement, velocity, step_));
+    peak_acceleration_ = std::max(
+        peak_acceleration_,
+        peak_of_cubic(absolute_acceleration(displacement_, velocity_), jerk(displacement_, velocity_, ground_0),
+                      absolute_acceleration(displacement, velocity), jerk(displacement, velocity, ground_1), step_));
+    displacement_ = displacement;
+    velocity_ = velocity;
+  }
+
+  [[nodiscard]] double peak_displacement() const { return peak_displacement_; }
+  [[nodiscard]] double peak_acceleration() const { return peak_acceleration_; }
+
+ private:
+  [[nodiscard]] double absolute_acceleration(double displacement, double velocity) const {
+    return -damping_ * velocity - stiffness_ * displacement;
+  }
+  /// Rate of the absolute acceleration.
+  [[nodiscard]] double jerk(double displacement, double velocity, double ground) const {
+    return -damping_ * (absolute_acceleration(displacement, velocity) - ground) - stiffness_ * velocity;
+  }
+
+  double stiffness_;  // per mass
+  double damping_;    // per mass
+  double step_;
+  double displacement_from_displacement_, displacement_from_velocity_;
+  double velocity_from_displacement_, velocity_from_velocity_;
+  double displacement_ = 0.0;
+  double velocity_ = 0.0;
+  double peak_displacement_ = 0.0;
+  double peak_acceleration_ = 0.0;
+};
+
+Oscillator shaken(const GroundMotion& motion, double period, double damping_ratio) {
+  const std::span<const double> samples = motion.samples();
+  const double substeps = std::max(1.0, std::ceil(steps_per_period * motion.time_step() / period));
+  const double step = motion.time_step() / substeps;
+  Oscillator oscillator{2.0 * std::numbers::pi / period, damping_ratio, step};
+  for (std::size_t i = 1; i < samples.size(); ++i) {
+    double ground_0 = samples[i - 1];
+    for (double k = 1.0; k <= substeps; ++k) {
+      const double ground_1 = samples[i - 1] + (samples[i] - samples[i - 1]) * (k / substeps);
+      oscillator.advance(ground_0, ground_1);
+      ground_0 = ground_1;
+    }
+  }
+  // The largest free vibration comes within one period.
+  for (double time = 0.0; time < period; time += step) oscillator.advance(0.0, 0.0);
+  return oscillator;
+}
+
+}  // namespace
+
+ResponseSpectrum response_spectrum(const GroundMotion& motion, std::span<const Time> periods, double damping_ratio) {
+  const Check check{"response_spectrum", motion.name()};
+  check.that(damping_ratio >= 0.0 && damping_ratio < 1.0, "damping_ratio", damping_ratio, "1", ">= 0 and < 1",
+             "Give 5 % as 0.05.");
+  const double shortest = shortest_period_in_time_steps * motion.time_step();
+  ResponseSpectrum spectrum;
+  spectrum.damping_ratio = damping_ratio;
+  for (const Time period_quantity : periods) {
+    const double period = period_quantity.si();
+    check.that(period == 0.0 || (period >= shortest && period <= longest_period), "period", period, "s",
+               "0 s, or from " + to_text(shortest) + " s to " + to_text(longest_period) + " s",
+               "Give 0 s for a rigid oscillator.");
+    spectrum.period.push_back(period);
+    if (period == 0.0) {
+      spectrum.displacement.push_back(0.0);
+      spectrum.pseudo_acceleration.push_back(motion.peak_acceleration().si());
+      spectrum.absolute_acceleration.push_back(motion.peak_acceleration().si());
+      continue;
+    }
+    const double circular_frequency = 2.0 * std::numbers::pi / period;
+    const Oscillator oscillator = shaken(motion, period, damping_ratio);
+    spectrum.displacement.push_back(oscillator.peak_displacement());
+    spectrum.pseudo_acceleration.push_back(circular_frequency * circular_frequency * oscillator.peak_displacement());
+    spectrum.absolute_acceleration.push_back(oscillator.peak_acceleration());
+  }
+  return spectrum;
+}
+
+}  // namespace moat

@@ -1,0 +1,33 @@
+// Elastic response spectra.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "base/quantity.hpp"
+#include "motions/ground_motion.hpp"
+
+namespace moat {
+
+/// Largest responses of damped linear oscillators to one ground motion, one entry per period.
+struct ResponseSpectrum {
+  double damping_ratio = 0.0;
+  std::vector<double> period;                 ///< T, s
+  std::vector<double> displacement;           ///< largest |u| relative to the ground, m
+  std::vector<double> pseudo_acceleration;    ///< (2 pi / T)^2 * displacement, m/s^2
+  std::vector<double> absolute_acceleration;  ///< largest |u'' + a_g|, m/s^2; damping force included
+};
+
+/// The response spectrum of a motion, from oscillators that start at rest:
+///
+///     u'' + 2 damping_ratio w u' + w^2 u = -a_g(t),   w = 2 pi / T
+///
+/// Stepped with the exact solution for a ground acceleration that is linear between samples (Nigam and Jennings,
+/// Bulletin of the Seismological Society of America 59(2), 1969), at most T/64 at a time, so that peaks between
+/// samples are found to about 1e-6 of their value. The free vibration after the end of the motion counts.
+///
+/// periods: each either 0 (a rigid oscillator: both accelerations are the PGA) or from time_step/100 to 1000 s.
+/// damping_ratio: >= 0 and < 1. Throws InputError otherwise.
+ResponseSpectrum response_spectrum(const GroundMotion& motion, std::span<const Time> periods, double damping_ratio);
+
+}  // namespace moat

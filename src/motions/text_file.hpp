@@ -1,0 +1,41 @@
+// Text files: their content and their lines. Shared by the readers of ground motions.
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+namespace moat {
+
+/// The whole content of a file, without a UTF-8 byte order mark. Throws FileError if it cannot be read.
+std::string read_text_file(const std::filesystem::path& path);
+
+/// Walks through the lines of a text. A line ends with \n or \r\n; neither is part of it.
+class LineReader {
+ public:
+  explicit LineReader(std::string_view text) : rest_{text} {}
+
+  /// Puts the next line into `line`; false at the end of the text.
+  bool next(std::string_view& line);
+  /// Number of the line read last, counted from 1.
+  [[nodiscard]] std::size_t line_number() const { return line_number_; }
+
+ private:
+  std::string_view rest_;
+  std::size_t line_number_ = 0;
+};
+
+/// Without blanks, tabs and carriage returns at both ends.
+std::string_view trimmed(std::string_view text);
+/// In capitals; only ASCII letters are changed.
+std::string upper_case(std::string_view text);
+/// In quotes for a message, cut to a readable length.
+std::string quoted(std::string_view text);
+
+/// Throws FileError with the message "path: problem".
+[[noreturn]] void refuse_file(const std::filesystem::path& path, const std::string& problem);
+/// Throws FileError with the message "path, line 12: problem".
+[[noreturn]] void refuse_line(const std::filesystem::path& path, std::size_t line_number, const std::string& problem);
+
+}  // namespace moat

@@ -1,0 +1,47 @@
+// The quantities a model reports, as a flat list of numbers per instant.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "model/model.hpp"
+#include "output/step_observer.hpp"
+
+namespace moat {
+
+/// One reported quantity.
+struct Channel {
+  std::string quantity;  ///< "displacement", "absolute_acceleration", "drift", "storey_shear", ...
+  std::string where;     ///< node, element or report: "base", "moat left"
+  std::string place;     ///< where its peak is listed: "moat" for "moat left"
+  std::string unit;      ///< SI
+};
+
+/// All channels of a model: displacement, velocity and absolute acceleration of every node; deformation and
+/// force of every element that reports them; the total base shear of every building.
+///
+/// Displacement and velocity are relative to the ground, accelerations absolute.
+class Channels {
+ public:
+  explicit Channels(const Model& model);
+
+  [[nodiscard]] const std::vector<Channel>& list() const { return list_; }
+  /// The channel of this quantity at this node or element; -1 if there is none.
+  [[nodiscard]] int find(std::string_view quantity, std::string_view where) const;
+  /// values := all channels at the committed state; as long as list().
+  void sample(const StepView& view, std::vector<double>& values) const;
+
+  /// Index of the first of a node's channels: displacement, then velocity, then absolute acceleration.
+  [[nodiscard]] static std::size_t of_node(NodeId node) { return 3 * static_cast<std::size_t>(node.index); }
+
+ private:
+  struct ElementChannel {
+    std::size_t block, element;
+    bool force;  // or deformation
+  };
+
+  std::vector<Channel> list_;
+  std::vector<ElementChannel> elements_;
+};
+
+}  // namespace moat

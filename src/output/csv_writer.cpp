@@ -1,0 +1,73 @@
+#include "output/csv_writer.hpp"
+
+#include <array>
+#include <charconv>
+#include <string>
+#include <string_view>
+
+#include "output/file_io.hpp"
+#include "output/impact_columns.hpp"
+#include "output/table_columns.hpp"
+
+namespace moat {
+namespace {
+
+void append_text(std::string& out, std::string_view text) {
+  if (text.find_first_of(",\"\r\n") == std::string_view::npos) {
+    out += text;
+    return;
+  }
+  out += '"';
+  for (const char c : text) {
+    if (c == '"') out += '"';
+    out += c;
+  }
+  out += '"';
+}
+
+void append_number(std::string& out, double value) {
+  std::array<char, 32> digits;  // the longest shortest form of a double has 24 characters
+  const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr;
+  out.append(digits.data(), end);
+}
+
+}  // namespace
+
+void write_csv(const Table& table, const std::filesystem::path& path) {
+  require_equal_lengths(table);
+  std::string out;
+  out.reserve((table.rows() + 1) * table.columns.size() * 24);
+  const char* separator = "";
+  for (const Column& column : table.columns) {
+    out += separator;
+    append_text(out, column_name(column));
+    separator = ",";
+  }
+  out += '\n';
+  for (std::size_t row = 0; row < table.rows(); ++row) {
+    for (const Column& column : table.columns) {
+      append_number(out, column.values[row]);
+      out += ',';
+    }
+    out.back() = '\n';
+  }
+  write_file(path, out);
+}
+
+void write_csv(const std::vector<Impact>& impacts, const std::filesystem::path& path) {
+  std::string out = "where";
+  for (const ImpactColumn& column : impact_columns)
+    out.append(",").append(column.name).append(" [").append(column.unit).append("]");
+  out += '\n';
+  for (const Impact& impact : impacts) {
+    append_text(out, impact.where);
+    for (const ImpactColumn& column : impact_columns) {
+      out += ',';
+      append_number(out, impact.*column.value);
+    }
+    out += '\n';
+  }
+  write_file(path, out);
+}
+
+}  // namespace moat

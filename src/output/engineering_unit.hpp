@@ -1,0 +1,26 @@
+// The units engineers read, for tables and charts; files for programs stay in SI.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace moat {
+
+struct EngineeringUnit {
+  std::string symbol;
+  double per_si = 1.0;  ///< value in this unit = per_si * value in SI
+};
+
+/// cm for m, cm/s for m/s, kN for N, kJ for J; any other unit stays as it is.
+EngineeringUnit engineering_unit(std::string_view si_symbol);
+
+/// A quantity's name in words: "absolute_acceleration" -> "absolute acceleration".
+std::string in_words(std::string_view quantity);
+
+/// How many decimals show a column whose largest magnitude is `largest` with 4 significant digits: 0 to 6.
+int decimals_for(double largest);
+
+/// `value` with so many decimals; "-" for a value that is not finite.
+std::string with_decimals(double value, int decimals);
+
+}  // namespace moat

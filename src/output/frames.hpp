@@ -1,0 +1,59 @@
+// Animation frames for ParaView.
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <span>
+
+#include "output/scene.hpp"
+
+namespace moat {
+
+/// The state of a model at one time, SI units. The three node spans have one value per node of the scene, the three
+/// element spans one per element; they are only read during FrameWriter::write.
+struct FrameData {
+  std::span<const double> node_displacement;           ///< m, relative to the ground
+  std::span<const double> node_velocity;               ///< m/s, relative to the ground
+  std::span<const double> node_absolute_acceleration;  ///< m/s^2
+  std::span<const double> deformation;                 ///< m; of a gap its opening, negative while indented
+  std::span<const double> force;                       ///< N
+  std::span<const double> in_contact;                  ///< 1 in contact, 0 not
+  double ground_acceleration = 0.0;                    ///< m/s^2, what points fixed to the ground show
+};
+
+/// Writes frames/frame_000000.vtu ... and frames.pvd, which lists them by time, into a results folder.
+///
+/// In ParaView open frames.pvd and apply Warp By Vector with `Displacement`. Point data, 3 components with x the
+/// direction of shaking: `Displacement` (m), `Velocity` (m/s), `AbsoluteAcceleration` (m/s^2). Cell data: `Kind`
+/// (CellKind as integer, names in the field data `KindNames`), `Deformation` (m), `Force` (N), `Opening` (m, gaps only)
+/// and `InContact` (0 or 1). A cell without element has NaN as deformation, force and opening, which ParaView leaves
+/// out of colour ranges, and so has a cell that is not a gap as opening. A point of weight w shows w times the motion
+/// of its node; its absolute acceleration is w times that of the node plus (1 - w) times that of the ground.
+///
+/// After every write the .pvd is complete, so a run that stops early leaves a file ParaView opens.
+class FrameWriter {
+ public:
+  /// Creates `folder`/frames and an empty `folder`/frames.pvd. Throws InputError where a cell has neither 2 nor 4
+  /// points, a point does not exist, an index is below -1, or a weight lies outside 0 to 1; FileError where the
+  /// folder or the file cannot be written.
+  FrameWriter(const std::filesystem::path& folder, Scene scene);
+  ~FrameWriter();
+  FrameWriter(FrameWriter&&) noexcept;
+  FrameWriter& operator=(FrameWriter&&) noexcept;
+
+  /// Writes one frame at `time`, s, which must be later than that of the frame before. Throws InputError where it is
+  /// not, where a span is shorter than the scene needs, and after finish(); FileError where a file cannot be written.
+  void write(double time, const FrameData& data);
+
+  /// Closes the .pvd. Calling it again does nothing.
+  void finish();
+
+  /// Number of frames written.
+  [[nodiscard]] int frames() const;
+
+ private:
+  struct Files;
+  std::unique_ptr<Files> files_;
+};
+
+}  // namespace moat

@@ -1,0 +1,33 @@
+// Histories of all channels.
+#pragma once
+
+#include "output/channels.hpp"
+#include "output/table.hpp"
+
+namespace moat {
+
+/// Keeps time, ground acceleration and every channel at a constant interval: at the first grid time of the
+/// analysis at or after each multiple of it.
+class HistoryRecorder final : public StepObserver {
+ public:
+  /// interval: s, > 0.
+  HistoryRecorder(const Model& model, double interval);
+
+  void start(const StepView& view) override;
+  void step(const StepView& view) override;
+  void event(const StepView&, std::span<const RegimeChange>) override {}
+  void finish(const StepView&) override {}
+
+  [[nodiscard]] const Table& table() const { return table_; }
+
+ private:
+  void record(const StepView& view);
+
+  Channels channels_;
+  double interval_;
+  long next_ = 0;
+  std::vector<double> values_;
+  Table table_;
+};
+
+}  // namespace moat

@@ -1,0 +1,25 @@
+// The numbers of an impact, with name and unit: the one list behind impacts.csv, summary.json and report.html.
+#pragma once
+
+#include <array>
+
+#include "output/case_result.hpp"
+
+namespace moat {
+
+struct ImpactColumn {
+  const char* name;
+  const char* unit;  ///< SI symbol
+  double Impact::*value;
+};
+
+inline constexpr std::array impact_columns{
+    ImpactColumn{"start", "s", &Impact::start},
+    ImpactColumn{"duration", "s", &Impact::duration},
+    ImpactColumn{"approach_speed", "m/s", &Impact::approach_speed},
+    ImpactColumn{"largest_indentation", "m", &Impact::largest_indentation},
+    ImpactColumn{"largest_force", "N", &Impact::largest_force},
+    ImpactColumn{"rebound_ratio", "1", &Impact::rebound_ratio},
+};
+
+}  // namespace moat

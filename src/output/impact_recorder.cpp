@@ -1,0 +1,74 @@
+#include "output/impact_recorder.hpp"
+
+#include <algorithm>
+#include <limits>
+
+namespace moat {
+namespace {
+
+bool same(RegimeChange a, RegimeChange b) { return a.block == b.block && a.element == b.element; }
+
+}  // namespace
+
+void ImpactRecorder::start(const StepView& view) {
+  for (std::size_t b = 0; b < view.model.blocks().size(); ++b)
+    for (std::size_t e = 0; e < view.model.blocks()[b]->size(); ++e)
+      if (view.model.blocks()[b]->contact(e).touching) open(view, {b, e});
+}
+
+void ImpactRecorder::follow(const StepView& view, bool after_event) {
+  const double time = view.model.state().time;
+  for (Ongoing& contact : ongoing_) {
+    const ElementBlock& block = *view.model.blocks()[contact.gap.block];
+    const double indentation = block.deformations()[contact.gap.element];
+    const double force = block.forces()[contact.gap.element];
+    if (after_event) {
+      contact.indentation.restart(time, indentation);
+      contact.force.restart(time, force);
+    } else {
+      contact.indentation.add(time, indentation);
+      contact.force.add(time, force);
+    }
+  }
+}
+
+void ImpactRecorder::step(const StepView& view) { follow(view, false); }
+
+void ImpactRecorder::event(const StepView& view, std::span<const RegimeChange> changes) {
+  for (const RegimeChange gap : changes) {
+    const bool touching = view.model.blocks()[gap.block]->contact(gap.element).touching;
+    const auto known = std::find_if(ongoing_.begin(), ongoing_.end(), [&](const Ongoing& o) { return same(o.gap, gap); });
+    if (touching && known == ongoing_.end()) {
+      open(view, gap);
+    } else if (!touching && known != ongoing_.end()) {
+      close(view, *known, true);
+      ongoing_.erase(known);
+    }
+  }
+  follow(view, true);
+}
+
+void ImpactRecorder::open(const StepView& view, RegimeChange gap) {
+  const ElementBlock& block = *view.model.blocks()[gap.block];
+  ongoing_.push_back({gap, impacts_.size(), {}, {}});
+  impacts_.push_back({.where = block.info(gap.element).name,
+                      .start = view.model.state().time,
+                      .approach_speed = block.contact(gap.element).approach_speed});
+}
+
+void ImpactRecorder::close(const StepView& view, const Ongoing& contact, bool separated) {
+  Impact& impact = impacts_[contact.impact];
+  impact.duration = view.model.state().time - impact.start;
+  impact.largest_indentation = contact.indentation.magnitude();
+  impact.largest_force = contact.force.magnitude();
+  const double separation_speed = -view.model.blocks()[contact.gap.block]->rates()[contact.gap.element];
+  impact.rebound_ratio =
+      separated ? separation_speed / impact.approach_speed : std::numeric_limits<double>::quiet_NaN();
+}
+
+void ImpactRecorder::finish(const StepView& view) {
+  for (const Ongoing& contact : ongoing_) close(view, contact, false);
+  ongoing_.clear();
+}
+
+}  // namespace moat

@@ -1,0 +1,147 @@
+#include "output/model_scene.hpp"
+
+#include <cmath>
+
+#include "base/check.hpp"
+
+namespace moat {
+namespace {
+
+// Of drawings only, m.
+constexpr double slab_thickness = 0.4;
+constexpr double bearing_height = 0.8;
+constexpr double wall_thickness = 1.0;
+constexpr double storey_inset = 0.3;
+
+class SceneBuilder {
+ public:
+  explicit SceneBuilder(const Model& model) : model_{model} {}
+
+  Scene build() {
+    for (int i = 0; i < model_.node_count(); ++i) add_slab(NodeId{i});
+    int number = 0;
+    for (const auto& block : model_.blocks())
+      for (std::size_t e = 0; e < block->size(); ++e, ++number) add_element(block->info(e), number);
+    return std::move(scene_);
+  }
+
+ private:
+  struct Place {
+    double x, z, half_width;
+    int node;
+  };
+
+  // The ground has no place of its own: it is drawn below, or beside, what stands on it.
+  Place place(NodeId id, NodeId other) const {
+    const Node& node = model_.node(id == ground ? other : id);
+    return {node.x.si(), id == ground ? node.height.si() - bearing_height : node.height.si(), node.half_width.si(),
+            id == ground ? -1 : id.index};
+  }
+
+  int point(double x, double z, int node) {
+    scene_.points.push_back({.x = x, .y = 0.0, .z = z, .node = node, .weight = node < 0 ? 0.0 : 1.0});
+    return static_cast<int>(scene_.points.size()) - 1;
+  }
+
+  void add_slab(NodeId id) {
+    const Place p = place(id, id);
+    const double top = p.z, bottom = p.z - slab_thickness;
+    scene_.cells.push_back({CellKind::floor, model_.node(id).name,
+                            {point(p.x - p.half_width, bottom, p.node), point(p.x + p.half_width, bottom, p.node),
+                             point(p.x + p.half_width, top, p.node), point(p.x - p.half_width, top, p.node)},
+                            -1});
+  }
+
+  void add_element(const ElementInfo& info, int number) {
+    switch (info.kind) {
+      case ElementKind::storey: return add_panel(CellKind::storey, info, number);
+      case ElementKind::bearing: return add_panel(CellKind::bearing, info, number);
+      case ElementKind::gap: return add_gap(info, number);
+      case ElementKind::damper: return;
+      case ElementKind::other: return add_panel(CellKind::other, info, number);
+    }
+  }
+
+  void add_panel(CellKind kind, const ElementInfo& info, int number) {
+    const Place low = place(info.first, info.second), high = place(info.second, info.first);
+    const double half = std::max(0.1, std::min(low.half_width, high.half_width) - storey_inset);
+    const double top = high.z - slab_thickness;
+    scene_.cells.push_back({kind, info.name,
+                            {point(low.x - half, low.z, low.node), point(low.x + half, low.z, low.node),
+                             point(high.x + half, top, high.node), point(high.x - half, top, high.node)},
+                            number});
+  }
+
+  // A gap has its right node first and its left node second.
+  void add_gap(const ElementInfo& info, int number) {
+    const bool wall_right = info.first == ground, wall_left = info.second == ground;
+    const Place right = place(info.first, info.second), left = place(info.second, info.first);
+    const double level = (wall_right ? left.z : right.z) - 0.5 * slab_thickness;
+    const double left_face = wall_left ? right.x - right.half_width - info.offset : left.x + left.half_width;
+    const double right_face = wall_right ? left.x + left.half_width + info.offset : right.x - right.half_width;
+    scene_.cells.push_back({CellKind::gap, info.name,
+                            {point(left_face, level, left.node), point(right_face, level, right.node)}, number});
+    if (wall_left) add_wall(info.name, left_face - wall_thickness, left_face, level);
+    if (wall_right) add_wall(info.name, right_face, right_face + wall_thickness, level);
+  }
+
+  void add_wall(const std::string& gap, double from, double to, double level) {
+    const double bottom = level - 0.5 * slab_thickness - bearing_height, top = level + slab_thickness;
+    scene_.cells.push_back({CellKind::wall, gap + " wall",
+                            {point(from, bottom, -1), point(to, bottom, -1), point(to, top, -1), point(from, top, -1)},
+                            -1});
+  }
+
+  const Model& model_;
+  Scene scene_;
+};
+
+}  // namespace
+
+Scene scene_of(const Model& model) { return SceneBuilder{model}.build(); }
+
+FrameRecorder::FrameRecorder(const Model& model, const std::filesystem::path& folder, double interval)
+    : writer_{folder, scene_of(model)}, interval_{interval} {
+  Check{"FrameRecorder", ""}.positive("interval", interval, "s");
+}
+
+void FrameRecorder::start(const StepView& view) { write(view); }
+
+void FrameRecorder::step(const StepView& view) {
+  if (view.on_grid && view.model.state().time >= next_ * (1.0 - 1e-12)) write(view);
+}
+
+void FrameRecorder::write(const StepView& view) {
+  const Model& model = view.model;
+  const MotionState& state = model.state();
+  const auto nodes = static_cast<std::size_t>(model.node_count());
+  displacement_.resize(nodes);
+  velocity_.resize(nodes);
+  acceleration_.resize(nodes);
+  for (std::size_t i = 0; i < nodes; ++i) {
+    const auto entry = static_cast<Eigen::Index>(i);
+    displacement_[i] = state.displacement[entry];
+    velocity_[i] = state.velocity[entry];
+    acceleration_[i] = state.acceleration[entry] + view.ground_acceleration;
+  }
+  deformation_.clear();
+  force_.clear();
+  in_contact_.clear();
+  for (const auto& block : model.blocks())
+    for (std::size_t e = 0; e < block->size(); ++e) {
+      const bool gap = block->info(e).kind == ElementKind::gap;
+      deformation_.push_back(gap ? -block->deformations()[e] : block->deformations()[e]);
+      force_.push_back(block->forces()[e]);
+      in_contact_.push_back(block->contact(e).touching ? 1.0 : 0.0);
+    }
+  writer_.write(state.time, {.node_displacement = displacement_,
+                             .node_velocity = velocity_,
+                             .node_absolute_acceleration = acceleration_,
+                             .deformation = deformation_,
+                             .force = force_,
+                             .in_contact = in_contact_,
+                             .ground_acceleration = view.ground_acceleration});
+  while (next_ <= state.time * (1.0 + 1e-12)) next_ += interval_;
+}
+
+}  // namespace moat

@@ -1,0 +1,38 @@
+// Draws a model for ParaView.
+#pragma once
+
+#include <filesystem>
+
+#include "model/model.hpp"
+#include "output/frames.hpp"
+#include "output/scene.hpp"
+#include "output/step_observer.hpp"
+
+namespace moat {
+
+/// The picture of a model: a slab for every node, a panel for every storey and bearing, a line for every gap, a
+/// wall where a gap ends at the ground. Elements are numbered through all blocks in their order. Dampers are not
+/// drawn.
+Scene scene_of(const Model& model);
+
+/// Writes a frame at the start, then at the first grid time at or after each multiple of the interval.
+class FrameRecorder final : public StepObserver {
+ public:
+  /// folder: the results folder. interval: s, > 0.
+  FrameRecorder(const Model& model, const std::filesystem::path& folder, double interval);
+
+  void start(const StepView& view) override;
+  void step(const StepView& view) override;
+  void event(const StepView&, std::span<const RegimeChange>) override {}
+  void finish(const StepView&) override { writer_.finish(); }
+
+ private:
+  void write(const StepView& view);
+
+  FrameWriter writer_;
+  double interval_;
+  double next_ = 0.0;
+  std::vector<double> displacement_, velocity_, acceleration_, deformation_, force_, in_contact_;
+};
+
+}  // namespace moat

@@ -1,0 +1,50 @@
+#include "output/peak_recorder.hpp"
+
+#include <map>
+
+namespace moat {
+
+PeakRecorder::PeakRecorder(const Model& model)
+    : model_{&model}, channels_{model}, trackers_(channels_.list().size()) {}
+
+void PeakRecorder::start(const StepView& view) { step(view); }
+
+void PeakRecorder::step(const StepView& view) {
+  channels_.sample(view, values_);
+  const double time = view.model.state().time;
+  for (std::size_t i = 0; i < values_.size(); ++i) trackers_[i].add(time, values_[i]);
+}
+
+void PeakRecorder::event(const StepView& view, std::span<const RegimeChange>) {
+  channels_.sample(view, values_);
+  const double time = view.model.state().time;
+  for (std::size_t i = 0; i < values_.size(); ++i) trackers_[i].restart(time, values_[i]);
+}
+
+std::vector<Peak> PeakRecorder::peaks() const {
+  std::vector<Peak> peaks;
+  std::map<std::pair<std::string, std::string>, std::size_t> index;
+  for (std::size_t i = 0; i < trackers_.size(); ++i) {
+    const Channel& channel = channels_.list()[i];
+    const auto [found, inserted] = index.try_emplace({channel.quantity, channel.place}, peaks.size());
+    if (inserted) peaks.push_back({channel.quantity, channel.place, 0.0, channel.unit, 0.0});
+    Peak& peak = peaks[found->second];
+    if (trackers_[i].magnitude() > peak.value) {
+      peak.value = trackers_[i].magnitude();
+      peak.time = trackers_[i].time();
+    }
+  }
+  for (const BaseShear& shear : model_->base_shears()) {
+    Peak sum{"sum_of_floor_inertia_maxima", shear.where, 0.0, "N", 0.0};
+    for (const NodeId node : shear.nodes) {
+      const PeakTracker& acceleration = trackers_[Channels::of_node(node) + 2];
+      sum.value += model_->masses()[node.index] * acceleration.magnitude();
+      // The maxima are not simultaneous; the last of them completes the sum.
+      sum.time = std::max(sum.time, acceleration.time());
+    }
+    peaks.push_back(sum);
+  }
+  return peaks;
+}
+
+}  // namespace moat

@@ -1,0 +1,32 @@
+// Peaks of all channels over continuous time.
+#pragma once
+
+#include <vector>
+
+#include "output/case_result.hpp"
+#include "output/channels.hpp"
+#include "output/peak_tracker.hpp"
+
+namespace moat {
+
+/// Follows every channel and lists its peak; channels of one quantity and place share one. Adds the
+/// `sum_of_floor_inertia_maxima` of every building: the sum of mass times peak absolute acceleration.
+class PeakRecorder final : public StepObserver {
+ public:
+  explicit PeakRecorder(const Model& model);
+
+  void start(const StepView& view) override;
+  void step(const StepView& view) override;
+  void event(const StepView& view, std::span<const RegimeChange> changes) override;
+  void finish(const StepView&) override {}
+
+  [[nodiscard]] std::vector<Peak> peaks() const;
+
+ private:
+  const Model* model_;
+  Channels channels_;
+  std::vector<PeakTracker> trackers_;
+  std::vector<double> values_;
+};
+
+}  // namespace moat

@@ -1,0 +1,227 @@
+#include "output/report.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <string_view>
+
+#include "output/chart.hpp"
+#include "output/engineering_unit.hpp"
+#include "output/file_io.hpp"
+#include "output/impact_columns.hpp"
+#include "output/peak_groups.hpp"
+#include "output/results_folder.hpp"
+#include "output/table_columns.hpp"
+
+namespace moat {
+namespace {
+
+constexpr std::string_view style = R"(
+body { font: 15px/1.5 Arial, Helvetica, "Liberation Sans", sans-serif; color: #222; max-width: 1040px;
+       margin: 2em auto; padding: 0 1em; }
+h1 { font-size: 1.6em; margin-bottom: .2em; }
+h2 { font-size: 1.2em; margin-top: 2em; border-bottom: 1px solid #ccc; padding-bottom: .2em; }
+table { border-collapse: collapse; margin: .8em 0; }
+th, td { padding: .2em .9em; text-align: left; border-bottom: 1px solid #e4e4e4; }
+th { background: #f3f5f7; }
+tr.group th { background: none; padding-top: .9em; border-bottom: 1px solid #888; }
+td.number, th.number { text-align: right; font-variant-numeric: tabular-nums; }
+svg { max-width: 100%; height: auto; display: block; }
+)";
+
+std::string escaped(std::string_view text) {
+  std::string html;
+  for (const char c : text) {
+    switch (c) {
+      case '&':
+        html += "&amp;";
+        break;
+      case '<':
+        html += "&lt;";
+        break;
+      case '>':
+        html += "&gt;";
+        break;
+      case '"':
+        html += "&quot;";
+        break;
+      default:
+        html += c;
+    }
+  }
+  return html;
+}
+
+/// "m/s^2" with a raised 2.
+std::string pretty(std::string_view unit) {
+  std::string text{unit};
+  for (std::size_t at = text.find("^2"); at != std::string::npos; at = text.find("^2")) text.replace(at, 2, "²");
+  return text;
+}
+
+std::string capitalised(std::string text) {
+  if (!text.empty() && text[0] >= 'a' && text[0] <= 'z') text[0] = static_cast<char>(text[0] - 'a' + 'A');
+  return text;
+}
+
+std::string row(std::string_view name, std::string_view value) {
+  return "<tr><td>" + escaped(name) + "</td><td class=\"number\">" + escaped(value) + "</td></tr>\n";
+}
+
+std::string number_with_unit(double si_value, std::string_view si_symbol) {
+  const EngineeringUnit unit = engineering_unit(si_symbol);
+  const double value = unit.per_si * si_value;
+  return with_decimals(value, decimals_for(std::abs(value))) + " " + pretty(unit.symbol);
+}
+
+std::string motion_section(const CaseResult& result) {
+  std::string html = "<h2>Ground motion</h2>\n<table>\n";
+  html += row("Name", result.motion.name);
+  html += row("Peak acceleration", number_with_unit(result.motion.peak_acceleration, "m/s^2"));
+  html += row("Peak velocity", number_with_unit(result.motion.peak_velocity, "m/s"));
+  html += row("Time step", number_with_unit(result.motion.time_step, "s"));
+  html += row("Duration", number_with_unit(result.motion.duration, "s"));
+  html += "</table>\n";
+  if (result.periods.empty()) return html;
+  html += "<h2>Periods</h2>\n<table>\n";
+  for (const NamedPeriod& period : result.periods) html += row(period.name, number_with_unit(period.value, "s"));
+  return html + "</table>\n";
+}
+
+std::string peak_section(const CaseResult& result) {
+  std::string html = "<h2>Peaks</h2>\n<table>\n";
+  for (const PeakGroup& group : group_peaks(result.peaks)) {
+    html += "<tr class=\"group\"><th>" + escaped(capitalised(group.quantity)) + "</th><th class=\"number\">" +
+            escaped(pretty(group.unit)) + "</th><th class=\"number\">at s</th></tr>\n";
+    for (const PeakRow& peak : group.rows)
+      html += "<tr><td>" + escaped(peak.where) + "</td><td class=\"number\">" + peak.value +
+              "</td><td class=\"number\">" + peak.time + "</td></tr>\n";
+  }
+  return html + "</table>\n";
+}
+
+std::string impact_section(const CaseResult& result) {
+  std::string html = "<h2>Impacts</h2>\n";
+  if (result.impacts.empty()) return html + "<p>No contact.</p>\n";
+  html += "<table>\n<tr><th>Where</th>";
+  std::vector<int> decimals;
+  for (const ImpactColumn& column : impact_columns) {
+    const EngineeringUnit unit = engineering_unit(column.unit);
+    html += "<th class=\"number\">" + escaped(capitalised(in_words(column.name)));
+    if (unit.symbol != "1") html += " [" + escaped(pretty(unit.symbol)) + "]";
+    html += "</th>";
+    double largest = 0.0;
+    for (const Impact& impact : result.impacts)
+      largest = std::max(largest, std::abs(unit.per_si * (impact.*column.value)));
+    decimals.push_back(decimals_for(largest));
+  }
+  html += "</tr>\n";
+  for (const Impact& impact : result.impacts) {
+    html += "<tr><td>" + escaped(impact.where) + "</td>";
+    for (std::size_t i = 0; i < impact_columns.size(); ++i)
+      html += "<td class=\"number\">" +
+              with_decimals(engineering_unit(impact_columns[i].unit).per_si * (impact.*impact_columns[i].value),
+                            decimals[i]) +
+              "</td>";
+    html += "</tr>\n";
+  }
+  return html + "</table>\n";
+}
+
+std::string solver_section(const CaseResult& result) {
+  const SolverStatistics& solver = result.solver;
+  std::string html = "<h2>Solver</h2>\n<table>\n";
+  html += row("Accepted steps", std::to_string(solver.accepted_steps));
+  html += row("Rejected steps", std::to_string(solver.rejected_steps));
+  html += row("Events", std::to_string(solver.events));
+  html += row("Solves to land on an event", std::to_string(solver.event_solves));
+  html += row("Newton iterations", std::to_string(solver.newton_iterations));
+  html += row("Factorisations", std::to_string(solver.factorisations));
+  html += row("Processor time", number_with_unit(solver.cpu_seconds, "s"));
+  html += "</table>\n<h2>Assumptions</h2>\n<ul>\n";
+  for (const std::string& assumption : result.assumptions) html += "<li>" + escaped(assumption) + "</li>\n";
+  return html + "</ul>\n";
+}
+
+std::vector<const Column*> columns_of(const Table& table, std::string_view quantity) {
+  std::vector<const Column*> found;
+  for (const Column& column : table.columns)
+    if (column.quantity == quantity && !column.values.empty()) found.push_back(&column);
+  return found;
+}
+
+bool is_base(const Column& column) { return column.where == "base" || column.where.ends_with(" base"); }
+
+/// The base, if there is one, and the last column.
+std::vector<const Column*> base_and_top(const Table& table, std::string_view quantity) {
+  const std::vector<const Column*> all = columns_of(table, quantity);
+  std::vector<const Column*> picked;
+  const auto base = std::find_if(all.begin(), all.end(), [](const Column* column) { return is_base(*column); });
+  if (base != all.end()) picked.push_back(*base);
+  if (!all.empty() && (picked.empty() || all.back() != picked.front())) picked.push_back(all.back());
+  return picked;
+}
+
+std::vector<double> scaled(const Column& column) {
+  const double factor = engineering_unit(column.unit).per_si;
+  std::vector<double> values = column.values;
+  for (double& value : values) value *= factor;
+  return values;
+}
+
+std::string axis_label(const Column& column) {
+  return in_words(column.quantity) + " [" + pretty(engineering_unit(column.unit).symbol) + "]";
+}
+
+Chart history_chart(const Column& time, const std::vector<const Column*>& columns) {
+  Chart chart;
+  chart.title = capitalised(in_words(columns.front()->quantity));
+  chart.x_label = "time [s]";
+  chart.y_label = axis_label(*columns.front());
+  chart.x_range = std::pair{time.values.front(), time.values.back()};
+  for (const Column* column : columns) chart.series.push_back({column->where, time.values, scaled(*column)});
+  return chart;
+}
+
+std::string chart_section(const CaseResult& result) {
+  const Table& table = result.histories;
+  require_equal_lengths(table);
+  const std::vector<const Column*> times = columns_of(table, "time");
+  std::string html;
+  std::vector<Chart> histories;
+  if (!times.empty() && times.front()->values.back() > times.front()->values.front()) {
+    for (const auto& columns : {base_and_top(table, "displacement"), base_and_top(table, "absolute_acceleration"),
+                                columns_of(table, "impact_force")})
+      if (!columns.empty()) histories.push_back(history_chart(*times.front(), columns));
+  }
+  if (!histories.empty()) html += "<h2>Histories</h2>\n" + svg_text(histories, 1000, 300);
+
+  const std::vector<const Column*> forces = columns_of(table, "isolator_force");
+  const std::vector<const Column*> displacements = base_and_top(table, "displacement");
+  if (!forces.empty() && !displacements.empty() && is_base(*displacements.front())) {
+    Chart loop;
+    loop.title = "Isolators";
+    loop.x_label = "base displacement [" + engineering_unit(displacements.front()->unit).symbol + "]";
+    loop.y_label = axis_label(*forces.front());
+    loop.series.push_back({forces.front()->where, scaled(*displacements.front()), scaled(*forces.front())});
+    html += "<h2>Hysteresis</h2>\n" + svg_text({loop}, 700, 440);
+  }
+  return html;
+}
+
+}  // namespace
+
+void write_report_html(const CaseResult& result, const std::filesystem::path& folder) {
+  std::string html = "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<title>" +
+                     escaped(result.title) + "</title>\n<style>" + std::string{style} + "</style>\n</head>\n<body>\n";
+  html += "<h1>" + escaped(result.title) + "</h1>\n";
+  html += motion_section(result);
+  html += peak_section(result);
+  html += impact_section(result);
+  html += chart_section(result);
+  html += solver_section(result);
+  html += "</body>\n</html>\n";
+  write_file(folder / results_file::report, html);
+}
+
+}  // namespace moat

@@ -1,0 +1,22 @@
+// The result of a run as one page to read.
+#pragma once
+
+#include <filesystem>
+
+#include "output/case_result.hpp"
+
+namespace moat {
+
+/// Writes `folder`/report.html: title, motion, periods, peaks, impacts, charts, solver statistics and assumptions, in
+/// one file that needs nothing else, no network and no script.
+///
+/// Charts are drawn of what `result.histories` holds beside `time`, found by quantity and place:
+/// - `displacement` and `absolute_acceleration`: the first column at a place that is or ends with "base", and the last
+///   column of the quantity (the top);
+/// - `impact_force`: every column;
+/// - `isolator_force`: its first column over the displacement of the base.
+/// A chart whose columns are missing is left out. Throws InputError where columns differ in length or hold a value
+/// that is not finite, FileError where the file cannot be written.
+void write_report_html(const CaseResult& result, const std::filesystem::path& folder);
+
+}  // namespace moat

@@ -1,0 +1,108 @@
+#include "output/results_folder.hpp"
+
+#include <algorithm>
+#include <array>
+#include <string>
+#include <system_error>
+#include <vector>
+
+#include "base/error.hpp"
+
+namespace moat {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::array files_at_top{results_file::summary, results_file::histories_csv, results_file::histories_vtt,
+                                  results_file::impacts, results_file::report,        results_file::frames};
+
+bool is_frame_name(const std::string& name) {
+  const std::string front = "frame_";
+  const std::string back = ".vtu";
+  if (name.size() < front.size() + 6 + back.size() || !name.starts_with(front) || !name.ends_with(back)) return false;
+  return std::all_of(name.begin() + static_cast<std::ptrdiff_t>(front.size()),
+                     name.end() - static_cast<std::ptrdiff_t>(back.size()),
+                     [](char c) { return c >= '0' && c <= '9'; });
+}
+
+[[noreturn]] void fail(const fs::path& path, const std::string& what, const std::string& reason) {
+  throw FileError{"results folder " + path.string() + ": " + what + " (" + reason +
+                  "). Choose another folder, or make this one writable."};
+}
+
+/// True if this call made the folder, so that two programs started together never share one.
+bool create(const fs::path& path) {
+  std::error_code error;
+  if (path.has_parent_path()) fs::create_directories(path.parent_path(), error);
+  const bool is_new = !error && fs::create_directory(path, error);
+  if (error) fail(path, "cannot be created", error.message());
+  return is_new;
+}
+
+bool holds_nothing(const fs::path& path) {
+  std::error_code error;
+  const bool empty = fs::is_empty(path, error);
+  if (error) fail(path, "cannot be read", error.message());
+  return empty;
+}
+
+std::vector<fs::path> entries(const fs::path& folder) {
+  std::error_code error;
+  std::vector<fs::path> found;
+  for (fs::directory_iterator entry{folder, error}, end; !error && entry != end; entry.increment(error))
+    found.push_back(entry->path());
+  if (error) fail(folder, "cannot be read", error.message());
+  return found;
+}
+
+void remove_results(const fs::path& folder, const fs::path& inside = {}) {
+  for (const fs::path& path : entries(folder / inside)) {
+    std::error_code error;
+    const fs::path relative = inside / path.filename();
+    const fs::file_status status = fs::symlink_status(path, error);
+    // A link is followed by nobody here: what it points to is not in this folder.
+    if (fs::is_regular_file(status) && is_results_file(relative)) fs::remove(path, error);
+    if (fs::is_directory(status) && relative == results_file::frames_folder) {
+      remove_results(folder, relative);
+      if (holds_nothing(path)) fs::remove(path, error);
+    }
+    if (error) fail(path, "cannot be removed", error.message());
+  }
+}
+
+}  // namespace
+
+bool is_results_file(const fs::path& relative_path) {
+  if (relative_path.parent_path() == results_file::frames_folder)
+    return is_frame_name(relative_path.filename().string());
+  return std::any_of(files_at_top.begin(), files_at_top.end(),
+                     [&relative_path](const char* name) { return relative_path == name; });
+}
+
+fs::path make_results_folder(fs::path wanted, WhenFolderExists when_exists) {
+  // "results/x/" would otherwise become "results/x/_2".
+  if (!wanted.empty() && !wanted.has_filename()) wanted = wanted.parent_path();
+  if (wanted.empty()) throw InputError{"results folder: the path is empty. Give a folder, for example results/run."};
+
+  if (create(wanted) || holds_nothing(wanted)) return wanted;
+  switch (when_exists) {
+    case WhenFolderExists::overwrite:
+      remove_results(wanted);
+      return wanted;
+    case WhenFolderExists::refuse:
+      throw InputError{"results folder " + wanted.string() +
+                       " exists and is not empty. Choose another folder, remove this one, or allow overwriting or a "
+                       "new number."};
+    case WhenFolderExists::use_new_number:
+      break;
+  }
+  for (int number = 2;; ++number) {
+    fs::path numbered = wanted;
+    numbered += "_";
+    numbered += std::to_string(number);
+    std::error_code error;
+    if (!fs::exists(fs::symlink_status(numbered, error)) && create(numbered)) return numbered;
+  }
+}
+
+}  // namespace moat

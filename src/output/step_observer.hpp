@@ -1,0 +1,31 @@
+// Whoever follows an analysis step by step.
+#pragma once
+
+#include <span>
+
+#include "model/model.hpp"
+
+namespace moat {
+
+/// The committed state after an accepted step.
+struct StepView {
+  const Model& model;
+  double ground_acceleration = 0.0;  ///< m/s^2, at the state's time
+  bool on_grid = true;               ///< false where the step ended at a located event, between grid times
+};
+
+/// Receives every accepted step of an analysis. At a located event it is called twice for the same
+/// instant: step() with the values before the change of regime, event() with those after it.
+class StepObserver {
+ public:
+  virtual ~StepObserver() = default;
+
+  /// The state at the start, before the first step.
+  virtual void start(const StepView& view) = 0;
+  virtual void step(const StepView& view) = 0;
+  virtual void event(const StepView& view, std::span<const RegimeChange> changes) = 0;
+  /// After the last step, also when a step failed and the analysis ends early.
+  virtual void finish(const StepView& view) = 0;
+};
+
+}  // namespace moat

@@ -1,0 +1,87 @@
+#include "output/summary.hpp"
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "output/file_io.hpp"
+#include "output/impact_columns.hpp"
+#include "output/peak_groups.hpp"
+
+namespace moat {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::size_t letters(const std::string& text) {
+  // Continuation bytes of UTF-8 take no room on the screen.
+  return static_cast<std::size_t>(
+      std::count_if(text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }));
+}
+
+std::string padding(std::size_t width, const std::string& text) {
+  return std::string(width - std::min(width, letters(text)), ' ');
+}
+
+}  // namespace
+
+void write_summary_json(const CaseResult& result, const std::filesystem::path& path) {
+  Json json;
+  json["title"] = result.title;
+  json["moat_version"] = MOAT_VERSION;
+  json["motion"] = {{"name", result.motion.name},
+                    {"peak_acceleration", result.motion.peak_acceleration},
+                    {"peak_velocity", result.motion.peak_velocity},
+                    {"time_step", result.motion.time_step},
+                    {"duration", result.motion.duration}};
+  json["periods"] = Json::array();
+  for (const NamedPeriod& period : result.periods)
+    json["periods"].push_back(Json{{"name", period.name}, {"value", period.value}});
+  json["assumptions"] = result.assumptions;
+  json["peaks"] = Json::array();
+  for (const Peak& peak : result.peaks)
+    json["peaks"].push_back(Json{{"quantity", peak.quantity},
+                                 {"where", peak.where},
+                                 {"value", peak.value},
+                                 {"unit", peak.unit},
+                                 {"time", peak.time}});
+  json["impacts"] = result.impacts.size();
+  json["impact_table"] = Json::array();
+  for (const Impact& impact : result.impacts) {
+    Json row{{"where", impact.where}};
+    for (const ImpactColumn& column : impact_columns) row[column.name] = impact.*column.value;
+    json["impact_table"].push_back(std::move(row));
+  }
+  json["solver"] = {{"accepted_steps", result.solver.accepted_steps},
+                    {"rejected_steps", result.solver.rejected_steps},
+                    {"event_solves", result.solver.event_solves},
+                    {"events", result.solver.events},
+                    {"newton_iterations", result.solver.newton_iterations},
+                    {"factorisations", result.solver.factorisations},
+                    {"cpu_seconds", result.solver.cpu_seconds}};
+  // A title in another encoding must not cost the results of a run.
+  write_file(path, json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
+}
+
+std::string peak_table(const CaseResult& result) {
+  const std::vector<PeakGroup> groups = group_peaks(result.peaks);
+  std::size_t where_width = 0;
+  std::size_t value_width = 0;
+  std::size_t time_width = 0;
+  for (const PeakGroup& group : groups) {
+    for (const PeakRow& row : group.rows) {
+      where_width = std::max(where_width, letters(row.where));
+      value_width = std::max(value_width, row.value.size());
+      time_width = std::max(time_width, row.time.size());
+    }
+  }
+  std::string text;
+  for (const PeakGroup& group : groups) {
+    text += "peak " + group.quantity + " [" + group.unit + "]\n";
+    for (const PeakRow& row : group.rows)
+      text += "  " + row.where + padding(where_width + 2, row.where) + padding(value_width, row.value) + row.value +
+              "   at " + padding(time_width, row.time) + row.time + " s\n";
+  }
+  return text;
+}
+
+}  // namespace moat

@@ -1,0 +1,100 @@
+#include "solvers/modes.hpp"
+
+#include <Eigen/Eigenvalues>
+#include <Spectra/SymEigsShiftSolver.h>
+
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "base/check.hpp"
+#include "base/error.hpp"
+#include "solvers/factorisation.hpp"
+
+namespace moat {
+namespace {
+
+constexpr int largest_dense_size = 200;
+
+// A = M^-1/2 K M^-1/2 has the eigenvalues omega^2 and is symmetric.
+SparseMatrix mass_scaled(const SparseMatrix& stiffness, const Vector& root_mass) {
+  SparseMatrix scaled = stiffness;
+  for (int column = 0; column < scaled.size; ++column)
+    for (int k = scaled.column_starts[static_cast<std::size_t>(column)];
+         k < scaled.column_starts[static_cast<std::size_t>(column) + 1]; ++k)
+      scaled.values[static_cast<std::size_t>(k)] /=
+          root_mass[column] * root_mass[scaled.row_indices[static_cast<std::size_t>(k)]];
+  return scaled;
+}
+
+// Spectra's y = (A - shift I)^-1 x with our factorisation.
+class ShiftedInverse {
+ public:
+  using Scalar = double;
+
+  explicit ShiftedInverse(const SparseMatrix& matrix) : matrix_{matrix} {}
+
+  Eigen::Index rows() const { return matrix_.size; }
+  Eigen::Index cols() const { return matrix_.size; }
+  void set_shift(double shift) {
+    SparseMatrix shifted = matrix_;
+    for (int i = 0; i < shifted.size; ++i) shifted.values[static_cast<std::size_t>(shifted.slot(i, i))] -= shift;
+    if (!factorisation_.factorise(shifted)) throw Error{"modal analysis: the shifted stiffness matrix is singular"};
+  }
+  void perform_op(const double* x, double* y) const {
+    work_ = Eigen::Map<const Vector>{x, matrix_.size};
+    factorisation_.solve(work_);
+    Eigen::Map<Vector>{y, matrix_.size} = work_;
+  }
+
+ private:
+  const SparseMatrix& matrix_;
+  Factorisation factorisation_;
+  mutable Vector work_;
+};
+
+struct EigenPairs {
+  Vector values;
+  Eigen::MatrixXd vectors;
+};
+
+EigenPairs solve_dense(const SparseMatrix& matrix, int count) {
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver{Eigen::MatrixXd{matrix.view()}};
+  return {solver.eigenvalues().head(count), solver.eigenvectors().leftCols(count)};
+}
+
+EigenPairs solve_sparse(const SparseMatrix& matrix, int count) {
+  double largest_diagonal = 0.0;
+  for (int i = 0; i < matrix.size; ++i)
+    largest_diagonal = std::max(largest_diagonal, matrix.values[static_cast<std::size_t>(matrix.slot(i, i))]);
+  ShiftedInverse inverse{matrix};
+  // A shift slightly below zero keeps rigid-body modes solvable.
+  const double shift = -1e-6 * largest_diagonal;
+  const int subspace = std::min(matrix.size, std::max(2 * count + 10, 30));
+  Spectra::SymEigsShiftSolver<ShiftedInverse> solver{inverse, count, subspace, shift};
+  solver.init();
+  solver.compute(Spectra::SortRule::LargestMagn, 1000, 1e-12, Spectra::SortRule::SmallestAlge);
+  if (solver.info() != Spectra::CompInfo::Successful) throw Error{"modal analysis: Spectra did not converge"};
+  return {solver.eigenvalues(), solver.eigenvectors()};
+}
+
+}  // namespace
+
+double Mode::period() const {
+  return angular_frequency > 0.0 ? 2.0 * std::numbers::pi / angular_frequency : std::numeric_limits<double>::infinity();
+}
+
+std::vector<Mode> slowest_modes(const SparseMatrix& stiffness, const Vector& mass, int count) {
+  Check{"modal analysis", ""}.between("number of modes", count, 1, stiffness.size, "1",
+                                      "A structure has as many modes as degrees of freedom.");
+  const Vector root_mass = mass.cwiseSqrt();
+  const SparseMatrix scaled = mass_scaled(stiffness, root_mass);
+  const bool dense = scaled.size <= largest_dense_size || count > scaled.size / 2;
+  const EigenPairs pairs = dense ? solve_dense(scaled, count) : solve_sparse(scaled, count);
+  std::vector<Mode> modes;
+  for (int i = 0; i < count; ++i)
+    modes.push_back({std::sqrt(std::max(pairs.values[i], 0.0)), pairs.vectors.col(i).cwiseQuotient(root_mass)});
+  return modes;
+}
+
+}  // namespace moat

@@ -1,0 +1,247 @@
+#include "solvers/newton.hpp"
+
+#include <NOX.H>
+#include <NOX_Direction_Generic.H>
+#include <NOX_Direction_UserDefinedFactory.H>
+
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+#include "base/check.hpp"
+
+namespace moat {
+namespace {
+
+// NOX's view of a Vector. NOX asks for more operations than its line-search solver uses; all are there.
+class NoxVector final : public NOX::Abstract::Vector {
+ public:
+  explicit NoxVector(int size) : values{moat::Vector::Zero(size)} {}
+  // The one that copies is NOX's virtual assignment; the implicit one would call NOX's, which does not exist.
+  NoxVector& operator=(const NoxVector&) = delete;
+
+  moat::Vector values;
+
+  static const moat::Vector& of(const NOX::Abstract::Vector& vector) {
+    return static_cast<const NoxVector&>(vector).values;
+  }
+  static moat::Vector& of(NOX::Abstract::Vector& vector) { return static_cast<NoxVector&>(vector).values; }
+
+  NOX::Abstract::Vector& init(double value) override {
+    values.setConstant(value);
+    return *this;
+  }
+  NOX::Abstract::Vector& random(bool, int) override {
+    values.setRandom();
+    return *this;
+  }
+  NOX::Abstract::Vector& abs(const NOX::Abstract::Vector& y) override {
+    values = of(y).cwiseAbs();
+    return *this;
+  }
+  NOX::Abstract::Vector& operator=(const NOX::Abstract::Vector& y) override {
+    values = of(y);
+    return *this;
+  }
+  NOX::Abstract::Vector& reciprocal(const NOX::Abstract::Vector& y) override {
+    values = of(y).cwiseInverse();
+    return *this;
+  }
+  NOX::Abstract::Vector& scale(double factor) override {
+    values *= factor;
+    return *this;
+  }
+  NOX::Abstract::Vector& scale(const NOX::Abstract::Vector& a) override {
+    values = values.cwiseProduct(of(a));
+    return *this;
+  }
+  NOX::Abstract::Vector& update(double alpha, const NOX::Abstract::Vector& a, double gamma) override {
+    values = gamma * values + alpha * of(a);
+    return *this;
+  }
+  NOX::Abstract::Vector& update(double alpha, const NOX::Abstract::Vector& a, double beta,
+                                const NOX::Abstract::Vector& b, double gamma) override {
+    values = gamma * values + alpha * of(a) + beta * of(b);
+    return *this;
+  }
+  Teuchos::RCP<NOX::Abstract::Vector> clone(NOX::CopyType type) const override {
+    auto copy = Teuchos::rcp(new NoxVector(static_cast<int>(values.size())));
+    if (type == NOX::DeepCopy) copy->values = values;
+    return copy;
+  }
+  double norm(NormType type) const override {
+    if (values.size() == 0) return 0.0;
+    if (type == MaxNorm) return values.lpNorm<Eigen::Infinity>();
+    return type == OneNorm ? values.lpNorm<1>() : values.norm();
+  }
+  double norm(const NOX::Abstract::Vector& weights) const override {
+    return std::sqrt(of(weights).dot(values.cwiseAbs2()));
+  }
+  double innerProduct(const NOX::Abstract::Vector& y) const override { return values.dot(of(y)); }
+  NOX::size_type length() const override { return static_cast<NOX::size_type>(values.size()); }
+};
+
+// An iterate with its residual.
+class NoxGroup final : public NOX::Abstract::Group {
+ public:
+  explicit NoxGroup(NonlinearSystem& system) : system_{&system}, x_{system.size()}, residual_{system.size()} {}
+
+  NoxGroup& operator=(const NoxGroup&) = delete;
+
+  NonlinearSystem& system() const { return *system_; }
+  const moat::Vector& x() const { return x_.values; }
+  const moat::Vector& residual() const { return residual_.values; }
+
+  NOX::Abstract::Group& operator=(const NOX::Abstract::Group& source) override {
+    const auto& other = static_cast<const NoxGroup&>(source);
+    x_.values = other.x_.values;
+    has_residual_ = other.has_residual_;
+    if (has_residual_) residual_.values = other.residual_.values;
+    return *this;
+  }
+  void setX(const NOX::Abstract::Vector& y) override {
+    x_.values = NoxVector::of(y);
+    has_residual_ = false;
+  }
+  void computeX(const NOX::Abstract::Group& from, const NOX::Abstract::Vector& direction, double step) override {
+    x_.values = static_cast<const NoxGroup&>(from).x_.values + step * NoxVector::of(direction);
+    has_residual_ = false;
+  }
+  ReturnType computeF() override {
+    if (has_residual_) return Ok;
+    has_residual_ = system_->compute_residual(x_.values, residual_.values);
+    return has_residual_ ? Ok : Failed;
+  }
+  bool isF() const override { return has_residual_; }
+  const NOX::Abstract::Vector& getX() const override { return x_; }
+  const NOX::Abstract::Vector& getF() const override { return residual_; }
+  double getNormF() const override { return residual_.values.norm(); }
+  const NOX::Abstract::Vector& getGradient() const override { throw std::logic_error{"NoxGroup: no gradient"}; }
+  const NOX::Abstract::Vector& getNewton() const override { throw std::logic_error{"NoxGroup: no stored direction"}; }
+  Teuchos::RCP<const NOX::Abstract::Vector> getXPtr() const override { return Teuchos::rcpFromRef(x_); }
+  Teuchos::RCP<const NOX::Abstract::Vector> getFPtr() const override { return Teuchos::rcpFromRef(residual_); }
+  Teuchos::RCP<const NOX::Abstract::Vector> getGradientPtr() const override { return Teuchos::null; }
+  Teuchos::RCP<const NOX::Abstract::Vector> getNewtonPtr() const override { return Teuchos::null; }
+  Teuchos::RCP<NOX::Abstract::Group> clone(NOX::CopyType type) const override {
+    auto copy = Teuchos::rcp(new NoxGroup(*system_));
+    if (type == NOX::DeepCopy) static_cast<NOX::Abstract::Group&>(*copy) = *this;
+    return copy;
+  }
+
+ private:
+  NonlinearSystem* system_;
+  NoxVector x_, residual_;
+  bool has_residual_ = false;
+};
+
+// Asks the system itself for the Newton direction: NOX's own looks up parameters by name at every iteration.
+class NewtonDirection final : public NOX::Direction::Generic {
+ public:
+  bool reset(const Teuchos::RCP<NOX::GlobalData>&, Teuchos::ParameterList&) override { return true; }
+  bool compute(NOX::Abstract::Vector& direction, NOX::Abstract::Group& group, const NOX::Solver::Generic&) override {
+    auto& iterate = static_cast<NoxGroup&>(group);
+    return iterate.computeF() == NOX::Abstract::Group::Ok &&
+           iterate.system().compute_direction(iterate.residual(), NoxVector::of(direction));
+  }
+};
+
+class NewtonDirectionFactory final : public NOX::Direction::UserDefinedFactory {
+ public:
+  Teuchos::RCP<NOX::Direction::Generic> buildDirection(const Teuchos::RCP<NOX::GlobalData>&,
+                                                       Teuchos::ParameterList&) const override {
+    return Teuchos::rcp(new NewtonDirection);
+  }
+};
+
+// Converged when the largest residual is small against the largest force; failed when it is not a
+// number or the iterations are used up.
+class ForceBalanceTest final : public NOX::StatusTest::Generic {
+ public:
+  explicit ForceBalanceTest(NewtonOptions options) : options_{options} {}
+
+  NewtonReport report;
+
+  NOX::StatusTest::StatusType checkStatus(const NOX::Solver::Generic& solver, NOX::StatusTest::CheckType) override {
+    const auto& iterate = static_cast<const NoxGroup&>(solver.getSolutionGroup());
+    report.iterations = solver.getNumIterations();
+    report.converged = false;
+    const double largest = iterate.residual().cwiseAbs().maxCoeff(&report.worst_degree_of_freedom);
+    report.residual = largest / std::max(iterate.system().residual_scale(), std::numeric_limits<double>::min());
+    // maxCoeff does not propagate a NaN that is not in first place.
+    if (!iterate.isF() || !iterate.residual().allFinite()) {
+      report.residual = std::numeric_limits<double>::quiet_NaN();
+      status_ = NOX::StatusTest::Failed;
+    } else if (report.residual <= options_.tolerance) {
+      report.converged = true;
+      status_ = NOX::StatusTest::Converged;
+    } else {
+      status_ = report.iterations >= options_.largest_iterations ? NOX::StatusTest::Failed
+                                                                 : NOX::StatusTest::Unconverged;
+    }
+    return status_;
+  }
+  NOX::StatusTest::StatusType getStatus() const override { return status_; }
+  std::ostream& print(std::ostream& stream, int) const override { return stream << "force balance"; }
+
+ private:
+  NewtonOptions options_;
+  NOX::StatusTest::StatusType status_ = NOX::StatusTest::Unevaluated;
+};
+
+Teuchos::RCP<Teuchos::ParameterList> solver_parameters() {
+  auto list = Teuchos::rcp(new Teuchos::ParameterList);
+  list->set("Nonlinear Solver", "Line Search Based");
+  list->sublist("Printing").set("Output Information", static_cast<int>(NOX::Utils::Error));
+  auto& direction = list->sublist("Direction");
+  direction.set("Method", "User Defined");
+  Teuchos::RCP<NOX::Direction::UserDefinedFactory> factory = Teuchos::rcp(new NewtonDirectionFactory);
+  direction.set("User Defined Direction Factory", factory);
+  list->sublist("Line Search").set("Method", "Full Step");
+  return list;
+}
+
+NewtonOptions checked(NewtonOptions options) {
+  const Check check{"NewtonOptions", ""};
+  check.that(options.tolerance > 0.0 && options.tolerance < 1.0, "tolerance", options.tolerance, "1", "> 0 and < 1",
+             "1e-10 is the default.");
+  check.that(options.largest_iterations >= 1, "largest_iterations", options.largest_iterations, "1", ">= 1");
+  return options;
+}
+
+}  // namespace
+
+struct NewtonSolver::Nox {
+  Nox(NonlinearSystem& system, NewtonOptions options)
+      : start{system.size()},
+        test{Teuchos::rcp(new ForceBalanceTest(checked(options)))},
+        solver{NOX::Solver::buildSolver(Teuchos::rcp(new NoxGroup(system)), test, solver_parameters())} {}
+
+  NoxVector start;
+  Teuchos::RCP<ForceBalanceTest> test;
+  Teuchos::RCP<NOX::Solver::Generic> solver;
+};
+
+NewtonSolver::NewtonSolver(NonlinearSystem& system, NewtonOptions options)
+    : nox_{std::make_unique<Nox>(system, options)} {}
+NewtonSolver::~NewtonSolver() = default;
+NewtonSolver::NewtonSolver(NewtonSolver&&) noexcept = default;
+NewtonSolver& NewtonSolver::operator=(NewtonSolver&&) noexcept = default;
+
+NewtonReport NewtonSolver::solve(Vector& x) {
+  Nox& nox = *nox_;
+  nox.start.values = x;
+  nox.test->report = {};
+  try {
+    nox.solver->reset(nox.start);
+    while (nox.solver->step() == NOX::StatusTest::Unconverged) {
+    }
+  } catch (const char* nox_error) {
+    // NOX throws texts where a residual or direction could not be computed: to us a step that did not converge.
+    static_cast<void>(nox_error);
+    nox.test->report.converged = false;
+  }
+  x = static_cast<const NoxGroup&>(nox.solver->getSolutionGroup()).x();
+  return nox.test->report;
+}
+
+}  // namespace moat

@@ -1,0 +1,59 @@
+// Newton-Raphson for one nonlinear system, solved again and again.
+#pragma once
+
+#include <memory>
+
+#include "base/vector.hpp"
+
+namespace moat {
+
+/// Equations r(x) = 0 with a tangent the system factorises and solves itself.
+class NonlinearSystem {
+ public:
+  virtual ~NonlinearSystem() = default;
+
+  [[nodiscard]] virtual int size() const = 0;
+
+  /// residual := r(x). False if x is outside the domain of the equations.
+  virtual bool compute_residual(const Vector& x, Vector& residual) = 0;
+
+  /// The size the largest residual is judged against, of the x last given to compute_residual().
+  [[nodiscard]] virtual double residual_scale() const = 0;
+
+  /// direction := -(dr/dx)^-1 residual at the x last given to compute_residual(). False if the tangent is singular.
+  virtual bool compute_direction(const Vector& residual, Vector& direction) = 0;
+};
+
+struct NewtonOptions {
+  /// Largest residual over residual_scale(). 0 < tolerance < 1.
+  double tolerance = 1e-10;
+  /// 1 <= largest_iterations.
+  int largest_iterations = 20;
+};
+
+struct NewtonReport {
+  bool converged = false;
+  int iterations = 0;
+  double residual = 0.0;            ///< largest residual over residual_scale()
+  int worst_degree_of_freedom = 0;  ///< where it is
+};
+
+/// Full Newton steps by Trilinos NOX. The solver object is made once for a size and reused: after
+/// the first call solve() allocates nothing. One per thread.
+class NewtonSolver {
+ public:
+  /// The system must outlive the solver.
+  NewtonSolver(NonlinearSystem& system, NewtonOptions options);
+  ~NewtonSolver();
+  NewtonSolver(NewtonSolver&&) noexcept;
+  NewtonSolver& operator=(NewtonSolver&&) noexcept;
+
+  /// Starts from x and leaves the last iterate there; the last call to compute_residual() was at that x.
+  NewtonReport solve(Vector& x);
+
+ private:
+  struct Nox;
+  std::unique_ptr<Nox> nox_;
+};
+
+}  // namespace moat

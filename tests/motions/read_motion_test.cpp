@@ -1,0 +1,71 @@
+#include "motions/read_motion.hpp"
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "base/error.hpp"
+#include "base/units.hpp"
+#include "motion_files.hpp"
+
+namespace moat {
+namespace {
+
+using namespace units;
+
+const std::string synthetic_at2 =
+    "SYNTHETIC\nTest\nACCELERATION TIME SERIES IN UNITS OF G\nNPTS= 2, DT= .02 SEC\n  .5E+00  .1E+01\n";
+
+class ReadMotion : public MotionFiles {};
+
+TEST_F(ReadMotion, KnowsAt2ByItsContent) {
+  for (const char* name : {"a.AT2", "a.at2", "a.txt", "a"}) {
+    const GroundMotion motion = read_motion(write(name, synthetic_at2));
+    EXPECT_DOUBLE_EQ(motion.samples()[0], 0.5 * 9.80665) << name;
+    EXPECT_EQ(motion.time_step(), 0.02) << name;
+  }
+}
+
+TEST_F(ReadMotion, ReadsTwoColumnsWithAUnitUnderAnyName) {
+  for (const char* name : {"a.csv", "a.txt", "a.AT2"}) {
+    const GroundMotion motion = read_motion(write(name, "0.02, 0.5\n0.04, 1\n"), 1 * g);
+    EXPECT_DOUBLE_EQ(motion.samples()[0], 0.5 * 9.80665) << name;
+  }
+  const std::string talks_of_units = "# one\n# two\n# acceleration in units of g, NPTS 2\n# NPTS= 2\n0 0.5\n0.02 1\n";
+  EXPECT_EQ(read_motion(write("commented.txt", talks_of_units), 1 * g).samples().size(), 2u);
+}
+
+TEST_F(ReadMotion, AsksForTheUnitOfTwoColumns) {
+  for (const char* name : {"a.csv", "a.AT2"}) {
+    const auto file = write(name, "0 0.5\n0.02 1\n");
+    EXPECT_EQ(message_of<InputError>([&] { (void)read_motion(file); }),
+              "read_motion \"" + file.string() +
+                  "\": this is not a PEER AT2 file; as two columns of text it does not say the unit of its "
+                  "accelerations. Give the unit: read_motion(file, 1 * g), or 1 * m / s / s.");
+  }
+}
+
+TEST_F(ReadMotion, RefusesAnotherUnitThanTheHeaderSays) {
+  const auto file = write("a.AT2", synthetic_at2);
+  EXPECT_DOUBLE_EQ(read_motion(file, 1 * g).samples()[0], 0.5 * 9.80665);
+  EXPECT_EQ(
+      message_of<InputError>([&] { (void)read_motion(file, m / s / s); }),
+      "read_motion \"" + file.string() +
+          "\": a unit of 1 m/s^2 was given, but a PEER AT2 file holds accelerations in g. Leave the unit out, and "
+          "use scaled_by() if the values are to be multiplied.");
+}
+
+TEST_F(ReadMotion, ExplainsABrokenAt2HeaderAsSuch) {
+  const auto file = write("a.AT2", "SYNTHETIC\nTest\nno units here\nnor counts\n.5 .6\n");
+  EXPECT_NE(
+      message_of<FileError>([&] { (void)read_motion(file); }).find("line 3: this line of a PEER AT2 file must say"),
+      std::string::npos);
+}
+
+TEST_F(ReadMotion, SaysThatAFileIsMissing) {
+  EXPECT_EQ(message_of<FileError>([&] { (void)read_motion(path("none.AT2")); }),
+            path("none.AT2").string() + ": there is no such file. Check the path.");
+}
+
+}  // namespace
+}  // namespace moat

@@ -1,0 +1,168 @@
+#include "output/chart.hpp"
+
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <set>
+#include <sstream>
+
+#include "output_testing.hpp"
+
+namespace moat {
+namespace {
+
+using testing_output::message_of;
+using testing_output::parse_xml;
+using testing_output::read_file;
+
+class ChartToSvg : public testing_output::InFolder {};
+
+void visit(vtkXMLDataElement* element, const std::function<void(vtkXMLDataElement*)>& action) {
+  action(element);
+  for (int i = 0; i < element->GetNumberOfNestedElements(); ++i) visit(element->GetNestedElement(i), action);
+}
+
+std::set<std::string> texts_of(vtkXMLDataElement* root) {
+  std::set<std::string> texts;
+  visit(root, [&](vtkXMLDataElement* element) {
+    if (std::string{element->GetName()} != "text") return;
+    std::string text = element->GetCharacterData();
+    text.erase(0, text.find_first_not_of(" \n"));
+    text.erase(text.find_last_not_of(" \n") + 1);
+    texts.insert(text);
+  });
+  return texts;
+}
+
+/// The pixels of the curve drawn with a stroke colour, the one with most points if there are several.
+std::vector<std::pair<double, double>> curve_of(vtkXMLDataElement* root, const std::string& colour) {
+  std::vector<std::pair<double, double>> longest;
+  visit(root, [&](vtkXMLDataElement* element) {
+    const char* stroke = element->GetAttribute("stroke");
+    const char* points = element->GetAttribute("points");
+    if (stroke == nullptr || points == nullptr || stroke != colour) return;
+    std::vector<std::pair<double, double>> curve;
+    std::istringstream stream{points};
+    char comma = ' ';
+    for (double x = 0.0, y = 0.0; stream >> x >> comma >> y;) curve.emplace_back(x, y);
+    if (curve.size() > longest.size()) longest = curve;
+  });
+  return longest;
+}
+
+Chart sine() {
+  Chart chart{.title = "Base & <top>", .x_label = "time [s]", .y_label = "displacement [cm]", .series = {}};
+  Series base{.name = "base", .x = {}, .y = {}};
+  Series record{.name = "record", .x = {1.0, 2.0}, .y = {0.5, -0.5}, .style = Series::Style::markers};
+  for (int i = 0; i <= 50'000; ++i) {
+    base.x.push_back(0.0004 * i);
+    base.y.push_back(std::sin(base.x.back()));
+  }
+  base.y[12'345] = 10.0;
+  chart.series = {base, record};
+  return chart;
+}
+
+TEST_F(ChartToSvg, IsWellFormedAndHoldsItsLabels) {
+  write_svg(sine(), folder / "chart.svg", 900, 400);
+  const auto root = parse_xml(read_file(folder / "chart.svg"));
+  ASSERT_NE(root, nullptr);
+  EXPECT_STREQ(root->GetName(), "svg");
+  EXPECT_STREQ(root->GetAttribute("width"), "900");
+  EXPECT_STREQ(root->GetAttribute("height"), "400");
+  const std::set<std::string> texts = texts_of(root);
+  for (const char* label : {"Base & <top>", "time [s]", "displacement [cm]", "base", "record", "0", "10", "20"})
+    EXPECT_TRUE(texts.contains(label)) << label;
+}
+
+TEST_F(ChartToSvg, ThinsLongSeriesButKeepsThePeak) {
+  write_svg(sine(), folder / "chart.svg", 900, 400);
+  EXPECT_LT(std::filesystem::file_size(folder / "chart.svg"), 60'000u);
+  const auto root = parse_xml(read_file(folder / "chart.svg"));
+  const auto curve = curve_of(root, "#0072b2");
+  ASSERT_GT(curve.size(), 900u);
+  EXPECT_LE(curve.size(), 2u * 900u);
+  const auto highest =
+      std::min_element(curve.begin(), curve.end(), [](const auto& a, const auto& b) { return a.second < b.second; });
+  // x runs over 20 s, of which the peak is at 4.938 s; pixels count downwards.
+  const double along = (highest->first - curve.front().first) / (curve.back().first - curve.front().first);
+  EXPECT_NEAR(along, 4.938 / 20.0, 1.0 / 700.0);
+  int above_peak = 0;
+  for (const auto& [x, y] : curve) above_peak += y <= highest->second + 50.0 ? 1 : 0;
+  EXPECT_EQ(above_peak, 1) << "one spike, ten times higher than the rest";
+}
+
+TEST_F(ChartToSvg, MapsALogarithmicAxisByDecades) {
+  Chart chart{.title = "Spectrum", .x_label = "period [s]", .y_label = "acceleration [m/s^2]", .series = {}};
+  chart.series.push_back({.name = "record", .x = {0.01, 0.1, 1.0, 10.0}, .y = {1.0, 2.0, 3.0, 4.0}});
+  chart.logarithmic_x = true;
+  const auto root = parse_xml(svg_text({chart}));
+  ASSERT_NE(root, nullptr);
+  const auto curve = curve_of(root, "#0072b2");
+  ASSERT_EQ(curve.size(), 4u);
+  const double decade = (curve[3].first - curve[0].first) / 3.0;
+  EXPECT_GT(decade, 100.0);
+  // Pixels are rounded to a twentieth.
+  EXPECT_NEAR(curve[1].first, curve[0].first + decade, 0.1);
+  EXPECT_NEAR(curve[2].first, curve[0].first + 2.0 * decade, 0.1);
+  const std::set<std::string> texts = texts_of(root);
+  for (const char* label : {"0.01", "0.1", "1", "10"}) EXPECT_TRUE(texts.contains(label)) << label;
+}
+
+TEST_F(ChartToSvg, StacksPanels) {
+  Chart first = sine();
+  Chart second = sine();
+  second.title = "Second";
+  write_svg({first, second}, folder / "panels.svg", 800, 300);
+  const auto root = parse_xml(read_file(folder / "panels.svg"));
+  ASSERT_NE(root, nullptr);
+  EXPECT_STREQ(root->GetAttribute("height"), "600");
+  EXPECT_TRUE(texts_of(root).contains("Base & <top>"));
+  EXPECT_TRUE(texts_of(root).contains("Second"));
+}
+
+TEST_F(ChartToSvg, GivesALongLegendRowsOfItsOwn) {
+  Chart chart{.title = "Many", .x_label = "x [1]", .y_label = "y [1]", .series = {}};
+  for (int i = 0; i < 20; ++i)
+    chart.series.push_back({.name = "a rather long name " + std::to_string(i), .x = {0.0, 1.0}, .y = {0.0, 1.0 + i}});
+  const auto root = parse_xml(svg_text({chart}, 800, 300));
+  ASSERT_NE(root, nullptr);
+  EXPECT_GT(std::stoi(root->GetAttribute("height")), 300);
+  EXPECT_TRUE(texts_of(root).contains("a rather long name 19"));
+}
+
+TEST_F(ChartToSvg, LeavesOutWhatIsOutsideTheRange) {
+  Chart chart = sine();
+  chart.x_range = std::pair{5.0, 10.0};
+  const auto root = parse_xml(svg_text({chart}, 900, 400));
+  ASSERT_NE(root, nullptr);
+  for (const auto& [x, y] : curve_of(root, "#0072b2")) {
+    EXPECT_GE(x, 0.0);
+    EXPECT_LE(x, 900.0);
+  }
+  EXPECT_TRUE(texts_of(root).contains("10"));
+  EXPECT_FALSE(texts_of(root).contains("20"));
+}
+
+TEST_F(ChartToSvg, RefusesWhatCannotBeDrawn) {
+  EXPECT_THROW(svg_text({}), InputError);
+  EXPECT_THROW(svg_text({sine()}, 100, 400), InputError);
+  EXPECT_THROW(svg_text({Chart{.title = "empty", .x_label = "", .y_label = "", .series = {}}}), InputError);
+  Chart chart = sine();
+  chart.series[1].y.pop_back();
+  EXPECT_EQ(message_of<InputError>([&] { svg_text({chart}); }),
+            "Series \"record\": x and y have different lengths. Give one y for every x.");
+  chart = sine();
+  chart.series[1].y[0] = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_THROW(svg_text({chart}), InputError);
+  chart = sine();
+  chart.logarithmic_x = true;  // the first time is zero
+  EXPECT_THROW(svg_text({chart}), InputError);
+  chart = sine();
+  chart.x_range = std::pair{2.0, 1.0};
+  EXPECT_THROW(svg_text({chart}), InputError);
+  EXPECT_THROW(write_svg(sine(), folder / "missing" / "chart.svg"), FileError);
+}
+
+}  // namespace
+}  // namespace moat

@@ -1,0 +1,84 @@
+#include "output/csv_writer.hpp"
+
+#include <bit>
+#include <charconv>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <random>
+#include <sstream>
+#include <vector>
+
+#include "output_testing.hpp"
+
+namespace moat {
+namespace {
+
+using testing_output::message_of;
+using testing_output::read_file;
+
+class CsvWriter : public testing_output::InFolder {};
+
+std::vector<std::string> split(const std::string& text, char separator) {
+  std::vector<std::string> parts;
+  std::istringstream stream{text};
+  for (std::string part; std::getline(stream, part, separator);) parts.push_back(part);
+  return parts;
+}
+
+TEST_F(CsvWriter, NumbersReadBackToTheSameBits) {
+  std::mt19937_64 random{2024};
+  Table table;
+  table.columns = {{"time", "", "s", {}}, {"displacement", "base", "m", {}}};
+  table.columns[0].values = {0.0, -0.0, 0.1, 1.0 / 3.0, 5e-324, std::numeric_limits<double>::max()};
+  while (table.columns[0].values.size() < 2000) {
+    const double value = std::bit_cast<double>(random());
+    if (std::isfinite(value)) table.columns[0].values.push_back(value);
+  }
+  table.columns[1].values.assign(table.rows(), 0.005);
+  write_csv(table, folder / "table.csv");
+
+  const std::vector<std::string> lines = split(read_file(folder / "table.csv"), '\n');
+  ASSERT_EQ(lines.size(), table.rows() + 1);
+  EXPECT_EQ(lines[0], "time [s],displacement [m] base");
+  for (std::size_t row = 0; row < table.rows(); ++row) {
+    const std::vector<std::string> cells = split(lines[row + 1], ',');
+    ASSERT_EQ(cells.size(), 2u);
+    double value = 0.0;
+    const auto parsed = std::from_chars(cells[0].data(), cells[0].data() + cells[0].size(), value);
+    ASSERT_EQ(parsed.ptr, cells[0].data() + cells[0].size()) << cells[0];
+    EXPECT_EQ(std::bit_cast<std::uint64_t>(value), std::bit_cast<std::uint64_t>(table.columns[0].values[row]));
+    EXPECT_EQ(cells[1], "0.005");
+  }
+}
+
+TEST_F(CsvWriter, QuotesNamesThatHoldASeparator) {
+  write_csv(Table{{{"force", "gap, \"left\"", "N", {1.0}}}}, folder / "table.csv");
+  EXPECT_EQ(read_file(folder / "table.csv"), "\"force [N] gap, \"\"left\"\"\"\n1\n");
+}
+
+TEST_F(CsvWriter, RefusesColumnsOfDifferentLength) {
+  const Table table{{{"time", "", "s", {0.0, 1.0}}, {"drift", "storey 1", "m", {0.0}}}};
+  EXPECT_EQ(message_of<InputError>([&] { write_csv(table, folder / "table.csv"); }),
+            "Table: column \"drift [m] storey 1\" has 1 values, the first column has 2. Every column needs one value "
+            "per row.");
+}
+
+TEST_F(CsvWriter, NamesTheFileItCannotWrite) {
+  const std::filesystem::path path = folder / "missing" / "table.csv";
+  const std::string message = message_of<FileError>([&] { write_csv(Table{}, path); });
+  EXPECT_NE(message.find(path.string()), std::string::npos) << message;
+  EXPECT_NE(message.find("No such file or directory"), std::string::npos) << message;
+}
+
+TEST_F(CsvWriter, WritesImpactsWithUnits) {
+  const std::string header =
+      "where,start [s],duration [s],approach_speed [m/s],largest_indentation [m],largest_force [N],rebound_ratio [1]\n";
+  write_csv(std::vector<Impact>{}, folder / "none.csv");
+  EXPECT_EQ(read_file(folder / "none.csv"), header);
+  write_csv(std::vector<Impact>{{"moat left", 3.25, 0.125, 0.5, 0.0078125, 2.5e7, 0.75}}, folder / "one.csv");
+  EXPECT_EQ(read_file(folder / "one.csv"), header + "moat left,3.25,0.125,0.5,0.0078125,2.5e+07,0.75\n");
+}
+
+}  // namespace
+}  // namespace moat

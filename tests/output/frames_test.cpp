@@ -1,0 +1,197 @@
+#include "output/frames.hpp"
+
+#include <vtkCell.h>
+#include <vtkCellData.h>
+#include <vtkDataArray.h>
+#include <vtkDoubleArray.h>
+#include <vtkFieldData.h>
+#include <vtkPointData.h>
+#include <vtkStringArray.h>
+#include <vtkUnstructuredGrid.h>
+#include <vtkXMLUnstructuredGridReader.h>
+
+#include <array>
+#include <cmath>
+#include <vector>
+
+#include "output_testing.hpp"
+
+namespace moat {
+namespace {
+
+namespace fs = std::filesystem;
+using testing_output::message_of;
+using testing_output::parse_xml;
+using testing_output::read_file;
+
+class Frames : public testing_output::InFolder {};
+
+/// A base on a bearing beside a wall, with one storey above it.
+Scene small_scene() {
+  Scene scene;
+  scene.points = {{.x = -1.0, .z = 0.0, .node = 0},
+                  {.x = 1.0, .z = 0.0, .node = 0},
+                  {.x = -1.0, .z = 3.0, .node = 1},
+                  {.x = 1.0, .z = 3.0, .node = 1},
+                  {.x = -1.0, .z = -0.5, .node = -1},
+                  {.x = -2.0, .z = 0.0, .node = -1},
+                  {.x = -1.0, .z = -0.2, .node = 0, .weight = 0.25}};
+  scene.cells = {{CellKind::storey, "storey 1", {0, 1, 3, 2}, 0},
+                 {CellKind::bearing, "bearing", {4, 6}, 1},
+                 {CellKind::gap, "moat left", {5, 0}, 2},
+                 {CellKind::wall, "wall left", {4, 5}, -1}};
+  return scene;
+}
+
+struct Values {
+  std::array<double, 2> u{0.1, -0.3}, v{1.0 / 3.0, 2.0}, a{4.0, 8.0};
+  std::array<double, 3> deformation{0.01, 0.02, -0.003}, force{1e6, 2e6, -3e7}, in_contact{0.0, 0.0, 1.0};
+  [[nodiscard]] FrameData data() const { return {u, v, a, deformation, force, in_contact, 2.0}; }
+};
+
+vtkSmartPointer<vtkUnstructuredGrid> read_grid(const fs::path& path) {
+  vtkNew<vtkXMLUnstructuredGridReader> reader;
+  reader->SetFileName(path.c_str());
+  reader->Update();
+  return reader->GetOutput();
+}
+
+TEST_F(Frames, ReadBackUnchanged) {
+  const Values values;
+  FrameWriter writer{folder, small_scene()};
+  writer.write(0.0, FrameData{values.v, values.v, values.v, values.force, values.force, values.force});
+  writer.write(1.0 / 3.0, values.data());
+  writer.finish();
+  EXPECT_EQ(writer.frames(), 2);
+
+  const auto grid = read_grid(folder / "frames" / "frame_000001.vtu");
+  ASSERT_EQ(grid->GetNumberOfPoints(), 7);
+  ASSERT_EQ(grid->GetNumberOfCells(), 4);
+  EXPECT_EQ(grid->GetPoint(3)[0], 1.0);
+  EXPECT_EQ(grid->GetPoint(3)[2], 3.0);
+  EXPECT_EQ(grid->GetCellType(0), VTK_QUAD);
+  EXPECT_EQ(grid->GetCellType(1), VTK_LINE);
+  EXPECT_EQ(grid->GetCell(0)->GetPointId(2), 3);
+
+  struct Expected {
+    const char* name;
+    std::array<double, 7> x;
+  };
+  const std::array<Expected, 3> expected{
+      {{"Displacement", {0.1, 0.1, -0.3, -0.3, 0.0, 0.0, 0.25 * 0.1}},
+       {"Velocity", {1.0 / 3.0, 1.0 / 3.0, 2.0, 2.0, 0.0, 0.0, 0.25 * (1.0 / 3.0)}},
+       {"AbsoluteAcceleration", {4.0, 4.0, 8.0, 8.0, 2.0, 2.0, 0.25 * 4.0 + 0.75 * 2.0}}}};
+  for (const Expected& field : expected) {
+    vtkDataArray* array = grid->GetPointData()->GetArray(field.name);
+    ASSERT_NE(vtkDoubleArray::SafeDownCast(array), nullptr) << field.name;
+    ASSERT_EQ(array->GetNumberOfComponents(), 3);
+    for (vtkIdType point = 0; point < 7; ++point) {
+      EXPECT_EQ(array->GetComponent(point, 0), field.x[static_cast<std::size_t>(point)]) << field.name << point;
+      EXPECT_EQ(array->GetComponent(point, 1), 0.0);
+      EXPECT_EQ(array->GetComponent(point, 2), 0.0);
+    }
+  }
+
+  vtkCellData* cells = grid->GetCellData();
+  const auto cell_value = [&](const char* name, vtkIdType cell) {
+    return cells->GetArray(name)->GetComponent(cell, 0);
+  };
+  const std::array kinds{1, 2, 3, 4};
+  for (vtkIdType cell = 0; cell < 4; ++cell) EXPECT_EQ(cell_value("Kind", cell), kinds[static_cast<std::size_t>(cell)]);
+  for (vtkIdType cell = 0; cell < 3; ++cell) {
+    EXPECT_EQ(cell_value("Deformation", cell), values.deformation[static_cast<std::size_t>(cell)]);
+    EXPECT_EQ(cell_value("Force", cell), values.force[static_cast<std::size_t>(cell)]);
+    EXPECT_EQ(cell_value("InContact", cell), values.in_contact[static_cast<std::size_t>(cell)]);
+  }
+  EXPECT_EQ(cell_value("Opening", 2), -0.003);
+  for (const vtkIdType other : {0, 1, 3}) EXPECT_TRUE(std::isnan(cell_value("Opening", other)));
+  EXPECT_TRUE(std::isnan(cell_value("Deformation", 3)));
+  EXPECT_TRUE(std::isnan(cell_value("Force", 3)));
+  EXPECT_EQ(cell_value("InContact", 3), 0.0);
+  EXPECT_EQ(vtkStringArray::SafeDownCast(cells->GetAbstractArray("Name"))->GetValue(2), "moat left");
+
+  vtkFieldData* fields = grid->GetFieldData();
+  EXPECT_EQ(fields->GetArray("TimeValue")->GetComponent(0, 0), 1.0 / 3.0);
+  auto* names = vtkStringArray::SafeDownCast(fields->GetAbstractArray("KindNames"));
+  ASSERT_NE(names, nullptr);
+  EXPECT_EQ(names->GetValue(static_cast<int>(CellKind::floor)), "floor");
+  EXPECT_EQ(names->GetValue(static_cast<int>(CellKind::bearing)), "bearing");
+  EXPECT_EQ(names->GetValue(static_cast<int>(CellKind::other)), "other");
+}
+
+TEST_F(Frames, CollectionIsCompleteAfterEveryFrame) {
+  const Values values;
+  FrameWriter writer{folder, small_scene()};
+  for (int frame = 0; frame <= 12; ++frame) {
+    // Read while the writer is alive: what a run leaves that is killed now.
+    const auto root = parse_xml(read_file(folder / "frames.pvd"));
+    ASSERT_NE(root, nullptr) << frame;
+    ASSERT_STREQ(root->GetName(), "VTKFile");
+    EXPECT_STREQ(root->GetAttribute("type"), "Collection");
+    vtkXMLDataElement* list = root->FindNestedElementWithName("Collection");
+    ASSERT_NE(list, nullptr);
+    ASSERT_EQ(list->GetNumberOfNestedElements(), frame);
+    for (int i = 0; i < frame; ++i) {
+      vtkXMLDataElement* entry = list->GetNestedElement(i);
+      EXPECT_EQ(std::stod(entry->GetAttribute("timestep")), 0.1 * i);
+      EXPECT_TRUE(fs::exists(folder / entry->GetAttribute("file"))) << entry->GetAttribute("file");
+    }
+    writer.write(0.1 * frame, values.data());
+  }
+}
+
+TEST_F(Frames, StartingAgainReplacesALongerCollection) {
+  const Values values;
+  {
+    FrameWriter writer{folder, small_scene()};
+    for (int frame = 0; frame < 50; ++frame) writer.write(frame, values.data());
+  }
+  FrameWriter writer{folder, small_scene()};
+  writer.write(0.5, values.data());
+  const auto root = parse_xml(read_file(folder / "frames.pvd"));
+  ASSERT_NE(root, nullptr);
+  EXPECT_EQ(root->FindNestedElementWithName("Collection")->GetNumberOfNestedElements(), 1);
+}
+
+TEST_F(Frames, RefusesWhatDoesNotFitTheScene) {
+  const auto writer_of = [&](auto change) {
+    Scene scene = small_scene();
+    change(scene);
+    return message_of<InputError>([&] { FrameWriter{folder, scene}; });
+  };
+  EXPECT_EQ(writer_of([](Scene& scene) {
+              scene.cells[1].points = {0, 1, 2};
+            }),
+            "Scene cell \"bearing\": number of points = 3 is not allowed; it must be 2 (line) or 4 (quad).");
+  EXPECT_EQ(writer_of([](Scene& scene) {
+              scene.cells[1].points = {0, 7};
+            }),
+            "Scene cell \"bearing\": point = 7 is not allowed; it must be the index of one of the 7 points of the "
+            "scene.");
+  EXPECT_NE(writer_of([](Scene& scene) { scene.points[2].node = -2; }).find("node = -2"), std::string::npos);
+  EXPECT_NE(writer_of([](Scene& scene) { scene.points[2].weight = 1.5; }).find("weight = 1.5"), std::string::npos);
+
+  const Values values;
+  FrameWriter writer{folder, small_scene()};
+  FrameData data = values.data();
+  data.force = data.force.first(2);
+  EXPECT_EQ(message_of<InputError>([&] { writer.write(0.0, data); }),
+            "FrameData: force has 2 values, the scene needs 3. Give one value per node or element.");
+  data = values.data();
+  data.node_velocity = {};
+  EXPECT_THROW(writer.write(0.0, data), InputError);
+  writer.write(1.0, values.data());
+  EXPECT_THROW(writer.write(1.0, values.data()), InputError);
+  EXPECT_THROW(writer.write(std::nan(""), values.data()), InputError);
+  writer.finish();
+  EXPECT_THROW(writer.write(2.0, values.data()), InputError);
+  EXPECT_EQ(writer.frames(), 1);
+}
+
+TEST_F(Frames, ReportsAFolderThatCannotBeMade) {
+  std::ofstream{folder / "frames"} << "in the way";
+  EXPECT_THROW((FrameWriter{folder, small_scene()}), FileError);
+}
+
+}  // namespace
+}  // namespace moat

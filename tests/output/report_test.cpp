@@ -1,0 +1,91 @@
+#include "output/report.hpp"
+
+#include <cmath>
+#include <regex>
+
+#include "output_testing.hpp"
+
+namespace moat {
+namespace {
+
+using testing_output::read_file;
+
+class Report : public testing_output::InFolder {
+ protected:
+  std::string written(const CaseResult& result) const {
+    write_report_html(result, folder);
+    return read_file(folder / "report.html");
+  }
+};
+
+CaseResult example() {
+  CaseResult result;
+  result.title = "Gap < 10 cm & \"hard\"";
+  result.motion = {"record A", 3.92266, 0.45, 0.005, 28.0};
+  result.periods = {{"isolated", 2.125}};
+  result.peaks = {{"displacement", "base", 0.1234567, "m", 4.5}, {"impact_force", "moat left", 25.65e6, "N", 4.25}};
+  result.impacts = {{"moat left", 3.25, 0.125, 0.5, 0.01, 2.5e7, 0.75}};
+  result.solver.accepted_steps = 11'213;
+  result.assumptions = {"Average acceleration."};
+  Table& table = result.histories;
+  table.columns = {{"time", "", "s", {}},
+                   {"displacement", "base", "m", {}},
+                   {"displacement", "floor 1", "m", {}},
+                   {"displacement", "floor 5", "m", {}},
+                   {"absolute_acceleration", "base", "m/s^2", {}},
+                   {"absolute_acceleration", "floor 5", "m/s^2", {}},
+                   {"impact_force", "moat left", "N", {}},
+                   {"isolator_force", "bearings", "N", {}}};
+  for (int i = 0; i < 400; ++i) {
+    table.columns[0].values.push_back(0.05 * i);
+    for (std::size_t column = 1; column < table.columns.size(); ++column)
+      table.columns[column].values.push_back(std::sin(0.1 * i + 0.3 * static_cast<double>(column)));
+  }
+  return result;
+}
+
+std::size_t count(const std::string& text, const std::string& part) {
+  std::size_t found = 0;
+  for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++found;
+  return found;
+}
+
+TEST_F(Report, HoldsEverythingItPromises) {
+  const std::string html = written(example());
+  EXPECT_NE(html.find("<title>Gap &lt; 10 cm &amp; &quot;hard&quot;</title>"), std::string::npos);
+  for (const char* part : {"record A", "3.923 m/s²", "45.00 cm/s", "2.125 s", "12.35", "25650", "moat left", "11213",
+                           "Average acceleration.", "<h2>Histories</h2>", "<h2>Hysteresis</h2>", "displacement [cm]",
+                           "absolute acceleration [m/s²]", "impact force [kN]", "base displacement [cm]",
+                           "isolator force [kN]", "floor 5"})
+    EXPECT_NE(html.find(part), std::string::npos) << part;
+  EXPECT_EQ(html.find("floor 1"), std::string::npos) << "only base and top are drawn";
+  EXPECT_EQ(count(html, "<svg "), 2u);
+  EXPECT_EQ(count(html, "<table>"), count(html, "</table>"));
+}
+
+TEST_F(Report, NeedsNothingElse) {
+  std::string html = written(example());
+  // The name of the SVG language is not an address that is fetched.
+  html = std::regex_replace(html, std::regex{R"re( xmlns="http://www\.w3\.org/2000/svg")re"}, "");
+  for (const char* reference : {"://", "src=", "href=", "url(", "@import", "<link", "<script", "<iframe"})
+    EXPECT_EQ(html.find(reference), std::string::npos) << reference;
+  EXPECT_EQ(html.find(" id="), std::string::npos) << "ids of two charts would clash";
+}
+
+TEST_F(Report, LeavesOutChartsWithoutColumns) {
+  CaseResult result = example();
+  result.histories.columns.pop_back();
+  EXPECT_EQ(count(written(result), "<svg "), 1u);
+  result.histories = {};
+  result.impacts.clear();
+  const std::string html = written(result);
+  EXPECT_EQ(count(html, "<svg "), 0u);
+  EXPECT_NE(html.find("No contact."), std::string::npos);
+}
+
+TEST_F(Report, ReportsAFolderThatIsMissing) {
+  EXPECT_THROW(write_report_html(example(), folder / "missing"), FileError);
+}
+
+}  // namespace
+}  // namespace moat

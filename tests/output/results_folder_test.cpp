@@ -1,0 +1,100 @@
+#include "output/results_folder.hpp"
+
+#include <fstream>
+
+#include "output_testing.hpp"
+
+namespace moat {
+namespace {
+
+namespace fs = std::filesystem;
+using testing_output::message_of;
+
+class ResultsFolder : public testing_output::InFolder {
+ protected:
+  static void put(const fs::path& path) {
+    fs::create_directories(path.parent_path());
+    std::ofstream{path} << "something";
+  }
+};
+
+TEST_F(ResultsFolder, IsCreatedWithTheFoldersAbove) {
+  const fs::path wanted = folder / "results" / "suite" / "x";
+  for (const auto when : {WhenFolderExists::use_new_number, WhenFolderExists::overwrite, WhenFolderExists::refuse}) {
+    fs::remove_all(folder / "results");
+    EXPECT_EQ(make_results_folder(wanted, when), wanted);
+    EXPECT_TRUE(fs::is_directory(wanted));
+    EXPECT_EQ(make_results_folder(wanted, when), wanted) << "an empty folder is taken as it is";
+  }
+}
+
+TEST_F(ResultsFolder, TakesTheNextFreeNumber) {
+  put(folder / "x" / "summary.json");
+  EXPECT_EQ(make_results_folder(folder / "x", WhenFolderExists::use_new_number), folder / "x_2");
+  EXPECT_EQ(make_results_folder(folder / "x", WhenFolderExists::use_new_number), folder / "x_3");
+  put(folder / "x_4");
+  EXPECT_EQ(make_results_folder(folder / "x/", WhenFolderExists::use_new_number), folder / "x_5");
+}
+
+TEST_F(ResultsFolder, OverwritingKeepsWhatMoatDidNotWrite) {
+  const fs::path x = folder / "x";
+  for (const char* name : {"summary.json", "histories.csv", "histories.vtt", "impacts.csv", "frames.pvd", "report.html",
+                           "frames/frame_000000.vtu", "frames/frame_1234567.vtu"}) {
+    EXPECT_TRUE(is_results_file(name)) << name;
+    put(x / name);
+  }
+  const std::vector<fs::path> foreign{"notes.txt",
+                                      "frame_000000.vtu",
+                                      "frames/mine.vtu",
+                                      "frames/a.csv",
+                                      "frames/frame_00000.vtu",
+                                      "frames/frame_00000a.vtu",
+                                      "old/summary.json",
+                                      "frames/deep/frame_000000.vtu"};
+  for (const fs::path& name : foreign) {
+    EXPECT_FALSE(is_results_file(name)) << name;
+    put(x / name);
+  }
+  EXPECT_EQ(make_results_folder(x, WhenFolderExists::overwrite), x);
+  std::size_t left = 0;
+  for (const auto& entry : fs::recursive_directory_iterator{x}) left += entry.is_regular_file() ? 1 : 0;
+  EXPECT_EQ(left, foreign.size());
+  for (const fs::path& name : foreign) EXPECT_TRUE(fs::exists(x / name)) << name;
+}
+
+TEST_F(ResultsFolder, OverwritingRemovesTheEmptyFramesFolder) {
+  put(folder / "x" / "frames" / "frame_000000.vtu");
+  make_results_folder(folder / "x", WhenFolderExists::overwrite);
+  EXPECT_TRUE(fs::is_empty(folder / "x"));
+}
+
+TEST_F(ResultsFolder, OverwritingDoesNotFollowLinks) {
+  put(folder / "elsewhere" / "frame_000000.vtu");
+  put(folder / "x" / "notes.txt");
+  fs::create_directory_symlink(folder / "elsewhere", folder / "x" / "frames");
+  make_results_folder(folder / "x", WhenFolderExists::overwrite);
+  EXPECT_TRUE(fs::exists(folder / "elsewhere" / "frame_000000.vtu"));
+}
+
+TEST_F(ResultsFolder, RefusesAndSaysWhatToDo) {
+  put(folder / "x" / "notes.txt");
+  EXPECT_EQ(message_of<InputError>([&] { make_results_folder(folder / "x", WhenFolderExists::refuse); }),
+            "results folder " + (folder / "x").string() +
+                " exists and is not empty. Choose another folder, remove this one, or allow overwriting or a new "
+                "number.");
+  EXPECT_TRUE(fs::exists(folder / "x" / "notes.txt"));
+  EXPECT_THROW(make_results_folder("", WhenFolderExists::overwrite), InputError);
+}
+
+TEST_F(ResultsFolder, ReportsAFileInTheWay) {
+  put(folder / "x");
+  for (const auto when : {WhenFolderExists::use_new_number, WhenFolderExists::overwrite, WhenFolderExists::refuse}) {
+    EXPECT_NE(message_of<FileError>([&] { make_results_folder(folder / "x", when); }).find((folder / "x").string()),
+              std::string::npos);
+    EXPECT_THROW(make_results_folder(folder / "x" / "inside", when), FileError);
+  }
+  EXPECT_TRUE(fs::is_regular_file(folder / "x"));
+}
+
+}  // namespace
+}  // namespace moat
