@@ -1,0 +1,119 @@
+#include "include_rules.hpp"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+namespace moat::architecture {
+namespace {
+
+template <class... Text>
+std::vector<std::string> sentences(const Text&... text) {
+  return {std::string{text}...};
+}
+
+/// One file in every folder that may include something, including all it may.
+std::vector<SourceFile> tree_in_order() {
+  return {
+      {"src/base/error.hpp", "#include <string>\n"},
+      {"src/model/model.hpp", "#include \"base/error.hpp\"\n"},
+      {"src/solvers/newton.cpp", "#include <NOX.H>\n#include <klu.h>\n#include \"base/error.hpp\"\n"},
+      {"src/motions/motion.hpp", "#include \"base/error.hpp\"\n"},
+      {"src/output/vtk.cpp", "#include <vtkNew.h>\n#include \"model/model.hpp\"\n#include \"motions/motion.hpp\"\n"},
+      {"src/output/table.hpp", "#include \"base/error.hpp\"\n"},
+      {"src/solvers/newton.hpp", ""},
+      {"materials/hertz.hpp", "#include \"base/error.hpp\"\n"},
+      {"elements/gap.hpp", "#include \"materials/hertz.hpp\"\n#include \"model/model.hpp\"\n"},
+      {"structures/moat.hpp", "#include \"elements/gap.hpp\"\n#include \"materials/hertz.hpp\"\n"},
+      {"analyses/transient.hpp",
+       "#include \"model/model.hpp\"\n#include \"output/table.hpp\"\n#include \"motions/motion.hpp\"\n"
+       "#include \"solvers/newton.hpp\"\n"},
+      {"src/app/script.hpp", "#include \"analyses/transient.hpp\"\n#include \"structures/moat.hpp\"\n"},
+      {"src/moat.hpp", "#include \"app/script.hpp\"\n"},
+  };
+}
+
+std::vector<std::string> broken_with(const SourceFile& one_more) {
+  std::vector<SourceFile> tree = tree_in_order();
+  tree.push_back(one_more);
+  return broken_rules(tree);
+}
+
+TEST(IncludeRules, AcceptTheArrowsOfTheDesign) { EXPECT_EQ(broken_rules(tree_in_order()), sentences()); }
+
+TEST(IncludeRules, RefuseAnArrowAgainstTheDesign) {
+  EXPECT_EQ(broken_with({"src/base/bad.hpp", "\n#include \"model/model.hpp\"\n"}),
+            sentences("src/base/bad.hpp:2 includes src/model/model.hpp, but src/base must not know src/model"));
+  EXPECT_EQ(broken_with({"analyses/bad.cpp", "#include \"elements/gap.hpp\"\n"}),
+            sentences("analyses/bad.cpp:1 includes elements/gap.hpp, but analyses must not know elements"));
+}
+
+TEST(IncludeRules, SeeThroughSpellings) {
+  const std::string expected = " includes src/model/model.hpp, but materials must not know src/model";
+  EXPECT_EQ(broken_with({"materials/bad.hpp", "  #  include <model/model.hpp>\n"}),
+            sentences("materials/bad.hpp:1" + expected));
+  EXPECT_EQ(broken_with({"materials/bad.hpp", "#include \"../src/model/model.hpp\"\n"}),
+            sentences("materials/bad.hpp:1" + expected));
+  EXPECT_EQ(broken_with({"materials/bad.hpp", "#include \"src/model/model.hpp\"\n"}),
+            sentences("materials/bad.hpp:1" + expected));
+}
+
+TEST(IncludeRules, RefuseTheOneHeaderForScriptsInsideTheLibrary) {
+  EXPECT_EQ(broken_with({"elements/bad.cpp", "#include \"moat.hpp\"\n"}),
+            sentences("elements/bad.cpp:1 includes src/moat.hpp, but elements must not know "
+                      "src/app or src/moat.hpp"));
+}
+
+TEST(IncludeRules, RefuseACircle) {
+  EXPECT_EQ(broken_rules({{"materials/a.hpp", "#include \"materials/b.hpp\"\n"},
+                          {"materials/b.hpp", "#include \"c.hpp\"\n"},
+                          {"materials/c.hpp", "#include \"a.hpp\"\n"}}),
+            sentences("files include each other: materials/a.hpp -> materials/b.hpp -> materials/c.hpp -> "
+                      "materials/a.hpp"));
+}
+
+TEST(IncludeRules, RefuseHeavyLibrariesInHeaders) {
+  for (const std::string name : {"vtkNew.h", "NOX.H", "NOX_Abstract_Group.H", "Teuchos_RCP.hpp", "klu.h",
+                                 "trilinos/NOX.H", "suitesparse/klu.h", "vtk-9.1/vtkSmartPointer.h"}) {
+    EXPECT_EQ(broken_with({"src/output/bad.hpp", "#include <" + name + ">\n"}),
+              sentences("src/output/bad.hpp:1 includes " + name + " in a header; it belongs in a .cpp file"));
+  }
+}
+
+TEST(IncludeRules, RefuseTheGplEverywhere) {
+  EXPECT_EQ(broken_with({"src/solvers/bad.cpp", "#include <cholmod.h>\n#include <Eigen/UmfPackSupport>\n"}),
+            sentences("src/solvers/bad.cpp:1 includes cholmod.h, which is under the GPL",
+                      "src/solvers/bad.cpp:2 includes Eigen/UmfPackSupport, which is under the GPL"));
+}
+
+TEST(IncludeRules, RefuseAQuotedNameThatIsNoFileOfTheProject) {
+  EXPECT_EQ(broken_with({"src/base/bad.cpp", "#include \"base/eror.hpp\"\n"}),
+            sentences("src/base/bad.cpp:1 includes \"base/eror.hpp\", no file of the project"));
+}
+
+TEST(IncludeRules, RefuseAFolderNobodyDecidedOn) {
+  EXPECT_EQ(broken_with({"src/helpers/bad.hpp", ""}),
+            sentences("src/helpers/bad.hpp lies in a folder without a rule of what it may include"));
+}
+
+TEST(IncludeRules, AreReadFromFilesOnDisk) {
+  const auto folder = std::filesystem::path{testing::TempDir()} / "moat_include_rules";
+  std::filesystem::remove_all(folder);
+  for (const char* root : {"src/base", "materials", "elements", "structures", "analyses"}) {
+    std::filesystem::create_directories(folder / root);
+  }
+  std::ofstream{folder / "src/base/bad.hpp"} << "#include \"materials/law.hpp\"\n";
+  std::ofstream{folder / "materials/law.hpp"} << "#pragma once\n";
+  EXPECT_EQ(broken_rules(read_sources(folder)),
+            sentences("src/base/bad.hpp:1 includes materials/law.hpp, but src/base must not know materials"));
+  std::filesystem::remove_all(folder);
+}
+
+TEST(Moat, KeepsTheIncludeRules) {
+  const std::vector<SourceFile> sources = read_sources(MOAT_SOURCE_DIR);
+  ASSERT_GT(sources.size(), 8U) << "the checkout was not read";
+  EXPECT_EQ(broken_rules(sources), sentences());
+}
+
+}  // namespace
+}  // namespace moat::architecture

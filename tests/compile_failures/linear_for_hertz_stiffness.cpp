@@ -1,0 +1,15 @@
+// N/m is given where N/m^1.5, the unit of a Hertz contact, is asked for.
+#include "base/units.hpp"
+
+using namespace moat;
+using namespace moat::units;
+
+struct Contact {
+  HertzStiffness stiffness;
+};
+
+#ifdef MOAT_CORRECTED
+const Contact contact{.stiffness = 2.95e9 * N / m_3_2};
+#else
+const Contact contact{.stiffness = 2.95e9 * N / m};
+#endif

@@ -1,0 +1,15 @@
+// A number without a unit is given where a length is asked for.
+#include "base/units.hpp"
+
+using namespace moat;
+using namespace moat::units;
+
+struct Wall {
+  Length clearance;
+};
+
+#ifdef MOAT_CORRECTED
+const Wall wall{.clearance = 0.95 * m};
+#else
+const Wall wall{.clearance = 0.95};
+#endif
