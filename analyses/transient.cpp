@@ -16,7 +16,6 @@ TransientOptions checked(const TransientOptions& options) {
   check.that(options.scheme.beta > 0.0 && options.scheme.beta <= 0.5, "scheme.beta", options.scheme.beta, "1",
              "> 0 and <= 0.5", "Use NewmarkScheme::average_acceleration() or linear_acceleration().");
   check.not_negative("step", options.step);
-  check.that(options.steps_per_sample >= 1, "steps_per_sample", options.steps_per_sample, "1", ">= 1");
   check.not_negative("end", options.end);
   check.that(options.force_tolerance > 0.0 && options.force_tolerance < 1.0, "force_tolerance",
              options.force_tolerance, "1", "> 0 and < 1");
@@ -45,7 +44,7 @@ Transient::Transient(Model& model, GroundMotion motion, TransientOptions options
       options_{checked(options)},
       equations_{model, options.scheme},
       newton_{equations_, {.tolerance = options.force_tolerance, .largest_iterations = options.largest_iterations}} {
-  step_ = options_.step.si() > 0.0 ? options_.step.si() : motion_.time_step() / options_.steps_per_sample;
+  step_ = options_.step.si() > 0.0 ? options_.step.si() : 0.5 * motion_.time_step();
   end_ = options_.end.si() > 0.0 ? options_.end.si() : motion_.duration();
   acceleration_.setZero(model.degrees_of_freedom());
   event_window_start_ = model.state().time;

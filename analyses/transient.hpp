@@ -20,11 +20,8 @@ namespace moat {
 struct TransientOptions {
   NewmarkScheme scheme = NewmarkScheme::average_acceleration();
 
-  /// >= 0 s. Length of a step; 0 takes steps_per_sample of the motion instead.
+  /// >= 0 s. Length of a step; 0: half the interval between two samples of the motion.
   Time step{};
-
-  /// >= 1. Steps between two samples of the motion, used if step is 0.
-  int steps_per_sample = 2;
 
   /// >= 0 s. Where the analysis ends; 0: at the last sample of the motion.
   Time end{};

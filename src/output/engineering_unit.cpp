@@ -15,6 +15,11 @@ EngineeringUnit engineering_unit(std::string_view si_symbol) {
   return {std::string{si_symbol}, 1.0};
 }
 
+std::string capitalised(std::string text) {
+  if (!text.empty() && text[0] >= 'a' && text[0] <= 'z') text[0] = static_cast<char>(text[0] - 'a' + 'A');
+  return text;
+}
+
 std::string with_raised_digits(std::string_view unit) {
   std::string text{unit};
   for (std::size_t at = text.find("^2"); at != std::string::npos; at = text.find("^2")) text.replace(at, 2, "²");

@@ -20,6 +20,9 @@ std::string with_raised_digits(std::string_view unit);
 /// A quantity's name in words: "absolute_acceleration" -> "absolute acceleration".
 std::string in_words(std::string_view quantity);
 
+/// With its first letter in upper case.
+std::string capitalised(std::string text);
+
 /// How many decimals show a column whose largest magnitude is `largest` with 4 significant digits: 0 to 6.
 int decimals_for(double largest);
 

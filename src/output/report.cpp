@@ -52,11 +52,6 @@ std::string escaped(std::string_view text) {
   return html;
 }
 
-std::string capitalised(std::string text) {
-  if (!text.empty() && text[0] >= 'a' && text[0] <= 'z') text[0] = static_cast<char>(text[0] - 'a' + 'A');
-  return text;
-}
-
 std::string row(std::string_view name, std::string_view value) {
   return "<tr><td>" + escaped(name) + "</td><td class=\"number\">" + escaped(value) + "</td></tr>\n";
 }

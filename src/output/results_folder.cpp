@@ -14,7 +14,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::array files_at_top{results_file::summary, results_file::histories_csv, results_file::histories_vtt,
-                                  results_file::impacts, results_file::report,        results_file::frames};
+                                  results_file::impacts, results_file::charts, results_file::report, results_file::frames};
 
 bool is_frame_name(const std::string& name) {
   const std::string front = "frame_";
