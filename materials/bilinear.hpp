@@ -39,9 +39,10 @@ struct Bilinear {
     check.positive("yield_force", yield_force);
     check.positive("yield_displacement", yield_displacement);
     check.not_negative("post_yield_stiffness", post_yield_stiffness);
-    check.that(post_yield_stiffness.si() < initial_stiffness(), "post_yield_stiffness", post_yield_stiffness.si(),
-               "N/m", "below the initial stiffness yield_force / yield_displacement = " + to_text(initial_stiffness()) +
-               " N/m", "Check the exponents of the three parameters.");
+    check.that(
+        post_yield_stiffness.si() < initial_stiffness(), "post_yield_stiffness", post_yield_stiffness.si(), "N/m",
+        "below the initial stiffness yield_force / yield_displacement = " + to_text(initial_stiffness()) + " N/m",
+        "Check the exponents of the three parameters.");
   }
 
   [[nodiscard]] double initial_stiffness() const { return yield_force.si() / yield_displacement.si(); }

@@ -1,6 +1,7 @@
 // The history of a contact.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 
 namespace moat {
@@ -27,5 +28,30 @@ struct ContactState {
 
 /// The approach speed is at least this, m/s: a grazing touch has none, and laws divide by it.
 inline constexpr double least_approach_speed = 1e-4;
+
+/// The regime margin (LawWithRegimes) of every contact.
+///
+/// `push` is any measure of the force that has its sign and is smooth; a law that never ends before the gap
+/// opens passes infinity. A released contact is loaded again only where push exceeds `reload_threshold` > 0,
+/// so that round-off does not switch it.
+inline double contact_margin(const ContactState& committed, double indentation, double push, double reload_threshold) {
+  switch (committed.phase) {
+    case ContactPhase::open:
+      return -indentation;
+    case ContactPhase::loaded:
+      return std::min(indentation, push);
+    case ContactPhase::released:
+      break;
+  }
+  return std::min(indentation, reload_threshold - push);
+}
+
+/// The state beyond the margin: touch freezes the approach speed, opening forgets it.
+inline ContactState next_contact_state(const ContactState& committed, double indentation, double rate) {
+  if (committed.phase == ContactPhase::open) return {ContactPhase::loaded, std::max(rate, least_approach_speed)};
+  if (indentation <= 0.0) return {};
+  return {committed.phase == ContactPhase::loaded ? ContactPhase::released : ContactPhase::loaded,
+          committed.approach_speed};
+}
 
 }  // namespace moat

@@ -29,25 +29,24 @@ struct NoState {};
 /// rate-independent law may offer dissipated_energy(from, to), the heat between two of its states, J: its rate jumps
 /// where it yields, which no quadrature over a step resolves.
 template <class Law>
-concept ForceLaw =
-    std::is_trivially_copyable_v<typename Law::State> && std::default_initializable<typename Law::State> &&
+concept ForceLaw = std::is_trivially_copyable_v<typename Law::State> &&
+    std::default_initializable<typename Law::State> &&
     requires(const Law& law, const typename Law::State& committed, typename Law::State& trial, double x) {
-      { law.evaluate(committed, x, x, trial) } -> std::same_as<Response>;
-      { law.stored_energy(committed, x) } -> std::same_as<double>;
-      { law.dissipation_rate(committed, x, x) } -> std::same_as<double>;
-      { law.linear_stiffness(StiffnessStage::initial) } -> std::same_as<double>;
-    };
+  { law.evaluate(committed, x, x, trial) } -> std::same_as<Response>;
+  { law.stored_energy(committed, x) } -> std::same_as<double>;
+  { law.dissipation_rate(committed, x, x) } -> std::same_as<double>;
+  { law.linear_stiffness(StiffnessStage::initial) } -> std::same_as<double>;
+};
 
 /// A law that is smooth only between located instants: a contact that touches and separates.
 ///
 /// regime_margin() is positive while the committed regime lasts and reaches zero where the next one
 /// begins; within a regime evaluate() is smooth. next_regime() gives the state on the other side.
 template <class Law>
-concept LawWithRegimes =
-    ForceLaw<Law> && requires(const Law& law, const typename Law::State& committed, double x) {
-      { law.regime_margin(committed, x, x) } -> std::same_as<double>;
-      { law.next_regime(committed, x, x) } -> std::same_as<typename Law::State>;
-      { law.contact_duration(x, x) } -> std::same_as<double>;
-    };
+concept LawWithRegimes = ForceLaw<Law> && requires(const Law& law, const typename Law::State& committed, double x) {
+  { law.regime_margin(committed, x, x) } -> std::same_as<double>;
+  { law.next_regime(committed, x, x) } -> std::same_as<typename Law::State>;
+  { law.contact_duration(x, x) } -> std::same_as<double>;
+};
 
 }  // namespace moat

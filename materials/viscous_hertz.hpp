@@ -3,9 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "materials/contact_state.hpp"
 #include "materials/response.hpp"
+#include "materials/restitution_formulas.hpp"
 
 namespace moat {
 
@@ -13,19 +15,23 @@ namespace moat {
 /// first touch. A whole family of impact laws has this form; they differ in how z follows from the
 /// coefficient of restitution, and each has a header of its own that makes one of these.
 ///
-/// The contact never pulls: it ends where the force reaches zero, that is where d' = -v0/z or where the
-/// gap opens. A free impact of two bodies always ends with the gap opening, at a restitution e that
-/// satisfies ln((1 + z)/(1 - z e)) = z (1 + e), whatever k and the masses.
+/// The contact never pulls unless may_pull is set: it ends where the force reaches zero, that is where
+/// d' = -v0/z, or where the gap opens. A free impact of two bodies always ends with the gap opening, at a
+/// restitution e that satisfies ln((1 + z)/(1 - z e)) = z (1 + e), whatever k and the masses: there
+/// may_pull changes nothing. Only bodies that are drawn apart faster than v0/z feel the difference.
+///
+/// Stored is 0.4 k d^2.5 until the gap opens; a released contact turns what is left of it into heat.
 struct ViscousHertz {
-  double stiffness = 0.0;       ///< k, N/m^1.5
-  double damping_factor = 0.0;  ///< z, dimensionless
+  double stiffness = 0.0;       ///< k > 0, N/m^1.5
+  double damping_factor = 0.0;  ///< z >= 0, dimensionless
+  bool may_pull = false;
 
   using State = ContactState;
 
   /// d'/v0 counts at most this much: a contact that was touched slowly and is then driven hard would
   /// otherwise be as stiff as the slowness of its touch makes it.
   static constexpr double largest_speed_ratio = 100.0;
-  /// A released contact pushes again only where 1 + z d'/v0 exceeds this: round-off must not switch it.
+  /// A released contact pushes again only where 1 + z d'/v0 exceeds this.
   static constexpr double reload_threshold = 1e-9;
 
   Response evaluate(const State& committed, double indentation, double rate, State& trial) const {
@@ -39,33 +45,31 @@ struct ViscousHertz {
             ratio < largest_speed_ratio ? elastic * damping_factor / committed.approach_speed : 0.0};
   }
   double stored_energy(const State& committed, double indentation) const {
-    if (committed.phase != ContactPhase::loaded || indentation <= 0.0) return 0.0;
+    if (committed.phase == ContactPhase::open || indentation <= 0.0) return 0.0;
     return 0.4 * stiffness * indentation * indentation * std::sqrt(indentation);
   }
   double dissipation_rate(const State& committed, double indentation, double rate) const {
-    if (committed.phase != ContactPhase::loaded || indentation <= 0.0) return 0.0;
-    const double ratio = std::min(rate / committed.approach_speed, largest_speed_ratio);
-    return stiffness * indentation * std::sqrt(indentation) * damping_factor * ratio * rate;
+    if (committed.phase == ContactPhase::open || indentation <= 0.0) return 0.0;
+    const double elastic = stiffness * indentation * std::sqrt(indentation);
+    if (committed.phase == ContactPhase::released) return std::max(-elastic * rate, 0.0);
+    return elastic * damping_factor * std::min(rate / committed.approach_speed, largest_speed_ratio) * rate;
   }
   double linear_stiffness(StiffnessStage) const { return 0.0; }
 
   double regime_margin(const State& committed, double indentation, double rate) const {
-    if (committed.phase == ContactPhase::open) return -indentation;
-    const double factor = 1.0 + damping_factor * rate / committed.approach_speed;
-    return std::min(indentation, committed.phase == ContactPhase::loaded ? factor : reload_threshold - factor);
+    const double push = may_pull || committed.phase == ContactPhase::open
+                            ? std::numeric_limits<double>::infinity()
+                            : 1.0 + damping_factor * rate / committed.approach_speed;
+    return contact_margin(committed, indentation, push, reload_threshold);
   }
   State next_regime(const State& committed, double indentation, double rate) const {
-    if (committed.phase == ContactPhase::open)
-      return {ContactPhase::loaded, std::max(rate, least_approach_speed)};
-    if (indentation <= 0.0) return {};
-    return {committed.phase == ContactPhase::loaded ? ContactPhase::released : ContactPhase::loaded,
-            committed.approach_speed};
+    return next_contact_state(committed, indentation, rate);
   }
-  /// Duration of an elastic impact of one body of the given mass on a fixed wall, s: 2.94328 d_max / v0,
-  /// d_max = (5 m v0^2 / (4 k))^0.4.
+  /// Time scale of a free impact, s: 2.94328 d_max / v0, which is the exact duration where z = 0; with
+  /// k d_max^2.5 = 2.5 m v0^2 (z - ln(1 + z))/z^2. m is the effective mass.
   double contact_duration(double effective_mass, double approach_speed) const {
-    const double deepest = std::pow(1.25 * effective_mass * approach_speed * approach_speed / stiffness, 0.4);
-    return 2.9432750 * deepest / approach_speed;
+    return 2.9432750 * deepest_viscous_hertz(stiffness, damping_factor, effective_mass, approach_speed) /
+           approach_speed;
   }
 };
 

@@ -1,0 +1,42 @@
+// Impact law of Anagnostopoulos.
+#pragma once
+
+#include <cmath>
+
+#include "base/check.hpp"
+#include "base/quantity.hpp"
+#include "base/required.hpp"
+#include "materials/impact_checks.hpp"
+#include "materials/viscous_linear_contact.hpp"
+
+namespace moat {
+
+/// Linear viscoelastic model: F = k d + c d', c = 2 xi sqrt(k m), xi = -ln e/sqrt(pi^2 + ln^2 e).
+///
+/// Source: Anagnostopoulos (1988), Pounding of buildings in series during earthquakes. The same force as Kelvin;
+/// m is the effective mass of the two bodies. The formula for xi holds if the contact may pull until the gap
+/// opens: then e is delivered exactly. By default the contact ends where the force reaches zero, and delivers
+/// more: e' = 0.808, 0.675, 0.472 for e = 0.80, 0.65, 0.40. The force jumps to c v0 at touch. Indentation and
+/// compression positive.
+struct Anagnostopoulos {
+  /// k > 0 N/m.
+  Required<Stiffness> stiffness;
+  /// e, the coefficient of restitution asked for: 0 < e <= 1.
+  Required<double> restitution;
+  /// Whether the contact lasts until the gap opens, pulling before it does.
+  bool may_pull = false;
+
+  /// Throws InputError for a parameter outside its range.
+  void check(const Check& check) const {
+    check.positive("stiffness", stiffness);
+    check_restitution(check, restitution);
+  }
+  /// The law between two bodies of the given effective mass m1 m2/(m1 + m2) > 0 kg; a fixed wall is infinite.
+  [[nodiscard]] ViscousLinearContact between(double effective_mass) const {
+    const double damping_ratio = damping_ratio_of_pulling_contact(restitution);
+    return {stiffness.si(), 2.0 * damping_ratio * std::sqrt(stiffness.si() * effective_mass),
+            may_pull ? ContactDamping::may_pull : ContactDamping::throughout};
+  }
+};
+
+}  // namespace moat

@@ -1,0 +1,49 @@
+// One of the contact laws, chosen when the program runs.
+#pragma once
+
+#include <variant>
+
+#include "materials/response.hpp"
+#include "materials/root_damped_hertz.hpp"
+#include "materials/viscous_hertz.hpp"
+#include "materials/viscous_linear_contact.hpp"
+
+namespace moat {
+
+/// Any of the three forms of contact, itself a law like them.
+class AnyContact {
+ public:
+  using State = ContactState;
+  using Form = std::variant<ViscousHertz, RootDampedHertz, ViscousLinearContact>;
+
+  AnyContact(const Form& form) : form_{form} {}
+
+  [[nodiscard]] const Form& form() const { return form_; }
+
+  Response evaluate(const State& committed, double indentation, double rate, State& trial) const {
+    return std::visit([&](const auto& law) { return law.evaluate(committed, indentation, rate, trial); }, form_);
+  }
+  double stored_energy(const State& committed, double indentation) const {
+    return std::visit([&](const auto& law) { return law.stored_energy(committed, indentation); }, form_);
+  }
+  double dissipation_rate(const State& committed, double indentation, double rate) const {
+    return std::visit([&](const auto& law) { return law.dissipation_rate(committed, indentation, rate); }, form_);
+  }
+  double linear_stiffness(StiffnessStage stage) const {
+    return std::visit([&](const auto& law) { return law.linear_stiffness(stage); }, form_);
+  }
+  double regime_margin(const State& committed, double indentation, double rate) const {
+    return std::visit([&](const auto& law) { return law.regime_margin(committed, indentation, rate); }, form_);
+  }
+  State next_regime(const State& committed, double indentation, double rate) const {
+    return std::visit([&](const auto& law) { return law.next_regime(committed, indentation, rate); }, form_);
+  }
+  double contact_duration(double effective_mass, double approach_speed) const {
+    return std::visit([&](const auto& law) { return law.contact_duration(effective_mass, approach_speed); }, form_);
+  }
+
+ private:
+  Form form_;
+};
+
+}  // namespace moat

@@ -1,0 +1,14 @@
+// When the dashpot of a contact acts.
+#pragma once
+
+#include <cstdint>
+
+namespace moat {
+
+enum class ContactDamping : std::uint8_t {
+  throughout,     ///< in approach and restitution; the contact ends where the force reaches zero: it never pulls
+  may_pull,       ///< in approach and restitution; the contact ends where the gap opens, pulling before it does
+  approach_only,  ///< only while the bodies approach; the force is elastic on the way back and never pulls
+};
+
+}  // namespace moat

@@ -1,0 +1,43 @@
+// Kelvin impact law that delivers the restitution asked for.
+#pragma once
+
+#include <cmath>
+
+#include "base/check.hpp"
+#include "base/quantity.hpp"
+#include "base/required.hpp"
+#include "materials/impact_checks.hpp"
+#include "materials/viscous_linear_contact.hpp"
+
+namespace moat {
+
+/// Exact Kelvin model: F = k d + c d', c = 2 xi sqrt(k m), with the root xi of e = exp(-2 a cot a), cos a = xi.
+///
+/// Source: m d'' = -F integrated exactly up to where the force reaches zero and the contact ends; beyond critical
+/// damping, e < exp(-2) = 0.1353, a = i acosh xi. m is the effective mass of the two bodies. The restitution of a
+/// free impact is e itself, for any k, masses and approach speed. If the contact may pull until the gap opens,
+/// xi = -ln e/sqrt(pi^2 + ln^2 e) delivers e, and is taken. The force jumps to c v0 at touch. Indentation and
+/// compression positive.
+struct ExactKelvin {
+  /// k > 0 N/m.
+  Required<Stiffness> stiffness;
+  /// e, the coefficient of restitution asked for: 0 < e <= 1.
+  Required<double> restitution;
+  /// Whether the contact lasts until the gap opens, pulling before it does. e is delivered either way.
+  bool may_pull = false;
+
+  /// Throws InputError for a parameter outside its range.
+  void check(const Check& check) const {
+    check.positive("stiffness", stiffness);
+    check_restitution(check, restitution);
+  }
+  /// The law between two bodies of the given effective mass m1 m2/(m1 + m2) > 0 kg; a fixed wall is infinite.
+  [[nodiscard]] ViscousLinearContact between(double effective_mass) const {
+    const double damping_ratio =
+        may_pull ? damping_ratio_of_pulling_contact(restitution) : damping_ratio_of_clamped_contact(restitution);
+    return {stiffness.si(), 2.0 * damping_ratio * std::sqrt(stiffness.si() * effective_mass),
+            may_pull ? ContactDamping::may_pull : ContactDamping::throughout};
+  }
+};
+
+}  // namespace moat

@@ -1,0 +1,39 @@
+// Impact law of Gonthier et al.
+#pragma once
+
+#include "base/check.hpp"
+#include "base/quantity.hpp"
+#include "base/required.hpp"
+#include "materials/impact_checks.hpp"
+#include "materials/viscous_hertz.hpp"
+
+namespace moat {
+
+/// Gonthier model: F = k d^1.5 (1 + z d'/v0) with z = (1 - e^2)/e.
+///
+/// Source: Gonthier, McPhee, Lange & Piedboeuf (2004), A regularized contact model with asymmetric damping and
+/// dwell-time dependent friction: an approximation of the exact factor over the whole range of e. The restitution
+/// e' it delivers, ln((1 + z)/(1 - z e')) = z (1 + e'), is e' = 0.768, 0.623, 0.398 for e = 0.80, 0.65, 0.40.
+///
+/// Indentation and compression positive. The contact ends where the force reaches zero or the gap opens,
+/// in free impact always the latter.
+struct Gonthier {
+  /// k > 0 N/m^1.5.
+  Required<HertzStiffness> stiffness;
+  /// e, the coefficient of restitution asked for: 0 < e <= 1.
+  Required<double> restitution;
+  /// Whether the force may turn negative while bodies in contact are drawn apart. Changes nothing in free impact.
+  bool may_pull = false;
+
+  /// Throws InputError for a parameter outside its range.
+  void check(const Check& check) const {
+    check.positive("stiffness", stiffness);
+    check_restitution(check, restitution);
+  }
+  /// The law between two bodies; this one does not depend on their effective mass (kg).
+  [[nodiscard]] ViscousHertz between(double /*effective_mass*/) const {
+    return {stiffness.si(), (1.0 - restitution * restitution) / restitution, may_pull};
+  }
+};
+
+}  // namespace moat

@@ -1,0 +1,26 @@
+// Hertz impact law.
+#pragma once
+
+#include "base/check.hpp"
+#include "base/quantity.hpp"
+#include "base/required.hpp"
+#include "materials/viscous_hertz.hpp"
+
+namespace moat {
+
+/// Hertz model: F = k d^1.5.
+///
+/// Source: Zhao, Liu & Li (2017), Eq. 5. Elastic: delivers e = 1; never pulls; the contact ends where the gap
+/// opens. Deepest indentation (5 m v0^2/(4 k))^0.4, duration 2.94328 times that over v0. Indentation and
+/// compression positive.
+struct Hertz {
+  /// k > 0 N/m^1.5.
+  Required<HertzStiffness> stiffness;
+
+  /// Throws InputError for a parameter outside its range.
+  void check(const Check& check) const { check.positive("stiffness", stiffness); }
+  /// The law between two bodies; this one does not depend on their effective mass (kg).
+  [[nodiscard]] ViscousHertz between(double /*effective_mass*/) const { return {stiffness.si(), 0.0}; }
+};
+
+}  // namespace moat

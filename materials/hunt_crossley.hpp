@@ -1,0 +1,40 @@
+// Impact law of Hunt and Crossley.
+#pragma once
+
+#include "base/check.hpp"
+#include "base/quantity.hpp"
+#include "base/required.hpp"
+#include "materials/impact_checks.hpp"
+#include "materials/viscous_hertz.hpp"
+
+namespace moat {
+
+/// Hunt-Crossley model: F = k d^1.5 (1 + z d'/v0) with z = 3/2 (1 - e).
+///
+/// Source: Hunt & Crossley (1975), Coefficient of restitution interpreted as damping in vibroimpact: lambda =
+/// 3/2 alpha k with e = 1 - alpha v0. It was derived for e near 1: the restitution e' it delivers,
+/// ln((1 + z)/(1 - z e')) = z (1 + e'), is above what is asked for: e' = 0.833, 0.739, 0.620 for e = 0.80,
+/// 0.65, 0.40.
+///
+/// Indentation and compression positive. The contact ends where the force reaches zero or the gap opens,
+/// in free impact always the latter.
+struct HuntCrossley {
+  /// k > 0 N/m^1.5.
+  Required<HertzStiffness> stiffness;
+  /// e, the coefficient of restitution asked for: 0 < e <= 1.
+  Required<double> restitution;
+  /// Whether the force may turn negative while bodies in contact are drawn apart. Changes nothing in free impact.
+  bool may_pull = false;
+
+  /// Throws InputError for a parameter outside its range.
+  void check(const Check& check) const {
+    check.positive("stiffness", stiffness);
+    check_restitution(check, restitution);
+  }
+  /// The law between two bodies; this one does not depend on their effective mass (kg).
+  [[nodiscard]] ViscousHertz between(double /*effective_mass*/) const {
+    return {stiffness.si(), 1.5 * (1.0 - restitution), may_pull};
+  }
+};
+
+}  // namespace moat

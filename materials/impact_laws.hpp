@@ -1,0 +1,20 @@
+// All impact laws.
+#pragma once
+
+#include "materials/anagnostopoulos.hpp"
+#include "materials/exact_hertz_damp.hpp"
+#include "materials/exact_kelvin.hpp"
+#include "materials/gonthier.hpp"
+#include "materials/hertz.hpp"
+#include "materials/hertz_damp.hpp"
+#include "materials/hu_guo.hpp"
+#include "materials/hunt_crossley.hpp"
+#include "materials/kelvin.hpp"
+#include "materials/kelvin_by_damping_ratio.hpp"
+#include "materials/lankarani_nikravesh.hpp"
+#include "materials/linear_elastic.hpp"
+#include "materials/modified_hertz_damp.hpp"
+#include "materials/modified_hertz_damp_printed.hpp"
+#include "materials/modified_linear_viscoelastic.hpp"
+#include "materials/nonlinear_viscoelastic.hpp"
+#include "materials/ye_2009.hpp"

@@ -1,0 +1,43 @@
+// Kelvin impact law, given its damping ratio.
+#pragma once
+
+#include <cmath>
+
+#include "base/check.hpp"
+#include "base/quantity.hpp"
+#include "base/required.hpp"
+#include "materials/impact_checks.hpp"
+#include "materials/viscous_linear_contact.hpp"
+
+namespace moat {
+
+/// Kelvin model (Kelvin-Voigt): F = k d + c d', c = 2 xi sqrt(k m), with the damping ratio xi itself. Kelvin
+/// takes a restitution instead.
+///
+/// Source: Zhao, Liu & Li (2017), Eqs. 2-3; m is the effective mass of the two bodies. Delivered restitution:
+/// exp(-2 a cot a), cos a = xi, if the contact ends where the force reaches zero (default);
+/// exp(-pi xi/sqrt(1 - xi^2)) if it may pull until the gap opens. xi = 0.14 gives 0.667 and 0.641. The force
+/// jumps to c v0 at touch. Indentation and compression positive.
+struct KelvinByDampingRatio {
+  /// k > 0 N/m.
+  Required<Stiffness> stiffness;
+  /// xi >= 0, and < 1 if the contact may pull: beyond, it would never end.
+  Required<double> damping_ratio;
+  /// Whether the contact lasts until the gap opens, pulling before it does, as the equations of the paper say.
+  bool may_pull = false;
+
+  /// Throws InputError for a parameter outside its range.
+  void check(const Check& check) const {
+    check.positive("stiffness", stiffness);
+    check.not_negative("damping_ratio", damping_ratio.value(), "1");
+    check.that(!may_pull || damping_ratio < 1.0, "damping_ratio", damping_ratio, "1", "< 1 where may_pull is true",
+               "A contact that pulls and is damped critically never ends.");
+  }
+  /// The law between two bodies of the given effective mass m1 m2/(m1 + m2) > 0 kg; a fixed wall is infinite.
+  [[nodiscard]] ViscousLinearContact between(double effective_mass) const {
+    return {stiffness.si(), 2.0 * damping_ratio * std::sqrt(stiffness.si() * effective_mass),
+            may_pull ? ContactDamping::may_pull : ContactDamping::throughout};
+  }
+};
+
+}  // namespace moat

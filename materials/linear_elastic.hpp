@@ -1,0 +1,25 @@
+// Linear elastic impact law.
+#pragma once
+
+#include "base/check.hpp"
+#include "base/quantity.hpp"
+#include "base/required.hpp"
+#include "materials/viscous_linear_contact.hpp"
+
+namespace moat {
+
+/// Linear elastic model: F = k d.
+///
+/// Source: Zhao, Liu & Li (2017), Eq. 1. Elastic: delivers e = 1; never pulls; the contact ends where the gap
+/// opens. Deepest indentation v0 sqrt(m/k), duration pi sqrt(m/k). Indentation and compression positive.
+struct LinearElastic {
+  /// k > 0 N/m.
+  Required<Stiffness> stiffness;
+
+  /// Throws InputError for a parameter outside its range.
+  void check(const Check& check) const { check.positive("stiffness", stiffness); }
+  /// The law between two bodies; this one does not depend on their effective mass (kg).
+  [[nodiscard]] ViscousLinearContact between(double /*effective_mass*/) const { return {stiffness.si()}; }
+};
+
+}  // namespace moat

@@ -1,0 +1,54 @@
+// Modified Hertz-damp impact law, as printed.
+#pragma once
+
+#include <cmath>
+#include <numbers>
+
+#include "base/check.hpp"
+#include "base/quantity.hpp"
+#include "base/required.hpp"
+#include "materials/impact_checks.hpp"
+#include "materials/root_damped_hertz.hpp"
+
+namespace moat {
+
+/// Modified Hertz-damp model as its paper prints it: F = k d^1.5 + c d', c = 2 xi sqrt(k sqrt(d) m),
+/// xi = sqrt(5) (1 - e^2)/(10 e^2).
+///
+/// Source: Zhao, Liu & Li (2017), Eq. 10 with Eq. 27; m is the effective mass of the two bodies. Not the force
+/// its Table 1 was computed with, which is ModifiedHertzDamp.
+///
+/// When the dashpot acts the paper leaves open. It writes the force once, without Jankowski's distinction
+/// (Eq. 15), and complains that his history is not smooth: throughout. It balances the energy over one phase
+/// only, from d = 0 to the deepest point (Eqs. 14, 23): approach only, the default here. The restitution
+/// delivered, with cos a = 2 xi/sqrt(5), for e = 0.80, 0.65, 0.40:
+///
+///     approach_only   exp(-a cot a)               0.848, 0.692, 0.356
+///     throughout      exp(-2 a cot a)             0.719, 0.479, 0.127
+///     may_pull        exp(-pi x/sqrt(1 - x^2))    0.701, 0.409, none: x = cos a must be below 1, e above 0.409
+///
+/// Indentation and compression positive.
+struct ModifiedHertzDampPrinted {
+  /// k > 0 N/m^1.5.
+  Required<HertzStiffness> stiffness;
+  /// e, the coefficient of restitution asked for: 0 < e <= 1.
+  Required<double> restitution;
+  /// When the dashpot acts.
+  ContactDamping acts = ContactDamping::approach_only;
+
+  /// Throws InputError for a parameter outside its range.
+  void check(const Check& check) const {
+    check.positive("stiffness", stiffness);
+    check_restitution(check, restitution);
+    check.that(acts != ContactDamping::may_pull || restitution >= 0.409, "restitution", restitution, "1",
+               ">= 0.409 where the contact may pull", "A contact that pulls and is damped critically never ends.");
+  }
+  /// The law between two bodies of the given effective mass m1 m2/(m1 + m2) > 0 kg; a fixed wall is infinite.
+  [[nodiscard]] RootDampedHertz between(double effective_mass) const {
+    const double e = restitution;
+    const double damping_ratio = std::sqrt(5.0) * (1.0 - e * e) / (10.0 * e * e);
+    return {stiffness.si(), 2.0 * damping_ratio * std::sqrt(stiffness.si() * effective_mass), acts};
+  }
+};
+
+}  // namespace moat

@@ -1,0 +1,42 @@
+// Modified linear viscoelastic impact law.
+#pragma once
+
+#include <cmath>
+#include <numbers>
+
+#include "base/check.hpp"
+#include "base/quantity.hpp"
+#include "base/required.hpp"
+#include "materials/impact_checks.hpp"
+#include "materials/viscous_linear_contact.hpp"
+
+namespace moat {
+
+/// Modified linear viscoelastic model: F = k d + c d' on approach, F = k d on the way back, c = 2 xi sqrt(k m),
+/// xi = (1 - e^2)/(e (e (pi - 2) + 2)).
+///
+/// Source: Mahmoud & Jankowski (2011), Modified linear viscoelastic model of earthquake-induced structural
+/// pounding; m is the effective mass of the two bodies. Never pulls; the contact ends where the gap opens. The
+/// restitution it delivers is exp(-a cot a), cos a = xi: 0.801, 0.654, 0.407 for e = 0.80, 0.65, 0.40. The force jumps
+/// to c v0 at touch. Indentation and compression positive.
+struct ModifiedLinearViscoelastic {
+  /// k > 0 N/m.
+  Required<Stiffness> stiffness;
+  /// e, the coefficient of restitution asked for: 0 < e <= 1.
+  Required<double> restitution;
+
+  /// Throws InputError for a parameter outside its range.
+  void check(const Check& check) const {
+    check.positive("stiffness", stiffness);
+    check_restitution(check, restitution);
+  }
+  /// The law between two bodies of the given effective mass m1 m2/(m1 + m2) > 0 kg; a fixed wall is infinite.
+  [[nodiscard]] ViscousLinearContact between(double effective_mass) const {
+    const double e = restitution;
+    const double damping_ratio = (1.0 - e * e) / (e * (e * (std::numbers::pi - 2.0) + 2.0));
+    return {stiffness.si(), 2.0 * damping_ratio * std::sqrt(stiffness.si() * effective_mass),
+            ContactDamping::approach_only};
+  }
+};
+
+}  // namespace moat

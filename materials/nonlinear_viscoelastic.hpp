@@ -1,0 +1,43 @@
+// Non-linear viscoelastic impact law.
+#pragma once
+
+#include <cmath>
+#include <numbers>
+
+#include "base/check.hpp"
+#include "base/quantity.hpp"
+#include "base/required.hpp"
+#include "materials/impact_checks.hpp"
+#include "materials/root_damped_hertz.hpp"
+
+namespace moat {
+
+/// Non-linear viscoelastic model: F = k d^1.5 + c d' on approach, F = k d^1.5 on the way back,
+/// c = 2 xi sqrt(k sqrt(d) m), xi = 9 sqrt(5) (1 - e^2)/(2 e (e (9 pi - 16) + 16)).
+///
+/// Source: Jankowski (2005, 2006); Zhao, Liu & Li (2017), Eqs. 9-11; m is the effective mass of the two bodies.
+/// Never pulls; the contact ends where the gap opens. The restitution it delivers is exp(-a cot a), cos a =
+/// 2 xi/sqrt(5): 0.799, 0.647, 0.393 for e = 0.80, 0.65, 0.40. (The column of this name in Table 1 of the paper
+/// was computed with Ye2009.) Indentation and compression positive.
+struct NonlinearViscoelastic {
+  /// k > 0 N/m^1.5.
+  Required<HertzStiffness> stiffness;
+  /// e, the coefficient of restitution asked for: 0 < e <= 1.
+  Required<double> restitution;
+
+  /// Throws InputError for a parameter outside its range.
+  void check(const Check& check) const {
+    check.positive("stiffness", stiffness);
+    check_restitution(check, restitution);
+  }
+  /// The law between two bodies of the given effective mass m1 m2/(m1 + m2) > 0 kg; a fixed wall is infinite.
+  [[nodiscard]] RootDampedHertz between(double effective_mass) const {
+    const double e = restitution;
+    const double damping_ratio =
+        4.5 * std::sqrt(5.0) * (1.0 - e * e) / (e * (e * (9.0 * std::numbers::pi - 16.0) + 16.0));
+    return {stiffness.si(), 2.0 * damping_ratio * std::sqrt(stiffness.si() * effective_mass),
+            ContactDamping::approach_only};
+  }
+};
+
+}  // namespace moat

@@ -1,0 +1,100 @@
+// Hertz contact whose damping grows with the fourth root of the indentation.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "materials/contact_damping.hpp"
+#include "materials/contact_state.hpp"
+#include "materials/response.hpp"
+#include "materials/restitution_formulas.hpp"
+
+namespace moat {
+
+/// F = k d^1.5 + c d^0.25 d' for indentation d > 0, compression positive; c = 2 xi sqrt(k m) with the
+/// effective mass m (Jankowski 2006). ContactDamping says when the second term acts.
+///
+/// In terms of y = d^1.25 a free impact is that of a linear spring and dashpot with the damping ratio
+/// x = 2 xi / sqrt(5): restitution_formulas.hpp holds exactly, whatever k, m and the approach speed.
+///
+/// The slope of d^0.25 is infinite at d = 0. Below `least_root_indentation`, a thousandth of what touch is
+/// located to, the fourth root is replaced by a straight line, so that Newton's method sees finite tangents.
+/// With damping on approach only the force is continuous where the motion turns and only its slope changes;
+/// no instant is located for that.
+///
+/// Stored is 0.4 k d^2.5 until the gap opens; a released contact turns what is left of it into heat.
+struct RootDampedHertz {
+  double stiffness = 0.0;  ///< k > 0, N/m^1.5
+  double damping = 0.0;    ///< c >= 0, N s/m^1.25
+  ContactDamping acts = ContactDamping::throughout;
+
+  using State = ContactState;
+
+  /// m
+  static constexpr double least_root_indentation = 1e-15;
+  /// A released contact pushes again only where d^1.25 + (c/k) d' exceeds this, m^1.25.
+  static constexpr double reload_threshold = 1e-12;
+
+  Response evaluate(const State& committed, double indentation, double rate, State& trial) const {
+    trial = committed;
+    if (committed.phase != ContactPhase::loaded || indentation <= 0.0) return {};
+    const double root = std::sqrt(indentation);
+    const FourthRoot fourth = fourth_root(indentation);
+    const double dashpot = acting_damping(rate);
+    return {stiffness * indentation * root + dashpot * fourth.value * rate,
+            1.5 * stiffness * root + dashpot * fourth.slope * rate, dashpot * fourth.value};
+  }
+  double stored_energy(const State& committed, double indentation) const {
+    if (committed.phase == ContactPhase::open || indentation <= 0.0) return 0.0;
+    return 0.4 * stiffness * indentation * indentation * std::sqrt(indentation);
+  }
+  double dissipation_rate(const State& committed, double indentation, double rate) const {
+    if (committed.phase == ContactPhase::open || indentation <= 0.0) return 0.0;
+    if (committed.phase == ContactPhase::released)
+      return std::max(-stiffness * indentation * std::sqrt(indentation) * rate, 0.0);
+    return acting_damping(rate) * fourth_root(indentation).value * rate * rate;
+  }
+  double linear_stiffness(StiffnessStage) const { return 0.0; }
+
+  double regime_margin(const State& committed, double indentation, double rate) const {
+    return contact_margin(committed, indentation, push(indentation, rate), reload_threshold);
+  }
+  State next_regime(const State& committed, double indentation, double rate) const {
+    return next_contact_state(committed, indentation, rate);
+  }
+  /// Time scale of a free impact, s: 2.94328 d_max / v0, which is the exact duration where c = 0. m is the
+  /// effective mass.
+  double contact_duration(double effective_mass, double approach_speed) const {
+    const double elastic = deepest_viscous_hertz(stiffness, 0.0, effective_mass, approach_speed);
+    const double ratio = damping / std::sqrt(5.0 * stiffness * effective_mass);
+    // What is left of y = d^1.25 at the turn.
+    const double shallower = std::pow(restitution_of_approach_damping(ratio), 0.8);
+    return 2.9432750 * elastic * shallower / approach_speed;
+  }
+
+ private:
+  struct FourthRoot {
+    double value, slope;
+  };
+  static FourthRoot fourth_root(double indentation) {
+    if (indentation < least_root_indentation) {
+      const double slope = std::pow(least_root_indentation, -0.75);
+      return {indentation * slope, slope};
+    }
+    const double value = std::sqrt(std::sqrt(indentation));
+    return {value, 0.25 * value / indentation};
+  }
+  [[nodiscard]] double acting_damping(double rate) const {
+    return acts == ContactDamping::approach_only && rate < 0.0 ? 0.0 : damping;
+  }
+  // The force over k times the fourth root, so that it crosses zero with a finite slope.
+  [[nodiscard]] double push(double indentation, double rate) const {
+    if (acts != ContactDamping::throughout) return std::numeric_limits<double>::infinity();
+    const double depth = std::max(indentation, 0.0);
+    const double elastic = depth > 0.0 ? depth * std::sqrt(depth) / fourth_root(depth).value : 0.0;
+    return elastic + damping / stiffness * rate;
+  }
+};
+
+}  // namespace moat

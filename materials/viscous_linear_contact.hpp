@@ -1,0 +1,73 @@
+// Linear contact spring with a dashpot beside it.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "materials/contact_damping.hpp"
+#include "materials/contact_state.hpp"
+#include "materials/response.hpp"
+#include "materials/restitution_formulas.hpp"
+
+namespace moat {
+
+/// F = k d + c d' for indentation d > 0, compression positive. Linear elastic, Kelvin and their relatives
+/// differ in c and in when it acts (ContactDamping); each has a header of its own that makes one of these.
+///
+/// At touch the force jumps to c v0. With damping on approach only, F = k d + c max(d', 0) is continuous
+/// where the motion turns and only its slope changes; no instant is located for that.
+/// Restitution in terms of x = c/(2 sqrt(k m)): restitution_formulas.hpp.
+///
+/// While loaded the law continues to d < 0, so that a step that overshoots the separation is still smooth;
+/// the separation itself is located. Stored is k d^2/2 until the gap opens; a released contact turns what is
+/// left of it into heat.
+struct ViscousLinearContact {
+  double stiffness = 0.0;  ///< k > 0, N/m
+  double damping = 0.0;    ///< c >= 0, N s/m
+  ContactDamping acts = ContactDamping::throughout;
+
+  using State = ContactState;
+
+  /// A released contact pushes again only where d + (c/k) d' exceeds this, m.
+  static constexpr double reload_threshold = 1e-10;
+
+  Response evaluate(const State& committed, double indentation, double rate, State& trial) const {
+    trial = committed;
+    if (committed.phase != ContactPhase::loaded) return {};
+    const double dashpot = acting_damping(rate);
+    return {stiffness * indentation + dashpot * rate, stiffness, dashpot};
+  }
+  double stored_energy(const State& committed, double indentation) const {
+    return committed.phase == ContactPhase::open ? 0.0 : 0.5 * stiffness * indentation * indentation;
+  }
+  double dissipation_rate(const State& committed, double indentation, double rate) const {
+    if (committed.phase == ContactPhase::open) return 0.0;
+    if (committed.phase == ContactPhase::released) return std::max(-stiffness * indentation * rate, 0.0);
+    return acting_damping(rate) * rate * rate;
+  }
+  double linear_stiffness(StiffnessStage) const { return 0.0; }
+
+  double regime_margin(const State& committed, double indentation, double rate) const {
+    const double push = acts == ContactDamping::throughout ? indentation + damping / stiffness * rate
+                                                           : std::numeric_limits<double>::infinity();
+    return contact_margin(committed, indentation, push, reload_threshold);
+  }
+  State next_regime(const State& committed, double indentation, double rate) const {
+    return next_contact_state(committed, indentation, rate);
+  }
+  /// Time scale of a free impact, s: pi d_max / v0, which is the exact duration pi sqrt(m/k) where c = 0.
+  /// m is the effective mass.
+  double contact_duration(double effective_mass, double /*approach_speed*/) const {
+    const double ratio = damping / (2.0 * std::sqrt(stiffness * effective_mass));
+    return std::numbers::pi * std::sqrt(effective_mass / stiffness) * restitution_of_approach_damping(ratio);
+  }
+
+ private:
+  [[nodiscard]] double acting_damping(double rate) const {
+    return acts == ContactDamping::approach_only && rate < 0.0 ? 0.0 : damping;
+  }
+};
+
+}  // namespace moat
