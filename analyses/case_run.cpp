@@ -1,5 +1,7 @@
 #include "analyses/case_run.hpp"
 
+#include <cmath>
+
 #include "analyses/periods.hpp"
 #include "base/check.hpp"
 
@@ -7,7 +9,9 @@ namespace moat {
 namespace {
 
 CaseOptions checked(CaseOptions options) {
-  Check{"CaseOptions", options.title}.not_negative("history_interval", options.history_interval);
+  const Check check{"CaseOptions", options.title};
+  check.not_negative("history_interval", options.history_interval);
+  check.positive("warn_above_energy_error", options.warn_above_energy_error, "1");
   return options;
 }
 
@@ -18,7 +22,9 @@ CaseRun::CaseRun(Model& model, const GroundMotion& motion, CaseOptions options)
       periods_{characteristic_periods(model)},
       transient_{model, motion, options_.transient},
       peaks_{model},
-      histories_{model, options_.history_interval.si() > 0.0 ? options_.history_interval.si() : motion.time_step()} {
+      histories_{model, options_.history_interval.si() > 0.0 ? options_.history_interval.si() : motion.time_step(),
+                 &energy_} {
+  attach(energy_);
   attach(peaks_);
   attach(impacts_);
   attach(histories_);
@@ -36,14 +42,22 @@ CaseResult CaseRun::result() const {
                     .peaks = peaks_.peaks(),
                     .impacts = impacts_.impacts(),
                     .histories = histories_.table(),
+                    .energy = energy_.balance(transient_.model()),
                     .solver = transient_.statistics(),
+                    .warnings = transient_.warnings(),
                     .assumptions = transient_.assumptions()};
+  const double error = std::abs(result.energy.integration_error) / result.energy.largest_input;
+  if (error > options_.warn_above_energy_error)
+    result.warnings.push_back("The energy of the elements is off by " + to_text(100.0 * error) +
+                              " % of the largest input energy, most at \"" + result.energy.worst_element +
+                              "\". Take a shorter step or a tighter tolerance.");
   result.assumptions.insert(
       result.assumptions.end(),
       {"Displacements and velocities are relative to the ground, accelerations absolute; positive to the right.",
        "A peak is the largest magnitude over continuous time, also between steps and on both sides of an event.",
        "total_base_shear is the force of isolators and impacts together; sum_of_floor_inertia_maxima adds the "
        "maxima of mass times absolute acceleration of base and floors, which are not simultaneous.",
+       "Energies are in the frame of the ground: input is the work of the ground's inertia forces on relative motion.",
        "storey_shear is the elastic force of the columns, without that of the storey's damping."});
   return result;
 }

@@ -5,6 +5,7 @@
 
 #include "analyses/transient.hpp"
 #include "output/case_result.hpp"
+#include "output/energy_ledger.hpp"
 #include "output/history_recorder.hpp"
 #include "output/impact_recorder.hpp"
 #include "output/peak_recorder.hpp"
@@ -16,6 +17,8 @@ struct CaseOptions {
   TransientOptions transient{};
   /// >= 0 s. Interval of the histories; 0: that of the motion.
   Time history_interval{};
+  /// > 0. Integration error, as a fraction of the largest input energy, above which a warning names the worst element.
+  double warn_above_energy_error = 1e-3;
 };
 
 /// A time history with peaks, impacts, histories, periods and solver statistics.
@@ -39,6 +42,7 @@ class CaseRun {
   CaseOptions options_;
   std::vector<NamedPeriod> periods_;
   Transient transient_;
+  EnergyLedger energy_;
   PeakRecorder peaks_;
   ImpactRecorder impacts_;
   HistoryRecorder histories_;

@@ -11,14 +11,14 @@ StepEquations::StepEquations(Model& model, NewmarkScheme scheme) : model_{&model
   forces_.setZero(size() + 1);
 }
 
-void StepEquations::begin(double h, double ground_acceleration) {
+void StepEquations::begin(double h, double end_time, double ground_acceleration) {
   h_ = h;
   ground_acceleration_ = ground_acceleration;
   const MotionState& start = model_->state();
   predicted_displacement_ =
       start.displacement + h * start.velocity + (0.5 - scheme_.beta) * h * h * start.acceleration;
   predicted_velocity_ = start.velocity + (1.0 - NewmarkScheme::gamma) * h * start.acceleration;
-  model_->trial().time = start.time + h;
+  model_->trial().time = end_time;
 }
 
 void StepEquations::balance_committed_state(double ground_acceleration) {

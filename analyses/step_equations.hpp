@@ -16,8 +16,8 @@ class StepEquations final : public NonlinearSystem {
  public:
   StepEquations(Model& model, NewmarkScheme scheme);
 
-  /// Sets up a step of length h > 0 from the model's committed state, with the ground acceleration at its end.
-  void begin(double h, double ground_acceleration);
+  /// Sets up a step of length h > 0 from the model's committed state, with time and ground acceleration at its end.
+  void begin(double h, double end_time, double ground_acceleration);
 
   /// Accelerations that balance the committed state, for the start and after events: M a = -f - M iota a_g.
   /// Leaves them in the committed state of the model.

@@ -16,6 +16,10 @@ TransientOptions checked(const TransientOptions& options) {
   check.that(options.scheme.beta > 0.0 && options.scheme.beta <= 0.5, "scheme.beta", options.scheme.beta, "1",
              "> 0 and <= 0.5", "Use NewmarkScheme::average_acceleration() or linear_acceleration().");
   check.not_negative("step", options.step);
+  check.that(options.tolerance > 0.0 && options.tolerance < 1.0, "tolerance", options.tolerance, "1", "> 0 and < 1",
+             "1e-4 is the default.");
+  check.that(options.steps_per_contact >= 4, "steps_per_contact", options.steps_per_contact, "1", ">= 4");
+  check.between("largest_halvings", options.largest_halvings, 0, 40, "1");
   check.not_negative("end", options.end);
   check.that(options.force_tolerance > 0.0 && options.force_tolerance < 1.0, "force_tolerance",
              options.force_tolerance, "1", "> 0 and < 1");
@@ -44,12 +48,19 @@ Transient::Transient(Model& model, GroundMotion motion, TransientOptions options
       options_{checked(options)},
       equations_{model, options.scheme},
       newton_{equations_, {.tolerance = options.force_tolerance, .largest_iterations = options.largest_iterations}} {
-  step_ = options_.step.si() > 0.0 ? options_.step.si() : 0.5 * motion_.time_step();
+  control_ = StepControl{model,
+                         {.fixed_step = options_.step.si(),
+                          .grid_interval = motion_.time_step(),
+                          .tolerance = options_.tolerance,
+                          .steps_per_contact = options_.steps_per_contact,
+                          .largest_halvings = options_.largest_halvings}};
   end_ = options_.end.si() > 0.0 ? options_.end.si() : motion_.duration();
   acceleration_.setZero(model.degrees_of_freedom());
   event_window_start_ = model.state().time;
   equations_.balance_committed_state(motion_.acceleration_at(model.state().time));
   change_regimes();
+  control_.restart(model, motion_.acceleration_at(model.state().time));
+  model.start_energy_account();
 }
 
 void Transient::attach(StepObserver& observer) { observers_.push_back(&observer); }
@@ -60,9 +71,13 @@ StepView Transient::view(bool on_grid) const {
 
 bool Transient::finished() const { return model_->state().time >= end_ * (1.0 - 1e-12); }
 
+// Grid times are multiples of the step, not sums of steps, and the last sample is not passed by round-off.
+double Transient::time_after(double h) const { return h == planned_ ? target_ : model_->state().time + h; }
+
 // One step of length h from the committed state into the trial state. Not accepted yet.
 bool Transient::solve(double h) {
-  equations_.begin(h, motion_.acceleration_at(model_->state().time + h));
+  const double end = time_after(h);
+  equations_.begin(h, end, motion_.acceleration_at(end));
   acceleration_ = model_->state().acceleration.head(model_->degrees_of_freedom());
   last_report_ = newton_.solve(acceleration_);
   statistics_.newton_iterations += last_report_.iterations;
@@ -150,25 +165,29 @@ void Transient::change_regimes() {
   // The force may jump; a stale acceleration would cost second order.
   equations_.balance_committed_state(motion_.acceleration_at(model_->state().time));
   count_event(model_->state().time);
+  control_.restart(*model_, motion_.acceleration_at(model_->state().time));
   const StepView after = view(false);
   for (StepObserver* observer : observers_) observer->event(after, changes_);
 }
 
 void Transient::advance() {
   const double start = model_->state().time;
-  const double target = std::min(next_grid_time(start, step_), end_);
-  // Exactly the nominal length where it is meant, so that the tangent and its factors stay the same.
-  const double planned = std::abs(target - start - step_) < 1e-9 * step_ ? step_ : target - start;
-  double h = solve_cutting(planned);
+  double h = 0.0;
+  for (;; ++statistics_.repeated_steps) {
+    const double step = control_.next_step(*model_);
+    target_ = std::min(next_grid_time(start, step), end_);
+    // Exactly the nominal length where it is meant, so that the tangent and its factors stay the same.
+    planned_ = std::abs(target_ - start - step) < 1e-9 * step ? step : target_ - start;
+    h = solve_cutting(planned_);
+    if (control_.accepts(*model_, h, motion_.acceleration_at(time_after(h)))) break;
+  }
   const RegimeScan seen = scan(h);
   if (seen.crossed) h = locate_change(h, seen);
-  const bool on_grid = h == planned;
-  // Grid times are multiples of the step, not sums of steps.
-  if (on_grid) model_->trial().time = target;
   model_->commit();
   ++statistics_.accepted_steps;
   statistics_.factorisations = equations_.factorisations();
-  const StepView accepted = view(on_grid);
+  const StepView accepted = view(h == planned_);
+  control_.accepted(*model_, h, accepted.ground_acceleration);
   for (StepObserver* observer : observers_) observer->step(accepted);
   if (seen.crossed) change_regimes();
 }
@@ -190,13 +209,28 @@ void Transient::run() {
 }
 
 std::vector<std::string> Transient::assumptions() const {
-  return {"Newmark's method, beta = " + to_text(options_.scheme.beta) + ", gamma = 1/2, step " + to_text(step_) +
-              " s; every step solved until the forces balance to " + to_text(options_.force_tolerance) +
+  const std::string step =
+      control_.adaptive()
+          ? "step adapted to an error of " + to_text(options_.tolerance) +
+                " of the largest acceleration and to " + std::to_string(options_.steps_per_contact) +
+                " steps per contact, at most " + to_text(motion_.time_step()) + " s"
+          : "fixed step of " + to_text(options_.step.si()) + " s";
+  return {"Newmark's method, beta = " + to_text(options_.scheme.beta) + ", gamma = 1/2, " + step +
+              "; every step solved until the forces balance to " + to_text(options_.force_tolerance) +
               " of the largest force.",
           "Touch and separation located until the gap is zero to " + to_text(options_.location_tolerance.si()) +
               " m, acceleration recomputed there.",
           "Ground acceleration linear between samples; the system starts at rest at the first sample unless "
           "initial values are given."};
+}
+
+std::vector<std::string> Transient::warnings() const {
+  constexpr double enough = 32.0;
+  const double fewest = control_.fewest_steps_per_contact();
+  if (control_.adaptive() || fewest >= enough) return {};
+  return {"The fixed step divides the shortest contact into " + to_text(fewest) + " steps only; with fewer than " +
+          to_text(enough) + " the restitution is off by more than 0.001. Take a step of at most " +
+          to_text(options_.step.si() * fewest / enough) + " s, or leave the step out: it adapts itself."};
 }
 
 }  // namespace moat

@@ -6,6 +6,7 @@
 
 #include "analyses/newmark.hpp"
 #include "analyses/step_equations.hpp"
+#include "analyses/step_control.hpp"
 #include "base/quantity.hpp"
 #include "base/units.hpp"
 #include "model/model.hpp"
@@ -20,8 +21,19 @@ namespace moat {
 struct TransientOptions {
   NewmarkScheme scheme = NewmarkScheme::average_acceleration();
 
-  /// >= 0 s. Length of a step; 0: half the interval between two samples of the motion.
+  /// >= 0 s. Length of a fixed step; 0: the step adapts itself (next three options).
   Time step{};
+
+  /// > 0. Adaptive step: the error of acceleration that one step may add, relative to the largest absolute
+  /// acceleration so far. Steps are the interval of the motion's samples divided by powers of two.
+  double tolerance = 1e-4;
+
+  /// >= 4. Adaptive step: steps within the duration of one contact, estimated with the masses of the joined nodes
+  /// alone. 32 give restitution to 1e-3, 1024 to 1e-6. A fixed step with fewer than 32 warns.
+  int steps_per_contact = 32;
+
+  /// >= 0, <= 40. Adaptive step: how often the interval of the samples may be halved.
+  int largest_halvings = 16;
 
   /// >= 0 s. Where the analysis ends; 0: at the last sample of the motion.
   Time end{};
@@ -46,7 +58,8 @@ struct TransientOptions {
 ///
 /// Newmark's method with Newton-Raphson in every step. Touch and separation of gaps are located: the step
 /// that would cross one is solved again, shorter, until it ends there; then the acceleration is computed
-/// anew from the forces after the change, and one odd step leads back to the time grid.
+/// anew from the forces after the change, and one odd step leads back to the time grid. The step follows the
+/// physics (analyses/step_control.hpp) unless it is fixed.
 ///
 /// A step that does not converge is cut in half; if that does not help, advance() throws ConvergenceError
 /// naming time, step, residual and the worst degree of freedom. It is never accepted.
@@ -70,13 +83,14 @@ class Transient {
   [[nodiscard]] const Model& model() const { return *model_; }
   [[nodiscard]] const GroundMotion& motion() const { return motion_; }
   [[nodiscard]] const SolverStatistics& statistics() const { return statistics_; }
-  /// Nominal step, s.
-  [[nodiscard]] double step_size() const { return step_; }
   [[nodiscard]] double end_time() const { return end_; }
   /// One sentence each: scheme, step, tolerances.
   [[nodiscard]] std::vector<std::string> assumptions() const;
+  /// What may spoil the numbers, with what to do about it.
+  [[nodiscard]] std::vector<std::string> warnings() const;
 
  private:
+  [[nodiscard]] double time_after(double h) const;
   bool solve(double h);
   double solve_cutting(double h);
   [[nodiscard]] RegimeScan scan(double h) const;
@@ -90,8 +104,9 @@ class Transient {
   TransientOptions options_;
   StepEquations equations_;
   NewtonSolver newton_;
-  double step_ = 0.0;
+  StepControl control_;
   double end_ = 0.0;
+  double planned_ = 0.0, target_ = 0.0;  // length and end of the step being tried
   Vector acceleration_;
   NewtonReport last_report_;
   std::vector<RegimeChange> changes_;

@@ -31,8 +31,10 @@ class LinkBlock final : public ElementBlock {
     const std::size_t count = infos_.size();
     committed_.resize(count);
     trial_.resize(count);
-    for (auto* values : {&deformations_, &rates_, &forces_, &stiffnesses_, &dampings_, &start_deformations_, &start_rates_})
+    for (auto* values : {&deformations_, &rates_, &forces_, &stiffnesses_, &dampings_})
       values->resize(count, 0.0);
+    starts_.resize(count);
+    accounts_.resize(count);
     return count - 1;
   }
 
@@ -85,12 +87,28 @@ class LinkBlock final : public ElementBlock {
     for (std::size_t i = 0; i < links_.size(); ++i) scatter(links_[i], laws_[i].linear_stiffness(stage), values);
   }
 
-  void commit() override {
-    committed_.swap(trial_);
-    if constexpr (LawWithRegimes<Law>) {
-      start_deformations_ = deformations_;
-      start_rates_ = rates_;
+  void commit(double step) override {
+    for (std::size_t i = 0; i < links_.size(); ++i) {
+      Start& start = starts_[i];
+      const double power = laws_[i].dissipation_rate(trial_[i], deformations_[i], rates_[i]);
+      if (step > 0.0) {
+        Account& account = accounts_[i];
+        account.work += 0.5 * (start.force + forces_[i]) * (deformations_[i] - start.deformation);
+        account.dissipated += dissipated_in_step(i, step, power);
+      }
+      start = {deformations_[i], rates_[i], forces_[i], power};
     }
+    committed_.swap(trial_);
+  }
+
+  void start_energy_account() override {
+    for (std::size_t i = 0; i < links_.size(); ++i)
+      accounts_[i] = {.work = 0.0, .dissipated = 0.0, .stored_at_start = stored(i)};
+  }
+
+  ElementEnergy energy(std::size_t element) const override {
+    const Account& account = accounts_[element];
+    return {account.work, stored(element) - account.stored_at_start, account.dissipated};
   }
 
   std::span<const double> deformations() const override { return deformations_; }
@@ -109,8 +127,11 @@ class LinkBlock final : public ElementBlock {
       for (std::size_t i = 0; i < links_.size(); ++i) {
         // One change may lead straight into another (a touch that is already separating); three visit every phase.
         for (int change = 0; change < 3; ++change) {
-          if (laws_[i].regime_margin(committed_[i], start_deformations_[i], start_rates_[i]) >= 0.0) break;
-          committed_[i] = laws_[i].next_regime(committed_[i], start_deformations_[i], start_rates_[i]);
+          if (laws_[i].regime_margin(committed_[i], starts_[i].deformation, starts_[i].rate) >= 0.0) break;
+          const double stored_before = stored(i);
+          committed_[i] = laws_[i].next_regime(committed_[i], starts_[i].deformation, starts_[i].rate);
+          // A contact that ends while still indented gives up what it had stored.
+          accounts_[i].dissipated += stored_before - stored(i);
           if (change == 0) changes.push_back({block_index, i});
         }
       }
@@ -139,6 +160,31 @@ class LinkBlock final : public ElementBlock {
     int first, second;
     int first_first, first_second, second_first, second_second;
   };
+
+  // The element at the last commit.
+  struct Start {
+    double deformation = 0.0, rate = 0.0, force = 0.0, power = 0.0;
+  };
+  struct Account {
+    double work = 0.0, dissipated = 0.0, stored_at_start = 0.0;
+  };
+
+  double stored(std::size_t i) const { return laws_[i].stored_energy(committed_[i], starts_[i].deformation); }
+
+  // Energy dissipated from the last commit to the trial state; `end_power` is the dissipation rate there.
+  double dissipated_in_step(std::size_t i, double step, double end_power) const {
+    if constexpr (requires(const Law& law, const State& state) { law.dissipated_energy(state, state); }) {
+      // Rate-independent laws know it from their states, also where they yield inside the step.
+      return laws_[i].dissipated_energy(committed_[i], trial_[i]);
+    } else {
+      const Start& start = starts_[i];
+      const double rise = deformations_[i] - start.deformation;
+      const double middle = start.deformation + 0.5 * rise + 0.125 * step * (start.rate - rates_[i]);
+      const double middle_rate = 1.5 * rise / step - 0.25 * (start.rate + rates_[i]);
+      const double middle_power = laws_[i].dissipation_rate(committed_[i], middle, middle_rate);
+      return step / 6.0 * (start.power + 4.0 * middle_power + end_power);
+    }
+  }
 
   static void scatter(const Link& link, double stiffness, double* values) {
     values[link.second_second] += stiffness;
@@ -190,9 +236,9 @@ class LinkBlock final : public ElementBlock {
 
   // The margin where the deformation is interpolated by the cubic through deformation and rate at both ends.
   double margin_inside(std::size_t i, double step, double x) const {
-    const double rise = deformations_[i] - start_deformations_[i];
-    const double left = step * start_rates_[i] - rise, right = rise - step * rates_[i];
-    const double deformation = start_deformations_[i] + x * rise + x * (1.0 - x) * ((1.0 - x) * left + x * right);
+    const double rise = deformations_[i] - starts_[i].deformation;
+    const double left = step * starts_[i].rate - rise, right = rise - step * rates_[i];
+    const double deformation = starts_[i].deformation + x * rise + x * (1.0 - x) * ((1.0 - x) * left + x * right);
     const double slope = rise + (1.0 - x) * (1.0 - 3.0 * x) * left + x * (2.0 - 3.0 * x) * right;
     return laws_[i].regime_margin(committed_[i], deformation, slope / step);
   }
@@ -200,7 +246,7 @@ class LinkBlock final : public ElementBlock {
   // Fraction at which the deformation turns inside the step, 0 if it does not. A linear rate is exact for
   // average acceleration and close enough for others to decide whether to look.
   double turning_point(std::size_t i) const {
-    const double start = start_rates_[i], end = rates_[i];
+    const double start = starts_[i].rate, end = rates_[i];
     return start * end < 0.0 ? start / (start - end) : 0.0;
   }
 
@@ -210,7 +256,8 @@ class LinkBlock final : public ElementBlock {
   std::vector<Link> links_;
   std::vector<State> committed_, trial_;
   std::vector<double> deformations_, rates_, forces_, stiffnesses_, dampings_;
-  std::vector<double> start_deformations_, start_rates_;
+  std::vector<Start> starts_;
+  std::vector<Account> accounts_;
 };
 
 }  // namespace moat

@@ -68,6 +68,10 @@ struct Bilinear {
     const bool slides = std::abs(stretch) >= limit * (1.0 - 1e-12) && stretch * rate > 0.0;
     return slides ? (initial_stiffness() - post_yield_stiffness.si()) * limit * std::abs(rate) : 0.0;
   }
+  /// Exact for any path from one state to the other along which the slip grows or falls only: (k1 - k2) d_y |ds|.
+  double dissipated_energy(const State& from, const State& to) const {
+    return (initial_stiffness() - post_yield_stiffness.si()) * yield_displacement.si() * std::abs(to.slip - from.slip);
+  }
   double linear_stiffness(StiffnessStage stage) const {
     return stage == StiffnessStage::initial ? initial_stiffness() : post_yield_stiffness.si();
   }

@@ -25,7 +25,9 @@ struct NoState {};
 ///     Response evaluate(State const& committed, double deformation, double rate, State& trial) const
 ///
 /// is pure: the same arguments give the same answer, and the committed state is never written.
-/// stored_energy() is the recoverable part, J; dissipation_rate() is the power turned into heat, W, >= 0.
+/// stored_energy() is the recoverable part, J; dissipation_rate() is the power turned into heat, W, >= 0. A
+/// rate-independent law may offer dissipated_energy(from, to), the heat between two of its states, J: its rate jumps
+/// where it yields, which no quadrature over a step resolves.
 template <class Law>
 concept ForceLaw = std::is_trivially_copyable_v<typename Law::State> &&
     std::default_initializable<typename Law::State> &&

@@ -29,6 +29,14 @@ std::string terminal_summary(const CaseResult& result) {
     text += line;
   }
   text += "\n" + peak_table(result);
+  const EnergyBalance& energy = result.energy;
+  std::snprintf(line, sizeof line, "\nenergy [kJ]\n  input %.4g = kinetic %.4g + strain %.4g + viscous %.4g + hysteretic %.4g",
+                energy.input / 1e3, energy.kinetic / 1e3, energy.strain / 1e3, energy.viscous / 1e3,
+                energy.hysteretic / 1e3);
+  text += line;
+  std::snprintf(line, sizeof line, " + impact %.4g + error %.2g\n", energy.impact / 1e3,
+                (energy.integration_error - energy.equation_residual) / 1e3);
+  text += line;
   std::snprintf(line, sizeof line, "\n%zu impact%s, %ld steps, %ld Newton iterations, %.3g s of processor time\n",
                 result.impacts.size(), result.impacts.size() == 1 ? "" : "s", result.solver.accepted_steps,
                 result.solver.newton_iterations, result.solver.cpu_seconds);

@@ -169,7 +169,8 @@ int Script::run(Model& model, const GroundMotion& motion) {
   const std::filesystem::path default_folder = std::filesystem::path{"results"} / line.program;
   const std::string wanted = text("out", default_folder.string(), "results folder; an existing one gets a new number");
   const bool force = line.look_up_flag("force", "overwrite an existing results folder");
-  const Time step = time("step", 0.5 * motion.time_step() * units::s, "largest time step");
+  const Time step = time("step", 0 * units::s, "fixed time step; 0 s adapts it");
+  const double tolerance = number("tolerance", TransientOptions{}.tolerance, "error per step of an adapted step");
   const Time end = time("end", motion.duration() * units::s, "end of the analysis");
   const Time frame_interval = time("frame-interval", 50 * units::ms, "between VTK frames; 0 s writes none");
   const bool quiet = line.look_up_flag("quiet", "print errors only");
@@ -180,7 +181,7 @@ int Script::run(Model& model, const GroundMotion& motion) {
     return code == 0 ? 0 : exit_usage;
   }
 
-  CaseRun run{model, motion, {.title = line.app.get_description(), .transient = {.step = step, .end = end}}};
+  CaseRun run{model, motion, {.title = line.app.get_description(), .transient = {.step = step, .tolerance = tolerance, .end = end}}};
   const std::filesystem::path folder =
       make_results_folder(wanted, force ? WhenFolderExists::overwrite : WhenFolderExists::use_new_number);
   std::optional<FrameRecorder> frames;
@@ -205,6 +206,7 @@ int Script::run(Model& model, const GroundMotion& motion) {
   const CaseResult result = run.result();
   write_results(result, folder);
   if (!quiet) std::cout << terminal_summary(result) << "Results: " << folder.string() << "/  (report.html, frames.pvd for ParaView)\n";
+  for (const std::string& warning : result.warnings) std::cerr << "moat: warning: " << warning << "\n";
   if (!failure.empty()) std::cerr << "moat: error: " << failure << "\n";
   return exit_code;
 }

@@ -1,7 +1,7 @@
 #include "base/parse_quantity.hpp"
 
+#include <algorithm>
 #include <array>
-#include <cctype>
 #include <charconv>
 #include <cmath>
 #include <optional>
@@ -76,19 +76,28 @@ void multiply(Unit& unit, std::string_view factor, int sign, std::string_view wh
 Unit parse_unit(std::string_view unit_text, std::string_view what, std::string_view text) {
   Unit unit;
   int sign = 1;
-  std::size_t at = 0;
+  bool joined = false;  // a / or * waits for the unit behind it
+  const auto refuse_sign = [&] { refuse(what, text, "has a / or * that joins nothing in its unit."); };
+  std::size_t at = unit_text.find_first_not_of(" \t");
+  // "5 1/s" as messages write it.
+  if (at != std::string_view::npos && unit_text.substr(at).starts_with("1/")) ++at;
   while (at < unit_text.size()) {
     const char c = unit_text[at];
-    if (c == '/') sign = -1;
-    if (c == '/' || c == '*' || std::isspace(static_cast<unsigned char>(c)) != 0) {
+    if (c == '/' || c == '*') {
+      if (joined) refuse_sign();
+      joined = true;
+      if (c == '/') sign = -1;
       ++at;
-      continue;
+    } else if (c == ' ' || c == '\t') {
+      ++at;
+    } else {
+      const std::size_t end = std::min(unit_text.find_first_of("/* \t", at), unit_text.size());
+      multiply(unit, unit_text.substr(at, end - at), sign, what, text);
+      joined = false;
+      at = end;
     }
-    std::size_t end = unit_text.find_first_of("/* \t", at);
-    if (end == std::string_view::npos) end = unit_text.size();
-    multiply(unit, unit_text.substr(at, end - at), sign, what, text);
-    at = end;
   }
+  if (joined) refuse_sign();
   return unit;
 }
 
@@ -98,7 +107,7 @@ double parse_si(std::string_view text, std::string_view what, int mass, int half
   const std::string wanted = unit_symbol(mass, half_length, time);
   std::size_t start = text.find_first_not_of(" \t");
   if (start == std::string_view::npos) start = text.size();
-  if (start < text.size() && text[start] == '+') ++start;
+  if (start + 1 < text.size() && text[start] == '+' && text[start + 1] != '-') ++start;
   double number = 0.0;
   const auto [end, error] = std::from_chars(text.data() + start, text.data() + text.size(), number);
   if (error != std::errc{} || !std::isfinite(number))
@@ -111,7 +120,10 @@ double parse_si(std::string_view text, std::string_view what, int mass, int half
   if (unit.mass != mass || unit.half_length != half_length || unit.time != time)
     refuse(what, text, "is in " + unit_symbol(unit.mass, unit.half_length, unit.time) + ", but it must be in " +
                            (wanted == "1" ? std::string{"no unit: a plain number"} : wanted + " or multiples of it") + ".");
-  return number * unit.si;
+  if (has_unit && wanted == "1") refuse(what, text, "has a unit, but it must be a plain number.");
+  const double value = number * unit.si;
+  if (!std::isfinite(value)) refuse(what, text, "is too large.");
+  return value;
 }
 
 }  // namespace moat

@@ -48,15 +48,29 @@ class Quantity {
   constexpr Quantity& operator*=(double factor) { si_ *= factor; return *this; }
   constexpr Quantity& operator/=(double divisor) { si_ /= divisor; return *this; }
 
-  friend constexpr Quantity operator+(Quantity a, Quantity b) { return Quantity{a.si_ + b.si_}; }
-  friend constexpr Quantity operator-(Quantity a, Quantity b) { return Quantity{a.si_ - b.si_}; }
+  // Without dimension these are those of double: both kinds together would leave `gap / cm > 10` ambiguous.
+  friend constexpr Quantity operator+(Quantity a, Quantity b)
+    requires(!dimensionless)
+  {
+    return Quantity{a.si_ + b.si_};
+  }
+  friend constexpr Quantity operator-(Quantity a, Quantity b)
+    requires(!dimensionless)
+  {
+    return Quantity{a.si_ - b.si_};
+  }
+  friend constexpr auto operator<=>(Quantity a, Quantity b)
+    requires(!dimensionless)
+  = default;
+  friend constexpr bool operator==(Quantity a, Quantity b)
+    requires(!dimensionless)
+  = default;
   friend constexpr Quantity operator*(double factor, Quantity q) { return Quantity{factor * q.si_}; }
   friend constexpr Quantity operator*(Quantity q, double factor) { return Quantity{q.si_ * factor}; }
   friend constexpr Quantity operator/(Quantity q, double divisor) { return Quantity{q.si_ / divisor}; }
   friend constexpr Quantity<-mass, -half_length, -time> operator/(double number, Quantity q) {
     return Quantity<-mass, -half_length, -time>{number / q.si_};
   }
-  friend constexpr auto operator<=>(Quantity a, Quantity b) = default;
 
  private:
   double si_ = 0.0;

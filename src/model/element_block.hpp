@@ -48,6 +48,17 @@ struct RegimeChange {
   std::size_t element = 0;  ///< index in that block
 };
 
+/// Where the work done on an element went, J. Work is formed from forces and deformations, what was stored from the
+/// law's potential, what was dissipated from the law's own dissipation: three independent numbers, so that their
+/// difference is an error of the time integration and not zero by construction.
+struct ElementEnergy {
+  double work = 0.0;        ///< mean force of every step times its change of deformation
+  double stored = 0.0;      ///< recoverable energy now less that at the start
+  double dissipated = 0.0;  ///< integral of dissipation_rate, and what changes of regime released
+
+  [[nodiscard]] double error() const { return work - stored - dissipated; }
+};
+
 /// A contact as a gap element sees it.
 struct ContactView {
   bool touching = false;        ///< from touch until the gap opens, also while the force is zero
@@ -85,8 +96,14 @@ class ElementBlock {
   /// Adds the constant stiffness of a linear analysis.
   virtual void add_linear_stiffness(StiffnessStage stage, double* values) const = 0;
 
-  /// The trial states of the last evaluate() become the committed ones.
-  virtual void commit() = 0;
+  /// The trial states of the last evaluate() become the committed ones, `step` seconds after the last commit.
+  /// Adds the step to the energy account of every element; a step of 0 is the same instant again.
+  virtual void commit(double step) = 0;
+
+  /// Starts the energy account of every element at the committed state.
+  virtual void start_energy_account() = 0;
+  /// Energy account of an element since then.
+  [[nodiscard]] virtual ElementEnergy energy(std::size_t element) const = 0;
 
   /// Results of the last evaluate(), one entry per element: m, m/s, N.
   [[nodiscard]] virtual std::span<const double> deformations() const = 0;

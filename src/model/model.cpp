@@ -1,5 +1,7 @@
 #include "model/model.hpp"
 
+#include <algorithm>
+
 #include "base/check.hpp"
 #include "base/error.hpp"
 
@@ -111,7 +113,7 @@ void Model::prepare() {
   trial_ = state_;
   prepared_ = true;
   evaluate();
-  for (const auto& block : blocks_) block->commit();
+  for (const auto& block : blocks_) block->commit(0.0);
 }
 
 void Model::evaluate() {
@@ -138,12 +140,17 @@ void Model::assemble_linear_stiffness(StiffnessStage stage, SparseMatrix& matrix
 }
 
 void Model::commit() {
+  const double step = trial_.time - state_.time;
   state_.time = trial_.time;
   // Swapping would leave an old state in the trial, which starts the next step's prediction.
   state_.displacement = trial_.displacement;
   state_.velocity = trial_.velocity;
   state_.acceleration = trial_.acceleration;
-  for (const auto& block : blocks_) block->commit();
+  for (const auto& block : blocks_) block->commit(step);
+}
+
+void Model::start_energy_account() {
+  for (const auto& block : blocks_) block->start_energy_account();
 }
 
 RegimeScan Model::scan_regimes(double step, double aim) const {

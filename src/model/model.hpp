@@ -96,8 +96,10 @@ class Model {
                         SparseMatrix& matrix) const;
   /// matrix := stiffness of a linear analysis.
   void assemble_linear_stiffness(StiffnessStage stage, SparseMatrix& matrix) const;
-  /// The trial state of nodes and elements becomes the committed one.
+  /// The trial state of nodes and elements becomes the committed one; energy accounts grow by the step between them.
   void commit();
+  /// Starts the energy accounts of all elements at the committed state.
+  void start_energy_account();
   /// Looks for changes of regime between the committed and the trial state, `step` seconds apart;
   /// `aim` <= 0 is where a located step should end (RegimeScan).
   [[nodiscard]] RegimeScan scan_regimes(double step, double aim) const;

@@ -26,12 +26,44 @@ struct Impact {
   double largest_indentation = 0.0;  ///< m
   double largest_force = 0.0;        ///< N
   double rebound_ratio = 0.0;        ///< separation speed over approach speed, as it happened in the building
+  double energy_lost = 0.0;          ///< J
+};
+
+/// Energy dissipated by the elements reported at one place.
+struct DissipatedEnergy {
+  std::string where;
+  double value = 0.0;  ///< J
+};
+
+/// Where the energy that the ground put into the structure went, in the frame of the ground, J.
+///
+///     kinetic + strain + viscous + hysteretic + impact = input at the start + input + errors
+struct EnergyBalance {
+  double input = 0.0;       ///< work of the inertia forces of the ground motion: - sum of m a_g du
+  double kinetic = 0.0;     ///< of motion relative to the ground, now less that at the start
+  double strain = 0.0;      ///< recoverable, now less that at the start
+  double viscous = 0.0;     ///< dissipated by dampers and the viscous part of springs
+  double hysteretic = 0.0;  ///< dissipated by bearings
+  double impact = 0.0;      ///< lost in impacts
+
+  /// kinetic + work of all elements - input: zero but for round-off and the force tolerance with average
+  /// acceleration, of second order with other schemes.
+  double equation_residual = 0.0;
+  /// Work of all elements less what they stored and dissipated: the error of the time integration.
+  double integration_error = 0.0;
+  double largest_input = 0.0;     ///< over time; what the errors are judged against
+  std::string worst_element;      ///< with the largest error
+  double worst_element_error = 0.0;
+
+  std::vector<DissipatedEnergy> bearings;  ///< hysteretic, by place
+  std::vector<DissipatedEnergy> gaps;      ///< impact, by gap
 };
 
 /// What the solution cost.
 struct SolverStatistics {
   long accepted_steps = 0;
   long rejected_steps = 0;     ///< cut because Newton did not converge
+  long repeated_steps = 0;     ///< repeated shorter because the error estimate was too large
   long event_solves = 0;       ///< solved again to land on a touch or separation
   long events = 0;             ///< touches, separations and other located changes of regime
   long newton_iterations = 0;
@@ -61,7 +93,9 @@ struct CaseResult {
   std::vector<Peak> peaks;
   std::vector<Impact> impacts;
   Table histories;
+  EnergyBalance energy;
   SolverStatistics solver;
+  std::vector<std::string> warnings;     ///< what may spoil the numbers, with what to do about it
   std::vector<std::string> assumptions;  ///< one sentence each: scheme, step, damping, sign conventions ...
 };
 

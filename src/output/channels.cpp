@@ -1,5 +1,7 @@
 #include "output/channels.hpp"
 
+#include <algorithm>
+
 namespace moat {
 
 Channels::Channels(const Model& model) {
@@ -44,7 +46,10 @@ void Channels::sample(const StepView& view, std::vector<double>& values) const {
   }
   for (const ElementChannel& channel : elements_) {
     const ElementBlock& block = *view.model.blocks()[channel.block];
-    values[next++] = channel.force ? block.forces()[channel.element] : block.deformations()[channel.element];
+    const double deformation = block.deformations()[channel.element];
+    // An open gap is not indented.
+    const bool gap = block.info(channel.element).kind == ElementKind::gap;
+    values[next++] = channel.force ? block.forces()[channel.element] : gap ? std::max(deformation, 0.0) : deformation;
   }
   const Vector& mass = view.model.masses();
   for (const BaseShear& shear : view.model.base_shears()) {

@@ -2,16 +2,17 @@
 #pragma once
 
 #include "output/channels.hpp"
+#include "output/energy_ledger.hpp"
 #include "output/table.hpp"
 
 namespace moat {
 
 /// Keeps time, ground acceleration and every channel at a constant interval: at the first grid time of the
-/// analysis at or after each multiple of it.
+/// analysis at or after each multiple of it. With a ledger also the energies, at place "structure".
 class HistoryRecorder final : public StepObserver {
  public:
-  /// interval: s, > 0.
-  HistoryRecorder(const Model& model, double interval);
+  /// interval: s, > 0. ledger: must outlive the recorder and be attached before it; may be null.
+  HistoryRecorder(const Model& model, double interval, const EnergyLedger* ledger = nullptr);
 
   void start(const StepView& view) override;
   void step(const StepView& view) override;
@@ -25,6 +26,7 @@ class HistoryRecorder final : public StepObserver {
 
   Channels channels_;
   double interval_;
+  const EnergyLedger* ledger_;
   long next_ = 0;
   std::vector<double> values_;
   Table table_;

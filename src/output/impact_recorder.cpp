@@ -50,7 +50,7 @@ void ImpactRecorder::event(const StepView& view, std::span<const RegimeChange> c
 
 void ImpactRecorder::open(const StepView& view, RegimeChange gap) {
   const ElementBlock& block = *view.model.blocks()[gap.block];
-  ongoing_.push_back({gap, impacts_.size(), {}, {}});
+  ongoing_.push_back({gap, impacts_.size(), {}, {}, block.energy(gap.element).dissipated});
   impacts_.push_back({.where = block.info(gap.element).name,
                       .start = view.model.state().time,
                       .approach_speed = block.contact(gap.element).approach_speed});
@@ -61,6 +61,8 @@ void ImpactRecorder::close(const StepView& view, const Ongoing& contact, bool se
   impact.duration = view.model.state().time - impact.start;
   impact.largest_indentation = contact.indentation.magnitude();
   impact.largest_force = contact.force.magnitude();
+  impact.energy_lost =
+      view.model.blocks()[contact.gap.block]->energy(contact.gap.element).dissipated - contact.dissipated_before;
   const double separation_speed = -view.model.blocks()[contact.gap.block]->rates()[contact.gap.element];
   impact.rebound_ratio =
       separated ? separation_speed / impact.approach_speed : std::numeric_limits<double>::quiet_NaN();

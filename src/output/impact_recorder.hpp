@@ -26,6 +26,7 @@ class ImpactRecorder final : public StepObserver {
     RegimeChange gap;
     std::size_t impact;
     PeakTracker indentation, force;
+    double dissipated_before;
   };
 
   void follow(const StepView& view, bool after_event);

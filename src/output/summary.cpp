@@ -51,8 +51,30 @@ void write_summary_json(const CaseResult& result, const std::filesystem::path& p
     for (const ImpactColumn& column : impact_columns) row[column.name] = impact.*column.value;
     json["impact_table"].push_back(std::move(row));
   }
+  const EnergyBalance& energy = result.energy;
+  const auto by_place = [](const std::vector<DissipatedEnergy>& list) {
+    Json entries = Json::array();
+    for (const DissipatedEnergy& entry : list) entries.push_back(Json{{"where", entry.where}, {"value", entry.value}});
+    return entries;
+  };
+  json["energy"] = {{"unit", "J"},
+                    {"input", energy.input},
+                    {"kinetic", energy.kinetic},
+                    {"strain", energy.strain},
+                    {"viscous", energy.viscous},
+                    {"hysteretic", energy.hysteretic},
+                    {"impact", energy.impact},
+                    {"equation_residual", energy.equation_residual},
+                    {"integration_error", energy.integration_error},
+                    {"largest_input", energy.largest_input},
+                    {"worst_element", energy.worst_element},
+                    {"worst_element_error", energy.worst_element_error},
+                    {"bearings", by_place(energy.bearings)},
+                    {"gaps", by_place(energy.gaps)}};
+  json["warnings"] = result.warnings;
   json["solver"] = {{"accepted_steps", result.solver.accepted_steps},
                     {"rejected_steps", result.solver.rejected_steps},
+                    {"repeated_steps", result.solver.repeated_steps},
                     {"event_solves", result.solver.event_solves},
                     {"events", result.solver.events},
                     {"newton_iterations", result.solver.newton_iterations},

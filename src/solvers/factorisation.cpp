@@ -41,7 +41,9 @@ struct Factorisation::Factors {
   bool factorise_anew() {
     klu_free_numeric(&numeric, &common);
     numeric = klu_factor(column_starts.data(), row_indices.data(), values.data(), symbolic, &common);
-    return numeric != nullptr && common.status == KLU_OK;
+    // KLU takes a pivot that is not a number for one that is not zero; its condition estimate does not.
+    return numeric != nullptr && common.status == KLU_OK && klu_rcond(symbolic, numeric, &common) != 0 &&
+           common.rcond > 0.0;
   }
 
   // Refactorisation keeps the pivots of the first matrix; they may be poor ones for this matrix.

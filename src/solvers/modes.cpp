@@ -3,6 +3,7 @@
 #include <Eigen/Eigenvalues>
 #include <Spectra/SymEigsShiftSolver.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -63,13 +64,17 @@ EigenPairs solve_dense(const SparseMatrix& matrix, int count) {
   return {solver.eigenvalues().head(count), solver.eigenvectors().leftCols(count)};
 }
 
-EigenPairs solve_sparse(const SparseMatrix& matrix, int count) {
-  double largest_diagonal = 0.0;
+double largest_diagonal(const SparseMatrix& matrix) {
+  double largest = 0.0;
   for (int i = 0; i < matrix.size; ++i)
-    largest_diagonal = std::max(largest_diagonal, matrix.values[static_cast<std::size_t>(matrix.slot(i, i))]);
+    largest = std::max(largest, matrix.values[static_cast<std::size_t>(matrix.slot(i, i))]);
+  return largest;
+}
+
+EigenPairs solve_sparse(const SparseMatrix& matrix, int count) {
   ShiftedInverse inverse{matrix};
   // A shift slightly below zero keeps rigid-body modes solvable.
-  const double shift = -1e-6 * largest_diagonal;
+  const double shift = -1e-6 * largest_diagonal(matrix);
   const int subspace = std::min(matrix.size, std::max(2 * count + 10, 30));
   Spectra::SymEigsShiftSolver<ShiftedInverse> solver{inverse, count, subspace, shift};
   solver.init();
@@ -91,9 +96,13 @@ std::vector<Mode> slowest_modes(const SparseMatrix& stiffness, const Vector& mas
   const SparseMatrix scaled = mass_scaled(stiffness, root_mass);
   const bool dense = scaled.size <= largest_dense_size || count > scaled.size / 2;
   const EigenPairs pairs = dense ? solve_dense(scaled, count) : solve_sparse(scaled, count);
+  // The eigenvalue of a rigid-body mode is round-off of the largest ones, of either sign.
+  const double round_off = 16.0 * std::numeric_limits<double>::epsilon() * largest_diagonal(scaled);
   std::vector<Mode> modes;
-  for (int i = 0; i < count; ++i)
-    modes.push_back({std::sqrt(std::max(pairs.values[i], 0.0)), pairs.vectors.col(i).cwiseQuotient(root_mass)});
+  for (int i = 0; i < count; ++i) {
+    const double eigenvalue = pairs.values[i] > round_off ? pairs.values[i] : 0.0;
+    modes.push_back({std::sqrt(eigenvalue), pairs.vectors.col(i).cwiseQuotient(root_mass)});
+  }
   return modes;
 }
 

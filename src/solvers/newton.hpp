@@ -34,7 +34,7 @@ struct NewtonOptions {
 struct NewtonReport {
   bool converged = false;
   int iterations = 0;
-  double residual = 0.0;            ///< largest residual over residual_scale()
+  double residual = 0.0;            ///< largest residual over residual_scale(); NaN where it is not a number
   int worst_degree_of_freedom = 0;  ///< where it is
 };
 

@@ -21,8 +21,15 @@ CaseResult example() {
                   {"absolute_acceleration", "floor 5", 12.5, "m/s^2", 12.25},
                   {"displacement", "floor 5", 0.05, "m", 14.5},
                   {"impact_force", "moat left", 25.65e6, "N", 4.25}};
-  result.impacts = {{"moat left", 3.25, 0.125, 0.5, 0.01, 2.5e7, 0.75}, {"moat right", 5.0, 0.25, 1.5, 0.02, 3e7, 0.5}};
-  result.solver = {11, 12, 13, 14, 15, 16, 0.5};
+  result.impacts = {{"moat left", 3.25, 0.125, 0.5, 0.01, 2.5e7, 0.75, 1e5},
+                    {"moat right", 5.0, 0.25, 1.5, 0.02, 3e7, 0.5, 2e5}};
+  result.solver = {.accepted_steps = 11,
+                   .rejected_steps = 12,
+                   .event_solves = 13,
+                   .events = 14,
+                   .newton_iterations = 15,
+                   .factorisations = 16,
+                   .cpu_seconds = 0.5};
   result.assumptions = {"Average acceleration.", "Signs: tension positive."};
   return result;
 }

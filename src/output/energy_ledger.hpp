@@ -1,0 +1,31 @@
+// Where the energy of an analysis went.
+#pragma once
+
+#include "output/case_result.hpp"
+#include "output/step_observer.hpp"
+
+namespace moat {
+
+/// Keeps the energy balance of an analysis, step by step, in the frame of the ground.
+///
+/// For average acceleration the change of kinetic energy in a step equals the mean force times the change of
+/// displacement exactly, so that `equation_residual` is an identity. `integration_error` is a real check: every
+/// element's work against its potential and its independently integrated dissipation.
+class EnergyLedger final : public StepObserver {
+ public:
+  void start(const StepView& view) override;
+  void step(const StepView& view) override;
+  void event(const StepView&, std::span<const RegimeChange>) override {}
+  void finish(const StepView&) override {}
+
+  /// The balance at the model's committed state. Walks over all elements.
+  [[nodiscard]] EnergyBalance balance(const Model& model) const;
+
+ private:
+  Vector displacement_;
+  double ground_acceleration_ = 0.0;
+  double kinetic_at_start_ = 0.0;
+  double input_ = 0.0, largest_input_ = 0.0;
+};
+
+}  // namespace moat

@@ -1,0 +1,156 @@
+#include "base/parse_quantity.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+#include <utility>
+
+#include "base/units.hpp"
+#include "message_of.hpp"
+
+namespace moat {
+namespace {
+
+using namespace units;
+using testing::message_of;
+
+template <class Q>
+double si(const char* text) {
+  return parse<Q>(text, "--value").si();
+}
+
+template <class Q>
+std::string refusal(const char* text) {
+  return message_of([&] { parse<Q>(text, "--value"); });
+}
+
+TEST(ParseQuantity, ReadsANumberWithItsUnit) {
+  EXPECT_DOUBLE_EQ(si<Length>("10 cm"), 0.1);
+  EXPECT_DOUBLE_EQ(si<Length>("10cm"), 0.1);
+  EXPECT_DOUBLE_EQ(si<Length>("  10   cm  "), 0.1);
+  EXPECT_DOUBLE_EQ(si<Length>("\t10\tcm\t"), 0.1);
+  EXPECT_DOUBLE_EQ(si<Length>("1.5e2 mm"), 0.15);
+  EXPECT_DOUBLE_EQ(si<Length>("1.5E+2mm"), 0.15);
+  EXPECT_DOUBLE_EQ(si<Length>(".1 m"), 0.1);
+  EXPECT_DOUBLE_EQ(si<Length>("0.02km"), 20.0);
+  EXPECT_DOUBLE_EQ(si<Length>("+10 cm"), 0.1);
+  EXPECT_DOUBLE_EQ(si<Length>("-10 cm"), -0.1);
+  EXPECT_EQ(si<Length>("0 m"), 0.0);
+}
+
+TEST(ParseQuantity, KnowsTheUnitsOfTheHeader) {
+  EXPECT_DOUBLE_EQ(si<Time>("2.5 ms"), 0.0025);
+  EXPECT_DOUBLE_EQ(si<Time>("2 min"), 120.0);
+  EXPECT_DOUBLE_EQ(si<Mass>("550 tonne"), 550e3);
+  EXPECT_DOUBLE_EQ(si<Mass>("550 t"), 550e3);
+  EXPECT_DOUBLE_EQ(si<Mass>("3 kg"), 3.0);
+  EXPECT_DOUBLE_EQ(si<Force>("1.93 MN"), 1.93e6);
+  EXPECT_DOUBLE_EQ(si<Force>("2 kN"), 2e3);
+  EXPECT_DOUBLE_EQ(si<Force>("2 GN"), 2e9);
+  EXPECT_DOUBLE_EQ(si<Energy>("2 J"), 2.0);
+  EXPECT_DOUBLE_EQ(si<Energy>("2 kJ"), 2e3);
+  EXPECT_DOUBLE_EQ(si<Energy>("2 MJ"), 2e6);
+  EXPECT_DOUBLE_EQ(si<Frequency>("2 Hz"), 2.0);
+  EXPECT_DOUBLE_EQ(si<Acceleration>("0.4g"), 0.4 * 9.80665);
+}
+
+TEST(ParseQuantity, ReadsUnitsThatAreMadeOfOthers) {
+  EXPECT_DOUBLE_EQ(si<Stiffness>("1.93 MN/cm"), 1.93e8);
+  EXPECT_DOUBLE_EQ(si<Stiffness>("1e9 N / m"), 1e9);
+  EXPECT_DOUBLE_EQ(si<DampingCoefficient>("3 kN s/m"), 3e3);
+  EXPECT_DOUBLE_EQ(si<DampingCoefficient>("3 kN*s/m"), 3e3);
+  EXPECT_DOUBLE_EQ(si<DampingCoefficient>("3 kN s m^-1"), 3e3);
+  EXPECT_DOUBLE_EQ(si<Acceleration>("981 cm/s^2"), 9.81);
+  EXPECT_DOUBLE_EQ(si<Acceleration>("981 cm/s/s"), 9.81);
+  EXPECT_DOUBLE_EQ(si<Speed>("36 km/min"), 600.0);
+  EXPECT_DOUBLE_EQ(si<HertzStiffness>("2.95e9 N/m^1.5"), 2.95e9);
+  EXPECT_DOUBLE_EQ(si<HertzStiffness>("1 kN/mm^1.5"), 1e3 / std::pow(1e-3, 1.5));
+  EXPECT_DOUBLE_EQ(si<Force>("2 kg m/s^2"), 2.0);
+  EXPECT_DOUBLE_EQ(si<Frequency>("5 s^-1"), 5.0);
+  EXPECT_DOUBLE_EQ(si<Frequency>("5 1/s"), 5.0);
+  EXPECT_DOUBLE_EQ(si<Frequency>("5/s"), 5.0);
+  EXPECT_DOUBLE_EQ(si<Length>("10*cm"), 0.1);
+}
+
+TEST(ParseQuantity, DividesByAllThatFollowsASlash) {
+  EXPECT_DOUBLE_EQ(si<Acceleration>("981 cm/s s"), 9.81);
+  EXPECT_DOUBLE_EQ(si<Acceleration>("981 cm/s*s"), 9.81);
+}
+
+TEST(ParseQuantity, WithoutDimensionAPlainNumber) {
+  EXPECT_DOUBLE_EQ(si<Dimensionless>("0.65"), 0.65);
+  EXPECT_DOUBLE_EQ(si<Dimensionless>(" -1e-3 "), -1e-3);
+}
+
+TEST(ParseQuantity, WithoutDimensionTakesNoUnit) {
+  EXPECT_EQ(refusal<Dimensionless>("5 cm"),
+            "--value: \"5 cm\" is in m, but it must be in no unit: a plain number.");
+  // Centimetres per metre would be a factor of 0.01 that nobody sees.
+  EXPECT_EQ(refusal<Dimensionless>("5 cm/m"),
+            "--value: \"5 cm/m\" has a unit, but it must be a plain number.");
+}
+
+TEST(ParseQuantity, RefusesANumberWithoutUnit) {
+  for (const char* text : {"12", "12 ", "-3e2"})
+    EXPECT_EQ(refusal<Length>(text), "--value: \"" + std::string{text} +
+                                         "\" has no unit. Write the unit behind the number, in m for example.");
+}
+
+TEST(ParseQuantity, RefusesWhatIsNoNumber) {
+  for (const char* text : {"", " ", "cm", "ten cm", "- 5 cm", "+-5 cm", "++5 cm", "nan m", "inf m", "-inf m", "1e999 m",
+                           ",5 m", "--5 m", "/s"})
+    EXPECT_EQ(refusal<Length>(text),
+              "--value: \"" + std::string{text} +
+                  "\" does not start with a number. Write a number with its unit, in m for example.");
+}
+
+TEST(ParseQuantity, RefusesAValueBeyondTheLargestNumber) {
+  EXPECT_EQ(refusal<Length>("1e308 km"), "--value: \"1e308 km\" is too large.");
+}
+
+TEST(ParseQuantity, RefusesAnUnknownUnitByName) {
+  for (const auto& [text, unit] : {std::pair{"12 furlong", "furlong"},
+                                   {"12 CM", "CM"},
+                                   {"12,5 cm", ",5"},
+                                   {"0x10 m", "x10"},
+                                   {"12 cm 3", "3"},
+                                   {"12 kN/M", "M"},
+                                   {"1e m", "e"},
+                                   {"12 ^2", ""}})
+    EXPECT_EQ(refusal<Length>(text),
+              "--value: \"" + std::string{text} + "\" has an unknown unit \"" + unit +
+                  "\". Known are m mm cm km s ms min kg t tonne N kN MN GN J kJ MJ Hz and g (gravity), joined by / or a "
+                  "blank, with powers as in N/m^1.5.");
+}
+
+TEST(ParseQuantity, RefusesAnotherDimensionAndNamesBoth) {
+  EXPECT_EQ(refusal<Length>("12 kg"), "--value: \"12 kg\" is in kg, but it must be in m or multiples of it.");
+  EXPECT_EQ(refusal<Length>("12 cm^2"), "--value: \"12 cm^2\" is in m^2, but it must be in m or multiples of it.");
+  EXPECT_EQ(refusal<HertzStiffness>("3e9 N/m"),
+            "--value: \"3e9 N/m\" is in N/m, but it must be in N/m^1.5 or multiples of it.");
+  // g is gravity, not gram.
+  EXPECT_EQ(refusal<Mass>("5 g"), "--value: \"5 g\" is in m/s^2, but it must be in kg or multiples of it.");
+  EXPECT_EQ(refusal<Length>("1 cm/cm"), "--value: \"1 cm/cm\" is in 1, but it must be in m or multiples of it.");
+}
+
+TEST(ParseQuantity, RefusesPowersThatAreNotHalves) {
+  for (const auto& [text, factor] : {std::pair{"1 m^1.3", "m^1.3"},
+                                     {"1 m^", "m^"},
+                                     {"1 m^two", "m^two"},
+                                     {"1 m^2x", "m^2x"},
+                                     {"1 m^1e9", "m^1e9"},
+                                     {"1 m^nan", "m^nan"},
+                                     {"1 N^0.5", "N^0.5"}})
+    EXPECT_EQ(refusal<Length>(text), "--value: \"" + std::string{text} +
+                                         "\" has a power that is not a whole or half number: \"" + factor + "\".");
+}
+
+TEST(ParseQuantity, RefusesSignsThatJoinNothing) {
+  for (const char* text : {"10 cm/", "10 /", "10 cm//s", "10 cm*", "10 cm**s", "10 cm / / s", "10 cm/*s"})
+    EXPECT_EQ(refusal<Length>(text),
+              "--value: \"" + std::string{text} + "\" has a / or * that joins nothing in its unit.");
+}
+
+}  // namespace
+}  // namespace moat

@@ -1,0 +1,289 @@
+#include "solvers/newton.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <thread>
+#include <vector>
+
+#include "counted_new.hpp"
+#include "matrices.hpp"
+#include "message_of.hpp"
+#include "solvers/factorisation.hpp"
+
+namespace moat {
+namespace {
+
+using testing::message_of;
+
+// x^2 + y^2 = 4, x y = 1, with its root in the first quadrant: x = (sqrt 6 + sqrt 2)/2, y = (sqrt 6 - sqrt 2)/2.
+class CircleAndHyperbola final : public NonlinearSystem {
+ public:
+  std::vector<double> errors;  // distance from the root, of every iterate
+
+  static Vector root() {
+    return Vector{{0.5 * (std::sqrt(6.0) + std::sqrt(2.0)), 0.5 * (std::sqrt(6.0) - std::sqrt(2.0))}};
+  }
+  int size() const override { return 2; }
+  bool compute_residual(const Vector& x, Vector& residual) override {
+    x_ = x;
+    residual[0] = x[0] * x[0] + x[1] * x[1] - 4.0;
+    residual[1] = x[0] * x[1] - 1.0;
+    errors.push_back((x - root()).norm());
+    return true;
+  }
+  double residual_scale() const override { return 4.0; }
+  bool compute_direction(const Vector& residual, Vector& direction) override {
+    const double determinant = 2.0 * x_[0] * x_[0] - 2.0 * x_[1] * x_[1];
+    if (determinant == 0.0) return false;
+    direction[0] = -(x_[0] * residual[0] - 2.0 * x_[1] * residual[1]) / determinant;
+    direction[1] = -(-x_[1] * residual[0] + 2.0 * x_[0] * residual[1]) / determinant;
+    return true;
+  }
+
+ private:
+  Vector x_;
+};
+
+// k_i x_i + x_i^3 = load in every degree of freedom of a chain, solved with the sparse factorisation.
+class CubicChain final : public NonlinearSystem {
+ public:
+  CubicChain(int size, double load) : tangent_{testing::chain_stiffness(size, 3.0, 3.0)}, load_{load} {
+    linear_ = tangent_;
+  }
+  int size() const override { return linear_.size; }
+  bool compute_residual(const Vector& x, Vector& residual) override {
+    ++residuals;
+    x_ = x;
+    residual.noalias() = linear_.view() * x;
+    residual.array() += x.array().cube() - load_;
+    return true;
+  }
+  double residual_scale() const override { return load_; }
+  bool compute_direction(const Vector& residual, Vector& direction) override {
+    tangent_.values = linear_.values;
+    for (int i = 0; i < size(); ++i) testing::entry(tangent_, i, i) += 3.0 * x_[i] * x_[i];
+    if (!factorisation_.factorise(tangent_)) return false;
+    direction = -residual;
+    factorisation_.solve(direction);
+    return true;
+  }
+  void set_load(double load) { load_ = load; }
+
+  long residuals = 0;
+
+ private:
+  SparseMatrix linear_, tangent_;
+  Vector x_;
+  Factorisation factorisation_;
+  double load_;
+};
+
+// x^2 + 1 = 0 beside a harmless first equation: never balanced.
+class NoRoot final : public NonlinearSystem {
+ public:
+  int size() const override { return 2; }
+  bool compute_residual(const Vector& x, Vector& residual) override {
+    x_ = x;
+    residual[0] = x[0];
+    residual[1] = x[1] * x[1] + 1.0;
+    return true;
+  }
+  double residual_scale() const override { return 1.0; }
+  bool compute_direction(const Vector& residual, Vector& direction) override {
+    direction[0] = -residual[0];
+    direction[1] = -residual[1] / (2.0 * x_[1]);
+    return true;
+  }
+
+ private:
+  Vector x_;
+};
+
+// x - 1 = 0 in three unknowns, with one thing that goes wrong.
+class Faulty final : public NonlinearSystem {
+ public:
+  enum class Fault { none, nan_at_start, nan_at_second, false_at_start, false_at_second, singular, nan_direction };
+  explicit Faulty(Fault fault) : fault_{fault} {}
+  void set(Fault fault) {
+    fault_ = fault;
+    residuals_ = 0;
+  }
+  int size() const override { return 3; }
+  bool compute_residual(const Vector& x, Vector& residual) override {
+    ++residuals_;
+    residual = x.array() - 1.0;
+    const bool start = residuals_ == 1;
+    if (fault_ == (start ? Fault::nan_at_start : Fault::nan_at_second))
+      residual[1] = std::numeric_limits<double>::quiet_NaN();
+    return fault_ != (start ? Fault::false_at_start : Fault::false_at_second);
+  }
+  double residual_scale() const override { return 1.0; }
+  bool compute_direction(const Vector& residual, Vector& direction) override {
+    if (fault_ == Fault::singular) return false;
+    direction = -residual;
+    if (fault_ == Fault::nan_direction) direction[2] = std::numeric_limits<double>::quiet_NaN();
+    return true;
+  }
+
+ private:
+  Fault fault_;
+  int residuals_ = 0;
+};
+
+TEST(NewtonSolver, FindsTheRootWithTheRightReport) {
+  CircleAndHyperbola system;
+  NewtonSolver solver{system, {.tolerance = 1e-13}};
+  Vector x{{2.0, 0.4}};
+  const NewtonReport report = solver.solve(x);
+  EXPECT_TRUE(report.converged);
+  EXPECT_LT((x - CircleAndHyperbola::root()).norm(), 1e-13);
+  EXPECT_LE(report.residual, 1e-13);
+  EXPECT_EQ(report.iterations + 1, static_cast<int>(system.errors.size()));
+}
+
+TEST(NewtonSolver, ConvergesQuadratically) {
+  CircleAndHyperbola system;
+  NewtonSolver solver{system, {.tolerance = 1e-15}};
+  Vector x{{2.1, 0.4}};
+  solver.solve(x);
+  // The order log(e2/e1)/log(e1/e0) of the last three errors above round-off.
+  std::vector<double> errors;
+  for (const double error : system.errors)
+    if (error > 1e-12) errors.push_back(error);
+  ASSERT_GE(errors.size(), 3u);
+  const std::size_t last = errors.size() - 1;
+  const double order =
+      std::log(errors[last] / errors[last - 1]) / std::log(errors[last - 1] / errors[last - 2]);
+  EXPECT_NEAR(order, 2.0, 0.1);
+}
+
+TEST(NewtonSolver, ALinearSystemTakesOneIteration) {
+  Faulty system{Faulty::Fault::none};
+  NewtonSolver solver{system, {}};
+  Vector x = Vector::Constant(3, 5.0);
+  const NewtonReport report = solver.solve(x);
+  EXPECT_TRUE(report.converged);
+  EXPECT_EQ(report.iterations, 1);
+  EXPECT_EQ(x, Vector::Ones(3));
+}
+
+TEST(NewtonSolver, AStartThatBalancesTakesNoIteration) {
+  Faulty system{Faulty::Fault::none};
+  NewtonSolver solver{system, {}};
+  Vector x = Vector::Ones(3);
+  const NewtonReport report = solver.solve(x);
+  EXPECT_TRUE(report.converged);
+  EXPECT_EQ(report.iterations, 0);
+  EXPECT_EQ(report.residual, 0.0);
+  EXPECT_EQ(x, Vector::Ones(3));
+}
+
+TEST(NewtonSolver, ReportsTheIterationLimitAndTheWorstDegreeOfFreedom) {
+  NoRoot system;
+  NewtonSolver solver{system, {.largest_iterations = 7}};
+  Vector x{{1.0, 3.0}};
+  const NewtonReport report = solver.solve(x);
+  EXPECT_FALSE(report.converged);
+  EXPECT_EQ(report.iterations, 7);
+  EXPECT_EQ(report.worst_degree_of_freedom, 1);
+  // x is the last iterate and the residual is that of it.
+  EXPECT_DOUBLE_EQ(report.residual, x[1] * x[1] + 1.0);
+}
+
+TEST(NewtonSolver, FailuresAreReportedNotThrownAndNotPrinted) {
+  using enum Faulty::Fault;
+  for (const auto fault : {nan_at_start, nan_at_second, false_at_start, false_at_second, singular, nan_direction}) {
+    Faulty system{fault};
+    NewtonSolver solver{system, {}};
+    Vector x = Vector::Constant(3, 5.0);
+    ::testing::internal::CaptureStdout();
+    ::testing::internal::CaptureStderr();
+    NewtonReport report;
+    EXPECT_NO_THROW(report = solver.solve(x)) << static_cast<int>(fault);
+    EXPECT_EQ(::testing::internal::GetCapturedStdout(), "") << static_cast<int>(fault);
+    EXPECT_EQ(::testing::internal::GetCapturedStderr(), "") << static_cast<int>(fault);
+    EXPECT_FALSE(report.converged) << static_cast<int>(fault);
+    // A residual that cannot be told is not a small one.
+    EXPECT_FALSE(report.residual <= 1e-10) << static_cast<int>(fault);
+
+    // The solver is as good as new afterwards.
+    system.set(none);
+    x = Vector::Constant(3, 5.0);
+    EXPECT_TRUE(solver.solve(x).converged) << static_cast<int>(fault);
+    EXPECT_EQ(x, Vector::Ones(3)) << static_cast<int>(fault);
+  }
+}
+
+TEST(NewtonSolver, NamesTheDegreeOfFreedomThatIsNotANumber) {
+  Faulty system{Faulty::Fault::nan_at_second};
+  NewtonSolver solver{system, {}};
+  Vector x = Vector::Constant(3, 5.0);
+  const NewtonReport report = solver.solve(x);
+  EXPECT_FALSE(report.converged);
+  EXPECT_TRUE(std::isnan(report.residual));
+  EXPECT_EQ(report.worst_degree_of_freedom, 1);
+}
+
+TEST(NewtonSolver, SolvesAgainWithoutAllocating) {
+  CubicChain system{50, 10.0};
+  NewtonSolver solver{system, {.largest_iterations = 60}};
+  Vector x = Vector::Zero(50);
+  ASSERT_TRUE(solver.solve(x).converged);
+  const long before = testing::count_of_new();
+  bool converged = true;
+  for (int i = 1; i <= 100; ++i) {
+    system.set_load(10.0 + i);
+    converged = converged && solver.solve(x).converged;
+  }
+  EXPECT_EQ(testing::count_of_new(), before);
+  EXPECT_TRUE(converged);
+}
+
+TEST(NewtonSolver, CountsItsOwnAllocations) {
+  // The counter of the test above is alive: making a solver allocates.
+  CubicChain system{50, 10.0};
+  const long before = testing::count_of_new();
+  const NewtonSolver solver{system, {}};
+  EXPECT_GT(testing::count_of_new(), before);
+}
+
+TEST(NewtonSolver, TwoSolversInTwoThreadsDoNotDisturbEachOther) {
+  struct Job {
+    int size;
+    double load;
+    std::vector<Vector> solutions{};
+    bool converged = true;
+  };
+  const auto solve_all = [](Job& job) {
+    CubicChain system{job.size, job.load};
+    NewtonSolver solver{system, {.largest_iterations = 60}};
+    Vector x = Vector::Zero(job.size);
+    for (int i = 0; i < 300; ++i) {
+      system.set_load(job.load + i % 7);
+      job.converged = job.converged && solver.solve(x).converged;
+      job.solutions.push_back(x);
+    }
+  };
+  Job alone_small{10, 5.0}, alone_large{80, 50.0}, small{10, 5.0}, large{80, 50.0};
+  solve_all(alone_small);
+  solve_all(alone_large);
+  std::thread first{[&] { solve_all(small); }}, second{[&] { solve_all(large); }};
+  first.join();
+  second.join();
+  EXPECT_TRUE(small.converged && large.converged);
+  EXPECT_EQ(small.solutions, alone_small.solutions);
+  EXPECT_EQ(large.solutions, alone_large.solutions);
+}
+
+TEST(NewtonSolver, RefusesOptionsOutOfRange) {
+  Faulty system{Faulty::Fault::none};
+  EXPECT_EQ(message_of([&] { NewtonSolver(system, {.tolerance = 0.0}); }),
+            "NewtonOptions: tolerance = 0 is not allowed; it must be > 0 and < 1. 1e-10 is the default.");
+  EXPECT_EQ(message_of([&] { NewtonSolver(system, {.largest_iterations = 0}); }),
+            "NewtonOptions: largest_iterations = 0 is not allowed; it must be >= 1.");
+}
+
+}  // namespace
+}  // namespace moat

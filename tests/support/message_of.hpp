@@ -1,0 +1,21 @@
+// The message of an exception, for tests of what bad input is told.
+#pragma once
+
+#include <string>
+
+#include "base/error.hpp"
+
+namespace moat::testing {
+
+/// What the action throws as Exception, in words; another exception goes on to the test framework.
+template <class Exception = InputError, class Action>
+std::string message_of(Action action) {
+  try {
+    action();
+  } catch (const Exception& error) {
+    return error.what();
+  }
+  return "nothing was thrown";
+}
+
+}  // namespace moat::testing
