@@ -7,6 +7,7 @@
 #include "base/quantity.hpp"
 #include "base/required.hpp"
 #include "materials/impact_checks.hpp"
+#include "materials/restitution_formulas.hpp"
 #include "materials/viscous_linear_contact.hpp"
 
 namespace moat {

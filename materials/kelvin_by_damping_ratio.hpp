@@ -6,7 +6,6 @@
 #include "base/check.hpp"
 #include "base/quantity.hpp"
 #include "base/required.hpp"
-#include "materials/impact_checks.hpp"
 #include "materials/viscous_linear_contact.hpp"
 
 namespace moat {

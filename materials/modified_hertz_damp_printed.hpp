@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cmath>
-#include <numbers>
 
 #include "base/check.hpp"
 #include "base/quantity.hpp"

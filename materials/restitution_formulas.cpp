@@ -105,10 +105,10 @@ double damping_factor_of_viscous_hertz(double restitution) {
   return -std::expm1(zero_between(missing, deepest, too_elastic)) / e;
 }
 
-double deepest_viscous_hertz(double stiffness, double damping_factor, double effective_mass, double approach_speed) {
-  const double z = damping_factor;
-  const double share = z == 0.0 ? 0.5 : excess_over_logarithm(z) / (z * z);
-  return std::pow(2.5 * effective_mass * approach_speed * approach_speed / stiffness * share, 0.4);
+double elastic_hertz_duration(double stiffness, double effective_mass, double approach_speed) {
+  const double deepest = std::pow(1.25 * effective_mass * approach_speed * approach_speed / stiffness, 0.4);
+  // 2 B(2/5, 1/2)/5 times deepest / v0, with Euler's beta function.
+  return 2.94327518 * deepest / approach_speed;
 }
 
 }  // namespace moat

@@ -11,8 +11,7 @@ namespace moat {
 double restitution_of_pulling_contact(double damping_ratio);
 /// The dashpot acts until the force reaches zero: e = exp(-2 a cot a). x >= 0; critical damping gives exp(-2).
 double restitution_of_clamped_contact(double damping_ratio);
-/// The dashpot acts on approach only: e = exp(-a cot a). x >= 0. This is also how deep the contact goes, as a
-/// fraction of v0 sqrt(m/k), whatever happens on the way back.
+/// The dashpot acts on approach only: e = exp(-a cot a). x >= 0.
 double restitution_of_approach_damping(double damping_ratio);
 
 /// Inverse of restitution_of_pulling_contact: x = -ln e/sqrt(pi^2 + ln^2 e) for 0 < e <= 1; paper Eq. 4.
@@ -26,8 +25,8 @@ double damping_ratio_of_clamped_contact(double restitution);
 double restitution_of_viscous_hertz(double damping_factor);
 /// z of the same equation for 0 < e <= 1; between 0 and 1/e.
 double damping_factor_of_viscous_hertz(double restitution);
-/// Largest indentation, m, of a free impact at v0 (m/s) of two bodies of effective mass m (kg):
-/// k d^2.5 = 2.5 m v0^2 (z - ln(1 + z))/z^2.
-double deepest_viscous_hertz(double stiffness, double damping_factor, double effective_mass, double approach_speed);
+/// Duration of a free elastic impact, z = 0, at v0 (m/s) of two bodies of effective mass m (kg), s:
+/// 2.94328 (5 m v0^2/(4 k))^0.4 / v0.
+double elastic_hertz_duration(double stiffness, double effective_mass, double approach_speed);
 
 }  // namespace moat

@@ -63,14 +63,12 @@ struct RootDampedHertz {
   State next_regime(const State& committed, double indentation, double rate) const {
     return next_contact_state(committed, indentation, rate);
   }
-  /// Time scale of a free impact, s: 2.94328 d_max / v0, which is the exact duration where c = 0. m is the
-  /// effective mass.
+  /// Duration of a free elastic impact, s, 2.94328 (5 m v0^2/(4 k))^0.4 / v0; m is the effective mass. Damping
+  /// makes a contact longer, but beyond half of critical (2 x > 1) its dashpot is what changes the motion fastest:
+  /// then 1/(2 x) of that.
   double contact_duration(double effective_mass, double approach_speed) const {
-    const double elastic = deepest_viscous_hertz(stiffness, 0.0, effective_mass, approach_speed);
-    const double ratio = damping / std::sqrt(5.0 * stiffness * effective_mass);
-    // What is left of y = d^1.25 at the turn.
-    const double shallower = std::pow(restitution_of_approach_damping(ratio), 0.8);
-    return 2.9432750 * elastic * shallower / approach_speed;
+    const double twice_ratio = 2.0 * damping / std::sqrt(5.0 * stiffness * effective_mass);
+    return elastic_hertz_duration(stiffness, effective_mass, approach_speed) / std::max(twice_ratio, 1.0);
   }
 
  private:

@@ -65,11 +65,10 @@ struct ViscousHertz {
   State next_regime(const State& committed, double indentation, double rate) const {
     return next_contact_state(committed, indentation, rate);
   }
-  /// Time scale of a free impact, s: 2.94328 d_max / v0, which is the exact duration where z = 0; with
-  /// k d_max^2.5 = 2.5 m v0^2 (z - ln(1 + z))/z^2. m is the effective mass.
+  /// Duration of a free elastic impact, s, 2.94328 (5 m v0^2/(4 k))^0.4 / v0; m is the effective mass. Damping
+  /// makes a contact longer.
   double contact_duration(double effective_mass, double approach_speed) const {
-    return 2.9432750 * deepest_viscous_hertz(stiffness, damping_factor, effective_mass, approach_speed) /
-           approach_speed;
+    return elastic_hertz_duration(stiffness, effective_mass, approach_speed);
   }
 };
 

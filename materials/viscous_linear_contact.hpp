@@ -9,7 +9,6 @@
 #include "materials/contact_damping.hpp"
 #include "materials/contact_state.hpp"
 #include "materials/response.hpp"
-#include "materials/restitution_formulas.hpp"
 
 namespace moat {
 
@@ -57,11 +56,12 @@ struct ViscousLinearContact {
   State next_regime(const State& committed, double indentation, double rate) const {
     return next_contact_state(committed, indentation, rate);
   }
-  /// Time scale of a free impact, s: pi d_max / v0, which is the exact duration pi sqrt(m/k) where c = 0.
-  /// m is the effective mass.
+  /// Duration of a free elastic impact, s, pi sqrt(m/k); m is the effective mass. Damping makes a contact longer,
+  /// but beyond half of critical its dashpot is what changes the motion fastest: then pi m/c.
   double contact_duration(double effective_mass, double /*approach_speed*/) const {
-    const double ratio = damping / (2.0 * std::sqrt(stiffness * effective_mass));
-    return std::numbers::pi * std::sqrt(effective_mass / stiffness) * restitution_of_approach_damping(ratio);
+    const double elastic = std::numbers::pi * std::sqrt(effective_mass / stiffness);
+    return damping * elastic > std::numbers::pi * effective_mass ? std::numbers::pi * effective_mass / damping
+                                                                 : elastic;
   }
 
  private:
