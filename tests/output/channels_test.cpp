@@ -70,7 +70,8 @@ TEST(Channels, SampleTheCommittedState) {
   EXPECT_DOUBLE_EQ(value("isolator_deformation", "bearings"), 0.12);
   EXPECT_NEAR(value("isolator_force", "bearings"), 10.0 + 5.0 * 0.02, 1e-12);
   EXPECT_NEAR(value("indentation", "moat right"), 0.02, 1e-15);
-  EXPECT_NEAR(value("indentation", "moat left"), -0.22, 1e-15);
+  // The left gap is open: not indented.
+  EXPECT_EQ(value("indentation", "moat left"), 0.0);
   EXPECT_DOUBLE_EQ(value("total_base_shear", "base"), -(2.0 * 4.5 + 3.0 * -1.5));
   EXPECT_EQ(Channels::of_node(building.floor), static_cast<std::size_t>(channels.find("displacement", "floor 1")));
 }

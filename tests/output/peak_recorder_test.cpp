@@ -39,11 +39,12 @@ TEST(PeakRecorder, ElementsOfOnePlaceShareAPeak) {
   HandMovedBuilding building;
   PeakRecorder recorder{building.model};
   recorder.start(building.move(0.0, 0.0, 0.0));
-  recorder.step(building.move(1.0, 0.03, 0.0));
-  recorder.step(building.move(2.0, -0.07, 0.0));
-  recorder.step(building.move(3.0, -0.06, 0.0));
-  // Of both gaps the one that is open widest has the largest magnitude: 10 + 7 cm and a little, on the right.
-  EXPECT_GE(peak(recorder, "indentation", "moat").value, 0.17);
+  recorder.step(building.move(1.0, 0.13, 0.0));
+  recorder.step(building.move(2.0, -0.17, 0.0));
+  recorder.step(building.move(3.0, -0.16, 0.0));
+  // 7 cm and a little on the left, 3 cm on the right.
+  EXPECT_GE(peak(recorder, "indentation", "moat").value, 0.07);
+  EXPECT_LT(peak(recorder, "indentation", "moat").value, 0.09);
   for (const Peak& found : recorder.peaks()) {
     EXPECT_NE(found.where, "moat left");
     EXPECT_NE(found.where, "moat right");

@@ -60,5 +60,56 @@ TEST(Moat, RefusesWhatItsGapsRefuse) {
   EXPECT_TRUE(model.blocks().empty());
 }
 
+TEST(Moat, MayHaveOneSideOnly) {
+  for (const Sides side : {Sides::left, Sides::right}) {
+    Model model;
+    const NodeId base = add(model, Node{.name = "base", .mass = 550 * tonne});
+    add(model, Moat<HertzDamp>{.around = base, .clearance = 10 * cm, .law = law, .sides = side});
+    ASSERT_EQ(model.blocks().front()->size(), 1u);
+    EXPECT_EQ(model.blocks().front()->info(0).name, side == Sides::left ? "moat left" : "moat right");
+  }
+}
+
+TEST(Moat, FlexibleWallsAreNodesOnSprings) {
+  Model model;
+  const NodeId base = add(model, Node{.name = "base", .mass = 550 * tonne, .half_width = 5 * m});
+  add(model, Moat<HertzDamp>{.around = base,
+                             .clearance = 10 * cm,
+                             .law = law,
+                             .wall = FlexibleWall{.mass = 20 * tonne, .stiffness = 2 * GN / m, .damping = 3e5 * kg / s}});
+  ASSERT_EQ(model.node_count(), 3);
+  EXPECT_EQ(model.nodes()[1].name, "moat left wall");
+  EXPECT_EQ(model.nodes()[2].name, "moat right wall");
+  // The face of the wall is the clearance away from the edge of the floor.
+  EXPECT_NEAR(model.nodes()[2].x.si() - model.nodes()[2].half_width.si(), 5.1, 1e-12);
+  EXPECT_NEAR(model.nodes()[1].x.si() + model.nodes()[1].half_width.si(), -5.1, 1e-12);
+  model.prepare();
+  model.trial().displacement[2] = 0.01;
+  model.trial().velocity[2] = 0.1;
+  model.evaluate();
+  Vector force;
+  model.internal_forces(force);
+  EXPECT_NEAR(force[2], 2e7 + 3e4, 1e-3);
+  EXPECT_EQ(force[1], 0.0);
+  // The gap opens as the wall gives way.
+  for (const auto& block : model.blocks())
+    for (std::size_t e = 0; e < block->size(); ++e)
+      if (block->info(e).name == "moat right") {
+        EXPECT_NEAR(block->deformations()[e], -0.11, 1e-15);
+      }
+}
+
+TEST(Moat, RefusesABadWall) {
+  Model model;
+  const NodeId base = add(model, Node{.name = "base", .mass = 550 * tonne});
+  EXPECT_EQ(message_of([&] {
+              add(model, Moat<HertzDamp>{.around = base,
+                                         .clearance = 10 * cm,
+                                         .law = law,
+                                         .wall = FlexibleWall{.mass = 20 * tonne, .stiffness = -2 * GN / m}});
+            }),
+            "FlexibleWall \"moat left wall\": stiffness = -2e+09 N/m is not allowed; it must be > 0 N/m and finite.");
+}
+
 }  // namespace
 }  // namespace moat
