@@ -50,8 +50,8 @@ struct EventLog final : StepObserver {
   void event(const StepView& view, std::span<const RegimeChange> changes) override {
     for (const RegimeChange& change : changes) {
       const ElementBlock& block = *view.model.blocks()[change.block];
-      entries.push_back({view.model.state().time, block.info(change.element).name, -block.deformations()[change.element],
-                         block.contact(change.element).touching});
+      entries.push_back({view.model.state().time, block.info(change.element).name,
+                         -block.deformations()[change.element], block.contact(change.element).touching});
     }
   }
   void finish(const StepView&) override {}
@@ -183,8 +183,8 @@ TEST(ContactEvents, AGrazingTouchDoesNotStall) {
       const NodeId body = add(model, Node{.name = "body", .mass = 550 * tonne, .initial_velocity = speed * m / s});
       add_wall(model, "wall", body, (top - beyond) * m, 0.65);
       CaseResult result;
-      ASSERT_NO_THROW(result = run_case(model, constant_acceleration(pull, 0.2 * s, 0.2 * s),
-                                        {.transient = {.step = step * s}}))
+      ASSERT_NO_THROW(
+          result = run_case(model, constant_acceleration(pull, 0.2 * s, 0.2 * s), {.transient = {.step = step * s}}))
           << beyond << " m beyond, step " << step << " s";
       EXPECT_LE(result.impacts.size(), 1u) << beyond << " m beyond, step " << step << " s";
       EXPECT_LT(result.solver.accepted_steps, 0.2 / step + 20.0) << beyond << " m beyond, step " << step << " s";
@@ -201,8 +201,7 @@ TEST(ContactEvents, ABodyPressedAgainstItsWallComesToRestThere) {
   const NodeId body = add(model, Node{.name = "body", .mass = mass * kg});
   add(model, ViscousDamper{.name = "dashpot", .lower = ground, .upper = body, .damping = 20e6 * N * s / m});
   add_wall(model, "wall", body, 1 * cm, 0.3);
-  const CaseResult result =
-      run_case(model, constant_acceleration(pull, 20 * s), {.transient = {.step = 2.5 * ms}});
+  const CaseResult result = run_case(model, constant_acceleration(pull, 20 * s), {.transient = {.step = 2.5 * ms}});
   const double expected = std::pow(mass * 3.0 / concrete.si(), 2.0 / 3.0);
   EXPECT_NEAR(model.state().displacement[0] - 0.01, expected, 1e-9);
   EXPECT_NEAR(model.state().velocity[0], 0.0, 1e-9);
@@ -268,8 +267,9 @@ TEST(ContactEvents, StopsWhereAContactChatters) {
   Transient analysis{model, still_ground(2 * s), {.step = 1 * ms, .largest_events_per_second = 20}};
   const std::string message = message_of<Error>([&] { analysis.run(); });
   EXPECT_TRUE(message.starts_with("More than 20 touches and separations within one second before t = ")) << message;
-  EXPECT_TRUE(message.ends_with("s: a contact chatters. Check impact stiffness and damping, or raise "
-                                "TransientOptions::largest_events_per_second."))
+  EXPECT_TRUE(
+      message.ends_with("s: a contact chatters. Check impact stiffness and damping, or raise "
+                        "TransientOptions::largest_events_per_second."))
       << message;
 }
 
