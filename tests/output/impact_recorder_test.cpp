@@ -97,6 +97,19 @@ TEST(ImpactRecorder, ListsOverlappingContactsInOrderOfTouch) {
   EXPECT_LT(found[1].start, found[0].start + found[0].duration);
   EXPECT_NEAR(found[0].rebound_ratio, 0.775, 2e-3);
   EXPECT_NEAR(found[1].rebound_ratio, 1.0, 1e-3);
+
+  // Each has the peaks it has alone: the events of the other do not make it forget.
+  for (const Impact& together : found) {
+    Model alone;
+    const bool is_early = together.where == "of early";
+    const NodeId body =
+        add(alone, Node{.name = "body", .mass = mass * kg, .initial_velocity = (is_early ? 0.41 : 0.40) * m / s});
+    add(alone, wall(together.where, body, ground, is_early ? 0.65 : 1.0));
+    const std::vector<Impact> expected = impacts(alone, 1.0);
+    ASSERT_EQ(expected.size(), 1u);
+    EXPECT_NEAR(together.largest_force, expected[0].largest_force, 1e-4 * expected[0].largest_force);
+    EXPECT_NEAR(together.largest_indentation, expected[0].largest_indentation, 1e-4 * expected[0].largest_indentation);
+  }
 }
 
 TEST(ImpactRecorder, NothingTouchesNothingIsListed) {

@@ -102,8 +102,8 @@ TEST(ModelScene, ElementsAreNumberedThroughAllBlocks) {
   for (const auto& block : building.model.blocks())
     for (std::size_t e = 0; e < block->size(); ++e, ++number) {
       if (block->info(e).kind == ElementKind::damper) continue;
-      const auto found = std::find_if(scene.cells.begin(), scene.cells.end(),
-                                      [&](const SceneCell& c) { return c.element == number; });
+      const auto found =
+          std::find_if(scene.cells.begin(), scene.cells.end(), [&](const SceneCell& c) { return c.element == number; });
       ASSERT_NE(found, scene.cells.end()) << number;
       EXPECT_EQ(found->name, block->info(e).name);
     }
@@ -126,7 +126,8 @@ TEST_F(FrameRecorderTest, WritesAFrameAtTheStartAndThenAtItsInterval) {
   }
   const std::string pvd = testing_output::read_file(folder / "frames.pvd");
   // 0, then the first steps at or after 0.1, 0.2, 0.3 and 0.4 s.
-  for (const char* time : {"timestep=\"0\"", "timestep=\"0.12\"", "timestep=\"0.2\"", "timestep=\"0.32\"", "timestep=\"0.4\""})
+  for (const char* time :
+       {"timestep=\"0\"", "timestep=\"0.12\"", "timestep=\"0.2\"", "timestep=\"0.32\"", "timestep=\"0.4\""})
     EXPECT_NE(pvd.find(time), std::string::npos) << time << "\n" << pvd;
   long frames = 0;
   for (const auto& entry : std::filesystem::directory_iterator{folder / "frames"}) {

@@ -69,7 +69,7 @@ TEST(PeakRecorder, AddsUpTheMaximaOfFloorInertia) {
   HandMovedBuilding building;
   PeakRecorder recorder{building.model};
   recorder.start(building.move(0.0, 0.0, 0.0));
-  recorder.step(building.move(1.0, 0.0, 0.0, 3.0, 0.0, 1.0));   // base: 4 m/s^2
+  recorder.step(building.move(1.0, 0.0, 0.0, 3.0, 0.0, 1.0));  // base: 4 m/s^2
   recorder.event(building.move(1.0, 0.0, 0.0, 0.0, 0.0), {});
   recorder.step(building.move(2.0, 0.0, 0.0, 0.0, -6.0, 1.0));  // floor: -5 m/s^2
   const Peak sum = peak(recorder, "sum_of_floor_inertia_maxima", "base");

@@ -35,7 +35,8 @@ TEST(PeakTracker, FindsTheVertexBetweenStepsOfAnyLength) {
         PeakTracker tracker;
         for (const double t : {0.0, before, before + after, before + after + 60.0}) tracker.add(t, parabola(t) + 1e4);
         EXPECT_NEAR(tracker.magnitude(), 1e4 + 2.0, 1e-9) << before << " " << after << " " << position;
-        EXPECT_NEAR(tracker.time(), vertex, 1e-5 * (before + after + 60.0)) << before << " " << after << " " << position;
+        EXPECT_NEAR(tracker.time(), vertex, 1e-5 * (before + after + 60.0))
+            << before << " " << after << " " << position;
       }
 }
 

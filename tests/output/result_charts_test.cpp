@@ -47,9 +47,9 @@ TEST(ResultCharts, ShowBaseAndTopAndAllImpacts) {
 
 TEST(ResultCharts, LeaveOutWhatThereIsNot) {
   // A fixed-base building: no base, no gap.
-  const std::vector<Chart> charts = history_charts(
-      result_with({{"time", "", "s", {0.0, 1.0}}, {"displacement", "floor 1", "m", {0.0, 0.1}},
-                   {"displacement", "floor 2", "m", {0.0, 0.2}}}));
+  const std::vector<Chart> charts = history_charts(result_with({{"time", "", "s", {0.0, 1.0}},
+                                                                {"displacement", "floor 1", "m", {0.0, 0.1}},
+                                                                {"displacement", "floor 2", "m", {0.0, 0.2}}}));
   ASSERT_EQ(charts.size(), 1u);
   ASSERT_EQ(charts[0].series.size(), 1u);
   EXPECT_EQ(charts[0].series[0].name, "floor 2");
@@ -68,9 +68,10 @@ TEST(ResultCharts, ABodyOfItsOwnIsDrawnOnce) {
 }
 
 TEST(ResultCharts, FindABaseThatHasAPrefix) {
-  const std::vector<Chart> charts = history_charts(
-      result_with({{"time", "", "s", {0.0, 1.0}}, {"displacement", "database", "m", {0.0, 0.3}},
-                   {"displacement", "north base", "m", {0.0, 0.1}}, {"displacement", "north floor 1", "m", {0.0, 0.2}}}));
+  const std::vector<Chart> charts = history_charts(result_with({{"time", "", "s", {0.0, 1.0}},
+                                                                {"displacement", "database", "m", {0.0, 0.3}},
+                                                                {"displacement", "north base", "m", {0.0, 0.1}},
+                                                                {"displacement", "north floor 1", "m", {0.0, 0.2}}}));
   ASSERT_EQ(charts.size(), 1u);
   ASSERT_EQ(charts[0].series.size(), 2u);
   EXPECT_EQ(charts[0].series[0].name, "north base");
@@ -91,8 +92,8 @@ TEST(ResultCharts, HysteresisNeedsIsolatorAndBase) {
   EXPECT_FALSE(hysteresis_chart(result_with({})).has_value());
   EXPECT_FALSE(hysteresis_chart(result_with({{"isolator_force", "bearings", "N", {0.0}}})).has_value());
   EXPECT_FALSE(hysteresis_chart(result_with({{"displacement", "base", "m", {0.0}}})).has_value());
-  EXPECT_FALSE(hysteresis_chart(result_with({{"displacement", "floor 1", "m", {0.0}},
-                                             {"isolator_force", "bearings", "N", {0.0}}}))
+  EXPECT_FALSE(hysteresis_chart(
+                   result_with({{"displacement", "floor 1", "m", {0.0}}, {"isolator_force", "bearings", "N", {0.0}}}))
                    .has_value());
 }
 

@@ -49,7 +49,8 @@ TEST(Moat, RefusesWhatItsGapsRefuse) {
   const auto refusal = [&](NodeId around, Length clearance) {
     return message_of([&] { add(model, Moat<HertzDamp>{.around = around, .clearance = clearance, .law = law}); });
   };
-  EXPECT_EQ(refusal(NodeId{}, 10 * cm), "Moat \"moat\": around is not given. Set it to a node of this model or to `ground`.");
+  EXPECT_EQ(refusal(NodeId{}, 10 * cm),
+            "Moat \"moat\": around is not given. Set it to a node of this model or to `ground`.");
   EXPECT_EQ(refusal(NodeId{4}, 10 * cm),
             "Moat \"moat\": around is not a node of this model. Use the NodeId that add(model, Node{...}) returned.");
   EXPECT_EQ(refusal(base, -10 * cm),

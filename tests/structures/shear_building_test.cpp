@@ -184,8 +184,8 @@ TEST(ShearBuilding, FixedBaseStandsOnTheGround) {
   const Eigen::Matrix3d expected{{2.0 * k, -k, 0.0}, {-k, 2.0 * k, -k}, {0.0, -k, k}};
   EXPECT_LT((made.stiffness.topRows(3) - expected).norm(), 1e-9 * k);
   // The dashpots of the mass part stand on the ground, which is the base here.
-  const RayleighFactors factors = rayleigh_factors_of_chain(
-      0.05, std::vector<Mass>(3, 500 * tonne), std::vector<Stiffness>(3, 1 * GN / m));
+  const RayleighFactors factors =
+      rayleigh_factors_of_chain(0.05, std::vector<Mass>(3, 500 * tonne), std::vector<Stiffness>(3, 1 * GN / m));
   const Eigen::Matrix3d damping =
       factors.stiffness_factor * expected + factors.mass_factor * 500e3 * Eigen::Matrix3d::Identity();
   EXPECT_LT((made.damping.topRows(3) - damping).norm(), 1e-9 * damping.norm());
