@@ -21,7 +21,7 @@ double StepControl::next_step(const Model& model) {
     const double wanted = contact / options_.steps_per_contact;
     int halvings = halvings_;
     while (halvings < options_.largest_halvings && step_at(halvings) > wanted) ++halvings;
-    step = step_at(halvings);
+    step = step_at(std::min(halvings + ramp_, options_.largest_halvings));
   }
   fewest_steps_per_contact_ = std::min(fewest_steps_per_contact_, contact / step);
   return step;
@@ -64,12 +64,14 @@ void StepControl::accepted(const Model& model, double h, double ground_accelerat
   largest_acceleration_ = std::max(largest_acceleration_, last_.lpNorm<Eigen::Infinity>());
   last_h_ = h;
   known_ = std::min(known_ + 1, 2);
+  ramp_ = std::max(ramp_ - 1, 0);
 }
 
 void StepControl::restart(const Model& model, double ground_acceleration) {
   if (!adaptive()) return;
   accepted(model, 0.0, ground_acceleration);
   known_ = 1;
+  ramp_ = 6;
 }
 
 }  // namespace moat

@@ -77,10 +77,16 @@ void Model::register_element(std::string_view kind, const std::string& name) {
 
 void Model::add_base_shear(BaseShear shear) {
   const Check check{"BaseShear", shear.where};
+  check.that(!shear.where.empty(), "a base shear has no name.", "Give .where: it is listed under it.");
+  for (const BaseShear& other : base_shears_)
+    check.that(other.where != shear.where, "a base shear is reported under this name.", "Give .where another name.");
   check.that(!shear.nodes.empty(), "no nodes are given.", "List the base and all floors of one building.");
+  std::unordered_set<int> listed;
   for (const NodeId id : shear.nodes) {
     require_node(id, "BaseShear \"" + shear.where + "\"", "a node");
     check.that(id != ground, "the ground has no inertia.", "List only nodes with mass.");
+    check.that(listed.insert(id.index).second, "the node \"" + node(id).name + "\" is listed twice.",
+               "Its inertia would count twice.");
   }
   base_shears_.push_back(std::move(shear));
 }

@@ -133,7 +133,7 @@ Block& Model::block() {
 /// Adds a node.
 inline NodeId add(Model& model, Node node) { return model.add_node(std::move(node)); }
 
-/// Adds a report of base shear. Throws InputError for an empty or unknown set of nodes.
+/// Adds a report of base shear. Throws InputError for an empty, unknown or repeated node, or a name that is taken.
 inline void add(Model& model, BaseShear shear) { model.add_base_shear(std::move(shear)); }
 
 }  // namespace moat

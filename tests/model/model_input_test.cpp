@@ -1,0 +1,159 @@
+// What a model accepts, and what it tells those who give it something else.
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "elements/shear_spring.hpp"
+#include "message_of.hpp"
+#include "model/model.hpp"
+
+namespace moat {
+namespace {
+
+using namespace units;
+using testing::message_of;
+
+TEST(ModelInput, NodesAreFoundUnderTheirIdAndName) {
+  Model model;
+  const NodeId base = add(model, Node{.name = "base", .mass = 550 * tonne});
+  const NodeId floor = add(model, Node{.name = "floor 1", .mass = 500 * tonne, .height = 3.5 * m});
+  EXPECT_NE(base, floor);
+  EXPECT_EQ(model.node_count(), 2);
+  EXPECT_EQ(model.node(floor).height.si(), 3.5);
+  EXPECT_EQ(model.node_name(base), "base");
+  EXPECT_EQ(model.node_name(ground), "ground");
+}
+
+TEST(ModelInput, RefusesANodeWithoutOrWithATakenName) {
+  Model model;
+  add(model, Node{.name = "base", .mass = 1 * kg});
+  EXPECT_EQ(message_of([&] { add(model, Node{.name = "base", .mass = 1 * kg}); }),
+            "Node \"base\": a node of this name exists. Give every node its own name.");
+  EXPECT_EQ(message_of([&] { add(model, Node{.name = "", .mass = 1 * kg}); }),
+            "Node: a node has no name. Give .name: results are listed under it.");
+  EXPECT_EQ(message_of([&] { add(model, Node{.name = "ground", .mass = 1 * kg}); }),
+            "Node \"ground\": this name is taken. `ground` is always there; choose another name.");
+  EXPECT_EQ(model.node_count(), 1);
+}
+
+TEST(ModelInput, RefusesAMassThatIsNotPositive) {
+  Model model;
+  const auto refusal = [&](Mass mass) { return message_of([&] { add(model, Node{.name = "base", .mass = mass}); }); };
+  EXPECT_EQ(refusal(0 * kg), "Node \"base\": mass = 0 kg is not allowed; it must be > 0 kg and finite. "
+                             "Every degree of freedom needs mass.");
+  EXPECT_EQ(refusal(-2 * tonne), "Node \"base\": mass = -2000 kg is not allowed; it must be > 0 kg and finite. "
+                                 "Every degree of freedom needs mass.");
+  EXPECT_EQ(refusal(std::numeric_limits<double>::quiet_NaN() * kg),
+            "Node \"base\": mass = nan kg is not allowed; it must be > 0 kg and finite. "
+            "Every degree of freedom needs mass.");
+  EXPECT_EQ(refusal(std::numeric_limits<double>::infinity() * kg),
+            "Node \"base\": mass = inf kg is not allowed; it must be > 0 kg and finite. "
+            "Every degree of freedom needs mass.");
+  // A node that was refused does not occupy its name.
+  EXPECT_NO_THROW(add(model, Node{.name = "base", .mass = 1 * kg}));
+}
+
+TEST(ModelInput, RefusesInitialValuesThatAreNotNumbers) {
+  Model model;
+  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_EQ(message_of([&] { add(model, Node{.name = "a", .mass = 1 * kg, .initial_displacement = nan * m}); }),
+            "Node \"a\": initial_displacement = nan m is not allowed; it must be a finite number.");
+  EXPECT_EQ(message_of([&] { add(model, Node{.name = "a", .mass = 1 * kg, .initial_velocity = nan * m / s}); }),
+            "Node \"a\": initial_velocity = nan m/s is not allowed; it must be a finite number.");
+  EXPECT_EQ(message_of([&] { add(model, Node{.name = "a", .mass = 1 * kg, .half_width = 0 * m}); }),
+            "Node \"a\": half_width = 0 m is not allowed; it must be > 0 m and finite.");
+}
+
+TEST(ModelInput, RefusesNodesItDoesNotHave) {
+  Model model, other;
+  const NodeId here = add(model, Node{.name = "here", .mass = 1 * kg});
+  add(other, Node{.name = "a", .mass = 1 * kg});
+  const NodeId elsewhere = add(other, Node{.name = "b", .mass = 1 * kg});
+  const auto spring_to = [&](NodeId upper) {
+    return message_of([&] {
+      add(model, ShearSpring{.name = "storey 1", .lower = here, .upper = upper, .stiffness = 1 * N / m});
+    });
+  };
+  EXPECT_EQ(spring_to(elsewhere),
+            "ShearSpring \"storey 1\": upper is not a node of this model. "
+            "Use the NodeId that add(model, Node{...}) returned.");
+  EXPECT_EQ(spring_to(NodeId{}),
+            "ShearSpring \"storey 1\": upper is not given. Set it to a node of this model or to `ground`.");
+  EXPECT_EQ(spring_to(NodeId{-7}),
+            "ShearSpring \"storey 1\": upper is not a node of this model. "
+            "Use the NodeId that add(model, Node{...}) returned.");
+  EXPECT_EQ(spring_to(here),
+            "ShearSpring \"storey 1\": lower and upper are the same node, \"here\". "
+            "An element joins two different nodes.");
+  EXPECT_EQ(spring_to(ground), "nothing was thrown");
+  EXPECT_EQ(message_of([&] { static_cast<void>(model.node(ground)); }),
+            "Model: the ground has no mass and no degree of freedom.");
+  EXPECT_THROW(static_cast<void>(model.node(elsewhere)), InputError);
+  EXPECT_THROW(static_cast<void>(model.node_name(NodeId{})), InputError);
+}
+
+TEST(ModelInput, RefusesAnElementWithoutOrWithATakenName) {
+  Model model;
+  const NodeId node = add(model, Node{.name = "base", .mass = 1 * kg});
+  const auto add_spring = [&](const std::string& name) {
+    return message_of([&] { add(model, ShearSpring{.name = name, .lower = ground, .upper = node, .stiffness = 1 * N / m}); });
+  };
+  EXPECT_EQ(add_spring(""), "ShearSpring: an element has no name. Give .name: results are listed under it.");
+  // An element may have the name of a node: they are never mixed up.
+  EXPECT_EQ(add_spring("base"), "nothing was thrown");
+  EXPECT_EQ(add_spring("base"),
+            "ShearSpring \"base\": an element of this name exists. Give every element its own name.");
+}
+
+TEST(ModelInput, EffectiveMass) {
+  Model model;
+  const NodeId light = add(model, Node{.name = "light", .mass = 3 * kg});
+  const NodeId heavy = add(model, Node{.name = "heavy", .mass = 6 * kg});
+  EXPECT_DOUBLE_EQ(model.effective_mass(light, heavy), 2.0);
+  EXPECT_DOUBLE_EQ(model.effective_mass(heavy, light), 2.0);
+  EXPECT_EQ(model.effective_mass(ground, heavy), 6.0);
+  EXPECT_EQ(model.effective_mass(light, ground), 3.0);
+  EXPECT_EQ(message_of([&] { static_cast<void>(model.effective_mass(ground, ground)); }),
+            "Model: two points of the ground have no effective mass.");
+  EXPECT_THROW(static_cast<void>(model.effective_mass(light, NodeId{5})), InputError);
+}
+
+TEST(ModelInput, BaseShear) {
+  Model model;
+  const NodeId node = add(model, Node{.name = "base", .mass = 1 * kg});
+  EXPECT_EQ(message_of([&] { add(model, BaseShear{.where = "house", .nodes = {}}); }),
+            "BaseShear \"house\": no nodes are given. List the base and all floors of one building.");
+  EXPECT_EQ(message_of([&] { add(model, BaseShear{.where = "house", .nodes = {node, ground}}); }),
+            "BaseShear \"house\": the ground has no inertia. List only nodes with mass.");
+  EXPECT_EQ(message_of([&] { add(model, BaseShear{.where = "house", .nodes = {NodeId{1}}}); }),
+            "BaseShear \"house\": a node is not a node of this model. "
+            "Use the NodeId that add(model, Node{...}) returned.");
+  EXPECT_EQ(message_of([&] { add(model, BaseShear{.where = "house", .nodes = {node, NodeId{}}}); }),
+            "BaseShear \"house\": a node is not given. Set it to a node of this model or to `ground`.");
+  EXPECT_TRUE(model.base_shears().empty());
+  add(model, BaseShear{.where = "house", .nodes = {node}});
+  EXPECT_EQ(model.base_shears().size(), 1u);
+}
+
+TEST(ModelInput, RefusesABaseShearThatWouldBeListedTwice) {
+  Model model;
+  const NodeId a = add(model, Node{.name = "a", .mass = 1 * kg});
+  const NodeId b = add(model, Node{.name = "b", .mass = 1 * kg});
+  add(model, BaseShear{.where = "house", .nodes = {a}});
+  EXPECT_EQ(message_of([&] { add(model, BaseShear{.where = "house", .nodes = {b}}); }),
+            "BaseShear \"house\": a base shear is reported under this name. Give .where another name.");
+  EXPECT_EQ(message_of([&] { add(model, BaseShear{.where = "", .nodes = {b}}); }),
+            "BaseShear: a base shear has no name. Give .where: it is listed under it.");
+  EXPECT_EQ(message_of([&] { add(model, BaseShear{.where = "twice", .nodes = {b, b}}); }),
+            "BaseShear \"twice\": the node \"b\" is listed twice. Its inertia would count twice.");
+}
+
+TEST(ModelInput, RefusesAModelWithoutNodes) {
+  Model model;
+  EXPECT_EQ(message_of([&] { model.prepare(); }),
+            "Model: there is no node. Add nodes with add(model, Node{...}) first.");
+}
+
+}  // namespace
+}  // namespace moat
