@@ -36,8 +36,8 @@ struct LocatedBilinear {
   }
   double stored_energy(const State& committed, double deformation) const {
     const double post_yield = law.post_yield_stiffness.si();
-    const double kept =
-        committed.direction == 0 ? deformation - committed.slip : committed.direction * law.yield_displacement.si();
+    const double kept = committed.direction == 0 ? deformation - committed.slip
+                                                 : committed.direction * law.yield_displacement.si();
     return 0.5 * post_yield * deformation * deformation + 0.5 * (law.initial_stiffness() - post_yield) * kept * kept;
   }
   double dissipation_rate(const State& committed, double, double rate) const {
