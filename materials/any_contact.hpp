@@ -18,8 +18,7 @@ class AnyContact {
   using Form = std::variant<ViscousHertz, RootDampedHertz, ViscousLinearContact>;
 
   template <class Law>
-    requires std::constructible_from<Form, const Law&>
-  AnyContact(const Law& law) : form_{law} {}
+  requires std::constructible_from<Form, const Law&> AnyContact(const Law& law) : form_{law} {}
 
   [[nodiscard]] const Form& form() const { return form_; }
 

@@ -191,7 +191,7 @@ template <ForceLaw Law>
 CycleEnergy lead_along(const Law& law, typename Law::State& committed, const ClosedPath& path, int cycles) {
   using State = typename Law::State;
   constexpr bool knows_dissipation = requires(const State& state) { law.dissipated_energy(state, state); };
-  constexpr int steps = 4000;
+  constexpr int steps = 1500;
   constexpr std::array<double, 3> points{0.1127016653792583, 0.5, 0.8872983346207417};
   constexpr std::array<double, 3> weights{5.0 / 18.0, 8.0 / 18.0, 5.0 / 18.0};
   CycleEnergy energy;
@@ -215,7 +215,11 @@ CycleEnergy lead_along(const Law& law, typename Law::State& committed, const Clo
     const double end = static_cast<double>(step + 1) / steps;
     if constexpr (LawWithRegimes<Law>) {
       const auto margin = [&](double t) { return law.regime_margin(committed, path.deformation(t), path.rate(t)); };
-      while (margin(end) < 0.0) {
+      for (int changes = 0; margin(end) < 0.0; ++changes) {
+        if (changes == 100) {
+          ADD_FAILURE() << "the regimes chatter at t = " << now << " s";
+          return energy;
+        }
         double before = now, beyond = end;
         while (beyond - before > 1e-15) {
           const double middle = 0.5 * (before + beyond);
@@ -237,7 +241,7 @@ CycleEnergy lead_along(const Law& law, typename Law::State& committed, const Clo
 template <ForceLaw Law>
 void expect_passive(const Law& law, const LawRange& range, double tolerance) {
   Arguments arguments{range};
-  for (int count = 0; count < 12; ++count) {
+  for (int count = 0; count < 4; ++count) {
     const ClosedPath path =
         random_path(arguments, arguments.uniform(-0.5, 0.5) * range.deformation, 0.6 * range.deformation);
     typename Law::State committed{};
