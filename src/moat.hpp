@@ -4,6 +4,7 @@
 #include "analyses/case_run.hpp"
 #include "analyses/newmark.hpp"
 #include "analyses/periods.hpp"
+#include "analyses/study.hpp"
 #include "analyses/transient.hpp"
 #include "app/script.hpp"
 #include "base/error.hpp"
