@@ -11,7 +11,7 @@ namespace moat {
 template <class Law>
 concept ImpactLaw = requires(const Law& law, const Check& check, double effective_mass) {
   law.check(check);
-  { law.between(effective_mass) } -> LawWithRegimes;
+  { law.between(effective_mass) } -> ContactLaw;
 };
 
 /// A gap between two nodes, or a node and the fixed ground, that pound when it closes.
@@ -21,38 +21,56 @@ concept ImpactLaw = requires(const Law& law, const Check& check, double effectiv
 ///     indentation d = u_left - u_right - clearance;  touching where d > 0
 ///     law(d, d') >= 0 pushes `left` to the left and `right` to the right
 ///
-/// Reports `impact_force` [N], compression positive, under its name and its peak under `place`.
+/// Either side may be a point on a column between two floors, where floors of neighbouring buildings stand at unequal
+/// heights: `MemberPoint{floor_2, floor_3, 0.4}` is 40 % of the way up from floor 2; the force then acts on both floors.
+///
+/// Reports `impact_force` [N], compression positive, and `indentation` [m] under its name and their peaks under
+/// `place`. The effective mass that a law may need is 1/m = sum of weight^2 / mass over the nodes of both sides; the
+/// ground's mass is infinite.
 template <ImpactLaw Law>
 struct Gap {
   std::string name;
   /// Where its peak is listed together with that of other gaps; its own name if empty.
   std::string place{};
-  Required<NodeId> left;
-  Required<NodeId> right;
+  Required<MemberPoint> left;
+  Required<MemberPoint> right;
   /// > 0 m, free distance at rest.
   Required<Length> clearance;
   Law law;
 };
 
+/// Throws InputError unless both nodes of the point are of this model and its share is from 0 to below 1.
+void check_member_point(const Model& model, const Check& check, const std::string& name, std::string_view field,
+                        const MemberPoint& point);
+
+/// Of two points, kg. Throws InputError if neither has mass.
+double effective_mass(const Model& model, const Check& check, const MemberPoint& first, const MemberPoint& second);
+
 /// Throws InputError for a bad parameter of gap or law, unknown or equal nodes, or a name that is taken.
 template <ImpactLaw Law>
 void add(Model& model, const Gap<Law>& gap) {
-  const Check check = check_link(model, "Gap", gap.name, {"left", gap.left}, {"right", gap.right});
+  const MemberPoint &left = gap.left, &right = gap.right;
+  const Check check = check_link(model, "Gap", gap.name, {"left", left.node}, {"right", right.node});
+  check_member_point(model, check, gap.name, "left", left);
+  check_member_point(model, check, gap.name, "right", right);
   check.positive("clearance", gap.clearance, "Give the free distance at rest.");
   gap.law.check(check);
-  const double effective_mass = model.effective_mass(gap.left, gap.right);
-  const auto law = gap.law.between(effective_mass);
+  const double mass = effective_mass(model, check, left, right);
+  const auto law = gap.law.between(mass);
+  using Contact = std::remove_const_t<decltype(law)>;
   model.register_element("Gap", gap.name);
-  model.block<LinkBlock<std::remove_const_t<decltype(law)>>>().add(
-      {.name = gap.name,
-       .place = gap.place.empty() ? gap.name : gap.place,
-       .kind = ElementKind::gap,
-       .first = gap.right,
-       .second = gap.left,
-       .offset = gap.clearance.si(),
-       .deformation_quantity = "indentation",
-       .force_quantity = "impact_force"},
-      law, effective_mass);
+  ElementInfo info{.name = gap.name,
+                   .place = gap.place.empty() ? gap.name : gap.place,
+                   .kind = ElementKind::gap,
+                   .first = right.node,
+                   .second = left.node,
+                   .offset = gap.clearance.si(),
+                   .deformation_quantity = "indentation",
+                   .force_quantity = "impact_force"};
+  if (left.is_node() && right.is_node())
+    model.block<LinkBlock<Contact>>().add(std::move(info), law, mass);
+  else
+    model.block<LinkBlock<Contact, PointPair>>().add(std::move(info), law, mass, PointPair{right, left});
 }
 
 }  // namespace moat

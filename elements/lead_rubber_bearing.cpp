@@ -3,6 +3,7 @@
 #include "elements/link_block.hpp"
 #include "elements/link_checks.hpp"
 #include "materials/bilinear.hpp"
+#include "materials/located_bilinear.hpp"
 
 namespace moat {
 
@@ -14,14 +15,17 @@ void add(Model& model, const LeadRubberBearing& bearing) {
                      .post_yield_stiffness = bearing.post_yield_stiffness};
   law.check(check);
   model.register_element("LeadRubberBearing", bearing.name);
-  model.block<LinkBlock<Bilinear>>().add({.name = bearing.name,
-                                          .place = bearing.name,
-                                          .kind = ElementKind::bearing,
-                                          .first = bearing.lower,
-                                          .second = bearing.upper,
-                                          .deformation_quantity = "isolator_deformation",
-                                          .force_quantity = "isolator_force"},
-                                         law);
+  ElementInfo info{.name = bearing.name,
+                   .place = bearing.name,
+                   .kind = ElementKind::bearing,
+                   .first = bearing.lower,
+                   .second = bearing.upper,
+                   .deformation_quantity = "isolator_deformation",
+                   .force_quantity = "isolator_force"};
+  if (bearing.locate_yield)
+    model.block<LinkBlock<LocatedBilinear>>().add(std::move(info), LocatedBilinear{law});
+  else
+    model.block<LinkBlock<Bilinear>>().add(std::move(info), law);
 }
 
 }  // namespace moat

@@ -2,10 +2,15 @@
 #pragma once
 
 #include <algorithm>
+#include <concepts>
+#include <limits>
 #include <string>
 #include <vector>
 
+#include "base/error.hpp"
+#include "elements/ends.hpp"
 #include "materials/contact_state.hpp"
+#include "materials/free_impact.hpp"
 #include "materials/response.hpp"
 #include "model/element_block.hpp"
 #include "model/model.hpp"
@@ -17,14 +22,23 @@ namespace moat {
 ///     deformation d = u(second) - u(first) - offset;  the law's force pulls `second` back and `first` along.
 ///
 /// A spring has its lower node first; a contact has its right node first and its clearance as offset,
-/// so that d is the indentation and a positive force is compression.
-template <ForceLaw Law>
+/// so that d is the indentation and a positive force is compression. `Ends` tells where the ends are attached:
+/// at nodes (NodePair) or at points between nodes (PointPair).
+template <ForceLaw Law, class Ends = NodePair>
 class LinkBlock final : public ElementBlock {
  public:
   using State = typename Law::State;
 
   /// Appends an element. effective_mass (kg) is used only to estimate how long a contact lasts.
-  std::size_t add(ElementInfo info, const Law& law, double effective_mass = 0.0) {
+  std::size_t add(ElementInfo info, const Law& law, double effective_mass = 0.0)
+    requires std::constructible_from<Ends, const ElementInfo&>
+  {
+    const Ends ends{info};
+    return add(std::move(info), law, effective_mass, ends);
+  }
+  std::size_t add(ElementInfo info, const Law& law, double effective_mass, const Ends& ends) {
+    ends_.push_back(ends);
+    offsets_.push_back(info.offset);
     infos_.push_back(std::move(info));
     laws_.push_back(law);
     effective_masses_.push_back(effective_mass);
@@ -46,24 +60,17 @@ class LinkBlock final : public ElementBlock {
   const ElementInfo& info(std::size_t element) const override { return infos_[element]; }
 
   void add_couplings(PatternBuilder& pattern) const override {
-    for (const ElementInfo& info : infos_) pattern.couple(info.first.index, info.second.index);
+    for (const Ends& ends : ends_) ends.add_couplings(pattern);
   }
 
   void find_slots(const SparseMatrix& matrix) override {
-    links_.clear();
-    for (const ElementInfo& info : infos_) {
-      const int first = info.first.index, second = info.second.index;
-      const auto entry = [&](int degree_of_freedom) { return degree_of_freedom == ground_index ? matrix.size : degree_of_freedom; };
-      links_.push_back({entry(first), entry(second), matrix.slot(first, first), matrix.slot(first, second),
-                        matrix.slot(second, first), matrix.slot(second, second)});
-    }
+    for (Ends& ends : ends_) ends.find_slots(matrix);
   }
 
   void evaluate(const double* displacement, const double* velocity) override {
-    for (std::size_t i = 0; i < links_.size(); ++i) {
-      const Link& link = links_[i];
-      deformations_[i] = displacement[link.second] - displacement[link.first] - infos_[i].offset;
-      rates_[i] = velocity[link.second] - velocity[link.first];
+    for (std::size_t i = 0; i < ends_.size(); ++i) {
+      deformations_[i] = ends_[i].difference(displacement) - offsets_[i];
+      rates_[i] = ends_[i].difference(velocity);
       const Response response = laws_[i].evaluate(committed_[i], deformations_[i], rates_[i], trial_[i]);
       forces_[i] = response.force;
       stiffnesses_[i] = response.stiffness;
@@ -72,23 +79,20 @@ class LinkBlock final : public ElementBlock {
   }
 
   void add_forces(double* force) const override {
-    for (std::size_t i = 0; i < links_.size(); ++i) {
-      force[links_[i].second] += forces_[i];
-      force[links_[i].first] -= forces_[i];
-    }
+    for (std::size_t i = 0; i < ends_.size(); ++i) ends_[i].add_force(forces_[i], force);
   }
 
   void add_tangent(double displacement_weight, double velocity_weight, double* values) const override {
-    for (std::size_t i = 0; i < links_.size(); ++i)
-      scatter(links_[i], displacement_weight * stiffnesses_[i] + velocity_weight * dampings_[i], values);
+    for (std::size_t i = 0; i < ends_.size(); ++i)
+      ends_[i].add_stiffness(displacement_weight * stiffnesses_[i] + velocity_weight * dampings_[i], values);
   }
 
   void add_linear_stiffness(StiffnessStage stage, double* values) const override {
-    for (std::size_t i = 0; i < links_.size(); ++i) scatter(links_[i], laws_[i].linear_stiffness(stage), values);
+    for (std::size_t i = 0; i < ends_.size(); ++i) ends_[i].add_stiffness(laws_[i].linear_stiffness(stage), values);
   }
 
   void commit(double step) override {
-    for (std::size_t i = 0; i < links_.size(); ++i) {
+    for (std::size_t i = 0; i < ends_.size(); ++i) {
       Start& start = starts_[i];
       const double power = laws_[i].dissipation_rate(trial_[i], deformations_[i], rates_[i]);
       if (step > 0.0) {
@@ -102,7 +106,7 @@ class LinkBlock final : public ElementBlock {
   }
 
   void start_energy_account() override {
-    for (std::size_t i = 0; i < links_.size(); ++i)
+    for (std::size_t i = 0; i < ends_.size(); ++i)
       accounts_[i] = {.work = 0.0, .dissipated = 0.0, .stored_at_start = stored(i)};
   }
 
@@ -119,12 +123,12 @@ class LinkBlock final : public ElementBlock {
 
   void scan_regimes(double step, RegimeScan& scan) const override {
     if constexpr (LawWithRegimes<Law>)
-      for (std::size_t i = 0; i < links_.size(); ++i) scan_element(i, step, scan);
+      for (std::size_t i = 0; i < ends_.size(); ++i) scan_element(i, step, scan);
   }
 
   void change_regimes(std::size_t block_index, std::vector<RegimeChange>& changes) override {
     if constexpr (LawWithRegimes<Law>) {
-      for (std::size_t i = 0; i < links_.size(); ++i) {
+      for (std::size_t i = 0; i < ends_.size(); ++i) {
         // One change may lead straight into another (a touch that is already separating); three visit every phase.
         for (int change = 0; change < 3; ++change) {
           if (laws_[i].regime_margin(committed_[i], starts_[i].deformation, starts_[i].rate) >= 0.0) break;
@@ -140,27 +144,32 @@ class LinkBlock final : public ElementBlock {
 
   double shortest_contact() const override {
     double shortest = std::numeric_limits<double>::infinity();
-    if constexpr (LawWithRegimes<Law>)
-      for (std::size_t i = 0; i < links_.size(); ++i)
+    if constexpr (ContactLaw<Law>)
+      for (std::size_t i = 0; i < ends_.size(); ++i)
         if (committed_[i].phase != ContactPhase::open)
           shortest = std::min(shortest, laws_[i].contact_duration(effective_masses_[i], committed_[i].approach_speed));
     return shortest;
   }
 
   ContactView contact(std::size_t element) const override {
-    if constexpr (std::same_as<State, ContactState>)
+    if constexpr (ContactLaw<Law>)
       return {committed_[element].phase != ContactPhase::open, committed_[element].approach_speed};
     else
       return {};
   }
 
- private:
-  // Where an element reads and scatters; the ground has the last entry of every array.
-  struct Link {
-    int first, second;
-    int first_first, first_second, second_first, second_second;
-  };
+  double delivered_restitution(std::size_t element, double approach_speed) const override {
+    if constexpr (ContactLaw<Law>) {
+      try {
+        return moat::delivered_restitution(laws_[element], effective_masses_[element], approach_speed);
+      } catch (const Error&) {
+        // A contact that never ends has no restitution; the impact itself is reported all the same.
+      }
+    }
+    return std::numeric_limits<double>::quiet_NaN();
+  }
 
+ private:
   // The element at the last commit.
   struct Start {
     double deformation = 0.0, rate = 0.0, force = 0.0, power = 0.0;
@@ -184,13 +193,6 @@ class LinkBlock final : public ElementBlock {
       const double middle_power = laws_[i].dissipation_rate(committed_[i], middle, middle_rate);
       return step / 6.0 * (start.power + 4.0 * middle_power + end_power);
     }
-  }
-
-  static void scatter(const Link& link, double stiffness, double* values) {
-    values[link.second_second] += stiffness;
-    values[link.first_first] += stiffness;
-    values[link.first_second] -= stiffness;
-    values[link.second_first] -= stiffness;
   }
 
   void scan_element(std::size_t i, double step, RegimeScan& scan) const
@@ -253,7 +255,8 @@ class LinkBlock final : public ElementBlock {
   std::vector<ElementInfo> infos_;
   std::vector<Law> laws_;
   std::vector<double> effective_masses_;
-  std::vector<Link> links_;
+  std::vector<Ends> ends_;
+  std::vector<double> offsets_;
   std::vector<State> committed_, trial_;
   std::vector<double> deformations_, rates_, forces_, stiffnesses_, dampings_;
   std::vector<Start> starts_;

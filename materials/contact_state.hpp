@@ -2,7 +2,10 @@
 #pragma once
 
 #include <algorithm>
+#include <concepts>
 #include <cstdint>
+
+#include "materials/response.hpp"
 
 namespace moat {
 
@@ -53,5 +56,13 @@ inline ContactState next_contact_state(const ContactState& committed, double ind
   return {committed.phase == ContactPhase::loaded ? ContactPhase::released : ContactPhase::loaded,
           committed.approach_speed};
 }
+
+/// A law that touches and separates.
+template <class Law>
+concept ContactLaw = LawWithRegimes<Law> && std::same_as<typename Law::State, ContactState> &&
+    requires(const Law& law, double effective_mass, double approach_speed) {
+  // Time scale of a free impact, s; steps are chosen by it.
+  { law.contact_duration(effective_mass, approach_speed) } -> std::same_as<double>;
+};
 
 }  // namespace moat

@@ -57,7 +57,7 @@ Motion dormand_prince(const Slope& slope, const Motion& start, double h, Motion&
 ///
 /// effective_mass m = m1 m2/(m1 + m2) > 0 kg, approach_speed v0 > 0 m/s. The error is below 1e-9: adaptive
 /// Dormand-Prince, the end located. Throws Error if the contact has not ended after 1e5 steps.
-template <LawWithRegimes Law>
+template <ContactLaw Law>
 double delivered_restitution(const Law& law, double effective_mass, double approach_speed) {
   using free_impact::Motion;
   constexpr double tolerance = 1e-12;

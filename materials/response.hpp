@@ -38,7 +38,7 @@ concept ForceLaw = std::is_trivially_copyable_v<typename Law::State> &&
   { law.linear_stiffness(StiffnessStage::initial) } -> std::same_as<double>;
 };
 
-/// A law that is smooth only between located instants: a contact that touches and separates.
+/// A law that is smooth only between located instants: a contact that touches and separates, a spring that yields.
 ///
 /// regime_margin() is positive while the committed regime lasts and reaches zero where the next one
 /// begins; within a regime evaluate() is smooth. next_regime() gives the state on the other side.

@@ -14,6 +14,7 @@
 #include "elements/gap.hpp"
 #include "elements/lead_rubber_bearing.hpp"
 #include "elements/shear_spring.hpp"
+#include "elements/spring.hpp"
 #include "elements/viscous_damper.hpp"
 #include "materials/free_impact.hpp"
 #include "materials/impact_law_named.hpp"

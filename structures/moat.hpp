@@ -1,15 +1,39 @@
-// The retaining walls on both sides of an isolated base.
+// The retaining walls beside an isolated base.
 #pragma once
 
+#include <optional>
+
 #include "elements/gap.hpp"
+#include "elements/spring.hpp"
+#include "elements/viscous_damper.hpp"
+#include "materials/linear.hpp"
 
 namespace moat {
 
-/// A moat: fixed walls on both sides of a node, at the same clearance.
+/// A wall that gives way: a mass on a spring and a dashpot, fixed to the ground.
+///
+///     ///--[spring]--
+///     ///            [mass]  |<- clearance ->[ base ]
+///     ///--[dashpot]-
+struct FlexibleWall {
+  /// > 0 kg that moves with the face of the wall.
+  Required<Mass> mass;
+  /// > 0 N/m of wall and soil behind it.
+  Required<Stiffness> stiffness;
+  /// >= 0 N s/m.
+  DampingCoefficient damping{};
+};
+
+/// On which sides of the base a moat has a wall.
+enum class Sides { left, right, both };
+
+/// A moat: walls beside a node, at the same clearance.
 ///
 ///     wall |<- clearance ->[ around ]<- clearance ->| wall
 ///
-/// Two gaps, "<name> left" and "<name> right", whose impact forces share the place <name>.
+/// Gaps "<name> left" and "<name> right", whose impact forces share the place <name>. The walls are fixed to the
+/// ground, or nodes "<name> left wall", "<name> right wall" on springs where `wall` is given; then `wall_force` [N]
+/// and `wall_deformation` [m] are reported too.
 template <ImpactLaw Law>
 struct Moat {
   std::string name = "moat";
@@ -17,24 +41,38 @@ struct Moat {
   /// > 0 m, on each side at rest.
   Required<Length> clearance;
   Law law;
+  Sides sides = Sides::both;
+  std::optional<FlexibleWall> wall{};
 };
 
-/// Throws InputError as the two gaps would.
+/// Adds a flexible wall and returns its node.
+NodeId add_wall(Model& model, const FlexibleWall& wall, const std::string& name, NodeId around, double offset);
+
+/// Throws InputError as the gaps and walls would.
 template <ImpactLaw Law>
 void add(Model& model, const Moat<Law>& moat) {
   model.require_node(moat.around, "Moat \"" + moat.name + "\"", "around");
-  add(model, Gap<Law>{.name = moat.name + " left",
-                      .place = moat.name,
-                      .left = ground,
-                      .right = moat.around,
-                      .clearance = moat.clearance,
-                      .law = moat.law});
-  add(model, Gap<Law>{.name = moat.name + " right",
-                      .place = moat.name,
-                      .left = moat.around,
-                      .right = ground,
-                      .clearance = moat.clearance,
-                      .law = moat.law});
+  const auto face = [&](const std::string& side, double direction) {
+    return moat.wall ? add_wall(model, *moat.wall, side + " wall", moat.around, direction * moat.clearance.si()) : ground;
+  };
+  if (moat.sides != Sides::right) {
+    const std::string name = moat.name + " left";
+    add(model, Gap<Law>{.name = name,
+                        .place = moat.name,
+                        .left = face(name, -1.0),
+                        .right = moat.around.value(),
+                        .clearance = moat.clearance,
+                        .law = moat.law});
+  }
+  if (moat.sides != Sides::left) {
+    const std::string name = moat.name + " right";
+    add(model, Gap<Law>{.name = name,
+                        .place = moat.name,
+                        .left = moat.around.value(),
+                        .right = face(name, 1.0),
+                        .clearance = moat.clearance,
+                        .law = moat.law});
+  }
 }
 
 }  // namespace moat

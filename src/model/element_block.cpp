@@ -6,6 +6,10 @@ void ElementBlock::scan_regimes(double, RegimeScan&) const {}
 
 void ElementBlock::change_regimes(std::size_t, std::vector<RegimeChange>&) {}
 
+double ElementBlock::delivered_restitution(std::size_t, double) const {
+  return std::numeric_limits<double>::quiet_NaN();
+}
+
 ContactView ElementBlock::contact(std::size_t) const { return {}; }
 
 }  // namespace moat

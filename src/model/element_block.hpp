@@ -119,6 +119,8 @@ class ElementBlock {
   /// How long one cycle of the fastest element that is in contact now lasts, s; infinite if none is.
   [[nodiscard]] virtual double shortest_contact() const { return std::numeric_limits<double>::infinity(); }
   [[nodiscard]] virtual ContactView contact(std::size_t element) const;
+  /// Restitution that the element's law delivers in a free impact at this approach speed, m/s; NaN if it is no contact.
+  [[nodiscard]] virtual double delivered_restitution(std::size_t element, double approach_speed) const;
 };
 
 }  // namespace moat

@@ -26,6 +26,7 @@ struct Impact {
   double largest_indentation = 0.0;  ///< m
   double largest_force = 0.0;        ///< N
   double rebound_ratio = 0.0;        ///< separation speed over approach speed, as it happened in the building
+  double restitution = 0.0;          ///< of the law alone, replayed in free flight at the same approach speed
   double energy_lost = 0.0;          ///< J
 };
 

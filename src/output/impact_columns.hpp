@@ -20,6 +20,7 @@ inline constexpr std::array impact_columns{
     ImpactColumn{"largest_indentation", "m", &Impact::largest_indentation},
     ImpactColumn{"largest_force", "N", &Impact::largest_force},
     ImpactColumn{"rebound_ratio", "1", &Impact::rebound_ratio},
+    ImpactColumn{"restitution", "1", &Impact::restitution},
     ImpactColumn{"energy_lost", "J", &Impact::energy_lost},
 };
 

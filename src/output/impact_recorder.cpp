@@ -50,10 +50,12 @@ void ImpactRecorder::event(const StepView& view, std::span<const RegimeChange> c
 
 void ImpactRecorder::open(const StepView& view, RegimeChange gap) {
   const ElementBlock& block = *view.model.blocks()[gap.block];
+  const double speed = block.contact(gap.element).approach_speed;
   ongoing_.push_back({gap, impacts_.size(), {}, {}, block.energy(gap.element).dissipated});
   impacts_.push_back({.where = block.info(gap.element).name,
                       .start = view.model.state().time,
-                      .approach_speed = block.contact(gap.element).approach_speed});
+                      .approach_speed = speed,
+                      .restitution = block.delivered_restitution(gap.element, speed)});
 }
 
 void ImpactRecorder::close(const StepView& view, const Ongoing& contact, bool separated) {

@@ -16,7 +16,7 @@ namespace moat {
 ///       "peaks": [ { "quantity", "where", "value", "unit", "time" } ],
 ///       "impacts": number of impacts,
 ///       "impact_table": [ { "where", "start", "duration", "approach_speed", "largest_indentation", "largest_force",
-///                           "rebound_ratio", "energy_lost" } ],
+///                           "rebound_ratio", "restitution", "energy_lost" } ],
 ///       "energy": { "unit": "J", the fields of EnergyBalance }, "warnings": [ ... ],
 ///       "solver": { the fields of SolverStatistics } }
 ///

@@ -73,11 +73,12 @@ TEST_F(CsvWriter, NamesTheFileItCannotWrite) {
 
 TEST_F(CsvWriter, WritesImpactsWithUnits) {
   const std::string header =
-      "where,start [s],duration [s],approach_speed [m/s],largest_indentation [m],largest_force [N],rebound_ratio [1]\n";
+      "where,start [s],duration [s],approach_speed [m/s],largest_indentation [m],largest_force [N],rebound_ratio [1],"
+      "restitution [1],energy_lost [J]\n";
   write_csv(std::vector<Impact>{}, folder / "none.csv");
   EXPECT_EQ(read_file(folder / "none.csv"), header);
-  write_csv(std::vector<Impact>{{"moat left", 3.25, 0.125, 0.5, 0.0078125, 2.5e7, 0.75}}, folder / "one.csv");
-  EXPECT_EQ(read_file(folder / "one.csv"), header + "moat left,3.25,0.125,0.5,0.0078125,2.5e+07,0.75\n");
+  write_csv(std::vector<Impact>{{"moat left", 3.25, 0.125, 0.5, 0.0078125, 2.5e7, 0.75, 0.5, 4e5}}, folder / "one.csv");
+  EXPECT_EQ(read_file(folder / "one.csv"), header + "moat left,3.25,0.125,0.5,0.0078125,2.5e+07,0.75,0.5,4e+05\n");
 }
 
 }  // namespace

@@ -21,10 +21,11 @@ CaseResult example() {
                   {"absolute_acceleration", "floor 5", 12.5, "m/s^2", 12.25},
                   {"displacement", "floor 5", 0.05, "m", 14.5},
                   {"impact_force", "moat left", 25.65e6, "N", 4.25}};
-  result.impacts = {{"moat left", 3.25, 0.125, 0.5, 0.01, 2.5e7, 0.75, 1e5},
-                    {"moat right", 5.0, 0.25, 1.5, 0.02, 3e7, 0.5, 2e5}};
+  result.impacts = {{"moat left", 3.25, 0.125, 0.5, 0.01, 2.5e7, 0.75, 0.7, 1e5},
+                    {"moat right", 5.0, 0.25, 1.5, 0.02, 3e7, 0.5, 0.6, 2e5}};
   result.solver = {.accepted_steps = 11,
                    .rejected_steps = 12,
+                   .repeated_steps = 17,
                    .event_solves = 13,
                    .events = 14,
                    .newton_iterations = 15,
@@ -53,8 +54,10 @@ TEST_F(Summary, ReadsBackWithEveryField) {
   ASSERT_EQ(json["impact_table"].size(), 2u);
   EXPECT_EQ(json["impact_table"][0],
             Json::parse(R"({"where": "moat left", "start": 3.25, "duration": 0.125, "approach_speed": 0.5,
-                            "largest_indentation": 0.01, "largest_force": 2.5e7, "rebound_ratio": 0.75})"));
-  EXPECT_EQ(json["solver"], Json::parse(R"({"accepted_steps": 11, "rejected_steps": 12, "event_solves": 13,
+                            "largest_indentation": 0.01, "largest_force": 2.5e7, "rebound_ratio": 0.75,
+                            "restitution": 0.7, "energy_lost": 1e5})"));
+  EXPECT_EQ(json["solver"], Json::parse(R"({"accepted_steps": 11, "rejected_steps": 12, "repeated_steps": 17,
+                                            "event_solves": 13,
                                             "events": 14, "newton_iterations": 15, "factorisations": 16,
                                             "cpu_seconds": 0.5})"));
 }
