@@ -9,11 +9,11 @@
 #include <mutex>
 #include <thread>
 
+#include "materials/impact_laws.hpp"
 #include "message_of.hpp"
 #include "motions/near_fault_pulse.hpp"
 #include "structures/moat.hpp"
 #include "structures/shear_building.hpp"
-#include "materials/impact_laws.hpp"
 
 namespace moat {
 namespace {
@@ -64,8 +64,8 @@ TEST(Study, KeepsTheOrderWhenLaterCasesEndFirst) {
 
 TEST(Study, HasNoNumberWhereACaseHasNoSuchResult) {
   const StudyResult result = run_study(two_axes, [](const StudyCase& each) {
-    return each.position("record") == 0 ? StudyRecord{{"drift", "storey 2", "m", 1.0}}
-                                        : StudyRecord{{"drift", "storey 1", "m", 2.0}};
+    const std::string storey = each.position("record") == 0 ? "storey 2" : "storey 1";
+    return StudyRecord{{"drift", storey, "m", 1.0}};
   });
   const std::vector<double> drift = result.values("drift", "storey 2");
   EXPECT_EQ(drift[0], 1.0);
