@@ -21,6 +21,7 @@
 #include "materials/impact_laws.hpp"
 #include "model/model.hpp"
 #include "motions/ground_motion.hpp"
+#include "motions/high_pass.hpp"
 #include "motions/near_fault_pulse.hpp"
 #include "motions/read_motion.hpp"
 #include "structures/moat.hpp"
