@@ -7,6 +7,7 @@
 #include "analyses/study.hpp"
 #include "analyses/transient.hpp"
 #include "app/script.hpp"
+#include "app/study_progress.hpp"
 #include "base/error.hpp"
 #include "base/quantity.hpp"
 #include "base/required.hpp"
