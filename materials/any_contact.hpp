@@ -1,6 +1,7 @@
 // One of the contact laws, chosen when the program runs.
 #pragma once
 
+#include <concepts>
 #include <variant>
 
 #include "materials/response.hpp"
@@ -16,7 +17,8 @@ class AnyContact {
   using State = ContactState;
   using Form = std::variant<ViscousHertz, RootDampedHertz, ViscousLinearContact>;
 
-  AnyContact(const Form& form) : form_{form} {}
+  template <class Law>
+  requires std::constructible_from<Form, const Law&> AnyContact(const Law& law) : form_{law} {}
 
   [[nodiscard]] const Form& form() const { return form_; }
 

@@ -2,12 +2,16 @@
 
 #include <algorithm>
 #include <array>
+#include <concepts>
 
 #include "base/error.hpp"
 #include "materials/impact_laws.hpp"
 
 namespace moat {
 namespace {
+
+template <class Law>
+constexpr bool is_linear = std::same_as<decltype(Law::stiffness), Required<Stiffness>>;
 
 // The parameters of a law, filled from those fields that it has.
 template <class Law>
@@ -20,9 +24,7 @@ Law parameters(const ImpactLawNamed& named) {
     else
       return Law{.stiffness = stiffness};
   };
-  if constexpr (
-      requires { Law{.stiffness = named.linear_stiffness}; } ||
-      requires { Law{.stiffness = named.linear_stiffness, .restitution = 1.0}; })
+  if constexpr (is_linear<Law>)
     return with(named.linear_stiffness);
   else
     return with(named.hertz_stiffness);
@@ -35,9 +37,23 @@ struct Entry {
 };
 
 template <class Law>
+void check_law(const ImpactLawNamed& named, const Check& check) {
+  const std::string advice = "The law " + named.name.value() + " needs it.";
+  if constexpr (is_linear<Law>)
+    check.positive("linear_stiffness", named.linear_stiffness, advice);
+  else
+    check.positive("hertz_stiffness", named.hertz_stiffness, advice);
+  parameters<Law>(named).check(check);
+}
+
+template <class Law>
+AnyContact make_law(const ImpactLawNamed& named, double effective_mass) {
+  return AnyContact{parameters<Law>(named).between(effective_mass)};
+}
+
+template <class Law>
 constexpr Entry entry(std::string_view name) {
-  return {name, [](const ImpactLawNamed& named, const Check& check) { parameters<Law>(named).check(check); },
-          [](const ImpactLawNamed& named, double mass) { return AnyContact{parameters<Law>(named).between(mass)}; }};
+  return {name, check_law<Law>, make_law<Law>};
 }
 
 constexpr std::array entries{entry<Anagnostopoulos>("anagnostopoulos"),

@@ -33,7 +33,8 @@ struct ImpactLawNamed {
   /// Whether the contact may pull, for laws that leave it open; the others ignore it.
   bool may_pull = false;
 
-  /// Throws InputError for an unknown name, which lists the known ones, or for what the law itself refuses.
+  /// Throws InputError for an unknown name, which lists the known ones, for the stiffness that the law needs, or for
+  /// what the law itself refuses.
   void check(const Check& check) const;
   /// The law between two bodies of the given effective mass, kg.
   [[nodiscard]] AnyContact between(double effective_mass) const;

@@ -46,7 +46,6 @@ template <class Law>
 concept LawWithRegimes = ForceLaw<Law> && requires(const Law& law, const typename Law::State& committed, double x) {
   { law.regime_margin(committed, x, x) } -> std::same_as<double>;
   { law.next_regime(committed, x, x) } -> std::same_as<typename Law::State>;
-  { law.contact_duration(x, x) } -> std::same_as<double>;
 };
 
 }  // namespace moat

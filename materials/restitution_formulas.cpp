@@ -86,7 +86,7 @@ double restitution_of_viscous_hertz(double damping_factor) {
     const double left = p < 0.1 ? excess_over_logarithm(std::expm1(-p)) : p + std::expm1(-p);
     return left - wanted;
   };
-  const double p = zero_between(missing, 0.0, wanted + 1.0);
+  const double p = zero_between(missing, 0.0, wanted + 2.0);
   return -std::expm1(-p) / damping_factor;
 }
 

@@ -28,8 +28,8 @@ struct ViscousHertz {
 
   using State = ContactState;
 
-  /// d'/v0 counts at most this much: a contact that was touched slowly and is then driven hard would
-  /// otherwise be as stiff as the slowness of its touch makes it.
+  /// d'/v0 counts at most this much, to both sides: a contact that was touched slowly and is then driven hard
+  /// would otherwise be as stiff as the slowness of its touch makes it.
   static constexpr double largest_speed_ratio = 100.0;
   /// A released contact pushes again only where 1 + z d'/v0 exceeds this.
   static constexpr double reload_threshold = 1e-9;
@@ -39,10 +39,10 @@ struct ViscousHertz {
     if (committed.phase != ContactPhase::loaded || indentation <= 0.0) return {};
     const double root = std::sqrt(indentation);
     const double elastic = stiffness * indentation * root;
-    const double ratio = rate / committed.approach_speed;
-    const double factor = 1.0 + damping_factor * std::min(ratio, largest_speed_ratio);
+    const double ratio = speed_ratio(committed, rate);
+    const double factor = 1.0 + damping_factor * ratio;
     return {elastic * factor, 1.5 * stiffness * root * factor,
-            ratio < largest_speed_ratio ? elastic * damping_factor / committed.approach_speed : 0.0};
+            std::abs(ratio) < largest_speed_ratio ? elastic * damping_factor / committed.approach_speed : 0.0};
   }
   double stored_energy(const State& committed, double indentation) const {
     if (committed.phase == ContactPhase::open || indentation <= 0.0) return 0.0;
@@ -52,14 +52,14 @@ struct ViscousHertz {
     if (committed.phase == ContactPhase::open || indentation <= 0.0) return 0.0;
     const double elastic = stiffness * indentation * std::sqrt(indentation);
     if (committed.phase == ContactPhase::released) return std::max(-elastic * rate, 0.0);
-    return elastic * damping_factor * std::min(rate / committed.approach_speed, largest_speed_ratio) * rate;
+    return elastic * damping_factor * speed_ratio(committed, rate) * rate;
   }
   double linear_stiffness(StiffnessStage) const { return 0.0; }
 
   double regime_margin(const State& committed, double indentation, double rate) const {
     const double push = may_pull || committed.phase == ContactPhase::open
                             ? std::numeric_limits<double>::infinity()
-                            : 1.0 + damping_factor * rate / committed.approach_speed;
+                            : 1.0 + damping_factor * speed_ratio(committed, rate);
     return contact_margin(committed, indentation, push, reload_threshold);
   }
   State next_regime(const State& committed, double indentation, double rate) const {
@@ -69,6 +69,11 @@ struct ViscousHertz {
   /// makes a contact longer.
   double contact_duration(double effective_mass, double approach_speed) const {
     return elastic_hertz_duration(stiffness, effective_mass, approach_speed);
+  }
+
+ private:
+  static double speed_ratio(const State& committed, double rate) {
+    return std::clamp(rate / committed.approach_speed, -largest_speed_ratio, largest_speed_ratio);
   }
 };
 

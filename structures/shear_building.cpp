@@ -14,11 +14,16 @@ void check_parameters(const ShearBuilding& building) {
   check.positive("storey_stiffness", building.storey_stiffness);
   check.positive("storey_height", building.storey_height);
   check.positive("half_width", building.half_width);
-  if (building.isolation)
+  if (building.isolation) {
     check.positive("base_mass", building.base_mass, "An isolated building needs the mass of its base floor.");
-  else
+    check.that(building.isolation->lower == ground, "isolation.lower is given.",
+               "Leave it out: the bearings stand on the ground.");
+    check.that(!building.isolation->upper.specified(), "isolation.upper is given.",
+               "Leave it out: the bearings carry the base.");
+  } else {
     check.that(building.base_mass == Mass{}, "base_mass", building.base_mass.si(), "kg",
                "left out without isolation: the ground is the base", "Give .isolation, or leave out .base_mass.");
+  }
 }
 
 }  // namespace

@@ -52,7 +52,8 @@ void show_reading(Exhibit& exhibit, const std::string& name, const std::string& 
           [&](std::size_t motion) {
             const std::vector<double> y = result.curve(response, motion);
             const double correlation = rank_correlation(result.x(), y), growth = y.back() / y.front();
-            return Answer{correlation >= 0.8 && growth >= 1.2, fixed(correlation, 2) + ", " + fixed(growth, 2) + " times"};
+            return Answer{correlation >= 0.8 && growth >= 1.2,
+                          fixed(correlation, 2) + (y.front() > 0.0 ? ", " + fixed(growth, 2) + " times" : ", from none")};
           });
 }
 

@@ -54,11 +54,14 @@ void show(Exhibit& exhibit) {
   Series impact = history(pounding, "impact_force", "moat left", 1e6, "impact force");
   const Series right = history(pounding, "impact_force", "moat right", 1e6, "");
   std::ranges::transform(impact.y, right.y, impact.y.begin(), [](double a, double b) { return a + b; });
+  const std::vector<Series> accelerations{acceleration(fixed_base), acceleration(pounding), acceleration(isolated)};
+  Chart around_impact = chart("(a) around the impact", "acceleration [m/s²]", accelerations);
+  around_impact.x_range = {{6.5, 9.0}};
   exhibit.figure(
       {"fig4",
        "Fig. 4: histories under GBZ000 at 0.4 g. (a) absolute acceleration of the top floor; (b) impact force, "
        "compression positive; (c) base shear under its different names.",
-       {chart("(a) Top floor", "acceleration [m/s²]", {acceleration(fixed_base), acceleration(pounding), acceleration(isolated)}),
+       {chart("(a) Top floor", "acceleration [m/s²]", accelerations), around_impact,
         chart("(b) Impact force", "force [MN]", {impact}),
         chart("(c) Base shear with impact", "force [MN]",
               {history(pounding, "total_base_shear", "base", 1e6, "total base shear (isolator + impact)"),

@@ -20,10 +20,10 @@ struct PaperRecord {
 
 /// In the order of Table 3. The identification is ours: the paper names stations, not files.
 inline constexpr std::array<PaperRecord, 4> paper_records{{
-    {"Kocaeli 1999", "Gebze", "RSN1161_KOCAELI_GBZ000.AT2", "Kocaeli GBZ000"},
-    {"Kobe 1995", "Kobe University", "RSN1108_KOBE_KBU000.AT2", "Kobe KBU000"},
-    {"Northridge 1994", "Administrative Building", "RSN982_NORTHR_JEN022.AT2", "Northridge JEN022"},
-    {"Loma Prieta 1989", "Saratoga-W Valley Coll", "RSN803_LOMAP_WVC270.AT2", "Loma Prieta WVC270"},
+    {"Kocaeli 1999", "Gebze", "RSN1161_KOCAELI_GBZ000.AT2", "GBZ000"},
+    {"Kobe 1995", "Kobe University", "RSN1108_KOBE_KBU000.AT2", "KBU000"},
+    {"Northridge 1994", "Administrative Building", "RSN982_NORTHR_JEN022.AT2", "JEN022"},
+    {"Loma Prieta 1989", "Saratoga-W Valley Coll", "RSN803_LOMAP_WVC270.AT2", "WVC270"},
 }};
 inline constexpr std::size_t gebze = 0;
 

@@ -1,7 +1,6 @@
 #include "app/script.hpp"
 
 #include <CLI/CLI.hpp>
-#include <algorithm>
 #include <charconv>
 #include <cstdio>
 #include <exception>
@@ -77,11 +76,6 @@ struct Script::CommandLine {
     }
     if (found->count() == 0 || help_wanted) return std::nullopt;
     return value;
-  }
-
-  bool look_up_flag(const std::string& name, const std::string& help) {
-    app.add_flag("--" + name, help);
-    return std::find(arguments.begin(), arguments.end(), "--" + name) != arguments.end();
   }
 
   CLI::App app;
@@ -168,20 +162,30 @@ int Script::run(Model& model, const GroundMotion& motion) {
   CommandLine& line = *command_line_;
   const std::filesystem::path default_folder = std::filesystem::path{"results"} / line.program;
   const std::string wanted = text("out", default_folder.string(), "results folder; an existing one gets a new number");
-  const bool force = line.look_up_flag("force", "overwrite an existing results folder");
+  bool force = false, quiet = false;
+  line.app.add_flag("--force", force, "overwrite an existing results folder");
   const Time step = time("step", 0 * units::s, "fixed time step; 0 s adapts it");
   const double tolerance = number("tolerance", TransientOptions{}.tolerance, "error per step of an adapted step");
   const Time end = time("end", motion.duration() * units::s, "end of the analysis");
   const Time frame_interval = time("frame-interval", 50 * units::ms, "between VTK frames; 0 s writes none");
-  const bool quiet = line.look_up_flag("quiet", "print errors only");
+  line.app.add_flag("--quiet", quiet, "print errors only");
+  // Asked for anywhere, also where an option would take it for its value.
+  if (line.help_wanted) {
+    std::cout << line.app.help();
+    return 0;
+  }
   try {
     line.app.parse(std::vector<std::string>{line.arguments.rbegin(), line.arguments.rend()});
   } catch (const CLI::ParseError& error) {
-    const int code = line.app.exit(error);
-    return code == 0 ? 0 : exit_usage;
+    line.app.exit(error);
+    return exit_usage;
   }
 
-  CaseRun run{model, motion, {.title = line.app.get_description(), .transient = {.step = step, .tolerance = tolerance, .end = end}}};
+  // Before the results folder is made.
+  Check{"Script", ""}.not_negative("--frame-interval", frame_interval);
+  CaseRun run{model,
+              motion,
+              {.title = line.app.get_description(), .transient = {.step = step, .tolerance = tolerance, .end = end}}};
   const std::filesystem::path folder =
       make_results_folder(wanted, force ? WhenFolderExists::overwrite : WhenFolderExists::use_new_number);
   std::optional<FrameRecorder> frames;

@@ -101,9 +101,9 @@ class SceneBuilder {
 Scene scene_of(const Model& model) { return SceneBuilder{model}.build(); }
 
 FrameRecorder::FrameRecorder(const Model& model, const std::filesystem::path& folder, double interval)
-    : writer_{folder, scene_of(model)}, interval_{interval} {
-  Check{"FrameRecorder", ""}.positive("interval", interval, "s");
-}
+    // Checked before the writer makes files.
+    : writer_{(Check{"FrameRecorder", ""}.positive("interval", interval, "s"), folder), scene_of(model)},
+      interval_{interval} {}
 
 void FrameRecorder::start(const StepView& view) { write(view); }
 

@@ -21,8 +21,7 @@ using testing::still_ground;
 constexpr double mass = 550e3, stiffness = 2.95e9, speed = 0.4;
 const double depth = std::pow(1.25 * mass * speed * speed / stiffness, 0.4);
 // 2 * integral of ds / sqrt(1 - s^2.5) over 0..1 = 4 sqrt(pi) Gamma(0.4) / (5 Gamma(0.9)) times depth / speed.
-const double duration =
-    0.8 * std::sqrt(3.14159265358979323846) * std::tgamma(0.4) / std::tgamma(0.9) * depth / speed;
+const double duration = 0.8 * std::sqrt(3.14159265358979323846) * std::tgamma(0.4) / std::tgamma(0.9) * depth / speed;
 
 // A free mass that reaches the wall on its right, `clearance` away, at `speed`.
 Model free_mass(double restitution, Length clearance) {
@@ -43,15 +42,12 @@ struct Rebound {
 
 Rebound impact(double restitution, double step, double clearance = 0.0123) {
   Model model = free_mass(restitution, clearance * m);
-  const CaseResult result =
-      run_case(model, still_ground(1 * s, 1 * s), {.transient = {.step = step * s}});
+  const CaseResult result = run_case(model, still_ground(1 * s, 1 * s), {.transient = {.step = step * s}});
   EXPECT_EQ(result.impacts.size(), 1u);
   return {result.impacts.front(), -model.state().velocity[0]};
 }
 
-TEST(ElasticImpact, TheConstantOfTheDurationIsTheOneQuoted) {
-  EXPECT_NEAR(duration / (depth / speed), 2.94328, 5e-6);
-}
+TEST(ElasticImpact, TheConstantOfTheDurationIsTheOneQuoted) { EXPECT_NEAR(duration / (depth / speed), 2.94328, 5e-6); }
 
 TEST(ElasticImpact, DurationDepthAndForceConvergeToTheClosedForm) {
   const auto errors = [](double steps_per_contact) {

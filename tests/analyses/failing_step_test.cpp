@@ -93,8 +93,9 @@ TEST(FailingStep, TellsTimeStepResidualAndWorstNode) {
   const std::string start = "The step from t = " + to_text(error.time) + " s did not converge although it was cut to " +
                             to_text(error.step) + " s: the forces are out of balance by ";
   EXPECT_TRUE(message.starts_with(start)) << message;
-  EXPECT_TRUE(message.ends_with(" of the largest force (allowed: 1e-10), worst at \"puller\". Check the parameters of "
-                                "the elements there; results up to this time are kept."))
+  EXPECT_TRUE(
+      message.ends_with(" of the largest force (allowed: 1e-10), worst at \"puller\". Check the parameters of "
+                        "the elements there; results up to this time are kept."))
       << message;
 }
 
@@ -163,7 +164,8 @@ TEST(FailingStep, AStepThatOnlyNeedsCuttingIsAccepted) {
   };
   Model model;
   const NodeId node = add(model, Node{.name = "mass", .mass = 1000 * kg, .initial_velocity = 1 * mm / s});
-  model.block<LinkBlock<Corner>>().add({.name = "corner", .place = "corner", .first = ground, .second = node}, Corner{});
+  model.block<LinkBlock<Corner>>().add({.name = "corner", .place = "corner", .first = ground, .second = node},
+                                       Corner{});
   Transient analysis{model, still_ground(0.5 * s), {.step = 100 * ms, .largest_iterations = 4}};
   EXPECT_NO_THROW(analysis.run());
   EXPECT_GT(analysis.statistics().rejected_steps, 0);

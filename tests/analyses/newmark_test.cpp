@@ -28,10 +28,9 @@ constexpr double mass = 2000.0, angular_frequency = 2.0 * pi;  // a period of 1 
 // A mass on a spring, with damping ratio `damping`.
 Model oscillator(Length displacement = 0 * m, Speed velocity = 0 * m / s, double damping = 0.0) {
   Model model;
-  const NodeId node = add(model, Node{.name = "mass",
-                                      .mass = mass * kg,
-                                      .initial_displacement = displacement,
-                                      .initial_velocity = velocity});
+  const NodeId node =
+      add(model,
+          Node{.name = "mass", .mass = mass * kg, .initial_displacement = displacement, .initial_velocity = velocity});
   add(model, ShearSpring{.name = "spring",
                          .lower = ground,
                          .upper = node,
@@ -96,8 +95,7 @@ TEST(Newmark, PeriodErrorIsThatOfTheScheme) {
     Transient analysis{model, still_ground(cycles * s), {.scheme = scheme, .step = step * s}};
     while (!analysis.finished()) analysis.advance();
     // At the end the exact oscillator is at its turning point; the numerical one lags by a phase.
-    const double lag =
-        std::atan2(model.state().velocity[0] / angular_frequency, model.state().displacement[0]);
+    const double lag = std::atan2(model.state().velocity[0] / angular_frequency, model.state().displacement[0]);
     const double expected = 2.0 * pi * cycles * std::pow(angular_frequency * step, 2) / divisor;
     EXPECT_NEAR(lag, expected, 0.01 * expected) << "beta = " << scheme.beta;
   }

@@ -31,8 +31,6 @@ inline ShearBuilding paper_building_on_fixed_base() {
   return building;
 }
 
-inline HertzDamp paper_hertz_damp() {
-  return {.stiffness = 2.95e9 * units::N / units::m_3_2, .restitution = 0.65};
-}
+inline HertzDamp paper_hertz_damp() { return {.stiffness = 2.95e9 * units::N / units::m_3_2, .restitution = 0.65}; }
 
 }  // namespace moat::testing

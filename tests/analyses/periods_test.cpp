@@ -47,13 +47,13 @@ TEST(Periods, OfThePapersBuildingByName) {
   const auto periods = by_name(characteristic_periods(model));
   ASSERT_EQ(periods.size(), 4u);
 
-  EXPECT_NEAR(periods.at("fixed base"), 2.0 * pi / (2.0 * std::sqrt(storey_stiffness / floor_mass) * std::sin(pi / 22.0)),
-              1e-9);
+  EXPECT_NEAR(periods.at("fixed base"),
+              2.0 * pi / (2.0 * std::sqrt(storey_stiffness / floor_mass) * std::sin(pi / 22.0)), 1e-9);
   EXPECT_NEAR(periods.at("isolation, rigid building"),
               2.0 * pi * std::sqrt((base_mass + 5.0 * floor_mass) / post_yield_stiffness), 1e-9);
   EXPECT_NEAR(periods.at("first mode, post-yield bearings"), first_period_with_bearings(post_yield_stiffness), 1e-8);
-  EXPECT_NEAR(periods.at("first mode, initial bearings"),
-              first_period_with_bearings(yield_force / yield_displacement), 1e-9);
+  EXPECT_NEAR(periods.at("first mode, initial bearings"), first_period_with_bearings(yield_force / yield_displacement),
+              1e-9);
 
   EXPECT_NEAR(periods.at("fixed base"), 0.494, 0.0005);
   EXPECT_NEAR(periods.at("isolation, rigid building"), 2.498, 0.0005);
@@ -87,11 +87,9 @@ TEST(Periods, SeveralBuildingsAreToldApartByTheirFirstNode) {
   stiffer.storey_stiffness = 4.0 * storey_stiffness * N / m;
   const BuildingNodes south = add(model, stiffer);
   // A gap joins them in an impact, but not in their periods.
-  add(model, Gap<HertzDamp>{.name = "between",
-                            .left = north.base,
-                            .right = south.base,
-                            .clearance = 10 * cm,
-                            .law = paper_hertz_damp()});
+  add(model,
+      Gap<HertzDamp>{
+          .name = "between", .left = north.base, .right = south.base, .clearance = 10 * cm, .law = paper_hertz_damp()});
   const auto periods = by_name(characteristic_periods(model));
   EXPECT_EQ(periods.size(), 8u);
   EXPECT_NEAR(periods.at("north base: fixed base"), 0.494, 0.0005);
@@ -108,11 +106,9 @@ TEST(Periods, FreeBodiesHaveNone) {
   const NodeId cart = add(model, Node{.name = "cart", .mass = 7 * tonne});
   add(model, ShearSpring{.name = "hitch", .lower = truck, .upper = trailer, .stiffness = 3 * MN / m});
   add(model, ShearSpring{.name = "rope", .lower = trailer, .upper = cart, .stiffness = 2 * MN / m});
-  add(model, Gap<HertzDamp>{.name = "bumper",
-                            .left = truck,
-                            .right = nodes.base,
-                            .clearance = 10 * cm,
-                            .law = paper_hertz_damp()});
+  add(model,
+      Gap<HertzDamp>{
+          .name = "bumper", .left = truck, .right = nodes.base, .clearance = 10 * cm, .law = paper_hertz_damp()});
   const auto periods = by_name(characteristic_periods(model));
   EXPECT_EQ(periods.size(), 4u);
   EXPECT_EQ(periods.count("base: fixed base"), 1u);

@@ -8,63 +8,18 @@
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
-#include <fstream>
-#include <map>
-#include <sstream>
 #include <string>
-#include <vector>
 
 #include "analyses/case_run.hpp"
 #include "motions/read_motion.hpp"
 #include "paper_building.hpp"
+#include "reference_rows.hpp"
 
 namespace moat {
 namespace {
 
 using namespace units;
 using namespace testing;
-
-using Row = std::map<std::string, std::string>;
-
-std::vector<std::string> split(const std::string& line) {
-  std::vector<std::string> cells;
-  std::stringstream stream{line};
-  for (std::string cell; std::getline(stream, cell, ',');) cells.push_back(cell);
-  return cells;
-}
-
-Row reference_row(const std::string& record, const std::string& row_name) {
-  const std::filesystem::path path = std::filesystem::path{MOAT_SOURCE_DIR} / "benchmarks/paper/reference_peaks.csv";
-  std::ifstream file{path};
-  std::vector<std::string> names;
-  for (std::string line; std::getline(file, line);) {
-    if (line.empty() || line.front() == '#') continue;
-    const auto cells = split(line);
-    if (names.empty()) {
-      names = cells;
-      continue;
-    }
-    Row row;
-    for (std::size_t i = 0; i < std::min(cells.size(), names.size()); ++i) row[names[i]] = cells[i];
-    if (row["record"] == record && row["case"] == row_name) return row;
-  }
-  ADD_FAILURE() << "no row " << row_name << " of " << record << " in " << path;
-  return {};
-}
-
-double peak(const CaseResult& result, const std::string& quantity, const std::string& where) {
-  for (const Peak& found : result.peaks)
-    if (found.quantity == quantity && found.where == where) return found.value;
-  ADD_FAILURE() << "no peak of " << quantity << " at " << where;
-  return std::nan("");
-}
-
-double largest(const CaseResult& result, const std::string& quantity) {
-  double value = 0.0;
-  for (const Peak& found : result.peaks)
-    if (found.quantity == quantity) value = std::max(value, found.value);
-  return value;
-}
 
 // What a step of 1.25 ms must reach; moat's default must stay within 1 %.
 struct Precision {
@@ -75,11 +30,8 @@ struct Precision {
 class ReferencePeaks : public ::testing::TestWithParam<const char*> {
  protected:
   void SetUp() override {
-    const char* folder = std::getenv("MOAT_RECORDS");
-    if (folder == nullptr) GTEST_SKIP() << "set MOAT_RECORDS to a folder with PEER AT2 files to run this test";
-    const std::filesystem::path file = std::filesystem::path{folder} / (record() + ".AT2");
-    if (!std::filesystem::exists(file)) GTEST_SKIP() << file.string() << " is not there; MOAT_RECORDS names its folder";
-    motion_ = std::make_unique<GroundMotion>(read_motion(file).scaled_to_pga(0.4 * g));
+    if (const std::string missing = why_missing(record()); !missing.empty()) GTEST_SKIP() << missing;
+    motion_ = std::make_unique<GroundMotion>(reference_motion(record()));
   }
   static std::string record() { return GetParam(); }
 

@@ -47,8 +47,8 @@ TEST(TransientOptions, RefusesTimes) {
 
 TEST(TransientOptions, RefusesTolerances) {
   for (const double tolerance : {0.0, 1.0, -1e-3})
-    EXPECT_EQ(refusal({.force_tolerance = tolerance}), "TransientOptions: force_tolerance = " + to_text(tolerance) +
-                                                           " is not allowed; it must be > 0 and < 1.");
+    EXPECT_EQ(refusal({.force_tolerance = tolerance}),
+              "TransientOptions: force_tolerance = " + to_text(tolerance) + " is not allowed; it must be > 0 and < 1.");
   EXPECT_EQ(refusal({.location_tolerance = 0 * m}),
             "TransientOptions: location_tolerance = 0 m is not allowed; it must be > 0 m and finite.");
 }

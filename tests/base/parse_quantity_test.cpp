@@ -84,11 +84,9 @@ TEST(ParseQuantity, WithoutDimensionAPlainNumber) {
 }
 
 TEST(ParseQuantity, WithoutDimensionTakesNoUnit) {
-  EXPECT_EQ(refusal<Dimensionless>("5 cm"),
-            "--value: \"5 cm\" is in m, but it must be in no unit: a plain number.");
+  EXPECT_EQ(refusal<Dimensionless>("5 cm"), "--value: \"5 cm\" is in m, but it must be in no unit: a plain number.");
   // Centimetres per metre would be a factor of 0.01 that nobody sees.
-  EXPECT_EQ(refusal<Dimensionless>("5 cm/m"),
-            "--value: \"5 cm/m\" has a unit, but it must be a plain number.");
+  EXPECT_EQ(refusal<Dimensionless>("5 cm/m"), "--value: \"5 cm/m\" has a unit, but it must be a plain number.");
 }
 
 TEST(ParseQuantity, RefusesANumberWithoutUnit) {
@@ -118,10 +116,11 @@ TEST(ParseQuantity, RefusesAnUnknownUnitByName) {
                                    {"12 kN/M", "M"},
                                    {"1e m", "e"},
                                    {"12 ^2", ""}})
-    EXPECT_EQ(refusal<Length>(text),
-              "--value: \"" + std::string{text} + "\" has an unknown unit \"" + unit +
-                  "\". Known are m mm cm km s ms min kg t tonne N kN MN GN J kJ MJ Hz and g (gravity), joined by / or a "
-                  "blank, with powers as in N/m^1.5.");
+    EXPECT_EQ(
+        refusal<Length>(text),
+        "--value: \"" + std::string{text} + "\" has an unknown unit \"" + unit +
+            "\". Known are m mm cm km s ms min kg t tonne N kN MN GN J kJ MJ Hz and g (gravity), joined by / or a "
+            "blank, with powers as in N/m^1.5.");
 }
 
 TEST(ParseQuantity, RefusesAnotherDimensionAndNamesBoth) {

@@ -40,10 +40,12 @@ TEST(ModelInput, RefusesANodeWithoutOrWithATakenName) {
 TEST(ModelInput, RefusesAMassThatIsNotPositive) {
   Model model;
   const auto refusal = [&](Mass mass) { return message_of([&] { add(model, Node{.name = "base", .mass = mass}); }); };
-  EXPECT_EQ(refusal(0 * kg), "Node \"base\": mass = 0 kg is not allowed; it must be > 0 kg and finite. "
-                             "Every degree of freedom needs mass.");
-  EXPECT_EQ(refusal(-2 * tonne), "Node \"base\": mass = -2000 kg is not allowed; it must be > 0 kg and finite. "
-                                 "Every degree of freedom needs mass.");
+  EXPECT_EQ(refusal(0 * kg),
+            "Node \"base\": mass = 0 kg is not allowed; it must be > 0 kg and finite. "
+            "Every degree of freedom needs mass.");
+  EXPECT_EQ(refusal(-2 * tonne),
+            "Node \"base\": mass = -2000 kg is not allowed; it must be > 0 kg and finite. "
+            "Every degree of freedom needs mass.");
   EXPECT_EQ(refusal(std::numeric_limits<double>::quiet_NaN() * kg),
             "Node \"base\": mass = nan kg is not allowed; it must be > 0 kg and finite. "
             "Every degree of freedom needs mass.");
@@ -71,9 +73,8 @@ TEST(ModelInput, RefusesNodesItDoesNotHave) {
   add(other, Node{.name = "a", .mass = 1 * kg});
   const NodeId elsewhere = add(other, Node{.name = "b", .mass = 1 * kg});
   const auto spring_to = [&](NodeId upper) {
-    return message_of([&] {
-      add(model, ShearSpring{.name = "storey 1", .lower = here, .upper = upper, .stiffness = 1 * N / m});
-    });
+    return message_of(
+        [&] { add(model, ShearSpring{.name = "storey 1", .lower = here, .upper = upper, .stiffness = 1 * N / m}); });
   };
   EXPECT_EQ(spring_to(elsewhere),
             "ShearSpring \"storey 1\": upper is not a node of this model. "
@@ -97,7 +98,8 @@ TEST(ModelInput, RefusesAnElementWithoutOrWithATakenName) {
   Model model;
   const NodeId node = add(model, Node{.name = "base", .mass = 1 * kg});
   const auto add_spring = [&](const std::string& name) {
-    return message_of([&] { add(model, ShearSpring{.name = name, .lower = ground, .upper = node, .stiffness = 1 * N / m}); });
+    return message_of(
+        [&] { add(model, ShearSpring{.name = name, .lower = ground, .upper = node, .stiffness = 1 * N / m}); });
   };
   EXPECT_EQ(add_spring(""), "ShearSpring: an element has no name. Give .name: results are listed under it.");
   // An element may have the name of a node: they are never mixed up.
@@ -124,12 +126,16 @@ TEST(ModelInput, BaseShear) {
   const NodeId node = add(model, Node{.name = "base", .mass = 1 * kg});
   EXPECT_EQ(message_of([&] { add(model, BaseShear{.where = "house", .nodes = {}}); }),
             "BaseShear \"house\": no nodes are given. List the base and all floors of one building.");
-  EXPECT_EQ(message_of([&] { add(model, BaseShear{.where = "house", .nodes = {node, ground}}); }),
+  EXPECT_EQ(message_of([&] {
+              add(model, BaseShear{.where = "house", .nodes = {node, ground}});
+            }),
             "BaseShear \"house\": the ground has no inertia. List only nodes with mass.");
   EXPECT_EQ(message_of([&] { add(model, BaseShear{.where = "house", .nodes = {NodeId{1}}}); }),
             "BaseShear \"house\": a node is not a node of this model. "
             "Use the NodeId that add(model, Node{...}) returned.");
-  EXPECT_EQ(message_of([&] { add(model, BaseShear{.where = "house", .nodes = {node, NodeId{}}}); }),
+  EXPECT_EQ(message_of([&] {
+              add(model, BaseShear{.where = "house", .nodes = {node, NodeId{}}});
+            }),
             "BaseShear \"house\": a node is not given. Set it to a node of this model or to `ground`.");
   EXPECT_TRUE(model.base_shears().empty());
   add(model, BaseShear{.where = "house", .nodes = {node}});
@@ -145,7 +151,9 @@ TEST(ModelInput, RefusesABaseShearThatWouldBeListedTwice) {
             "BaseShear \"house\": a base shear is reported under this name. Give .where another name.");
   EXPECT_EQ(message_of([&] { add(model, BaseShear{.where = "", .nodes = {b}}); }),
             "BaseShear: a base shear has no name. Give .where: it is listed under it.");
-  EXPECT_EQ(message_of([&] { add(model, BaseShear{.where = "twice", .nodes = {b, b}}); }),
+  EXPECT_EQ(message_of([&] {
+              add(model, BaseShear{.where = "twice", .nodes = {b, b}});
+            }),
             "BaseShear \"twice\": the node \"b\" is listed twice. Its inertia would count twice.");
 }
 

@@ -59,13 +59,13 @@ struct Fingerprint {
 };
 
 Fingerprint fingerprint(const Model& original) {
-  Model model = original;
+  Model copy = original;
+  const MotionState state = copy.state();
   Vector forces;
-  model.trial().displacement.head(2) << 0.031, 0.033;
-  model.trial().velocity.head(2) << 0.2, -0.1;
-  model.evaluate();
-  model.internal_forces(forces);
-  const MotionState& state = original.state();
+  copy.trial().displacement.head(2) << 0.031, 0.033;
+  copy.trial().velocity.head(2) << 0.2, -0.1;
+  copy.evaluate();
+  copy.internal_forces(forces);
   return {state.time, state.displacement, state.velocity, state.acceleration, forces};
 }
 

@@ -33,8 +33,8 @@ double largest_error_of_frequencies(const UniformChain& chain, int count) {
   EXPECT_EQ(static_cast<int>(modes.size()), count);
   double error = 0.0;
   for (int i = 1; i <= count; ++i)
-    error = std::max(error, std::abs(modes[static_cast<std::size_t>(i - 1)].angular_frequency /
-                                         chain.angular_frequency(i) - 1.0));
+    error = std::max(
+        error, std::abs(modes[static_cast<std::size_t>(i - 1)].angular_frequency / chain.angular_frequency(i) - 1.0));
   return error;
 }
 
@@ -118,7 +118,9 @@ TEST(SlowestModes, PeriodIsThatOfTheFrequency) {
 
 TEST(SlowestModes, RefusesACountThatIsNotAvailable) {
   const UniformChain chain{.size = 5};
-  const auto refusal = [&](int count) { return message_of([&] { slowest_modes(chain.stiffness(), chain.masses(), count); }); };
+  const auto refusal = [&](int count) {
+    return message_of([&] { slowest_modes(chain.stiffness(), chain.masses(), count); });
+  };
   EXPECT_EQ(refusal(6),
             "modal analysis: number of modes = 6 is not allowed; it must be from 1 to 5. "
             "A structure has as many modes as degrees of freedom.");

@@ -154,8 +154,7 @@ TEST(NewtonSolver, ConvergesQuadratically) {
     if (error > 1e-12) errors.push_back(error);
   ASSERT_GE(errors.size(), 3u);
   const std::size_t last = errors.size() - 1;
-  const double order =
-      std::log(errors[last] / errors[last - 1]) / std::log(errors[last - 1] / errors[last - 2]);
+  const double order = std::log(errors[last] / errors[last - 1]) / std::log(errors[last - 1] / errors[last - 2]);
   EXPECT_NEAR(order, 2.0, 0.1);
 }
 

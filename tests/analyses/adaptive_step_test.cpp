@@ -1,0 +1,141 @@
+// The adaptive step on the paper's building, all impact laws, against the converged peaks of an independent program.
+
+#include "analyses/step_control.hpp"
+
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <memory>
+
+#include "analyses/case_run.hpp"
+#include "materials/impact_laws.hpp"
+#include "paper_building.hpp"
+#include "reference_rows.hpp"
+
+namespace moat {
+namespace {
+
+using namespace units;
+using namespace testing;
+
+constexpr Stiffness linear_stiffness{5.8e8};
+constexpr HertzStiffness hertz_stiffness{2.95e9};
+
+struct LawCase {
+  std::string row;
+  std::function<void(Model&, NodeId)> add_moat;
+};
+
+template <class Law>
+LawCase law_case(std::string row, Law law) {
+  return {std::move(row), [law](Model& model, NodeId base) {
+            add(model, Moat<Law>{.around = base, .clearance = 10 * cm, .law = law});
+          }};
+}
+
+std::vector<LawCase> all_laws() {
+  return {law_case("linear_elastic", LinearElastic{.stiffness = linear_stiffness}),
+          law_case("hertz", Hertz{.stiffness = hertz_stiffness}),
+          law_case("kelvin",
+                   KelvinByDampingRatio{.stiffness = linear_stiffness, .damping_ratio = 0.14, .may_pull = true}),
+          law_case("hertz_damp", paper_hertz_damp()),
+          law_case("modified_hertz_damp_tabulated",
+                   ModifiedHertzDamp{.stiffness = hertz_stiffness, .restitution = 0.65}),
+          law_case("modified_hertz_damp_printed_approach_only",
+                   ModifiedHertzDampPrinted{.stiffness = hertz_stiffness, .restitution = 0.65}),
+          law_case("nonlinear_viscoelastic",
+                   NonlinearViscoelastic{.stiffness = hertz_stiffness, .restitution = 0.65}),
+          law_case("ye_2009", Ye2009{.stiffness = hertz_stiffness, .restitution = 0.65})};
+}
+
+CaseResult run(const LawCase& law, const GroundMotion& motion, const TransientOptions& options) {
+  Model model;
+  law.add_moat(model, add(model, paper_building()).base);
+  return run_case(model, motion, {.transient = options});
+}
+
+// Largest relative error of the six peaks that tell whether an impact was resolved.
+double largest_error(const CaseResult& result, const Row& row) {
+  double worst = 0.0;
+  const auto compare = [&](const char* column, double unit, const char* quantity, const char* where) {
+    const double expected = std::stod(row.at(column)) * unit;
+    worst = std::max(worst, std::abs(peak(result, quantity, where) / expected - 1.0));
+  };
+  compare("base_displacement_cm", 0.01, "displacement", "base");
+  compare("top_displacement_cm", 0.01, "displacement", "floor 5");
+  compare("base_acceleration_m_s2", 1.0, "absolute_acceleration", "base");
+  compare("top_acceleration_m_s2", 1.0, "absolute_acceleration", "floor 5");
+  compare("impact_force_kN", 1e3, "impact_force", "moat");
+  compare("first_storey_shear_kN", 1e3, "storey_shear", "storey 1");
+  return worst;
+}
+
+class AdaptiveStep : public ::testing::TestWithParam<const char*> {
+ protected:
+  void SetUp() override {
+    if (const std::string missing = why_missing(record()); !missing.empty()) GTEST_SKIP() << missing;
+    motion_ = std::make_unique<GroundMotion>(reference_motion(record()));
+  }
+  static std::string record() { return GetParam(); }
+
+  std::unique_ptr<GroundMotion> motion_;
+};
+
+TEST_P(AdaptiveStep, EveryLawIsWithinAThousandthWithDefaults) {
+  for (const LawCase& law : all_laws()) {
+    SCOPED_TRACE(law.row);
+    const Row row = reference_row(record(), law.row);
+    const CaseResult result = run(law, *motion_, {});
+    EXPECT_LT(largest_error(result, row), 1e-3);
+    EXPECT_EQ(static_cast<int>(result.impacts.size()), std::stoi(row.at("impacts")));
+    EXPECT_LT(std::abs(result.energy.integration_error), 1e-3 * result.energy.largest_input);
+    EXPECT_LT(std::abs(result.energy.equation_residual), 1e-9 * result.energy.largest_input);
+    if (record() == "RSN982_NORTHR_JEN022") {
+      EXPECT_LE(result.solver.accepted_steps, 12000);
+    }
+  }
+}
+
+TEST_P(AdaptiveStep, NeedsAtMostHalfTheStepsOfAFixedStepOfEqualError) {
+  for (const LawCase& law : all_laws()) {
+    SCOPED_TRACE(law.row);
+    const Row row = reference_row(record(), law.row);
+    const CaseResult adaptive = run(law, *motion_, {});
+    // A fixed step with twice as many steps: its error must still be the larger one.
+    const Time step = motion_->duration() / (2.0 * static_cast<double>(adaptive.solver.accepted_steps)) * s;
+    const CaseResult fixed = run(law, *motion_, {.step = step});
+    EXPECT_GT(largest_error(fixed, row), largest_error(adaptive, row));
+  }
+}
+
+TEST_P(AdaptiveStep, ATighterToleranceReducesErrorAndEnergyError) {
+  const LawCase law = law_case("hertz_damp", paper_hertz_damp());
+  const Row row = reference_row(record(), law.row);
+  const CaseResult coarse = run(law, *motion_, {.tolerance = 1e-3});
+  const CaseResult fine = run(law, *motion_, {.tolerance = 1e-5, .steps_per_contact = 128});
+  // Second order: a hundredth of the tolerance is a tenth of the step, a hundredth of the error.
+  EXPECT_LT(largest_error(fine, row), largest_error(coarse, row) / 20.0);
+  EXPECT_LT(std::abs(fine.energy.integration_error), std::abs(coarse.energy.integration_error) / 10.0);
+}
+
+INSTANTIATE_TEST_SUITE_P(Records, AdaptiveStep,
+                         ::testing::Values("RSN1161_KOCAELI_GBZ000", "RSN982_NORTHR_JEN022", "RSN803_LOMAP_WVC270"),
+                         [](const auto& record) { return std::string{record.param}; });
+
+TEST(AdaptiveStepWithoutRecords, StepsEndOnTheSamplesOfTheMotion) {
+  Model model;
+  const NodeId base = add(model, paper_building()).base;
+  add(model, Moat<HertzDamp>{.around = base, .clearance = 10 * cm, .law = paper_hertz_damp()});
+  std::vector<double> samples(401);
+  for (std::size_t i = 0; i < samples.size(); ++i) samples[i] = 6.0 * std::sin(0.05 * static_cast<double>(i));
+  const GroundMotion motion{"sine", 0.01, samples};
+  const CaseResult result = run_case(model, motion, {});
+  // The histories hold every sample time exactly, although events lie between them.
+  ASSERT_EQ(result.histories.rows(), samples.size());
+  for (std::size_t i = 0; i < samples.size(); ++i)
+    EXPECT_DOUBLE_EQ(result.histories.columns[0].values[i], 0.01 * static_cast<double>(i));
+  EXPECT_GT(result.solver.events, 0);
+}
+
+}  // namespace
+}  // namespace moat

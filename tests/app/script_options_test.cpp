@@ -1,0 +1,189 @@
+// The command line of a script: what it takes, and what it refuses with which exit code.
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <map>
+#include <sstream>
+
+#include "run_program.hpp"
+
+namespace moat {
+namespace {
+
+using testing::ProgramResult;
+
+class ScriptOptions : public testing::InTemporaryFolder {
+ protected:
+  ProgramResult run(std::vector<std::string> arguments) {
+    arguments.insert(arguments.end(), {"--frame-interval", "0 s"});
+    return testing::run_program(OPTION_SCRIPT, std::move(arguments), folder);
+  }
+  // What the script printed of one of its options.
+  std::string value(const std::string& name, std::vector<std::string> arguments) {
+    const ProgramResult result = run(std::move(arguments));
+    EXPECT_EQ(result.exit_code, 0) << result.errors;
+    std::istringstream lines{result.output};
+    for (std::string line; std::getline(lines, line);)
+      if (line.starts_with(name + " ")) return line.substr(name.size() + 1);
+    return "not printed";
+  }
+  double number(const std::string& name, std::vector<std::string> arguments) {
+    return std::atof(value(name, std::move(arguments)).c_str());
+  }
+  void expect_refusal(std::vector<std::string> arguments, int exit_code, const std::string& message) {
+    const ProgramResult result = run(std::move(arguments));
+    EXPECT_EQ(result.exit_code, exit_code) << result.errors;
+    EXPECT_EQ(result.errors, message);
+    EXPECT_FALSE(std::filesystem::exists(folder / "results")) << "nothing may be left behind";
+  }
+};
+
+TEST_F(ScriptOptions, DefaultsAreUsedWithoutArguments) {
+  EXPECT_EQ(number("length", {}), 0.1);
+  EXPECT_EQ(number("acceleration", {}), 0.5 * 9.80665);
+  EXPECT_EQ(number("hertz", {}), 8.0);
+  EXPECT_EQ(value("integer", {}), "5");
+  EXPECT_EQ(value("text", {}), "none");
+}
+
+TEST_F(ScriptOptions, EveryKindIsRead) {
+  const std::vector<std::string> arguments{
+      "--length", "12 cm",     "--time",         "3ms",  "--mass",      "2t",       "--push",  "1 MN",
+      "--speed",  "36 km/min", "--acceleration", "0.4g", "--stiffness", "1 MN/cm",  "--hertz", "2.95e9 N/m^1.5",
+      "--number", "0.5",       "--integer",      "7",    "--text",      "some text"};
+  EXPECT_EQ(number("length", arguments), 0.12);
+  EXPECT_EQ(number("time", arguments), 0.003);
+  EXPECT_EQ(number("mass", arguments), 2000.0);
+  EXPECT_EQ(number("push", arguments), 1e6);
+  EXPECT_EQ(number("speed", arguments), 600.0);
+  EXPECT_DOUBLE_EQ(number("acceleration", arguments), 0.4 * 9.80665);
+  EXPECT_EQ(number("stiffness", arguments), 1e8);
+  EXPECT_EQ(number("hertz", arguments), 2.95e9);
+  EXPECT_EQ(number("number", arguments), 0.5);
+  EXPECT_EQ(value("integer", arguments), "7");
+  EXPECT_EQ(value("text", arguments), "some text");
+}
+
+TEST_F(ScriptOptions, AnEqualSignWorksToo) {
+  EXPECT_EQ(number("length", {"--length=12 cm"}), 0.12);
+  EXPECT_EQ(number("length", {"--length=12cm"}), 0.12);
+  EXPECT_EQ(value("text", {"--text=a=b"}), "a=b");
+}
+
+TEST_F(ScriptOptions, NegativeValuesAreValues) {
+  EXPECT_EQ(number("length", {"--length", "-12 cm"}), -0.12);
+  EXPECT_EQ(number("length", {"--length=-12 cm"}), -0.12);
+  EXPECT_EQ(number("length", {"--length", "-.5m"}), -0.5);
+  EXPECT_EQ(number("number", {"--number", "-0.5"}), -0.5);
+  EXPECT_EQ(number("number", {"--number", "-1e-3"}), -1e-3);
+  EXPECT_EQ(value("integer", {"--integer", "-3"}), "-3");
+  EXPECT_EQ(value("text", {"--text", "-dash"}), "-dash");
+}
+
+TEST_F(ScriptOptions, OrderDoesNotMatter) {
+  EXPECT_EQ(number("length", {"--text", "x", "--quiet", "--length", "12 cm"}), 0.12);
+  EXPECT_EQ(number("length", {"--length", "12 cm", "--quiet", "--text", "x"}), 0.12);
+}
+
+TEST_F(ScriptOptions, RefusesAValueWithoutOrWithAWrongUnit) {
+  expect_refusal({"--length", "12"}, 1,
+                 "moat: error: --length: \"12\" has no unit. Write the unit behind the number, in m for example.\n");
+  expect_refusal({"--length=12"}, 1,
+                 "moat: error: --length: \"12\" has no unit. Write the unit behind the number, in m for example.\n");
+  expect_refusal({"--length", "12 kg"}, 1,
+                 "moat: error: --length: \"12 kg\" is in kg, but it must be in m or multiples of it.\n");
+  expect_refusal({"--number", "5 cm"}, 1,
+                 "moat: error: --number: \"5 cm\" is in m, but it must be in no unit: a plain number.\n");
+  for (const char* text : {"2.5", "two", "3 ", "99999999999"})
+    expect_refusal({"--integer", text}, 1,
+                   "moat: error: --integer: \"" + std::string{text} + "\" is not a whole number.\n");
+}
+
+TEST_F(ScriptOptions, RefusesWhatItDoesNotKnow) {
+  for (const std::string argument : {"--lenght", "-x", "junk", "--leng"})
+    expect_refusal(
+        {argument}, 2,
+        "The following argument was not expected: " + argument + "\nRun with --help for more information.\n");
+}
+
+TEST_F(ScriptOptions, RefusesAPositionalArgumentAfterAnOption) {
+  const ProgramResult result = run({"--length", "12 cm", "13 cm"});
+  EXPECT_EQ(result.exit_code, 2);
+  EXPECT_NE(result.errors.find("13 cm"), std::string::npos) << result.errors;
+  EXPECT_EQ(run({"--", "junk"}).exit_code, 2);
+}
+
+TEST_F(ScriptOptions, RefusesAnOptionGivenTwice) {
+  for (const std::vector<std::string>& arguments :
+       {std::vector<std::string>{"--length", "12 cm", "--length", "13 cm"}, {"--length=12 cm", "--length", "13 cm"}}) {
+    const ProgramResult result = run(arguments);
+    EXPECT_EQ(result.exit_code, 2) << result.errors;
+    EXPECT_NE(result.errors.find("--length"), std::string::npos) << result.errors;
+    EXPECT_FALSE(std::filesystem::exists(folder / "results"));
+  }
+}
+
+TEST_F(ScriptOptions, RefusesAnOptionWithoutItsValue) {
+  const ProgramResult last = testing::run_program(OPTION_SCRIPT, {"--length"}, folder);
+  EXPECT_EQ(last.exit_code, 2);
+  EXPECT_NE(last.errors.find("--length"), std::string::npos) << last.errors;
+  // Another option where the value should be is no number.
+  EXPECT_EQ(testing::run_program(OPTION_SCRIPT, {"--length", "--quiet"}, folder).exit_code, 1);
+  EXPECT_EQ(testing::run_program(OPTION_SCRIPT, {"--length", ""}, folder).exit_code, 1);
+  EXPECT_FALSE(std::filesystem::exists(folder / "results"));
+}
+
+TEST_F(ScriptOptions, FlagsMayBeWrittenWithAValue) {
+  EXPECT_EQ(run({"--quiet=true"}).errors, "");
+  EXPECT_EQ(run({"--quiet"}).errors, "");
+  EXPECT_NE(run({"--quiet=false"}).errors, "");
+  ASSERT_TRUE(std::filesystem::exists(folder / "results/moat_option_script_3"));
+  EXPECT_EQ(run({"--force=true", "--out", "results/moat_option_script_3"}).exit_code, 0);
+  EXPECT_FALSE(std::filesystem::exists(folder / "results/moat_option_script_3_2"));
+  EXPECT_FALSE(std::filesystem::exists(folder / "results/moat_option_script_4"));
+}
+
+TEST_F(ScriptOptions, HelpWinsOverEverything) {
+  for (const std::vector<std::string>& arguments : {std::vector<std::string>{"--help"},
+                                                    {"-h"},
+                                                    {"--length", "12", "--help"},
+                                                    {"--length", "--help"},
+                                                    {"--help", "--nonsense"},
+                                                    {"--record", "missing.AT2", "--help"}}) {
+    const ProgramResult result = run(arguments);
+    EXPECT_EQ(result.exit_code, 0) << result.errors;
+    EXPECT_NE(result.output.find("Usage:"), std::string::npos) << result.output;
+    EXPECT_EQ(result.errors, "");
+    EXPECT_FALSE(std::filesystem::exists(folder / "results"));
+  }
+}
+
+TEST_F(ScriptOptions, HelpListsEveryOptionWithItsUnitAndDefault) {
+  const std::string help = run({"--help"}).output;
+  for (const char* line : {"--length [m]=0.1 m",
+                           "--time [s]=2 s",
+                           "--mass [kg]=3 kg",
+                           "--push [N]=4000 N",
+                           "--speed [m/s]=5 m/s",
+                           "--stiffness [N/m]=7000 N/m",
+                           "--hertz [N/m^1.5]=8 N/m^1.5",
+                           "--number NUMBER=0.65",
+                           "--integer INTEGER=5",
+                           "--text TEXT=none",
+                           "a plain number",
+                           "--record FILE",
+                           "--record-unit UNIT",
+                           "--out TEXT=",
+                           "--force",
+                           "--step [s]=",
+                           "--end [s]=",
+                           "--frame-interval [s]=",
+                           "--quiet",
+                           "Exit code: 0 done, 1 bad input"})
+    EXPECT_NE(help.find(line), std::string::npos) << line << "\n" << help;
+}
+
+}  // namespace
+}  // namespace moat

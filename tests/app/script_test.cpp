@@ -1,0 +1,222 @@
+// What a script leaves behind: results folder, progress, exit codes.
+
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+#include <filesystem>
+#include <map>
+#include <set>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "run_program.hpp"
+
+namespace moat {
+namespace {
+
+using nlohmann::json;
+using testing::ProgramResult;
+using testing::text_of;
+
+std::vector<std::string> lines_of(const std::string& text) {
+  std::vector<std::string> lines;
+  std::istringstream stream{text};
+  for (std::string line; std::getline(stream, line);) lines.push_back(line);
+  return lines;
+}
+
+class ScriptRun : public testing::InTemporaryFolder {
+ protected:
+  ProgramResult tour(std::vector<std::string> arguments) {
+    return testing::run_program(FIRST_TOUR, std::move(arguments), folder);
+  }
+  bool exists(const std::string& path) const { return std::filesystem::exists(folder / path); }
+};
+
+TEST_F(ScriptRun, LeavesEveryFileOfTheResults) {
+  const ProgramResult result = tour({"--end", "4 s"});
+  ASSERT_EQ(result.exit_code, 0) << result.errors;
+  for (const char* file : {"summary.json", "histories.csv", "histories.vtt", "impacts.csv", "report.html", "charts.svg",
+                           "frames.pvd", "frames/frame_000000.vtu"}) {
+    EXPECT_TRUE(exists(std::string{"results/01_moat_wall/"} + file)) << file;
+    EXPECT_GT(std::filesystem::file_size(folder / "results/01_moat_wall" / file), 0u) << file;
+  }
+  EXPECT_NE(result.output.find("Results: results/01_moat_wall/"), std::string::npos) << result.output;
+  EXPECT_NE(result.output.find("Five-storey isolated building inside a moat"), std::string::npos);
+  EXPECT_NE(result.output.find("PGA 0.4000 g"), std::string::npos) << result.output;
+  for (const char* period : {"fixed base", "isolation, rigid building", "first mode, post-yield bearings"})
+    EXPECT_NE(result.output.find(period), std::string::npos) << period;
+}
+
+TEST_F(ScriptRun, SummaryHasItsPeaksAndTheirSchema) {
+  ASSERT_EQ(tour({"--end", "6 s", "--frame-interval", "0 s", "--out", "out"}).exit_code, 0);
+  const json summary = json::parse(text_of(folder / "out/summary.json"));
+
+  std::map<std::string, std::set<std::string>> places;
+  std::map<std::string, std::string> units;
+  for (const json& peak : summary.at("peaks")) {
+    ASSERT_EQ(peak.size(), 5u) << peak;
+    const std::string quantity = peak.at("quantity").get<std::string>();
+    EXPECT_TRUE(places[quantity].insert(peak.at("where").get<std::string>()).second) << "listed twice: " << peak;
+    units[quantity] = peak.at("unit").get<std::string>();
+    EXPECT_GT(peak.at("value").get<double>(), 0.0) << peak;
+    EXPECT_GE(peak.at("time").get<double>(), 0.0) << peak;
+    EXPECT_LE(peak.at("time").get<double>(), 6.0) << peak;
+  }
+  const std::set<std::string> nodes{"base", "floor 1", "floor 2", "floor 3", "floor 4", "floor 5"};
+  const std::set<std::string> storeys{"storey 1", "storey 2", "storey 3", "storey 4", "storey 5"};
+  EXPECT_EQ(places["displacement"], nodes);
+  EXPECT_EQ(places["absolute_acceleration"], nodes);
+  EXPECT_EQ(places["drift"], storeys);
+  EXPECT_EQ(places["storey_shear"], storeys);
+  EXPECT_EQ(places["isolator_force"], std::set<std::string>{"bearings"});
+  EXPECT_EQ(places["impact_force"], std::set<std::string>{"moat"});
+  EXPECT_EQ(places["total_base_shear"], std::set<std::string>{"base"});
+  EXPECT_EQ(places["sum_of_floor_inertia_maxima"], std::set<std::string>{"base"});
+  EXPECT_EQ(units["displacement"], "m");
+  EXPECT_EQ(units["absolute_acceleration"], "m/s^2");
+  EXPECT_EQ(units["drift"], "m");
+  for (const char* force :
+       {"storey_shear", "isolator_force", "impact_force", "total_base_shear", "sum_of_floor_inertia_maxima"})
+    EXPECT_EQ(units[force], "N") << force;
+
+  ASSERT_TRUE(summary.at("impacts").is_number_integer());
+  const int impacts = summary.at("impacts").get<int>();
+  EXPECT_GT(impacts, 0);
+  EXPECT_EQ(summary.at("impact_table").size(), static_cast<std::size_t>(impacts));
+  // A header and a line per impact.
+  EXPECT_EQ(lines_of(text_of(folder / "out/impacts.csv")).size(), static_cast<std::size_t>(impacts) + 1);
+  EXPECT_NEAR(summary.at("motion").at("peak_acceleration").get<double>(), 0.4 * 9.80665, 1e-9);
+}
+
+TEST_F(ScriptRun, AnOptionChangesWhatIsComputed) {
+  const std::vector<std::string> common{"--end", "6 s", "--frame-interval", "0 s"};
+  const auto with = [&](std::vector<std::string> arguments) {
+    arguments.insert(arguments.end(), common.begin(), common.end());
+    const ProgramResult result = tour(arguments);
+    EXPECT_EQ(result.exit_code, 0) << result.errors;
+  };
+  with({"--gap", "80 cm", "--out", "wide"});
+  const json wide = json::parse(text_of(folder / "wide/summary.json"));
+  EXPECT_EQ(wide.at("impacts"), 0);
+  with({"--gap", "80 cm", "--pga", "0.1g", "--out", "weak"});
+  const json weak = json::parse(text_of(folder / "weak/summary.json"));
+  EXPECT_NEAR(weak.at("motion").at("peak_acceleration").get<double>(), 0.1 * 9.80665, 1e-9);
+}
+
+TEST_F(ScriptRun, AnExistingFolderGetsANumberUnlessForced) {
+  const std::vector<std::string> common{"--end", "0.1 s", "--frame-interval", "0 s", "--quiet"};
+  const auto run = [&](std::vector<std::string> arguments) {
+    arguments.insert(arguments.end(), common.begin(), common.end());
+    EXPECT_EQ(tour(arguments).exit_code, 0);
+  };
+  run({});
+  run({});
+  EXPECT_TRUE(exists("results/01_moat_wall/summary.json"));
+  EXPECT_TRUE(exists("results/01_moat_wall_2/summary.json"));
+  EXPECT_FALSE(exists("results/01_moat_wall_3"));
+  run({"--force"});
+  EXPECT_FALSE(exists("results/01_moat_wall_3"));
+  run({"--out", "a/b"});
+  run({"--out", "a/b"});
+  EXPECT_TRUE(exists("a/b/summary.json"));
+  EXPECT_TRUE(exists("a/b_2/summary.json"));
+  run({"--out=a/b", "--force"});
+  EXPECT_FALSE(exists("a/b_3"));
+}
+
+TEST_F(ScriptRun, ProgressIsALineForEveryTenPercentWithoutATerminal) {
+  const ProgramResult result = tour({"--end", "2 s", "--frame-interval", "0 s"});
+  std::vector<std::string> expected;
+  for (int percent = 10; percent <= 100; percent += 10) {
+    char line[40];
+    std::snprintf(line, sizeof line, "moat: %3d %% of 2 s", percent);
+    expected.push_back(line);
+  }
+  EXPECT_EQ(lines_of(result.errors), expected);
+}
+
+TEST_F(ScriptRun, QuietSaysNothing) {
+  const ProgramResult result = tour({"--end", "0.5 s", "--quiet"});
+  EXPECT_EQ(result.exit_code, 0);
+  EXPECT_EQ(result.output, "");
+  EXPECT_EQ(result.errors, "");
+  EXPECT_TRUE(exists("results/01_moat_wall/summary.json"));
+}
+
+TEST_F(ScriptRun, NoFramesWithoutAnInterval) {
+  EXPECT_EQ(tour({"--end", "0.5 s", "--quiet", "--frame-interval", "0 s"}).exit_code, 0);
+  EXPECT_FALSE(exists("results/01_moat_wall/frames.pvd"));
+}
+
+TEST_F(ScriptRun, BadParametersOfTheModelAreOneMessage) {
+  const ProgramResult result = tour({"--gap", "-5 cm"});
+  EXPECT_EQ(result.exit_code, 1);
+  EXPECT_EQ(result.errors,
+            "moat: error: Gap \"moat left\": clearance = -0.05 m is not allowed; it must be > 0 m and finite. "
+            "Give the free distance at rest.\n");
+  EXPECT_FALSE(exists("results"));
+}
+
+TEST_F(ScriptRun, BadOptionsOfTheAnalysisLeaveNothingBehind) {
+  for (const std::vector<std::string>& arguments :
+       {std::vector<std::string>{"--step", "-1 ms"}, {"--end", "-1 s"}, {"--frame-interval", "-1 s"}}) {
+    const ProgramResult result = tour(arguments);
+    EXPECT_EQ(result.exit_code, 1) << arguments[0];
+    EXPECT_TRUE(result.errors.starts_with("moat: error: ")) << result.errors;
+    EXPECT_NE(result.errors.find("is not allowed; it must be >= 0 s"), std::string::npos) << result.errors;
+    EXPECT_FALSE(exists("results")) << arguments[0];
+  }
+}
+
+void write_two_columns(const std::filesystem::path& path) {
+  std::ofstream file{path};
+  for (int i = 0; i <= 100; ++i) file << 0.02 * i << " " << 0.3 * std::sin(0.3 * i) << "\n";
+}
+
+TEST_F(ScriptRun, ReadsARecordOfTwoColumnsWithItsUnit) {
+  write_two_columns(folder / "synthetic.txt");
+  const ProgramResult result =
+      tour({"--record", "synthetic.txt", "--record-unit", "g", "--out", "out", "--frame-interval", "0 s"});
+  ASSERT_EQ(result.exit_code, 0) << result.errors;
+  const json motion = json::parse(text_of(folder / "out/summary.json")).at("motion");
+  EXPECT_NEAR(motion.at("time_step").get<double>(), 0.02, 1e-12);
+  EXPECT_NEAR(motion.at("duration").get<double>(), 2.0, 1e-9);
+  EXPECT_NE(motion.at("name").get<std::string>().find("synthetic"), std::string::npos);
+}
+
+TEST_F(ScriptRun, RefusesARecordItCannotUnderstand) {
+  write_two_columns(folder / "synthetic.txt");
+  const ProgramResult without_unit = tour({"--record", "synthetic.txt"});
+  EXPECT_EQ(without_unit.exit_code, 1);
+  EXPECT_NE(without_unit.errors.find("--record-unit g"), std::string::npos) << without_unit.errors;
+  const ProgramResult missing = tour({"--record", "missing.AT2"});
+  EXPECT_EQ(missing.exit_code, 1);
+  EXPECT_NE(missing.errors.find("missing.AT2"), std::string::npos) << missing.errors;
+  const ProgramResult unit_alone = tour({"--record-unit", "g"});
+  EXPECT_EQ(unit_alone.exit_code, 1);
+  EXPECT_EQ(unit_alone.errors, "moat: error: --record-unit: give it together with --record FILE.\n");
+  const ProgramResult wrong_unit = tour({"--record", "synthetic.txt", "--record-unit", "cm/s"});
+  EXPECT_EQ(wrong_unit.exit_code, 1);
+  EXPECT_NE(wrong_unit.errors.find("it must be in m/s^2"), std::string::npos) << wrong_unit.errors;
+  EXPECT_FALSE(exists("results"));
+}
+
+TEST_F(ScriptRun, AStepThatDoesNotConvergeExitsWithThreeAndKeepsResults) {
+  const ProgramResult result = testing::run_program(FAILING_SCRIPT, {"--out", "out"}, folder);
+  EXPECT_EQ(result.exit_code, 3);
+  EXPECT_NE(result.errors.find("moat: error: The step from t = "), std::string::npos) << result.errors;
+  EXPECT_NE(result.errors.find("worst at \"body\""), std::string::npos) << result.errors;
+  // What was computed is there: the body moves at 10 cm/s and breaks at 5 cm.
+  const json summary = json::parse(text_of(folder / "out/summary.json"));
+  EXPECT_NEAR(summary.at("peaks").at(0).at("value").get<double>(), 0.05, 1e-3);
+  for (const char* file : {"histories.csv", "impacts.csv", "report.html", "frames.pvd"})
+    EXPECT_TRUE(exists(std::string{"out/"} + file)) << file;
+  EXPECT_GT(lines_of(text_of(folder / "out/histories.csv")).size(), 50u);
+}
+
+}  // namespace
+}  // namespace moat

@@ -1,0 +1,139 @@
+#include "elements/gap.hpp"
+
+#include <gtest/gtest.h>
+
+#include "materials/impact_law_named.hpp"
+#include "materials/impact_laws.hpp"
+#include "message_of.hpp"
+#include "two_nodes.hpp"
+
+namespace moat::testing {
+namespace {
+
+using namespace units;
+
+template <class Law>
+Gap<Law> gap_between(NodeId left, NodeId right, Law law) {
+  return {.name = "gap", .left = left, .right = right, .clearance = 10 * cm, .law = law};
+}
+
+const HertzDamp hertz_damp{.stiffness = 1e9 * N / m_3_2, .restitution = 0.65};
+const LinearElastic elastic{.stiffness = 1e8 * N / m};
+
+// Brings the contact to the committed state at the given motion, into the regime that belongs there.
+void commit_at(TwoNodes& nodes, double ua, double ub, double va, double vb) {
+  nodes.move(ua, ub, va, vb);
+  nodes.model.commit();
+  std::vector<RegimeChange> changes;
+  nodes.model.change_regimes(changes);
+}
+
+TEST(Gap, DoesNothingWhileItIsOpen) {
+  TwoNodes nodes;
+  add(nodes.model, gap_between(nodes.a, nodes.b, hertz_damp));
+  nodes.start();
+  nodes.move(0.05, -0.0499, 1.0, -1.0);
+  EXPECT_EQ(nodes.forces(), Eigen::Vector3d::Zero());
+  EXPECT_NEAR(nodes.model.blocks()[0]->deformations()[0], -1e-4, 1e-15);
+}
+
+TEST(Gap, PushesTheLeftNodeLeftAndTheRightNodeRight) {
+  TwoNodes nodes;
+  add(nodes.model, gap_between(nodes.a, nodes.b, elastic));
+  nodes.start();
+  commit_at(nodes, 0.06, -0.04 - 1e-9, 0.5, 0.0);
+  nodes.move(0.06, -0.05);
+  // Internal forces act on the structure's side of the balance M a + f = 0: f > 0 accelerates to the left.
+  EXPECT_NEAR(nodes.forces()[0], 1e6, 1e-3);
+  EXPECT_NEAR(nodes.forces()[1], -1e6, 1e-3);
+  expect_action_is_reaction(nodes);
+  EXPECT_NEAR(nodes.model.blocks()[0]->forces()[0], 1e6, 1e-3) << "compression is reported positive";
+}
+
+TEST(Gap, HoldsAgainstWallsOnBothSides) {
+  for (const bool wall_is_left : {true, false}) {
+    TwoNodes nodes;
+    add(nodes.model, wall_is_left ? gap_between(ground, nodes.a, elastic) : gap_between(nodes.a, ground, elastic));
+    nodes.start();
+    const double away = wall_is_left ? -1.0 : 1.0;
+    commit_at(nodes, away * (0.1 + 1e-9), 0.0, away, 0.0);
+    nodes.move(away * 0.11, 0.0);
+    EXPECT_NEAR(nodes.forces()[0], away * 1e6, 1e-3);
+    expect_action_is_reaction(nodes);
+  }
+}
+
+TEST(Gap, FreezesTheApproachSpeedAtTouch) {
+  TwoNodes nodes;
+  add(nodes.model, gap_between(nodes.a, nodes.b, hertz_damp));
+  nodes.start();
+  commit_at(nodes, 0.1 + 1e-9, 0.0, 0.7, 0.2);
+  const ElementBlock& block = *nodes.model.blocks()[0];
+  EXPECT_TRUE(block.contact(0).touching);
+  EXPECT_DOUBLE_EQ(block.contact(0).approach_speed, 0.5);
+  commit_at(nodes, 0.12, 0.0, 0.1, 0.0);
+  EXPECT_DOUBLE_EQ(block.contact(0).approach_speed, 0.5);
+  commit_at(nodes, 0.09, 0.0, -0.3, 0.0);
+  EXPECT_FALSE(block.contact(0).touching);
+}
+
+TEST(Gap, UsesTheEffectiveMassOfItsNodes) {
+  const Kelvin kelvin{.stiffness = 1e8 * N / m, .restitution = 0.65};
+  const double between_nodes = 1e3 * 3e3 / 4e3;
+  TwoNodes nodes;
+  add(nodes.model, gap_between(nodes.a, nodes.b, kelvin));
+  Gap against_wall = gap_between(nodes.b, ground, kelvin);
+  against_wall.name = "wall";
+  add(nodes.model, against_wall);
+  const auto& block = nodes.model.block<LinkBlock<ViscousLinearContact>>();
+  EXPECT_DOUBLE_EQ(block.law(0).damping, kelvin.between(between_nodes).damping);
+  EXPECT_DOUBLE_EQ(block.law(1).damping, kelvin.between(3e3).damping);
+}
+
+template <class Law>
+void expect_sound_gap(const Law& law) {
+  TwoNodes nodes;
+  add(nodes.model, gap_between(nodes.a, nodes.b, law));
+  nodes.start();
+  expect_exact_tangent(nodes, 0.05, 0.0, 0.5, 0.0, 1e-4);
+  commit_at(nodes, 0.1 + 1e-9, 0.0, 0.5, 0.0);
+  for (const double indentation : {1e-4, 0.01})
+    for (const double rate : {0.4, -0.1})
+      expect_exact_tangent(nodes, 0.1 + indentation, 0.0, rate, 0.0, 1e-3 * indentation);
+  expect_action_is_reaction(nodes);
+  expect_rollback(nodes, 0.11, 0.0, 0.2, 0.1);
+}
+
+TEST(Gap, HasExactTangentsAndRollsBackWithEveryFormOfContact) {
+  expect_sound_gap(hertz_damp);
+  expect_sound_gap(elastic);
+  expect_sound_gap(Kelvin{.stiffness = 1e8 * N / m, .restitution = 0.65});
+  expect_sound_gap(NonlinearViscoelastic{.stiffness = 1e9 * N / m_3_2, .restitution = 0.65});
+  expect_sound_gap(ImpactLawNamed{.name = "exact_hertz_damp", .hertz_stiffness = 1e9 * N / m_3_2, .restitution = 0.4});
+}
+
+TEST(Gap, TellsWhatIsWrong) {
+  TwoNodes nodes;
+  Gap closed = gap_between(nodes.a, nodes.b, hertz_damp);
+  closed.clearance = -10 * cm;
+  EXPECT_EQ(message_of([&] { add(nodes.model, closed); }),
+            "Gap \"gap\": clearance = -0.1 m is not allowed; it must be > 0 m and finite. "
+            "Give the free distance at rest.");
+  EXPECT_EQ(message_of([&] { add(nodes.model, gap_between(nodes.a, nodes.a, hertz_damp)); }),
+            "Gap \"gap\": left and right are the same node, \"a\". An element joins two different nodes.");
+  EXPECT_EQ(message_of([&] { add(nodes.model, gap_between(nodes.a, NodeId{9}, hertz_damp)); }),
+            "Gap \"gap\": right is not a node of this model. Use the NodeId that add(model, Node{...}) returned.");
+  EXPECT_EQ(
+      message_of([&] {
+        add(nodes.model, gap_between(nodes.a, ground, HertzDamp{.stiffness = 1e9 * N / m_3_2, .restitution = 65.0}));
+      }),
+      "Gap \"gap\": restitution = 65 is not allowed; it must be > 0 and <= 1. It is the speed after the impact over "
+      "the speed before; 1 is elastic.");
+  EXPECT_EQ(nodes.model.blocks().size(), 0U) << "what was refused left nothing behind";
+  add(nodes.model, gap_between(nodes.a, ground, hertz_damp));
+  EXPECT_EQ(message_of([&] { add(nodes.model, gap_between(ground, nodes.a, hertz_damp)); }),
+            "Gap \"gap\": an element of this name exists. Give every element its own name.");
+}
+
+}  // namespace
+}  // namespace moat::testing

@@ -1,0 +1,175 @@
+#include <gtest/gtest.h>
+
+#include "elements/lead_rubber_bearing.hpp"
+#include "elements/shear_spring.hpp"
+#include "elements/viscous_damper.hpp"
+#include "message_of.hpp"
+#include "two_nodes.hpp"
+
+namespace moat::testing {
+namespace {
+
+using namespace units;
+
+ShearSpring spring(NodeId lower, NodeId upper) {
+  return {.name = "storey 1", .lower = lower, .upper = upper, .stiffness = 1 * MN / m};
+}
+ViscousDamper damper(NodeId lower, NodeId upper) {
+  return {.name = "dashpot", .lower = lower, .upper = upper, .damping = 50 * kN * s / m};
+}
+// Yields at 1 cm and 1 MN; then a tenth as stiff.
+LeadRubberBearing bearing(NodeId lower, NodeId upper) {
+  return {.lower = lower,
+          .upper = upper,
+          .yield_force = 1 * MN,
+          .yield_displacement = 1 * cm,
+          .post_yield_stiffness = 10 * MN / m};
+}
+
+TEST(ShearSpring, PullsTheUpperNodeBackAndTheLowerOneAlong) {
+  TwoNodes nodes;
+  add(nodes.model, spring(nodes.a, nodes.b));
+  nodes.start();
+  nodes.move(0.01, 0.03);
+  EXPECT_NEAR(nodes.forces()[0], -20e3, 1e-8);
+  EXPECT_NEAR(nodes.forces()[1], 20e3, 1e-8);
+  expect_action_is_reaction(nodes);
+  const ElementBlock& block = *nodes.model.blocks()[0];
+  EXPECT_NEAR(block.deformations()[0], 0.02, 1e-15);
+  EXPECT_NEAR(block.forces()[0], 20e3, 1e-8);
+  EXPECT_EQ(block.info(0).deformation_quantity, "drift");
+  EXPECT_EQ(block.info(0).force_quantity, "storey_shear");
+}
+
+TEST(ShearSpring, StandsOnTheGround) {
+  TwoNodes nodes;
+  add(nodes.model, spring(ground, nodes.a));
+  nodes.start();
+  nodes.move(0.02, 1.0);
+  EXPECT_EQ(nodes.forces()[1], 0.0);
+  EXPECT_NEAR(nodes.forces()[2], -20e3, 1e-8);
+  expect_action_is_reaction(nodes);
+  expect_exact_tangent(nodes, 0.02, 1.0, 0.0, 0.0, 1e-3);
+  expect_rollback(nodes, 0.02, 1.0, 0.0, 0.0);
+}
+
+TEST(ViscousDamper, ResistsTheDifferenceOfVelocities) {
+  TwoNodes nodes;
+  add(nodes.model, damper(nodes.a, nodes.b));
+  nodes.start();
+  nodes.move(0.5, -0.5, 0.1, 0.4);
+  EXPECT_NEAR(nodes.forces()[0], -15e3, 1e-8);
+  EXPECT_NEAR(nodes.forces()[1], 15e3, 1e-8);
+  expect_action_is_reaction(nodes);
+  expect_exact_tangent(nodes, 0.5, -0.5, 0.1, 0.4, 1e-3);
+  expect_rollback(nodes, 0.5, -0.5, 0.1, 0.4);
+}
+
+TEST(LeadRubberBearing, YieldsUnloadsAndKeepsItsSlipOnlyOnceCommitted) {
+  TwoNodes nodes;
+  add(nodes.model, bearing(nodes.a, nodes.b));
+  nodes.start();
+  nodes.move(0.0, 0.05);
+  EXPECT_NEAR(nodes.forces()[1], 1.4e6, 1e-6);
+  nodes.move(0.0, 0.04);
+  EXPECT_NEAR(nodes.forces()[1], 1.3e6, 1e-6) << "not committed: still on the backbone";
+  nodes.move(0.0, 0.05);
+  nodes.model.commit();
+  nodes.move(0.0, 0.04);
+  EXPECT_NEAR(nodes.forces()[1], 0.4e6, 1e-6) << "committed: unloads with the initial stiffness";
+  expect_action_is_reaction(nodes);
+}
+
+TEST(LeadRubberBearing, HasExactTangentsOnEveryBranch) {
+  TwoNodes nodes;
+  add(nodes.model, bearing(ground, nodes.b));
+  nodes.start();
+  for (const double u : {0.005, 0.02, -0.03}) expect_exact_tangent(nodes, 0.0, u, 0.0, 0.0, 1e-4);
+  nodes.move(0.0, 0.05);
+  nodes.model.commit();
+  for (const double u : {0.06, 0.04, 0.02, -0.05}) expect_exact_tangent(nodes, 0.0, u, 0.0, 0.0, 1e-4);
+  expect_rollback(nodes, 0.0, 0.045, 0.0, 0.0);
+}
+
+TEST(LeadRubberBearing, HasTheLinearStiffnessOfEachStage) {
+  TwoNodes nodes;
+  add(nodes.model, bearing(ground, nodes.a));
+  nodes.start();
+  SparseMatrix stiffness = nodes.model.pattern();
+  nodes.model.assemble_linear_stiffness(StiffnessStage::initial, stiffness);
+  EXPECT_DOUBLE_EQ(stiffness.values[static_cast<std::size_t>(stiffness.slot(0, 0))], 1e8);
+  nodes.model.assemble_linear_stiffness(StiffnessStage::post_yield, stiffness);
+  EXPECT_DOUBLE_EQ(stiffness.values[static_cast<std::size_t>(stiffness.slot(0, 0))], 1e7);
+}
+
+TEST(LinkElements, OfOneModelActTogether) {
+  TwoNodes nodes;
+  add(nodes.model, bearing(ground, nodes.a));
+  add(nodes.model, spring(nodes.a, nodes.b));
+  add(nodes.model, damper(nodes.a, nodes.b));
+  nodes.start();
+  expect_exact_tangent(nodes, 0.03, 0.035, 0.2, -0.1, 1e-4);
+  expect_action_is_reaction(nodes);
+  expect_rollback(nodes, 0.03, 0.035, 0.2, -0.1);
+}
+
+TEST(LinkElements, OfACopiedModelAreIndependent) {
+  TwoNodes nodes;
+  add(nodes.model, bearing(ground, nodes.a));
+  nodes.start();
+  TwoNodes copy{nodes};
+  copy.move(0.05, 0.0);
+  copy.model.commit();
+  nodes.move(0.005, 0.0);
+  EXPECT_NEAR(nodes.forces()[0], 0.5e6, 1e-6);
+  copy.move(0.005, 0.0);
+  EXPECT_LT(copy.forces()[0], 0.0);
+}
+
+TEST(LinkElements, TellWhatIsWrongWithTheirNodes) {
+  TwoNodes nodes;
+  EXPECT_EQ(
+      message_of([&] { add(nodes.model, spring(nodes.a, nodes.a)); }),
+      "ShearSpring \"storey 1\": lower and upper are the same node, \"a\". An element joins two different nodes.");
+  EXPECT_EQ(message_of([&] { add(nodes.model, spring(nodes.a, NodeId{7})); }),
+            "ShearSpring \"storey 1\": upper is not a node of this model. Use the NodeId that add(model, Node{...}) "
+            "returned.");
+  EXPECT_EQ(message_of([&] { add(nodes.model, damper(NodeId{}, nodes.a)); }),
+            "ViscousDamper \"dashpot\": lower is not given. Set it to a node of this model or to `ground`.");
+  LeadRubberBearing nowhere = bearing(ground, nodes.a);
+  nowhere.upper = NodeId{};
+  EXPECT_EQ(message_of([&] { add(nodes.model, nowhere); }),
+            "LeadRubberBearing \"bearings\": upper is not given. Set it to a node of this model or to `ground`.");
+}
+
+TEST(LinkElements, TellWhichParameterIsWrong) {
+  TwoNodes nodes;
+  ShearSpring soft = spring(ground, nodes.a);
+  soft.stiffness = -2 * N / m;
+  EXPECT_EQ(message_of([&] { add(nodes.model, soft); }),
+            "ShearSpring \"storey 1\": stiffness = -2 N/m is not allowed; it must be > 0 N/m and finite.");
+  ViscousDamper dry = damper(ground, nodes.a);
+  dry.damping = 0 * N * s / m;
+  EXPECT_EQ(message_of([&] { add(nodes.model, dry); }),
+            "ViscousDamper \"dashpot\": damping = 0 N s/m is not allowed; it must be > 0 N s/m and finite.");
+  LeadRubberBearing stiff = bearing(ground, nodes.a);
+  stiff.post_yield_stiffness = 200 * MN / m;
+  EXPECT_EQ(
+      message_of([&] { add(nodes.model, stiff); }),
+      "LeadRubberBearing \"bearings\": post_yield_stiffness = 2e+08 N/m is not allowed; it must be below the initial "
+      "stiffness yield_force / yield_displacement = 1e+08 N/m. Check the exponents of the three parameters.");
+}
+
+TEST(LinkElements, NeedANameOfTheirOwn) {
+  TwoNodes nodes;
+  add(nodes.model, spring(ground, nodes.a));
+  EXPECT_EQ(message_of([&] { add(nodes.model, spring(nodes.a, nodes.b)); }),
+            "ShearSpring \"storey 1\": an element of this name exists. Give every element its own name.");
+  ViscousDamper nameless = damper(ground, nodes.a);
+  nameless.name.clear();
+  EXPECT_EQ(message_of([&] { add(nodes.model, nameless); }),
+            "ViscousDamper: an element has no name. Give .name: results are listed under it.");
+}
+
+}  // namespace
+}  // namespace moat::testing

@@ -1,0 +1,77 @@
+// A model with two nodes and the ground, moved by hand.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "base/units.hpp"
+#include "model/model.hpp"
+
+namespace moat::testing {
+
+/// Nodes "a" (1 t) and "b" (3 t). add() elements to `model`, then start() and move().
+struct TwoNodes {
+  Model model;
+  NodeId a = add(model, Node{.name = "a", .mass = 1 * units::tonne});
+  NodeId b = add(model, Node{.name = "b", .mass = 3 * units::tonne});
+
+  void start() { model.prepare(); }
+
+  /// The trial state, evaluated: displacements (m) and velocities (m/s) of both nodes.
+  void move(double ua, double ub, double va = 0.0, double vb = 0.0) {
+    model.trial() = model.state();
+    model.trial().displacement.head(2) << ua, ub;
+    model.trial().velocity.head(2) << va, vb;
+    model.evaluate();
+  }
+
+  /// Internal forces on a, b and the ground, N.
+  [[nodiscard]] Eigen::Vector3d forces() const {
+    Vector force;
+    model.internal_forces(force);
+    return force;
+  }
+};
+
+/// The sum over nodes and ground is zero: what one end gets, the other gives.
+inline void expect_action_is_reaction(const TwoNodes& nodes) {
+  const Eigen::Vector3d force = nodes.forces();
+  EXPECT_NEAR(force.sum(), 0.0, 1e-12 * force.cwiseAbs().maxCoeff());
+}
+
+/// The assembled tangent at a state against differences of the assembled forces; `width` in m and m/s is small
+/// against the distance to the next change of branch.
+inline void expect_exact_tangent(TwoNodes& nodes, double ua, double ub, double va, double vb, double width) {
+  constexpr double displacement_weight = 0.7, velocity_weight = 0.3;
+  nodes.move(ua, ub, va, vb);
+  SparseMatrix tangent = nodes.model.pattern();
+  nodes.model.assemble_tangent(0.0, velocity_weight, displacement_weight, tangent);
+  const Eigen::MatrixXd exact{tangent.view()};
+  const auto force_at = [&](double step, int column) {
+    const double da = column == 0 ? step : 0.0, db = column == 1 ? step : 0.0;
+    nodes.move(ua + displacement_weight * da, ub + displacement_weight * db, va + velocity_weight * da,
+               vb + velocity_weight * db);
+    return nodes.forces();
+  };
+  for (int column = 0; column < 2; ++column) {
+    const Eigen::Vector3d wide = (force_at(width, column) - force_at(-width, column)) / (2.0 * width);
+    const Eigen::Vector3d narrow = (force_at(0.5 * width, column) - force_at(-0.5 * width, column)) / width;
+    const Eigen::Vector3d slope = (4.0 * narrow - wide) / 3.0;
+    for (int row = 0; row < 2; ++row)
+      EXPECT_NEAR(exact(row, column), slope[row], 1e-6 * exact.cwiseAbs().maxCoeff()) << row << ", " << column;
+  }
+}
+
+/// Trial states that are not committed leave no trace: the force at a state is the same before and after wandering.
+inline void expect_rollback(TwoNodes& nodes, double ua, double ub, double va, double vb) {
+  nodes.move(ua, ub, va, vb);
+  const Eigen::Vector3d before = nodes.forces();
+  for (const double away : {-0.3, 0.2, 0.05, -0.01}) nodes.move(ua + away, ub - 2.0 * away, away, -away);
+  nodes.move(ua, ub, va, vb);
+  EXPECT_EQ(nodes.forces(), before);
+}
+
+}  // namespace moat::testing

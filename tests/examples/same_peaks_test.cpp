@@ -1,0 +1,58 @@
+// The tours with the convenience layer and by hand make the same building: same peaks.
+
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+#include <map>
+#include <string>
+#include <utility>
+
+#include "run_program.hpp"
+
+namespace moat {
+namespace {
+
+using nlohmann::json;
+
+class Tours : public testing::InTemporaryFolder {
+ protected:
+  json summary_of(const char* program, const std::string& out) {
+    const auto result = testing::run_program(program, {"--out", out, "--frame-interval", "0 s"}, folder);
+    EXPECT_EQ(result.exit_code, 0) << result.errors;
+    return json::parse(testing::text_of(folder / out / "summary.json"));
+  }
+};
+
+using Peaks = std::map<std::pair<std::string, std::string>, double>;
+
+Peaks peaks_of(const json& summary) {
+  Peaks peaks;
+  for (const json& peak : summary.at("peaks"))
+    peaks[{peak.at("quantity").get<std::string>(), peak.at("where").get<std::string>()}] =
+        peak.at("value").get<double>();
+  return peaks;
+}
+
+TEST_F(Tours, OneAndTwoHaveTheSamePeaks) {
+  const json first = summary_of(FIRST_TOUR, "first"), second = summary_of(SECOND_TOUR, "second");
+  const Peaks expected = peaks_of(first), peaks = peaks_of(second);
+  ASSERT_EQ(peaks.size(), expected.size());
+  ASSERT_GE(peaks.size(), 6u + 6u + 5u + 5u + 4u);
+  for (const auto& [key, value] : expected) {
+    ASSERT_EQ(peaks.count(key), 1u) << key.first << " " << key.second;
+    EXPECT_GT(value, 0.0) << key.first << " " << key.second;
+    EXPECT_LE(std::abs(peaks.at(key) - value), 1e-12 * value) << key.first << " " << key.second;
+  }
+  // The pulse makes the building pound, so that the impacts are compared too.
+  EXPECT_GT(first.at("impacts").get<int>(), 0);
+  EXPECT_EQ(first.at("impacts"), second.at("impacts"));
+  ASSERT_EQ(first.at("periods").size(), second.at("periods").size());
+  for (std::size_t i = 0; i < first.at("periods").size(); ++i)
+    EXPECT_NEAR(first.at("periods").at(i).at("value").get<double>(),
+                second.at("periods").at(i).at("value").get<double>(), 1e-12);
+}
+
+}  // namespace
+}  // namespace moat

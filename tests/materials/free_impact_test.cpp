@@ -1,0 +1,79 @@
+#include "materials/free_impact.hpp"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <sstream>
+
+#include "impact_cases.hpp"
+
+namespace moat::testing {
+namespace {
+
+class FreeImpact : public ::testing::TestWithParam<ImpactCase> {};
+
+TEST_P(FreeImpact, DeliversWhatTheExactFormulaSays) {
+  for (const double requested : {1.0, 0.999, 0.9, 0.8, 0.65, 0.5, 0.4, 0.2, 0.1, 0.05, 0.02}) {
+    if (requested < GetParam().least) continue;
+    const AnyContact law = GetParam().between(1e9, requested, 5.5e5);
+    const double expected = GetParam().delivered(requested);
+    EXPECT_NEAR(delivered_restitution(law, 5.5e5, 0.3), expected, 1e-8) << requested;
+  }
+}
+
+TEST_P(FreeImpact, DoesNotDependOnStiffnessMassOrSpeed) {
+  for (const double requested : {0.9, 0.65, 0.45, 0.1, 0.02}) {
+    if (requested < GetParam().least) continue;
+    const double expected = GetParam().delivered(requested);
+    for (double stiffness = 1e4; stiffness < 2e12; stiffness *= 10.0)
+      for (const double mass : {1.0, 5.5e5})
+        for (const double speed : {1e-3, 0.1, 5.0})
+          EXPECT_NEAR(delivered_restitution(GetParam().between(stiffness, requested, mass), mass, speed), expected,
+                      1e-7)
+              << "e = " << requested << ", k = " << stiffness << ", m = " << mass << " kg, v0 = " << speed << " m/s";
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(ImpactLaws, FreeImpact, ::testing::ValuesIn(all_impact_laws()),
+                         [](const auto& test) { return test.param.name; });
+
+TEST(FreeImpactOfKelvin, ByDampingRatio) {
+  const Stiffness stiffness{5.8e8};
+  const auto clamped = KelvinByDampingRatio{.stiffness = stiffness, .damping_ratio = 0.14}.between(5.5e5);
+  const auto pulling =
+      KelvinByDampingRatio{.stiffness = stiffness, .damping_ratio = 0.14, .may_pull = true}.between(5.5e5);
+  const double x = 0.14, s = std::sqrt(1 - x * x);
+  EXPECT_NEAR(delivered_restitution(clamped, 5.5e5, 0.3), std::exp(-2 * x / s * std::acos(x)), 1e-9);
+  EXPECT_NEAR(delivered_restitution(pulling, 5.5e5, 0.3), std::exp(-std::numbers::pi * x / s), 1e-9);
+}
+
+TEST(FreeImpact, TellsThatAContactDoesNotEnd) {
+  // So overdamped that it creeps back for years; such parameters do not pass KelvinByDampingRatio::check.
+  const ViscousLinearContact law{.stiffness = 1.0, .damping = 1e9, .acts = ContactDamping::may_pull};
+  EXPECT_THROW(delivered_restitution(law, 1.0, 1.0), Error);
+}
+
+// Table 1 of Zhao, Liu & Li (2017) as it is, with the laws its columns were computed with. Their own integration error
+// shows in the last two of four digits.
+TEST(FreeImpact, GivesTableOneOfThePaper) {
+  std::ifstream file{MOAT_SOURCE_DIR "/benchmarks/paper/table1.csv"};
+  ASSERT_TRUE(file) << "benchmarks/paper/table1.csv is missing";
+  int rows = 0;
+  for (std::string line; std::getline(file, line);) {
+    if (line.empty() || line[0] == '#' || line[0] == 'e') continue;
+    std::vector<double> cells;
+    std::istringstream fields{line};
+    for (std::string cell; std::getline(fields, cell, ',');) cells.push_back(std::stod(cell));
+    ASSERT_EQ(cells.size(), 7U) << line;
+    const HertzStiffness stiffness{2e9};
+    const double e = cells[0], mass = 570.0, speed = 0.5;
+    EXPECT_NEAR(delivered_restitution(ModifiedHertzDamp{stiffness, e}.between(mass), mass, speed), cells[1], 0.003);
+    EXPECT_NEAR(delivered_restitution(Ye2009{stiffness, e}.between(mass), mass, speed), cells[3], 0.003);
+    EXPECT_NEAR(delivered_restitution(HertzDamp{stiffness, e}.between(mass), mass, speed), cells[5], 0.006);
+    ++rows;
+  }
+  EXPECT_EQ(rows, 10);
+}
+
+}  // namespace
+}  // namespace moat::testing

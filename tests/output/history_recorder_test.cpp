@@ -1,0 +1,83 @@
+#include "output/history_recorder.hpp"
+
+#include <gtest/gtest.h>
+
+#include "message_of.hpp"
+#include "output/table_columns.hpp"
+#include "recorders_testing.hpp"
+
+namespace moat {
+namespace {
+
+using testing_output::HandMovedBuilding;
+
+std::vector<double> recorded_times(double interval, const std::vector<double>& times) {
+  HandMovedBuilding building;
+  HistoryRecorder recorder{building.model, interval};
+  for (std::size_t i = 0; i < times.size(); ++i) {
+    const StepView view = building.move(times[i], times[i], 0.0);
+    if (i == 0)
+      recorder.start(view);
+    else
+      recorder.step(view);
+  }
+  require_equal_lengths(recorder.table());
+  return recorder.table().columns.front().values;
+}
+
+TEST(HistoryRecorder, KeepsTheFirstGridTimeAtOrAfterEachMultiple) {
+  EXPECT_EQ(recorded_times(0.1, {0.0, 0.05, 0.1, 0.15, 0.2}), (std::vector<double>{0.0, 0.1, 0.2}));
+  EXPECT_EQ(recorded_times(0.1, {0.0, 0.04, 0.08, 0.12, 0.16, 0.2, 0.24}), (std::vector<double>{0.0, 0.12, 0.2}));
+  // Steps longer than the interval are all kept, once each.
+  EXPECT_EQ(recorded_times(0.1, {0.0, 0.25, 0.5, 0.75}), (std::vector<double>{0.0, 0.25, 0.5, 0.75}));
+}
+
+TEST(HistoryRecorder, RoundOffOfTimesDoesNotMatter) {
+  std::vector<double> times, expected;
+  for (int i = 0; i <= 30000; ++i) times.push_back(i * 0.001);
+  for (int i = 0; i <= 30000; i += 5) expected.push_back(i * 0.001);
+  EXPECT_EQ(recorded_times(0.005, times), expected);
+}
+
+TEST(HistoryRecorder, SkipsInstantsBetweenGridTimes) {
+  HandMovedBuilding building;
+  HistoryRecorder recorder{building.model, 0.1};
+  recorder.start(building.move(0.0, 0.0, 0.0));
+  recorder.step(building.move(0.11, 0.0, 0.0, 0.0, 0.0, 0.0, false));
+  recorder.event(building.move(0.11, 0.0, 0.0, 0.0, 0.0, 0.0, false), {});
+  recorder.step(building.move(0.15, 0.0, 0.0));
+  EXPECT_EQ(recorder.table().columns.front().values, (std::vector<double>{0.0, 0.15}));
+}
+
+TEST(HistoryRecorder, StartsWhereTheModelIs) {
+  EXPECT_EQ(recorded_times(0.1, {7.3, 7.35, 7.4, 7.45, 7.5}), (std::vector<double>{7.3, 7.4, 7.5}));
+}
+
+TEST(HistoryRecorder, HasAColumnForTimeGroundAndEveryChannel) {
+  HandMovedBuilding building;
+  HistoryRecorder recorder{building.model, 0.1};
+  recorder.start(building.move(0.0, 0.02, 0.03, 4.0, 5.0, 1.5));
+  const Table& table = recorder.table();
+  const Channels channels{building.model};
+  ASSERT_EQ(table.columns.size(), channels.list().size() + 2);
+  EXPECT_EQ(column_name(table.columns[0]), "time [s]");
+  EXPECT_EQ(column_name(table.columns[1]), "ground_acceleration [m/s^2] ground");
+  EXPECT_EQ(table.columns[1].values, std::vector<double>{1.5});
+  std::vector<double> values;
+  channels.sample({building.model, 1.5, true}, values);
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    EXPECT_EQ(table.columns[i + 2].quantity, channels.list()[i].quantity);
+    EXPECT_EQ(table.columns[i + 2].where, channels.list()[i].where);
+    EXPECT_EQ(table.columns[i + 2].unit, channels.list()[i].unit);
+    EXPECT_EQ(table.columns[i + 2].values, std::vector<double>{values[i]});
+  }
+}
+
+TEST(HistoryRecorder, RefusesAnIntervalThatIsNotPositive) {
+  const HandMovedBuilding building;
+  EXPECT_EQ(testing::message_of([&] { HistoryRecorder(building.model, 0.0); }),
+            "HistoryRecorder: interval = 0 s is not allowed; it must be > 0 s and finite.");
+}
+
+}  // namespace
+}  // namespace moat

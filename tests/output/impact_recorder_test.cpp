@@ -1,0 +1,123 @@
+// The table of impacts, filled by real analyses.
+
+#include "output/impact_recorder.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "analyses/transient.hpp"
+#include "elements/gap.hpp"
+#include "materials/hertz_damp.hpp"
+
+namespace moat {
+namespace {
+
+using namespace units;
+
+GroundMotion still_ground(double end) { return GroundMotion{"still ground", end, {0.0, 0.0}}; }
+
+constexpr double mass = 550e3, stiffness = 2.95e9;
+
+Gap<HertzDamp> wall(const std::string& name, NodeId left, NodeId right, double restitution) {
+  return {.name = name,
+          .place = "walls",
+          .left = left,
+          .right = right,
+          .clearance = 2 * cm,
+          .law = {.stiffness = stiffness * N / m_3_2, .restitution = restitution}};
+}
+
+std::vector<Impact> impacts(Model& model, double end, double step = 1e-3) {
+  ImpactRecorder recorder;
+  Transient analysis{model, still_ground(end), {.step = step * s}};
+  analysis.attach(recorder);
+  analysis.run();
+  return recorder.impacts();
+}
+
+TEST(ImpactRecorder, ListsTouchesOfAnElasticBodyBetweenTwoWalls) {
+  Model model;
+  const NodeId body = add(model, Node{.name = "body", .mass = mass * kg, .initial_velocity = 0.4 * m / s});
+  add(model, wall("left wall", ground, body, 1.0));
+  add(model, wall("right wall", body, ground, 1.0));
+  const std::vector<Impact> found = impacts(model, 1.1, 2e-4);
+
+  const double depth = std::pow(1.25 * mass * 0.16 / stiffness, 0.4), duration = 2.9432750 * depth / 0.4;
+  ASSERT_GE(found.size(), 4u);
+  double start = 0.02 / 0.4;
+  for (std::size_t i = 0; i < 4; ++i) {
+    EXPECT_EQ(found[i].where, i % 2 == 0 ? "right wall" : "left wall");
+    EXPECT_NEAR(found[i].start, start, 1e-4 * static_cast<double>(i + 1)) << i;
+    EXPECT_NEAR(found[i].approach_speed, 0.4, 1e-4) << i;
+    if (i + 1 == found.size()) break;
+    EXPECT_NEAR(found[i].duration, duration, 1e-4 * duration) << i;
+    EXPECT_NEAR(found[i].largest_indentation, depth, 1e-4 * depth) << i;
+    EXPECT_NEAR(found[i].largest_force, stiffness * std::pow(depth, 1.5), 1e-4 * stiffness * std::pow(depth, 1.5)) << i;
+    EXPECT_NEAR(found[i].rebound_ratio, 1.0, 1e-4) << i;
+    start += duration + 0.04 / 0.4;  // back across both gaps
+  }
+}
+
+TEST(ImpactRecorder, AContactThatLastsAtTheEndHasNoReboundRatio) {
+  Model model;
+  const NodeId body = add(model, Node{.name = "body", .mass = mass * kg, .initial_velocity = 0.4 * m / s});
+  add(model, wall("right wall", body, ground, 0.65));
+  const std::vector<Impact> found = impacts(model, 0.1);
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_NEAR(found[0].duration, 0.05, 1e-9);
+  EXPECT_GT(found[0].largest_indentation, 0.01);
+  EXPECT_GT(found[0].largest_force, 1e6);
+  EXPECT_TRUE(std::isnan(found[0].rebound_ratio));
+}
+
+TEST(ImpactRecorder, AContactThatLastsFromTheStartIsListed) {
+  Model model;
+  const NodeId body = add(model, Node{.name = "body", .mass = mass * kg, .initial_velocity = 0.4 * m / s});
+  add(model, wall("right wall", body, ground, 0.65));
+  impacts(model, 0.1);
+  const std::vector<Impact> found = impacts(model, 1.0);  // the same model, continued
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_NEAR(found[0].start, 0.1, 1e-12);
+  EXPECT_NEAR(found[0].approach_speed, 0.4, 1e-9);  // that of the touch, before this analysis
+  EXPECT_GT(found[0].rebound_ratio, 0.7);
+  EXPECT_LT(found[0].rebound_ratio, 0.8);
+}
+
+TEST(ImpactRecorder, ListsOverlappingContactsInOrderOfTouch) {
+  Model model;
+  const NodeId early = add(model, Node{.name = "early", .mass = mass * kg, .initial_velocity = 0.41 * m / s});
+  const NodeId late = add(model, Node{.name = "late", .mass = mass * kg, .initial_velocity = 0.40 * m / s});
+  add(model, wall("of late", late, ground, 1.0));
+  add(model, wall("of early", early, ground, 0.65));
+  const std::vector<Impact> found = impacts(model, 1.0);
+  ASSERT_EQ(found.size(), 2u);
+  EXPECT_EQ(found[0].where, "of early");
+  EXPECT_EQ(found[1].where, "of late");
+  EXPECT_LT(found[1].start, found[0].start + found[0].duration);
+  EXPECT_NEAR(found[0].rebound_ratio, 0.775, 2e-3);
+  EXPECT_NEAR(found[1].rebound_ratio, 1.0, 1e-3);
+
+  // Each has the peaks it has alone: the events of the other do not make it forget.
+  for (const Impact& together : found) {
+    Model alone;
+    const bool is_early = together.where == "of early";
+    const NodeId body =
+        add(alone, Node{.name = "body", .mass = mass * kg, .initial_velocity = (is_early ? 0.41 : 0.40) * m / s});
+    add(alone, wall(together.where, body, ground, is_early ? 0.65 : 1.0));
+    const std::vector<Impact> expected = impacts(alone, 1.0);
+    ASSERT_EQ(expected.size(), 1u);
+    EXPECT_NEAR(together.largest_force, expected[0].largest_force, 1e-4 * expected[0].largest_force);
+    EXPECT_NEAR(together.largest_indentation, expected[0].largest_indentation, 1e-4 * expected[0].largest_indentation);
+  }
+}
+
+TEST(ImpactRecorder, NothingTouchesNothingIsListed) {
+  Model model;
+  const NodeId body = add(model, Node{.name = "body", .mass = mass * kg, .initial_velocity = 0.01 * m / s});
+  add(model, wall("right wall", body, ground, 0.65));
+  EXPECT_TRUE(impacts(model, 1.0).empty());
+}
+
+}  // namespace
+}  // namespace moat

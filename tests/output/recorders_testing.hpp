@@ -1,0 +1,51 @@
+// A model moved by hand, to see what recorders make of it.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "elements/gap.hpp"
+#include "elements/lead_rubber_bearing.hpp"
+#include "elements/shear_spring.hpp"
+#include "elements/viscous_damper.hpp"
+#include "materials/hertz_damp.hpp"
+#include "output/step_observer.hpp"
+#include "structures/moat.hpp"
+
+namespace moat::testing_output {
+
+/// A base on bearings in a moat of 10 cm, and a floor on it.
+struct HandMovedBuilding {
+  HandMovedBuilding() {
+    using namespace units;
+    base = add(model, Node{.name = "base", .mass = 2 * kg, .half_width = 6 * m});
+    floor = add(model, Node{.name = "floor 1", .mass = 3 * kg, .height = 3.5 * m, .half_width = 5 * m});
+    add(model, ShearSpring{.name = "storey 1", .lower = base, .upper = floor, .stiffness = 100 * N / m});
+    add(model, ViscousDamper{.name = "damper", .lower = base, .upper = floor, .damping = 1 * N * s / m});
+    add(model,
+        LeadRubberBearing{
+            .upper = base, .yield_force = 10 * N, .yield_displacement = 10 * cm, .post_yield_stiffness = 5 * N / m});
+    add(model, Moat<HertzDamp>{
+                   .around = base, .clearance = 10 * cm, .law = {.stiffness = 1000 * N / m_3_2, .restitution = 1.0}});
+    add(model, BaseShear{.where = "base", .nodes = {base, floor}});
+    model.prepare();
+  }
+
+  /// Puts both nodes somewhere and commits.
+  StepView move(double time, double base_displacement, double floor_displacement, double base_acceleration = 0.0,
+                double floor_acceleration = 0.0, double ground_acceleration = 0.0, bool on_grid = true) {
+    MotionState& trial = model.trial();
+    trial.time = time;
+    trial.displacement.head(2) << base_displacement, floor_displacement;
+    trial.velocity.head(2) << 0.1 * base_displacement, 0.1 * floor_displacement;
+    trial.acceleration.head(2) << base_acceleration, floor_acceleration;
+    model.evaluate();
+    model.commit();
+    return {model, ground_acceleration, on_grid};
+  }
+
+  Model model;
+  NodeId base, floor;
+};
+
+}  // namespace moat::testing_output

@@ -1,0 +1,108 @@
+#include "output/result_charts.hpp"
+
+#include <gtest/gtest.h>
+
+#include "base/error.hpp"
+
+namespace moat {
+namespace {
+
+CaseResult result_with(std::vector<Column> columns) {
+  CaseResult result;
+  result.histories.columns = std::move(columns);
+  return result;
+}
+
+CaseResult isolated_result() {
+  return result_with({{"time", "", "s", {0.0, 1.0, 2.0}},
+                      {"displacement", "base", "m", {0.0, 0.1, -0.05}},
+                      {"displacement", "floor 1", "m", {0.0, 0.15, -0.1}},
+                      {"displacement", "floor 2", "m", {0.0, 0.2, -0.1}},
+                      {"absolute_acceleration", "base", "m/s^2", {0.0, 1.0, 2.0}},
+                      {"absolute_acceleration", "floor 2", "m/s^2", {0.0, 3.0, 4.0}},
+                      {"isolator_force", "bearings", "N", {0.0, 2e6, -1e6}},
+                      {"impact_force", "moat left", "N", {0.0, 0.0, 5e6}},
+                      {"impact_force", "moat right", "N", {0.0, 7e6, 0.0}}});
+}
+
+TEST(ResultCharts, ShowBaseAndTopAndAllImpacts) {
+  const std::vector<Chart> charts = history_charts(isolated_result());
+  ASSERT_EQ(charts.size(), 3u);
+  EXPECT_EQ(charts[0].title, "Displacement");
+  EXPECT_EQ(charts[0].x_label, "time [s]");
+  EXPECT_EQ(charts[0].y_label, "displacement [cm]");
+  ASSERT_EQ(charts[0].series.size(), 2u);
+  EXPECT_EQ(charts[0].series[0].name, "base");
+  EXPECT_EQ(charts[0].series[1].name, "floor 2");
+  EXPECT_EQ(charts[0].series[1].y, (std::vector<double>{0.0, 20.0, -10.0}));
+  EXPECT_EQ(charts[0].series[0].x, (std::vector<double>{0.0, 1.0, 2.0}));
+  EXPECT_EQ(charts[0].x_range, (std::optional{std::pair{0.0, 2.0}}));
+  EXPECT_EQ(charts[1].title, "Absolute acceleration");
+  EXPECT_EQ(charts[1].series.size(), 2u);
+  EXPECT_EQ(charts[2].title, "Impact force");
+  ASSERT_EQ(charts[2].series.size(), 2u);
+  EXPECT_EQ(charts[2].series[0].name, "moat left");
+  EXPECT_EQ(charts[2].series[1].y, (std::vector<double>{0.0, 7000.0, 0.0}));
+}
+
+TEST(ResultCharts, LeaveOutWhatThereIsNot) {
+  // A fixed-base building: no base, no gap.
+  const std::vector<Chart> charts = history_charts(result_with({{"time", "", "s", {0.0, 1.0}},
+                                                                {"displacement", "floor 1", "m", {0.0, 0.1}},
+                                                                {"displacement", "floor 2", "m", {0.0, 0.2}}}));
+  ASSERT_EQ(charts.size(), 1u);
+  ASSERT_EQ(charts[0].series.size(), 1u);
+  EXPECT_EQ(charts[0].series[0].name, "floor 2");
+  EXPECT_TRUE(history_charts(result_with({})).empty());
+  EXPECT_TRUE(history_charts(result_with({{"time", "", "s", {}}})).empty());
+  // One row: the analysis failed in its first step, there is nothing to draw over time.
+  EXPECT_TRUE(history_charts(result_with({{"time", "", "s", {0.0}}, {"displacement", "base", "m", {0.1}}})).empty());
+  EXPECT_TRUE(history_charts(result_with({{"displacement", "base", "m", {0.0, 0.1}}})).empty());
+}
+
+TEST(ResultCharts, ABodyOfItsOwnIsDrawnOnce) {
+  const std::vector<Chart> charts =
+      history_charts(result_with({{"time", "", "s", {0.0, 1.0}}, {"displacement", "base", "m", {0.0, 0.1}}}));
+  ASSERT_EQ(charts.size(), 1u);
+  EXPECT_EQ(charts[0].series.size(), 1u);
+}
+
+TEST(ResultCharts, FindABaseThatHasAPrefix) {
+  const std::vector<Chart> charts = history_charts(result_with({{"time", "", "s", {0.0, 1.0}},
+                                                                {"displacement", "database", "m", {0.0, 0.3}},
+                                                                {"displacement", "north base", "m", {0.0, 0.1}},
+                                                                {"displacement", "north floor 1", "m", {0.0, 0.2}}}));
+  ASSERT_EQ(charts.size(), 1u);
+  ASSERT_EQ(charts[0].series.size(), 2u);
+  EXPECT_EQ(charts[0].series[0].name, "north base");
+  EXPECT_EQ(charts[0].series[1].name, "north floor 1");
+}
+
+TEST(ResultCharts, HysteresisIsForceOverDisplacementOfTheBase) {
+  const std::optional<Chart> loop = hysteresis_chart(isolated_result());
+  ASSERT_TRUE(loop.has_value());
+  EXPECT_EQ(loop->x_label, "base displacement [cm]");
+  EXPECT_EQ(loop->y_label, "isolator force [kN]");
+  ASSERT_EQ(loop->series.size(), 1u);
+  EXPECT_EQ(loop->series[0].x, (std::vector<double>{0.0, 10.0, -5.0}));
+  EXPECT_EQ(loop->series[0].y, (std::vector<double>{0.0, 2000.0, -1000.0}));
+}
+
+TEST(ResultCharts, HysteresisNeedsIsolatorAndBase) {
+  EXPECT_FALSE(hysteresis_chart(result_with({})).has_value());
+  EXPECT_FALSE(hysteresis_chart(result_with({{"isolator_force", "bearings", "N", {0.0}}})).has_value());
+  EXPECT_FALSE(hysteresis_chart(result_with({{"displacement", "base", "m", {0.0}}})).has_value());
+  EXPECT_FALSE(hysteresis_chart(
+                   result_with({{"displacement", "floor 1", "m", {0.0}}, {"isolator_force", "bearings", "N", {0.0}}}))
+                   .has_value());
+}
+
+TEST(ResultCharts, RefuseColumnsOfDifferentLength) {
+  EXPECT_THROW(history_charts(result_with({{"time", "", "s", {0.0, 1.0}}, {"displacement", "base", "m", {0.0}}})),
+               InputError);
+  EXPECT_THROW(hysteresis_chart(result_with({{"time", "", "s", {0.0, 1.0}}, {"displacement", "base", "m", {0.0}}})),
+               InputError);
+}
+
+}  // namespace
+}  // namespace moat

@@ -1,0 +1,116 @@
+#include "structures/moat.hpp"
+
+#include <gtest/gtest.h>
+
+#include "materials/hertz_damp.hpp"
+#include "message_of.hpp"
+
+namespace moat {
+namespace {
+
+using namespace units;
+using testing::message_of;
+
+const HertzDamp law{.stiffness = 2.95e9 * N / m_3_2, .restitution = 0.65};
+
+TEST(Moat, IsTwoGapsThatShareAPlace) {
+  Model model;
+  const NodeId base = add(model, Node{.name = "base", .mass = 550 * tonne});
+  add(model, Moat<HertzDamp>{.around = base, .clearance = 10 * cm, .law = law});
+  ASSERT_EQ(model.blocks().size(), 1u);
+  const ElementBlock& gaps = *model.blocks().front();
+  ASSERT_EQ(gaps.size(), 2u);
+  EXPECT_EQ(gaps.info(0).name, "moat left");
+  EXPECT_EQ(gaps.info(1).name, "moat right");
+  for (const std::size_t e : {0u, 1u}) {
+    EXPECT_EQ(gaps.info(e).place, "moat");
+    EXPECT_EQ(gaps.info(e).kind, ElementKind::gap);
+    EXPECT_EQ(gaps.info(e).offset, 0.1);
+  }
+}
+
+TEST(Moat, OneSideClosesWhereTheOtherOpens) {
+  Model model;
+  const NodeId base = add(model, Node{.name = "base", .mass = 550 * tonne});
+  add(model, Moat<HertzDamp>{.around = base, .clearance = 10 * cm, .law = law});
+  model.prepare();
+  const ElementBlock& gaps = *model.blocks().front();
+  for (const double displacement : {0.12, -0.12}) {
+    model.trial().displacement[0] = displacement;
+    model.evaluate();
+    EXPECT_DOUBLE_EQ(gaps.deformations()[0], -displacement - 0.1);
+    EXPECT_DOUBLE_EQ(gaps.deformations()[1], displacement - 0.1);
+  }
+}
+
+TEST(Moat, RefusesWhatItsGapsRefuse) {
+  Model model;
+  const NodeId base = add(model, Node{.name = "base", .mass = 550 * tonne});
+  const auto refusal = [&](NodeId around, Length clearance) {
+    return message_of([&] { add(model, Moat<HertzDamp>{.around = around, .clearance = clearance, .law = law}); });
+  };
+  EXPECT_EQ(refusal(NodeId{}, 10 * cm),
+            "Moat \"moat\": around is not given. Set it to a node of this model or to `ground`.");
+  EXPECT_EQ(refusal(NodeId{4}, 10 * cm),
+            "Moat \"moat\": around is not a node of this model. Use the NodeId that add(model, Node{...}) returned.");
+  EXPECT_EQ(refusal(base, -10 * cm),
+            "Gap \"moat left\": clearance = -0.1 m is not allowed; it must be > 0 m and finite. "
+            "Give the free distance at rest.");
+  EXPECT_EQ(refusal(ground, 10 * cm),
+            "Gap \"moat left\": left and right are the same node, \"ground\". An element joins two different nodes.");
+  EXPECT_TRUE(model.blocks().empty());
+}
+
+TEST(Moat, MayHaveOneSideOnly) {
+  for (const Sides side : {Sides::left, Sides::right}) {
+    Model model;
+    const NodeId base = add(model, Node{.name = "base", .mass = 550 * tonne});
+    add(model, Moat<HertzDamp>{.around = base, .clearance = 10 * cm, .law = law, .sides = side});
+    ASSERT_EQ(model.blocks().front()->size(), 1u);
+    EXPECT_EQ(model.blocks().front()->info(0).name, side == Sides::left ? "moat left" : "moat right");
+  }
+}
+
+TEST(Moat, FlexibleWallsAreNodesOnSprings) {
+  Model model;
+  const NodeId base = add(model, Node{.name = "base", .mass = 550 * tonne, .half_width = 5 * m});
+  add(model, Moat<HertzDamp>{.around = base,
+                             .clearance = 10 * cm,
+                             .law = law,
+                             .wall = FlexibleWall{.mass = 20 * tonne, .stiffness = 2 * GN / m, .damping = 3e5 * kg / s}});
+  ASSERT_EQ(model.node_count(), 3);
+  EXPECT_EQ(model.nodes()[1].name, "moat left wall");
+  EXPECT_EQ(model.nodes()[2].name, "moat right wall");
+  // The face of the wall is the clearance away from the edge of the floor.
+  EXPECT_NEAR(model.nodes()[2].x.si() - model.nodes()[2].half_width.si(), 5.1, 1e-12);
+  EXPECT_NEAR(model.nodes()[1].x.si() + model.nodes()[1].half_width.si(), -5.1, 1e-12);
+  model.prepare();
+  model.trial().displacement[2] = 0.01;
+  model.trial().velocity[2] = 0.1;
+  model.evaluate();
+  Vector force;
+  model.internal_forces(force);
+  EXPECT_NEAR(force[2], 2e7 + 3e4, 1e-3);
+  EXPECT_EQ(force[1], 0.0);
+  // The gap opens as the wall gives way.
+  for (const auto& block : model.blocks())
+    for (std::size_t e = 0; e < block->size(); ++e)
+      if (block->info(e).name == "moat right") {
+        EXPECT_NEAR(block->deformations()[e], -0.11, 1e-15);
+      }
+}
+
+TEST(Moat, RefusesABadWall) {
+  Model model;
+  const NodeId base = add(model, Node{.name = "base", .mass = 550 * tonne});
+  EXPECT_EQ(message_of([&] {
+              add(model, Moat<HertzDamp>{.around = base,
+                                         .clearance = 10 * cm,
+                                         .law = law,
+                                         .wall = FlexibleWall{.mass = 20 * tonne, .stiffness = -2 * GN / m}});
+            }),
+            "FlexibleWall \"moat left wall\": stiffness = -2e+09 N/m is not allowed; it must be > 0 N/m and finite.");
+}
+
+}  // namespace
+}  // namespace moat

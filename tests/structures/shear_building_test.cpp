@@ -1,0 +1,246 @@
+#include "structures/shear_building.hpp"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "message_of.hpp"
+
+namespace moat {
+namespace {
+
+using namespace units;
+using testing::message_of;
+
+LeadRubberBearing bearing() {
+  return {.yield_force = 1.93 * MN, .yield_displacement = 1 * cm, .post_yield_stiffness = 19.3 * MN / m};
+}
+
+ShearBuilding isolated(int storeys) {
+  return {.storeys = storeys,
+          .floor_mass = 500 * tonne,
+          .storey_stiffness = 1 * GN / m,
+          .damping = RayleighDamping{.ratio = 0.05},
+          .base_mass = 550 * tonne,
+          .isolation = bearing()};
+}
+
+ShearBuilding fixed(int storeys) {
+  return {.storeys = storeys,
+          .floor_mass = 500 * tonne,
+          .storey_stiffness = 1 * GN / m,
+          .damping = RayleighDamping{.ratio = 0.05}};
+}
+
+Vector forces_at(Model& model, const Vector& displacement, const Vector& velocity) {
+  const int count = model.degrees_of_freedom();
+  Vector forces;
+  model.trial().displacement.head(count) = displacement;
+  model.trial().velocity.head(count) = velocity;
+  model.evaluate();
+  model.internal_forces(forces);
+  return forces;
+}
+
+struct Matrices {
+  Eigen::MatrixXd stiffness, damping;  // the last row is what reaches the ground
+};
+
+// By finite differences of the forces of the whole model around rest.
+Matrices matrices_of(Model& model) {
+  model.prepare();
+  const int count = model.degrees_of_freedom();
+  Matrices made{Eigen::MatrixXd{count + 1, count}, Eigen::MatrixXd{count + 1, count}};
+  const Vector zero = Vector::Zero(count);
+  for (int i = 0; i < count; ++i) {
+    const Vector small = 1e-3 * Vector::Unit(count, i);
+    made.stiffness.col(i) = (forces_at(model, small, zero) - forces_at(model, -small, zero)) / 2e-3;
+    made.damping.col(i) = (forces_at(model, zero, small) - forces_at(model, zero, -small)) / 2e-3;
+  }
+  return made;
+}
+
+std::vector<std::string> element_names(const Model& model) {
+  std::vector<std::string> names;
+  for (const auto& block : model.blocks())
+    for (std::size_t e = 0; e < block->size(); ++e) names.push_back(block->info(e).name);
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+TEST(ShearBuilding, IsolatedStiffnessAndMassAreThoseOfAChainOnBearings) {
+  Model model;
+  add(model, isolated(3));
+  const Matrices made = matrices_of(model);
+  const double k = 1e9, bearings = 1.93e8;
+  const Eigen::Matrix4d expected{
+      {k + bearings, -k, 0.0, 0.0}, {-k, 2.0 * k, -k, 0.0}, {0.0, -k, 2.0 * k, -k}, {0.0, 0.0, -k, k}};
+  EXPECT_LT((made.stiffness.topRows(4) - expected).norm(), 1e-9 * k);
+  EXPECT_EQ(model.masses(), (Vector{{550e3, 500e3, 500e3, 500e3}}));
+}
+
+TEST(ShearBuilding, DampingHasItsRatioInTheFirstTwoModesOfTheSuperstructure) {
+  for (const int storeys : {2, 5, 12}) {
+    Model model;
+    add(model, isolated(storeys));
+    const Matrices made = matrices_of(model);
+    // Held at the base: without the first row and column.
+    const Eigen::MatrixXd stiffness = made.stiffness.block(1, 1, storeys, storeys);
+    const Eigen::MatrixXd damping = made.damping.block(1, 1, storeys, storeys);
+    const Eigen::MatrixXd mass = model.masses().tail(storeys).asDiagonal();
+    const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> modes{stiffness, mass};
+    for (int i = 0; i < storeys; ++i) {
+      const Eigen::VectorXd shape = modes.eigenvectors().col(i);  // mass-normalised
+      const double ratio = shape.dot(damping * shape) / (2.0 * std::sqrt(modes.eigenvalues()[i]));
+      if (i < 2)
+        EXPECT_NEAR(ratio, 0.05, 1e-9) << storeys << " storeys, mode " << i + 1;
+      else
+        EXPECT_GT(ratio, 0.05) << storeys << " storeys, mode " << i + 1;
+    }
+    // Rayleigh damping leaves the modes uncoupled.
+    const Eigen::MatrixXd modal = modes.eigenvectors().transpose() * damping * modes.eigenvectors();
+    EXPECT_LT((modal - Eigen::MatrixXd{modal.diagonal().asDiagonal()}).norm(), 1e-9 * modal.norm());
+  }
+}
+
+TEST(ShearBuilding, DampingActsWithinTheBuilding) {
+  Model model;
+  add(model, isolated(5));
+  const Matrices made = matrices_of(model);
+  const Eigen::MatrixXd damping = made.damping.topRows(6);
+  // Moving as a rigid body it feels none, and its dampers together never push the building as a whole: the mass part
+  // reacts on the base, nothing on the ground.
+  EXPECT_LT((damping * Eigen::VectorXd::Ones(6)).norm(), 1e-9 * damping.norm());
+  EXPECT_LT((Eigen::RowVectorXd::Ones(6) * damping).norm(), 1e-9 * damping.norm());
+  EXPECT_EQ(made.damping.row(6).norm(), 0.0);
+  // Every floor is tied to the base.
+  for (int floor = 2; floor <= 5; ++floor) EXPECT_LT(damping(0, floor), 0.0) << floor;
+}
+
+TEST(ShearBuilding, OneStoreyHasTheStiffnessPartOnly) {
+  Model model;
+  add(model, isolated(1));
+  const Matrices made = matrices_of(model);
+  const double w = std::sqrt(1e9 / 500e3), coefficient = 2.0 * 0.05 / w * 1e9;
+  EXPECT_NEAR(made.damping(1, 1), coefficient, 1e-9 * coefficient);
+  EXPECT_EQ(element_names(model), (std::vector<std::string>{"bearings", "storey 1", "storey 1 damping"}));
+}
+
+TEST(ShearBuilding, WithoutRatioThereAreNoDampers) {
+  ShearBuilding building = isolated(2);
+  building.damping = {};
+  Model model;
+  add(model, building);
+  EXPECT_EQ(element_names(model), (std::vector<std::string>{"bearings", "storey 1", "storey 2"}));
+}
+
+TEST(ShearBuilding, NamesItsParts) {
+  Model model;
+  const BuildingNodes nodes = add(model, isolated(2));
+  EXPECT_EQ(model.node_name(nodes.base), "base");
+  ASSERT_EQ(nodes.floors.size(), 2u);
+  EXPECT_EQ(model.node_name(nodes.floors[0]), "floor 1");
+  EXPECT_EQ(model.node_name(nodes.top()), "floor 2");
+  EXPECT_EQ(model.node(nodes.top()).height.si(), 7.0);
+  EXPECT_EQ(element_names(model),
+            (std::vector<std::string>{"bearings", "floor 1 damping", "floor 2 damping", "storey 1", "storey 1 damping",
+                                      "storey 2", "storey 2 damping"}));
+  ASSERT_EQ(model.base_shears().size(), 1u);
+  EXPECT_EQ(model.base_shears()[0].where, "base");
+  EXPECT_EQ(model.base_shears()[0].nodes, (std::vector<NodeId>{nodes.base, nodes.floors[0], nodes.floors[1]}));
+}
+
+TEST(ShearBuilding, TwoInAModelAreToldApartByTheirName) {
+  Model model;
+  ShearBuilding north = isolated(1), south = isolated(1);
+  north.name = "north";
+  south.name = "south";
+  south.x = 20 * m;
+  add(model, north);
+  const BuildingNodes nodes = add(model, south);
+  EXPECT_EQ(model.node_name(nodes.base), "south base");
+  EXPECT_EQ(model.node_name(nodes.top()), "south floor 1");
+  EXPECT_EQ(model.node(nodes.top()).x.si(), 20.0);
+  EXPECT_EQ(element_names(model),
+            (std::vector<std::string>{"north bearings", "north storey 1", "north storey 1 damping", "south bearings",
+                                      "south storey 1", "south storey 1 damping"}));
+  EXPECT_EQ(model.base_shears()[1].where, "south base");
+  EXPECT_EQ(message_of([&] { add(model, north); }),
+            "Node \"north base\": a node of this name exists. Give every node its own name.");
+}
+
+TEST(ShearBuilding, FixedBaseStandsOnTheGround) {
+  Model model;
+  const BuildingNodes nodes = add(model, fixed(3));
+  EXPECT_EQ(nodes.base, ground);
+  EXPECT_EQ(model.node_count(), 3);
+  EXPECT_EQ(model.base_shears()[0].nodes, nodes.floors);
+  const Matrices made = matrices_of(model);
+  const double k = 1e9;
+  const Eigen::Matrix3d expected{{2.0 * k, -k, 0.0}, {-k, 2.0 * k, -k}, {0.0, -k, k}};
+  EXPECT_LT((made.stiffness.topRows(3) - expected).norm(), 1e-9 * k);
+  // The dashpots of the mass part stand on the ground, which is the base here.
+  const RayleighFactors factors =
+      rayleigh_factors_of_chain(0.05, std::vector<Mass>(3, 500 * tonne), std::vector<Stiffness>(3, 1 * GN / m));
+  const Eigen::Matrix3d damping =
+      factors.stiffness_factor * expected + factors.mass_factor * 500e3 * Eigen::Matrix3d::Identity();
+  EXPECT_LT((made.damping.topRows(3) - damping).norm(), 1e-9 * damping.norm());
+}
+
+template <class Change>
+std::string refusal(Change change) {
+  ShearBuilding building = isolated(2);
+  building.name = "house";
+  change(building);
+  return message_of([&] {
+    Model model;
+    add(model, building);
+  });
+}
+
+TEST(ShearBuilding, RefusesBadParameters) {
+  EXPECT_EQ(refusal([](ShearBuilding& b) { b.storeys = 0; }),
+            "ShearBuilding \"house\": storeys = 0 is not allowed; it must be >= 1.");
+  EXPECT_EQ(refusal([](ShearBuilding& b) { b.floor_mass = -1 * kg; }),
+            "ShearBuilding \"house\": floor_mass = -1 kg is not allowed; it must be > 0 kg and finite.");
+  EXPECT_EQ(refusal([](ShearBuilding& b) { b.storey_stiffness = 0 * N / m; }),
+            "ShearBuilding \"house\": storey_stiffness = 0 N/m is not allowed; it must be > 0 N/m and finite.");
+  EXPECT_EQ(refusal([](ShearBuilding& b) { b.storey_height = 0 * m; }),
+            "ShearBuilding \"house\": storey_height = 0 m is not allowed; it must be > 0 m and finite.");
+  EXPECT_EQ(refusal([](ShearBuilding& b) { b.half_width = 0 * m; }),
+            "ShearBuilding \"house\": half_width = 0 m is not allowed; it must be > 0 m and finite.");
+  EXPECT_EQ(refusal([](ShearBuilding& b) { b.base_mass = {}; }),
+            "ShearBuilding \"house\": base_mass = 0 kg is not allowed; it must be > 0 kg and finite. "
+            "An isolated building needs the mass of its base floor.");
+  EXPECT_EQ(refusal([](ShearBuilding& b) { b.isolation.reset(); }),
+            "ShearBuilding \"house\": base_mass = 550000 kg is not allowed; it must be left out without isolation: the "
+            "ground is the base. Give .isolation, or leave out .base_mass.");
+  EXPECT_EQ(refusal([](ShearBuilding& b) { b.damping.ratio = 5.0; }),
+            "RayleighDamping: ratio = 5 is not allowed; it must be >= 0 and < 1. 5 % of critical is 0.05.");
+}
+
+TEST(ShearBuilding, RefusesABearingThatIsTiedElsewhere) {
+  // The building sets both ends; what is given there would be ignored.
+  Model model;
+  const NodeId other = add(model, Node{.name = "other", .mass = 1 * tonne});
+  ShearBuilding building = isolated(1);
+  building.isolation->upper = other;
+  EXPECT_EQ(message_of([&] { add(model, building); }),
+            "ShearBuilding: isolation.upper is given. Leave it out: the bearings carry the base.");
+  building = isolated(1);
+  building.isolation->lower = other;
+  EXPECT_EQ(message_of([&] { add(model, building); }),
+            "ShearBuilding: isolation.lower is given. Leave it out: the bearings stand on the ground.");
+}
+
+TEST(ShearBuilding, RefusesWhatItsBearingRefuses) {
+  EXPECT_EQ(refusal([](ShearBuilding& b) { b.isolation->yield_force = -1 * N; }),
+            "LeadRubberBearing \"house bearings\": yield_force = -1 N is not allowed; it must be > 0 N and finite.");
+}
+
+}  // namespace
+}  // namespace moat

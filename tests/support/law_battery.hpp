@@ -1,0 +1,333 @@
+// What every force-deformation law must pass.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <concepts>
+#include <cstdint>
+#include <numbers>
+#include <random>
+#include <vector>
+
+#include "materials/bilinear.hpp"
+#include "materials/contact_state.hpp"
+#include "materials/response.hpp"
+
+namespace moat::testing {
+
+/// Where a law is tried: deformations up to `deformation` m, rates up to `rate` m/s to both sides, and close to
+/// both sides of the values where it changes its branch.
+struct LawRange {
+  double deformation = 1.0;
+  double rate = 1.0;
+  std::vector<double> deformation_corners{0.0};
+  std::vector<double> rate_corners{0.0};
+};
+
+/// Random arguments inside a range; half of them close to a corner, at distances over eight decades.
+class Arguments {
+ public:
+  explicit Arguments(const LawRange& range) : range_{range} {}
+
+  double deformation() { return draw(range_.deformation, range_.deformation_corners); }
+  double rate() { return draw(range_.rate, range_.rate_corners); }
+  double uniform(double low, double high) { return std::uniform_real_distribution<double>{low, high}(engine_); }
+
+ private:
+  double draw(double limit, const std::vector<double>& corners) {
+    if (corners.empty() || uniform(0.0, 1.0) < 0.5) return uniform(-limit, limit);
+    const double corner = corners[std::min(static_cast<std::size_t>(uniform(0.0, static_cast<double>(corners.size()))),
+                                           corners.size() - 1)];
+    return corner + std::copysign(limit * std::pow(10.0, uniform(-8.0, 0.0)), uniform(-1.0, 1.0));
+  }
+
+  LawRange range_;
+  std::mt19937_64 engine_{20170119};
+};
+
+inline bool same(NoState, NoState) { return true; }
+inline bool same(const ContactState& a, const ContactState& b) {
+  return a.phase == b.phase && a.approach_speed == b.approach_speed;
+}
+inline bool same(const Bilinear::State& a, const Bilinear::State& b) { return a.slip == b.slip; }
+
+inline double distance_to_nearest(const std::vector<double>& corners, double value, double at_most) {
+  double nearest = at_most;
+  for (const double corner : corners) nearest = std::min(nearest, std::abs(value - corner));
+  return nearest;
+}
+
+// The slope of a function between the nearest corners, by central differences of two widths (Richardson), and how
+// far round-off may have moved it.
+struct Slope {
+  double value, round_off;
+};
+template <class Function>
+Slope slope_of(Function function, double at, double room) {
+  const double h = 4e-3 * room;
+  const auto central = [&](double width) {
+    const double right = at + width, left = at - width;
+    return (function(right) - function(left)) / (right - left);
+  };
+  const double largest = std::max(std::abs(function(at + h)), std::abs(function(at - h)));
+  // The argument itself is rounded, too.
+  const double rounding = 1e-15 * (largest / h + std::abs(at) / h * std::abs(central(h)));
+  return {(64.0 * central(0.25 * h) - 20.0 * central(0.5 * h) + central(h)) / 45.0, 20.0 * rounding};
+}
+
+/// Both tangents against differences of the force.
+template <ForceLaw Law>
+void expect_exact_tangents(const Law& law, const typename Law::State& committed, const LawRange& range) {
+  Arguments arguments{range};
+  typename Law::State trial;
+  const auto force = [&](double deformation, double rate) {
+    return law.evaluate(committed, deformation, rate, trial).force;
+  };
+  for (int count = 0; count < 400; ++count) {
+    const double d = arguments.deformation(), v = arguments.rate();
+    const Response response = law.evaluate(committed, d, v, trial);
+    const double room_d = distance_to_nearest(range.deformation_corners, d, range.deformation);
+    const double room_v = distance_to_nearest(range.rate_corners, v, range.rate);
+    const Slope stiffness = slope_of([&](double x) { return force(x, v); }, d, room_d);
+    const Slope damping = slope_of([&](double x) { return force(d, x); }, v, room_v);
+    EXPECT_NEAR(response.stiffness, stiffness.value, 1e-7 * std::abs(response.stiffness) + stiffness.round_off)
+        << "dF/dd at d = " << d << " m, d' = " << v << " m/s";
+    EXPECT_NEAR(response.damping, damping.value, 1e-7 * std::abs(response.damping) + damping.round_off)
+        << "dF/dd' at d = " << d << " m, d' = " << v << " m/s";
+    if (::testing::Test::HasFailure()) return;
+  }
+}
+
+/// The same arguments give the same bits, whatever stood in the trial state; the committed state is not written.
+template <ForceLaw Law>
+void expect_pure(const Law& law, const typename Law::State& committed, const LawRange& range) {
+  using State = typename Law::State;
+  Arguments arguments{range};
+  for (int count = 0; count < 100; ++count) {
+    const double d = arguments.deformation(), v = arguments.rate();
+    const State before = committed;
+    State first{}, second = committed, elsewhere{};
+    const Response one = law.evaluate(committed, d, v, first);
+    law.evaluate(committed, arguments.deformation(), arguments.rate(), elsewhere);
+    const Response two = law.evaluate(committed, d, v, second);
+    const auto bits = [](double value) { return std::bit_cast<std::uint64_t>(value); };
+    EXPECT_EQ(bits(one.force), bits(two.force));
+    EXPECT_EQ(bits(one.stiffness), bits(two.stiffness));
+    EXPECT_EQ(bits(one.damping), bits(two.damping));
+    EXPECT_TRUE(same(first, second));
+    EXPECT_TRUE(same(before, committed));
+  }
+}
+
+/// d(stored)/dt + dissipation rate = F d', and the dissipation rate is not negative. `reachable` tells which
+/// arguments can follow from the committed state; of some states (an elastic contact that was released) none can.
+template <ForceLaw Law, class Reachable>
+void expect_energy_identity(const Law& law, const typename Law::State& committed, const LawRange& range,
+                            Reachable reachable) {
+  Arguments arguments{range};
+  typename Law::State trial;
+  for (int drawn = 0, tried = 0; drawn < 20000 && tried < 400; ++drawn) {
+    const double d = arguments.deformation(), v = arguments.rate();
+    if (!reachable(d, v)) continue;
+    ++tried;
+    const double room = distance_to_nearest(range.deformation_corners, d, range.deformation);
+    const Slope stored = slope_of([&](double x) { return law.stored_energy(committed, x); }, d, room);
+    const double dissipation = law.dissipation_rate(committed, d, v);
+    const double power = law.evaluate(committed, d, v, trial).force * v;
+    const double largest = std::max({std::abs(stored.value * v), dissipation, std::abs(power)});
+    EXPECT_GE(dissipation, 0.0) << "d = " << d << " m, d' = " << v << " m/s";
+    EXPECT_NEAR(stored.value * v + dissipation, power, 1e-9 * largest + stored.round_off * std::abs(v))
+        << "d = " << d << " m, d' = " << v << " m/s";
+    if (::testing::Test::HasFailure()) return;
+  }
+}
+
+template <ForceLaw Law>
+void expect_energy_identity(const Law& law, const typename Law::State& committed, const LawRange& range) {
+  expect_energy_identity(law, committed, range, [](double, double) { return true; });
+}
+
+/// A smooth closed path of the deformation: a mean and three harmonics of one second.
+struct ClosedPath {
+  double mean;
+  std::array<double, 3> cosine, sine;
+
+  [[nodiscard]] double deformation(double time) const { return at(time, false); }
+  [[nodiscard]] double rate(double time) const { return at(time, true); }
+
+ private:
+  [[nodiscard]] double at(double time, bool derived) const {
+    double sum = derived ? 0.0 : mean;
+    for (int i = 0; i < 3; ++i) {
+      const double w = 2.0 * std::numbers::pi * (i + 1), c = std::cos(w * time), s = std::sin(w * time);
+      const auto n = static_cast<std::size_t>(i);
+      sum += derived ? w * (sine[n] * c - cosine[n] * s) : cosine[n] * c + sine[n] * s;
+    }
+    return sum;
+  }
+};
+
+inline ClosedPath random_path(Arguments& arguments, double mean, double amplitude) {
+  ClosedPath path{mean, {}, {}};
+  for (int i = 0; i < 3; ++i) {
+    path.cosine[static_cast<std::size_t>(i)] = arguments.uniform(-amplitude, amplitude) / (i + 1);
+    path.sine[static_cast<std::size_t>(i)] = arguments.uniform(-amplitude, amplitude) / (i + 1);
+  }
+  return path;
+}
+
+struct CycleEnergy {
+  double work = 0.0, dissipated = 0.0;  ///< J
+  double stored_at_start = 0.0, stored_at_end = 0.0, largest_stored = 0.0;
+};
+
+/// Leads a law along `cycles` rounds of a path: Gauss integration in short steps that end where the law changes its
+/// regime. `committed` is the state at the start and becomes the one at the end.
+template <ForceLaw Law>
+CycleEnergy lead_along(const Law& law, typename Law::State& committed, const ClosedPath& path, int cycles) {
+  using State = typename Law::State;
+  constexpr bool knows_dissipation = requires(const State& state) { law.dissipated_energy(state, state); };
+  constexpr int steps = 1500;
+  constexpr std::array<double, 3> points{0.1127016653792583, 0.5, 0.8872983346207417};
+  constexpr std::array<double, 3> weights{5.0 / 18.0, 8.0 / 18.0, 5.0 / 18.0};
+  CycleEnergy energy;
+  typename Law::State trial = committed;
+  energy.stored_at_start = law.stored_energy(committed, path.deformation(0.0));
+  const auto advance = [&](double from, double to) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      const double t = from + points[i] * (to - from), d = path.deformation(t), v = path.rate(t);
+      const double share = weights[i] * (to - from);
+      energy.work += share * law.evaluate(committed, d, v, trial).force * v;
+      if constexpr (!knows_dissipation) energy.dissipated += share * law.dissipation_rate(committed, d, v);
+    }
+    law.evaluate(committed, path.deformation(to), path.rate(to), trial);
+    // Rate-independent laws know it from their states, also where they yield inside the step.
+    if constexpr (knows_dissipation) energy.dissipated += law.dissipated_energy(committed, trial);
+    committed = trial;
+    energy.largest_stored = std::max(energy.largest_stored, law.stored_energy(committed, path.deformation(to)));
+  };
+  for (int step = 0; step < steps * cycles; ++step) {
+    double now = static_cast<double>(step) / steps;
+    const double end = static_cast<double>(step + 1) / steps;
+    if constexpr (LawWithRegimes<Law>) {
+      const auto margin = [&](double t) { return law.regime_margin(committed, path.deformation(t), path.rate(t)); };
+      for (int changes = 0; margin(end) < 0.0; ++changes) {
+        if (changes == 100) {
+          ADD_FAILURE() << "the regimes chatter at t = " << now << " s";
+          return energy;
+        }
+        double before = now, beyond = end;
+        while (beyond - before > 1e-15) {
+          const double middle = 0.5 * (before + beyond);
+          if (middle == before || middle == beyond) break;
+          (margin(middle) < 0.0 ? beyond : before) = middle;
+        }
+        advance(now, beyond);
+        committed = law.next_regime(committed, path.deformation(beyond), path.rate(beyond));
+        now = beyond;
+      }
+    }
+    advance(now, end);
+  }
+  energy.stored_at_end = law.stored_energy(committed, path.deformation(cycles));
+  return energy;
+}
+
+/// Over closed cycles a law gives back at most what it had stored, and what it takes is what it dissipates.
+template <ForceLaw Law>
+void expect_passive(const Law& law, const LawRange& range, double tolerance) {
+  Arguments arguments{range};
+  for (int count = 0; count < 4; ++count) {
+    const ClosedPath path =
+        random_path(arguments, arguments.uniform(-0.5, 0.5) * range.deformation, 0.6 * range.deformation);
+    typename Law::State committed{};
+    if constexpr (!LawWithRegimes<Law>) {
+      // Springs are brought to the start of the path first.
+      typename Law::State trial = committed;
+      law.evaluate(committed, path.deformation(0.0), 0.0, trial);
+      committed = trial;
+    } else {
+      // Contacts begin apart: the first round finds the state that the second starts from.
+      lead_along(law, committed, path, 1);
+    }
+    const CycleEnergy energy = lead_along(law, committed, path, 2);
+    const double gained = energy.stored_at_end - energy.stored_at_start;
+    const double scale = std::max({energy.largest_stored, energy.dissipated, 1e-300});
+    EXPECT_GE(energy.work - gained, -tolerance * scale);
+    EXPECT_NEAR(energy.work, gained + energy.dissipated, tolerance * scale);
+  }
+}
+
+/// The margin is negative where the regime has ended, next_regime() leads to one that has not, the approach speed
+/// belongs to the touch, and a loaded contact that must not pull does not while its margin is positive.
+template <LawWithRegimes Law>
+void expect_consistent_regimes(const Law& law, const LawRange& range, bool may_pull) {
+  static_assert(std::same_as<typename Law::State, ContactState>);
+  Arguments arguments{range};
+  ContactState trial;
+  for (int count = 0; count < 3000; ++count) {
+    const double d = arguments.deformation(), v = arguments.rate();
+    for (const ContactPhase phase : {ContactPhase::open, ContactPhase::loaded, ContactPhase::released}) {
+      ContactState state{phase, phase == ContactPhase::open ? 0.0 : 0.3 * range.rate};
+      const double margin = law.regime_margin(state, d, v);
+      const double force = law.evaluate(state, d, v, trial).force;
+      if (phase != ContactPhase::loaded) {
+        EXPECT_EQ(force, 0.0);
+      } else if (margin >= 0.0 && !may_pull) {
+        EXPECT_GE(force, 0.0) << "d = " << d << " m, d' = " << v << " m/s";
+      }
+      int changes = 0;
+      while (law.regime_margin(state, d, v) < 0.0 && changes < 4) {
+        const ContactState next = law.next_regime(state, d, v);
+        EXPECT_NE(next.phase, state.phase);
+        if (state.phase == ContactPhase::open) {
+          EXPECT_EQ(next.phase, ContactPhase::loaded);
+          EXPECT_EQ(next.approach_speed, std::max(v, least_approach_speed));
+        } else if (next.phase == ContactPhase::open) {
+          EXPECT_LE(d, 0.0);
+          EXPECT_EQ(next.approach_speed, 0.0);
+        } else {
+          EXPECT_EQ(next.approach_speed, state.approach_speed);
+        }
+        state = next;
+        ++changes;
+      }
+      EXPECT_LT(changes, 3) << "the regimes chatter at d = " << d << " m, d' = " << v << " m/s";
+    }
+    if (::testing::Test::HasFailure()) return;
+  }
+}
+
+/// Everything above for one state of a spring.
+template <ForceLaw Law>
+void expect_sound_law(const Law& law, const typename Law::State& committed, const LawRange& range) {
+  expect_exact_tangents(law, committed, range);
+  expect_pure(law, committed, range);
+  expect_energy_identity(law, committed, range);
+}
+
+/// Everything above for a contact, in all its phases; `range.rate` is several times the approach speed.
+template <LawWithRegimes Law>
+void expect_sound_contact(const Law& law, const LawRange& range, bool may_pull) {
+  const double approach_speed = 0.3 * range.rate;
+  expect_exact_tangents(law, {}, range);
+  expect_pure(law, {}, range);
+  expect_energy_identity(law, {}, range);
+  for (const ContactPhase phase : {ContactPhase::loaded, ContactPhase::released}) {
+    const ContactState state{phase, approach_speed};
+    expect_exact_tangents(law, state, range);
+    expect_pure(law, state, range);
+    expect_energy_identity(law, state, range, [&](double d, double v) {
+      return phase == ContactPhase::loaded || (v < 0.0 && law.regime_margin(state, d, v) >= 0.0);
+    });
+  }
+  expect_consistent_regimes(law, range, may_pull);
+  expect_passive(law, range, 1e-5);
+  EXPECT_EQ(law.linear_stiffness(StiffnessStage::initial), 0.0);
+}
+
+}  // namespace moat::testing
