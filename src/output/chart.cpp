@@ -200,6 +200,7 @@ Curve visible_part(const Chart& chart, const Series& series) {
     if (chart.x_range && (series.x[i] < chart.x_range->first || series.x[i] > chart.x_range->second)) continue;
     if (chart.logarithmic_x) check.positive("x " + chart_name + " with logarithmic x axis", series.x[i], "1");
     if (chart.logarithmic_y) check.positive("y " + chart_name + " with logarithmic y axis", series.y[i], "1");
+    if (chart.y_from_zero) check.not_negative("y " + chart_name + " with y axis from zero", series.y[i], "1");
     visible.x.push_back(series.x[i]);
     visible.y.push_back(series.y[i]);
   }
@@ -282,8 +283,10 @@ struct Panel {
   std::string title, y_label;
   std::vector<LegendEntry> legend;
   int heading = top_margin;  // height of the strip above the plot area
-  int height = 0;            // of the whole panel
-  int bottom = 0;            // pixels, upwards
+  int width = 0;             // of the whole panel
+  int height = 0;
+  int left = 0;    // pixels
+  int bottom = 0;  // pixels, upwards
 };
 
 int pen_type(Series::Style style) {
@@ -296,8 +299,8 @@ constexpr float line_width = 1.6f;
 
 const std::array<unsigned char, 3>& colour_of(std::size_t series) { return palette[series % palette.size()]; }
 
-void build_panel(const Chart& chart, int width, const Panel& panel) {
-  const int plot_width = width - left_margin - right_margin;
+void build_panel(const Chart& chart, const Panel& panel) {
+  const int plot_width = panel.width - left_margin - right_margin;
   const int plot_height = panel.height - panel.heading - bottom_margin;
   const Check check{"Chart", chart.title};
   if (chart.x_range) {
@@ -310,7 +313,7 @@ void build_panel(const Chart& chart, int width, const Panel& panel) {
 
   vtkChartXY* drawn = panel.chart;
   drawn->SetLayoutStrategy(vtkChart::AXES_TO_RECT);
-  drawn->SetSize(vtkRectf(static_cast<float>(left_margin), static_cast<float>(panel.bottom + bottom_margin),
+  drawn->SetSize(vtkRectf(static_cast<float>(panel.left + left_margin), static_cast<float>(panel.bottom + bottom_margin),
                           static_cast<float>(plot_width), static_cast<float>(plot_height)));
   drawn->SetShowLegend(false);
   drawn->GetBackgroundBrush()->SetOpacityF(0.0);
@@ -372,6 +375,9 @@ void build_panel(const Chart& chart, int width, const Panel& panel) {
   if (chart.logarithmic_y) {
     std::tie(y_low, y_high) = logarithmic_range(y_low, y_high);
     set_logarithmic_ticks(y_axis, y_low, y_high);
+  } else if (chart.y_from_zero) {
+    y_axis->SetBehavior(vtkAxis::FIXED);
+    y_axis->SetUnscaledRange(0.0, y_high > 0.0 ? 1.05 * y_high : 1.0);
   } else if (y_low == 0.0 && y_high == 0.0) {
     // Around zero alone VTK chooses 1e-7.
     y_axis->SetBehavior(vtkAxis::FIXED);
@@ -404,12 +410,13 @@ constexpr float sample_width = 26.0f;
 constexpr float sample_gap = 6.0f;
 
 /// Places the legend at the right of the strip above the plot area, never on top of a curve or the title.
-void lay_out_heading(vtkContext2D* painter, const Chart& chart, int width, int height, Panel& panel) {
+void lay_out_heading(vtkContext2D* painter, const Chart& chart, Panel& panel) {
   constexpr float between = 18.0f;
   panel.title = chart.title;
   panel.y_label = chart.y_label;
+  const auto start = static_cast<float>(panel.left + left_margin);
   use_title_font(painter);
-  const float title_end = static_cast<float>(left_margin) + text_width(painter, panel.title) + between;
+  const float title_end = start + text_width(painter, panel.title) + between;
   use_legend_font(painter);
   std::vector<float> widths;
   float total = 0.0f;
@@ -420,13 +427,13 @@ void lay_out_heading(vtkContext2D* painter, const Chart& chart, int width, int h
     widths.push_back(sample_width + sample_gap + text_width(painter, series.name) + between);
     total += widths.back();
   }
-  const float end = static_cast<float>(width - right_margin);
+  const auto end = static_cast<float>(panel.left + panel.width - right_margin);
   const bool beside_title = title_end + total <= end + between;
-  float x = beside_title ? end + between - total : static_cast<float>(left_margin);
+  float x = beside_title ? end + between - total : start;
   int row = beside_title ? 0 : 1;
   for (std::size_t i = 0; i < panel.legend.size(); ++i) {
-    if (row > 0 && x > static_cast<float>(left_margin) && x + widths[i] > end + between) {
-      x = static_cast<float>(left_margin);
+    if (row > 0 && x > start && x + widths[i] > end + between) {
+      x = start;
       ++row;
     }
     panel.legend[i].x = x;
@@ -434,13 +441,12 @@ void lay_out_heading(vtkContext2D* painter, const Chart& chart, int width, int h
     x += widths[i];
   }
   panel.heading = top_margin + row * legend_row;
-  panel.height = height + row * legend_row;
 }
 
 void draw_labels(vtkContext2D* painter, const Panel& panel) {
   const float title_height = static_cast<float>(panel.bottom + panel.height - top_margin / 2 - 2);
   use_title_font(painter);
-  painter->DrawString(static_cast<float>(left_margin), title_height, panel.title);
+  painter->DrawString(static_cast<float>(panel.left + left_margin), title_height, panel.title);
   use_legend_font(painter);
   for (const LegendEntry& entry : panel.legend) {
     const float y = title_height - static_cast<float>(entry.row * legend_row);
@@ -464,7 +470,7 @@ void draw_labels(vtkContext2D* painter, const Panel& panel) {
   text->SetJustificationToCentered();
   text->SetVerticalJustificationToCentered();
   const int plot_height = panel.height - panel.heading - bottom_margin;
-  painter->DrawString(static_cast<float>(y_label_middle),
+  painter->DrawString(static_cast<float>(panel.left + y_label_middle),
                       static_cast<float>(panel.bottom + bottom_margin + plot_height / 2), panel.y_label);
 }
 
@@ -481,7 +487,7 @@ std::string document(vtkXMLDataElement* page, int width, int height) {
   return text.str();
 }
 
-std::string paint(const std::vector<Chart>& charts, int width, int height) {
+std::string paint(const std::vector<Chart>& charts, int width, int height, std::size_t columns) {
   vtkNew<vtkXMLDataElement> page;
   page->SetName("g");
   // The device states a stroke or a fill for each thing it draws, never both.
@@ -498,11 +504,23 @@ std::string paint(const std::vector<Chart>& charts, int width, int height) {
   vtkNew<vtkContext2D> painter;
   painter->Begin(device);
 
+  // Panels of a row have one height, so that their plot areas are aligned.
   std::vector<Panel> panels(charts.size());
   int total_height = 0;
-  for (std::size_t i = 0; i < charts.size(); ++i) {
-    lay_out_heading(painter, charts[i], width, height, panels[i]);
-    total_height += panels[i].height;
+  for (std::size_t first = 0; first < charts.size(); first += columns) {
+    const std::size_t end = std::min(first + columns, charts.size());
+    int heading = 0;
+    for (std::size_t i = first; i < end; ++i) {
+      panels[i].width = width / static_cast<int>(columns);
+      panels[i].left = static_cast<int>(i - first) * panels[i].width;
+      lay_out_heading(painter, charts[i], panels[i]);
+      heading = std::max(heading, panels[i].heading);
+    }
+    for (std::size_t i = first; i < end; ++i) {
+      panels[i].heading = heading;
+      panels[i].height = height + heading - top_margin;
+    }
+    total_height += panels[first].height;
   }
   paper->resize(width, total_height);
   device->Begin(paper);
@@ -511,8 +529,9 @@ std::string paint(const std::vector<Chart>& charts, int width, int height) {
   scene->SetGeometry(width, total_height);
   int top = total_height;
   for (std::size_t i = 0; i < charts.size(); ++i) {
-    top = panels[i].bottom = top - panels[i].height;
-    build_panel(charts[i], width, panels[i]);
+    if (i % columns == 0) top -= panels[i].height;
+    panels[i].bottom = top;
+    build_panel(charts[i], panels[i]);
     scene->AddItem(panels[i].chart);
   }
   scene->Paint(painter);
@@ -524,22 +543,24 @@ std::string paint(const std::vector<Chart>& charts, int width, int height) {
 
 }  // namespace
 
-std::string svg_text(const std::vector<Chart>& charts, int width, int height) {
+std::string svg_text(const std::vector<Chart>& charts, int width, int height, int columns) {
   const Check check{"Chart", charts.empty() ? "" : charts.front().title};
   check.that(!charts.empty(), "there is no chart to draw.", "Give at least one.");
-  check.that(width >= 200, "width", width, "pixels", ">= 200 pixels");
+  check.that(columns >= 1, "columns", columns, "1", ">= 1");
+  check.that(width / columns >= 200, "width", width, "pixels", ">= 200 pixels for every column");
   check.that(height >= 150, "height", height, "pixels", ">= 150 pixels");
   static std::mutex fonts;
   const std::lock_guard lock{fonts};
-  return paint(charts, width, height);
+  return paint(charts, width, height, static_cast<std::size_t>(columns));
 }
 
 void write_svg(const Chart& chart, const std::filesystem::path& path, int width, int height) {
   write_svg(std::vector{chart}, path, width, height);
 }
 
-void write_svg(const std::vector<Chart>& charts, const std::filesystem::path& path, int width, int panel_height) {
-  write_file(path, "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n" + svg_text(charts, width, panel_height));
+void write_svg(const std::vector<Chart>& charts, const std::filesystem::path& path, int width, int panel_height,
+               int columns) {
+  write_file(path, "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n" + svg_text(charts, width, panel_height, columns));
 }
 
 }  // namespace moat

@@ -23,26 +23,28 @@ struct Chart {
   std::vector<Series> series;
   bool logarithmic_x = false;
   bool logarithmic_y = false;
+  /// The y axis starts at zero, for values that are never negative; not together with logarithmic_y.
+  bool y_from_zero = false;
   /// First and last x of the axis; points outside are not drawn. Without it the axis holds everything.
   std::optional<std::pair<double, double>> x_range = {};
 };
 
-/// The chart as SVG text, `width` x `height` pixels; several charts are stacked above each other, each `height` high,
-/// with their plot areas aligned. A legend that finds no room beside the title gets rows of its own, which make its
+/// The chart as SVG text, `width` x `height` pixels; several charts fill `columns` columns, row by row, each
+/// `height` high, with their plot areas aligned. A legend that finds no room beside the title gets rows of its own, which make its
 /// panel higher. Long series are thinned to about two points per pixel and keep their peaks. The text has no prolog
 /// and no ids, so it may be placed inside an HTML page, several times.
 ///
-/// Throws InputError for no chart or a size below 200 x 150 pixels, and where a chart has no point to draw, a series
-/// has x and y of different length or a value that is not finite, a logarithmic axis gets a value that is not positive,
-/// or an x range ends before it starts. Safe to call from several threads: VTK's fonts are shared, so they wait for
+/// Throws InputError for no chart or a size below 200 x 150 pixels for each, and where a chart has no point to draw, a series
+/// has x and y of different length or a value that is not finite, a logarithmic axis gets a value that is not positive, one from
+/// zero a negative one, or an x range ends before it starts. Safe to call from several threads: VTK's fonts are shared, so they wait for
 /// each other.
-std::string svg_text(const std::vector<Chart>& charts, int width = 1000, int height = 420);
+std::string svg_text(const std::vector<Chart>& charts, int width = 1000, int height = 420, int columns = 1);
 
 /// Writes one chart. Throws as svg_text does, and FileError.
 void write_svg(const Chart& chart, const std::filesystem::path& path, int width = 1000, int height = 420);
 
-/// Writes several charts above each other, each `panel_height` high. Throws as svg_text does, and FileError.
+/// Writes several charts in columns, each `panel_height` high. Throws as svg_text does, and FileError.
 void write_svg(const std::vector<Chart>& charts, const std::filesystem::path& path, int width = 1000,
-               int panel_height = 300);
+               int panel_height = 300, int columns = 1);
 
 }  // namespace moat

@@ -75,6 +75,45 @@ TEST_F(ChartToSvg, IsWellFormedAndHoldsItsLabels) {
     EXPECT_TRUE(texts.contains(label)) << label;
 }
 
+TEST_F(ChartToSvg, PlacesChartsInColumnsWithAlignedPlotAreas) {
+  const Chart line{.title = "a", .x_label = "x", .y_label = "y", .series = {{.name = "l", .x = {0, 1}, .y = {0, 1}}}};
+  Chart with_long_legend = line;
+  for (int i = 0; i < 6; ++i) with_long_legend.series.push_back({.name = "a rather long name", .x = {0, 1}, .y = {1, 0}});
+  write_svg({line, with_long_legend, line}, folder / "chart.svg", 1000, 300, 2);
+  const auto root = parse_xml(read_file(folder / "chart.svg"));
+  ASSERT_NE(root, nullptr);
+  EXPECT_STREQ(root->GetAttribute("width"), "1000");
+  // The line of every panel rises from its lower left to its upper right corner.
+  std::vector<std::vector<std::pair<double, double>>> lines;
+  visit(root, [&](vtkXMLDataElement* element) {
+    const char* stroke = element->GetAttribute("stroke");
+    const char* points = element->GetAttribute("points");
+    if (stroke == nullptr || points == nullptr || std::string{stroke} != "#0072b2") return;
+    std::istringstream stream{points};
+    char comma = ' ';
+    lines.emplace_back();
+    for (double x = 0.0, y = 0.0; stream >> x >> comma >> y;) lines.back().emplace_back(x, y);
+  });
+  std::erase_if(lines, [](const auto& each) { return each.size() < 2 || each[0].second == each[1].second; });
+  ASSERT_EQ(lines.size(), 3u);
+  EXPECT_LT(lines[0][1].first, 500.0);
+  EXPECT_NEAR(lines[1][0].first, lines[0][0].first + 500.0, 0.06);
+  EXPECT_NEAR(lines[1][0].second, lines[0][0].second, 0.06) << "plot areas of one row";
+  EXPECT_NEAR(lines[1][1].second, lines[0][1].second, 0.06) << "plot areas of one row";
+  EXPECT_NEAR(lines[2][0].first, lines[0][0].first, 0.06) << "plot areas of one column";
+  EXPECT_GT(lines[2][1].second, lines[0][0].second) << "the second row is below the first";
+}
+
+TEST_F(ChartToSvg, StartsAtZeroWhereAsked) {
+  Chart chart{.title = "a", .x_label = "x", .y_label = "y", .series = {{.name = "l", .x = {0, 1}, .y = {100, 101}}}};
+  chart.y_from_zero = true;
+  const auto curve = curve_of(parse_xml(svg_text({chart})), "#0072b2");
+  ASSERT_EQ(curve.size(), 2u);
+  EXPECT_LT(std::abs(curve[1].second - curve[0].second), 5.0) << "1 % of the axis";
+  chart.series[0].y[0] = -1.0;
+  EXPECT_NE(message_of<InputError>([&] { svg_text({chart}); }).find("y axis from zero"), std::string::npos);
+}
+
 TEST_F(ChartToSvg, ThinsLongSeriesButKeepsThePeak) {
   write_svg(sine(), folder / "chart.svg", 900, 400);
   EXPECT_LT(std::filesystem::file_size(folder / "chart.svg"), 60'000u);

@@ -1,0 +1,73 @@
+// One parameter of the building varied under several ground motions: what Figs. 7 to 11 have in common.
+#pragma once
+
+#include <moat.hpp>
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "paper/exhibit.hpp"
+
+namespace moat::paper {
+
+struct Sweep {
+  std::string name;   ///< of figure and table of numbers: "fig7"
+  std::string title;  ///< "isolation period"
+  StudyAxis axis;
+  std::string x_label;  ///< with unit
+  bool logarithmic = false;
+  /// Adds the building of one case to an empty model, with floors 1 to `storeys`.
+  std::function<BuildingNodes(Model&, const StudyCase&)> build;
+};
+
+/// Peaks of a sweep, by axis and record.
+class SweepResult {
+ public:
+  SweepResult(std::vector<double> x, std::vector<std::string> labels, StudyResult study)
+      : x_{std::move(x)}, labels_{std::move(labels)}, study_{std::move(study)} {}
+
+  [[nodiscard]] const std::vector<double>& x() const { return x_; }
+  [[nodiscard]] const std::vector<std::string>& labels() const { return labels_; }
+  [[nodiscard]] const StudyResult& study() const { return study_; }
+  /// One curve in SI units: "top_acceleration", "base_acceleration", "largest_drift", "first_storey_drift",
+  /// "base_displacement", "impact_force", "isolator_force", "total_base_shear", "first_storey_shear",
+  /// "sum_of_floor_inertia_maxima" or "impacts".
+  [[nodiscard]] std::vector<double> curve(const std::string& response, std::size_t motion) const {
+    return study_.values(response, "", {{"record", motion}});
+  }
+
+ private:
+  std::vector<double> x_;
+  std::vector<std::string> labels_;
+  StudyResult study_;
+};
+
+/// Computes all cases and shows six responses over the axis, a curve for every motion.
+SweepResult run_sweep(Exhibit& exhibit, const Sweep& sweep, const std::vector<GroundMotion>& motions,
+                      const std::vector<std::string>& labels, const std::string& caption);
+
+/// `count` values, or five of them where the exhibit is coarse.
+int points(const Exhibit& exhibit, int count);
+
+// What statements about curves are decided by.
+
+/// Spearman's rank correlation of two sequences: 1 if y always grows with x, -1 if it always falls.
+double rank_correlation(const std::vector<double>& x, const std::vector<double>& y);
+/// Largest over smallest value.
+double spread(const std::vector<double>& y);
+/// Position of the smallest value.
+std::size_t position_of_minimum(const std::vector<double>& y);
+std::size_t position_of_maximum(const std::vector<double>& y);
+
+/// One motion's answer to a claim: whether it holds, and the number that decides.
+struct Answer {
+  bool holds;
+  std::string number;
+};
+
+/// Adds a finding: it holds if it does for all motions, partly if for some.
+void judge(Exhibit& exhibit, const SweepResult& result, const std::string& source, const std::string& claim,
+           const std::string& criterion, const std::function<Answer(std::size_t motion)>& answer);
+
+}  // namespace moat::paper

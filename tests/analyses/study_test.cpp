@@ -1,0 +1,190 @@
+// Parameter studies: which cases there are, in which order, and what happens to those that fail.
+
+#include "analyses/study.hpp"
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <cmath>
+#include <mutex>
+#include <thread>
+
+#include "materials/impact_laws.hpp"
+#include "message_of.hpp"
+#include "motions/near_fault_pulse.hpp"
+#include "structures/moat.hpp"
+#include "structures/shear_building.hpp"
+
+namespace moat {
+namespace {
+
+using namespace units;
+using testing::message_of;
+
+const std::vector<StudyAxis> two_axes{{.name = "gap", .unit = "cm", .values = {10.0, 20.0, 40.0}},
+                                      StudyAxis::of_names("record", {"north", "south"})};
+
+StudyRecord sum(const StudyCase& each) {
+  return {{"sum", "", "1", each.value("gap") + 100.0 * each.value("record")}};
+}
+
+TEST(Study, ComputesEveryCombinationOnceWithTheLastAxisFastest) {
+  std::atomic<int> calls{0};
+  const StudyResult result = run_study(two_axes, [&](const StudyCase& each) {
+    ++calls;
+    return sum(each);
+  });
+  EXPECT_EQ(calls, 6);
+  ASSERT_EQ(result.table().columns.size(), 3u);
+  EXPECT_EQ(result.table().columns[0].quantity, "gap");
+  EXPECT_EQ(result.table().columns[0].unit, "cm");
+  EXPECT_EQ(result.table().columns[0].values, (std::vector{10.0, 10.0, 20.0, 20.0, 40.0, 40.0}));
+  EXPECT_EQ(result.table().columns[1].values, (std::vector{0.0, 1.0, 0.0, 1.0, 0.0, 1.0}));
+  EXPECT_EQ(result.values("sum", ""), (std::vector{10.0, 110.0, 20.0, 120.0, 40.0, 140.0}));
+}
+
+TEST(Study, TakesTheValuesAlongOneAxis) {
+  const StudyResult result = run_study(two_axes, sum);
+  EXPECT_EQ(result.values("sum", "", {{"record", 1}}), (std::vector{110.0, 120.0, 140.0}));
+  EXPECT_EQ(result.values("sum", "", {{"gap", 2}}), (std::vector{40.0, 140.0}));
+  EXPECT_EQ(result.values("sum", "", {{"gap", 1}, {"record", 0}}), (std::vector{20.0}));
+}
+
+TEST(Study, KeepsTheOrderWhenLaterCasesEndFirst) {
+  const StudyResult result = run_study(
+      {{.name = "place", .unit = "", .values = linearly_spaced(0.0, 15.0, 16)}},
+      [](const StudyCase& each) {
+        if (each.number() == 0) std::this_thread::sleep_for(std::chrono::milliseconds{50});
+        return StudyRecord{{"square", "", "1", each.value("place") * each.value("place")}};
+      },
+      {.threads = 4});
+  for (std::size_t i = 0; i < 16; ++i)
+    EXPECT_EQ(result.values("square", "")[i], static_cast<double>(i * i)) << "case " << i;
+}
+
+TEST(Study, HasNoNumberWhereACaseHasNoSuchResult) {
+  const StudyResult result = run_study(two_axes, [](const StudyCase& each) {
+    const std::string storey = each.position("record") == 0 ? "storey 2" : "storey 1";
+    return StudyRecord{{"drift", storey, "m", 1.0}};
+  });
+  const std::vector<double> drift = result.values("drift", "storey 2");
+  EXPECT_EQ(drift[0], 1.0);
+  EXPECT_TRUE(std::isnan(drift[1]));
+}
+
+TEST(Study, TellsWhichCasesFailedAfterComputingAllOthers) {
+  const auto compute = [](const StudyCase& each) {
+    if (each.number() == 1) throw InputError{"too stiff"};
+    if (each.number() == 4) throw 7;
+    return sum(each);
+  };
+  try {
+    run_study(two_axes, compute, {.threads = 2});
+    FAIL() << "nothing was thrown";
+  } catch (const StudyError& error) {
+    EXPECT_STREQ(error.what(),
+                 "2 of 6 cases failed.\n"
+                 "  gap = 10 cm, record = south: too stiff\n"
+                 "  gap = 40 cm, record = north: an exception that is not a std::exception");
+    ASSERT_EQ(error.failures.size(), 2u);
+    EXPECT_EQ(error.failures[1].number, 4u);
+    const std::vector<double> sums = error.result.values("sum", "");
+    EXPECT_TRUE(std::isnan(sums[1]));
+    EXPECT_EQ(sums[5], 140.0);
+  }
+}
+
+TEST(Study, TellsAtMostFiveFailures) {
+  const auto fail = [](const StudyCase&) -> StudyRecord { throw InputError{"no"}; };
+  const std::string message = message_of<StudyError>([&] { run_study(two_axes, fail); });
+  EXPECT_NE(message.find("6 of 6 cases failed."), std::string::npos) << message;
+  EXPECT_NE(message.find("\n  ... and 1 more"), std::string::npos) << message;
+}
+
+TEST(Study, CountsItsProgressUpToTheEnd) {
+  std::vector<std::size_t> told;
+  run_study(two_axes, sum, {.threads = 3, .progress = [&](std::size_t done, std::size_t all) {
+                              EXPECT_EQ(all, 6u);
+                              told.push_back(done);
+                            }});
+  EXPECT_EQ(told, (std::vector<std::size_t>{1, 2, 3, 4, 5, 6}));
+}
+
+TEST(Study, RefusesAxesThatCannotBe) {
+  EXPECT_NE(message_of<InputError>([] { run_study({}, sum); }).find("there is no axis"), std::string::npos);
+  EXPECT_NE(message_of<InputError>([] { run_study({{.name = "gap", .unit = "m", .values = {}}}, sum); })
+                .find("StudyAxis \"gap\": there are no values"),
+            std::string::npos);
+  EXPECT_NE(message_of<InputError>([] {
+              run_study({{.name = "a", .unit = "", .values = {1.0}}, {.name = "a", .unit = "", .values = {2.0}}}, sum);
+            }).find("the name appears twice"),
+            std::string::npos);
+  EXPECT_NE(message_of<InputError>([] {
+              run_study({{.name = "gap", .unit = "m", .values = {std::nan("")}}}, sum);
+            }).find("StudyAxis \"gap\""),
+            std::string::npos);
+  EXPECT_NE(message_of<InputError>([] { run_study(two_axes, sum, {.threads = -1}); }).find("threads = -1"),
+            std::string::npos);
+}
+
+TEST(Study, RefusesNamesItDoesNotKnow) {
+  EXPECT_EQ(message_of<InputError>([] { (void)StudyCase{two_axes, 0}.value("mass"); }),
+            "The study has no axis \"mass\". Its axes are: gap, record.");
+  const StudyResult result = run_study(two_axes, sum);
+  EXPECT_EQ(message_of<InputError>([&] { (void)result.values("drift", "storey 1"); }),
+            "The study has no result \"drift\" of \"storey 1\".");
+  // An axis is not a result.
+  EXPECT_NE(message_of<InputError>([&] { (void)result.values("gap", ""); }), "nothing was thrown");
+}
+
+TEST(Study, SpacesValuesFromEndToEnd) {
+  EXPECT_EQ(linearly_spaced(1.0, 2.0, 5), (std::vector{1.0, 1.25, 1.5, 1.75, 2.0}));
+  const std::vector<double> decades = logarithmically_spaced(0.01, 10.0, 4);
+  EXPECT_EQ(decades.front(), 0.01);
+  EXPECT_EQ(decades.back(), 10.0);
+  EXPECT_NEAR(decades[1], 0.1, 1e-15);
+  EXPECT_NEAR(decades[2], 1.0, 1e-14);
+}
+
+/// Two storeys in a moat, hit by a pulse: contact, yielding and repeated steps in every case.
+StudyModel pounding_building(const StudyCase& each) {
+  StudyModel study{Model{}, near_fault_pulse({.quiet_after = 1 * s}).scaled_to_pga(0.4 * g)};
+  const auto building = add(study.model, ShearBuilding{.storeys = 2,
+                                                       .floor_mass = 500 * tonne,
+                                                       .storey_stiffness = 1 * GN / m,
+                                                       .damping = {.ratio = 0.05},
+                                                       .base_mass = 550 * tonne,
+                                                       .isolation = LeadRubberBearing{.yield_force = 1 * MN,
+                                                                                      .yield_displacement = 1 * cm,
+                                                                                      .post_yield_stiffness = 10 * MN / m}});
+  add(study.model, Moat{.around = building.base,
+                        .clearance = each.value("gap") * cm,
+                        .law = HertzDamp{.stiffness = 2.95e9 * N / m_3_2, .restitution = 0.65}});
+  return study;
+}
+
+const std::vector<StudyAxis> gaps{{.name = "gap", .unit = "cm", .values = linearly_spaced(5.0, 20.0, 12)}};
+
+TEST(Study, GivesTheSameBitsOnOneThreadAndOnSeveral) {
+  const StudyResult one = run_study(gaps, pounding_building, {.threads = 1});
+  const StudyResult several = run_study(gaps, pounding_building, {.threads = 4});
+  ASSERT_EQ(one.table().columns.size(), several.table().columns.size());
+  EXPECT_GT(one.values("impacts", "")[0], 0.0);
+  for (std::size_t i = 0; i < one.table().columns.size(); ++i) {
+    EXPECT_EQ(one.table().columns[i].quantity, several.table().columns[i].quantity);
+    EXPECT_EQ(one.table().columns[i].values, several.table().columns[i].values) << one.table().columns[i].quantity;
+  }
+}
+
+TEST(Study, ComputesTheModelsThatItIsGiven) {
+  const StudyResult result = run_study(gaps, pounding_building);
+  StudyModel third = pounding_building(StudyCase{gaps, 3});
+  const StudyRecord alone = peaks_of(third.model, third.motion);
+  EXPECT_EQ(result.values("impact_force", "moat")[3], value_of(alone, "impact_force", "moat"));
+  EXPECT_EQ(result.values("impacts", "")[3], value_of(alone, "impacts", ""));
+  EXPECT_EQ(message_of<InputError>([&] { (void)value_of(alone, "drift", "storey 9"); }),
+            "There is no result \"drift\" of \"storey 9\".");
+}
+
+}  // namespace
+}  // namespace moat
