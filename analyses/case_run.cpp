@@ -1,5 +1,6 @@
 #include "analyses/case_run.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "analyses/periods.hpp"
@@ -46,10 +47,11 @@ CaseResult CaseRun::result() const {
                     .solver = transient_.statistics(),
                     .warnings = transient_.warnings(),
                     .assumptions = transient_.assumptions()};
-  const double error = std::abs(result.energy.integration_error) / result.energy.largest_input;
+  const double scale = std::max(result.energy.largest_input, result.energy.largest_kinetic);
+  const double error = scale > 0.0 ? std::abs(result.energy.integration_error) / scale : 0.0;
   if (error > options_.warn_above_energy_error)
     result.warnings.push_back("The energy of the elements is off by " + to_text(100.0 * error) +
-                              " % of the largest input energy, most at \"" + result.energy.worst_element +
+                              " % of the largest input or kinetic energy, most at \"" + result.energy.worst_element +
                               "\". Take a shorter step or a tighter tolerance.");
   result.assumptions.insert(
       result.assumptions.end(),

@@ -17,7 +17,7 @@ struct CaseOptions {
   TransientOptions transient{};
   /// >= 0 s. Interval of the histories; 0: that of the motion.
   Time history_interval{};
-  /// > 0. Integration error, as a fraction of the largest input energy, above which a warning names the worst element.
+  /// > 0. Integration error, as a fraction of the largest input or kinetic energy, above which a warning names the worst element.
   double warn_above_energy_error = 1e-3;
 };
 
@@ -30,6 +30,8 @@ class CaseRun {
  public:
   /// The model must outlive the run. Throws InputError for an option outside its range.
   CaseRun(Model& model, const GroundMotion& motion, CaseOptions options = {});
+  CaseRun(const CaseRun&) = delete;
+  CaseRun& operator=(const CaseRun&) = delete;
 
   /// Calls the observer too; it must outlive the run.
   void attach(StepObserver& observer) { transient_.attach(observer); }

@@ -1,6 +1,9 @@
 // The Newmark-beta family of time integrators.
 #pragma once
 
+#include <cmath>
+#include <limits>
+
 namespace moat {
 
 /// Newmark's method over a step h:
@@ -19,6 +22,11 @@ struct NewmarkScheme {
   static constexpr NewmarkScheme average_acceleration() { return {.beta = 0.25}; }
   /// beta = 1/6: smaller period error, stable for h <= 0.55 of the shortest period.
   static constexpr NewmarkScheme linear_acceleration() { return {.beta = 1.0 / 6.0}; }
+
+  /// Largest stable h * angular frequency of an undamped vibration: 2 / sqrt(1 - 4 beta), infinite from beta = 1/4 on.
+  [[nodiscard]] double stability_limit() const {
+    return beta >= 0.25 ? std::numeric_limits<double>::infinity() : 2.0 / std::sqrt(1.0 - 4.0 * beta);
+  }
 
   /// The scheme as weights of the last unknown: the acceleration at the end of the step.
   [[nodiscard]] constexpr double displacement_weight(double h) const { return beta * h * h; }

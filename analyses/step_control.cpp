@@ -13,17 +13,18 @@ StepControl::StepControl(const Model& model, Options options) : options_{options
 double StepControl::step_at(int halvings) const { return std::ldexp(options_.grid_interval, -halvings); }
 
 double StepControl::next_step(const Model& model) {
-  const double contact = model.shortest_contact();
-  const double nominal = adaptive() ? step_at(halvings_) : options_.fixed_step;
-  if (!std::isfinite(contact)) return nominal;
-  double step = nominal;
-  if (adaptive()) {
-    const double wanted = contact / options_.steps_per_contact;
-    int halvings = halvings_;
-    while (halvings < options_.largest_halvings && step_at(halvings) > wanted) ++halvings;
-    step = step_at(std::min(halvings + ramp_, options_.largest_halvings));
+  if (!adaptive()) {
+    fewest_steps_per_contact_ = std::min(fewest_steps_per_contact_, model.shortest_contact() / options_.fixed_step);
+    return options_.fixed_step;
   }
-  fewest_steps_per_contact_ = std::min(fewest_steps_per_contact_, contact / step);
+  constexpr double durations_until_leaning = 4.0;
+  const double contact = model.shortest_contact();
+  const bool pounding = since_event_ < durations_until_leaning * contact && std::isfinite(contact);
+  int halvings = halvings_;
+  if (pounding)
+    while (halvings < options_.largest_halvings && step_at(halvings) * options_.steps_per_contact > contact) ++halvings;
+  const double step = step_at(std::min(halvings + ramp_, options_.largest_halvings));
+  if (pounding) fewest_steps_per_contact_ = std::min(fewest_steps_per_contact_, contact / step);
   return step;
 }
 
@@ -41,9 +42,9 @@ bool StepControl::accepts(const Model& model, double h, double ground_accelerati
   }
   if (largest <= 0.0) return true;
   const double error_per_square = largest_difference / (12.0 * largest);
-  const double error = error_per_square * h * h;
   constexpr double repeat_above = 4.0, lengthen_below = 0.2;
-  if (error > repeat_above * options_.tolerance && halvings_ < options_.largest_halvings && step_at(halvings_ + 1) < h) {
+  if (error_per_square * h * h > repeat_above * options_.tolerance && halvings_ < options_.largest_halvings &&
+      step_at(halvings_ + 1) < h) {
     ++halvings_;
     return false;
   }
@@ -58,20 +59,29 @@ bool StepControl::accepts(const Model& model, double h, double ground_accelerati
 
 void StepControl::accepted(const Model& model, double h, double ground_acceleration) {
   if (!adaptive()) return;
-  const int count = model.degrees_of_freedom();
-  before_.swap(last_);
-  last_ = model.state().acceleration.head(count).array() + ground_acceleration;
-  largest_acceleration_ = std::max(largest_acceleration_, last_.lpNorm<Eigen::Infinity>());
-  last_h_ = h;
+  since_event_ += h;
+  // A step cut to nearly nothing tells nothing of the curvature, and dividing by its length would amplify round-off.
+  constexpr double negligible = 1e-6;
+  if (h < negligible * step_at(std::min(halvings_ + ramp_, options_.largest_halvings))) return;
+  remember(model, h, ground_acceleration);
   known_ = std::min(known_ + 1, 2);
   ramp_ = std::max(ramp_ - 1, 0);
 }
 
 void StepControl::restart(const Model& model, double ground_acceleration) {
   if (!adaptive()) return;
-  accepted(model, 0.0, ground_acceleration);
+  constexpr int at_start = 8, at_touch = 6, at_separation = 3;
+  ramp_ = known_ == 0 ? at_start : std::isfinite(model.shortest_contact()) ? at_touch : at_separation;
+  remember(model, 0.0, ground_acceleration);
   known_ = 1;
-  ramp_ = 6;
+  since_event_ = 0.0;
+}
+
+void StepControl::remember(const Model& model, double h, double ground_acceleration) {
+  before_.swap(last_);
+  last_ = model.state().acceleration.head(model.degrees_of_freedom()).array() + ground_acceleration;
+  largest_acceleration_ = std::max(largest_acceleration_, last_.lpNorm<Eigen::Infinity>());
+  last_h_ = h;
 }
 
 }  // namespace moat

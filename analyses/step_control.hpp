@@ -16,9 +16,12 @@ namespace moat {
 ///
 /// is that loss, weighted with what it matters for the peaks. A step with four times the tolerance is repeated.
 ///
-/// In contact, the contact's own duration, divided into steps_per_contact. The first steps after an event are
-/// shorter still and double from one to the next: some laws' forces rise with infinite slope at touch (like d^1/4),
-/// where the first full step alone would cost 0.4 % of the peak acceleration.
+/// In contact, the contact's own duration, divided into steps_per_contact. A contact that lasts longer than four
+/// times that is a body leaning on another, and its accelerations tell enough.
+///
+/// The first steps, at the start and after every event, are shorter and double from one to the next: nothing is known
+/// yet of what they must resolve, and some laws' forces rise with infinite slope at touch (like d^1/4), where the
+/// first full step alone would cost 0.4 % of the peak acceleration.
 ///
 /// Adaptive steps are the grid interval divided by powers of two, so that they end on the samples of the motion and
 /// the tangent takes few values.
@@ -27,9 +30,9 @@ class StepControl {
   struct Options {
     double fixed_step = 0.0;     ///< s; 0: adaptive
     double grid_interval = 0.0;  ///< s; the largest adaptive step
-    double tolerance = 1e-4;
+    double tolerance = 1.2e-4;
     int steps_per_contact = 32;
-    int largest_halvings = 16;
+    int largest_halvings = 24;
   };
 
   StepControl() = default;
@@ -50,10 +53,12 @@ class StepControl {
 
  private:
   [[nodiscard]] double step_at(int halvings) const;
+  void remember(const Model& model, double h, double ground_acceleration);
 
   Options options_;
   int halvings_ = 0;
-  int ramp_ = 0;  // further halvings after an event
+  int ramp_ = 0;             // further halvings after an event
+  double since_event_ = 0.0;  // s
   // The last two committed absolute accelerations of this smooth stretch, and the step between them.
   Vector before_, last_;
   double last_h_ = 0.0;

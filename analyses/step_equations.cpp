@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace moat {
 
@@ -9,6 +10,7 @@ StepEquations::StepEquations(Model& model, NewmarkScheme scheme) : model_{&model
   model.prepare();
   tangent_ = model.pattern();
   forces_.setZero(size() + 1);
+  for (int i = 0; i < size(); ++i) diagonal_.push_back(static_cast<std::size_t>(tangent_.slot(i, i)));
 }
 
 void StepEquations::begin(double h, double end_time, double ground_acceleration) {
@@ -58,6 +60,15 @@ bool StepEquations::compute_residual(const Vector& acceleration, Vector& residua
 bool StepEquations::compute_direction(const Vector& residual, Vector& direction) {
   model_->assemble_tangent(1.0, NewmarkScheme::velocity_weight(h_), scheme_.displacement_weight(h_), tangent_);
   if (!factorisation_.factorise(tangent_)) return false;
+  // A displacement is known to its last digit; stiffness times that is the force no iteration can balance. It shows
+  // where net forces have died away but displacements have not: in the tail of a motion, beside very stiff links.
+  constexpr double last_digits = 8.0 * std::numeric_limits<double>::epsilon();
+  const double weight = scheme_.displacement_weight(h_);
+  round_off_ = 0.0;
+  for (int i = 0; i < size(); ++i) {
+    const double stiffness = (tangent_.values[diagonal_[static_cast<std::size_t>(i)]] - model_->masses()[i]) / weight;
+    round_off_ = std::max(round_off_, last_digits * std::abs(stiffness * model_->trial().displacement[i]));
+  }
   direction = -residual;
   factorisation_.solve(direction);
   return true;

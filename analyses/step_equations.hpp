@@ -1,6 +1,9 @@
 // The equations of one time step.
 #pragma once
 
+#include <cstddef>
+#include <vector>
+
 #include "analyses/newmark.hpp"
 #include "model/model.hpp"
 #include "solvers/factorisation.hpp"
@@ -26,6 +29,7 @@ class StepEquations final : public NonlinearSystem {
   int size() const override { return model_->degrees_of_freedom(); }
   bool compute_residual(const Vector& acceleration, Vector& residual) override;
   double residual_scale() const override { return scale_; }
+  double round_off() const override { return round_off_; }
   bool compute_direction(const Vector& residual, Vector& direction) override;
 
   [[nodiscard]] long factorisations() const { return factorisation_.count(); }
@@ -40,6 +44,8 @@ class StepEquations final : public NonlinearSystem {
   Vector predicted_displacement_, predicted_velocity_;
   Vector forces_;
   double scale_ = 0.0;
+  double round_off_ = 0.0;
+  std::vector<std::size_t> diagonal_;  // positions in the tangent
 };
 
 }  // namespace moat

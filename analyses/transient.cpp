@@ -17,7 +17,7 @@ TransientOptions checked(const TransientOptions& options) {
              "> 0 and <= 0.5", "Use NewmarkScheme::average_acceleration() or linear_acceleration().");
   check.not_negative("step", options.step);
   check.that(options.tolerance > 0.0 && options.tolerance < 1.0, "tolerance", options.tolerance, "1", "> 0 and < 1",
-             "1e-4 is the default.");
+             "1.2e-4 is the default.");
   check.that(options.steps_per_contact >= 4, "steps_per_contact", options.steps_per_contact, "1", ">= 4");
   check.between("largest_halvings", options.largest_halvings, 0, 40, "1");
   check.not_negative("end", options.end);
@@ -32,6 +32,21 @@ TransientOptions checked(const TransientOptions& options) {
 }
 
 double process_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
+
+// Gershgorin's bound on the largest eigenvalue of M^-1 K with initial stiffness, 1/s^2.
+double bound_of_squared_frequency(const Model& model) {
+  SparseMatrix stiffness = model.pattern();
+  model.assemble_linear_stiffness(StiffnessStage::initial, stiffness);
+  double bound = 0.0;
+  for (int column = 0; column < stiffness.size; ++column) {
+    double sum = 0.0;
+    for (int k = stiffness.column_starts[static_cast<std::size_t>(column)];
+         k < stiffness.column_starts[static_cast<std::size_t>(column) + 1]; ++k)
+      sum += std::abs(stiffness.values[static_cast<std::size_t>(k)]);
+    bound = std::max(bound, sum / model.masses()[column]);
+  }
+  return bound;
+}
 
 // The first multiple of `step` after `time`; one that is closer than round-off is skipped.
 double next_grid_time(double time, double step) {
@@ -55,15 +70,34 @@ Transient::Transient(Model& model, GroundMotion motion, TransientOptions options
                           .steps_per_contact = options_.steps_per_contact,
                           .largest_halvings = options_.largest_halvings}};
   end_ = options_.end.si() > 0.0 ? options_.end.si() : motion_.duration();
+  Check{"Transient", motion_.name()}.that(
+      model.state().time < end_,
+      "the model stands at t = " + to_text(model.state().time) + " s, and the analysis ends at " + to_text(end_) + " s.",
+      "Copy the model before its first analysis to use it again, or give a later TransientOptions::end.");
   acceleration_.setZero(model.degrees_of_freedom());
   event_window_start_ = model.state().time;
   equations_.balance_committed_state(motion_.acceleration_at(model.state().time));
   change_regimes();
   control_.restart(model, motion_.acceleration_at(model.state().time));
   model.start_energy_account();
+  stiffest_squared_ = bound_of_squared_frequency(model);
 }
 
-void Transient::attach(StepObserver& observer) { observers_.push_back(&observer); }
+void Transient::attach(StepObserver& observer) { observers_.push_back({&observer, false}); }
+
+void Transient::start_observers() {
+  const StepView now = view(true);
+  for (Follower& follower : observers_) {
+    if (follower.started) continue;
+    follower.started = true;
+    follower.observer->start(now);
+  }
+}
+
+void Transient::finish() {
+  const StepView now = view(true);
+  for (const Follower& follower : observers_) follower.observer->finish(now);
+}
 
 StepView Transient::view(bool on_grid) const {
   return {*model_, motion_.acceleration_at(model_->state().time), on_grid};
@@ -132,12 +166,15 @@ double Transient::locate_change(double h, RegimeScan seen) {
     }
     seen = scan(next);
     if (seen.margin < 0.0 && (seen.margin >= -tolerance || width <= shortest)) return next;
+    if (seen.crossed && width <= shortest) return next;  // there and back within round-off: no change
     if (seen.crossed) {
       beyond = next;
       margin_beyond = seen.margin;
       next = seen.fraction * beyond;
     } else {
-      if (width <= shortest) return next;  // the interpolant saw a change where there is none
+      // The interpolant of the longer step saw a change and its return; this step has none. From its end on the
+      // rest is looked at again.
+      if (width <= shortest || margin_beyond >= 0.0) return next;
       before = next;
       margin_before = seen.margin;
       const double fall = margin_before - margin_beyond;
@@ -172,10 +209,13 @@ void Transient::change_regimes() {
   count_event(model_->state().time);
   control_.restart(*model_, motion_.acceleration_at(model_->state().time));
   const StepView after = view(false);
-  for (StepObserver* observer : observers_) observer->event(after, changes_);
+  for (const Follower& follower : observers_) follower.observer->event(after, changes_);
 }
 
 void Transient::advance() {
+  if (!model_->prepared())
+    throw InputError{"Transient: the model was changed while it is being analysed. Make a new Transient after adding to it."};
+  start_observers();
   const double start = model_->state().time;
   double h = 0.0;
   for (;; ++statistics_.repeated_steps) {
@@ -193,24 +233,24 @@ void Transient::advance() {
   statistics_.factorisations = equations_.factorisations();
   const StepView accepted = view(h == planned_);
   control_.accepted(*model_, h, accepted.ground_acceleration);
-  for (StepObserver* observer : observers_) observer->step(accepted);
+  for (const Follower& follower : observers_) follower.observer->step(accepted);
   if (seen.crossed) change_regimes();
 }
 
 void Transient::run() {
   const double started = process_seconds();
-  for (StepObserver* observer : observers_) observer->start(view(true));
-  const auto finish = [&] {
+  start_observers();
+  const auto end = [&] {
     statistics_.cpu_seconds += process_seconds() - started;
-    for (StepObserver* observer : observers_) observer->finish(view(true));
+    finish();
   };
   try {
     while (!finished()) advance();
   } catch (...) {
-    finish();
+    end();
     throw;
   }
-  finish();
+  end();
 }
 
 std::vector<std::string> Transient::assumptions() const {
@@ -232,10 +272,30 @@ std::vector<std::string> Transient::assumptions() const {
 std::vector<std::string> Transient::warnings() const {
   constexpr double enough = 32.0;
   const double fewest = control_.fewest_steps_per_contact();
-  if (control_.adaptive() || fewest >= enough) return {};
-  return {"The fixed step divides the shortest contact into " + to_text(fewest) + " steps only; with fewer than " +
+  std::vector<std::string> list;
+  if (control_.adaptive()) {
+    if (fewest < options_.steps_per_contact)
+      list.push_back("The shortest contact was divided into " + to_text(fewest) + " steps only instead of " +
+                     std::to_string(options_.steps_per_contact) +
+                     ", because the interval of the motion may not be halved more often. Raise "
+                     "TransientOptions::largest_halvings.");
+    return list;
+  }
+  const double step = options_.step.si(), interval = motion_.time_step();
+  const double per_interval = interval / step;
+  if (std::abs(per_interval - std::round(per_interval)) > 1e-6 * per_interval || per_interval < 1.0 - 1e-6)
+    list.push_back("The fixed step of " + to_text(step) + " s does not divide the motion's interval of " +
+                   to_text(interval) + " s: samples between steps are not felt. Take " + to_text(interval) +
+                   " s divided by a whole number.");
+  const double limit = options_.scheme.stability_limit() / std::sqrt(stiffest_squared_);
+  if (step > limit)
+    list.push_back("The fixed step is longer than the " + to_text(limit) + " s up to which beta = " +
+                   to_text(options_.scheme.beta) + " is sure to be stable. Take a shorter one or average acceleration.");
+  if (fewest >= enough) return list;
+  list.push_back("The fixed step divides the shortest contact into " + to_text(fewest) + " steps only; with fewer than " +
           to_text(enough) + " the restitution is off by more than 0.001. Take a step of at most " +
-          to_text(options_.step.si() * fewest / enough) + " s, or leave the step out: it adapts itself."};
+          to_text(options_.step.si() * fewest / enough) + " s, or leave the step out: it adapts itself.");
+  return list;
 }
 
 }  // namespace moat

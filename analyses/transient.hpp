@@ -26,14 +26,14 @@ struct TransientOptions {
 
   /// > 0. Adaptive step: the error of acceleration that one step may add, relative to the largest absolute
   /// acceleration so far. Steps are the interval of the motion's samples divided by powers of two.
-  double tolerance = 1e-4;
+  double tolerance = 1.2e-4;
 
   /// >= 4. Adaptive step: steps within the duration of one contact, estimated with the masses of the joined nodes
   /// alone. 32 give restitution to 1e-3, 1024 to 1e-6. A fixed step with fewer than 32 warns.
   int steps_per_contact = 32;
 
   /// >= 0, <= 40. Adaptive step: how often the interval of the samples may be halved.
-  int largest_halvings = 16;
+  int largest_halvings = 24;
 
   /// >= 0 s. Where the analysis ends; 0: at the last sample of the motion.
   Time end{};
@@ -47,7 +47,8 @@ struct TransientOptions {
   /// >= 0. How often a step that does not converge is cut in half before the analysis gives up.
   int largest_cuts = 12;
 
-  /// > 0 m. A touch or a separation is located until the gap is zero to this.
+  /// > 0 m. A touch or a separation is located until the gap is zero to this. Changes that are no matter of length
+  /// are located to the same number: a force's factor that reaches zero (1), a rate that turns (m/s).
   Length location_tolerance = 1e-12 * units::m;
 
   /// >= 1. Touches and separations per second of motion, averaged over a second, before the analysis gives up.
@@ -68,15 +69,21 @@ struct TransientOptions {
 ///     while (!analysis.finished()) analysis.advance();
 class Transient {
  public:
-  /// The model must outlive the analysis. Throws InputError for an option outside its range.
+  /// The model must outlive the analysis and not be added to meanwhile. Throws InputError for an option outside its
+  /// range, and for a model that already stands at or beyond the end.
   Transient(Model& model, GroundMotion motion, TransientOptions options = {});
+  Transient(const Transient&) = delete;
+  Transient& operator=(const Transient&) = delete;
 
   /// Calls the observer from now on; it must outlive the analysis.
   void attach(StepObserver& observer);
 
   [[nodiscard]] bool finished() const;
-  /// One accepted step, and the change of regime at its end if there is one.
+  /// One accepted step, and the change of regime at its end if there is one. Observers attached since the last step
+  /// are told of the start first.
   void advance();
+  /// Tells the observers that the analysis ends here; run() does so itself.
+  void finish();
   /// Until finished(), telling the observers of start and end, also when a step fails.
   void run();
 
@@ -96,6 +103,7 @@ class Transient {
   [[nodiscard]] RegimeScan scan(double h) const;
   double locate_change(double h, RegimeScan seen);
   void change_regimes();
+  void start_observers();
   void count_event(double time);
   [[nodiscard]] StepView view(bool on_grid) const;
 
@@ -110,7 +118,12 @@ class Transient {
   Vector acceleration_;
   NewtonReport last_report_;
   std::vector<RegimeChange> changes_;
-  std::vector<StepObserver*> observers_;
+  struct Follower {
+    StepObserver* observer;
+    bool started;
+  };
+  std::vector<Follower> observers_;
+  double stiffest_squared_ = 0.0;  // bound on the largest squared frequency, 1/s^2
   SolverStatistics statistics_;
   double event_window_start_ = 0.0;
   int events_in_window_ = 0;

@@ -112,7 +112,7 @@ class LinkBlock final : public ElementBlock {
 
   ElementEnergy energy(std::size_t element) const override {
     const Account& account = accounts_[element];
-    return {account.work, stored(element) - account.stored_at_start, account.dissipated};
+    return {account.work, stored(element) - account.stored_at_start, account.dissipated, rate_independent};
   }
 
   std::span<const double> deformations() const override { return deformations_; }
@@ -170,6 +170,9 @@ class LinkBlock final : public ElementBlock {
   }
 
  private:
+  static constexpr bool rate_independent =
+      requires(const Law& law, const State& state) { law.dissipated_energy(state, state); };
+
   // The element at the last commit.
   struct Start {
     double deformation = 0.0, rate = 0.0, force = 0.0, power = 0.0;
@@ -182,7 +185,7 @@ class LinkBlock final : public ElementBlock {
 
   // Energy dissipated from the last commit to the trial state; `end_power` is the dissipation rate there.
   double dissipated_in_step(std::size_t i, double step, double end_power) const {
-    if constexpr (requires(const Law& law, const State& state) { law.dissipated_energy(state, state); }) {
+    if constexpr (rate_independent) {
       // Rate-independent laws know it from their states, also where they yield inside the step.
       return laws_[i].dissipated_energy(committed_[i], trial_[i]);
     } else {

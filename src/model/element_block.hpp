@@ -55,6 +55,7 @@ struct ElementEnergy {
   double work = 0.0;        ///< mean force of every step times its change of deformation
   double stored = 0.0;      ///< recoverable energy now less that at the start
   double dissipated = 0.0;  ///< integral of dissipation_rate, and what changes of regime released
+  bool hysteretic = false;  ///< dissipates by sliding, whatever the speed; else viscous
 
   [[nodiscard]] double error() const { return work - stored - dissipated; }
 };

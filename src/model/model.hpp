@@ -74,6 +74,8 @@ class Model {
   /// Gives degrees of freedom their numbers and the matrix its pattern. Called by analyses; cheap when
   /// nothing was added since. Throws InputError for a model without nodes.
   void prepare();
+  /// Whether nothing was added since prepare().
+  [[nodiscard]] bool prepared() const { return prepared_; }
 
   [[nodiscard]] int degrees_of_freedom() const { return node_count(); }
   /// The diagonal of the mass matrix, kg.

@@ -44,7 +44,7 @@ struct EnergyBalance {
   double kinetic = 0.0;     ///< of motion relative to the ground, now less that at the start
   double strain = 0.0;      ///< recoverable, now less that at the start
   double viscous = 0.0;     ///< dissipated by dampers and the viscous part of springs
-  double hysteretic = 0.0;  ///< dissipated by bearings
+  double hysteretic = 0.0;  ///< dissipated by bearings and other elements that yield
   double impact = 0.0;      ///< lost in impacts
 
   /// kinetic + work of all elements - input: zero but for round-off and the force tolerance with average
@@ -52,11 +52,12 @@ struct EnergyBalance {
   double equation_residual = 0.0;
   /// Work of all elements less what they stored and dissipated: the error of the time integration.
   double integration_error = 0.0;
-  double largest_input = 0.0;     ///< over time; what the errors are judged against
+  double largest_input = 0.0;     ///< over time
+  double largest_kinetic = 0.0;   ///< over time; errors are judged against the larger of these two
   std::string worst_element;      ///< with the largest error
   double worst_element_error = 0.0;
 
-  std::vector<DissipatedEnergy> bearings;  ///< hysteretic, by place
+  std::vector<DissipatedEnergy> bearings;  ///< hysteretic, by place: bearings and other elements that yield
   std::vector<DissipatedEnergy> gaps;      ///< impact, by gap
 };
 

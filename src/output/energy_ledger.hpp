@@ -18,14 +18,16 @@ class EnergyLedger final : public StepObserver {
   void event(const StepView&, std::span<const RegimeChange>) override {}
   void finish(const StepView&) override {}
 
-  /// The balance at the model's committed state. Walks over all elements.
+  /// The sums at the model's committed state, without lists and the worst element. Walks over all elements.
+  [[nodiscard]] EnergyBalance totals(const Model& model) const;
+  /// The whole balance at the model's committed state.
   [[nodiscard]] EnergyBalance balance(const Model& model) const;
 
  private:
   Vector displacement_;
   double ground_acceleration_ = 0.0;
   double kinetic_at_start_ = 0.0;
-  double input_ = 0.0, largest_input_ = 0.0;
+  double input_ = 0.0, largest_input_ = 0.0, largest_kinetic_ = 0.0;
 };
 
 }  // namespace moat

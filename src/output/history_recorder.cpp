@@ -46,7 +46,7 @@ void HistoryRecorder::record(const StepView& view) {
   table_.columns[1].values.push_back(view.ground_acceleration);
   for (std::size_t i = 0; i < values_.size(); ++i) table_.columns[i + 2].values.push_back(values_[i]);
   if (ledger_ != nullptr) {
-    const EnergyBalance balance = ledger_->balance(view.model);
+    const EnergyBalance balance = ledger_->totals(view.model);
     for (std::size_t i = 0; i < energy_columns.size(); ++i)
       table_.columns[2 + values_.size() + i].values.push_back(balance.*energy_columns[i].value);
   }

@@ -67,6 +67,7 @@ void write_summary_json(const CaseResult& result, const std::filesystem::path& p
                     {"equation_residual", energy.equation_residual},
                     {"integration_error", energy.integration_error},
                     {"largest_input", energy.largest_input},
+                    {"largest_kinetic", energy.largest_kinetic},
                     {"worst_element", energy.worst_element},
                     {"worst_element_error", energy.worst_element_error},
                     {"bearings", by_place(energy.bearings)},

@@ -20,6 +20,9 @@ class NonlinearSystem {
   /// The size the largest residual is judged against, of the x last given to compute_residual().
   [[nodiscard]] virtual double residual_scale() const = 0;
 
+  /// Residuals up to this, in the unit of the residual, are round-off of the x last given to compute_residual().
+  [[nodiscard]] virtual double round_off() const { return 0.0; }
+
   /// direction := -(dr/dx)^-1 residual at the x last given to compute_residual(). False if the tangent is singular.
   virtual bool compute_direction(const Vector& residual, Vector& direction) = 0;
 };
