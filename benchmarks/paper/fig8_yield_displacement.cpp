@@ -18,7 +18,7 @@ void show(Exhibit& exhibit) {
       exhibit,
       {.name = "fig8",
        .title = "yield displacement",
-       .axis = {.name = "yield displacement", .unit = "cm", .values = linearly_spaced(0.5, 4.5, points(exhibit, 41))},
+       .axis = {.name = "yield displacement", .unit = "cm", .values = linearly_spaced(0.5, 4.5, points(exhibit, 81))},
        .x_label = "yield displacement [cm]",
        .build =
            [](Model& model, const StudyCase& each) {

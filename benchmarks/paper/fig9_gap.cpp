@@ -52,7 +52,7 @@ void show(Exhibit& exhibit) {
       run_sweep(exhibit,
                 {.name = "fig9",
                  .title = "gap",
-                 .axis = {.name = "gap", .unit = "cm", .values = linearly_spaced(10.0, 50.0, points(exhibit, 41))},
+                 .axis = {.name = "gap", .unit = "cm", .values = linearly_spaced(10.0, 50.0, points(exhibit, 81))},
                  .x_label = "gap [cm]",
                  .build = [](Model& model,
                              const StudyCase& each) { return add_pounding(model, {}, each.value("gap") * cm); }},

@@ -113,7 +113,8 @@ void add_findings(std::string& page, const std::filesystem::path& folder, const 
   std::string rows;
   for (const ScriptRun& run : runs) {
     if (!run.failure.empty()) continue;
-    for (const Json& finding : results_of(folder, run).at("findings")) {
+    const Json results = results_of(folder, run);
+    for (const Json& finding : results.at("findings")) {
       const std::string verdict = string_of(finding, "verdict");
       rows += "<tr><td>" + escaped(string_of(finding, "source")) + "</td><td>" + escaped(string_of(finding, "claim")) +
               "</td><td>" + escaped(string_of(finding, "criterion")) + "</td><td>" + escaped(string_of(finding, "found")) +

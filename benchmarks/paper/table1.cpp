@@ -54,10 +54,10 @@ void show(Exhibit& exhibit) {
                       {}};
   std::vector<double> requested, error_of_tabulated, error_of_printed;
   std::vector<Series> curves;
-  for (const CheckedColumn& column : columns) {
-    const std::string name = column.title.substr(0, column.title.find(':'));
-    curves.push_back({.name = name, .x = {}, .y = {}});
-    curves.push_back({.name = "paper", .x = {}, .y = {}, .style = Series::Style::markers});
+  for (std::size_t i = 0; i < columns.size(); ++i) {
+    const std::string name = columns[i].title.substr(0, columns[i].title.find(':'));
+    curves.push_back({.name = name, .x = {}, .y = {}, .colour = i});
+    curves.push_back({.name = "", .x = {}, .y = {}, .style = Series::Style::markers, .colour = i});
   }
 
   for (const PrintedRow& row : printed) {
@@ -87,7 +87,7 @@ void show(Exhibit& exhibit) {
     exhibit.report(3);
   }
   exhibit.table(checked);
-  exhibit.figure({"table1", "Delivered over requested restitution; circles are the paper's Table 1.",
+  exhibit.figure({"table1", "Delivered over requested restitution; circles of the same colour are the paper's columns.",
                   {Chart{.title = "Table 1: delivered restitution",
                          .x_label = "requested coefficient of restitution [1]",
                          .y_label = "delivered [1]",

@@ -1,6 +1,7 @@
 // Charts as SVG, drawn without a display.
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -15,6 +16,8 @@ struct Series {
   std::string name;  ///< in the legend; empty: not listed there
   std::vector<double> x, y;
   Style style = Style::line;
+  /// Position in the palette of seven colours, from 0; by default that of the series in its chart.
+  std::optional<std::size_t> colour = {};
 };
 
 struct Chart {

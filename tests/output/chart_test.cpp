@@ -114,6 +114,15 @@ TEST_F(ChartToSvg, StartsAtZeroWhereAsked) {
   EXPECT_NE(message_of<InputError>([&] { svg_text({chart}); }).find("y axis from zero"), std::string::npos);
 }
 
+TEST_F(ChartToSvg, GivesASeriesTheColourItAsksFor) {
+  Chart chart{.title = "a", .x_label = "x", .y_label = "y", .series = {}};
+  chart.series = {{.name = "", .x = {0, 1}, .y = {0, 1}}, {.name = "", .x = {0, 1}, .y = {1, 0}, .colour = 2}};
+  const auto root = parse_xml(svg_text({chart}));
+  EXPECT_EQ(curve_of(root, "#0072b2").size(), 2u);
+  EXPECT_EQ(curve_of(root, "#009e73").size(), 2u) << "third of the palette";
+  EXPECT_EQ(curve_of(root, "#d55e00").size(), 0u) << "second of the palette";
+}
+
 TEST_F(ChartToSvg, ThinsLongSeriesButKeepsThePeak) {
   write_svg(sine(), folder / "chart.svg", 900, 400);
   EXPECT_LT(std::filesystem::file_size(folder / "chart.svg"), 60'000u);
