@@ -109,7 +109,7 @@ RegimeScan Transient::scan(double h) const {
 }
 
 // The trial step of length h crosses a change of regime, as `seen` tells. Solves shorter steps until one ends
-// just beyond the first change; returns its length.
+// just beyond the first change and returns its length. Where one does not converge, what it was cut to may end before.
 double Transient::locate_change(double h, RegimeScan seen) {
   const double tolerance = options_.location_tolerance.si();
   const double shortest = 4.0 * std::numeric_limits<double>::epsilon() * (model_->state().time + h);
@@ -124,7 +124,12 @@ double Transient::locate_change(double h, RegimeScan seen) {
     if (!(next > before && next < beyond) || (count > 8 && count % 2 == 0)) next = before + 0.5 * width;
     if (width <= shortest) next = beyond;
     ++statistics_.event_solves;
-    if (!solve(next)) return solve_cutting(0.5 * next);
+    if (!solve(next)) {
+      // A shorter step may end before the change, or beyond it by any amount.
+      const double shorter = solve_cutting(0.5 * next);
+      seen = scan(shorter);
+      return seen.crossed ? locate_change(shorter, seen) : shorter;
+    }
     seen = scan(next);
     if (seen.margin < 0.0 && (seen.margin >= -tolerance || width <= shortest)) return next;
     if (seen.crossed) {

@@ -21,8 +21,8 @@ target_compile_options(moat_compiler INTERFACE -Wall -Wextra -Wpedantic -Wconver
 if(MOAT_WARNINGS_AS_ERRORS)
   target_compile_options(moat_compiler INTERFACE -Werror)
 endif()
-if(MOAT_SANITIZE)
-  # Sanitizers must be in every object of a program, so they are not a property of one target.
-  add_compile_options(-fsanitize=${MOAT_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all)
-  add_link_options(-fsanitize=${MOAT_SANITIZE})
-endif()
+# Sanitizers must be in every object of a program, so they are not a property of one target.
+foreach(sanitizer IN LISTS MOAT_SANITIZE)
+  add_compile_options(-fsanitize=${sanitizer} -fno-omit-frame-pointer -fno-sanitize-recover=all)
+  add_link_options(-fsanitize=${sanitizer})
+endforeach()

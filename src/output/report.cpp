@@ -25,6 +25,7 @@ table { border-collapse: collapse; margin: .8em 0; }
 th, td { padding: .2em .9em; text-align: left; border-bottom: 1px solid #e4e4e4; }
 th { background: #f3f5f7; }
 tr.group th { background: none; padding-top: .9em; border-bottom: 1px solid #888; }
+td:first-child { white-space: nowrap; }
 td.number, th.number { text-align: right; font-variant-numeric: tabular-nums; }
 svg { max-width: 100%; height: auto; display: block; }
 )";
@@ -56,9 +57,9 @@ std::string row(std::string_view name, std::string_view value) {
   return "<tr><td>" + escaped(name) + "</td><td class=\"number\">" + escaped(value) + "</td></tr>\n";
 }
 
-std::string number_with_unit(double si_value, std::string_view si_symbol) {
+std::string number_with_unit(double value_in_si, std::string_view si_symbol) {
   const EngineeringUnit unit = engineering_unit(si_symbol);
-  const double value = unit.per_si * si_value;
+  const double value = unit.per_si * value_in_si;
   return with_decimals(value, decimals_for(std::abs(value))) + " " + with_raised_digits(unit.symbol);
 }
 
@@ -116,11 +117,37 @@ std::string impact_section(const CaseResult& result) {
   return html + "</table>\n";
 }
 
+std::string energy_section(const CaseResult& result) {
+  const EnergyBalance& energy = result.energy;
+  const auto kilojoule = [](double joule) { return number_with_unit(joule, "J"); };
+  std::string html = "<h2>Energy</h2>\n<table>\n";
+  html += row("Input by the ground", kilojoule(energy.input));
+  html += row("Kinetic, at the end", kilojoule(energy.kinetic));
+  html += row("Strain, at the end", kilojoule(energy.strain));
+  html += row("Dissipated by viscous damping", kilojoule(energy.viscous));
+  for (const DissipatedEnergy& group : energy.bearings)
+    html += row("Dissipated by hysteresis, " + group.where, kilojoule(group.value));
+  for (const DissipatedEnergy& gap : energy.gaps) html += row("Lost in impacts, " + gap.where, kilojoule(gap.value));
+  html += row("Residual of the equations", kilojoule(energy.equation_residual));
+  html += row("Error of the integration", kilojoule(energy.integration_error));
+  if (!energy.worst_element.empty())
+    html += row("of this, largest at " + energy.worst_element, kilojoule(energy.worst_element_error));
+  return html + "</table>\n";
+}
+
+std::string warning_section(const CaseResult& result) {
+  if (result.warnings.empty()) return "";
+  std::string html = "<h2>Warnings</h2>\n<ul>\n";
+  for (const std::string& warning : result.warnings) html += "<li>" + escaped(warning) + "</li>\n";
+  return html + "</ul>\n";
+}
+
 std::string solver_section(const CaseResult& result) {
   const SolverStatistics& solver = result.solver;
   std::string html = "<h2>Solver</h2>\n<table>\n";
   html += row("Accepted steps", std::to_string(solver.accepted_steps));
   html += row("Rejected steps", std::to_string(solver.rejected_steps));
+  html += row("Steps repeated shorter", std::to_string(solver.repeated_steps));
   html += row("Events", std::to_string(solver.events));
   html += row("Solves to land on an event", std::to_string(solver.event_solves));
   html += row("Newton iterations", std::to_string(solver.newton_iterations));
@@ -145,10 +172,12 @@ void write_report_html(const CaseResult& result, const std::filesystem::path& fo
   std::string html = "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<title>" +
                      escaped(result.title) + "</title>\n<style>" + std::string{style} + "</style>\n</head>\n<body>\n";
   html += "<h1>" + escaped(result.title) + "</h1>\n";
+  html += warning_section(result);
   html += motion_section(result);
   html += peak_section(result);
   html += impact_section(result);
   html += chart_section(result);
+  html += energy_section(result);
   html += solver_section(result);
   html += "</body>\n</html>\n";
   write_file(folder / results_file::report, html);

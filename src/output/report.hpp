@@ -7,7 +7,7 @@
 
 namespace moat {
 
-/// Writes `folder`/report.html: title, motion, periods, peaks, impacts, charts, solver statistics and assumptions, in
+/// Writes `folder`/report.html: title, warnings, motion, periods, peaks, impacts, charts, energy, solver statistics and assumptions, in
 /// one file that needs nothing else, no network and no script.
 ///
 /// Charts are drawn of what `result.histories` holds beside `time`, found by quantity and place:

@@ -15,6 +15,7 @@
 
 #include "materials/bilinear.hpp"
 #include "materials/contact_state.hpp"
+#include "materials/located_bilinear.hpp"
 #include "materials/response.hpp"
 
 namespace moat::testing {
@@ -52,6 +53,9 @@ class Arguments {
 inline bool same(NoState, NoState) { return true; }
 inline bool same(const ContactState& a, const ContactState& b) {
   return a.phase == b.phase && a.approach_speed == b.approach_speed;
+}
+inline bool same(const LocatedBilinear::State& a, const LocatedBilinear::State& b) {
+  return a.slip == b.slip && a.direction == b.direction;
 }
 inline bool same(const Bilinear::State& a, const Bilinear::State& b) { return a.slip == b.slip; }
 

@@ -1,0 +1,212 @@
+// How the error of the peaks falls with the number of steps, for fixed and adaptive stepping.
+//
+// The five-storey building of Zhao, Liu & Li (2017) in its moat, Hertz-damp law, under three recorded motions at 0.4 g
+// and under the embedded pulse. The error is the largest relative error of base and top displacement, base and top
+// absolute acceleration, impact force and first storey shear: for the records against the converged peaks of an
+// independent program (benchmarks/paper/reference_peaks.csv), for the pulse against moat's own with a thousandth of the
+// default tolerance. Called by ./moat bench accuracy.
+#include <moat.hpp>
+
+#include <CLI/CLI.hpp>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <optional>
+#include <sstream>
+
+#include "documentation_section.hpp"
+#include "output/chart.hpp"
+
+namespace {
+
+using namespace moat;
+using namespace moat::units;
+
+using Peaks = std::array<double, 6>;
+
+struct Motion {
+  std::string name;
+  GroundMotion motion;
+  Peaks reference;
+};
+
+/// One run: what it cost and how far off it was.
+struct Point {
+  std::string setting;
+  double steps = 0.0;
+  double error = 0.0;
+  double energy_error = 0.0;
+};
+
+struct Curves {
+  std::vector<Point> fixed, adaptive;
+};
+
+CaseResult run(const GroundMotion& motion, const TransientOptions& options) {
+  Model model;
+  const auto building = add(model, ShearBuilding{.storeys = 5,
+                                                 .floor_mass = 500 * tonne,
+                                                 .storey_stiffness = 1 * GN / m,
+                                                 .damping = RayleighDamping{.ratio = 0.05},
+                                                 .base_mass = 550 * tonne,
+                                                 .isolation = LeadRubberBearing{.yield_force = 1.93 * MN,
+                                                                                .yield_displacement = 1 * cm,
+                                                                                .post_yield_stiffness = 19.3 * MN / m}});
+  add(model, Moat{.around = building.base,
+                  .clearance = 10 * cm,
+                  .law = HertzDamp{.stiffness = 2.95e9 * N / m_3_2, .restitution = 0.65}});
+  return run_case(model, motion, {.transient = options});
+}
+
+Peaks peaks_of(const CaseResult& result) {
+  constexpr std::array<std::array<const char*, 2>, 6> wanted{{{"displacement", "base"},
+                                                              {"displacement", "floor 5"},
+                                                              {"absolute_acceleration", "base"},
+                                                              {"absolute_acceleration", "floor 5"},
+                                                              {"impact_force", "moat"},
+                                                              {"storey_shear", "storey 1"}}};
+  Peaks peaks{};
+  for (std::size_t i = 0; i < wanted.size(); ++i)
+    for (const Peak& peak : result.peaks)
+      if (peak.quantity == wanted[i][0] && peak.where == wanted[i][1]) peaks[i] = peak.value;
+  return peaks;
+}
+
+double largest_error(const Peaks& peaks, const Peaks& reference) {
+  double worst = 0.0;
+  for (std::size_t i = 0; i < peaks.size(); ++i) worst = std::max(worst, std::abs(peaks[i] / reference[i] - 1.0));
+  return worst;
+}
+
+Peaks reference_of(const std::string& record) {
+  std::ifstream file{MOAT_REFERENCE_PEAKS};
+  for (std::string line; std::getline(file, line);) {
+    std::vector<std::string> cells;
+    std::stringstream stream{line};
+    for (std::string cell; std::getline(stream, cell, ',');) cells.push_back(cell);
+    if (cells.size() < 11 || cells[0] != record || cells[3] != "hertz_damp") continue;
+    // Columns in cm, m/s^2 and kN; the tenth is the isolator force.
+    const auto number = [&](std::size_t column, double unit) { return std::stod(cells[column]) * unit; };
+    return {number(4, 0.01), number(5, 0.01), number(6, 1.0), number(7, 1.0), number(8, 1e3), number(10, 1e3)};
+  }
+  throw FileError{std::string{MOAT_REFERENCE_PEAKS} + ": has no row hertz_damp of " + record + "."};
+}
+
+std::vector<Motion> motions() {
+  std::vector<Motion> list;
+  const GroundMotion pulse = near_fault_pulse().scaled_to_pga(0.4 * g);
+  list.push_back({"pulse", pulse, peaks_of(run(pulse, {.tolerance = 1e-7, .steps_per_contact = 512}))});
+  const char* folder = std::getenv("MOAT_RECORDS");
+  if (folder == nullptr) {
+    std::printf("Skipped: three recorded motions. Set MOAT_RECORDS to a folder with PEER NGA-West2 records RSN1161\n"
+                "(GBZ000), RSN982 (JEN022) and RSN803 (WVC270).\n");
+    return list;
+  }
+  for (const auto& [name, record] : {std::pair{"GBZ000", "RSN1161_KOCAELI_GBZ000"},
+                                     {"JEN022", "RSN982_NORTHR_JEN022"},
+                                     {"WVC270", "RSN803_LOMAP_WVC270"}})
+    list.push_back({name, read_motion(std::filesystem::path{folder} / (std::string{record} + ".AT2")).scaled_to_pga(0.4 * g),
+                    reference_of(record)});
+  return list;
+}
+
+Point measure(const Motion& motion, const std::string& setting, const TransientOptions& options) {
+  const CaseResult result = run(motion.motion, options);
+  return {setting, static_cast<double>(result.solver.accepted_steps), largest_error(peaks_of(result), motion.reference),
+          std::abs(result.energy.integration_error) / result.energy.largest_input};
+}
+
+Curves measure(const Motion& motion) {
+  Curves curves;
+  for (const int divisions : {1, 2, 4, 8, 16, 32}) {
+    const double step = motion.motion.time_step() / divisions;
+    curves.fixed.push_back(measure(motion, to_text(1e3 * step) + " ms", {.step = step * s}));
+  }
+  for (const double tolerance : {3e-3, 1e-3, 3e-4, 1e-4, 3e-5, 1e-5}) {
+    // Contacts are divided in step with the tolerance: the error of both falls with the square of the step.
+    const int per_contact = std::max(8, static_cast<int>(32.0 * std::sqrt(1e-4 / tolerance)));
+    curves.adaptive.push_back(measure(motion, to_text(tolerance) + (tolerance == 1e-4 ? " (default)" : ""),
+                                      {.tolerance = tolerance, .steps_per_contact = per_contact}));
+  }
+  return curves;
+}
+
+Series series_of(const std::string& name, const std::vector<Point>& points) {
+  Series series{.name = name, .x = {}, .y = {}, .style = Series::Style::line};
+  for (const Point& point : points) {
+    series.x.push_back(point.steps);
+    series.y.push_back(100.0 * point.error);
+  }
+  return series;
+}
+
+std::string percent(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.4f", 100.0 * value);
+  return text;
+}
+
+std::string table_of(const Motion& motion, const Curves& curves) {
+  std::string text = "**" + motion.name + "**\n\n| fixed step | steps | error of peaks, % | energy error, % | tolerance "
+                     "| steps | error of peaks, % | energy error, % |\n|---|---|---|---|---|---|---|---|\n";
+  for (std::size_t i = 0; i < curves.fixed.size(); ++i) {
+    for (const Point* point : {&curves.fixed[i], &curves.adaptive[i]})
+      text += "| " + point->setting + " | " + std::to_string(static_cast<long>(point->steps)) + " | " +
+              percent(point->error) + " | " + percent(point->energy_error) + " ";
+    text += "|\n";
+  }
+  return text + "\n";
+}
+
+int run_all(const std::filesystem::path& folder, const std::string& documentation) {
+  const std::vector<Motion> list = motions();
+  if (!documentation.empty() && list.size() < 4) throw InputError{"--write-docs needs the recorded motions."};
+  std::filesystem::create_directories(folder);
+  std::vector<Chart> charts;
+  std::string tables;
+  for (const Motion& motion : list) {
+    const Curves curves = measure(motion);
+    charts.push_back({.title = motion.name,
+                      .x_label = "steps",
+                      .y_label = "largest error of the peaks [%]",
+                      .series = {series_of("fixed step", curves.fixed), series_of("adaptive step", curves.adaptive)},
+                      .logarithmic_x = true,
+                      .logarithmic_y = true});
+    tables += table_of(motion, curves);
+  }
+  write_svg(charts, folder / "accuracy.svg", 1000, 340);
+  std::printf("%s\nFigure: %s\n", tables.c_str(), (folder / "accuracy.svg").c_str());
+  if (!documentation.empty()) {
+    replace_section(documentation, "accuracy", tables);
+    std::filesystem::copy_file(folder / "accuracy.svg",
+                               std::filesystem::path{documentation}.parent_path() / "images/accuracy.svg",
+                               std::filesystem::copy_options::overwrite_existing);
+  }
+  return 0;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  constexpr int exit_usage = 2;
+  CLI::App app{"Error of the peaks against the number of steps, fixed and adaptive"};
+  app.name("./moat bench accuracy");
+  std::string folder = "results/accuracy";
+  bool write_docs = false;
+  app.add_option("--out", folder, "folder for the figure")->capture_default_str();
+  app.add_flag("--write-docs", write_docs, "also bring docs/verification.md and its figure up to date");
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? 0 : exit_usage;
+  }
+  try {
+    return run_all(folder, write_docs ? MOAT_VERIFICATION : "");
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "moat: error: %s\n", error.what());
+    return 1;
+  }
+}
