@@ -64,6 +64,4 @@ void show(Exhibit& exhibit) {
 
 }  // namespace
 
-int main(int argc, char** argv) {
-  return run_exhibit(argc, argv, "fig8", "Figure 8: yield displacement", show);
-}
+int main(int argc, char** argv) { return run_exhibit(argc, argv, "fig8", "Figure 8: yield displacement", show); }

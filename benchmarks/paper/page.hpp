@@ -9,9 +9,9 @@ namespace moat::paper {
 
 /// A script of the benchmark and what came of it.
 struct ScriptRun {
-  std::string id;               ///< its results are in <folder>/<id>.json
-  std::string program;          ///< name of the program, and of its source without ending
-  std::string failure;          ///< empty unless the program ended without results
+  std::string id;       ///< its results are in <folder>/<id>.json
+  std::string program;  ///< name of the program, and of its source without ending
+  std::string failure;  ///< empty unless the program ended without results
 };
 
 struct Totals {

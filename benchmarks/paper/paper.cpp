@@ -99,13 +99,15 @@ int main(int argc, char** argv) {
   std::string folder = "results/paper", documentation;
   bool coarse = false;
   app.add_option("--out", folder, "folder for the page, figures and tables of numbers")->capture_default_str();
-  app.add_option("--write-docs", documentation, "also write the tables as Markdown; without FILE to docs/verification.md")
+  app.add_option("--write-docs", documentation,
+                 "also write the tables as Markdown; without FILE to docs/verification.md")
       ->type_name("FILE")
       ->expected(0, 1)
       ->default_str(MOAT_VERIFICATION);
   app.add_flag("--coarse", coarse, "five points per curve, to try the page");
-  app.footer("Recorded motions are looked for in the folder MOAT_RECORDS; what needs them is skipped without.\n"
-             "Exit code: 0 if all that is asserted holds, 1 if not or after an error, 2 for wrong usage.");
+  app.footer(
+      "Recorded motions are looked for in the folder MOAT_RECORDS; what needs them is skipped without.\n"
+      "Exit code: 0 if all that is asserted holds, 1 if not or after an error, 2 for wrong usage.");
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

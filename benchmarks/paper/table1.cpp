@@ -20,7 +20,7 @@ using namespace moat::units;
 
 namespace {
 
-constexpr double mass = 570.0, speed = 0.5;            // kg, m/s
+constexpr double mass = 570.0, speed = 0.5;  // kg, m/s
 constexpr HertzStiffness stiffness = 2e9 * N / m_3_2;
 constexpr double bound = 0.006;
 
@@ -66,9 +66,9 @@ void show(Exhibit& exhibit) {
     std::vector<std::string> cells{fixed(e, 1)};
     for (std::size_t i = 0; i < columns.size(); ++i) {
       const double computed = columns[i].restitution(e), theirs = number(row, columns[i].printed);
-      exhibit.assert_that(std::abs(computed - theirs) <= bound,
-                          columns[i].title + ", e0 = " + fixed(e, 1) + ": " + fixed(computed, 4) + " within " +
-                              fixed(bound, 3) + " of " + fixed(theirs, 4));
+      exhibit.assert_that(std::abs(computed - theirs) <= bound, columns[i].title + ", e0 = " + fixed(e, 1) + ": " +
+                                                                    fixed(computed, 4) + " within " + fixed(bound, 3) +
+                                                                    " of " + fixed(theirs, 4));
       cells.insert(cells.end(), {fixed(computed, 4), fixed(theirs, 4)});
       for (std::size_t j = 2 * i; j < 2 * i + 2; ++j) curves[j].x.push_back(e);
       curves[2 * i].y.push_back(computed);
@@ -78,8 +78,8 @@ void show(Exhibit& exhibit) {
     error_of_tabulated.push_back(std::abs(columns[0].restitution(e) / e - 1.0));
 
     const double approach = delivered(ModifiedHertzDampPrinted{.stiffness = stiffness, .restitution = e});
-    const double throughout = delivered(ModifiedHertzDampPrinted{
-        .stiffness = stiffness, .restitution = e, .acts = ContactDamping::throughout});
+    const double throughout = delivered(
+        ModifiedHertzDampPrinted{.stiffness = stiffness, .restitution = e, .acts = ContactDamping::throughout});
     const double jankowski = delivered(NonlinearViscoelastic{.stiffness = stiffness, .restitution = e});
     error_of_printed.push_back(std::abs(approach / e - 1.0));
     formulas.rows.push_back({fixed(e, 1), fixed(approach, 4), fixed(throughout, 4), row.at("e_this_paper"),
@@ -87,7 +87,8 @@ void show(Exhibit& exhibit) {
     exhibit.report(3);
   }
   exhibit.table(checked);
-  exhibit.figure({"table1", "Delivered over requested restitution; circles of the same colour are the paper's columns.",
+  exhibit.figure({"table1",
+                  "Delivered over requested restitution; circles of the same colour are the paper's columns.",
                   {Chart{.title = "Table 1: delivered restitution",
                          .x_label = "requested coefficient of restitution [1]",
                          .y_label = "delivered [1]",
@@ -96,7 +97,8 @@ void show(Exhibit& exhibit) {
                          .x_range = {{0.0, 1.0}}}},
                   420});
   exhibit.text(
-      "The printed formulas did not produce the table: Eq. 10 with Eq. 27, whether its dashpot acts on approach only or "
+      "The printed formulas did not produce the table: Eq. 10 with Eq. 27, whether its dashpot acts on approach only "
+      "or "
       "throughout, and Eqs. 9-11 give other numbers. Eq. 24 drops a factor pi/5 of the integral in Eq. 23.");
   exhibit.table(formulas);
 

@@ -315,8 +315,9 @@ void build_panel(const Chart& chart, const Panel& panel) {
 
   vtkChartXY* drawn = panel.chart;
   drawn->SetLayoutStrategy(vtkChart::AXES_TO_RECT);
-  drawn->SetSize(vtkRectf(static_cast<float>(panel.left + left_margin), static_cast<float>(panel.bottom + bottom_margin),
-                          static_cast<float>(plot_width), static_cast<float>(plot_height)));
+  drawn->SetSize(vtkRectf(static_cast<float>(panel.left + left_margin),
+                          static_cast<float>(panel.bottom + bottom_margin), static_cast<float>(plot_width),
+                          static_cast<float>(plot_height)));
   drawn->SetShowLegend(false);
   drawn->GetBackgroundBrush()->SetOpacityF(0.0);
 

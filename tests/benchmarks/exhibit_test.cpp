@@ -17,7 +17,10 @@ class ExhibitInFolder : public InFolder {
     Exhibit exhibit{folder, "example", "An <example>", false};
     exhibit.text("Text & more.");
     exhibit.table({"Caption", {"a", "b"}, {{"1|2", "3"}}});
-    exhibit.figure({"curve", "A curve.", {{.title = "t", .x_label = "x", .y_label = "y", .series = {{.name = "s", .x = {0, 1}, .y = {0, 1}}}}}});
+    exhibit.figure(
+        {"curve",
+         "A curve.",
+         {{.title = "t", .x_label = "x", .y_label = "y", .series = {{.name = "s", .x = {0, 1}, .y = {0, 1}}}}}});
     exhibit.assert_that(true, "one is one");
     exhibit.assert_that(held, "two is three");
     exhibit.report(4);
@@ -40,8 +43,9 @@ TEST_F(ExhibitInFolder, MakesAPageThatNeedsNoOtherFile) {
   write_example(false);
   write_page(folder, runs);
   const std::string page = text_of("index.html");
-  for (const char* part : {"2 asserted, 1 held, 4 reported", "An &lt;example&gt;", "Text &amp; more.", "<figure id=\"curve\">",
-                           "<svg", "did not hold</span> two is three", "<td>a claim</td>", "example_program.cpp"})
+  for (const char* part :
+       {"2 asserted, 1 held, 4 reported", "An &lt;example&gt;", "Text &amp; more.", "<figure id=\"curve\">", "<svg",
+        "did not hold</span> two is three", "<td>a claim</td>", "example_program.cpp"})
     EXPECT_NE(page.find(part), std::string::npos) << part;
   for (const char* part : {"<img", "<?xml", "<script", "<link"}) EXPECT_EQ(page.find(part), std::string::npos) << part;
 }
@@ -64,7 +68,8 @@ TEST(PrintedTable, HasTheTenRowsOfTable1) {
   ASSERT_EQ(rows.size(), 10u);
   EXPECT_EQ(number(rows[4], "e_hertz_damp"), 0.7250);
   EXPECT_NE(testing::message_of<Error>([&] { (void)number(rows[0], "mass"); }).find("column mass"), std::string::npos);
-  EXPECT_NE(testing::message_of<FileError>([] { (void)printed_table("none.csv"); }).find("none.csv"), std::string::npos);
+  EXPECT_NE(testing::message_of<FileError>([] { (void)printed_table("none.csv"); }).find("none.csv"),
+            std::string::npos);
 }
 
 }  // namespace

@@ -21,7 +21,8 @@ class Paper : public InFolder {
  protected:
   /// Runs a command of the shell; its output goes to out.txt and err.txt in the test's folder.
   int run(const std::string& command) const {
-    const int status = std::system((command + " >" + file("out.txt") + " 2>" + file("err.txt") + " </dev/null").c_str());
+    const int status =
+        std::system((command + " >" + file("out.txt") + " 2>" + file("err.txt") + " </dev/null").c_str());
     return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
   }
   [[nodiscard]] std::string file(const std::string& name) const { return "'" + (folder / name).string() + "'"; }
@@ -39,12 +40,14 @@ TEST_F(Paper, Table2Holds) {
   if (!have_records()) GTEST_SKIP() << "set MOAT_RECORDS to a folder with PEER AT2 files to run this test";
   EXPECT_EQ(run(program("table2") + " --out " + file("page")), 0) << text_of("err.txt");
   const std::string results = text_of("page/table2.json");
-  if (results.find("\"skipped\": \"\"") == std::string::npos) GTEST_SKIP() << "the folder of MOAT_RECORDS lacks records of the paper";
+  if (results.find("\"skipped\": \"\"") == std::string::npos)
+    GTEST_SKIP() << "the folder of MOAT_RECORDS lacks records of the paper";
   EXPECT_NE(results.find("within 8 % of the paper's"), std::string::npos);
 }
 
 TEST_F(Paper, WithoutRecordsTellsWhatIsSkippedAndWhereToGetThem) {
-  EXPECT_EQ(run("env -u MOAT_RECORDS " + program("paper") + " --coarse --out " + file("page")), 0) << text_of("err.txt");
+  EXPECT_EQ(run("env -u MOAT_RECORDS " + program("paper") + " --coarse --out " + file("page")), 0)
+      << text_of("err.txt");
   const std::string out = text_of("out.txt");
   EXPECT_NE(out.find("Skipped: 9 of 11 tables and figures. MOAT_RECORDS is not set."), std::string::npos) << out;
   EXPECT_NE(out.find("RSN 1161, 1108, 982 and 803"), std::string::npos) << out;
@@ -53,7 +56,8 @@ TEST_F(Paper, WithoutRecordsTellsWhatIsSkippedAndWhereToGetThem) {
 }
 
 TEST_F(Paper, WritesNoDocumentationWithoutRecords) {
-  EXPECT_EQ(run("env -u MOAT_RECORDS " + program("paper") + " --write-docs " + file("doc.md") + " --out " + file("page")), 1);
+  EXPECT_EQ(
+      run("env -u MOAT_RECORDS " + program("paper") + " --write-docs " + file("doc.md") + " --out " + file("page")), 1);
   EXPECT_NE(text_of("err.txt").find("--write-docs needs the records"), std::string::npos) << text_of("err.txt");
   EXPECT_FALSE(std::filesystem::exists(folder / "doc.md"));
 }
@@ -77,10 +81,11 @@ TEST_F(Paper, PageOpensInABrowserWithEveryFigure) {
   std::string page = text_of("page/index.html");
   page.insert(page.rfind("</body>"), look);
   std::ofstream{folder / "page/looked_at.html"} << page;
-  ASSERT_EQ(run("chromium --headless --no-sandbox --disable-gpu --no-first-run --disable-background-networking "
-                "--disable-component-update --disable-sync --enable-logging=stderr --window-size=1100,900 --user-data-dir=" +
-                file("browser") + " --dump-dom " + file("page/looked_at.html")),
-            0)
+  ASSERT_EQ(
+      run("chromium --headless --no-sandbox --disable-gpu --no-first-run --disable-background-networking "
+          "--disable-component-update --disable-sync --enable-logging=stderr --window-size=1100,900 --user-data-dir=" +
+          file("browser") + " --dump-dom " + file("page/looked_at.html")),
+      0)
       << text_of("err.txt");
 
   // The browser complains about its own surroundings too; only what the page says to the console counts.
@@ -89,7 +94,8 @@ TEST_F(Paper, PageOpensInABrowserWithEveryFigure) {
   EXPECT_NE(seen.find("images 0 broken"), std::string::npos);
   std::vector<std::string> expected{"table1", "pulse"};
   if (text_of("page/fig6.svg").size() > 0)
-    expected.insert(expected.end(), {"fig4", "fig5", "fig6", "fig7", "fig8", "fig9", "fig10", "fig10_designed", "fig11"});
+    expected.insert(expected.end(),
+                    {"fig4", "fig5", "fig6", "fig7", "fig8", "fig9", "fig10", "fig10_designed", "fig11"});
   else
     EXPECT_FALSE(have_records());
   for (const std::string& figure : expected) {

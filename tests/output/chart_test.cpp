@@ -78,7 +78,8 @@ TEST_F(ChartToSvg, IsWellFormedAndHoldsItsLabels) {
 TEST_F(ChartToSvg, PlacesChartsInColumnsWithAlignedPlotAreas) {
   const Chart line{.title = "a", .x_label = "x", .y_label = "y", .series = {{.name = "l", .x = {0, 1}, .y = {0, 1}}}};
   Chart with_long_legend = line;
-  for (int i = 0; i < 6; ++i) with_long_legend.series.push_back({.name = "a rather long name", .x = {0, 1}, .y = {1, 0}});
+  for (int i = 0; i < 6; ++i)
+    with_long_legend.series.push_back({.name = "a rather long name", .x = {0, 1}, .y = {1, 0}});
   write_svg({line, with_long_legend, line}, folder / "chart.svg", 1000, 300, 2);
   const auto root = parse_xml(read_file(folder / "chart.svg"));
   ASSERT_NE(root, nullptr);
