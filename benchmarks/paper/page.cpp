@@ -204,26 +204,16 @@ std::string markdown_table(const Json& header, const Json& rows) {
 
 }  // namespace
 
-void write_documentation(const std::filesystem::path& folder, const std::vector<ScriptRun>& runs,
-                         const std::filesystem::path& file) {
+std::string documentation(const std::filesystem::path& folder, const std::vector<ScriptRun>& runs) {
   std::string text =
-      "# Verification: the paper\n\n"
-      "Written by `MOAT_RECORDS=FOLDER ./moat bench paper --write-docs`; do not edit. The same command makes\n"
-      "`results/paper/index.html` with all figures.\n\n"
-      "Source: D. H. Zhao, Y. Liu, H. N. Li, *Modified Hertz-damp model for base-isolated structural pounding "
-      "simulation\n"
-      "under near-fault earthquakes*, Journal of Vibroengineering (2017), doi:10.21595/jve.2017.17293.\n\n"
-      "**" +
-      totals_in_words(totals_of(folder, runs)) +
-      ".** Asserted is what can be checked: Table 1 against the laws its columns were computed with, the paper's "
-      "building\n"
-      "against peaks of an independent program, what Table 2 shares with them. Everything else stands beside the "
-      "paper's\n"
-      "number with its ratio.\n\n";
+      "**" + totals_in_words(totals_of(folder, runs)) +
+      ".** Asserted is what can be checked: Table 1 against the laws its columns were computed\n"
+      "with, the paper's building against peaks of an independent program, what Table 2 shares with them. Everything\n"
+      "else stands beside the paper's number with its ratio.\n\n";
   Json findings = Json::array();
   for (const ScriptRun& run : runs) {
     const Json results = results_of(folder, run);
-    text += "## " + string_of(results, "title") + "\n\nComputed by `benchmarks/paper/" + run.program + ".cpp`.";
+    text += "### " + string_of(results, "title") + "\n\nComputed by `benchmarks/paper/" + run.program + ".cpp`.";
     if (!results.at("checks").empty()) text += " " + checks_in_words(results.at("checks"));
     text += "\n\n";
     for (const Json& check : results.at("checks"))
@@ -241,11 +231,11 @@ void write_documentation(const std::filesystem::path& folder, const std::vector<
                           finding.at("verdict")});
   }
   text +=
-      "## What the paper says, and what moat finds\n\nIn the plain reading of the paper's numbers. The criteria are "
+      "### What the paper says, and what moat finds\n\nIn the plain reading of the paper's numbers. The criteria are "
       "ours: the paper gives none.\n\n" +
       markdown_table({"where", "claim", "criterion", "found", "verdict"}, findings);
   while (text.ends_with("\n\n")) text.pop_back();
-  write_file(file, text);
+  return text;
 }
 
 }  // namespace moat::paper

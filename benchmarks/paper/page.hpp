@@ -23,8 +23,7 @@ Totals totals_of(const std::filesystem::path& folder, const std::vector<ScriptRu
 /// Writes <folder>/index.html, with all figures inside. Throws FileError.
 void write_page(const std::filesystem::path& folder, const std::vector<ScriptRun>& runs);
 
-/// Writes the tables, checks and findings as Markdown. Throws FileError.
-void write_documentation(const std::filesystem::path& folder, const std::vector<ScriptRun>& runs,
-                         const std::filesystem::path& file);
+/// The tables, checks and findings as Markdown, with headings of third level.
+std::string documentation(const std::filesystem::path& folder, const std::vector<ScriptRun>& runs);
 
 }  // namespace moat::paper

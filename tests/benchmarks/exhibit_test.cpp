@@ -52,8 +52,7 @@ TEST_F(ExhibitInFolder, MakesAPageThatNeedsNoOtherFile) {
 
 TEST_F(ExhibitInFolder, WritesTablesAsMarkdown) {
   write_example(true);
-  write_documentation(folder, runs, folder / "doc.md");
-  const std::string text = text_of("doc.md");
+  const std::string text = documentation(folder, runs);
   EXPECT_NE(text.find("| a | b |\n| --- | --- |\n| 1\\|2 | 3 |\n"), std::string::npos) << text;
   EXPECT_NE(text.find("| 1.2 | a claim | a criterion | a number | partly |"), std::string::npos) << text;
 }
