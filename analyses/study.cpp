@@ -128,16 +128,16 @@ std::string StudyCase::description() const {
   for (const StudyAxis& axis : *axes_) {
     const std::size_t at = position(axis.name);
     text += (text.empty() ? "" : ", ") + axis.name + " = ";
-    text += axis.labels.empty() ? to_text(axis.values[at]) + (axis.unit.empty() ? "" : " " + axis.unit) : axis.labels[at];
+    text +=
+        axis.labels.empty() ? to_text(axis.values[at]) + (axis.unit.empty() ? "" : " " + axis.unit) : axis.labels[at];
   }
   return text;
 }
 
 std::vector<double> StudyResult::values(std::string_view quantity, std::string_view where, const Fixed& fixed) const {
-  const auto column = std::ranges::find_if(table_.columns.begin() + static_cast<std::ptrdiff_t>(axes_.size()),
-                                           table_.columns.end(), [&](const Column& each) {
-                                             return each.quantity == quantity && each.where == where;
-                                           });
+  const auto column =
+      std::ranges::find_if(table_.columns.begin() + static_cast<std::ptrdiff_t>(axes_.size()), table_.columns.end(),
+                           [&](const Column& each) { return each.quantity == quantity && each.where == where; });
   if (column == table_.columns.end())
     throw InputError{"The study has no result \"" + std::string{quantity} + "\" of \"" + std::string{where} + "\"."};
   std::vector<double> chosen;

@@ -41,7 +41,8 @@ void Exhibit::figure(const ShownFigure& figure) {
   constexpr int width = 1000;
   const std::string file = figure.name + ".svg";
   write_svg(figure.charts, folder_ / file, width, figure.panel_height, figure.columns);
-  content_->json["blocks"].push_back({{"type", "figure"}, {"name", figure.name}, {"file", file}, {"caption", figure.caption}});
+  content_->json["blocks"].push_back(
+      {{"type", "figure"}, {"name", figure.name}, {"file", file}, {"caption", figure.caption}});
 }
 
 void Exhibit::numbers(const std::string& name, const Table& table) {
@@ -59,7 +60,9 @@ void Exhibit::assert_that(bool held, const std::string& what) {
 void Exhibit::report(std::size_t count) { content_->reported += count; }
 
 void Exhibit::finding(const Finding& finding) {
-  const char* verdict = finding.verdict == Verdict::holds ? "holds" : finding.verdict == Verdict::partly ? "partly" : "does not hold";
+  const char* verdict = finding.verdict == Verdict::holds    ? "holds"
+                        : finding.verdict == Verdict::partly ? "partly"
+                                                             : "does not hold";
   content_->json["findings"].push_back({{"source", finding.source},
                                         {"claim", finding.claim},
                                         {"criterion", finding.criterion},

@@ -28,15 +28,17 @@ void show_reading(Exhibit& exhibit, const std::string& name, const std::string& 
   const int step = exhibit.coarse() ? 3 : 1;
   std::vector<double> storeys;
   for (int i = 1; i <= 10; i += step) storeys.push_back(i);
-  const SweepResult result = run_sweep(
-      exhibit,
-      {.name = name,
-       .title = "storeys, bearings " + reading,
-       .axis = {.name = "storeys", .unit = "", .values = storeys},
-       .x_label = "number of storeys [1]",
-       .build = [building](Model& model,
-                           const StudyCase& each) { return add_pounding(model, building(static_cast<int>(each.value("storeys")))); }},
-      scaled_records(), record_labels(), "Peaks over the number of storeys; " + held + ", gap 10 cm.");
+  const SweepResult result =
+      run_sweep(exhibit,
+                {.name = name,
+                 .title = "storeys, bearings " + reading,
+                 .axis = {.name = "storeys", .unit = "", .values = storeys},
+                 .x_label = "number of storeys [1]",
+                 .build =
+                     [building](Model& model, const StudyCase& each) {
+                       return add_pounding(model, building(static_cast<int>(each.value("storeys"))));
+                     }},
+                scaled_records(), record_labels(), "Peaks over the number of storeys; " + held + ", gap 10 cm.");
 
   struct Claim {
     const char* response;
@@ -48,12 +50,12 @@ void show_reading(Exhibit& exhibit, const std::string& name, const std::string& 
         Claim{"impact_force", "The peak impact force increases with the number of storeys"},
         Claim{"total_base_shear", "The peak base shear increases with the number of storeys"}})
     judge(exhibit, result, "4.3.4, conclusion 3", text + std::string{" (bearings "} + reading + ")",
-          "rank correlation >= 0.8, and ten storeys at least 1.2 times one",
-          [&](std::size_t motion) {
+          "rank correlation >= 0.8, and ten storeys at least 1.2 times one", [&](std::size_t motion) {
             const std::vector<double> y = result.curve(response, motion);
             const double correlation = rank_correlation(result.x(), y), growth = y.back() / y.front();
-            return Answer{correlation >= 0.8 && growth >= 1.2,
-                          fixed(correlation, 2) + (y.front() > 0.0 ? ", " + fixed(growth, 2) + " times" : ", from none")};
+            return Answer{
+                correlation >= 0.8 && growth >= 1.2,
+                fixed(correlation, 2) + (y.front() > 0.0 ? ", " + fixed(growth, 2) + " times" : ", from none")};
           });
 }
 
@@ -67,6 +69,4 @@ void show(Exhibit& exhibit) {
 
 }  // namespace
 
-int main(int argc, char** argv) {
-  return run_exhibit(argc, argv, "fig10", "Figure 10: number of storeys", show);
-}
+int main(int argc, char** argv) { return run_exhibit(argc, argv, "fig10", "Figure 10: number of storeys", show); }

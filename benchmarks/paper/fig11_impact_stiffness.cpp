@@ -11,20 +11,20 @@ namespace {
 
 void show(Exhibit& exhibit) {
   if (const std::string missing = missing_records(); !missing.empty()) return exhibit.skip(missing);
-  const SweepResult result = run_sweep(
-      exhibit,
-      {.name = "fig11",
-       .title = "impact stiffness",
-       .axis = {.name = "impact stiffness",
-                .unit = "GN/m^1.5",
-                .values = logarithmically_spaced(0.01, 10.0, points(exhibit, 61))},
-       .x_label = "impact stiffness [GN/m^1.5]",
-       .logarithmic = true,
-       .build =
-           [](Model& model, const StudyCase& each) {
-             return add_pounding(model, {}, paper_gap, each.value("impact stiffness") * GN / m_3_2);
-           }},
-      scaled_records(), record_labels(), "Peaks over the impact stiffness k_h; e = 0.65, gap 10 cm.");
+  const SweepResult result =
+      run_sweep(exhibit,
+                {.name = "fig11",
+                 .title = "impact stiffness",
+                 .axis = {.name = "impact stiffness",
+                          .unit = "GN/m^1.5",
+                          .values = logarithmically_spaced(0.01, 10.0, points(exhibit, 61))},
+                 .x_label = "impact stiffness [GN/m^1.5]",
+                 .logarithmic = true,
+                 .build =
+                     [](Model& model, const StudyCase& each) {
+                       return add_pounding(model, {}, paper_gap, each.value("impact stiffness") * GN / m_3_2);
+                     }},
+                scaled_records(), record_labels(), "Peaks over the impact stiffness k_h; e = 0.65, gap 10 cm.");
 
   const auto upper_end = [&](const std::vector<double>& y) {
     std::vector<double> values;
@@ -36,8 +36,9 @@ void show(Exhibit& exhibit) {
     return [&, response](std::size_t motion) {
       const std::vector<double> y = result.curve(response, motion);
       const double above_two = spread(upper_end(y));
-      return Answer{y.front() < 0.9 * y.back() && above_two <= 1.10,
-                    fixed(y.back() / y.front(), 2) + " times from end to end, spread " + fixed(above_two, 2) + " above 2"};
+      return Answer{
+          y.front() < 0.9 * y.back() && above_two <= 1.10,
+          fixed(y.back() / y.front(), 2) + " times from end to end, spread " + fixed(above_two, 2) + " above 2"};
     };
   };
   const std::string criterion =
@@ -67,6 +68,4 @@ void show(Exhibit& exhibit) {
 
 }  // namespace
 
-int main(int argc, char** argv) {
-  return run_exhibit(argc, argv, "fig11", "Figure 11: impact stiffness", show);
-}
+int main(int argc, char** argv) { return run_exhibit(argc, argv, "fig11", "Figure 11: impact stiffness", show); }

@@ -94,7 +94,8 @@ void show(Exhibit& exhibit) {
   const auto growth = [&](const char* where) {
     return peak(pounding, "absolute_acceleration", where) / peak(isolated, "absolute_acceleration", where);
   };
-  exhibit.finding({"4.2, Fig. 4", "Pounding raises accelerations remarkably", "top floor, with walls over without, >= 1.5",
+  exhibit.finding({"4.2, Fig. 4", "Pounding raises accelerations remarkably",
+                   "top floor, with walls over without, >= 1.5",
                    "base " + fixed(growth("base"), 2) + ", top " + fixed(growth("floor 5"), 2) + " times",
                    growth("floor 5") >= 1.5 ? Verdict::holds : Verdict::fails});
   exhibit.finding({"4.2, Fig. 4", "Above all at the base, where the impact occurs",

@@ -36,7 +36,11 @@ Profile profile(const std::string& name, const GroundMotion& motion, const std::
 }
 
 void show_profiles(Exhibit& exhibit, const std::vector<Profile>& profiles) {
-  Chart drifts{.title = "(a) Storey drift", .x_label = "peak drift [cm]", .y_label = "storey [1]", .series = {}, .y_from_zero = true};
+  Chart drifts{.title = "(a) Storey drift",
+               .x_label = "peak drift [cm]",
+               .y_label = "storey [1]",
+               .series = {},
+               .y_from_zero = true};
   Chart accelerations{.title = "(b) Floor acceleration",
                       .x_label = "peak absolute acceleration [m/s²]",
                       .y_label = "floor (0: base) [1]",
@@ -46,7 +50,8 @@ void show_profiles(Exhibit& exhibit, const std::vector<Profile>& profiles) {
   for (int i = 1; i <= 5; ++i) table.header.push_back(std::to_string(i));
   for (const Profile& each : profiles) {
     Series drift{.name = each.name, .x = {}, .y = {}}, acceleration{.name = each.name, .x = {}, .y = {}};
-    std::vector<std::string> drift_row{each.name + ", drift of storey", ""}, acceleration_row{each.name + ", acceleration of floor"};
+    std::vector<std::string> drift_row{each.name + ", drift of storey", ""},
+        acceleration_row{each.name + ", acceleration of floor"};
     for (std::size_t i = 0; i < each.drift.size(); ++i) {
       drift.x.push_back(100 * each.drift[i]);
       drift.y.push_back(static_cast<double>(i + 1));
@@ -81,8 +86,9 @@ void show(Exhibit& exhibit) {
     const bool above_isolated = top(narrow) > top(isolated) && top(wide) > top(isolated);
     const bool above_fixed = top(narrow) > top(fixed_base) && top(wide) > top(fixed_base);
     std::string found;
-    for (const Profile& each : profiles) found += (found.empty() ? "" : "; ") + each.name + " " + fixed(top(each) / unit, decimals);
-    return std::pair{found, above_isolated && above_fixed ? Verdict::holds
+    for (const Profile& each : profiles)
+      found += (found.empty() ? "" : "; ") + each.name + " " + fixed(top(each) / unit, decimals);
+    return std::pair{found, above_isolated && above_fixed   ? Verdict::holds
                             : above_isolated || above_fixed ? Verdict::partly
                                                             : Verdict::fails};
   };
@@ -102,15 +108,20 @@ void show(Exhibit& exhibit) {
   std::string found;
   int held = 0;
   for (const Profile* with : {&narrow, &wide}) {
-    for (const auto& [response, name] : {std::pair{&Profile::acceleration, "acceleration"}, std::pair{&Profile::drift, "drift"}}) {
+    for (const auto& [response, name] :
+         {std::pair{&Profile::acceleration, "acceleration"}, std::pair{&Profile::drift, "drift"}}) {
       const double low = growth(*with, response, false), high = growth(*with, response, true);
       held += low > high ? 1 : 0;
-      found += (found.empty() ? "" : "; ") + with->name + ", " + name + ": " + fixed(low, 2) + " below, " + fixed(high, 2) + " above";
+      found += (found.empty() ? "" : "; ") + with->name + ", " + name + ": " + fixed(low, 2) + " below, " +
+               fixed(high, 2) + " above";
     }
   }
-  exhibit.finding({"4.2, Fig. 5, conclusion 1", "The influence of pounding is larger on lower floors than on upper ones",
+  exhibit.finding({"4.2, Fig. 5, conclusion 1",
+                   "The influence of pounding is larger on lower floors than on upper ones",
                    "with walls over without: lowest floor or storey more than highest", found,
-                   held == 4 ? Verdict::holds : held > 0 ? Verdict::partly : Verdict::fails});
+                   held == 4  ? Verdict::holds
+                   : held > 0 ? Verdict::partly
+                              : Verdict::fails});
 }
 
 }  // namespace

@@ -44,8 +44,8 @@ void show(Exhibit& exhibit) {
             if (result.x()[i] >= 3.0) later.push_back(drift[i]);
           for (const double each : later) mean += each / static_cast<double>(later.size());
           return Answer{drift.front() < mean && spread(later) <= 1.10,
-                        fixed(100 * drift.front(), 2) + " cm at 1.5 s, mean " + fixed(100 * mean, 2) + " cm, later spread " +
-                            fixed(spread(later), 2)};
+                        fixed(100 * drift.front(), 2) + " cm at 1.5 s, mean " + fixed(100 * mean, 2) +
+                            " cm, later spread " + fixed(spread(later), 2)};
         });
   const auto decreases = [&](const char* response) {
     return [&result, response](std::size_t motion) {
@@ -61,6 +61,4 @@ void show(Exhibit& exhibit) {
 
 }  // namespace
 
-int main(int argc, char** argv) {
-  return run_exhibit(argc, argv, "fig7", "Figure 7: isolation period", show);
-}
+int main(int argc, char** argv) { return run_exhibit(argc, argv, "fig7", "Figure 7: isolation period", show); }

@@ -18,7 +18,7 @@ void show(Exhibit& exhibit) {
       exhibit,
       {.name = "fig8",
        .title = "yield displacement",
-       .axis = {.name = "yield displacement", .unit = "cm", .values = linearly_spaced(0.5, 4.5, points(exhibit, 41))},
+       .axis = {.name = "yield displacement", .unit = "cm", .values = linearly_spaced(0.5, 4.5, points(exhibit, 81))},
        .x_label = "yield displacement [cm]",
        .build =
            [](Model& model, const StudyCase& each) {
@@ -64,6 +64,4 @@ void show(Exhibit& exhibit) {
 
 }  // namespace
 
-int main(int argc, char** argv) {
-  return run_exhibit(argc, argv, "fig8", "Figure 8: yield displacement", show);
-}
+int main(int argc, char** argv) { return run_exhibit(argc, argv, "fig8", "Figure 8: yield displacement", show); }

@@ -25,20 +25,24 @@ void show_unpounded_displacement(Exhibit& exhibit) {
         return study;
       },
       {.progress = StudyProgress{"fig9, without walls"}});
-  ShownTable table{"Largest base displacement without walls [cm]: the gap beyond which pounding is avoided", {"viscous damping of the isolator"}, {}};
+  ShownTable table{"Largest base displacement without walls [cm]: the gap beyond which pounding is avoided",
+                   {"viscous damping of the isolator"},
+                   {}};
   for (const PaperRecord& record : paper_records) table.header.emplace_back(record.label);
   std::string found;
   double plain = 0.0;
   for (std::size_t i = 0; i < ratios.size(); ++i) {
     const std::vector<double> displacement = result.values("displacement", "base", {{"damping ratio", i}});
-    std::vector<std::string> row{i == 0 ? "none (plain reading)" : fixed(100 * ratios[i], 0) + " % of critical at 2.5 s"};
+    std::vector<std::string> row{i == 0 ? "none (plain reading)"
+                                        : fixed(100 * ratios[i], 0) + " % of critical at 2.5 s"};
     for (const double each : displacement) row.push_back(fixed(100 * each, 1));
     table.rows.push_back(row);
     exhibit.report(displacement.size());
     const double largest = 100 * std::ranges::max(displacement);
     if (i == 0) plain = largest;
-    found += (found.empty() ? "largest " : "; with " + fixed(100 * ratios[i], 0) + " % viscous damping of the isolator ") +
-             fixed(largest, 1) + " cm";
+    found +=
+        (found.empty() ? "largest " : "; with " + fixed(100 * ratios[i], 0) + " % viscous damping of the isolator ") +
+        fixed(largest, 1) + " cm";
   }
   exhibit.table(table);
   exhibit.finding({"4.3.3", "Pounding is avoided if the gap is over 40 cm",
@@ -48,15 +52,14 @@ void show_unpounded_displacement(Exhibit& exhibit) {
 
 void show(Exhibit& exhibit) {
   if (const std::string missing = missing_records(); !missing.empty()) return exhibit.skip(missing);
-  const SweepResult result =
-      run_sweep(exhibit,
-                {.name = "fig9",
-                 .title = "gap",
-                 .axis = {.name = "gap", .unit = "cm", .values = linearly_spaced(10.0, 50.0, points(exhibit, 41))},
-                 .x_label = "gap [cm]",
-                 .build = [](Model& model,
-                             const StudyCase& each) { return add_pounding(model, {}, each.value("gap") * cm); }},
-                scaled_records(), record_labels(), "Peaks over the gap on each side; everything else held.");
+  const SweepResult result = run_sweep(
+      exhibit,
+      {.name = "fig9",
+       .title = "gap",
+       .axis = {.name = "gap", .unit = "cm", .values = linearly_spaced(10.0, 50.0, points(exhibit, 81))},
+       .x_label = "gap [cm]",
+       .build = [](Model& model, const StudyCase& each) { return add_pounding(model, {}, each.value("gap") * cm); }},
+      scaled_records(), record_labels(), "Peaks over the gap on each side; everything else held.");
 
   const auto rises_then_falls = [&](const char* response) {
     return [&result, response](std::size_t motion) {
@@ -67,8 +70,8 @@ void show(Exhibit& exhibit) {
     };
   };
   const std::string criterion = "largest value inside the range, 2 % above both ends";
-  judge(exhibit, result, "4.3.3", "The peak floor acceleration increases at first with the gap", "top floor: " + criterion,
-        rises_then_falls("top_acceleration"));
+  judge(exhibit, result, "4.3.3", "The peak floor acceleration increases at first with the gap",
+        "top floor: " + criterion, rises_then_falls("top_acceleration"));
   judge(exhibit, result, "4.3.3, conclusion 2", "Peak drifts increase up to a certain gap, then decrease", criterion,
         rises_then_falls("largest_drift"));
   judge(exhibit, result, "4.3.3, conclusion 2", "The peak impact force does the same", criterion,

@@ -113,18 +113,23 @@ void add_findings(std::string& page, const std::filesystem::path& folder, const 
   std::string rows;
   for (const ScriptRun& run : runs) {
     if (!run.failure.empty()) continue;
-    for (const Json& finding : results_of(folder, run).at("findings")) {
+    const Json results = results_of(folder, run);
+    for (const Json& finding : results.at("findings")) {
       const std::string verdict = string_of(finding, "verdict");
       rows += "<tr><td>" + escaped(string_of(finding, "source")) + "</td><td>" + escaped(string_of(finding, "claim")) +
-              "</td><td>" + escaped(string_of(finding, "criterion")) + "</td><td>" + escaped(string_of(finding, "found")) +
-              "</td><td class=\"" + (verdict == "does not hold" ? "fails" : verdict) + "\">" + verdict + "</td></tr>\n";
+              "</td><td>" + escaped(string_of(finding, "criterion")) + "</td><td>" +
+              escaped(string_of(finding, "found")) + "</td><td class=\"" +
+              (verdict == "does not hold" ? "fails" : verdict) + "\">" + verdict + "</td></tr>\n";
     }
   }
   if (rows.empty()) return;
-  page += "<h2 id=\"findings\">What the paper says, and what moat finds</h2>\n"
-          "<p>In the plain reading of the paper's numbers. The criteria are ours: the paper gives none.</p>\n"
-          "<div class=\"scroll\"><table><tr><th>where</th><th>claim</th><th>criterion</th><th>found</th><th>verdict</th></tr>\n" +
-          rows + "</table></div>\n";
+  page +=
+      "<h2 id=\"findings\">What the paper says, and what moat finds</h2>\n"
+      "<p>In the plain reading of the paper's numbers. The criteria are ours: the paper gives none.</p>\n"
+      "<div "
+      "class=\"scroll\"><table><tr><th>where</th><th>claim</th><th>criterion</th><th>found</th><th>verdict</th></"
+      "tr>\n" +
+      rows + "</table></div>\n";
 }
 
 std::string totals_in_words(const Totals& totals) {
@@ -149,11 +154,13 @@ Totals totals_of(const std::filesystem::path& folder, const std::vector<ScriptRu
 
 void write_page(const std::filesystem::path& folder, const std::vector<ScriptRun>& runs) {
   std::string page = page_start;
-  page += "<h1>Modified Hertz-damp model for base-isolated structural pounding</h1>\n"
-          "<p>The tables and figures of Zhao, Liu &amp; Li, Journal of Vibroengineering (2017), "
-          "doi:10.21595/jve.2017.17293, computed by moat.</p>\n";
-  page += "<p><b>" + totals_in_words(totals_of(folder, runs)) +
-          ".</b> Asserted is what can be checked; reported stands beside the paper's number without a bound.</p>\n<nav>";
+  page +=
+      "<h1>Modified Hertz-damp model for base-isolated structural pounding</h1>\n"
+      "<p>The tables and figures of Zhao, Liu &amp; Li, Journal of Vibroengineering (2017), "
+      "doi:10.21595/jve.2017.17293, computed by moat.</p>\n";
+  page +=
+      "<p><b>" + totals_in_words(totals_of(folder, runs)) +
+      ".</b> Asserted is what can be checked; reported stands beside the paper's number without a bound.</p>\n<nav>";
   for (const ScriptRun& run : runs) page += "<a href=\"#" + run.id + "\">" + run.id + "</a>";
   page += "<a href=\"#findings\">findings</a></nav>\n";
   for (const ScriptRun& run : runs) {
@@ -176,7 +183,8 @@ void write_page(const std::filesystem::path& folder, const std::vector<ScriptRun
 namespace {
 
 std::string in_cell(std::string text) {
-  for (std::size_t at = text.find('|'); at != std::string::npos; at = text.find('|', at + 2)) text.replace(at, 1, "\\|");
+  for (std::size_t at = text.find('|'); at != std::string::npos; at = text.find('|', at + 2))
+    text.replace(at, 1, "\\|");
   return text;
 }
 
@@ -196,23 +204,16 @@ std::string markdown_table(const Json& header, const Json& rows) {
 
 }  // namespace
 
-void write_documentation(const std::filesystem::path& folder, const std::vector<ScriptRun>& runs,
-                         const std::filesystem::path& file) {
+std::string documentation(const std::filesystem::path& folder, const std::vector<ScriptRun>& runs) {
   std::string text =
-      "# Verification: the paper\n\n"
-      "Written by `MOAT_RECORDS=FOLDER ./moat bench paper --write-docs`; do not edit. The same command makes\n"
-      "`results/paper/index.html` with all figures.\n\n"
-      "Source: D. H. Zhao, Y. Liu, H. N. Li, *Modified Hertz-damp model for base-isolated structural pounding simulation\n"
-      "under near-fault earthquakes*, Journal of Vibroengineering (2017), doi:10.21595/jve.2017.17293.\n\n"
-      "**" +
-      totals_in_words(totals_of(folder, runs)) +
-      ".** Asserted is what can be checked: Table 1 against the laws its columns were computed with, the paper's building\n"
-      "against peaks of an independent program, what Table 2 shares with them. Everything else stands beside the paper's\n"
-      "number with its ratio.\n\n";
+      "**" + totals_in_words(totals_of(folder, runs)) +
+      ".** Asserted is what can be checked: Table 1 against the laws its columns were computed\n"
+      "with, the paper's building against peaks of an independent program, what Table 2 shares with them. Everything\n"
+      "else stands beside the paper's number with its ratio.\n\n";
   Json findings = Json::array();
   for (const ScriptRun& run : runs) {
     const Json results = results_of(folder, run);
-    text += "## " + string_of(results, "title") + "\n\nComputed by `benchmarks/paper/" + run.program + ".cpp`.";
+    text += "### " + string_of(results, "title") + "\n\nComputed by `benchmarks/paper/" + run.program + ".cpp`.";
     if (!results.at("checks").empty()) text += " " + checks_in_words(results.at("checks"));
     text += "\n\n";
     for (const Json& check : results.at("checks"))
@@ -220,7 +221,8 @@ void write_documentation(const std::filesystem::path& folder, const std::vector<
     for (const Json& block : results.at("blocks")) {
       const std::string type = string_of(block, "type");
       if (type == "text") text += string_of(block, "text") + "\n\n";
-      if (type == "figure") text += "Figure `" + string_of(block, "file") + "`: " + string_of(block, "caption") + "\n\n";
+      if (type == "figure")
+        text += "Figure `" + string_of(block, "file") + "`: " + string_of(block, "caption") + "\n\n";
       if (type == "table")
         text += "**" + string_of(block, "caption") + "**\n\n" + markdown_table(block.at("header"), block.at("rows"));
     }
@@ -228,11 +230,12 @@ void write_documentation(const std::filesystem::path& folder, const std::vector<
       findings.push_back({finding.at("source"), finding.at("claim"), finding.at("criterion"), finding.at("found"),
                           finding.at("verdict")});
   }
-  text += "## What the paper says, and what moat finds\n\nIn the plain reading of the paper's numbers. The criteria are "
-          "ours: the paper gives none.\n\n" +
-          markdown_table({"where", "claim", "criterion", "found", "verdict"}, findings);
+  text +=
+      "### What the paper says, and what moat finds\n\nIn the plain reading of the paper's numbers. The criteria are "
+      "ours: the paper gives none.\n\n" +
+      markdown_table({"where", "claim", "criterion", "found", "verdict"}, findings);
   while (text.ends_with("\n\n")) text.pop_back();
-  write_file(file, text);
+  return text;
 }
 
 }  // namespace moat::paper

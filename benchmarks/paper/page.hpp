@@ -9,9 +9,9 @@ namespace moat::paper {
 
 /// A script of the benchmark and what came of it.
 struct ScriptRun {
-  std::string id;               ///< its results are in <folder>/<id>.json
-  std::string program;          ///< name of the program, and of its source without ending
-  std::string failure;          ///< empty unless the program ended without results
+  std::string id;       ///< its results are in <folder>/<id>.json
+  std::string program;  ///< name of the program, and of its source without ending
+  std::string failure;  ///< empty unless the program ended without results
 };
 
 struct Totals {
@@ -23,8 +23,7 @@ Totals totals_of(const std::filesystem::path& folder, const std::vector<ScriptRu
 /// Writes <folder>/index.html, with all figures inside. Throws FileError.
 void write_page(const std::filesystem::path& folder, const std::vector<ScriptRun>& runs);
 
-/// Writes the tables, checks and findings as Markdown. Throws FileError.
-void write_documentation(const std::filesystem::path& folder, const std::vector<ScriptRun>& runs,
-                         const std::filesystem::path& file);
+/// The tables, checks and findings as Markdown, with headings of third level.
+std::string documentation(const std::filesystem::path& folder, const std::vector<ScriptRun>& runs);
 
 }  // namespace moat::paper

@@ -11,6 +11,7 @@
 #include <filesystem>
 
 #include "base/error.hpp"
+#include "documentation_section.hpp"
 #include "paper/page.hpp"
 #include "paper/records.hpp"
 
@@ -54,13 +55,12 @@ double seconds_since(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-int run_all(const std::filesystem::path& folder, const std::filesystem::path& programs, bool coarse,
-            const std::string& documentation) {
+int run_all(const std::filesystem::path& folder, const std::filesystem::path& programs, bool coarse, bool write_docs) {
   const auto start = std::chrono::steady_clock::now();
   const std::string missing = missing_records();
-  if (!documentation.empty() && !missing.empty())
+  if (write_docs && !missing.empty())
     throw InputError{"--write-docs needs the records: documentation without them would be empty. " + missing};
-  if (!documentation.empty() && coarse) throw InputError{"--write-docs and --coarse exclude each other."};
+  if (write_docs && coarse) throw InputError{"--write-docs and --coarse exclude each other."};
   std::filesystem::create_directories(folder);
 
   std::vector<ScriptRun> runs;
@@ -80,7 +80,7 @@ int run_all(const std::filesystem::path& folder, const std::filesystem::path& pr
     std::fflush(stdout);
   }
   write_page(folder, runs);
-  if (!documentation.empty() && !failed) write_documentation(folder, runs, documentation);
+  if (write_docs && !failed) replace_section(MOAT_VERIFICATION, "paper", documentation(folder, runs));
 
   const Totals totals = totals_of(folder, runs);
   if (totals.skipped > 0)
@@ -96,25 +96,22 @@ int main(int argc, char** argv) {
   constexpr int exit_usage = 2;
   CLI::App app{"Tables and figures of Zhao, Liu & Li (2017), side by side with the printed numbers"};
   app.name("./moat bench paper");
-  std::string folder = "results/paper", documentation;
-  bool coarse = false;
+  std::string folder = "results/paper";
+  bool coarse = false, write_docs = false;
   app.add_option("--out", folder, "folder for the page, figures and tables of numbers")->capture_default_str();
-  app.add_option("--write-docs", documentation, "also write the tables as Markdown; without FILE to docs/verification.md")
-      ->type_name("FILE")
-      ->expected(0, 1)
-      ->default_str(MOAT_VERIFICATION);
+  app.add_flag("--write-docs", write_docs, "also bring docs/verification.md up to date");
   app.add_flag("--coarse", coarse, "five points per curve, to try the page");
-  app.footer("Recorded motions are looked for in the folder MOAT_RECORDS; what needs them is skipped without.\n"
-             "Exit code: 0 if all that is asserted holds, 1 if not or after an error, 2 for wrong usage.");
+  app.footer(
+      "Recorded motions are looked for in the folder MOAT_RECORDS; what needs them is skipped without.\n"
+      "Exit code: 0 if all that is asserted holds, 1 if not or after an error, 2 for wrong usage.");
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? 0 : exit_usage;
   }
-  if (app.count("--write-docs") > 0 && documentation.empty()) documentation = MOAT_VERIFICATION;
   try {
     const std::filesystem::path programs = std::filesystem::read_symlink("/proc/self/exe").parent_path();
-    return run_all(folder, programs, coarse, documentation);
+    return run_all(folder, programs, coarse, write_docs);
   } catch (const std::exception& error) {
     std::fprintf(stderr, "moat: error: %s\n", error.what());
     return 1;

@@ -64,10 +64,9 @@ inline BuildingNodes add(Model& model, const PaperBuilding& paper) {
   }
   BuildingNodes nodes = moat::add(model, building);
   if (paper.isolator_damping > DampingCoefficient{})
-    moat::add(model, ViscousDamper{.name = "isolator damping",
-                                   .lower = ground,
-                                   .upper = nodes.base,
-                                   .damping = paper.isolator_damping});
+    moat::add(model,
+              ViscousDamper{
+                  .name = "isolator damping", .lower = ground, .upper = nodes.base, .damping = paper.isolator_damping});
   return nodes;
 }
 

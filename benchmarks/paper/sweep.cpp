@@ -60,14 +60,13 @@ std::vector<double> ranks(const std::vector<double>& values) {
 
 SweepResult run_sweep(Exhibit& exhibit, const Sweep& sweep, const std::vector<GroundMotion>& motions,
                       const std::vector<std::string>& labels, const std::string& caption) {
-  StudyResult study = run_study(
-      {sweep.axis, StudyAxis::of_names("record", labels)},
-      [&](const StudyCase& each) {
-        Model model;
-        const BuildingNodes nodes = sweep.build(model, each);
-        return responses_of(model, nodes, motions[each.position("record")]);
-      },
-      {.progress = StudyProgress{sweep.name + ", " + sweep.title}});
+  StudyResult study = run_study({sweep.axis, StudyAxis::of_names("record", labels)},
+                                [&](const StudyCase& each) {
+                                  Model model;
+                                  const BuildingNodes nodes = sweep.build(model, each);
+                                  return responses_of(model, nodes, motions[each.position("record")]);
+                                },
+                                {.progress = StudyProgress{sweep.name + ", " + sweep.title}});
   SweepResult result{sweep.axis.values, labels, std::move(study)};
 
   ShownFigure figure{sweep.name, caption, {}, 290, 2};
@@ -125,7 +124,8 @@ void judge(Exhibit& exhibit, const SweepResult& result, const std::string& sourc
   for (std::size_t motion = 0; motion < result.labels().size(); ++motion) {
     const Answer each = answer(motion);
     held += each.holds ? 1 : 0;
-    found += (found.empty() ? "" : "; ") + result.labels()[motion] + (each.holds ? " yes" : " no") + " (" + each.number + ")";
+    found += (found.empty() ? "" : "; ") + result.labels()[motion] + (each.holds ? " yes" : " no") + " (" +
+             each.number + ")";
   }
   const Verdict verdict = held == result.labels().size() ? Verdict::holds : held > 0 ? Verdict::partly : Verdict::fails;
   exhibit.finding({source, claim, criterion, found, verdict});

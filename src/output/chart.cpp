@@ -297,7 +297,9 @@ int pen_type(Series::Style style) {
 constexpr float marker_size = 6.0f;
 constexpr float line_width = 1.6f;
 
-const std::array<unsigned char, 3>& colour_of(std::size_t series) { return palette[series % palette.size()]; }
+const std::array<unsigned char, 3>& colour_of(const Chart& chart, std::size_t series) {
+  return palette[chart.series[series].colour.value_or(series) % palette.size()];
+}
 
 void build_panel(const Chart& chart, const Panel& panel) {
   const int plot_width = panel.width - left_margin - right_margin;
@@ -313,8 +315,9 @@ void build_panel(const Chart& chart, const Panel& panel) {
 
   vtkChartXY* drawn = panel.chart;
   drawn->SetLayoutStrategy(vtkChart::AXES_TO_RECT);
-  drawn->SetSize(vtkRectf(static_cast<float>(panel.left + left_margin), static_cast<float>(panel.bottom + bottom_margin),
-                          static_cast<float>(plot_width), static_cast<float>(plot_height)));
+  drawn->SetSize(vtkRectf(static_cast<float>(panel.left + left_margin),
+                          static_cast<float>(panel.bottom + bottom_margin), static_cast<float>(plot_width),
+                          static_cast<float>(plot_height)));
   drawn->SetShowLegend(false);
   drawn->GetBackgroundBrush()->SetOpacityF(0.0);
 
@@ -324,7 +327,7 @@ void build_panel(const Chart& chart, const Panel& panel) {
   double y_high = -x_low;
   for (std::size_t i = 0; i < chart.series.size(); ++i) {
     const Series& series = chart.series[i];
-    const std::array<unsigned char, 3>& colour = colour_of(i);
+    const std::array<unsigned char, 3>& colour = colour_of(chart, i);
     const Curve curve = thinned(chart, visible_part(chart, series), plot_width, plot_height);
     if (curve.x.empty()) continue;
     const auto [left, right] = std::minmax_element(curve.x.begin(), curve.x.end());
@@ -423,7 +426,7 @@ void lay_out_heading(vtkContext2D* painter, const Chart& chart, Panel& panel) {
   for (std::size_t i = 0; i < chart.series.size(); ++i) {
     const Series& series = chart.series[i];
     if (series.name.empty()) continue;
-    panel.legend.push_back({series.name, series.style, colour_of(i)});
+    panel.legend.push_back({series.name, series.style, colour_of(chart, i)});
     widths.push_back(sample_width + sample_gap + text_width(painter, series.name) + between);
     total += widths.back();
   }

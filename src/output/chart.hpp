@@ -1,6 +1,7 @@
 // Charts as SVG, drawn without a display.
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -15,6 +16,8 @@ struct Series {
   std::string name;  ///< in the legend; empty: not listed there
   std::vector<double> x, y;
   Style style = Style::line;
+  /// Position in the palette of seven colours, from 0; by default that of the series in its chart.
+  std::optional<std::size_t> colour = {};
 };
 
 struct Chart {
@@ -30,14 +33,14 @@ struct Chart {
 };
 
 /// The chart as SVG text, `width` x `height` pixels; several charts fill `columns` columns, row by row, each
-/// `height` high, with their plot areas aligned. A legend that finds no room beside the title gets rows of its own, which make its
-/// panel higher. Long series are thinned to about two points per pixel and keep their peaks. The text has no prolog
-/// and no ids, so it may be placed inside an HTML page, several times.
+/// `height` high, with their plot areas aligned. A legend that finds no room beside the title gets rows of its own,
+/// which make its panel higher. Long series are thinned to about two points per pixel and keep their peaks. The text
+/// has no prolog and no ids, so it may be placed inside an HTML page, several times.
 ///
-/// Throws InputError for no chart or a size below 200 x 150 pixels for each, and where a chart has no point to draw, a series
-/// has x and y of different length or a value that is not finite, a logarithmic axis gets a value that is not positive, one from
-/// zero a negative one, or an x range ends before it starts. Safe to call from several threads: VTK's fonts are shared, so they wait for
-/// each other.
+/// Throws InputError for no chart or a size below 200 x 150 pixels for each, and where a chart has no point to draw, a
+/// series has x and y of different length or a value that is not finite, a logarithmic axis gets a value that is not
+/// positive, one from zero a negative one, or an x range ends before it starts. Safe to call from several threads:
+/// VTK's fonts are shared, so they wait for each other.
 std::string svg_text(const std::vector<Chart>& charts, int width = 1000, int height = 420, int columns = 1);
 
 /// Writes one chart. Throws as svg_text does, and FileError.

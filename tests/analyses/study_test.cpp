@@ -24,9 +24,7 @@ using testing::message_of;
 const std::vector<StudyAxis> two_axes{{.name = "gap", .unit = "cm", .values = {10.0, 20.0, 40.0}},
                                       StudyAxis::of_names("record", {"north", "south"})};
 
-StudyRecord sum(const StudyCase& each) {
-  return {{"sum", "", "1", each.value("gap") + 100.0 * each.value("record")}};
-}
+StudyRecord sum(const StudyCase& each) { return {{"sum", "", "1", each.value("gap") + 100.0 * each.value("record")}}; }
 
 TEST(Study, ComputesEveryCombinationOnceWithTheLastAxisFastest) {
   std::atomic<int> calls{0};
@@ -51,13 +49,13 @@ TEST(Study, TakesTheValuesAlongOneAxis) {
 }
 
 TEST(Study, KeepsTheOrderWhenLaterCasesEndFirst) {
-  const StudyResult result = run_study(
-      {{.name = "place", .unit = "", .values = linearly_spaced(0.0, 15.0, 16)}},
-      [](const StudyCase& each) {
-        if (each.number() == 0) std::this_thread::sleep_for(std::chrono::milliseconds{50});
-        return StudyRecord{{"square", "", "1", each.value("place") * each.value("place")}};
-      },
-      {.threads = 4});
+  const StudyResult result =
+      run_study({{.name = "place", .unit = "", .values = linearly_spaced(0.0, 15.0, 16)}},
+                [](const StudyCase& each) {
+                  if (each.number() == 0) std::this_thread::sleep_for(std::chrono::milliseconds{50});
+                  return StudyRecord{{"square", "", "1", each.value("place") * each.value("place")}};
+                },
+                {.threads = 4});
   for (std::size_t i = 0; i < 16; ++i)
     EXPECT_EQ(result.values("square", "")[i], static_cast<double>(i * i)) << "case " << i;
 }
@@ -112,8 +110,9 @@ TEST(Study, CountsItsProgressUpToTheEnd) {
 
 TEST(Study, RefusesAxesThatCannotBe) {
   EXPECT_NE(message_of<InputError>([] { run_study({}, sum); }).find("there is no axis"), std::string::npos);
-  EXPECT_NE(message_of<InputError>([] { run_study({{.name = "gap", .unit = "m", .values = {}}}, sum); })
-                .find("StudyAxis \"gap\": there are no values"),
+  EXPECT_NE(message_of<InputError>([] {
+              run_study({{.name = "gap", .unit = "m", .values = {}}}, sum);
+            }).find("StudyAxis \"gap\": there are no values"),
             std::string::npos);
   EXPECT_NE(message_of<InputError>([] {
               run_study({{.name = "a", .unit = "", .values = {1.0}}, {.name = "a", .unit = "", .values = {2.0}}}, sum);
@@ -128,7 +127,9 @@ TEST(Study, RefusesAxesThatCannotBe) {
 }
 
 TEST(Study, RefusesNamesItDoesNotKnow) {
-  EXPECT_EQ(message_of<InputError>([] { (void)StudyCase{two_axes, 0}.value("mass"); }),
+  EXPECT_EQ(message_of<InputError>([] {
+              (void)StudyCase{two_axes, 0}.value("mass");
+            }),
             "The study has no axis \"mass\". Its axes are: gap, record.");
   const StudyResult result = run_study(two_axes, sum);
   EXPECT_EQ(message_of<InputError>([&] { (void)result.values("drift", "storey 1"); }),
@@ -149,14 +150,15 @@ TEST(Study, SpacesValuesFromEndToEnd) {
 /// Two storeys in a moat, hit by a pulse: contact, yielding and repeated steps in every case.
 StudyModel pounding_building(const StudyCase& each) {
   StudyModel study{Model{}, near_fault_pulse({.quiet_after = 1 * s}).scaled_to_pga(0.4 * g)};
-  const auto building = add(study.model, ShearBuilding{.storeys = 2,
-                                                       .floor_mass = 500 * tonne,
-                                                       .storey_stiffness = 1 * GN / m,
-                                                       .damping = {.ratio = 0.05},
-                                                       .base_mass = 550 * tonne,
-                                                       .isolation = LeadRubberBearing{.yield_force = 1 * MN,
-                                                                                      .yield_displacement = 1 * cm,
-                                                                                      .post_yield_stiffness = 10 * MN / m}});
+  const auto building =
+      add(study.model,
+          ShearBuilding{.storeys = 2,
+                        .floor_mass = 500 * tonne,
+                        .storey_stiffness = 1 * GN / m,
+                        .damping = {.ratio = 0.05},
+                        .base_mass = 550 * tonne,
+                        .isolation = LeadRubberBearing{
+                            .yield_force = 1 * MN, .yield_displacement = 1 * cm, .post_yield_stiffness = 10 * MN / m}});
   add(study.model, Moat{.around = building.base,
                         .clearance = each.value("gap") * cm,
                         .law = HertzDamp{.stiffness = 2.95e9 * N / m_3_2, .restitution = 0.65}});

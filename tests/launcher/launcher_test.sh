@@ -240,7 +240,7 @@ case $case in
     ;;
   wrong_usage)
     for arguments in "" "frobnicate" "run" "run --fast" "run $world/no.cpp" "run $root/CMakeLists.txt" "doctor now" \
-      "new" "new $script" "new tower.txt"; do
+      "new" "new $script" "new tower.txt" "bench" "bench tower"; do
       # shellcheck disable=SC2086 # several words on purpose
       launch $arguments
       code_is 2
@@ -249,7 +249,8 @@ case $case in
     done
     ;;
   explains_itself)
-    for arguments in "--help" "run --help" "new --help" "test --help" "doctor --help"; do
+    for arguments in "--help" "run --help" "new --help" "test --help" "doctor --help" "bench --help" \
+      "bench paper --help"; do
       # shellcheck disable=SC2086
       launch $arguments
       code_is 0
@@ -311,6 +312,29 @@ case $case in
     touch "$world/ctest_fails"
     launch test
     code_is 8
+    ;;
+  benchmark_is_built_and_run)
+    mkdir -p "$root/build/release/benchmarks/paper"
+    printf '%s\n' '#!/bin/bash' 'echo "paper $* with records ${MOAT_RECORDS-none}"; exit 5' \
+      >"$root/build/release/benchmarks/paper/paper"
+    chmod +x "$root/build/release/benchmarks/paper/paper"
+    launch bench paper --out there
+    code_is 5
+    out_is "paper --out there with records none"
+    called "cmake --build .*moat_bench_paper"
+    called "cmake -S .*MOAT_BUILD_TESTS=OFF"
+    not_called libgtest-dev
+    launch run "$script"
+    code_is 0
+    not_called cmake
+    cd "$world"
+    records=study
+    launch bench paper
+    out_is "paper  with records $world/study"
+    records=nowhere
+    launch bench paper
+    code_is 2
+    err_tells "MOAT_RECORDS is nowhere, which is not a folder"
     ;;
   doctor_names_what_is_missing)
     launch doctor

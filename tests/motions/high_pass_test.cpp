@@ -44,7 +44,8 @@ TEST_P(HighPassOfOrder, HasTheAmplitudeOfButterworth) {
   const int order = GetParam();
   const std::vector<double> impulse = impulse_response(order);
   for (const double frequency : {0.5, 1.0, 1.9, 2.0, 2.1, 4.0, 10.0, 50.0, 99.0}) {
-    const double ratio = std::tan(std::numbers::pi * corner * time_step) / std::tan(std::numbers::pi * frequency * time_step);
+    const double ratio =
+        std::tan(std::numbers::pi * corner * time_step) / std::tan(std::numbers::pi * frequency * time_step);
     EXPECT_NEAR(std::abs(response_at(impulse, frequency)), 1.0 / std::sqrt(1.0 + std::pow(ratio, 2 * order)), 1e-10)
         << frequency << " Hz";
   }
@@ -68,8 +69,7 @@ TEST(HighPass, IsCausalAndTheSameAtAllTimes) {
 }
 
 TEST(HighPass, TakesAwayAConstant) {
-  const GroundMotion answer =
-      high_passed(GroundMotion{"offset", time_step, std::vector(20000, 3.0)}, corner * Hz, 5);
+  const GroundMotion answer = high_passed(GroundMotion{"offset", time_step, std::vector(20000, 3.0)}, corner * Hz, 5);
   EXPECT_NEAR(answer.samples()[0], 3.0, 0.4);
   EXPECT_NEAR(answer.samples().back(), 0.0, 1e-9);
   EXPECT_EQ(answer.notes().back(), "Causal Butterworth high-pass, order 5, corner 2 Hz.");

@@ -78,7 +78,8 @@ TEST_F(ChartToSvg, IsWellFormedAndHoldsItsLabels) {
 TEST_F(ChartToSvg, PlacesChartsInColumnsWithAlignedPlotAreas) {
   const Chart line{.title = "a", .x_label = "x", .y_label = "y", .series = {{.name = "l", .x = {0, 1}, .y = {0, 1}}}};
   Chart with_long_legend = line;
-  for (int i = 0; i < 6; ++i) with_long_legend.series.push_back({.name = "a rather long name", .x = {0, 1}, .y = {1, 0}});
+  for (int i = 0; i < 6; ++i)
+    with_long_legend.series.push_back({.name = "a rather long name", .x = {0, 1}, .y = {1, 0}});
   write_svg({line, with_long_legend, line}, folder / "chart.svg", 1000, 300, 2);
   const auto root = parse_xml(read_file(folder / "chart.svg"));
   ASSERT_NE(root, nullptr);
@@ -112,6 +113,15 @@ TEST_F(ChartToSvg, StartsAtZeroWhereAsked) {
   EXPECT_LT(std::abs(curve[1].second - curve[0].second), 5.0) << "1 % of the axis";
   chart.series[0].y[0] = -1.0;
   EXPECT_NE(message_of<InputError>([&] { svg_text({chart}); }).find("y axis from zero"), std::string::npos);
+}
+
+TEST_F(ChartToSvg, GivesASeriesTheColourItAsksFor) {
+  Chart chart{.title = "a", .x_label = "x", .y_label = "y", .series = {}};
+  chart.series = {{.name = "", .x = {0, 1}, .y = {0, 1}}, {.name = "", .x = {0, 1}, .y = {1, 0}, .colour = 2}};
+  const auto root = parse_xml(svg_text({chart}));
+  EXPECT_EQ(curve_of(root, "#0072b2").size(), 2u);
+  EXPECT_EQ(curve_of(root, "#009e73").size(), 2u) << "third of the palette";
+  EXPECT_EQ(curve_of(root, "#d55e00").size(), 0u) << "second of the palette";
 }
 
 TEST_F(ChartToSvg, ThinsLongSeriesButKeepsThePeak) {
