@@ -1,5 +1,7 @@
 #include "structures/shear_building.hpp"
 
+#include <algorithm>
+
 #include "base/check.hpp"
 #include "elements/shear_spring.hpp"
 #include "elements/viscous_damper.hpp"
@@ -26,10 +28,19 @@ void check_parameters(const ShearBuilding& building) {
   }
 }
 
+// Two buildings without names are a likely slip; a message about a node that the script never made would puzzle.
+void require_new_name(const Model& model, const ShearBuilding& building) {
+  const std::string floor = building.name.empty() ? "floor 1" : building.name + " floor 1";
+  const bool taken = std::ranges::any_of(model.nodes(), [&](const Node& node) { return node.name == floor; });
+  Check{"ShearBuilding", building.name}.that(!taken, "the model has a node \"" + floor + "\" already.",
+                                             "Give every building its own .name.");
+}
+
 }  // namespace
 
 BuildingNodes add(Model& model, const ShearBuilding& building) {
   check_parameters(building);
+  require_new_name(model, building);
   const auto named = [&](std::string part) { return building.name.empty() ? part : building.name + " " + part; };
   const auto node = [&](const std::string& part, Mass mass, int level) {
     return add(model, Node{.name = named(part),
@@ -51,10 +62,9 @@ BuildingNodes add(Model& model, const ShearBuilding& building) {
   for (int storey = 1; storey <= building.storeys; ++storey) {
     const NodeId above = nodes.floors[static_cast<std::size_t>(storey - 1)];
     const std::string number = std::to_string(storey);
-    add(model, ShearSpring{.name = named("storey " + number),
-                           .lower = below,
-                           .upper = above,
-                           .stiffness = building.storey_stiffness});
+    add(model,
+        ShearSpring{
+            .name = named("storey " + number), .lower = below, .upper = above, .stiffness = building.storey_stiffness});
     if (rayleigh.stiffness_factor > 0.0)
       add(model, ViscousDamper{.name = named("storey " + number + " damping"),
                                .lower = below,

@@ -51,7 +51,7 @@ struct BuildingNodes {
 };
 
 /// Adds nodes `base`, `floor 1` ..., elements `storey 1` ..., `bearings`, and the report of base shear.
-/// Throws InputError for a bad parameter or a name that is taken.
+/// Throws InputError for a bad parameter or a name that is taken: a second building needs a name.
 BuildingNodes add(Model& model, const ShearBuilding& building);
 
 }  // namespace moat

@@ -1,5 +1,6 @@
 #include "app/results.hpp"
 
+#include <algorithm>
 #include <cstdio>
 
 #include "output/csv_writer.hpp"
@@ -24,15 +25,17 @@ std::string terminal_summary(const CaseResult& result) {
   std::string text;
   char line[160];
   if (!result.periods.empty()) text += "\nperiods [s]\n";
+  std::size_t width = 0;
+  for (const NamedPeriod& period : result.periods) width = std::max(width, period.name.size());
   for (const NamedPeriod& period : result.periods) {
-    std::snprintf(line, sizeof line, "  %-34s %.3f\n", period.name.c_str(), period.value);
-    text += line;
+    std::snprintf(line, sizeof line, "  %.3f\n", period.value);
+    text += "  " + period.name + std::string(width - period.name.size(), ' ') + line;
   }
   text += "\n" + peak_table(result);
   const EnergyBalance& energy = result.energy;
-  std::snprintf(line, sizeof line, "\nenergy [kJ]\n  input %.4g = kinetic %.4g + strain %.4g + viscous %.4g + hysteretic %.4g",
-                energy.input / 1e3, energy.kinetic / 1e3, energy.strain / 1e3, energy.viscous / 1e3,
-                energy.hysteretic / 1e3);
+  std::snprintf(
+      line, sizeof line, "\nenergy [kJ]\n  input %.4g = kinetic %.4g + strain %.4g + viscous %.4g + hysteretic %.4g",
+      energy.input / 1e3, energy.kinetic / 1e3, energy.strain / 1e3, energy.viscous / 1e3, energy.hysteretic / 1e3);
   text += line;
   std::snprintf(line, sizeof line, " + impact %.4g + error %.2g\n", energy.impact / 1e3,
                 (energy.integration_error - energy.equation_residual) / 1e3);

@@ -1,6 +1,8 @@
 #include "app/script.hpp"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cctype>
 #include <charconv>
 #include <cstdio>
 #include <exception>
@@ -53,13 +55,31 @@ struct Script::CommandLine {
     for (int i = 1; i < argc; ++i) arguments.emplace_back(argv[i]);
     for (const std::string& argument : arguments) help_wanted = help_wanted || argument == "-h" || argument == "--help";
     app.get_formatter()->column_width(34);
-    app.footer("Write quantities with their unit: \"12 cm\", 0.4g, \"2.5 ms\".\n"
-               "Exit code: 0 done, 1 bad input, 2 wrong usage, 3 a step did not converge.");
+    app.footer(
+        "Write quantities with their unit: \"12 cm\", 0.4g, \"2.5 ms\".\n"
+        "Exit code: 0 done, 1 bad input, 2 wrong usage, 3 a step did not converge.");
+  }
+
+  // Throws InputError for a name that no command line can hold, or that is taken.
+  void require_new(const std::string& name) const {
+    const auto allowed = [](unsigned char c) { return std::isalnum(c) != 0 || c == '-' || c == '_'; };
+    if (name.empty() || name.front() == '-' || !std::ranges::all_of(name, allowed))
+      throw InputError{"Script: \"" + name + "\" cannot be the name of an option. Use letters, digits, - and _."};
+    if (app.get_option_no_throw("--" + name) != nullptr)
+      throw InputError{"--" + name +
+                       ": there is an option of this name. Name each once; help, record and record-unit, " +
+                       "out, force, step, tolerance, end, frame-interval and quiet are those of Script itself."};
+  }
+
+  void add_flag(const std::string& name, bool& value, const std::string& help) {
+    require_new(name);
+    app.add_flag("--" + name, value, help);
   }
 
   // The text given for an option, if any.
   std::optional<std::string> look_up(const std::string& name, const std::string& preset, const std::string& help,
                                      const std::string& type) {
+    require_new(name);
     values.emplace_back();
     CLI::Option* option = app.add_option("--" + name, values.back(), help)->type_name(type);
     if (!preset.empty()) option->default_str(preset);
@@ -163,12 +183,12 @@ int Script::run(Model& model, const GroundMotion& motion) {
   const std::filesystem::path default_folder = std::filesystem::path{"results"} / line.program;
   const std::string wanted = text("out", default_folder.string(), "results folder; an existing one gets a new number");
   bool force = false, quiet = false;
-  line.app.add_flag("--force", force, "overwrite an existing results folder");
+  line.add_flag("force", force, "overwrite an existing results folder");
   const Time step = time("step", 0 * units::s, "fixed time step; 0 s adapts it");
   const double tolerance = number("tolerance", TransientOptions{}.tolerance, "error per step of an adapted step");
   const Time end = time("end", motion.duration() * units::s, "end of the analysis");
   const Time frame_interval = time("frame-interval", 50 * units::ms, "between VTK frames; 0 s writes none");
-  line.app.add_flag("--quiet", quiet, "print errors only");
+  line.add_flag("quiet", quiet, "print errors only");
   // Asked for anywhere, also where an option would take it for its value.
   if (line.help_wanted) {
     std::cout << line.app.help();
@@ -207,10 +227,18 @@ int Script::run(Model& model, const GroundMotion& motion) {
     failure = error.what();
     exit_code = exit_error;
   }
-  const CaseResult result = run.result();
+  CaseResult result = run.result();
+  // Whoever opens the files later must not take them for those of a whole run.
+  if (!failure.empty())
+    result.warnings.insert(result.warnings.begin(), "The analysis stopped at " +
+                                                        to_text(run.transient().model().state().time) + " s of " +
+                                                        to_text(run.transient().end_time()) + " s: " + failure);
   write_results(result, folder);
-  if (!quiet) std::cout << terminal_summary(result) << "Results: " << folder.string() << "/  (report.html, frames.pvd for ParaView)\n";
-  for (const std::string& warning : result.warnings) std::cerr << "moat: warning: " << warning << "\n";
+  if (!quiet)
+    std::cout << terminal_summary(result) << "Results: " << folder.string()
+              << "/  (report.html, frames.pvd for ParaView)\n";
+  for (std::size_t i = failure.empty() ? 0 : 1; i < result.warnings.size(); ++i)
+    std::cerr << "moat: warning: " << result.warnings[i] << "\n";
   if (!failure.empty()) std::cerr << "moat: error: " << failure << "\n";
   return exit_code;
 }

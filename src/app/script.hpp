@@ -34,7 +34,8 @@ class Script {
   Script(const Script&) = delete;
   Script& operator=(const Script&) = delete;
 
-  /// Throw InputError for text that is not a number with a unit of the right dimension. An option may be named once.
+  /// Throw InputError for text that is not a number with a unit of the right dimension. A name is made of letters,
+  /// digits, - and _, and may be used once.
   Length length(const std::string& name, Length preset, const std::string& help);
   Time time(const std::string& name, Time preset, const std::string& help);
   Mass mass(const std::string& name, Mass preset, const std::string& help);
@@ -51,7 +52,7 @@ class Script {
   GroundMotion motion(const GroundMotion& preset);
 
   /// Computes the model under the motion, shows progress and peaks, writes the results folder, and returns the exit
-  /// code. Adds --out, --force, --step, --end, --frame-interval, --quiet.
+  /// code. Adds --out, --force, --step, --tolerance, --end, --frame-interval, --quiet.
   int run(Model& model, const GroundMotion& motion);
 
  private:

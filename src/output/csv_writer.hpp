@@ -16,7 +16,7 @@ namespace moat {
 void write_csv(const Table& table, const std::filesystem::path& path);
 
 /// One row per impact: `where,start [s],duration [s],approach_speed [m/s],largest_indentation [m],largest_force [N],
-/// rebound_ratio [1]`. Without impacts only the header is written. Throws FileError.
+/// rebound_ratio [1],restitution [1],energy_lost [J]`. Without impacts only the header is written. Throws FileError.
 void write_csv(const std::vector<Impact>& impacts, const std::filesystem::path& path);
 
 }  // namespace moat

@@ -7,14 +7,13 @@
 
 namespace moat {
 
-/// Writes `folder`/report.html: title, warnings, motion, periods, peaks, impacts, charts, energy, solver statistics and assumptions, in
-/// one file that needs nothing else, no network and no script.
+/// Writes `folder`/report.html: title, warnings, motion, periods, peaks, impacts, charts, energy, solver statistics and
+/// assumptions, in one file that needs nothing else, no network and no script.
 ///
 /// Charts are drawn of what `result.histories` holds beside `time`, found by quantity and place:
-/// - `displacement` and `absolute_acceleration`: the first column at a place that is or ends with "base", and the last
-///   column of the quantity (the top);
+/// - `displacement` and `absolute_acceleration` of base and top of up to three buildings (output/result_charts.hpp);
 /// - `impact_force`: every column;
-/// - `isolator_force`: its first column over the displacement of the base.
+/// - `isolator_force` of the first isolated building over the displacement of its base.
 /// A chart whose columns are missing is left out. Throws InputError where columns differ in length or hold a value
 /// that is not finite, FileError where the file cannot be written.
 void write_report_html(const CaseResult& result, const std::filesystem::path& folder);

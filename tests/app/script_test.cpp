@@ -213,6 +213,13 @@ TEST_F(ScriptRun, AStepThatDoesNotConvergeExitsWithThreeAndKeepsResults) {
   // What was computed is there: the body moves at 10 cm/s and breaks at 5 cm.
   const json summary = json::parse(text_of(folder / "out/summary.json"));
   EXPECT_NEAR(summary.at("peaks").at(0).at("value").get<double>(), 0.05, 1e-3);
+  // And it says that it is not the whole run.
+  ASSERT_EQ(summary.at("warnings").size(), 1u);
+  const std::string warning = summary.at("warnings").at(0).get<std::string>();
+  EXPECT_TRUE(warning.starts_with("The analysis stopped at ")) << warning;
+  EXPECT_NE(warning.find("did not converge"), std::string::npos) << warning;
+  EXPECT_NE(text_of(folder / "out/report.html").find("The analysis stopped at "), std::string::npos);
+  EXPECT_EQ(result.errors.find("moat: warning: "), std::string::npos) << "the error says it once";
   for (const char* file : {"histories.csv", "impacts.csv", "report.html", "frames.pvd"})
     EXPECT_TRUE(exists(std::string{"out/"} + file)) << file;
   EXPECT_GT(lines_of(text_of(folder / "out/histories.csv")).size(), 50u);

@@ -78,6 +78,70 @@ TEST(ResultCharts, FindABaseThatHasAPrefix) {
   EXPECT_EQ(charts[0].series[1].name, "north floor 1");
 }
 
+std::vector<std::string> names_in(const Chart& chart) {
+  std::vector<std::string> names;
+  for (const Series& series : chart.series) names.push_back(series.name);
+  return names;
+}
+
+// Displacements at these nodes, the first of 1 m, the second of 2 m ...
+CaseResult displacements_at(const std::vector<std::string>& nodes) {
+  std::vector<Column> columns{{"time", "", "s", {0.0, 1.0}}};
+  for (std::size_t i = 0; i < nodes.size(); ++i)
+    columns.push_back({"displacement", nodes[i], "m", {0.0, static_cast<double>(i + 1)}});
+  return result_with(std::move(columns));
+}
+
+std::vector<std::string> drawn_of(const std::vector<std::string>& nodes) {
+  return names_in(history_charts(displacements_at(nodes)).at(0));
+}
+
+using Names = std::vector<std::string>;
+
+TEST(ResultCharts, ShowBaseAndTopOfEachBuilding) {
+  EXPECT_EQ(
+      drawn_of({"low base", "low floor 1", "low floor 2", "tall base", "tall floor 1", "tall floor 2", "tall floor 3"}),
+      (Names{"low base", "low floor 2", "tall base", "tall floor 3"}));
+  EXPECT_EQ(history_charts(displacements_at({"low base", "low floor 1", "tall base", "tall floor 1"}))[0].series[1].y,
+            (std::vector<double>{0.0, 200.0}));
+  // One of them without a name, one fixed to the ground.
+  EXPECT_EQ(drawn_of({"base", "floor 1", "floor 2", "old floor 1", "old floor 2"}),
+            (Names{"base", "floor 2", "old floor 2"}));
+}
+
+TEST(ResultCharts, ShowThreeBuildingsAtMost) {
+  EXPECT_EQ(drawn_of({"a base", "a floor 1", "b base", "b floor 1", "c base", "c floor 1", "d base", "d floor 1"}),
+            (Names{"a base", "a floor 1", "b base", "b floor 1", "c base", "c floor 1"}));
+}
+
+TEST(ResultCharts, AMoatWallIsNotTheTop) {
+  EXPECT_EQ(drawn_of({"base", "floor 1", "moat left wall", "moat right wall"}), (Names{"base", "floor 1"}));
+  EXPECT_EQ(drawn_of({"base", "roof", "moat left wall"}), (Names{"base", "roof"}));
+  EXPECT_EQ(drawn_of({"base", "moat left wall"}), (Names{"base"}));
+}
+
+TEST(ResultCharts, OtherNamesBelongToTheBaseBeforeThem) {
+  EXPECT_EQ(drawn_of({"base", "deck", "roof"}), (Names{"base", "roof"}));
+  EXPECT_EQ(drawn_of({"north base", "north roof", "south base", "south deck", "south roof"}),
+            (Names{"north base", "north roof", "south base", "south roof"}));
+  EXPECT_EQ(drawn_of({"base", "floor 1", "tank"}), (Names{"base", "floor 1"})) << "floors go before other names";
+  EXPECT_EQ(drawn_of({"left", "right"}), (Names{"right"})) << "no name is known";
+  EXPECT_EQ(drawn_of({"first floor", "dance floor 2b"}), (Names{"dance floor 2b"})) << "not the name of a floor";
+}
+
+TEST(ResultCharts, HysteresisIsThatOfTheFirstIsolatedBuilding) {
+  CaseResult result = displacements_at({"old floor 1", "tall base", "tall floor 1"});
+  result.histories.columns.push_back({"isolator_force", "low bearings", "N", {0.0, 1e3}});
+  result.histories.columns.push_back({"isolator_force", "tall bearings", "N", {0.0, 5e3}});
+  const std::optional<Chart> loop = hysteresis_chart(result);
+  ASSERT_TRUE(loop.has_value());
+  EXPECT_EQ(loop->x_label, "tall base displacement [cm]");
+  ASSERT_EQ(loop->series.size(), 1u);
+  EXPECT_EQ(loop->series[0].name, "tall bearings");
+  EXPECT_EQ(loop->series[0].x, (std::vector<double>{0.0, 200.0}));
+  EXPECT_EQ(loop->series[0].y, (std::vector<double>{0.0, 5.0}));
+}
+
 TEST(ResultCharts, HysteresisIsForceOverDisplacementOfTheBase) {
   const std::optional<Chart> loop = hysteresis_chart(isolated_result());
   ASSERT_TRUE(loop.has_value());

@@ -74,10 +74,11 @@ TEST(Moat, MayHaveOneSideOnly) {
 TEST(Moat, FlexibleWallsAreNodesOnSprings) {
   Model model;
   const NodeId base = add(model, Node{.name = "base", .mass = 550 * tonne, .half_width = 5 * m});
-  add(model, Moat<HertzDamp>{.around = base,
-                             .clearance = 10 * cm,
-                             .law = law,
-                             .wall = FlexibleWall{.mass = 20 * tonne, .stiffness = 2 * GN / m, .damping = 3e5 * kg / s}});
+  add(model,
+      Moat<HertzDamp>{.around = base,
+                      .clearance = 10 * cm,
+                      .law = law,
+                      .wall = FlexibleWall{.mass = 20 * tonne, .stiffness = 2 * GN / m, .damping = 3e5 * kg / s}});
   ASSERT_EQ(model.node_count(), 3);
   EXPECT_EQ(model.nodes()[1].name, "moat left wall");
   EXPECT_EQ(model.nodes()[2].name, "moat right wall");
@@ -98,6 +99,14 @@ TEST(Moat, FlexibleWallsAreNodesOnSprings) {
       if (block->info(e).name == "moat right") {
         EXPECT_NEAR(block->deformations()[e], -0.11, 1e-15);
       }
+}
+
+TEST(Moat, RefusesAnEmptyName) {
+  Model model;
+  const NodeId base = add(model, Node{.name = "base", .mass = 550 * tonne});
+  EXPECT_EQ(
+      message_of([&] { add(model, Moat<HertzDamp>{.name = "", .around = base, .clearance = 10 * cm, .law = law}); }),
+      "Moat: a moat has no name. Give .name, or leave it out: \"moat\".");
 }
 
 TEST(Moat, RefusesABadWall) {

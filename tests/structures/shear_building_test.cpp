@@ -170,7 +170,8 @@ TEST(ShearBuilding, TwoInAModelAreToldApartByTheirName) {
                                       "south storey 1", "south storey 1 damping"}));
   EXPECT_EQ(model.base_shears()[1].where, "south base");
   EXPECT_EQ(message_of([&] { add(model, north); }),
-            "Node \"north base\": a node of this name exists. Give every node its own name.");
+            "ShearBuilding \"north\": the model has a node \"north floor 1\" already. Give every building its own "
+            ".name.");
 }
 
 TEST(ShearBuilding, FixedBaseStandsOnTheGround) {
@@ -240,6 +241,13 @@ TEST(ShearBuilding, RefusesABearingThatIsTiedElsewhere) {
 TEST(ShearBuilding, RefusesWhatItsBearingRefuses) {
   EXPECT_EQ(refusal([](ShearBuilding& b) { b.isolation->yield_force = -1 * N; }),
             "LeadRubberBearing \"house bearings\": yield_force = -1 N is not allowed; it must be > 0 N and finite.");
+}
+
+TEST(ShearBuilding, ASecondOneNeedsAName) {
+  Model model;
+  add(model, isolated(2));
+  EXPECT_EQ(message_of([&] { add(model, fixed(1)); }),
+            "ShearBuilding: the model has a node \"floor 1\" already. Give every building its own .name.");
 }
 
 }  // namespace

@@ -1,0 +1,113 @@
+// Tour 4: driving an analysis by hand, with a law of one's own. Read 01_moat_wall.cpp and 02_by_hand.cpp before.
+//
+//        o tank         A water tank on the roof, on a hardening spring that no library has: a law is a struct
+//        $ HardeningSpring           with four functions.
+//     [ roof ]
+//        | |            No Script and no results folder here: the program makes a Transient, advances it step by
+//     [ base ]<-gap->|  step, looks at the model in between, and prints each touch and each opening of the gap.
+//     =bearings=
+//
+//     ./moat run examples/04_step_by_step.cpp
+#include <moat.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+using namespace moat;
+using namespace moat::units;
+
+// F = k d (1 + (d/a)^2) + c d': a spring that is twice as stiff in the secant at d = a, and a dashpot. Tension
+// positive.
+struct HardeningSpring {
+  Required<Stiffness> stiffness;  // k > 0 N/m
+  Required<Length> scale;         // a > 0 m
+  DampingCoefficient damping{};   // c >= 0 N s/m
+
+  using State = NoState;  // no memory: the force follows from deformation and rate
+
+  // Called by add(); optional.
+  void check(const Check& check) const {
+    check.positive("stiffness", stiffness);
+    check.positive("scale", scale);
+    check.not_negative("damping", damping);
+  }
+  // The force with both its exact derivatives: Newton's method converges quadratically with these.
+  Response evaluate(const State&, double deformation, double rate, State&) const {
+    const double ratio = deformation / scale.si();
+    return {.force = stiffness.si() * deformation * (1.0 + ratio * ratio) + damping.si() * rate,
+            .stiffness = stiffness.si() * (1.0 + 3.0 * ratio * ratio),
+            .damping = damping.si()};
+  }
+  // The next two let the energy balance check the analysis.
+  double stored_energy(const State&, double deformation) const {
+    const double ratio = deformation / scale.si();
+    return 0.5 * stiffness.si() * deformation * deformation * (1.0 + 0.5 * ratio * ratio);
+  }
+  double dissipation_rate(const State&, double, double rate) const { return damping.si() * rate * rate; }
+  // What counts for periods.
+  double linear_stiffness(StiffnessStage) const { return stiffness.si(); }
+};
+
+// Is told of every accepted step, and of every touch and opening of a gap.
+class ImpactPrinter final : public StepObserver {
+ public:
+  void start(const StepView&) override {}
+  void step(const StepView&) override {}
+  void event(const StepView& view, std::span<const RegimeChange> changes) override {
+    for (const RegimeChange& change : changes) {
+      const ElementBlock& block = *view.model.blocks()[change.block];
+      const ContactView contact = block.contact(change.element);
+      std::printf("%8.4f s  %-10s  %s", view.model.state().time, block.info(change.element).name.c_str(),
+                  contact.touching ? "touches" : "opens\n");
+      if (contact.touching) std::printf(" at %.1f cm/s\n", 100.0 * contact.approach_speed);
+    }
+  }
+  void finish(const StepView&) override {}
+};
+
+int main() {
+  Model model;
+  const auto building = add(model, ShearBuilding{.storeys = 1,
+                                                 .floor_mass = 500 * tonne,
+                                                 .storey_stiffness = 1 * GN / m,
+                                                 .damping = {.ratio = 0.05},
+                                                 .base_mass = 550 * tonne,
+                                                 .isolation = LeadRubberBearing{.yield_force = 0.6 * MN,
+                                                                                .yield_displacement = 1 * cm,
+                                                                                .post_yield_stiffness = 7 * MN / m}});
+  const NodeId tank = add(model, Node{.name = "tank", .mass = 20 * tonne});
+  add(model, Spring<HardeningSpring>{.name = "tank spring",
+                                     .lower = building.top(),
+                                     .upper = tank,
+                                     .law = {.stiffness = 0.8 * MN / m, .scale = 20 * cm, .damping = 8 * kN * s / m}});
+  add(model, Moat{.around = building.base,
+                  .clearance = 25 * cm,
+                  .law = ExactHertzDamp{.stiffness = 2.95e9 * N / m_3_2, .restitution = 0.65},
+                  .sides = Sides::right});
+
+  const GroundMotion motion = near_fault_pulse().scaled_to_pga(0.4 * g);
+  std::printf("%s\n\n", motion.description().c_str());
+
+  Transient analysis{model, motion, {.end = 10 * s}};
+  ImpactPrinter printer;
+  analysis.attach(printer);
+
+  // The model is that of the script: its committed state can be read after every step.
+  double largest_stretch = 0.0, its_time = 0.0;
+  while (!analysis.finished()) {
+    analysis.advance();
+    const MotionState& now = model.state();
+    const double stretch = std::abs(now.displacement[tank.index] - now.displacement[building.top().index]);
+    if (stretch > largest_stretch) {
+      largest_stretch = stretch;
+      its_time = now.time;
+    }
+  }
+
+  const SolverStatistics& cost = analysis.statistics();
+  std::printf("\nThe tank's spring stretches by up to %.1f cm, at %.2f s.\n", 100.0 * largest_stretch, its_time);
+  std::printf("%ld steps, %ld events, %ld Newton iterations\n", cost.accepted_steps, cost.events,
+              cost.newton_iterations);
+  return 0;
+}

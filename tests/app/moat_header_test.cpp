@@ -1,0 +1,46 @@
+// moat.hpp alone gives a script what the documentation of its parts names.
+
+#include <moat.hpp>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+
+namespace moat {
+namespace {
+
+using namespace units;
+
+TEST(MoatHeader, GivesTheLawsASpringCanHave) {
+  Model model;
+  const NodeId body = add(model, Node{.name = "body", .mass = 1 * tonne});
+  add(model, Spring<Linear>{.name = "linear", .lower = ground, .upper = body, .law = {.stiffness = 1 * MN / m}});
+  add(model, Spring<Viscous>{.name = "viscous", .lower = ground, .upper = body, .law = {.damping = 1 * kN * s / m}});
+  const Bilinear fuse{.yield_force = 10 * kN, .yield_displacement = 1 * cm, .post_yield_stiffness = 50 * kN / m};
+  add(model, Spring<Bilinear>{.name = "bilinear", .lower = ground, .upper = body, .law = fuse});
+  add(model, Spring<LocatedBilinear>{.name = "located", .lower = ground, .upper = body, .law = {fuse}});
+  // 1 MN/m and twice 10 kN/cm.
+  const std::vector<NamedPeriod> periods = characteristic_periods(model);
+  ASSERT_EQ(periods.size(), 1u);
+  EXPECT_NEAR(periods[0].value, 2.0 * std::acos(-1.0) * std::sqrt(1e3 / 3e6), 1e-9);
+}
+
+TEST(MoatHeader, GivesSpectraAndFilesOfResults) {
+  const GroundMotion motion = near_fault_pulse();
+  const std::vector<Time> periods{0 * s, 1 * s};
+  EXPECT_DOUBLE_EQ(response_spectrum(motion, periods, 0.05).absolute_acceleration[0], motion.peak_acceleration().si());
+
+  Model model;
+  add(model, Node{.name = "body", .mass = 1 * tonne, .initial_velocity = 1 * m / s});
+  CaseOptions options;
+  options.transient.end = 1 * s;
+  const std::filesystem::path folder = std::filesystem::temp_directory_path() / "moat_header_test";
+  std::filesystem::create_directories(folder);
+  write_results(run_case(model, motion, options), folder);
+  EXPECT_TRUE(std::filesystem::exists(folder / "report.html"));
+  std::filesystem::remove_all(folder);
+}
+
+}  // namespace
+}  // namespace moat
