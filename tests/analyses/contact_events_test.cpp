@@ -11,9 +11,11 @@
 #include "analysis_testing.hpp"
 #include "elements/gap.hpp"
 #include "elements/link_block.hpp"
+#include "elements/spring.hpp"
 #include "elements/viscous_damper.hpp"
 #include "materials/contact_state.hpp"
 #include "materials/hertz_damp.hpp"
+#include "materials/linear.hpp"
 #include "message_of.hpp"
 
 namespace moat {
@@ -321,6 +323,24 @@ TEST(ContactEvents, StopsWhereAContactChatters) {
       message.ends_with("s: a contact chatters. Check impact stiffness and damping, or raise "
                         "TransientOptions::largest_events_per_second."))
       << message;
+}
+
+// The interpolant of a step may see a touch and return where the shorter solved step sees none.
+TEST(ContactEvents, AWallAtThePeakOfAVibrationNeverStopsTheAnalysis) {
+  for (const double closeness : {1e-4, 1e-6, 1e-8}) {
+    for (int i = -20; i <= 20; ++i) {
+      Model model;
+      const NodeId body = add(model, Node{.name = "body", .mass = 1000 * kg, .initial_velocity = 1 * m / s});
+      add(model, Spring<Linear>{.name = "spring", .lower = ground, .upper = body, .law = {.stiffness = 1e5 * N / m}});
+      add(model, Gap<HertzDamp>{.name = "gap",
+                                .left = body,
+                                .right = ground,
+                                .clearance = 0.1 * (1.0 + closeness * i / 20.0) * m,
+                                .law = {.stiffness = 1e9 * N / m_3_2, .restitution = 0.65}});
+      Transient analysis{model, still_ground(2 * s), {.step = 10 * ms}};
+      EXPECT_NO_THROW(analysis.run()) << closeness << " " << i;
+    }
+  }
 }
 
 }  // namespace
