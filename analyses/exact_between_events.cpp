@@ -37,7 +37,7 @@ ExactBetweenEvents::ExactBetweenEvents(Model& model, double grid_interval)
   forces_.setZero(count + 1);
   offset_.setZero(count);
   start_.setZero(2 * count + 3);
-  end_.setZero(2 * count);
+  end_.setZero(3 * count);
   series_.setZero(count, most_terms);
   restart();
 }
@@ -95,7 +95,7 @@ void ExactBetweenEvents::linearise() {
     systems_.push_back(make_system());
   }
   LinearSystem& system = systems_[current_];
-  system.transition.col(end_.size()).noalias() = system.from_constant * offset_;
+  system.transition.col(2 * offset_.size()).noalias() = system.from_constant * offset_;
   linearised_ = true;
 }
 
@@ -114,20 +114,30 @@ ExactBetweenEvents::LinearSystem ExactBetweenEvents::make_system() const {
   while (system.step * fastest > longest_against_fastest) system.step *= 0.5;
 
   // States u, u', the constant acceleration w of every degree of freedom, and the slope s of the ground's:
-  // u' = u', u'' = -M^-1 (K u + C u') + w, w' = -iota s, s' = 0.
+  // u'' = -M^-1 (K u + C u') + w, w' = -iota s, s' = 0. Scaled to (u, h u', h^2 w, h^3 s) over a step of 1, where
+  // all entries are below 1 and the exponential keeps its digits.
   const double h = system.step;
   Matrix generator = Matrix::Zero(3 * n + 1, 3 * n + 1);
   generator.block(0, n, n, n).setIdentity();
-  generator.block(n, 0, n, n) = -system.stiffness;
-  generator.block(n, n, n, n) = -system.damping;
+  generator.block(n, 0, n, n) = -h * h * system.stiffness;
+  generator.block(n, n, n, n) = -h * system.damping;
   generator.block(n, 2 * n, n, n).setIdentity();
   generator.block(2 * n, 3 * n, n, 1).setConstant(-1.0);
-  const Matrix exponential = (generator * h).exp();
-  system.from_constant = exponential.block(0, 2 * n, 2 * n, n);
-  system.transition.setZero(2 * n, 2 * n + 3);
-  system.transition.leftCols(2 * n) = exponential.topLeftCorner(2 * n, 2 * n);
+  const Matrix exponential = generator.exp();
+  // (u, h u', h^2 u'') at the end; then back to plain units.
+  Matrix after(3 * n, 3 * n + 1);
+  after.topRows(2 * n) = exponential.topRows(2 * n);
+  after.bottomRows(n).noalias() = generator.middleRows(n, n) * exponential;
+  after.middleCols(n, n) *= h;
+  after.middleCols(2 * n, n) *= h * h;
+  after.col(3 * n) *= h * h * h;
+  after.middleRows(n, n) /= h;
+  after.bottomRows(n) /= h * h;
+  system.from_constant = after.middleCols(2 * n, n);
+  system.transition.setZero(3 * n, 2 * n + 3);
+  system.transition.leftCols(2 * n) = after.leftCols(2 * n);
   system.transition.col(2 * n + 1) = -system.from_constant.rowwise().sum();
-  system.transition.col(2 * n + 2) = exponential.block(0, 3 * n, 2 * n, 1);
+  system.transition.col(2 * n + 2) = after.col(3 * n);
   return system;
 }
 
@@ -157,11 +167,9 @@ void ExactBetweenEvents::solve(double h, double end_time) {
   MotionState& trial = model_->trial();
   trial.time = end_time;
   trial.displacement.head(n) = end_.head(n);
-  trial.velocity.head(n) = end_.tail(n);
+  trial.velocity.head(n) = end_.segment(n, n);
+  trial.acceleration.head(n) = end_.tail(n);
   model_->evaluate();
-  model_->internal_forces(forces_);
-  trial.acceleration.head(n) =
-      (-forces_.head(n).array() / model_->masses().array() - (ground_ + ground_slope_ * h)).matrix();
 }
 
 // With U_k the coefficients of t^k in u, those of u' are (k + 1) U_{k+1}, and the differential equation gives U_{k+2}
@@ -194,7 +202,7 @@ void ExactBetweenEvents::evaluate_series(double h) {
   const Eigen::Index n = offset_.size();
   const double x = h / longest_;
   auto displacement = end_.head(n);
-  auto rate = end_.tail(n);
+  auto rate = end_.segment(n, n);
   displacement = series_.col(terms_ - 1);
   rate.setZero();
   for (int k = terms_ - 2; k >= 0; --k) {
@@ -202,6 +210,11 @@ void ExactBetweenEvents::evaluate_series(double h) {
     displacement = x * displacement + series_.col(k);
   }
   rate /= longest_;
+  const LinearSystem& system = systems_[current_];
+  auto acceleration = end_.tail(n);
+  acceleration = (offset_.array() - (ground_ + ground_slope_ * h)).matrix();
+  acceleration.noalias() -= system.stiffness * displacement;
+  acceleration.noalias() -= system.damping * rate;
 }
 
 }  // namespace moat

@@ -56,8 +56,8 @@ class ExactBetweenEvents {
     std::vector<double> stiffness_values, damping_values;  // by which it is found again
     Matrix stiffness, damping;                             // M^-1 K, M^-1 C
     double step = 0.0;                                     // length of a whole step, s
-    Matrix transition;     // state after a whole step, per entry of (u, u', 1, a_g, s)
-    Matrix from_constant;  // state after a whole step, per constant acceleration of each degree of freedom
+    Matrix transition;     // (u, u', u'') after a whole step, per entry of (u, u', 1, a_g, s)
+    Matrix from_constant;  // (u, u', u'') after a whole step, per constant acceleration of each degree of freedom
   };
 
   void check() const;
@@ -77,7 +77,7 @@ class ExactBetweenEvents {
 
   // The step that begin() set up.
   double longest_ = 0.0, ground_ = 0.0, ground_slope_ = 0.0;
-  Vector start_, end_;  // (u, u', 1, a_g, s) and (u, u')
+  Vector start_, end_;  // (u, u', 1, a_g, s) and (u, u', u'')
   // Column k holds the coefficients of (t / longest)^k in u, of which terms_ are known.
   Matrix series_;
   int terms_ = 0;
