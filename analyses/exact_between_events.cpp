@@ -14,6 +14,7 @@ namespace moat {
 namespace {
 
 constexpr int most_terms = 60;
+constexpr int most_halvings = 12;
 // Combinations of sliding and elastic bearings in one history are few; a street of them should not fill the memory.
 constexpr std::size_t most_systems = 256;
 
@@ -40,6 +41,8 @@ ExactBetweenEvents::ExactBetweenEvents(Model& model, double grid_interval)
   end_.setZero(3 * count);
   series_.setZero(count, most_terms);
   restart();
+  // What is too fast should be told before the first step.
+  if (!touching_) linearise();
 }
 
 void ExactBetweenEvents::check() const {
@@ -111,6 +114,12 @@ ExactBetweenEvents::LinearSystem ExactBetweenEvents::make_system() const {
   constexpr double longest_against_fastest = 0.5;
   const double fastest = fastest_eigenvalue(system.stiffness, system.damping);
   system.step = grid_interval_;
+  Check{"TransientOptions", ""}.that(
+      fastest * std::ldexp(grid_interval_, -most_halvings) <= longest_against_fastest,
+      "integrator = exact_between_events would need more than " + std::to_string(1 << most_halvings) +
+          " steps from one sample of the motion to the next: the fastest eigenvalue of the model is " +
+          to_text(fastest) + " 1/s.",
+      "Look for a very stiff spring or damper at a small mass, or use Integrator::newmark.");
   while (system.step * fastest > longest_against_fastest) system.step *= 0.5;
 
   // States u, u', the constant acceleration w of every degree of freedom, and the slope s of the ground's:

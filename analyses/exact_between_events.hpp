@@ -32,7 +32,8 @@ class ExactBetweenEvents {
   static constexpr int most_degrees_of_freedom = 50;
 
   /// The model must be prepared and outlive this object. grid_interval > 0 s is that of the motion's samples.
-  /// Throws InputError for a model with too many degrees of freedom or an element that is not linear between events.
+  /// Throws InputError for a model with too many degrees of freedom, an element that is not linear between events, or
+  /// an eigenvalue that asks for thousands of steps from sample to sample.
   ExactBetweenEvents(Model& model, double grid_interval);
 
   /// Whether the model is linear now: no gap is closed.

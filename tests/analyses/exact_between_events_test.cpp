@@ -297,6 +297,23 @@ TEST(ExactBetweenEvents, RefusesALargeModel) {
             "51. Use Integrator::newmark.");
 }
 
+TEST(ExactBetweenEvents, RefusesAVibrationFarFasterThanTheSamples) {
+  // 1e6 1/s over 10 ms / 4096 is 2.4, and a half is allowed.
+  Model model = oscillator(1e6, 0.0, 0.0, 0.0);
+  EXPECT_EQ(message_of([&] { Transient(model, still_ground(1 * s), exact_options()); }),
+            "TransientOptions: integrator = exact_between_events would need more than 4096 steps from one sample of "
+            "the motion to the next: the fastest eigenvalue of the model is 1e+06 1/s. Look for a very stiff spring "
+            "or damper at a small mass, or use Integrator::newmark.");
+}
+
+TEST(ExactBetweenEvents, TellsWhatIsExactAmongTheAssumptions) {
+  Model model = oscillator(10.0, 0.0, 0.0, 0.0);
+  const Transient analysis{model, still_ground(1 * s), exact_options()};
+  EXPECT_TRUE(analysis.assumptions().front().starts_with(
+      "Exact steps from sample to sample while no gap is closed; in contact: Newmark's method"))
+      << analysis.assumptions().front();
+}
+
 TEST(ExactBetweenEvents, RefusesAFixedStep) {
   Model model = oscillator(10.0, 0.0, 0.0, 0.0);
   const TransientOptions options{.integrator = Integrator::exact_between_events, .step = 1 * ms};
