@@ -16,6 +16,8 @@ TransientOptions checked(const TransientOptions& options) {
   check.that(options.scheme.beta > 0.0 && options.scheme.beta <= 0.5, "scheme.beta", options.scheme.beta, "1",
              "> 0 and <= 0.5", "Use NewmarkScheme::average_acceleration() or linear_acceleration().");
   check.not_negative("step", options.step);
+  check.that(options.integrator == Integrator::newmark || options.step.si() == 0.0, "step", options.step.si(), "s",
+             "0 s with Integrator::exact_between_events", "It steps from sample to sample, and adapts in contact.");
   check.that(options.tolerance > 0.0 && options.tolerance < 1.0, "tolerance", options.tolerance, "1", "> 0 and < 1",
              "1.2e-4 is the default.");
   check.that(options.steps_per_contact >= 4, "steps_per_contact", options.steps_per_contact, "1", ">= 4");
@@ -69,6 +71,7 @@ Transient::Transient(Model& model, GroundMotion motion, TransientOptions options
                           .tolerance = options_.tolerance,
                           .steps_per_contact = options_.steps_per_contact,
                           .largest_halvings = options_.largest_halvings}};
+  if (options_.integrator == Integrator::exact_between_events) exact_.emplace(model, motion_.time_step());
   end_ = options_.end.si() > 0.0 ? options_.end.si() : motion_.duration();
   Check{"Transient", motion_.name()}.that(
       model.state().time < end_,
@@ -111,6 +114,10 @@ double Transient::time_after(double h) const { return h == planned_ ? target_ : 
 // One step of length h from the committed state into the trial state. Not accepted yet.
 bool Transient::solve(double h) {
   const double end = time_after(h);
+  if (steps_exactly_) {
+    exact_->solve(h, end);
+    return true;
+  }
   equations_.begin(h, end, motion_.acceleration_at(end));
   acceleration_ = model_->state().acceleration.head(model_->degrees_of_freedom());
   last_report_ = newton_.solve(acceleration_);
@@ -206,26 +213,45 @@ void Transient::change_regimes() {
   if (changes_.empty()) return;
   // The force may jump; a stale acceleration would cost second order.
   equations_.balance_committed_state(motion_.acceleration_at(model_->state().time));
+  if (exact_) exact_->restart();
   count_event(model_->state().time);
   control_.restart(*model_, motion_.acceleration_at(model_->state().time));
   const StepView after = view(false);
   for (const Follower& follower : observers_) follower.observer->event(after, changes_);
 }
 
+// The step to try leads to the next grid time.
+void Transient::plan(double step) {
+  const double start = model_->state().time;
+  target_ = std::min(next_grid_time(start, step), end_);
+  // Exactly the nominal length where it is meant, so that the tangent and its factors stay the same.
+  planned_ = std::abs(target_ - start - step) < 1e-9 * step ? step : target_ - start;
+}
+
+double Transient::take_exact_step() {
+  plan(exact_->step_length());
+  const double start = model_->state().time;
+  // The ground's acceleration drops to zero after the last sample, and does not go there linearly.
+  const bool after_motion = start >= motion_.duration() * (1.0 - 1e-12);
+  exact_->begin(planned_, after_motion ? 0.0 : motion_.acceleration_at(start), motion_.acceleration_at(target_));
+  solve(planned_);
+  return planned_;
+}
+
+double Transient::take_newmark_step() {
+  for (;; ++statistics_.repeated_steps) {
+    plan(control_.next_step(*model_));
+    const double h = solve_cutting(planned_);
+    if (control_.accepts(*model_, h, motion_.acceleration_at(time_after(h)))) return h;
+  }
+}
+
 void Transient::advance() {
   if (!model_->prepared())
     throw InputError{"Transient: the model was changed while it is being analysed. Make a new Transient after adding to it."};
   start_observers();
-  const double start = model_->state().time;
-  double h = 0.0;
-  for (;; ++statistics_.repeated_steps) {
-    const double step = control_.next_step(*model_);
-    target_ = std::min(next_grid_time(start, step), end_);
-    // Exactly the nominal length where it is meant, so that the tangent and its factors stay the same.
-    planned_ = std::abs(target_ - start - step) < 1e-9 * step ? step : target_ - start;
-    h = solve_cutting(planned_);
-    if (control_.accepts(*model_, h, motion_.acceleration_at(time_after(h)))) break;
-  }
+  steps_exactly_ = exact_ && exact_->applies();
+  double h = steps_exactly_ ? take_exact_step() : take_newmark_step();
   const RegimeScan seen = scan(h);
   if (seen.crossed) h = locate_change(h, seen);
   model_->commit();
@@ -260,7 +286,9 @@ std::vector<std::string> Transient::assumptions() const {
                 " of the largest acceleration and to " + std::to_string(options_.steps_per_contact) +
                 " steps per contact, at most " + to_text(motion_.time_step()) + " s"
           : "fixed step of " + to_text(options_.step.si()) + " s";
-  return {"Newmark's method, beta = " + to_text(options_.scheme.beta) + ", gamma = 1/2, " + step +
+  const std::string exact =
+      exact_ ? "Exact steps from sample to sample while no gap is closed; in contact: " : "";
+  return {exact + "Newmark's method, beta = " + to_text(options_.scheme.beta) + ", gamma = 1/2, " + step +
               "; every step solved until the forces balance to " + to_text(options_.force_tolerance) +
               " of the largest force.",
           "Touch and separation located until the gap is zero to " + to_text(options_.location_tolerance.si()) +

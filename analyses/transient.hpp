@@ -1,9 +1,11 @@
 // Time history of a model under a ground motion.
 #pragma once
 
+#include <optional>
 #include <span>
 #include <vector>
 
+#include "analyses/exact_between_events.hpp"
 #include "analyses/newmark.hpp"
 #include "analyses/step_equations.hpp"
 #include "analyses/step_control.hpp"
@@ -17,11 +19,23 @@
 
 namespace moat {
 
+/// What takes a model from one instant to the next.
+enum class Integrator {
+  /// Newmark's method, for every model.
+  newmark,
+  /// Exact steps while no gap is closed, Newmark's in contact (analyses/exact_between_events.hpp): for small models
+  /// whose springs, dampers and bearings are linear between located events.
+  exact_between_events,
+};
+
 /// How a time history is computed. Every bound is checked by Transient's constructor.
 struct TransientOptions {
+  Integrator integrator = Integrator::newmark;
+
   NewmarkScheme scheme = NewmarkScheme::average_acceleration();
 
-  /// >= 0 s. Length of a fixed step; 0: the step adapts itself (next three options).
+  /// >= 0 s. Length of a fixed step; 0: the step adapts itself (next three options), which
+  /// Integrator::exact_between_events requires.
   Time step{};
 
   /// > 0. Adaptive step: the error of acceleration that one step may add, relative to the largest absolute
@@ -60,7 +74,8 @@ struct TransientOptions {
 /// Newmark's method with Newton-Raphson in every step. Touch and separation of gaps are located: the step
 /// that would cross one is solved again, shorter, until it ends there; then the acceleration is computed
 /// anew from the forces after the change, and one odd step leads back to the time grid. The step follows the
-/// physics (analyses/step_control.hpp) unless it is fixed.
+/// physics (analyses/step_control.hpp) unless it is fixed. With Integrator::exact_between_events steps outside contact
+/// are exact instead, and everything else is the same.
 ///
 /// A step that does not converge is cut in half; if that does not help, advance() throws ConvergenceError
 /// naming time, step, residual and the worst degree of freedom. It is never accepted.
@@ -98,6 +113,9 @@ class Transient {
 
  private:
   [[nodiscard]] double time_after(double h) const;
+  void plan(double step);
+  double take_exact_step();
+  double take_newmark_step();
   bool solve(double h);
   double solve_cutting(double h);
   [[nodiscard]] RegimeScan scan(double h) const;
@@ -113,6 +131,8 @@ class Transient {
   StepEquations equations_;
   NewtonSolver newton_;
   StepControl control_;
+  std::optional<ExactBetweenEvents> exact_;
+  bool steps_exactly_ = false;  // the step being tried
   double end_ = 0.0;
   double planned_ = 0.0, target_ = 0.0;  // length and end of the step being tried
   Vector acceleration_;

@@ -119,6 +119,7 @@ class LinkBlock final : public ElementBlock {
   std::span<const double> rates() const override { return rates_; }
   std::span<const double> forces() const override { return forces_; }
 
+  bool linear_between_events() const override { return LinearWithinRegimes<Law> || ContactLaw<Law>; }
   bool has_regimes() const override { return LawWithRegimes<Law>; }
 
   void scan_regimes(double step, RegimeScan& scan) const override {

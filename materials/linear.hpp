@@ -16,6 +16,7 @@ struct Linear {
   DampingCoefficient damping{};
 
   using State = NoState;
+  static constexpr bool linear_within_regimes = true;
 
   void check(const Check& check) const {
     check.positive("stiffness", stiffness);

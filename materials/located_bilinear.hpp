@@ -19,6 +19,8 @@ struct LocatedBilinear {
     int direction = 0;  ///< of sliding: -1, +1; 0: elastic
   };
 
+  static constexpr bool linear_within_regimes = true;
+
   /// Yield is noticed this much beyond d_y, relative: the end of unloading must not switch it by round-off.
   static constexpr double threshold = 1e-9;
 

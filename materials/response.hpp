@@ -48,4 +48,9 @@ concept LawWithRegimes = ForceLaw<Law> && requires(const Law& law, const typenam
   { law.next_regime(committed, x, x) } -> std::same_as<typename Law::State>;
 };
 
+/// A law whose force is linear in deformation and rate within each of its regimes; one without regimes is linear
+/// altogether. It says so with `static constexpr bool linear_within_regimes = true`.
+template <class Law>
+concept LinearWithinRegimes = ForceLaw<Law> && Law::linear_within_regimes;
+
 }  // namespace moat

@@ -14,6 +14,7 @@ struct Viscous {
   Required<DampingCoefficient> damping;
 
   using State = NoState;
+  static constexpr bool linear_within_regimes = true;
 
   void check(const Check& check) const { check.positive("damping", damping); }
   Response evaluate(const State&, double, double rate, State&) const {

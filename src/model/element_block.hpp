@@ -111,6 +111,9 @@ class ElementBlock {
   [[nodiscard]] virtual std::span<const double> rates() const = 0;
   [[nodiscard]] virtual std::span<const double> forces() const = 0;
 
+  /// Whether all forces are linear in displacement and velocity from one located change of regime to the next, not
+  /// counting closed gaps: what add_tangent() adds is then constant, and an open gap adds nothing.
+  [[nodiscard]] virtual bool linear_between_events() const { return false; }
   /// Whether elements of this type change regime at located instants (contacts do).
   [[nodiscard]] virtual bool has_regimes() const { return false; }
   /// Looks for changes between the committed state and the last evaluate(), `step` seconds later.

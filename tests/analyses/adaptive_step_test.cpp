@@ -4,11 +4,10 @@
 
 #include <gtest/gtest.h>
 
-#include <functional>
 #include <memory>
 
 #include "analyses/case_run.hpp"
-#include "materials/impact_laws.hpp"
+#include "law_cases.hpp"
 #include "paper_building.hpp"
 #include "reference_rows.hpp"
 
@@ -18,56 +17,10 @@ namespace {
 using namespace units;
 using namespace testing;
 
-constexpr Stiffness linear_stiffness{5.8e8};
-constexpr HertzStiffness hertz_stiffness{2.95e9};
-
-struct LawCase {
-  std::string row;
-  std::function<void(Model&, NodeId)> add_moat;
-};
-
-template <class Law>
-LawCase law_case(std::string row, Law law) {
-  return {std::move(row), [law](Model& model, NodeId base) {
-            add(model, Moat<Law>{.around = base, .clearance = 10 * cm, .law = law});
-          }};
-}
-
-std::vector<LawCase> all_laws() {
-  return {law_case("linear_elastic", LinearElastic{.stiffness = linear_stiffness}),
-          law_case("hertz", Hertz{.stiffness = hertz_stiffness}),
-          law_case("kelvin",
-                   KelvinByDampingRatio{.stiffness = linear_stiffness, .damping_ratio = 0.14, .may_pull = true}),
-          law_case("hertz_damp", paper_hertz_damp()),
-          law_case("modified_hertz_damp_tabulated",
-                   ModifiedHertzDamp{.stiffness = hertz_stiffness, .restitution = 0.65}),
-          law_case("modified_hertz_damp_printed_approach_only",
-                   ModifiedHertzDampPrinted{.stiffness = hertz_stiffness, .restitution = 0.65}),
-          law_case("nonlinear_viscoelastic",
-                   NonlinearViscoelastic{.stiffness = hertz_stiffness, .restitution = 0.65}),
-          law_case("ye_2009", Ye2009{.stiffness = hertz_stiffness, .restitution = 0.65})};
-}
-
 CaseResult run(const LawCase& law, const GroundMotion& motion, const TransientOptions& options) {
   Model model;
   law.add_moat(model, add(model, paper_building()).base);
   return run_case(model, motion, {.transient = options});
-}
-
-// Largest relative error of the six peaks that tell whether an impact was resolved.
-double largest_error(const CaseResult& result, const Row& row) {
-  double worst = 0.0;
-  const auto compare = [&](const char* column, double unit, const char* quantity, const char* where) {
-    const double expected = std::stod(row.at(column)) * unit;
-    worst = std::max(worst, std::abs(peak(result, quantity, where) / expected - 1.0));
-  };
-  compare("base_displacement_cm", 0.01, "displacement", "base");
-  compare("top_displacement_cm", 0.01, "displacement", "floor 5");
-  compare("base_acceleration_m_s2", 1.0, "absolute_acceleration", "base");
-  compare("top_acceleration_m_s2", 1.0, "absolute_acceleration", "floor 5");
-  compare("impact_force_kN", 1e3, "impact_force", "moat");
-  compare("first_storey_shear_kN", 1e3, "storey_shear", "storey 1");
-  return worst;
 }
 
 class AdaptiveStep : public ::testing::TestWithParam<const char*> {

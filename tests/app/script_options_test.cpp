@@ -4,6 +4,8 @@
 
 #include <cstdlib>
 #include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <map>
 #include <sstream>
 
@@ -101,6 +103,18 @@ TEST_F(ScriptOptions, RefusesAValueWithoutOrWithAWrongUnit) {
                    "moat: error: --integer: \"" + std::string{text} + "\" is not a whole number.\n");
 }
 
+TEST_F(ScriptOptions, TheIntegratorIsChosenByName) {
+  for (const auto& [name, exact] : {std::pair{"newmark", false}, std::pair{"exact-between-events", true}}) {
+    ASSERT_EQ(run({"--integrator", name, "--out", name}).exit_code, 0) << name;
+    std::ifstream report{std::filesystem::path{folder} / name / "report.html"};
+    const std::string text{std::istreambuf_iterator<char>{report}, {}};
+    EXPECT_NE(text.find("Newmark's method"), std::string::npos) << name;
+    EXPECT_EQ(text.find("Exact steps from sample to sample") != std::string::npos, exact) << name;
+  }
+  expect_refusal({"--integrator", "euler"}, 1,
+                 "moat: error: --integrator: \"euler\" is not known. Give newmark or exact-between-events.\n");
+}
+
 TEST_F(ScriptOptions, RefusesWhatItDoesNotKnow) {
   for (const std::string argument : {"--lenght", "-x", "junk", "--leng"})
     expect_refusal(
@@ -178,6 +192,7 @@ TEST_F(ScriptOptions, HelpListsEveryOptionWithItsUnitAndDefault) {
                            "--out TEXT=",
                            "--force",
                            "--step [s]=",
+                           "--integrator TEXT=",
                            "--end [s]=",
                            "--frame-interval [s]=",
                            "--quiet",
