@@ -46,7 +46,7 @@ class ExactBetweenEvents {
   /// Sets up steps of at most `longest` > 0 s from the committed state, in which the ground's acceleration goes
   /// linearly from the first value to the second.
   void begin(double longest, double ground_acceleration, double ground_acceleration_at_end);
-  /// Solves a step of length 0 < h <= longest into the trial state and evaluates the model there.
+  /// Solves a step of length 0 < h <= longest into the trial state, without evaluating the model there.
   void solve(double h, double end_time);
 
  private:
@@ -57,7 +57,7 @@ class ExactBetweenEvents {
     std::vector<double> stiffness_values, damping_values;  // by which it is found again
     Matrix stiffness, damping;                             // M^-1 K, M^-1 C
     double step = 0.0;                                     // length of a whole step, s
-    Matrix transition;     // (u, u', u'') after a whole step, per entry of (u, u', 1, a_g, s)
+    Matrix transition;     // (u, u', u'') after a whole step, per entry of (u, u', 1, a_g, s); rows filled up
     Matrix from_constant;  // (u, u', u'') after a whole step, per constant acceleration of each degree of freedom
   };
 
@@ -78,7 +78,7 @@ class ExactBetweenEvents {
 
   // The step that begin() set up.
   double longest_ = 0.0, ground_ = 0.0, ground_slope_ = 0.0;
-  Vector start_, end_;  // (u, u', 1, a_g, s) and (u, u', u'')
+  Vector start_, end_;  // (u, u', 1, a_g, s) and (u, u', u''), filled up
   // Column k holds the coefficients of (t / longest)^k in u, of which terms_ are known.
   Matrix series_;
   int terms_ = 0;

@@ -8,9 +8,9 @@ namespace moat {
 StepControl::StepControl(const Model& model, Options options) : options_{options} {
   before_.setZero(model.degrees_of_freedom());
   last_ = before_;
+  for (int halvings = 0; halvings <= options_.largest_halvings; ++halvings)
+    steps_.push_back(std::ldexp(options_.grid_interval, -halvings));
 }
-
-double StepControl::step_at(int halvings) const { return std::ldexp(options_.grid_interval, -halvings); }
 
 double StepControl::next_step(const Model& model) {
   if (!adaptive()) {
@@ -30,18 +30,13 @@ double StepControl::next_step(const Model& model) {
 
 bool StepControl::accepts(const Model& model, double h, double ground_acceleration) {
   if (!adaptive() || known_ < 2) return true;
-  const int count = model.degrees_of_freedom();
-  const auto& acceleration = model.trial().acceleration;
-  const double mean = 0.5 * (h + last_h_);
-  double largest_difference = 0.0, largest = largest_acceleration_;
-  for (int i = 0; i < count; ++i) {
-    const double now = acceleration[i] + ground_acceleration;
-    const double bend = ((now - last_[i]) / h - (last_[i] - before_[i]) / last_h_) / mean;
-    largest_difference = std::max(largest_difference, std::abs(bend));
-    largest = std::max(largest, std::abs(now));
-  }
+  const auto now = model.trial().acceleration.head(model.degrees_of_freedom()).array() + ground_acceleration;
+  const double largest = std::max(largest_acceleration_, now.abs().maxCoeff());
   if (largest <= 0.0) return true;
-  const double error_per_square = largest_difference / (12.0 * largest);
+  const double per_step = 1.0 / h, per_last_step = 1.0 / last_h_;
+  const double largest_bend =
+      ((now - last_.array()) * per_step - (last_ - before_).array() * per_last_step).abs().maxCoeff();
+  const double error_per_square = largest_bend / (6.0 * (h + last_h_) * largest);
   constexpr double repeat_above = 4.0, lengthen_below = 0.2;
   if (error_per_square * h * h > repeat_above * options_.tolerance && halvings_ < options_.largest_halvings &&
       step_at(halvings_ + 1) < h) {
@@ -66,6 +61,11 @@ void StepControl::accepted(const Model& model, double h, double ground_accelerat
   remember(model, h, ground_acceleration);
   known_ = std::min(known_ + 1, 2);
   ramp_ = std::max(ramp_ - 1, 0);
+}
+
+void StepControl::passed(const Model& model, double ground_acceleration) {
+  const auto acceleration = model.state().acceleration.head(model.degrees_of_freedom()).array() + ground_acceleration;
+  largest_acceleration_ = std::max(largest_acceleration_, acceleration.abs().maxCoeff());
 }
 
 void StepControl::restart(const Model& model, double ground_acceleration) {

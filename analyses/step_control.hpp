@@ -1,6 +1,9 @@
 // How long the next step should be.
 #pragma once
 
+#include <limits>
+#include <vector>
+
 #include "base/vector.hpp"
 #include "model/model.hpp"
 
@@ -45,6 +48,8 @@ class StepControl {
   [[nodiscard]] bool accepts(const Model& model, double h, double ground_acceleration);
   /// The trial state was committed.
   void accepted(const Model& model, double h, double ground_acceleration);
+  /// A step that was not chosen here was committed.
+  void passed(const Model& model, double ground_acceleration);
   /// Forces jumped or bent: what came before is no measure of what follows.
   void restart(const Model& model, double ground_acceleration);
 
@@ -52,12 +57,13 @@ class StepControl {
   [[nodiscard]] double fewest_steps_per_contact() const { return fewest_steps_per_contact_; }
 
  private:
-  [[nodiscard]] double step_at(int halvings) const;
+  [[nodiscard]] double step_at(int halvings) const { return steps_[static_cast<std::size_t>(halvings)]; }
   void remember(const Model& model, double h, double ground_acceleration);
 
   Options options_;
+  std::vector<double> steps_;  // grid interval divided by 1, 2, 4, ...; s
   int halvings_ = 0;
-  int ramp_ = 0;             // further halvings after an event
+  int ramp_ = 0;              // further halvings after an event
   double since_event_ = 0.0;  // s
   // The last two committed absolute accelerations of this smooth stretch, and the step between them.
   Vector before_, last_;

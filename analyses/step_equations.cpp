@@ -17,8 +17,7 @@ void StepEquations::begin(double h, double end_time, double ground_acceleration)
   h_ = h;
   ground_acceleration_ = ground_acceleration;
   const MotionState& start = model_->state();
-  predicted_displacement_ =
-      start.displacement + h * start.velocity + (0.5 - scheme_.beta) * h * h * start.acceleration;
+  predicted_displacement_ = start.displacement + h * start.velocity + (0.5 - scheme_.beta) * h * h * start.acceleration;
   predicted_velocity_ = start.velocity + (1.0 - NewmarkScheme::gamma) * h * start.acceleration;
   model_->trial().time = end_time;
 }
@@ -38,23 +37,24 @@ bool StepEquations::compute_residual(const Vector& acceleration, Vector& residua
   const int count = size();
   MotionState& trial = model_->trial();
   trial.acceleration.head(count) = acceleration;
-  trial.displacement.head(count) =
-      predicted_displacement_.head(count) + scheme_.displacement_weight(h_) * acceleration;
+  trial.displacement.head(count) = predicted_displacement_.head(count) + scheme_.displacement_weight(h_) * acceleration;
   trial.velocity.head(count) = predicted_velocity_.head(count) + NewmarkScheme::velocity_weight(h_) * acceleration;
   model_->evaluate();
   model_->internal_forces(forces_);
 
-  const Vector& mass = model_->masses();
-  double largest = 0.0;
+  const double* mass = model_->masses().data();
+  const double* force = forces_.data();
+  double largest_inertia = 0.0, largest_force = 0.0, largest_mass = 0.0;
   for (int i = 0; i < count; ++i) {
     const double inertia = mass[i] * acceleration[i];
-    const double load = mass[i] * ground_acceleration_;
-    residual[i] = inertia + forces_[i] + load;
-    // Each term alone passes through zero at some instant; the largest of them does not.
-    largest = std::max({largest, std::abs(inertia), std::abs(forces_[i]), std::abs(load)});
+    residual[i] = inertia + force[i] + mass[i] * ground_acceleration_;
+    largest_inertia = std::max(largest_inertia, std::abs(inertia));
+    largest_force = std::max(largest_force, std::abs(force[i]));
+    largest_mass = std::max(largest_mass, mass[i]);
   }
-  scale_ = largest;
-  return std::isfinite(largest);
+  // Each term alone passes through zero at some instant; the largest of them does not.
+  scale_ = std::max({largest_inertia, largest_force, largest_mass * std::abs(ground_acceleration_)});
+  return std::isfinite(scale_);
 }
 
 bool StepEquations::compute_direction(const Vector& residual, Vector& direction) {

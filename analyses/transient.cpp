@@ -22,9 +22,10 @@ TransientOptions checked(const TransientOptions& options) {
              "1.2e-4 is the default.");
   check.that(options.steps_per_contact >= 4, "steps_per_contact", options.steps_per_contact, "1", ">= 4");
   check.between("largest_halvings", options.largest_halvings, 0, 40, "1");
+  check.that(options.threads >= 1, "threads", options.threads, "1", ">= 1");
   check.not_negative("end", options.end);
-  check.that(options.force_tolerance > 0.0 && options.force_tolerance < 1.0, "force_tolerance",
-             options.force_tolerance, "1", "> 0 and < 1");
+  check.that(options.force_tolerance > 0.0 && options.force_tolerance < 1.0, "force_tolerance", options.force_tolerance,
+             "1", "> 0 and < 1");
   check.that(options.largest_iterations >= 1, "largest_iterations", options.largest_iterations, "1", ">= 1");
   check.that(options.largest_cuts >= 0, "largest_cuts", options.largest_cuts, "1", ">= 0");
   check.positive("location_tolerance", options.location_tolerance);
@@ -54,7 +55,7 @@ double bound_of_squared_frequency(const Model& model) {
 double next_grid_time(double time, double step) {
   constexpr double coincident = 1e-6;
   const double position = time / step;
-  return (std::floor(position + coincident) + 1.0) * step;
+  return (static_cast<double>(static_cast<long>(position + coincident)) + 1.0) * step;
 }
 
 }  // namespace
@@ -75,18 +76,25 @@ Transient::Transient(Model& model, GroundMotion motion, TransientOptions options
   end_ = options_.end.si() > 0.0 ? options_.end.si() : motion_.duration();
   Check{"Transient", motion_.name()}.that(
       model.state().time < end_,
-      "the model stands at t = " + to_text(model.state().time) + " s, and the analysis ends at " + to_text(end_) + " s.",
+      "the model stands at t = " + to_text(model.state().time) + " s, and the analysis ends at " + to_text(end_) +
+          " s.",
       "Copy the model before its first analysis to use it again, or give a later TransientOptions::end.");
   acceleration_.setZero(model.degrees_of_freedom());
+  model.use_threads(options_.threads);
+  changes_.reserve(64);  // more at one instant is rare
   event_window_start_ = model.state().time;
-  equations_.balance_committed_state(motion_.acceleration_at(model.state().time));
+  ground_ = motion_.acceleration_at(model.state().time);
+  equations_.balance_committed_state(ground_);
   change_regimes();
-  control_.restart(model, motion_.acceleration_at(model.state().time));
-  model.start_energy_account();
+  control_.restart(model, ground_);
   stiffest_squared_ = bound_of_squared_frequency(model);
 }
 
-void Transient::attach(StepObserver& observer) { observers_.push_back({&observer, false}); }
+void Transient::attach(StepObserver& observer) {
+  if (observer.observed() == Observed::energy && observed_ != Observed::energy) model_->start_energy_account();
+  observed_ = std::max(observed_, observer.observed());
+  observers_.push_back({&observer, false});
+}
 
 void Transient::start_observers() {
   const StepView now = view(true);
@@ -102,23 +110,29 @@ void Transient::finish() {
   for (const Follower& follower : observers_) follower.observer->finish(now);
 }
 
-StepView Transient::view(bool on_grid) const {
-  return {*model_, motion_.acceleration_at(model_->state().time), on_grid};
-}
+StepView Transient::view(bool on_grid) const { return {*model_, ground_, on_grid}; }
 
 bool Transient::finished() const { return model_->state().time >= end_ * (1.0 - 1e-12); }
 
 // Grid times are multiples of the step, not sums of steps, and the last sample is not passed by round-off.
 double Transient::time_after(double h) const { return h == planned_ ? target_ : model_->state().time + h; }
 
+double Transient::ground_after(double h) const {
+  return h == planned_ ? target_ground_ : motion_.acceleration_at(model_->state().time + h);
+}
+
 // One step of length h from the committed state into the trial state. Not accepted yet.
 bool Transient::solve(double h) {
   const double end = time_after(h);
   if (steps_exactly_) {
     exact_->solve(h, end);
+    if (only_regimes_)
+      model_->evaluate_regimes();
+    else
+      model_->evaluate();
     return true;
   }
-  equations_.begin(h, end, motion_.acceleration_at(end));
+  equations_.begin(h, end, ground_after(h));
   acceleration_ = model_->state().acceleration.head(model_->degrees_of_freedom());
   last_report_ = newton_.solve(acceleration_);
   statistics_.newton_iterations += last_report_.iterations;
@@ -137,8 +151,8 @@ double Transient::solve_cutting(double h) {
   const double time = model_->state().time;
   throw ConvergenceError{"The step from t = " + to_text(time) + " s did not converge although it was cut to " +
                              to_text(h) + " s: the forces are out of balance by " + to_text(last_report_.residual) +
-                             " of the largest force (allowed: " + to_text(options_.force_tolerance) +
-                             "), worst at \"" + worst_name +
+                             " of the largest force (allowed: " + to_text(options_.force_tolerance) + "), worst at \"" +
+                             worst_name +
                              "\". Check the parameters of the elements there; results up to this time are kept.",
                          time, h, last_report_.residual, worst_name};
 }
@@ -212,10 +226,10 @@ void Transient::change_regimes() {
   model_->change_regimes(changes_);
   if (changes_.empty()) return;
   // The force may jump; a stale acceleration would cost second order.
-  equations_.balance_committed_state(motion_.acceleration_at(model_->state().time));
+  equations_.balance_committed_state(ground_);
   if (exact_) exact_->restart();
   count_event(model_->state().time);
-  control_.restart(*model_, motion_.acceleration_at(model_->state().time));
+  control_.restart(*model_, ground_);
   const StepView after = view(false);
   for (const Follower& follower : observers_) follower.observer->event(after, changes_);
 }
@@ -226,6 +240,7 @@ void Transient::plan(double step) {
   target_ = std::min(next_grid_time(start, step), end_);
   // Exactly the nominal length where it is meant, so that the tangent and its factors stay the same.
   planned_ = std::abs(target_ - start - step) < 1e-9 * step ? step : target_ - start;
+  target_ground_ = motion_.acceleration_at(target_);
 }
 
 double Transient::take_exact_step() {
@@ -233,7 +248,7 @@ double Transient::take_exact_step() {
   const double start = model_->state().time;
   // The ground's acceleration drops to zero after the last sample, and does not go there linearly.
   const bool after_motion = start >= motion_.duration() * (1.0 - 1e-12);
-  exact_->begin(planned_, after_motion ? 0.0 : motion_.acceleration_at(start), motion_.acceleration_at(target_));
+  exact_->begin(planned_, after_motion ? 0.0 : ground_, target_ground_);
   solve(planned_);
   return planned_;
 }
@@ -242,31 +257,46 @@ double Transient::take_newmark_step() {
   for (;; ++statistics_.repeated_steps) {
     plan(control_.next_step(*model_));
     const double h = solve_cutting(planned_);
-    if (control_.accepts(*model_, h, motion_.acceleration_at(time_after(h)))) return h;
+    if (control_.accepts(*model_, h, ground_after(h))) return h;
   }
 }
 
 void Transient::advance() {
   if (!model_->prepared())
-    throw InputError{"Transient: the model was changed while it is being analysed. Make a new Transient after adding to it."};
+    throw InputError{
+        "Transient: the model was changed while it is being analysed. Make a new Transient after adding to it."};
   start_observers();
   steps_exactly_ = exact_ && exact_->applies();
   double h = steps_exactly_ ? take_exact_step() : take_newmark_step();
   const RegimeScan seen = scan(h);
-  if (seen.crossed) h = locate_change(h, seen);
-  model_->commit();
-  ++statistics_.accepted_steps;
-  statistics_.factorisations = equations_.factorisations();
+  const bool located = seen.margin < 0.0 && seen.margin >= -options_.location_tolerance.si();
+  if (seen.crossed && !located) h = locate_change(h, seen);
+  commit(h);
   const StepView accepted = view(h == planned_);
-  control_.accepted(*model_, h, accepted.ground_acceleration);
   for (const Follower& follower : observers_) follower.observer->step(accepted);
   if (seen.crossed) change_regimes();
+}
+
+void Transient::commit(double h) {
+  const double acceleration_of_ground = ground_after(h);
+  model_->commit();
+  ground_ = acceleration_of_ground;
+  ++statistics_.accepted_steps;
+  statistics_.factorisations = equations_.factorisations();
+  if (steps_exactly_)
+    control_.passed(*model_, ground_);
+  else
+    control_.accepted(*model_, h, ground_);
 }
 
 void Transient::run() {
   const double started = process_seconds();
   start_observers();
+  // Who steps by hand may look at the model after every step.
+  only_regimes_ = observed_ == Observed::nodes;
   const auto end = [&] {
+    if (only_regimes_) model_->refresh();
+    only_regimes_ = false;
     statistics_.cpu_seconds += process_seconds() - started;
     finish();
   };
@@ -281,13 +311,11 @@ void Transient::run() {
 
 std::vector<std::string> Transient::assumptions() const {
   const std::string step =
-      control_.adaptive()
-          ? "step adapted to an error of " + to_text(options_.tolerance) +
-                " of the largest acceleration and to " + std::to_string(options_.steps_per_contact) +
-                " steps per contact, at most " + to_text(motion_.time_step()) + " s"
-          : "fixed step of " + to_text(options_.step.si()) + " s";
-  const std::string exact =
-      exact_ ? "Exact steps from sample to sample while no gap is closed; in contact: " : "";
+      control_.adaptive() ? "step adapted to an error of " + to_text(options_.tolerance) +
+                                " of the largest acceleration and to " + std::to_string(options_.steps_per_contact) +
+                                " steps per contact, at most " + to_text(motion_.time_step()) + " s"
+                          : "fixed step of " + to_text(options_.step.si()) + " s";
+  const std::string exact = exact_ ? "Exact steps from sample to sample while no gap is closed; in contact: " : "";
   return {exact + "Newmark's method, beta = " + to_text(options_.scheme.beta) + ", gamma = 1/2, " + step +
               "; every step solved until the forces balance to " + to_text(options_.force_tolerance) +
               " of the largest force.",
@@ -317,12 +345,14 @@ std::vector<std::string> Transient::warnings() const {
                    " s divided by a whole number.");
   const double limit = options_.scheme.stability_limit() / std::sqrt(stiffest_squared_);
   if (step > limit)
-    list.push_back("The fixed step is longer than the " + to_text(limit) + " s up to which beta = " +
-                   to_text(options_.scheme.beta) + " is sure to be stable. Take a shorter one or average acceleration.");
+    list.push_back("The fixed step is longer than the " + to_text(limit) +
+                   " s up to which beta = " + to_text(options_.scheme.beta) +
+                   " is sure to be stable. Take a shorter one or average acceleration.");
   if (fewest >= enough) return list;
-  list.push_back("The fixed step divides the shortest contact into " + to_text(fewest) + " steps only; with fewer than " +
-          to_text(enough) + " the restitution is off by more than 0.001. Take a step of at most " +
-          to_text(options_.step.si() * fewest / enough) + " s, or leave the step out: it adapts itself.");
+  list.push_back("The fixed step divides the shortest contact into " + to_text(fewest) +
+                 " steps only; with fewer than " + to_text(enough) +
+                 " the restitution is off by more than 0.001. Take a step of at most " +
+                 to_text(options_.step.si() * fewest / enough) + " s, or leave the step out: it adapts itself.");
   return list;
 }
 

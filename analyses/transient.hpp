@@ -7,8 +7,8 @@
 
 #include "analyses/exact_between_events.hpp"
 #include "analyses/newmark.hpp"
-#include "analyses/step_equations.hpp"
 #include "analyses/step_control.hpp"
+#include "analyses/step_equations.hpp"
 #include "base/quantity.hpp"
 #include "base/units.hpp"
 #include "model/model.hpp"
@@ -48,6 +48,10 @@ struct TransientOptions {
 
   /// >= 0, <= 40. Adaptive step: how often the interval of the samples may be halved.
   int largest_halvings = 24;
+
+  /// >= 1. Threads for the evaluation and assembly of elements; results are the same to the last bit. More than one
+  /// pays from some ten thousand elements on. Many small cases are better run side by side (analyses/study.hpp).
+  int threads = 1;
 
   /// >= 0 s. Where the analysis ends; 0: at the last sample of the motion.
   Time end{};
@@ -90,7 +94,8 @@ class Transient {
   Transient(const Transient&) = delete;
   Transient& operator=(const Transient&) = delete;
 
-  /// Calls the observer from now on; it must outlive the analysis.
+  /// Calls the observer from now on; it must outlive the analysis. If it is the first to look at the elements' energy
+  /// accounts, these start here.
   void attach(StepObserver& observer);
 
   [[nodiscard]] bool finished() const;
@@ -113,6 +118,8 @@ class Transient {
 
  private:
   [[nodiscard]] double time_after(double h) const;
+  [[nodiscard]] double ground_after(double h) const;
+  void commit(double h);
   void plan(double step);
   double take_exact_step();
   double take_newmark_step();
@@ -134,7 +141,8 @@ class Transient {
   std::optional<ExactBetweenEvents> exact_;
   bool steps_exactly_ = false;  // the step being tried
   double end_ = 0.0;
-  double planned_ = 0.0, target_ = 0.0;  // length and end of the step being tried
+  double planned_ = 0.0, target_ = 0.0;        // length and end of the step being tried
+  double ground_ = 0.0, target_ground_ = 0.0;  // acceleration of the ground at the committed state and at the target
   Vector acceleration_;
   NewtonReport last_report_;
   std::vector<RegimeChange> changes_;
@@ -143,7 +151,9 @@ class Transient {
     bool started;
   };
   std::vector<Follower> observers_;
-  double stiffest_squared_ = 0.0;  // bound on the largest squared frequency, 1/s^2
+  Observed observed_ = Observed::nodes;  // by any observer
+  bool only_regimes_ = false;            // exact steps leave out elements that no one looks at
+  double stiffest_squared_ = 0.0;        // bound on the largest squared frequency, 1/s^2
   SolverStatistics statistics_;
   double event_window_start_ = 0.0;
   int events_in_window_ = 0;

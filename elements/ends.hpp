@@ -17,33 +17,58 @@ namespace moat {
 class NodePair {
  public:
   NodePair() = default;
-  explicit NodePair(const ElementInfo& info) : first_{info.first.index}, second_{info.second.index} {}
+  explicit NodePair(const ElementInfo&) {}
 
-  void add_couplings(PatternBuilder& pattern) const { pattern.couple(first_, second_); }
-  void find_slots(const SparseMatrix& matrix) {
-    first_first_ = matrix.slot(first_, first_);
-    first_second_ = matrix.slot(first_, second_);
-    second_first_ = matrix.slot(second_, first_);
-    second_second_ = matrix.slot(second_, second_);
-    first_entry_ = first_ == ground_index ? matrix.size : first_;
-    second_entry_ = second_ == ground_index ? matrix.size : second_;
+  void add_couplings(const ElementInfo& info, PatternBuilder& pattern) const {
+    pattern.couple(info.first.index, info.second.index);
   }
-  [[nodiscard]] double difference(const double* values) const { return values[second_entry_] - values[first_entry_]; }
+  void find_entries(const ElementInfo& info, const SparseMatrix& matrix) {
+    first_ = info.first == ground ? matrix.size : info.first.index;
+    second_ = info.second == ground ? matrix.size : info.second.index;
+  }
+  [[nodiscard]] double difference(const double* values) const { return values[second_] - values[first_]; }
   void add_force(double force, double* forces) const {
-    forces[second_entry_] += force;
-    forces[first_entry_] -= force;
+    forces[second_] += force;
+    forces[first_] -= force;
   }
-  void add_stiffness(double stiffness, double* values) const {
-    values[second_second_] += stiffness;
-    values[first_first_] += stiffness;
-    values[first_second_] -= stiffness;
-    values[second_first_] -= stiffness;
+  /// Calls add(entry, weight) for every entry of a vector of forces that an element's force is added to.
+  template <class Add>
+  void for_each_entry(Add add) const {
+    add(second_, 1.0);
+    add(first_, -1.0);
   }
+
+  /// Where in the values of the matrix an element's stiffness goes.
+  class Slots {
+   public:
+    void find(const NodePair&, const ElementInfo& info, const SparseMatrix& matrix) {
+      const int first = info.first.index, second = info.second.index;
+      first_first_ = matrix.slot(first, first);
+      first_second_ = matrix.slot(first, second);
+      second_first_ = matrix.slot(second, first);
+      second_second_ = matrix.slot(second, second);
+    }
+    void add_stiffness(const NodePair&, double stiffness, double* values) const {
+      values[second_second_] += stiffness;
+      values[first_first_] += stiffness;
+      values[first_second_] -= stiffness;
+      values[second_first_] -= stiffness;
+    }
+    /// Calls add(slot, weight) for every value of the matrix that an element's stiffness is added to.
+    template <class Add>
+    void for_each_slot(const NodePair&, Add add) const {
+      add(second_second_, 1.0);
+      add(first_first_, 1.0);
+      add(first_second_, -1.0);
+      add(second_first_, -1.0);
+    }
+
+   private:
+    int first_first_ = 0, first_second_ = 0, second_first_ = 0, second_second_ = 0;
+  };
 
  private:
-  int first_ = ground_index, second_ = ground_index;
-  int first_entry_ = 0, second_entry_ = 0;
-  int first_first_ = 0, first_second_ = 0, second_first_ = 0, second_second_ = 0;
+  int first_ = 0, second_ = 0;
 };
 
 /// A point on the straight line between two nodes, usually on a column between two floors:
@@ -65,23 +90,21 @@ struct MemberPoint {
 
 /// Both ends at points between nodes: difference = sum of weight * value over up to four nodes.
 class PointPair {
+  static constexpr std::size_t count = 4;
+
  public:
   PointPair() = default;
   PointPair(const MemberPoint& first, const MemberPoint& second)
       : node_{first.node.index, first.other.index, second.node.index, second.other.index},
         weight_{first.share - 1.0, -first.share, 1.0 - second.share, second.share} {}
 
-  void add_couplings(PatternBuilder& pattern) const {
+  void add_couplings(const ElementInfo&, PatternBuilder& pattern) const {
     for (std::size_t i = 0; i < count; ++i)
       for (std::size_t j = 0; j < i; ++j)
         if (weight_[i] != 0.0 && weight_[j] != 0.0) pattern.couple(node_[i], node_[j]);
   }
-  void find_slots(const SparseMatrix& matrix) {
-    for (std::size_t i = 0; i < count; ++i) {
-      entry_[i] = node_[i] == ground_index ? matrix.size : node_[i];
-      for (std::size_t j = 0; j < count; ++j)
-        slot_[i][j] = weight_[i] != 0.0 && weight_[j] != 0.0 ? matrix.slot(node_[i], node_[j]) : matrix.nonzeros();
-    }
+  void find_entries(const ElementInfo&, const SparseMatrix& matrix) {
+    for (std::size_t i = 0; i < count; ++i) entry_[i] = node_[i] == ground_index ? matrix.size : node_[i];
   }
   [[nodiscard]] double difference(const double* values) const {
     double sum = 0.0;
@@ -91,17 +114,36 @@ class PointPair {
   void add_force(double force, double* forces) const {
     for (std::size_t i = 0; i < count; ++i) forces[entry_[i]] += weight_[i] * force;
   }
-  void add_stiffness(double stiffness, double* values) const {
-    for (std::size_t i = 0; i < count; ++i)
-      for (std::size_t j = 0; j < count; ++j) values[slot_[i][j]] += weight_[i] * weight_[j] * stiffness;
+  template <class Add>
+  void for_each_entry(Add add) const {
+    for (std::size_t i = 0; i < count; ++i) add(entry_[i], weight_[i]);
   }
 
+  class Slots {
+   public:
+    void find(const PointPair& ends, const ElementInfo&, const SparseMatrix& matrix) {
+      for (std::size_t i = 0; i < count; ++i)
+        for (std::size_t j = 0; j < count; ++j)
+          slot_[i][j] = ends.weight_[i] != 0.0 && ends.weight_[j] != 0.0 ? matrix.slot(ends.node_[i], ends.node_[j])
+                                                                         : matrix.nonzeros();
+    }
+    void add_stiffness(const PointPair& ends, double stiffness, double* values) const {
+      for_each_slot(ends, [&](int slot, double weight) { values[slot] += weight * stiffness; });
+    }
+    template <class Add>
+    void for_each_slot(const PointPair& ends, Add add) const {
+      for (std::size_t i = 0; i < count; ++i)
+        for (std::size_t j = 0; j < count; ++j) add(slot_[i][j], ends.weight_[i] * ends.weight_[j]);
+    }
+
+   private:
+    std::array<std::array<int, count>, count> slot_{};
+  };
+
  private:
-  static constexpr std::size_t count = 4;
   std::array<int, count> node_{ground_index, ground_index, ground_index, ground_index};
   std::array<double, count> weight_{};
   std::array<int, count> entry_{};
-  std::array<std::array<int, count>, count> slot_{};
 };
 
 }  // namespace moat

@@ -22,7 +22,8 @@ concept ImpactLaw = requires(const Law& law, const Check& check, double effectiv
 ///     law(d, d') >= 0 pushes `left` to the left and `right` to the right
 ///
 /// Either side may be a point on a column between two floors, where floors of neighbouring buildings stand at unequal
-/// heights: `MemberPoint{floor_2, floor_3, 0.4}` is 40 % of the way up from floor 2; the force then acts on both floors.
+/// heights: `MemberPoint{floor_2, floor_3, 0.4}` is 40 % of the way up from floor 2; the force then acts on both
+/// floors.
 ///
 /// Reports `impact_force` [N], compression positive, and `indentation` [m] under its name and their peaks under
 /// `place`. The effective mass that a law may need is 1/m = sum of weight^2 / mass over the nodes of both sides; the
@@ -60,7 +61,7 @@ void add(Model& model, const Gap<Law>& gap) {
   using Contact = std::remove_const_t<decltype(law)>;
   model.register_element("Gap", gap.name);
   ElementInfo info{.name = gap.name,
-                   .place = gap.place.empty() ? gap.name : gap.place,
+                   .place = gap.place,
                    .kind = ElementKind::gap,
                    .first = right.node,
                    .second = left.node,

@@ -16,7 +16,6 @@ void add(Model& model, const LeadRubberBearing& bearing) {
   law.check(check);
   model.register_element("LeadRubberBearing", bearing.name);
   ElementInfo info{.name = bearing.name,
-                   .place = bearing.name,
                    .kind = ElementKind::bearing,
                    .first = bearing.lower,
                    .second = bearing.upper,

@@ -4,11 +4,15 @@
 #include <algorithm>
 #include <concepts>
 #include <limits>
+#include <stdexcept>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 #include "base/error.hpp"
+#include "base/parallel.hpp"
 #include "elements/ends.hpp"
+#include "elements/shares.hpp"
 #include "materials/contact_state.hpp"
 #include "materials/free_impact.hpp"
 #include "materials/response.hpp"
@@ -30,14 +34,14 @@ class LinkBlock final : public ElementBlock {
   using State = typename Law::State;
 
   /// Appends an element. effective_mass (kg) is used only to estimate how long a contact lasts.
-  std::size_t add(ElementInfo info, const Law& law, double effective_mass = 0.0)
-    requires std::constructible_from<Ends, const ElementInfo&>
-  {
+  std::size_t add(ElementInfo info, const Law& law,
+                  double effective_mass = 0.0) requires std::constructible_from<Ends, const ElementInfo&> {
     const Ends ends{info};
     return add(std::move(info), law, effective_mass, ends);
   }
   std::size_t add(ElementInfo info, const Law& law, double effective_mass, const Ends& ends) {
     ends_.push_back(ends);
+    slots_.emplace_back();
     offsets_.push_back(info.offset);
     infos_.push_back(std::move(info));
     laws_.push_back(law);
@@ -45,10 +49,13 @@ class LinkBlock final : public ElementBlock {
     const std::size_t count = infos_.size();
     committed_.resize(count);
     trial_.resize(count);
-    for (auto* values : {&deformations_, &rates_, &forces_, &stiffnesses_, &dampings_})
-      values->resize(count, 0.0);
-    starts_.resize(count);
-    accounts_.resize(count);
+    for (auto* values : {&deformations_, &rates_, &forces_}) values->resize(count, 0.0);
+    if constexpr (!is_linear) {
+      stiffnesses_.resize(count, 0.0);
+      dampings_.resize(count, 0.0);
+    }
+    if (keeps_start()) allocate_start();
+    if (accounting_) accounts_.resize(count);
     return count - 1;
   }
 
@@ -60,59 +67,115 @@ class LinkBlock final : public ElementBlock {
   const ElementInfo& info(std::size_t element) const override { return infos_[element]; }
 
   void add_couplings(PatternBuilder& pattern) const override {
-    for (const Ends& ends : ends_) ends.add_couplings(pattern);
+    for (std::size_t i = 0; i < size(); ++i) ends_[i].add_couplings(infos_[i], pattern);
   }
 
   void find_slots(const SparseMatrix& matrix) override {
-    for (Ends& ends : ends_) ends.find_slots(matrix);
+    for (std::size_t i = 0; i < size(); ++i) {
+      ends_[i].find_entries(infos_[i], matrix);
+      slots_[i].find(ends_[i], infos_[i], matrix);
+    }
+    share_out(matrix);
+  }
+
+  void use_threads(int threads, const SparseMatrix& matrix) override {
+    if (threads == threads_) return;
+    threads_ = threads;
+    share_out(matrix);
   }
 
   void evaluate(const double* displacement, const double* velocity) override {
-    for (std::size_t i = 0; i < ends_.size(); ++i) {
-      deformations_[i] = ends_[i].difference(displacement) - offsets_[i];
-      rates_[i] = ends_[i].difference(velocity);
-      const Response response = laws_[i].evaluate(committed_[i], deformations_[i], rates_[i], trial_[i]);
-      forces_[i] = response.force;
-      stiffnesses_[i] = response.stiffness;
-      dampings_[i] = response.damping;
-    }
+    for_ranges(threads_, size(), [&](std::size_t begin, std::size_t end) {
+      // Loops over arrays that do not overlap and do one thing each: this is what the compiler turns into vector code.
+      const Ends* ends = ends_.data();
+      const double* offsets = offsets_.data();
+      double* __restrict deformations = deformations_.data();
+      double* __restrict rates = rates_.data();
+      for (std::size_t i = begin; i < end; ++i) {
+        deformations[i] = ends[i].difference(displacement) - offsets[i];
+        rates[i] = ends[i].difference(velocity);
+      }
+      const Law* laws = laws_.data();
+      const State* committed = committed_.data();
+      State* __restrict trial = trial_.data();
+      double* __restrict forces = forces_.data();
+      double* __restrict stiffnesses = stiffnesses_.data();
+      double* __restrict dampings = dampings_.data();
+      for (std::size_t i = begin; i < end; ++i) {
+        const Response response = laws[i].evaluate(committed[i], deformations[i], rates[i], trial[i]);
+        forces[i] = response.force;
+        if constexpr (!is_linear) {
+          stiffnesses[i] = response.stiffness;
+          dampings[i] = response.damping;
+        }
+      }
+    });
   }
 
   void add_forces(double* force) const override {
-    for (std::size_t i = 0; i < ends_.size(); ++i) ends_[i].add_force(forces_[i], force);
+    if (threads_ > 1)
+      entry_shares_.add(
+          threads_, [&](std::size_t i) { return forces_[i]; }, force);
+    else
+      for (std::size_t i = 0; i < size(); ++i) ends_[i].add_force(forces_[i], force);
   }
 
   void add_tangent(double displacement_weight, double velocity_weight, double* values) const override {
-    for (std::size_t i = 0; i < ends_.size(); ++i)
-      ends_[i].add_stiffness(displacement_weight * stiffnesses_[i] + velocity_weight * dampings_[i], values);
+    const auto tangent = [&](std::size_t i) {
+      if constexpr (is_linear) {
+        State trial;
+        const Response response = laws_[i].evaluate(State{}, 0.0, 0.0, trial);
+        return displacement_weight * response.stiffness + velocity_weight * response.damping;
+      } else {
+        return displacement_weight * stiffnesses_[i] + velocity_weight * dampings_[i];
+      }
+    };
+    if (threads_ > 1)
+      slot_shares_.add(threads_, tangent, values);
+    else
+      for (std::size_t i = 0; i < size(); ++i) slots_[i].add_stiffness(ends_[i], tangent(i), values);
   }
 
+  bool constant_tangent() const override { return is_linear; }
+
   void add_linear_stiffness(StiffnessStage stage, double* values) const override {
-    for (std::size_t i = 0; i < ends_.size(); ++i) ends_[i].add_stiffness(laws_[i].linear_stiffness(stage), values);
+    for (std::size_t i = 0; i < size(); ++i)
+      slots_[i].add_stiffness(ends_[i], laws_[i].linear_stiffness(stage), values);
   }
 
   void commit(double step) override {
-    for (std::size_t i = 0; i < ends_.size(); ++i) {
-      Start& start = starts_[i];
-      const double power = laws_[i].dissipation_rate(trial_[i], deformations_[i], rates_[i]);
-      if (step > 0.0) {
-        Account& account = accounts_[i];
-        account.work += 0.5 * (start.force + forces_[i]) * (deformations_[i] - start.deformation);
-        account.dissipated += dissipated_in_step(i, step, power);
-      }
-      start = {deformations_[i], rates_[i], forces_[i], power};
+    if (accounting_ || keeps_start() || !std::is_empty_v<State>) {
+      for_ranges(threads_, size(), [&](std::size_t begin, std::size_t end) {
+        if (accounting_) account(step, begin, end);
+        if (keeps_start()) {
+          std::copy(deformations_.data() + begin, deformations_.data() + end, start_deformations_.data() + begin);
+          std::copy(rates_.data() + begin, rates_.data() + end, start_rates_.data() + begin);
+        }
+      });
     }
     committed_.swap(trial_);
   }
 
   void start_energy_account() override {
-    for (std::size_t i = 0; i < ends_.size(); ++i)
-      accounts_[i] = {.work = 0.0, .dissipated = 0.0, .stored_at_start = stored(i)};
+    accounting_ = true;
+    allocate_start();
+    std::copy(deformations_.begin(), deformations_.end(), start_deformations_.begin());
+    std::copy(rates_.begin(), rates_.end(), start_rates_.begin());
+    accounts_.resize(size());
+    for (std::size_t i = 0; i < size(); ++i)
+      accounts_[i] = {.force = forces_[i],
+                      .power = laws_[i].dissipation_rate(committed_[i], deformations_[i], rates_[i]),
+                      .stored_at_start = stored(i)};
   }
 
   ElementEnergy energy(std::size_t element) const override {
+    if (!accounting_) throw std::logic_error{"LinkBlock: energy() without start_energy_account()"};
     const Account& account = accounts_[element];
     return {account.work, stored(element) - account.stored_at_start, account.dissipated, rate_independent};
+  }
+
+  void add_energies(EnergySums& sums) const override {
+    for (std::size_t i = 0; i < size(); ++i) sums.add(infos_[i].kind, energy(i));
   }
 
   std::span<const double> deformations() const override { return deformations_; }
@@ -124,19 +187,21 @@ class LinkBlock final : public ElementBlock {
 
   void scan_regimes(double step, RegimeScan& scan) const override {
     if constexpr (LawWithRegimes<Law>)
-      for (std::size_t i = 0; i < ends_.size(); ++i) scan_element(i, step, scan);
+      for_ranges(threads_, size(), scan, [&](std::size_t begin, std::size_t end, RegimeScan& part) {
+        for (std::size_t i = begin; i < end; ++i) scan_element(i, step, part);
+      });
   }
 
   void change_regimes(std::size_t block_index, std::vector<RegimeChange>& changes) override {
     if constexpr (LawWithRegimes<Law>) {
-      for (std::size_t i = 0; i < ends_.size(); ++i) {
+      for (std::size_t i = 0; i < size(); ++i) {
         // One change may lead straight into another (a touch that is already separating); three visit every phase.
         for (int change = 0; change < 3; ++change) {
-          if (laws_[i].regime_margin(committed_[i], starts_[i].deformation, starts_[i].rate) >= 0.0) break;
+          if (laws_[i].regime_margin(committed_[i], start_deformations_[i], start_rates_[i]) >= 0.0) break;
           const double stored_before = stored(i);
-          committed_[i] = laws_[i].next_regime(committed_[i], starts_[i].deformation, starts_[i].rate);
+          committed_[i] = laws_[i].next_regime(committed_[i], start_deformations_[i], start_rates_[i]);
           // A contact that ends while still indented gives up what it had stored.
-          accounts_[i].dissipated += stored_before - stored(i);
+          if (accounting_) accounts_[i].dissipated += stored_before - stored(i);
           if (change == 0) changes.push_back({block_index, i});
         }
       }
@@ -146,7 +211,7 @@ class LinkBlock final : public ElementBlock {
   double shortest_contact() const override {
     double shortest = std::numeric_limits<double>::infinity();
     if constexpr (ContactLaw<Law>)
-      for (std::size_t i = 0; i < ends_.size(); ++i)
+      for (std::size_t i = 0; i < size(); ++i)
         if (committed_[i].phase != ContactPhase::open)
           shortest = std::min(shortest, laws_[i].contact_duration(effective_masses_[i], committed_[i].approach_speed));
     return shortest;
@@ -171,18 +236,47 @@ class LinkBlock final : public ElementBlock {
   }
 
  private:
-  static constexpr bool rate_independent =
-      requires(const Law& law, const State& state) { law.dissipated_energy(state, state); };
-
-  // The element at the last commit.
-  struct Start {
-    double deformation = 0.0, rate = 0.0, force = 0.0, power = 0.0;
+  // Without history and without regimes: both tangents are constants of the law.
+  static constexpr bool is_linear = LinearWithinRegimes<Law> && !LawWithRegimes<Law> && std::is_empty_v<State>;
+  static constexpr bool rate_independent = requires(const Law& law, const State& state) {
+    law.dissipated_energy(state, state);
   };
+
   struct Account {
+    double force = 0.0, power = 0.0;  // at the last commit
     double work = 0.0, dissipated = 0.0, stored_at_start = 0.0;
   };
 
-  double stored(std::size_t i) const { return laws_[i].stored_energy(committed_[i], starts_[i].deformation); }
+  // Whether deformations and rates of the last commit are needed: to look for changes of regime, and for energies.
+  bool keeps_start() const { return LawWithRegimes<Law> || accounting_; }
+
+  void allocate_start() {
+    start_deformations_.resize(size(), 0.0);
+    start_rates_.resize(size(), 0.0);
+  }
+
+  void share_out(const SparseMatrix& matrix) {
+    if (threads_ <= 1) return;
+    entry_shares_ = Shares{static_cast<std::size_t>(matrix.size), size(),
+                           [&](std::size_t i, auto add) { ends_[i].for_each_entry(add); }};
+    slot_shares_ = Shares{static_cast<std::size_t>(matrix.nonzeros()), size(),
+                          [&](std::size_t i, auto add) { slots_[i].for_each_slot(ends_[i], add); }};
+  }
+
+  void account(double step, std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      Account& account = accounts_[i];
+      const double power = rate_independent ? 0.0 : laws_[i].dissipation_rate(trial_[i], deformations_[i], rates_[i]);
+      if (step > 0.0) {
+        account.work += 0.5 * (account.force + forces_[i]) * (deformations_[i] - start_deformations_[i]);
+        account.dissipated += dissipated_in_step(i, step, power);
+      }
+      account.force = forces_[i];
+      account.power = power;
+    }
+  }
+
+  double stored(std::size_t i) const { return laws_[i].stored_energy(committed_[i], start_deformations_[i]); }
 
   // Energy dissipated from the last commit to the trial state; `end_power` is the dissipation rate there.
   double dissipated_in_step(std::size_t i, double step, double end_power) const {
@@ -190,18 +284,16 @@ class LinkBlock final : public ElementBlock {
       // Rate-independent laws know it from their states, also where they yield inside the step.
       return laws_[i].dissipated_energy(committed_[i], trial_[i]);
     } else {
-      const Start& start = starts_[i];
-      const double rise = deformations_[i] - start.deformation;
-      const double middle = start.deformation + 0.5 * rise + 0.125 * step * (start.rate - rates_[i]);
-      const double middle_rate = 1.5 * rise / step - 0.25 * (start.rate + rates_[i]);
+      const double start = start_deformations_[i], start_rate = start_rates_[i];
+      const double rise = deformations_[i] - start;
+      const double middle = start + 0.5 * rise + 0.125 * step * (start_rate - rates_[i]);
+      const double middle_rate = 1.5 * rise / step - 0.25 * (start_rate + rates_[i]);
       const double middle_power = laws_[i].dissipation_rate(committed_[i], middle, middle_rate);
-      return step / 6.0 * (start.power + 4.0 * middle_power + end_power);
+      return step / 6.0 * (accounts_[i].power + 4.0 * middle_power + end_power);
     }
   }
 
-  void scan_element(std::size_t i, double step, RegimeScan& scan) const
-    requires LawWithRegimes<Law>
-  {
+  void scan_element(std::size_t i, double step, RegimeScan& scan) const requires LawWithRegimes<Law> {
     const double end_margin = laws_[i].regime_margin(committed_[i], deformations_[i], rates_[i]);
     scan.margin = std::min(scan.margin, end_margin);
     double beyond = 1.0;
@@ -242,9 +334,9 @@ class LinkBlock final : public ElementBlock {
 
   // The margin where the deformation is interpolated by the cubic through deformation and rate at both ends.
   double margin_inside(std::size_t i, double step, double x) const {
-    const double rise = deformations_[i] - starts_[i].deformation;
-    const double left = step * starts_[i].rate - rise, right = rise - step * rates_[i];
-    const double deformation = starts_[i].deformation + x * rise + x * (1.0 - x) * ((1.0 - x) * left + x * right);
+    const double rise = deformations_[i] - start_deformations_[i];
+    const double left = step * start_rates_[i] - rise, right = rise - step * rates_[i];
+    const double deformation = start_deformations_[i] + x * rise + x * (1.0 - x) * ((1.0 - x) * left + x * right);
     const double slope = rise + (1.0 - x) * (1.0 - 3.0 * x) * left + x * (2.0 - 3.0 * x) * right;
     return laws_[i].regime_margin(committed_[i], deformation, slope / step);
   }
@@ -252,7 +344,7 @@ class LinkBlock final : public ElementBlock {
   // Fraction at which the deformation turns inside the step, 0 if it does not. A linear rate is exact for
   // average acceleration and close enough for others to decide whether to look.
   double turning_point(std::size_t i) const {
-    const double start = starts_[i].rate, end = rates_[i];
+    const double start = start_rates_[i], end = rates_[i];
     return start * end < 0.0 ? start / (start - end) : 0.0;
   }
 
@@ -260,11 +352,16 @@ class LinkBlock final : public ElementBlock {
   std::vector<Law> laws_;
   std::vector<double> effective_masses_;
   std::vector<Ends> ends_;
+  std::vector<typename Ends::Slots> slots_;
   std::vector<double> offsets_;
   std::vector<State> committed_, trial_;
-  std::vector<double> deformations_, rates_, forces_, stiffnesses_, dampings_;
-  std::vector<Start> starts_;
+  std::vector<double> deformations_, rates_, forces_;
+  std::vector<double> stiffnesses_, dampings_;            // empty for linear laws
+  std::vector<double> start_deformations_, start_rates_;  // at the last commit
+  bool accounting_ = false;
   std::vector<Account> accounts_;
+  int threads_ = 1;
+  Shares entry_shares_, slot_shares_;  // with more than one thread
 };
 
 }  // namespace moat

@@ -12,7 +12,6 @@ void add(Model& model, const ShearSpring& spring) {
   law.check(check);
   model.register_element("ShearSpring", spring.name);
   model.block<LinkBlock<Linear>>().add({.name = spring.name,
-                                        .place = spring.name,
                                         .kind = ElementKind::storey,
                                         .first = spring.lower,
                                         .second = spring.upper,

@@ -11,12 +11,8 @@ void add(Model& model, const ViscousDamper& damper) {
   const Viscous law{.damping = damper.damping};
   law.check(check);
   model.register_element("ViscousDamper", damper.name);
-  model.block<LinkBlock<Viscous>>().add({.name = damper.name,
-                                         .place = damper.name,
-                                         .kind = ElementKind::damper,
-                                         .first = damper.lower,
-                                         .second = damper.upper},
-                                        law);
+  model.block<LinkBlock<Viscous>>().add(
+      {.name = damper.name, .kind = ElementKind::damper, .first = damper.lower, .second = damper.upper}, law);
 }
 
 }  // namespace moat

@@ -39,8 +39,9 @@ struct Bilinear {
     check.positive("yield_force", yield_force);
     check.positive("yield_displacement", yield_displacement);
     check.not_negative("post_yield_stiffness", post_yield_stiffness);
+    if (post_yield_stiffness.si() < initial_stiffness()) return;
     check.that(
-        post_yield_stiffness.si() < initial_stiffness(), "post_yield_stiffness", post_yield_stiffness.si(), "N/m",
+        false, "post_yield_stiffness", post_yield_stiffness.si(), "N/m",
         "below the initial stiffness yield_force / yield_displacement = " + to_text(initial_stiffness()) + " N/m",
         "Check the exponents of the three parameters.");
   }

@@ -1,7 +1,5 @@
 #include "structures/shear_building.hpp"
 
-#include <algorithm>
-
 #include "base/check.hpp"
 #include "elements/shear_spring.hpp"
 #include "elements/viscous_damper.hpp"
@@ -31,8 +29,8 @@ void check_parameters(const ShearBuilding& building) {
 // Two buildings without names are a likely slip; a message about a node that the script never made would puzzle.
 void require_new_name(const Model& model, const ShearBuilding& building) {
   const std::string floor = building.name.empty() ? "floor 1" : building.name + " floor 1";
-  const bool taken = std::ranges::any_of(model.nodes(), [&](const Node& node) { return node.name == floor; });
-  Check{"ShearBuilding", building.name}.that(!taken, "the model has a node \"" + floor + "\" already.",
+  if (!model.has_node(floor)) return;
+  Check{"ShearBuilding", building.name}.that(false, "the model has a node \"" + floor + "\" already.",
                                              "Give every building its own .name.");
 }
 

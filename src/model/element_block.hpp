@@ -1,6 +1,7 @@
 // All elements of one type in a model, seen from the analyses.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <limits>
 #include <memory>
@@ -8,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "base/label.hpp"
 #include "base/sparse_matrix.hpp"
 #include "base/stiffness_stage.hpp"
 #include "model/node.hpp"
@@ -20,14 +22,16 @@ enum class ElementKind { storey, bearing, gap, damper, other };
 struct ElementInfo {
   /// Unique in its model: "storey 1", "moat left".
   std::string name;
-  /// Where its peaks are listed; elements with the same place share them ("moat").
-  std::string place;
+  /// Where its peaks are listed; elements with the same place share them ("moat"). Its name if empty.
+  std::string place{};
   ElementKind kind = ElementKind::other;
   /// Deformation = displacement of `second` - displacement of `first` - offset.
   NodeId first, second;
   double offset = 0.0;  ///< m
   /// Names under which deformation and force are reported; not reported where empty.
-  std::string deformation_quantity{}, force_quantity{};
+  Label deformation_quantity{}, force_quantity{};
+
+  [[nodiscard]] const std::string& listed_under() const { return place.empty() ? name : place; }
 };
 
 /// A look at the regimes of all elements at the end of a trial step.
@@ -40,6 +44,13 @@ struct RegimeScan {
   bool crossed = false;
   /// Fraction of the step at which the first margin is expected to reach the aim; 1 if none does.
   double fraction = 1.0;
+
+  /// Takes in what was seen of other elements.
+  void merge(const RegimeScan& other) {
+    margin = std::min(margin, other.margin);
+    crossed = crossed || other.crossed;
+    fraction = std::min(fraction, other.fraction);
+  }
 };
 
 /// One change of regime that happened.
@@ -58,6 +69,19 @@ struct ElementEnergy {
   bool hysteretic = false;  ///< dissipates by sliding, whatever the speed; else viscous
 
   [[nodiscard]] double error() const { return work - stored - dissipated; }
+};
+
+/// Sums of the energy accounts of many elements.
+struct EnergySums {
+  double work = 0.0, stored = 0.0, error = 0.0;             // J
+  double viscous = 0.0, hysteretic = 0.0, by_impact = 0.0;  // dissipated, J
+
+  void add(ElementKind kind, const ElementEnergy& energy) {
+    work += energy.work;
+    stored += energy.stored;
+    error += energy.error();
+    (kind == ElementKind::gap ? by_impact : energy.hysteretic ? hysteretic : viscous) += energy.dissipated;
+  }
 };
 
 /// A contact as a gap element sees it.
@@ -87,6 +111,9 @@ class ElementBlock {
   virtual void add_couplings(PatternBuilder& pattern) const = 0;
   /// Remembers where in the matrix its elements scatter to.
   virtual void find_slots(const SparseMatrix& matrix) = 0;
+  /// Evaluation, assembly and commit run on up to `threads` >= 1 threads from now on, if there are enough elements to
+  /// make it worth while. The numbers are the same to the last bit for any number of threads.
+  virtual void use_threads(int threads, const SparseMatrix& matrix) = 0;
 
   /// Forces, tangents and trial states at trial displacements and velocities.
   virtual void evaluate(const double* displacement, const double* velocity) = 0;
@@ -94,17 +121,22 @@ class ElementBlock {
   virtual void add_forces(double* force) const = 0;
   /// Adds displacement_weight * df/du + velocity_weight * df/dv of the last evaluate().
   virtual void add_tangent(double displacement_weight, double velocity_weight, double* values) const = 0;
+  /// Whether df/du and df/dv never change: the block adds its tangent to a sum that is kept, not to every new one.
+  [[nodiscard]] virtual bool constant_tangent() const { return false; }
   /// Adds the constant stiffness of a linear analysis.
   virtual void add_linear_stiffness(StiffnessStage stage, double* values) const = 0;
 
   /// The trial states of the last evaluate() become the committed ones, `step` seconds after the last commit.
-  /// Adds the step to the energy account of every element; a step of 0 is the same instant again.
+  /// Adds the step to the energy account of every element, if they are kept; a step of 0 is the same instant again.
   virtual void commit(double step) = 0;
 
-  /// Starts the energy account of every element at the committed state.
+  /// Starts the energy account of every element at the committed state, which must be the last one evaluated. They are
+  /// kept from then on; without them steps cost less.
   virtual void start_energy_account() = 0;
-  /// Energy account of an element since then.
+  /// Energy account of an element since then. Throws std::logic_error where none was started.
   [[nodiscard]] virtual ElementEnergy energy(std::size_t element) const = 0;
+  /// The same for all elements together.
+  virtual void add_energies(EnergySums& sums) const = 0;
 
   /// Results of the last evaluate(), one entry per element: m, m/s, N.
   [[nodiscard]] virtual std::span<const double> deformations() const = 0;

@@ -4,6 +4,7 @@
 
 #include "base/check.hpp"
 #include "base/error.hpp"
+#include "base/parallel.hpp"
 
 namespace moat {
 
@@ -12,13 +13,19 @@ Model::Model(const Model& other)
       node_names_{other.node_names_},
       element_names_{other.element_names_},
       block_of_type_{other.block_of_type_},
+      base_shear_names_{other.base_shear_names_},
       base_shears_{other.base_shears_},
       prepared_{other.prepared_},
       masses_{other.masses_},
       diagonal_slots_{other.diagonal_slots_},
       pattern_{other.pattern_},
+      constant_stiffness_{other.constant_stiffness_},
+      constant_damping_{other.constant_damping_},
       state_{other.state_},
-      trial_{other.trial_} {
+      trial_{other.trial_},
+      blocks_with_regimes_{other.blocks_with_regimes_},
+      only_regimes_evaluated_{other.only_regimes_evaluated_},
+      threads_{other.threads_} {
   for (const auto& block : other.blocks_) blocks_.push_back(block->clone());
 }
 
@@ -35,7 +42,8 @@ NodeId Model::add_node(Node node) {
   check.finite("initial_displacement", node.initial_displacement);
   check.finite("initial_velocity", node.initial_velocity);
   check.positive("half_width", node.half_width);
-  check.that(node_names_.insert(node.name).second, "a node of this name exists.", "Give every node its own name.");
+  check.that(!has_node(node.name), "a node of this name exists.", "Give every node its own name.");
+  node_names_.insert(std::hash<std::string>{}(node.name));
   nodes_.push_back(std::move(node));
   prepared_ = false;
   return NodeId{node_count() - 1};
@@ -68,18 +76,31 @@ void Model::require_node(NodeId id, std::string_view object, std::string_view fi
   throw InputError{message};
 }
 
+bool Model::has_node(const std::string& name) const {
+  return node_names_.contains(std::hash<std::string>{}(name)) &&
+         std::ranges::any_of(nodes_, [&](const Node& node) { return node.name == name; });
+}
+
+bool Model::has_element(const std::string& name) const {
+  if (!element_names_.contains(std::hash<std::string>{}(name))) return false;
+  for (const auto& block : blocks_)
+    for (std::size_t e = 0; e < block->size(); ++e)
+      if (block->info(e).name == name) return true;
+  return false;
+}
+
 void Model::register_element(std::string_view kind, const std::string& name) {
   const Check check{kind, name};
   check.that(!name.empty(), "an element has no name.", "Give .name: results are listed under it.");
-  check.that(element_names_.insert(name).second, "an element of this name exists.",
-             "Give every element its own name.");
+  check.that(!has_element(name), "an element of this name exists.", "Give every element its own name.");
+  element_names_.insert(std::hash<std::string>{}(name));
 }
 
 void Model::add_base_shear(BaseShear shear) {
   const Check check{"BaseShear", shear.where};
   check.that(!shear.where.empty(), "a base shear has no name.", "Give .where: it is listed under it.");
-  for (const BaseShear& other : base_shears_)
-    check.that(other.where != shear.where, "a base shear is reported under this name.", "Give .where another name.");
+  check.that(!base_shear_names_.contains(shear.where), "a base shear is reported under this name.",
+             "Give .where another name.");
   check.that(!shear.nodes.empty(), "no nodes are given.", "List the base and all floors of one building.");
   std::unordered_set<int> listed;
   for (const NodeId id : shear.nodes) {
@@ -88,6 +109,7 @@ void Model::add_base_shear(BaseShear shear) {
     check.that(listed.insert(id.index).second, "the node \"" + node(id).name + "\" is listed twice.",
                "Its inertia would count twice.");
   }
+  base_shear_names_.insert(shear.where);
   base_shears_.push_back(std::move(shear));
 }
 
@@ -98,7 +120,19 @@ void Model::prepare() {
   PatternBuilder builder{count};
   for (const auto& block : blocks_) block->add_couplings(builder);
   pattern_ = builder.build();
-  for (const auto& block : blocks_) block->find_slots(pattern_);
+  blocks_with_regimes_.clear();
+  for (std::size_t i = 0; i < blocks_.size(); ++i) {
+    blocks_[i]->find_slots(pattern_);
+    if (blocks_[i]->has_regimes()) blocks_with_regimes_.push_back(i);
+  }
+  use_threads(threads_);
+  constant_stiffness_.assign(pattern_.values.size(), 0.0);
+  constant_damping_.assign(pattern_.values.size(), 0.0);
+  for (const auto& block : blocks_) {
+    if (!block->constant_tangent()) continue;
+    block->add_tangent(1.0, 0.0, constant_stiffness_.data());
+    block->add_tangent(0.0, 1.0, constant_damping_.data());
+  }
   diagonal_slots_.clear();
   for (int i = 0; i < count; ++i) diagonal_slots_.push_back(pattern_.slot(i, i));
 
@@ -122,7 +156,26 @@ void Model::prepare() {
   for (const auto& block : blocks_) block->commit(0.0);
 }
 
+void Model::use_threads(int threads) {
+  threads_ = threads;
+  for (const auto& block : blocks_) block->use_threads(threads, pattern_);
+}
+
+void Model::evaluate_regimes() {
+  for (const std::size_t i : blocks_with_regimes_)
+    blocks_[i]->evaluate(trial_.displacement.data(), trial_.velocity.data());
+  only_regimes_evaluated_ = true;
+}
+
+void Model::refresh() {
+  if (!only_regimes_evaluated_) return;
+  trial_ = state_;
+  evaluate();
+  for (const auto& block : blocks_) block->commit(0.0);
+}
+
 void Model::evaluate() {
+  only_regimes_evaluated_ = false;
   for (const auto& block : blocks_) block->evaluate(trial_.displacement.data(), trial_.velocity.data());
 }
 
@@ -133,11 +186,16 @@ void Model::internal_forces(Vector& force) const {
 
 void Model::assemble_tangent(double acceleration_weight, double velocity_weight, double displacement_weight,
                              SparseMatrix& matrix) const {
-  std::fill(matrix.values.begin(), matrix.values.end(), 0.0);
+  double* __restrict values = matrix.values.data();
+  const double *stiffness = constant_stiffness_.data(), *damping = constant_damping_.data();
+  for_ranges(threads_, matrix.values.size(), [&](std::size_t begin, std::size_t end) {
+    for (std::size_t k = begin; k < end; ++k)
+      values[k] = displacement_weight * stiffness[k] + velocity_weight * damping[k];
+  });
   for (std::size_t i = 0; i < diagonal_slots_.size(); ++i)
-    matrix.values[static_cast<std::size_t>(diagonal_slots_[i])] =
-        acceleration_weight * masses_[static_cast<Eigen::Index>(i)];
-  for (const auto& block : blocks_) block->add_tangent(displacement_weight, velocity_weight, matrix.values.data());
+    values[diagonal_slots_[i]] += acceleration_weight * masses_[static_cast<Eigen::Index>(i)];
+  for (const auto& block : blocks_)
+    if (!block->constant_tangent()) block->add_tangent(displacement_weight, velocity_weight, values);
 }
 
 void Model::assemble_linear_stiffness(StiffnessStage stage, SparseMatrix& matrix) const {
@@ -148,11 +206,13 @@ void Model::assemble_linear_stiffness(StiffnessStage stage, SparseMatrix& matrix
 void Model::commit() {
   const double step = trial_.time - state_.time;
   state_.time = trial_.time;
-  // Swapping would leave an old state in the trial, which starts the next step's prediction.
   state_.displacement = trial_.displacement;
   state_.velocity = trial_.velocity;
   state_.acceleration = trial_.acceleration;
-  for (const auto& block : blocks_) block->commit(step);
+  if (only_regimes_evaluated_)
+    for (const std::size_t i : blocks_with_regimes_) blocks_[i]->commit(step);
+  else
+    for (const auto& block : blocks_) block->commit(step);
 }
 
 void Model::start_energy_account() {
@@ -161,15 +221,13 @@ void Model::start_energy_account() {
 
 RegimeScan Model::scan_regimes(double step, double aim) const {
   RegimeScan scan{.aim = aim};
-  for (const auto& block : blocks_)
-    if (block->has_regimes()) block->scan_regimes(step, scan);
+  for (const std::size_t i : blocks_with_regimes_) blocks_[i]->scan_regimes(step, scan);
   return scan;
 }
 
 void Model::change_regimes(std::vector<RegimeChange>& changes) {
   const std::size_t before = changes.size();
-  for (std::size_t i = 0; i < blocks_.size(); ++i)
-    if (blocks_[i]->has_regimes()) blocks_[i]->change_regimes(i, changes);
+  for (const std::size_t i : blocks_with_regimes_) blocks_[i]->change_regimes(i, changes);
   if (changes.size() == before) return;
   trial_ = state_;
   evaluate();
@@ -177,8 +235,7 @@ void Model::change_regimes(std::vector<RegimeChange>& changes) {
 
 double Model::shortest_contact() const {
   double shortest = std::numeric_limits<double>::infinity();
-  for (const auto& block : blocks_)
-    if (block->has_regimes()) shortest = std::min(shortest, block->shortest_contact());
+  for (const std::size_t i : blocks_with_regimes_) shortest = std::min(shortest, blocks_[i]->shortest_contact());
   return shortest;
 }
 

@@ -58,8 +58,10 @@ class Model {
   [[nodiscard]] std::string_view node_name(NodeId id) const;
   /// m1 m2 / (m1 + m2) of two nodes, kg; the ground's mass is infinite.
   [[nodiscard]] double effective_mass(NodeId a, NodeId b) const;
+  [[nodiscard]] bool has_element(const std::string& name) const;
   /// Throws InputError unless id is the ground or a node of this model; `object` and `field` are named.
   void require_node(NodeId id, std::string_view object, std::string_view field) const;
+  [[nodiscard]] bool has_node(const std::string& name) const;
   /// Throws InputError if the name is empty or taken by another element.
   void register_element(std::string_view kind, const std::string& name);
 
@@ -91,6 +93,11 @@ class Model {
 
   /// Computes all elements at the trial state.
   void evaluate();
+  /// Computes only the elements that can change their regime; forces and deformations of the others stay those of the
+  /// last evaluate(). For whoever knows the motion of the nodes without forces and has no one to show them to.
+  void evaluate_regimes();
+  /// Computes all elements at the committed state, where evaluate_regimes() left some out.
+  void refresh();
   /// force := internal forces of the last evaluate(); one entry more than degrees of freedom.
   void internal_forces(Vector& force) const;
   /// matrix := acceleration_weight M + velocity_weight df/dv + displacement_weight df/du.
@@ -100,8 +107,11 @@ class Model {
   void assemble_linear_stiffness(StiffnessStage stage, SparseMatrix& matrix) const;
   /// The trial state of nodes and elements becomes the committed one; energy accounts grow by the step between them.
   void commit();
-  /// Starts the energy accounts of all elements at the committed state.
+  /// Starts the energy accounts of all elements at the committed state; they are kept from then on.
   void start_energy_account();
+  /// Evaluates and assembles on up to `threads` >= 1 threads from now on; the numbers stay the same to the last bit.
+  /// The model must be prepared.
+  void use_threads(int threads);
   /// Looks for changes of regime between the committed and the trial state, `step` seconds apart;
   /// `aim` <= 0 is where a located step should end (RegimeScan).
   [[nodiscard]] RegimeScan scan_regimes(double step, double aim) const;
@@ -112,16 +122,23 @@ class Model {
 
  private:
   std::vector<Node> nodes_;
-  std::unordered_set<std::string> node_names_, element_names_;
+  // Hashes of the names: of a million elements, the names themselves would be much of the memory.
+  std::unordered_set<std::size_t> node_names_, element_names_;
   std::vector<std::unique_ptr<ElementBlock>> blocks_;
   std::unordered_map<std::type_index, std::size_t> block_of_type_;
+  std::unordered_set<std::string> base_shear_names_;
   std::vector<BaseShear> base_shears_;
 
   bool prepared_ = false;
   Vector masses_;
   std::vector<int> diagonal_slots_;
   SparseMatrix pattern_;
+  // Tangents of the blocks for which they never change, as values of the pattern.
+  std::vector<double> constant_stiffness_, constant_damping_;
   MotionState state_, trial_;
+  std::vector<std::size_t> blocks_with_regimes_;
+  bool only_regimes_evaluated_ = false;
+  int threads_ = 1;
 };
 
 template <class Block>

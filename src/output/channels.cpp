@@ -12,17 +12,19 @@ Channels::Channels(const Model& model) {
   }
   for (std::size_t b = 0; b < model.blocks().size(); ++b) {
     const ElementBlock& block = *model.blocks()[b];
+    BlockChannels of_block{b, {}};
     for (std::size_t e = 0; e < block.size(); ++e) {
       const ElementInfo& info = block.info(e);
       if (!info.deformation_quantity.empty()) {
-        list_.push_back({info.deformation_quantity, info.name, info.place, "m"});
-        elements_.push_back({b, e, false});
+        list_.push_back({info.deformation_quantity.text(), info.name, info.listed_under(), "m"});
+        of_block.elements.push_back({e, info.kind == ElementKind::gap ? Shown::indentation : Shown::deformation});
       }
       if (!info.force_quantity.empty()) {
-        list_.push_back({info.force_quantity, info.name, info.place, "N"});
-        elements_.push_back({b, e, true});
+        list_.push_back({info.force_quantity.text(), info.name, info.listed_under(), "N"});
+        of_block.elements.push_back({e, Shown::force});
       }
     }
+    if (!of_block.elements.empty()) blocks_.push_back(std::move(of_block));
   }
   for (const BaseShear& shear : model.base_shears())
     list_.push_back({"total_base_shear", shear.where, shear.where, "N"});
@@ -36,20 +38,25 @@ int Channels::find(std::string_view quantity, std::string_view where) const {
 
 void Channels::sample(const StepView& view, std::vector<double>& values) const {
   values.resize(list_.size());
+  double* next = values.data();
   const MotionState& state = view.model.state();
-  const auto nodes = static_cast<Eigen::Index>(view.model.nodes().size());
-  std::size_t next = 0;
-  for (Eigen::Index i = 0; i < nodes; ++i) {
-    values[next++] = state.displacement[i];
-    values[next++] = state.velocity[i];
-    values[next++] = state.acceleration[i] + view.ground_acceleration;
+  const double *displacement = state.displacement.data(), *velocity = state.velocity.data(),
+               *acceleration = state.acceleration.data();
+  for (std::size_t i = 0; i < view.model.nodes().size(); ++i) {
+    *next++ = displacement[i];
+    *next++ = velocity[i];
+    *next++ = acceleration[i] + view.ground_acceleration;
   }
-  for (const ElementChannel& channel : elements_) {
-    const ElementBlock& block = *view.model.blocks()[channel.block];
-    const double deformation = block.deformations()[channel.element];
-    // An open gap is not indented.
-    const bool gap = block.info(channel.element).kind == ElementKind::gap;
-    values[next++] = channel.force ? block.forces()[channel.element] : gap ? std::max(deformation, 0.0) : deformation;
+  for (const BlockChannels& channels : blocks_) {
+    const ElementBlock& block = *view.model.blocks()[channels.block];
+    const double *deformations = block.deformations().data(), *forces = block.forces().data();
+    for (const ElementChannel& channel : channels.elements) {
+      const double deformation = deformations[channel.element];
+      // An open gap is not indented.
+      *next++ = channel.shown == Shown::force         ? forces[channel.element]
+                : channel.shown == Shown::indentation ? std::max(deformation, 0.0)
+                                                      : deformation;
+    }
   }
   const Vector& mass = view.model.masses();
   for (const BaseShear& shear : view.model.base_shears()) {
@@ -57,7 +64,7 @@ void Channels::sample(const StepView& view, std::vector<double>& values) const {
     double inertia = 0.0;
     for (const NodeId node : shear.nodes)
       inertia += mass[node.index] * (state.acceleration[node.index] + view.ground_acceleration);
-    values[next++] = -inertia;
+    *next++ = -inertia;
   }
 }
 

@@ -35,13 +35,18 @@ class Channels {
   [[nodiscard]] static std::size_t of_node(NodeId node) { return 3 * static_cast<std::size_t>(node.index); }
 
  private:
+  enum class Shown { deformation, indentation, force };
   struct ElementChannel {
-    std::size_t block, element;
-    bool force;  // or deformation
+    std::size_t element;
+    Shown shown;
+  };
+  struct BlockChannels {
+    std::size_t block;
+    std::vector<ElementChannel> elements;
   };
 
   std::vector<Channel> list_;
-  std::vector<ElementChannel> elements_;
+  std::vector<BlockChannels> blocks_;
 };
 
 }  // namespace moat

@@ -39,19 +39,14 @@ EnergyBalance EnergyLedger::totals(const Model& model) const {
   balance.largest_input = largest_input_;
   balance.largest_kinetic = largest_kinetic_;
   balance.kinetic = kinetic_energy(model) - kinetic_at_start_;
-  double work = 0.0;
-  for (const auto& block : model.blocks()) {
-    for (std::size_t e = 0; e < block->size(); ++e) {
-      const ElementEnergy energy = block->energy(e);
-      work += energy.work;
-      balance.strain += energy.stored;
-      balance.integration_error += energy.error();
-      (block->info(e).kind == ElementKind::gap ? balance.impact
-       : energy.hysteretic                     ? balance.hysteretic
-                                               : balance.viscous) += energy.dissipated;
-    }
-  }
-  balance.equation_residual = balance.kinetic + work - balance.input;
+  EnergySums sums;
+  for (const auto& block : model.blocks()) block->add_energies(sums);
+  balance.strain = sums.stored;
+  balance.integration_error = sums.error;
+  balance.viscous = sums.viscous;
+  balance.hysteretic = sums.hysteretic;
+  balance.impact = sums.by_impact;
+  balance.equation_residual = balance.kinetic + sums.work - balance.input;
   return balance;
 }
 
@@ -69,8 +64,8 @@ EnergyBalance EnergyLedger::balance(const Model& model) const {
       if (info.kind == ElementKind::gap) {
         balance.gaps.push_back({info.name, energy.dissipated});
       } else if (energy.hysteretic) {
-        const auto [known, inserted] = position_of_place.try_emplace(info.place, balance.bearings.size());
-        if (inserted) balance.bearings.push_back({info.place, 0.0});
+        const auto [known, inserted] = position_of_place.try_emplace(info.listed_under(), balance.bearings.size());
+        if (inserted) balance.bearings.push_back({info.listed_under(), 0.0});
         balance.bearings[known->second].value += energy.dissipated;
       }
     }

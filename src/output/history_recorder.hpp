@@ -19,7 +19,7 @@ class HistoryRecorder final : public StepObserver {
   void event(const StepView&, std::span<const RegimeChange>) override {}
   void finish(const StepView&) override {}
 
-  [[nodiscard]] const Table& table() const { return table_; }
+  [[nodiscard]] Table table() const;
 
  private:
   void record(const StepView& view);
@@ -29,7 +29,10 @@ class HistoryRecorder final : public StepObserver {
   const EnergyLedger* ledger_;
   long next_ = 0;
   std::vector<double> values_;
-  Table table_;
+  std::vector<Column> heads_;  // without values
+  // Rows one after the other, in pieces, so that a long history is not copied while it grows.
+  static constexpr std::size_t rows_per_piece = 256;
+  std::vector<std::vector<double>> pieces_;
 };
 
 }  // namespace moat

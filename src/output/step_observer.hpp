@@ -14,11 +14,22 @@ struct StepView {
   bool on_grid = true;               ///< false where the step ended at a located event, between grid times
 };
 
+/// What an observer looks at, apart from time and ground; each includes those before it.
+enum class Observed {
+  nodes,     ///< displacements, velocities and accelerations
+  elements,  ///< also deformations and forces
+  energy,    ///< also the elements' energy accounts
+};
+
 /// Receives every accepted step of an analysis. At a located event it is called twice for the same
 /// instant: step() with the values before the change of regime, event() with those after it.
 class StepObserver {
  public:
   virtual ~StepObserver() = default;
+
+  /// An analysis may leave out what none of its observers looks at. From touch to separation and in event() elements
+  /// are up to date in any case, and the force of an open gap is zero.
+  [[nodiscard]] virtual Observed observed() const { return Observed::energy; }
 
   /// The state at the start, before the first step.
   virtual void start(const StepView& view) = 0;

@@ -170,19 +170,29 @@ class ForceBalanceTest final : public NOX::StatusTest::Generic {
     const auto& iterate = static_cast<const NoxGroup&>(solver.getSolutionGroup());
     report.iterations = solver.getNumIterations();
     report.converged = false;
-    const double largest = iterate.residual().cwiseAbs().maxCoeff(&report.worst_degree_of_freedom);
+    const moat::Vector& residual = iterate.residual();
+    double largest = 0.0, sum = 0.0;
+    report.worst_degree_of_freedom = 0;
+    for (Eigen::Index i = 0; i < residual.size(); ++i) {
+      const double magnitude = std::abs(residual[i]);
+      sum += magnitude;
+      if (magnitude > largest) {
+        largest = magnitude;
+        report.worst_degree_of_freedom = static_cast<int>(i);
+      }
+    }
     report.residual = largest / std::max(iterate.system().residual_scale(), std::numeric_limits<double>::min());
-    // maxCoeff does not propagate a NaN that is not in first place.
-    if (!iterate.isF() || !iterate.residual().allFinite()) {
-      report_no_number(iterate.residual());
+    // The sum, because comparisons pass over what is not a number.
+    if (!iterate.isF() || !std::isfinite(sum)) {
+      report_no_number(residual);
       status_ = NOX::StatusTest::Failed;
     } else if (report.residual <= options_.tolerance ||
                (largest <= iterate.system().round_off() && report.residual <= loosest_by_round_off)) {
       report.converged = true;
       status_ = NOX::StatusTest::Converged;
     } else {
-      status_ = report.iterations >= options_.largest_iterations ? NOX::StatusTest::Failed
-                                                                 : NOX::StatusTest::Unconverged;
+      status_ =
+          report.iterations >= options_.largest_iterations ? NOX::StatusTest::Failed : NOX::StatusTest::Unconverged;
     }
     return status_;
   }
@@ -208,8 +218,10 @@ Teuchos::RCP<Teuchos::ParameterList> solver_parameters() {
   // NOX prints failures whatever its "Output Information" is; to us they are results. Both settings are needed:
   // formatting the progress of every iteration into a stream that drops it takes more time than the iteration.
   list->sublist("Printing").set("Output Information", static_cast<int>(NOX::Utils::Error));
-  list->sublist("Printing").set("Output Stream", Teuchos::RCP<std::ostream>{Teuchos::rcp(new Teuchos::oblackholestream)});
-  list->sublist("Printing").set("Error Stream", Teuchos::RCP<std::ostream>{Teuchos::rcp(new Teuchos::oblackholestream)});
+  list->sublist("Printing")
+      .set("Output Stream", Teuchos::RCP<std::ostream>{Teuchos::rcp(new Teuchos::oblackholestream)});
+  list->sublist("Printing")
+      .set("Error Stream", Teuchos::RCP<std::ostream>{Teuchos::rcp(new Teuchos::oblackholestream)});
   auto& direction = list->sublist("Direction");
   direction.set("Method", "User Defined");
   Teuchos::RCP<NOX::Direction::UserDefinedFactory> factory = Teuchos::rcp(new NewtonDirectionFactory);

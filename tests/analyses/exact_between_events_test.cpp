@@ -8,9 +8,9 @@
 #include <memory>
 #include <numbers>
 
-#include "../solvers/counted_new.hpp"
 #include "analyses/case_run.hpp"
 #include "analysis_testing.hpp"
+#include "counted_allocations.hpp"
 #include "elements/gap.hpp"
 #include "elements/lead_rubber_bearing.hpp"
 #include "elements/spring.hpp"
@@ -326,9 +326,9 @@ TEST(ExactBetweenEvents, AsksForNoMemoryOnceItsMatricesAreKnown) {
   Model model = paper_model(no_gap);
   Transient analysis{model, sine_motion(2.0, 0, 20.0), exact_options()};
   while (model.state().time < 5.0) analysis.advance();
-  const long events = analysis.statistics().events, before = count_of_new();
+  const long events = analysis.statistics().events, before = count_of_allocations();
   while (!analysis.finished()) analysis.advance();
-  EXPECT_EQ(count_of_new(), before);
+  EXPECT_EQ(count_of_allocations(), before);
   EXPECT_GT(analysis.statistics().events, events + 10);
 }
 

@@ -37,8 +37,8 @@ TEST(ShearSpring, PullsTheUpperNodeBackAndTheLowerOneAlong) {
   const ElementBlock& block = *nodes.model.blocks()[0];
   EXPECT_NEAR(block.deformations()[0], 0.02, 1e-15);
   EXPECT_NEAR(block.forces()[0], 20e3, 1e-8);
-  EXPECT_EQ(block.info(0).deformation_quantity, "drift");
-  EXPECT_EQ(block.info(0).force_quantity, "storey_shear");
+  EXPECT_EQ(block.info(0).deformation_quantity.text(), "drift");
+  EXPECT_EQ(block.info(0).force_quantity.text(), "storey_shear");
 }
 
 TEST(ShearSpring, StandsOnTheGround) {

@@ -57,7 +57,7 @@ TEST(HistoryRecorder, HasAColumnForTimeGroundAndEveryChannel) {
   HandMovedBuilding building;
   HistoryRecorder recorder{building.model, 0.1};
   recorder.start(building.move(0.0, 0.02, 0.03, 4.0, 5.0, 1.5));
-  const Table& table = recorder.table();
+  const Table table = recorder.table();
   const Channels channels{building.model};
   ASSERT_EQ(table.columns.size(), channels.list().size() + 2);
   EXPECT_EQ(column_name(table.columns[0]), "time [s]");

@@ -7,7 +7,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "counted_new.hpp"
+#include "counted_allocations.hpp"
 #include "matrices.hpp"
 
 namespace moat {
@@ -170,14 +170,14 @@ TEST(Factorisation, DoesNotAllocateWhenItRefactorisesAndSolves) {
   Factorisation factors;
   ASSERT_TRUE(factors.factorise(matrix));
   Vector x = right_hand_side(60);
-  const long before = testing::count_of_new();
+  const long before = testing::count_of_allocations();
   bool done = true;
   for (int i = 0; i < 10; ++i) {
     matrix.values[0] += 0.1;
     done = done && factors.factorise(matrix);
     factors.solve(x);
   }
-  EXPECT_EQ(testing::count_of_new(), before);
+  EXPECT_EQ(testing::count_of_allocations(), before);
   EXPECT_TRUE(done);
 }
 

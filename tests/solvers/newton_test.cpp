@@ -7,7 +7,7 @@
 #include <thread>
 #include <vector>
 
-#include "counted_new.hpp"
+#include "counted_allocations.hpp"
 #include "matrices.hpp"
 #include "message_of.hpp"
 #include "solvers/factorisation.hpp"
@@ -230,22 +230,22 @@ TEST(NewtonSolver, SolvesAgainWithoutAllocating) {
   NewtonSolver solver{system, {.largest_iterations = 60}};
   Vector x = Vector::Zero(50);
   ASSERT_TRUE(solver.solve(x).converged);
-  const long before = testing::count_of_new();
+  const long before = testing::count_of_allocations();
   bool converged = true;
   for (int i = 1; i <= 100; ++i) {
     system.set_load(10.0 + i);
     converged = converged && solver.solve(x).converged;
   }
-  EXPECT_EQ(testing::count_of_new(), before);
+  EXPECT_EQ(testing::count_of_allocations(), before);
   EXPECT_TRUE(converged);
 }
 
 TEST(NewtonSolver, CountsItsOwnAllocations) {
   // The counter of the test above is alive: making a solver allocates.
   CubicChain system{50, 10.0};
-  const long before = testing::count_of_new();
+  const long before = testing::count_of_allocations();
   const NewtonSolver solver{system, {}};
-  EXPECT_GT(testing::count_of_new(), before);
+  EXPECT_GT(testing::count_of_allocations(), before);
 }
 
 TEST(NewtonSolver, TwoSolversInTwoThreadsDoNotDisturbEachOther) {

@@ -1,12 +1,19 @@
-#include "counted_new.hpp"
+#include "counted_allocations.hpp"
 
 #include <atomic>
+#include <cstddef>
 #include <cstdlib>
 #include <new>
 
 namespace {
 
 std::atomic<long> calls = 0;
+
+}  // namespace
+
+#ifdef __SANITIZE_ADDRESS__
+
+namespace {
 
 void* counted(std::size_t size) {
   ++calls;
@@ -23,8 +30,32 @@ void operator delete[](void* memory) noexcept { std::free(memory); }
 void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
 void operator delete[](void* memory, std::size_t) noexcept { std::free(memory); }
 
+#else
+
+// What the program defines takes the place of the C library's functions, in shared libraries too.
+extern "C" {
+void* __libc_malloc(std::size_t size);
+void* __libc_calloc(std::size_t count, std::size_t size);
+void* __libc_realloc(void* memory, std::size_t size);
+
+void* malloc(std::size_t size) {
+  ++calls;
+  return __libc_malloc(size);
+}
+void* calloc(std::size_t count, std::size_t size) {
+  ++calls;
+  return __libc_calloc(count, size);
+}
+void* realloc(void* memory, std::size_t size) {
+  ++calls;
+  return __libc_realloc(memory, size);
+}
+}
+
+#endif
+
 namespace moat::testing {
 
-long count_of_new() { return calls; }
+long count_of_allocations() { return calls; }
 
 }  // namespace moat::testing

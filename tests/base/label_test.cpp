@@ -1,0 +1,38 @@
+#include "base/label.hpp"
+
+#include <gtest/gtest.h>
+
+#include <thread>
+#include <vector>
+
+namespace moat {
+namespace {
+
+TEST(Label, HoldsItsText) {
+  EXPECT_EQ(Label{"drift"}.text(), "drift");
+  EXPECT_TRUE(Label{}.empty());
+  EXPECT_FALSE(Label{"drift"}.empty());
+}
+
+TEST(Label, IsEqualWhereTheTextIs) {
+  const std::string text = "storey_shear";
+  EXPECT_EQ(Label{text}, Label{"storey_shear"});
+  EXPECT_FALSE(Label{text} == Label{"storey"});
+}
+
+TEST(Label, TakesThePlaceOfAPointerOnly) { EXPECT_EQ(sizeof(Label), sizeof(void*)); }
+
+TEST(Label, IsTheSameOnEveryThread) {
+  std::vector<Label> labels(8);
+  {
+    std::vector<std::jthread> threads;
+    for (Label& label : labels)
+      threads.emplace_back([&label] {
+        for (int i = 0; i < 200; ++i) label = Label{"text " + std::to_string(i)};
+      });
+  }
+  for (const Label label : labels) EXPECT_EQ(label, labels.front());
+}
+
+}  // namespace
+}  // namespace moat

@@ -1,0 +1,10 @@
+// How often this program has asked for memory.
+#pragma once
+
+namespace moat::testing {
+
+/// Calls of malloc, calloc and realloc since the program started, of all threads and libraries; operator new calls
+/// malloc. Under the address sanitizer, which brings its own malloc, calls of operator new.
+long count_of_allocations();
+
+}  // namespace moat::testing
