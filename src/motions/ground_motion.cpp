@@ -50,6 +50,7 @@ GroundMotion::GroundMotion(std::string name, double time_step, std::vector<doubl
                            std::vector<std::string> notes)
     : name_{std::move(name)},
       time_step_{time_step},
+      samples_per_second_{1.0 / time_step},
       duration_{samples.empty() ? 0.0 : static_cast<double>(samples.size() - 1) * time_step},
       samples_{std::move(samples)},
       notes_{std::move(notes)} {

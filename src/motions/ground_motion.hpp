@@ -38,7 +38,7 @@ class GroundMotion {
   /// Ground acceleration at a time in s, in m/s^2; zero outside [0, duration()].
   [[nodiscard]] double acceleration_at(double time) const {
     if (!(time >= 0.0 && time <= duration_)) return 0.0;
-    const double position = time / time_step_;
+    const double position = time * samples_per_second_;
     const std::size_t before = std::min(static_cast<std::size_t>(position), samples_.size() - 2);
     const double fraction = position - static_cast<double>(before);
     return samples_[before] + fraction * (samples_[before + 1] - samples_[before]);
@@ -65,6 +65,7 @@ class GroundMotion {
  private:
   std::string name_;
   double time_step_;
+  double samples_per_second_;
   double duration_;
   std::vector<double> samples_;
   std::vector<std::string> notes_;

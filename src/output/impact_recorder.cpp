@@ -37,7 +37,8 @@ void ImpactRecorder::step(const StepView& view) { follow(view, false); }
 void ImpactRecorder::event(const StepView& view, std::span<const RegimeChange> changes) {
   for (const RegimeChange gap : changes) {
     const bool touching = view.model.blocks()[gap.block]->contact(gap.element).touching;
-    const auto known = std::find_if(ongoing_.begin(), ongoing_.end(), [&](const Ongoing& o) { return same(o.gap, gap); });
+    const auto known =
+        std::find_if(ongoing_.begin(), ongoing_.end(), [&](const Ongoing& o) { return same(o.gap, gap); });
     if (touching && known == ongoing_.end()) {
       open(view, gap);
     } else if (!touching && known != ongoing_.end()) {
@@ -55,7 +56,8 @@ void ImpactRecorder::open(const StepView& view, RegimeChange gap) {
   impacts_.push_back({.where = block.info(gap.element).name,
                       .start = view.model.state().time,
                       .approach_speed = speed,
-                      .restitution = block.delivered_restitution(gap.element, speed)});
+                      .restitution = std::numeric_limits<double>::quiet_NaN()});
+  gaps_.push_back(gap);
 }
 
 void ImpactRecorder::close(const StepView& view, const Ongoing& contact, bool separated) {
@@ -73,6 +75,9 @@ void ImpactRecorder::close(const StepView& view, const Ongoing& contact, bool se
 void ImpactRecorder::finish(const StepView& view) {
   for (const Ongoing& contact : ongoing_) close(view, contact, false);
   ongoing_.clear();
+  for (std::size_t i = 0; i < impacts_.size(); ++i)
+    impacts_[i].restitution =
+        view.model.blocks()[gaps_[i].block]->delivered_restitution(gaps_[i].element, impacts_[i].approach_speed);
 }
 
 }  // namespace moat

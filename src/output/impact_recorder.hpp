@@ -10,7 +10,7 @@
 namespace moat {
 
 /// Lists every contact from touch until the gap opens. A contact that still lasts at the end is listed with
-/// its duration so far and without a rebound ratio (NaN).
+/// its duration so far and without a rebound ratio (NaN). What the law alone would have done is filled in at finish().
 class ImpactRecorder final : public StepObserver {
  public:
   void start(const StepView& view) override;
@@ -34,6 +34,7 @@ class ImpactRecorder final : public StepObserver {
   void close(const StepView& view, const Ongoing& contact, bool separated);
 
   std::vector<Impact> impacts_;
+  std::vector<RegimeChange> gaps_;  // of the impacts
   std::vector<Ongoing> ongoing_;
 };
 

@@ -4,21 +4,18 @@
 
 namespace moat {
 
-PeakRecorder::PeakRecorder(const Model& model)
-    : model_{&model}, channels_{model}, trackers_(channels_.list().size()) {}
+PeakRecorder::PeakRecorder(const Model& model) : model_{&model}, channels_{model}, trackers_(channels_.list().size()) {}
 
 void PeakRecorder::start(const StepView& view) { step(view); }
 
 void PeakRecorder::step(const StepView& view) {
   channels_.sample(view, values_);
-  const double time = view.model.state().time;
-  for (std::size_t i = 0; i < values_.size(); ++i) trackers_[i].add(time, values_[i]);
+  trackers_.add(view.model.state().time, values_.data());
 }
 
 void PeakRecorder::event(const StepView& view, std::span<const RegimeChange>) {
   channels_.sample(view, values_);
-  const double time = view.model.state().time;
-  for (std::size_t i = 0; i < values_.size(); ++i) trackers_[i].restart(time, values_[i]);
+  trackers_.restart(view.model.state().time, values_.data());
 }
 
 std::vector<Peak> PeakRecorder::peaks() const {
@@ -29,18 +26,18 @@ std::vector<Peak> PeakRecorder::peaks() const {
     const auto [found, inserted] = index.try_emplace({channel.quantity, channel.place}, peaks.size());
     if (inserted) peaks.push_back({channel.quantity, channel.place, 0.0, channel.unit, 0.0});
     Peak& peak = peaks[found->second];
-    if (trackers_[i].magnitude() > peak.value) {
-      peak.value = trackers_[i].magnitude();
-      peak.time = trackers_[i].time();
+    if (trackers_.magnitude(i) > peak.value) {
+      peak.value = trackers_.magnitude(i);
+      peak.time = trackers_.time(i);
     }
   }
   for (const BaseShear& shear : model_->base_shears()) {
     Peak sum{"sum_of_floor_inertia_maxima", shear.where, 0.0, "N", 0.0};
     for (const NodeId node : shear.nodes) {
-      const PeakTracker& acceleration = trackers_[Channels::of_node(node) + 2];
-      sum.value += model_->masses()[node.index] * acceleration.magnitude();
+      const std::size_t acceleration = Channels::of_node(node) + 2;
+      sum.value += model_->masses()[node.index] * trackers_.magnitude(acceleration);
       // The maxima are not simultaneous; the last of them completes the sum.
-      sum.time = std::max(sum.time, acceleration.time());
+      sum.time = std::max(sum.time, trackers_.time(acceleration));
     }
     peaks.push_back(sum);
   }

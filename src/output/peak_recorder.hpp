@@ -5,7 +5,7 @@
 
 #include "output/case_result.hpp"
 #include "output/channels.hpp"
-#include "output/peak_tracker.hpp"
+#include "output/peak_trackers.hpp"
 
 namespace moat {
 
@@ -26,7 +26,7 @@ class PeakRecorder final : public StepObserver {
  private:
   const Model* model_;
   Channels channels_;
-  std::vector<PeakTracker> trackers_;
+  PeakTrackers trackers_;
   std::vector<double> values_;
 };
 

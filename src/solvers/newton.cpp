@@ -171,16 +171,8 @@ class ForceBalanceTest final : public NOX::StatusTest::Generic {
     report.iterations = solver.getNumIterations();
     report.converged = false;
     const moat::Vector& residual = iterate.residual();
-    double largest = 0.0, sum = 0.0;
-    report.worst_degree_of_freedom = 0;
-    for (Eigen::Index i = 0; i < residual.size(); ++i) {
-      const double magnitude = std::abs(residual[i]);
-      sum += magnitude;
-      if (magnitude > largest) {
-        largest = magnitude;
-        report.worst_degree_of_freedom = static_cast<int>(i);
-      }
-    }
+    const double largest = residual.cwiseAbs().maxCoeff();
+    const double sum = residual.cwiseAbs().sum();
     report.residual = largest / std::max(iterate.system().residual_scale(), std::numeric_limits<double>::min());
     // The sum, because comparisons pass over what is not a number.
     if (!iterate.isF() || !std::isfinite(sum)) {
@@ -193,6 +185,7 @@ class ForceBalanceTest final : public NOX::StatusTest::Generic {
     } else {
       status_ =
           report.iterations >= options_.largest_iterations ? NOX::StatusTest::Failed : NOX::StatusTest::Unconverged;
+      if (status_ == NOX::StatusTest::Failed) residual.cwiseAbs().maxCoeff(&report.worst_degree_of_freedom);
     }
     return status_;
   }
