@@ -11,6 +11,8 @@
 #include "performance/measure.hpp"
 #include "performance/options.hpp"
 #include "performance/record.hpp"
+#include "performance/scale.hpp"
+#include "performance/street_run.hpp"
 
 namespace {
 
@@ -24,6 +26,7 @@ struct Section {
 const std::vector<Section>& sections() {
   static const std::vector<Section> list{
       {"equal-accuracy", equal_accuracy},
+      {"scale", scale},
   };
   return list;
 }
@@ -46,6 +49,7 @@ int run(const Options& options, const std::string& only, const std::string& fold
 }  // namespace
 
 int main(int argc, char** argv) {
+  if (const auto exit_code = street_process(argc, argv)) return *exit_code;
   constexpr int exit_usage = 2;
   CLI::App app{"How fast moat is, as ratios measured in one run"};
   app.name("./moat bench performance");
