@@ -10,9 +10,11 @@
 #include "performance/equal_accuracy.hpp"
 #include "performance/measure.hpp"
 #include "performance/options.hpp"
+#include "performance/overhead.hpp"
 #include "performance/record.hpp"
 #include "performance/scale.hpp"
 #include "performance/street_run.hpp"
+#include "performance/suite.hpp"
 
 namespace {
 
@@ -26,7 +28,9 @@ struct Section {
 const std::vector<Section>& sections() {
   static const std::vector<Section> list{
       {"equal-accuracy", equal_accuracy},
+      {"overhead", overhead},
       {"scale", scale},
+      {"suite", suite},
   };
   return list;
 }
