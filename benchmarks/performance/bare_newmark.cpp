@@ -23,10 +23,13 @@ double largest_magnitude(const Values& values) {
 //
 //     [ T  b ] [ x_f ]   [ r_f ]       T x_f + b x_0 = r_f
 //     [ b' s ] [ x_0 ] = [ r_0 ]       only s depends on what bearing and wall are doing
-class Tangent {
+class EliminatedFloors {
  public:
-  Tangent() = default;
-  Tangent(const FiveStoreys& building, double h) : displacement_weight{0.25 * h * h}, velocity_weight{0.5 * h} {
+  static constexpr bool knows_when_solved = true;
+
+  EliminatedFloors() = default;
+  EliminatedFloors(const FiveStoreys& building, double h)
+      : displacement_weight{0.25 * h * h}, velocity_weight{0.5 * h} {
     const double storey =
         building.square_frequency * (displacement_weight + velocity_weight * building.stiffness_factor);
     const double drag = velocity_weight * building.mass_factor;
@@ -70,6 +73,61 @@ class Tangent {
   double base_ = 0.0, mass_ratio_ = 0.0;
 };
 
+// The same tangent, assembled and factored whenever it is needed.
+class DenseTangent {
+ public:
+  static constexpr bool knows_when_solved = false;
+
+  DenseTangent() = default;
+  DenseTangent(const FiveStoreys& building, double h)
+      : displacement_weight{0.25 * h * h},
+        velocity_weight{0.5 * h},
+        storey_{building.square_frequency * (displacement_weight + velocity_weight * building.stiffness_factor)},
+        drag_{velocity_weight * building.mass_factor},
+        base_mass_{1.0 / building.mass_ratio} {}
+
+  [[nodiscard]] Values solve(const Values& residual, double base) const {
+    std::array<std::array<double, unknowns>, unknowns> matrix{};
+    const auto couple = [&](std::size_t i, std::size_t j, double value) {
+      matrix[i][i] += value;
+      matrix[j][j] += value;
+      matrix[i][j] -= value;
+      matrix[j][i] -= value;
+    };
+    matrix[0][0] = base_mass_ * (1.0 + base);
+    for (std::size_t i = 1; i <= floors; ++i) {
+      matrix[i][i] += 1.0;
+      couple(i - 1, i, storey_);
+      couple(0, i, drag_);
+    }
+    std::array<double, unknowns> x{};
+    for (std::size_t i = 0; i < unknowns; ++i) {
+      for (std::size_t j = 0; j < i; ++j) {
+        for (std::size_t k = 0; k < j; ++k) matrix[i][j] -= matrix[i][k] * matrix[j][k];
+        matrix[i][j] /= matrix[j][j];
+      }
+      for (std::size_t k = 0; k < i; ++k) matrix[i][i] -= matrix[i][k] * matrix[i][k];
+      matrix[i][i] = std::sqrt(matrix[i][i]);
+      x[i] = (i == 0 ? base_mass_ : 1.0) * residual[i];
+      for (std::size_t k = 0; k < i; ++k) x[i] -= matrix[i][k] * x[k];
+      x[i] /= matrix[i][i];
+    }
+    Values result;
+    for (std::size_t i = unknowns; i-- > 0;) {
+      for (std::size_t k = i + 1; k < unknowns; ++k) x[i] -= matrix[k][i] * x[k];
+      x[i] /= matrix[i][i];
+      result.set(i, x[i]);
+    }
+    return result;
+  }
+
+  double displacement_weight = 0.0, velocity_weight = 0.0;
+
+ private:
+  double storey_ = 0.0, drag_ = 0.0, base_mass_ = 0.0;  // per mass of a floor
+};
+
+template <class Tangent>
 class History {
  public:
   History(const GroundMotion& motion, NewmarkSetting setting)
@@ -137,7 +195,7 @@ class History {
     constexpr int most_iterations = 50;
     for (int iteration = 0; iteration < most_iterations; ++iteration) {
       const Values residual = accelerations(building_, u, v, base.force, ground) - a;
-      if (touching || iteration > 0) {
+      if (touching || !Tangent::knows_when_solved || iteration > 0) {
         // Of the largest acceleration so far, as moat has it.
         if (largest_magnitude(residual) <= 1e-10 * largest_acceleration_) break;
       }
@@ -151,7 +209,9 @@ class History {
       const double line = base.force + base.stiffness * displacement_weight * x[0];
       base = base_force<touching>(u[0], v[0]);
       // On the same line as before: linear, hence solved.
-      if (!touching && base.slides == slid && std::abs(base.force - line) <= 1e-10 * std::abs(line) + 1e-6) break;
+      if (!touching && Tangent::knows_when_solved && base.slides == slid &&
+          std::abs(base.force - line) <= 1e-10 * std::abs(line) + 1e-6)
+        break;
     }
     next_ = {u, v, a, ground, base.slip, base.wall};
   }
@@ -322,6 +382,12 @@ class History {
 
 }  // namespace
 
-Peaks bare_newmark(const GroundMotion& motion, NewmarkSetting setting) { return History{motion, setting}.run(); }
+Peaks bare_newmark(const GroundMotion& motion, NewmarkSetting setting) {
+  return History<EliminatedFloors>{motion, setting}.run();
+}
+
+Peaks plain_newmark(const GroundMotion& motion, NewmarkSetting setting) {
+  return History<DenseTangent>{motion, setting}.run();
+}
 
 }  // namespace moat::performance

@@ -117,11 +117,11 @@ Method arkode(const GroundMotion& motion) {
   return method;
 }
 
-Method newmark(const GroundMotion& motion) {
-  Method method{method_names::bare_newmark, {}};
+Method newmark(const GroundMotion& motion, const char* name, Peaks (*peaks)(const GroundMotion&, NewmarkSetting)) {
+  Method method{name, {}};
   for (const double tolerance : newmark_tolerances())
-    method.settings.push_back({"tolerance " + to_text(tolerance), [&motion, tolerance] {
-                                 return bare_newmark(motion, {tolerance, steps_for(tolerance)});
+    method.settings.push_back({"tolerance " + to_text(tolerance), [&motion, peaks, tolerance] {
+                                 return peaks(motion, {tolerance, steps_for(tolerance)});
                                }});
   return method;
 }
@@ -146,7 +146,8 @@ std::vector<Method> methods(const GroundMotion& motion, bool quick) {
                            moat_exact(motion, located),
                            cvode(motion),
                            arkode(motion),
-                           newmark(motion),
+                           newmark(motion, method_names::bare_newmark, bare_newmark),
+                           newmark(motion, method_names::plain_newmark, plain_newmark),
                            runge_kutta(motion)};
   if (quick)
     for (Method& method : list) {

@@ -24,7 +24,7 @@ namespace method_names {
 inline constexpr const char *moat_adaptive = "moat adaptive", *moat_recorded = "moat adaptive, all channels recorded",
                             *moat_fixed = "moat fixed step", *moat_exact = "moat exact between events",
                             *cvode = "CVODE", *arkode = "ARKODE", *bare_newmark = "bare Newmark",
-                            *bare_runge_kutta = "bare Runge-Kutta";
+                            *plain_newmark = "plain Newmark", *bare_runge_kutta = "bare Runge-Kutta";
 }
 
 /// All of them for one motion, which must outlive them. `quick`: every third setting.
