@@ -35,6 +35,7 @@ nlohmann::ordered_json json_of(const Figure& figure) {
                               {"quartile_1", figure.value.low},
                               {"quartile_3", figure.value.high},
                               {"count", figure.value.count}};
+  if (!figure.detail.empty()) json["detail"] = figure.detail;
   if (figure.target)
     json["target"] = {{figure.target->at_most ? "at_most" : "at_least", figure.target->bound}, {"held", figure.held()}};
   return json;
@@ -62,6 +63,7 @@ void Record::add(Figure figure) {
   std::string line = figure.name + "  " + with_unit(short_text(figure.value.median), figure.unit);
   if (figure.value.count > 1) line += "  (" + spread_text(figure.value) + ")";
   if (figure.target) line += "  target " + target_text(*figure.target) + ": " + (figure.held() ? "held" : "MISSED");
+  if (!figure.detail.empty()) line += "  [" + figure.detail + "]";
   std::printf("%s\n", line.c_str());
   std::fflush(stdout);
   sections_.back().figures.push_back(std::move(figure));
@@ -123,7 +125,8 @@ void Record::write(const std::filesystem::path& folder) const {
 std::string Record::markdown(const Section& section) {
   std::string text = "| " + section.title + " | median | quartiles | target |\n|---|---|---|---|\n";
   for (const Figure& figure : section.figures)
-    text += "| " + figure.name + " | " + with_unit(short_text(figure.value.median), figure.unit) + " | " +
+    text += "| " + figure.name + (figure.detail.empty() ? "" : " (" + figure.detail + ")") + " | " +
+            with_unit(short_text(figure.value.median), figure.unit) + " | " +
             (figure.value.count > 1 ? spread_text(figure.value) : "") + " | " +
             (figure.target ? target_text(*figure.target) + (figure.held() ? ": held" : ": **missed**") : "") + " |\n";
   for (const std::string& note : section.notes) text += "\n" + note + "\n";

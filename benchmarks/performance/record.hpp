@@ -29,6 +29,7 @@ struct Figure {
   Spread value;
   std::string unit;  ///< empty for a ratio
   std::optional<Target> target = {};
+  std::string detail = {};  ///< what else a reader may want to know, in brackets
 
   /// Whether the median keeps to the target, if there is one.
   [[nodiscard]] bool held() const;

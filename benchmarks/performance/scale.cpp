@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 #include "output/chart.hpp"
 #include "performance/measure.hpp"
@@ -17,16 +16,19 @@ constexpr double street_location_tolerance = 4e-3;
 
 constexpr int steps_before = 24, steps = 40;
 
+/// Target of the peak memory per degree of freedom of the largest street.
+constexpr double largest_bytes = 1500.0;
+
 struct Size {
   double degrees_of_freedom = 0.0;
   std::vector<double> per_step, per_iteration;  // s, of every step
   double bytes_per_degree_of_freedom = 0.0;
 };
 
+// One digit: "3e5".
 std::string count_text(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.0e", value);
-  return text;
+  const int exponent = static_cast<int>(std::floor(std::log10(value)));
+  return std::to_string(std::lround(value / std::pow(10.0, exponent))) + "e" + std::to_string(exponent);
 }
 
 std::string named(double degrees_of_freedom) { return "street of " + count_text(degrees_of_freedom) + " DOF, "; }
@@ -112,6 +114,10 @@ void show_charts(Record& record, const std::vector<Size>& sizes) {
   }
   Series linear{.name = "in proportion", .x = {step.x.front(), step.x.back()}, .y = {}, .style = Series::Style::dashed};
   linear.y = {step.y.back() * step.x.front() / step.x.back(), step.y.back()};
+  const Series target{.name = "target at 1e6",
+                      .x = {memory.x.front(), memory.x.back()},
+                      .y = {largest_bytes, largest_bytes},
+                      .style = Series::Style::dashed};
   record.chart("scale.svg",
                {{.title = "Time on one thread",
                  .x_label = "degrees of freedom",
@@ -122,7 +128,7 @@ void show_charts(Record& record, const std::vector<Size>& sizes) {
                 {.title = "Memory",
                  .x_label = "degrees of freedom",
                  .y_label = "peak per degree of freedom [B]",
-                 .series = {memory},
+                 .series = {memory, target},
                  .logarithmic_x = true,
                  .logarithmic_y = true}},
                1000, 360, 2);
@@ -154,7 +160,7 @@ void grow(Record& record, const Options& options) {
     record.add({name + "time per step", scaled(spread_of(size.per_step), 1e3), "ms"});
     record.add({name + "time per step over Newton iterations", scaled(spread_of(size.per_iteration), 1e3), "ms"});
     record.add({name + "peak memory of the process per DOF", single(size.bytes_per_degree_of_freedom), "B",
-                &size == &sizes.back() ? std::optional{Target{1500.0}} : std::nullopt});
+                &size == &sizes.back() ? std::optional{Target{largest_bytes}} : std::nullopt});
     n.push_back(size.degrees_of_freedom);
     per_step.push_back(spread_of(size.per_step).median);
     per_iteration.push_back(spread_of(size.per_iteration).median);
@@ -187,7 +193,7 @@ void show_located(Record& record) {
 }
 
 void show_threads(Record& record, const Options& options) {
-  constexpr int buildings = 16667;
+  const int buildings = options.quick ? 1667 : 16667;
   std::vector<double> one, two;
   bool equal = true;
   for (int round = 0; round < options.rounds; ++round) {
