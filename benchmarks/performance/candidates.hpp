@@ -1,0 +1,39 @@
+// Everything that computes the five-storey building, with the settings it is tried at.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "motions/ground_motion.hpp"
+#include "performance/five_peaks.hpp"
+
+namespace moat::performance {
+
+struct Setting {
+  std::string name;
+  std::function<Peaks()> run;
+};
+
+struct Method {
+  std::string name;
+  std::vector<Setting> settings;
+};
+
+namespace method_names {
+inline constexpr const char *moat_adaptive = "moat adaptive", *moat_recorded = "moat adaptive, all channels recorded",
+                            *moat_fixed = "moat fixed step", *moat_exact = "moat exact between events",
+                            *cvode = "CVODE", *arkode = "ARKODE", *bare_newmark = "bare Newmark",
+                            *plain_newmark = "plain Newmark", *bare_runge_kutta = "bare Runge-Kutta";
+}
+
+/// All of them for one motion, which must outlive them. `quick`: every third setting.
+std::vector<Method> methods(const GroundMotion& motion, bool quick);
+
+/// moat and the bare explicit loop at settings that leave no visible error.
+struct References {
+  Peaks moat, moat_less_tight, bare;
+};
+References references(const GroundMotion& motion);
+
+}  // namespace moat::performance

@@ -1,0 +1,105 @@
+// The five-storey building in its moat, in plain SI and without moat: what everything moat is compared with computes.
+//
+// It is the building of benchmarks/paper/paper_building.hpp: base 0 and floors 1 to 5, displacements u relative to the
+// ground. With the floors' mass m, storey stiffness k and Rayleigh factors alpha (1/s) and beta (s):
+//
+//     s_i  = k/m ((u_i - u_{i-1}) + beta (v_i - v_{i-1})),   s_6 = 0
+//     a_i  = s_{i+1} - s_i - alpha (v_i - v_0) - a_g                                 i = 1 ... 5
+//     a_0  = (m s_1 + m alpha sum (v_i - v_0) - F_bearing - F_wall) / m_0 - a_g
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "performance/pairs.hpp"
+
+namespace moat::performance {
+
+struct FiveStoreys {
+  double base_mass = 550e3, floor_mass = 500e3;  // kg
+  double storey_stiffness = 1e9;                 // N/m
+  double damping_ratio = 0.05;
+  double yield_displacement = 0.01, elastic_stiffness = 193e6, post_yield_stiffness = 19.3e6;  // m, N/m
+  double gap = 0.1;                                                                            // m
+  double impact_stiffness = 2.95e9;                                                            // N/m^1.5
+  double impact_damping = 0.75 * (1.0 - 0.65 * 0.65);  // of Hertz-damp, e = 0.65
+
+  double square_frequency = storey_stiffness / floor_mass;  // k/m, 1/s^2
+  double mass_ratio = floor_mass / base_mass, inverse_base_mass = 1.0 / base_mass;
+  double mass_factor = 0.0, stiffness_factor = 0.0;  // alpha, beta
+
+  FiveStoreys() {
+    const double first = angular_frequency(1), second = angular_frequency(2);
+    mass_factor = 2.0 * damping_ratio * first * second / (first + second);
+    stiffness_factor = 2.0 * damping_ratio / (first + second);
+  }
+
+  /// Of a uniform chain of five held at its foot: w_j = 2 sqrt(k/m) sin((2j - 1) pi / (2 (2 n + 1))).
+  [[nodiscard]] double angular_frequency(int mode) const {
+    return 2.0 * std::sqrt(square_frequency) *
+           std::sin((2 * mode - 1) * std::numbers::pi / (2.0 * (2.0 * floors + 1.0)));
+  }
+};
+
+/// What the bearing and the wall are doing.
+struct Regimes {
+  int sliding = 0;              ///< direction in which the bearing yields; 0: elastic about its slip
+  double slip = 0.0;            ///< m
+  int side = 0;                 ///< of the wall that is touched: +1 right, -1 left; 0: none
+  bool released = false;        ///< still indented, but the force has ended
+  double approach_speed = 0.0;  ///< m/s, at touch
+};
+
+// As materials/contact_state.hpp and viscous_hertz.hpp have them.
+inline constexpr double slowest_approach = 1e-4, largest_speed_ratio = 100.0;
+
+inline double speed_ratio(const Regimes& regimes, double base_velocity) {
+  return std::clamp(regimes.side * base_velocity / regimes.approach_speed, -largest_speed_ratio, largest_speed_ratio);
+}
+
+/// Force on the wall, N, >= 0.
+inline double wall_force(const FiveStoreys& building, const Regimes& regimes, double base, double base_velocity) {
+  const double indentation = regimes.side * base - building.gap;
+  if (regimes.side == 0 || regimes.released || indentation <= 0.0) return 0.0;
+  return building.impact_stiffness * indentation * std::sqrt(indentation) *
+         (1.0 + building.impact_damping * speed_ratio(regimes, base_velocity));
+}
+
+/// F = stiffness * u + constant, N, while the bearing stays in its regime.
+struct Line {
+  double stiffness = 0.0, constant = 0.0;
+};
+inline Line bearing_line(const FiveStoreys& building, const Regimes& regimes) {
+  const double sliding_part = building.elastic_stiffness - building.post_yield_stiffness;
+  if (regimes.sliding != 0)
+    return {building.post_yield_stiffness, sliding_part * regimes.sliding * building.yield_displacement};
+  return {building.elastic_stiffness, -sliding_part * regimes.slip};
+}
+
+/// `base_force`: of bearing and wall on the base, N, against positive displacement.
+inline Values accelerations(const FiveStoreys& building, const Values& u, const Values& v, double base_force,
+                            double ground) {
+  using Pair = Values::Pair;
+  const Values w = building.square_frequency * (u + building.stiffness_factor * v);
+  // The shears of storeys (1, 4) and (2, 5), and that of 3 as seen from below and from above; there is no sixth.
+  const Pair s14 = w.pairs[1] - w.pairs[0], s25 = w.pairs[2] - w.pairs[1];
+  const double s3 = w[3] - w[2];
+  const Pair from_base = building.mass_factor * (v.pairs[0] - v[0]),
+             drag_1 = building.mass_factor * (v.pairs[1] - v[0]), drag_2 = building.mass_factor * (v.pairs[2] - v[0]);
+  const Pair drags = drag_1 + drag_2 + from_base;
+  Values a{
+      {s14 - Pair{0.0, s3} - from_base - ground, s25 - s14 - drag_1 - ground, Pair{s3, 0.0} - s25 - drag_2 - ground}};
+  a.set(0, building.mass_ratio * (s14[0] + (drags[0] + drags[1])) - building.inverse_base_mass * base_force - ground);
+  return a;
+}
+
+/// Duration of a free elastic impact of the base, s; infinite where no wall is touched.
+inline double contact_duration(const FiveStoreys& building, const Regimes& regimes) {
+  if (regimes.side == 0) return std::numeric_limits<double>::infinity();
+  const double speed = regimes.approach_speed;
+  return 2.94328 * std::pow(1.25 * building.base_mass * speed * speed / building.impact_stiffness, 0.4) / speed;
+}
+
+}  // namespace moat::performance

@@ -1,0 +1,54 @@
+#include "performance/measure.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <ctime>
+
+#include "base/error.hpp"
+
+namespace moat::performance {
+namespace {
+
+// Between two neighbours where the position is not a whole number.
+double quantile(const std::vector<double>& sorted, double fraction) {
+  const double position = fraction * static_cast<double>(sorted.size() - 1);
+  const auto below = static_cast<std::size_t>(position);
+  const std::size_t above = std::min(below + 1, sorted.size() - 1);
+  return std::lerp(sorted[below], sorted[above], position - static_cast<double>(below));
+}
+
+}  // namespace
+
+double seconds(Clock clock) {
+  timespec now{};
+  clock_gettime(clock == Clock::thread ? CLOCK_THREAD_CPUTIME_ID : CLOCK_MONOTONIC, &now);
+  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
+std::vector<std::vector<double>> interleaved_times(const std::vector<Candidate>& candidates, int rounds, Clock clock) {
+  std::vector<std::vector<double>> times(candidates.size());
+  for (int round = -1; round < rounds; ++round) {
+    for (std::size_t i = 0; i < candidates.size(); ++i) {
+      const double start = seconds(clock);
+      candidates[i].run();
+      const double taken = seconds(clock) - start;
+      if (round >= 0) times[i].push_back(taken);
+    }
+  }
+  return times;
+}
+
+Spread spread_of(std::vector<double> values) {
+  if (values.empty()) throw InputError{"spread_of: there is no value. Give at least one."};
+  std::sort(values.begin(), values.end());
+  return {quantile(values, 0.5), quantile(values, 0.25), quantile(values, 0.75), static_cast<int>(values.size())};
+}
+
+Spread ratio_of(const std::vector<double>& a, const std::vector<double>& b) {
+  if (a.size() != b.size()) throw InputError{"ratio_of: the two have different numbers of rounds."};
+  std::vector<double> ratios;
+  for (std::size_t i = 0; i < a.size(); ++i) ratios.push_back(a[i] / b[i]);
+  return spread_of(std::move(ratios));
+}
+
+}  // namespace moat::performance

@@ -1,0 +1,90 @@
+#include "performance/moat_five_storeys.hpp"
+
+#include <array>
+#include <moat.hpp>
+
+#include "output/peak_recorder.hpp"
+#include "paper/paper_building.hpp"
+
+namespace moat::performance {
+namespace {
+
+// The same work as a bare loop does for its peaks.
+class PeakObserver final : public StepObserver {
+ public:
+  explicit PeakObserver(const Model& model) : top_{model.degrees_of_freedom() - 1} {
+    for (const auto& block : model.blocks())
+      if (block->size() > 0 && block->info(0).kind == ElementKind::gap) gaps_ = block.get();
+  }
+
+  void start(const StepView& view) override { step(view); }
+  void step(const StepView& view) override { peaks_.add(view.model.state().time, sample(view)); }
+  void event(const StepView& view, std::span<const RegimeChange>) override {
+    peaks_.restart(view.model.state().time, sample(view));
+  }
+  void finish(const StepView&) override {}
+
+  [[nodiscard]] Peaks peaks() const { return peaks_.values(); }
+
+ private:
+  [[nodiscard]] Peaks sample(const StepView& view) const {
+    const MotionState& state = view.model.state();
+    const auto forces = gaps_->forces();
+    return {state.displacement[0], state.displacement[top_], state.acceleration[0] + view.ground_acceleration,
+            state.acceleration[top_] + view.ground_acceleration, std::max(forces[0], forces[1])};
+  }
+
+  int top_;
+  const ElementBlock* gaps_ = nullptr;
+  FivePeaks peaks_;
+};
+
+double peak_of(const std::vector<Peak>& peaks, std::string_view quantity, std::string_view where) {
+  for (const Peak& peak : peaks)
+    if (peak.quantity == quantity && peak.where == where) return peak.value;
+  throw InputError{"There is no peak " + std::string{quantity} + " of " + std::string{where} + "."};
+}
+
+}  // namespace
+
+Model five_storey_model(bool locate_yield) {
+  using namespace units;
+  Model model;
+  const auto building = add(model, ShearBuilding{.storeys = 5,
+                                                 .floor_mass = paper::floor_mass,
+                                                 .storey_stiffness = 1 * GN / m,
+                                                 .damping = RayleighDamping{.ratio = 0.05},
+                                                 .base_mass = paper::base_mass,
+                                                 .isolation = LeadRubberBearing{.yield_force = 1.93 * MN,
+                                                                                .yield_displacement = 1 * cm,
+                                                                                .post_yield_stiffness = 19.3 * MN / m,
+                                                                                .locate_yield = locate_yield}});
+  add(model, Moat{.around = building.base,
+                  .clearance = paper::paper_gap,
+                  .law = HertzDamp{.stiffness = paper::hertz_impact_stiffness, .restitution = paper::restitution}});
+  model.prepare();
+  return model;
+}
+
+Peaks moat_peaks(const Model& model, const GroundMotion& motion, const TransientOptions& options) {
+  Model copy = model;
+  Transient analysis{copy, motion, options};
+  PeakObserver observer{copy};
+  analysis.attach(observer);
+  analysis.run();
+  return observer.peaks();
+}
+
+Peaks moat_peaks_of_all_channels(const Model& model, const GroundMotion& motion, const TransientOptions& options) {
+  Model copy = model;
+  Transient analysis{copy, motion, options};
+  PeakRecorder recorder{copy};
+  analysis.attach(recorder);
+  analysis.run();
+  const std::vector<Peak> peaks = recorder.peaks();
+  return {peak_of(peaks, "displacement", "base"), peak_of(peaks, "displacement", "floor 5"),
+          peak_of(peaks, "absolute_acceleration", "base"), peak_of(peaks, "absolute_acceleration", "floor 5"),
+          peak_of(peaks, "impact_force", "moat")};
+}
+
+}  // namespace moat::performance

@@ -1,0 +1,67 @@
+#include "performance/octave.hpp"
+
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iomanip>
+#include <memory>
+#include <sstream>
+
+#include "base/error.hpp"
+
+namespace moat::performance {
+namespace {
+
+// A folder of our own that is gone at the end.
+class TemporaryFolder {
+ public:
+  TemporaryFolder() {
+    std::string pattern = (std::filesystem::temp_directory_path() / "moat_octave_XXXXXX").string();
+    if (mkdtemp(pattern.data()) == nullptr) throw FileError{pattern + ": this folder cannot be made."};
+    path = pattern;
+  }
+  TemporaryFolder(const TemporaryFolder&) = delete;
+  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+  ~TemporaryFolder() {
+    std::error_code ignored;
+    std::filesystem::remove_all(path, ignored);
+  }
+
+  std::filesystem::path path;
+};
+
+std::string output_of(const std::string& command) {
+  const auto close = [](std::FILE* stream) { pclose(stream); };
+  const std::unique_ptr<std::FILE, decltype(close)> stream{popen(command.c_str(), "r"), close};
+  if (!stream) throw Error{"This command cannot be run: " + command};
+  std::string output;
+  char buffer[256];
+  while (std::fgets(buffer, sizeof buffer, stream.get()) != nullptr) output += buffer;
+  return output;
+}
+
+}  // namespace
+
+bool octave_is_installed() { return std::system("command -v octave-cli >/dev/null 2>&1") == 0; }
+
+OctaveRun octave_run(const GroundMotion& motion, const std::string& solver, double relative_tolerance) {
+  const TemporaryFolder folder;
+  const std::filesystem::path samples = folder.path / "motion.txt";
+  std::ofstream file{samples};
+  file << std::setprecision(17) << motion.time_step() << '\n';
+  for (const double sample : motion.samples()) file << sample << '\n';
+  if (!file.flush()) throw FileError{samples.string() + ": cannot be written."};
+
+  std::ostringstream command;
+  command << "octave-cli --quiet --no-init-file --path '" MOAT_OCTAVE_SCRIPTS "' --eval \"five_storeys('"
+          << samples.string() << "', '" << solver << "', " << relative_tolerance << ")\"";
+  std::istringstream output{output_of(command.str())};
+  OctaveRun run;
+  output >> run.seconds;
+  for (double& peak : run.peaks) output >> peak;
+  if (!output) throw Error{"GNU Octave did not compute the building. Its command was: " + command.str()};
+  return run;
+}
+
+}  // namespace moat::performance
