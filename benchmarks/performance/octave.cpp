@@ -45,7 +45,7 @@ std::string output_of(const std::string& command) {
 
 bool octave_is_installed() { return std::system("command -v octave-cli >/dev/null 2>&1") == 0; }
 
-OctaveRun octave_run(const GroundMotion& motion, const std::string& solver, double relative_tolerance) {
+OctaveRun octave_run(const GroundMotion& motion, const OctaveSetting& setting) {
   const TemporaryFolder folder;
   const std::filesystem::path samples = folder.path / "motion.txt";
   std::ofstream file{samples};
@@ -53,14 +53,21 @@ OctaveRun octave_run(const GroundMotion& motion, const std::string& solver, doub
   for (const double sample : motion.samples()) file << sample << '\n';
   if (!file.flush()) throw FileError{samples.string() + ": cannot be written."};
 
+  const std::filesystem::path messages = folder.path / "messages.txt";
   std::ostringstream command;
   command << "octave-cli --quiet --no-init-file --path '" MOAT_OCTAVE_SCRIPTS "' --eval \"five_storeys('"
-          << samples.string() << "', '" << solver << "', " << relative_tolerance << ")\"";
+          << samples.string() << "', '" << setting.solver << "', " << setting.relative_tolerance << ", "
+          << setting.intervals_per_step << ")\" 2>'" << messages.string() << "'";
   std::istringstream output{output_of(command.str())};
   OctaveRun run;
   output >> run.seconds;
   for (double& peak : run.peaks) output >> peak;
-  if (!output) throw Error{"GNU Octave did not compute the building. Its command was: " + command.str()};
+  if (!output) {
+    std::ostringstream said;
+    said << std::ifstream{messages}.rdbuf();
+    throw Error{"GNU Octave did not compute the building. Its command was: " + command.str() + "\nIt said:\n" +
+                said.str()};
+  }
   return run;
 }
 

@@ -10,12 +10,18 @@ namespace moat::performance {
 
 bool octave_is_installed();
 
+struct OctaveSetting {
+  std::string solver;  ///< "ode45" or "ode23s"
+  double relative_tolerance = 1e-3;
+  double intervals_per_step = 1.0;  ///< > 0, at most
+};
+
 struct OctaveRun {
   Peaks peaks{};
   double seconds = 0.0;  ///< CPU time of the integration, by Octave's own clock
 };
 
-/// solver: "ode45" or "ode23s". Throws Error if Octave fails.
-OctaveRun octave_run(const GroundMotion& motion, const std::string& solver, double relative_tolerance);
+/// Throws Error if Octave fails.
+OctaveRun octave_run(const GroundMotion& motion, const OctaveSetting& setting);
 
 }  // namespace moat::performance

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "base/error.hpp"
 #include "performance/equal_accuracy.hpp"
 #include "performance/measure.hpp"
 #include "performance/options.hpp"
@@ -76,6 +77,8 @@ int main(int argc, char** argv) {
   }
   try {
     if (const char* records = std::getenv("MOAT_RECORDS")) options.records = records;
+    if (write_docs && (options.quick || options.records.empty()))
+      throw moat::InputError{"--write-docs needs the recorded motions (MOAT_RECORDS), and not --quick."};
     return run(options, only, folder, write_docs);
   } catch (const std::exception& error) {
     std::fprintf(stderr, "moat: error: %s\n", error.what());

@@ -324,9 +324,19 @@ case $case in
     called "cmake --build .*moat_bench_paper"
     called "cmake -S .*MOAT_BUILD_TESTS=OFF"
     not_called libgtest-dev
+    not_called libsundials-dev
     launch run "$script"
     code_is 0
     not_called cmake
+    mkdir -p "$root/build/release/benchmarks/performance"
+    printf '%s\n' '#!/bin/bash' 'echo "performance $*"' >"$root/build/release/benchmarks/performance/performance"
+    chmod +x "$root/build/release/benchmarks/performance/performance"
+    launch bench performance --quick
+    code_is 0
+    out_is "performance --quick"
+    called "apt-get .*libsundials-dev"
+    called "cmake -S .*MOAT_BENCH_PERFORMANCE=ON"
+    called "cmake --build .*moat_bench_performance"
     cd "$world"
     records=study
     launch bench paper

@@ -1,0 +1,68 @@
+// What the figures of ./moat bench performance are read off from.
+
+#include "performance/error_curve.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+
+#include "performance/measure.hpp"
+
+namespace moat::performance {
+namespace {
+
+TEST(LowerEnvelope, LeavesOutWhatAnotherSettingBeatsInBoth) {
+  const auto envelope = lower_envelope({{0, 0.1, 3.0}, {1, 0.2, 1.0}, {2, 0.3, 2.0}, {3, 0.01, 9.0}, {4, 0.1, 4.0}});
+  ASSERT_EQ(envelope.size(), 3u);
+  EXPECT_EQ(envelope[0].setting, 1u);
+  EXPECT_EQ(envelope[1].setting, 0u);
+  EXPECT_EQ(envelope[2].setting, 3u);
+}
+
+/// Where the error falls with the square of the time, any error is read off exactly.
+TEST(ReadOff, IsExactForAPowerLaw) {
+  const std::vector<CurvePoint> points{{0, 1.0, 1.0}, {1, 1.0 / 16.0, 4.0}, {2, 1e-4, 100.0}};
+  for (const double error : {0.5, 0.1, 0.01, 1e-4}) {
+    const auto read = read_off(points, error);
+    ASSERT_TRUE(read);
+    EXPECT_FALSE(read->always_better);
+    EXPECT_NEAR(read->time(points[read->cheaper].seconds, points[read->dearer].seconds), 1.0 / std::sqrt(error), 1e-9);
+  }
+}
+
+TEST(ReadOff, TakesTheCheapestSettingWhereNoneIsThatBad) {
+  const auto read = read_off({{7, 0.001, 2.0}, {8, 0.0001, 5.0}}, 0.01);
+  ASSERT_TRUE(read);
+  EXPECT_TRUE(read->always_better);
+  EXPECT_EQ(read->cheaper, 7u);
+  EXPECT_EQ(read->dearer, 7u);
+}
+
+TEST(ReadOff, IsEmptyWhereNoSettingIsThatExact) { EXPECT_FALSE(read_off({{0, 0.1, 1.0}}, 0.01)); }
+
+TEST(Spread, IsMedianAndQuartiles) {
+  const Spread spread = spread_of({5.0, 1.0, 4.0, 2.0, 3.0});
+  EXPECT_EQ(spread.median, 3.0);
+  EXPECT_EQ(spread.low, 2.0);
+  EXPECT_EQ(spread.high, 4.0);
+  EXPECT_EQ(spread.count, 5);
+}
+
+/// A machine that runs at half speed in one round changes both times, and the ratio of no round.
+TEST(Spread, OfRatiosIsTakenRoundByRound) {
+  const Spread spread = ratio_of({2.0, 4.0, 2.0}, {1.0, 2.0, 1.0});
+  EXPECT_EQ(spread.low, 2.0);
+  EXPECT_EQ(spread.high, 2.0);
+}
+
+TEST(InterleavedTimes, LetCandidatesTakeTurns) {
+  std::string order;
+  const auto times = interleaved_times({{"a", [&order] { order += 'a'; }}, {"b", [&order] { order += 'b'; }}}, 2);
+  EXPECT_EQ(order, "ababab");  // one round to warm up
+  ASSERT_EQ(times.size(), 2u);
+  EXPECT_EQ(times[0].size(), 2u);
+}
+
+}  // namespace
+}  // namespace moat::performance
