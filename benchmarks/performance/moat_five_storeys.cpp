@@ -17,6 +17,8 @@ class PeakObserver final : public StepObserver {
       if (block->size() > 0 && block->info(0).kind == ElementKind::gap) gaps_ = block.get();
   }
 
+  // The gaps' force is all it wants of elements.
+  Observed observed() const override { return Observed::nodes; }
   void start(const StepView& view) override { step(view); }
   void step(const StepView& view) override { peaks_.add(view.model.state().time, sample(view)); }
   void event(const StepView& view, std::span<const RegimeChange>) override {
