@@ -62,7 +62,6 @@ ExactBetweenEvents::ExactBetweenEvents(Model& model, double grid_interval)
   const int count = model.degrees_of_freedom();
   stiffness_ = model.pattern();
   damping_ = model.pattern();
-  forces_.setZero(count + 1);
   offset_.setZero(count);
   start_.setZero(2 * count + 3);
   end_.setZero(filled_up(3 * count));
@@ -110,10 +109,9 @@ void ExactBetweenEvents::linearise() {
   trial.displacement.setZero();
   trial.velocity.setZero();
   model_->evaluate();
-  model_->internal_forces(forces_);
   model_->assemble_tangent(0.0, 0.0, 1.0, stiffness_);
   model_->assemble_tangent(0.0, 1.0, 0.0, damping_);
-  offset_ = -forces_.head(offset_.size()).cwiseQuotient(model_->masses());
+  offset_ = -model_->internal_forces().head(offset_.size()).cwiseQuotient(model_->masses());
 
   const auto known = std::find_if(systems_.begin(), systems_.end(), [&](const LinearSystem& system) {
     return system.stiffness_values == stiffness_.values && system.damping_values == damping_.values;

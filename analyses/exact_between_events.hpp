@@ -74,7 +74,7 @@ class ExactBetweenEvents {
   std::vector<LinearSystem> systems_;
   std::size_t current_ = 0;
   SparseMatrix stiffness_, damping_;
-  Vector forces_, offset_;  // internal forces; -M^-1 f0
+  Vector offset_;  // -M^-1 f0
 
   // The step that begin() set up.
   double longest_ = 0.0, ground_ = 0.0, ground_slope_ = 0.0;

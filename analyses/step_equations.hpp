@@ -29,7 +29,7 @@ class StepEquations final : public NonlinearSystem {
   int size() const override { return model_->degrees_of_freedom(); }
   bool compute_residual(const Vector& acceleration, Vector& residual) override;
   double residual_scale() const override { return scale_; }
-  double round_off() const override { return round_off_; }
+  double round_off() const override;
   bool compute_direction(const Vector& residual, Vector& direction) override;
 
   [[nodiscard]] long factorisations() const { return factorisation_.count(); }
@@ -42,9 +42,11 @@ class StepEquations final : public NonlinearSystem {
   double h_ = 0.0;
   double ground_acceleration_ = 0.0;
   Vector predicted_displacement_, predicted_velocity_;
-  Vector forces_;
   double scale_ = 0.0;
-  double round_off_ = 0.0;
+  // What the factors at hand were made for.
+  bool factorised_ = false;
+  double factorised_step_ = 0.0;
+  long factorised_version_ = 0;
   std::vector<std::size_t> diagonal_;  // positions in the tangent
 };
 

@@ -45,7 +45,10 @@ class LinkBlock final : public ElementBlock {
     offsets_.push_back(info.offset);
     infos_.push_back(std::move(info));
     laws_.push_back(law);
-    effective_masses_.push_back(effective_mass);
+    if constexpr (ContactLaw<Law>) {
+      effective_masses_.push_back(effective_mass);
+      durations_.push_back(0.0);
+    }
     const std::size_t count = infos_.size();
     committed_.resize(count);
     trial_.resize(count);
@@ -63,7 +66,7 @@ class LinkBlock final : public ElementBlock {
   [[nodiscard]] const State& committed(std::size_t element) const { return committed_[element]; }
 
   std::unique_ptr<ElementBlock> clone() const override { return std::make_unique<LinkBlock>(*this); }
-  std::size_t size() const override { return infos_.size(); }
+  std::size_t size() const override { return ends_.size(); }
   const ElementInfo& info(std::size_t element) const override { return infos_[element]; }
 
   void add_couplings(PatternBuilder& pattern) const override {
@@ -84,40 +87,17 @@ class LinkBlock final : public ElementBlock {
     share_out(matrix);
   }
 
-  void evaluate(const double* displacement, const double* velocity) override {
-    for_ranges(threads_, size(), [&](std::size_t begin, std::size_t end) {
-      // Loops over arrays that do not overlap and do one thing each: this is what the compiler turns into vector code.
-      const Ends* ends = ends_.data();
-      const double* offsets = offsets_.data();
-      double* __restrict deformations = deformations_.data();
-      double* __restrict rates = rates_.data();
-      for (std::size_t i = begin; i < end; ++i) {
-        deformations[i] = ends[i].difference(displacement) - offsets[i];
-        rates[i] = ends[i].difference(velocity);
-      }
-      const Law* laws = laws_.data();
-      const State* committed = committed_.data();
-      State* __restrict trial = trial_.data();
-      double* __restrict forces = forces_.data();
-      double* __restrict stiffnesses = stiffnesses_.data();
-      double* __restrict dampings = dampings_.data();
-      for (std::size_t i = begin; i < end; ++i) {
-        const Response response = laws[i].evaluate(committed[i], deformations[i], rates[i], trial[i]);
-        forces[i] = response.force;
-        if constexpr (!is_linear) {
-          stiffnesses[i] = response.stiffness;
-          dampings[i] = response.damping;
-        }
-      }
+  void evaluate(const double* displacement, const double* velocity, double* force) override {
+    if (threads_ == 1) {
+      evaluate_range(0, size(), displacement, velocity, force);
+      return;
+    }
+    for_ranges(threads_, size(), [=, this](std::size_t begin, std::size_t end) {
+      evaluate_range(begin, end, displacement, velocity, nullptr);
     });
-  }
-
-  void add_forces(double* force) const override {
-    if (threads_ > 1)
+    if (force != nullptr)
       entry_shares_.add(
-          threads_, [&](std::size_t i) { return forces_[i]; }, force);
-    else
-      for (std::size_t i = 0; i < size(); ++i) ends_[i].add_force(forces_[i], force);
+          threads_, [this](std::size_t i) { return forces_[i]; }, force);
   }
 
   void add_tangent(double displacement_weight, double velocity_weight, double* values) const override {
@@ -138,6 +118,8 @@ class LinkBlock final : public ElementBlock {
 
   bool constant_tangent() const override { return is_linear; }
 
+  bool take_tangent_change() override { return tangent_changed_.take(); }
+
   void add_linear_stiffness(StiffnessStage stage, double* values) const override {
     for (std::size_t i = 0; i < size(); ++i)
       slots_[i].add_stiffness(ends_[i], laws_[i].linear_stiffness(stage), values);
@@ -145,7 +127,7 @@ class LinkBlock final : public ElementBlock {
 
   void commit(double step) override {
     if (accounting_ || keeps_start() || !std::is_empty_v<State>) {
-      for_ranges(threads_, size(), [&](std::size_t begin, std::size_t end) {
+      for_ranges(threads_, size(), [step, this](std::size_t begin, std::size_t end) {
         if (accounting_) account(step, begin, end);
         if (keeps_start()) {
           std::copy(deformations_.data() + begin, deformations_.data() + end, start_deformations_.data() + begin);
@@ -187,7 +169,7 @@ class LinkBlock final : public ElementBlock {
 
   void scan_regimes(double step, RegimeScan& scan) const override {
     if constexpr (LawWithRegimes<Law>)
-      for_ranges(threads_, size(), scan, [&](std::size_t begin, std::size_t end, RegimeScan& part) {
+      for_ranges(threads_, size(), scan, [step, this](std::size_t begin, std::size_t end, RegimeScan& part) {
         for (std::size_t i = begin; i < end; ++i) scan_element(i, step, part);
       });
   }
@@ -199,7 +181,9 @@ class LinkBlock final : public ElementBlock {
         for (int change = 0; change < 3; ++change) {
           if (laws_[i].regime_margin(committed_[i], start_deformations_[i], start_rates_[i]) >= 0.0) break;
           const double stored_before = stored(i);
+          const bool touched = contact(i).touching;
           committed_[i] = laws_[i].next_regime(committed_[i], start_deformations_[i], start_rates_[i]);
+          if constexpr (ContactLaw<Law>) follow_contact(i, touched);
           // A contact that ends while still indented gives up what it had stored.
           if (accounting_) accounts_[i].dissipated += stored_before - stored(i);
           if (change == 0) changes.push_back({block_index, i});
@@ -211,9 +195,9 @@ class LinkBlock final : public ElementBlock {
   double shortest_contact() const override {
     double shortest = std::numeric_limits<double>::infinity();
     if constexpr (ContactLaw<Law>)
-      for (std::size_t i = 0; i < size(); ++i)
-        if (committed_[i].phase != ContactPhase::open)
-          shortest = std::min(shortest, laws_[i].contact_duration(effective_masses_[i], committed_[i].approach_speed));
+      if (touching_ > 0)
+        for (std::size_t i = 0; i < size(); ++i)
+          if (committed_[i].phase != ContactPhase::open) shortest = std::min(shortest, durations_[i]);
     return shortest;
   }
 
@@ -241,6 +225,62 @@ class LinkBlock final : public ElementBlock {
   static constexpr bool rate_independent = requires(const Law& law, const State& state) {
     law.dissipated_energy(state, state);
   };
+
+  // Called after a change of regime.
+  void follow_contact(std::size_t i, bool touched) requires ContactLaw<Law> {
+    const bool touching = contact(i).touching;
+    touching_ += static_cast<int>(touching) - static_cast<int>(touched);
+    if (touching) durations_[i] = laws_[i].contact_duration(effective_masses_[i], committed_[i].approach_speed);
+  }
+
+  // Adds the forces to `force` unless that is null.
+  void evaluate_range(std::size_t begin, std::size_t end, const double* displacement, const double* velocity,
+                      double* force) {
+    // So few at a time that what one loop writes is still at hand for the next.
+    constexpr std::size_t at_once = 512;
+    for (; begin < end; begin += at_once) {
+      const std::size_t piece_end = std::min(begin + at_once, end);
+      deform(begin, piece_end, displacement, velocity);
+      apply_laws(begin, piece_end);
+      if (force == nullptr) continue;
+      const Ends* ends = ends_.data();
+      const double* forces = forces_.data();
+      for (std::size_t i = begin; i < piece_end; ++i) ends[i].add_force(forces[i], force);
+    }
+  }
+
+  void deform(std::size_t begin, std::size_t end, const double* displacement, const double* velocity) {
+    const Ends* ends = ends_.data();
+    const double* offsets = offsets_.data();
+    double* __restrict deformations = deformations_.data();
+    double* __restrict rates = rates_.data();
+    for (std::size_t i = begin; i < end; ++i) {
+      deformations[i] = ends[i].difference(displacement) - offsets[i];
+      rates[i] = ends[i].difference(velocity);
+    }
+  }
+
+  // A loop over arrays that do not overlap: for most laws the compiler turns it into vector code.
+  void apply_laws(std::size_t begin, std::size_t end) {
+    const Law* laws = laws_.data();
+    const State* committed = committed_.data();
+    const double *deformations = deformations_.data(), *rates = rates_.data();
+    State* __restrict trial = trial_.data();
+    double* __restrict forces = forces_.data();
+    double* __restrict stiffnesses = stiffnesses_.data();
+    double* __restrict dampings = dampings_.data();
+    bool changed = false;
+    for (std::size_t i = begin; i < end; ++i) {
+      const Response response = laws[i].evaluate(committed[i], deformations[i], rates[i], trial[i]);
+      forces[i] = response.force;
+      if constexpr (!is_linear) {
+        changed |= (stiffnesses[i] != response.stiffness) | (dampings[i] != response.damping);
+        stiffnesses[i] = response.stiffness;
+        dampings[i] = response.damping;
+      }
+    }
+    if (changed) tangent_changed_.raise();
+  }
 
   struct Account {
     double force = 0.0, power = 0.0;  // at the last commit
@@ -350,13 +390,15 @@ class LinkBlock final : public ElementBlock {
 
   std::vector<ElementInfo> infos_;
   std::vector<Law> laws_;
-  std::vector<double> effective_masses_;
+  std::vector<double> effective_masses_, durations_;  // kg; s, of the contact going on. Empty for laws without contact
+  int touching_ = 0;                                  // number of contacts going on
   std::vector<Ends> ends_;
   std::vector<typename Ends::Slots> slots_;
   std::vector<double> offsets_;
   std::vector<State> committed_, trial_;
   std::vector<double> deformations_, rates_, forces_;
-  std::vector<double> stiffnesses_, dampings_;            // empty for linear laws
+  std::vector<double> stiffnesses_, dampings_;  // empty for linear laws
+  Flag tangent_changed_;
   std::vector<double> start_deformations_, start_rates_;  // at the last commit
   bool accounting_ = false;
   std::vector<Account> accounts_;

@@ -2,9 +2,31 @@
 #pragma once
 
 #include <array>
+#include <atomic>
 #include <cstddef>
 
 namespace moat {
+
+/// What any thread may raise while a loop runs.
+class Flag {
+ public:
+  Flag() = default;
+  Flag(const Flag& other) : raised_{other.raised_.load()} {}
+  Flag& operator=(const Flag& other) {
+    raised_ = other.raised_.load();
+    return *this;
+  }
+  void raise() { raised_.store(true, std::memory_order_relaxed); }
+  /// Whether it was raised; it is not any more.
+  bool take() {
+    const bool was = raised_.load(std::memory_order_relaxed);
+    raised_.store(false, std::memory_order_relaxed);
+    return was;
+  }
+
+ private:
+  std::atomic<bool> raised_ = false;
+};
 
 /// Loops shorter than this stay on the calling thread: waking another takes longer.
 inline constexpr std::size_t shortest_parallel_loop = 4096;

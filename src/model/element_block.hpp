@@ -23,7 +23,7 @@ struct ElementInfo {
   /// Unique in its model: "storey 1", "moat left".
   std::string name;
   /// Where its peaks are listed; elements with the same place share them ("moat"). Its name if empty.
-  std::string place{};
+  Label place{};
   ElementKind kind = ElementKind::other;
   /// Deformation = displacement of `second` - displacement of `first` - offset.
   NodeId first, second;
@@ -31,7 +31,7 @@ struct ElementInfo {
   /// Names under which deformation and force are reported; not reported where empty.
   Label deformation_quantity{}, force_quantity{};
 
-  [[nodiscard]] const std::string& listed_under() const { return place.empty() ? name : place; }
+  [[nodiscard]] const std::string& listed_under() const { return place.empty() ? name : place.text(); }
 };
 
 /// A look at the regimes of all elements at the end of a trial step.
@@ -115,14 +115,15 @@ class ElementBlock {
   /// make it worth while. The numbers are the same to the last bit for any number of threads.
   virtual void use_threads(int threads, const SparseMatrix& matrix) = 0;
 
-  /// Forces, tangents and trial states at trial displacements and velocities.
-  virtual void evaluate(const double* displacement, const double* velocity) = 0;
-  /// Adds the internal forces of the last evaluate().
-  virtual void add_forces(double* force) const = 0;
+  /// Forces, tangents and trial states at trial displacements and velocities. Adds the internal forces to `force`
+  /// unless that is null.
+  virtual void evaluate(const double* displacement, const double* velocity, double* force) = 0;
   /// Adds displacement_weight * df/du + velocity_weight * df/dv of the last evaluate().
   virtual void add_tangent(double displacement_weight, double velocity_weight, double* values) const = 0;
   /// Whether df/du and df/dv never change: the block adds its tangent to a sum that is kept, not to every new one.
   [[nodiscard]] virtual bool constant_tangent() const { return false; }
+  /// Whether df/du or df/dv of any element has changed since this was last asked.
+  virtual bool take_tangent_change() = 0;
   /// Adds the constant stiffness of a linear analysis.
   virtual void add_linear_stiffness(StiffnessStage stage, double* values) const = 0;
 

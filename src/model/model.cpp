@@ -23,6 +23,9 @@ Model::Model(const Model& other)
       constant_damping_{other.constant_damping_},
       state_{other.state_},
       trial_{other.trial_},
+      internal_forces_{other.internal_forces_},
+      tangent_version_{other.tangent_version_},
+      changing_blocks_{other.changing_blocks_},
       blocks_with_regimes_{other.blocks_with_regimes_},
       only_regimes_evaluated_{other.only_regimes_evaluated_},
       threads_{other.threads_} {
@@ -43,7 +46,7 @@ NodeId Model::add_node(Node node) {
   check.finite("initial_velocity", node.initial_velocity);
   check.positive("half_width", node.half_width);
   check.that(!has_node(node.name), "a node of this name exists.", "Give every node its own name.");
-  node_names_.insert(std::hash<std::string>{}(node.name));
+  node_names_.add(node.name);
   nodes_.push_back(std::move(node));
   prepared_ = false;
   return NodeId{node_count() - 1};
@@ -77,12 +80,12 @@ void Model::require_node(NodeId id, std::string_view object, std::string_view fi
 }
 
 bool Model::has_node(const std::string& name) const {
-  return node_names_.contains(std::hash<std::string>{}(name)) &&
+  return node_names_.may_contain(name) &&
          std::ranges::any_of(nodes_, [&](const Node& node) { return node.name == name; });
 }
 
 bool Model::has_element(const std::string& name) const {
-  if (!element_names_.contains(std::hash<std::string>{}(name))) return false;
+  if (!element_names_.may_contain(name)) return false;
   for (const auto& block : blocks_)
     for (std::size_t e = 0; e < block->size(); ++e)
       if (block->info(e).name == name) return true;
@@ -93,7 +96,7 @@ void Model::register_element(std::string_view kind, const std::string& name) {
   const Check check{kind, name};
   check.that(!name.empty(), "an element has no name.", "Give .name: results are listed under it.");
   check.that(!has_element(name), "an element of this name exists.", "Give every element its own name.");
-  element_names_.insert(std::hash<std::string>{}(name));
+  element_names_.add(name);
 }
 
 void Model::add_base_shear(BaseShear shear) {
@@ -128,10 +131,15 @@ void Model::prepare() {
   use_threads(threads_);
   constant_stiffness_.assign(pattern_.values.size(), 0.0);
   constant_damping_.assign(pattern_.values.size(), 0.0);
-  for (const auto& block : blocks_) {
-    if (!block->constant_tangent()) continue;
-    block->add_tangent(1.0, 0.0, constant_stiffness_.data());
-    block->add_tangent(0.0, 1.0, constant_damping_.data());
+  changing_blocks_.clear();
+  ++tangent_version_;
+  for (std::size_t i = 0; i < blocks_.size(); ++i) {
+    if (!blocks_[i]->constant_tangent()) {
+      changing_blocks_.push_back(i);
+      continue;
+    }
+    blocks_[i]->add_tangent(1.0, 0.0, constant_stiffness_.data());
+    blocks_[i]->add_tangent(0.0, 1.0, constant_damping_.data());
   }
   diagonal_slots_.clear();
   for (int i = 0; i < count; ++i) diagonal_slots_.push_back(pattern_.slot(i, i));
@@ -152,6 +160,7 @@ void Model::prepare() {
   }
   trial_ = state_;
   prepared_ = true;
+  internal_forces_.resize(count + 1);
   evaluate();
   for (const auto& block : blocks_) block->commit(0.0);
 }
@@ -163,7 +172,7 @@ void Model::use_threads(int threads) {
 
 void Model::evaluate_regimes() {
   for (const std::size_t i : blocks_with_regimes_)
-    blocks_[i]->evaluate(trial_.displacement.data(), trial_.velocity.data());
+    blocks_[i]->evaluate(trial_.displacement.data(), trial_.velocity.data(), nullptr);
   only_regimes_evaluated_ = true;
 }
 
@@ -176,26 +185,32 @@ void Model::refresh() {
 
 void Model::evaluate() {
   only_regimes_evaluated_ = false;
-  for (const auto& block : blocks_) block->evaluate(trial_.displacement.data(), trial_.velocity.data());
-}
-
-void Model::internal_forces(Vector& force) const {
-  force.setZero(degrees_of_freedom() + 1);
-  for (const auto& block : blocks_) block->add_forces(force.data());
+  internal_forces_.setZero(degrees_of_freedom() + 1);
+  for (const auto& block : blocks_)
+    block->evaluate(trial_.displacement.data(), trial_.velocity.data(), internal_forces_.data());
+  for (const std::size_t i : changing_blocks_)
+    if (blocks_[i]->take_tangent_change()) ++tangent_version_;
 }
 
 void Model::assemble_tangent(double acceleration_weight, double velocity_weight, double displacement_weight,
                              SparseMatrix& matrix) const {
   double* __restrict values = matrix.values.data();
-  const double *stiffness = constant_stiffness_.data(), *damping = constant_damping_.data();
-  for_ranges(threads_, matrix.values.size(), [&](std::size_t begin, std::size_t end) {
-    for (std::size_t k = begin; k < end; ++k)
-      values[k] = displacement_weight * stiffness[k] + velocity_weight * damping[k];
+  const double *stiffness = constant_stiffness_.data(), *damping = constant_damping_.data(), *mass = masses_.data();
+  const int *diagonal = diagonal_slots_.data(), *starts = matrix.column_starts.data();
+  const auto count = diagonal_slots_.size();
+  for_ranges(threads_, count, [&](std::size_t begin, std::size_t end) {
+    // So few columns at a time that their values are still at hand for the masses.
+    constexpr std::size_t at_once = 256;
+    for (; begin < end; begin += at_once) {
+      const std::size_t piece_end = std::min(begin + at_once, end);
+      for (int k = starts[begin]; k < starts[piece_end]; ++k)
+        values[k] = displacement_weight * stiffness[k] + velocity_weight * damping[k];
+      for (std::size_t i = begin; i < piece_end; ++i) values[diagonal[i]] += acceleration_weight * mass[i];
+    }
   });
-  for (std::size_t i = 0; i < diagonal_slots_.size(); ++i)
-    values[diagonal_slots_[i]] += acceleration_weight * masses_[static_cast<Eigen::Index>(i)];
-  for (const auto& block : blocks_)
-    if (!block->constant_tangent()) block->add_tangent(displacement_weight, velocity_weight, values);
+  // Of the ground, where everything may be added and nothing is read.
+  values[matrix.nonzeros()] = 0.0;
+  for (const std::size_t i : changing_blocks_) blocks_[i]->add_tangent(displacement_weight, velocity_weight, values);
 }
 
 void Model::assemble_linear_stiffness(StiffnessStage stage, SparseMatrix& matrix) const {
@@ -206,9 +221,9 @@ void Model::assemble_linear_stiffness(StiffnessStage stage, SparseMatrix& matrix
 void Model::commit() {
   const double step = trial_.time - state_.time;
   state_.time = trial_.time;
-  state_.displacement = trial_.displacement;
-  state_.velocity = trial_.velocity;
-  state_.acceleration = trial_.acceleration;
+  state_.displacement.swap(trial_.displacement);
+  state_.velocity.swap(trial_.velocity);
+  state_.acceleration.swap(trial_.acceleration);
   if (only_regimes_evaluated_)
     for (const std::size_t i : blocks_with_regimes_) blocks_[i]->commit(step);
   else

@@ -13,6 +13,7 @@
 #include "base/vector.hpp"
 #include "model/element_block.hpp"
 #include "model/node.hpp"
+#include "model/taken_names.hpp"
 
 namespace moat {
 
@@ -98,14 +99,19 @@ class Model {
   void evaluate_regimes();
   /// Computes all elements at the committed state, where evaluate_regimes() left some out.
   void refresh();
-  /// force := internal forces of the last evaluate(); one entry more than degrees of freedom.
-  void internal_forces(Vector& force) const;
+  /// Internal forces of the last evaluate(); one entry more than degrees of freedom, which has no meaning.
+  [[nodiscard]] const Vector& internal_forces() const { return internal_forces_; }
+  /// force := internal_forces().
+  void internal_forces(Vector& force) const { force = internal_forces_; }
   /// matrix := acceleration_weight M + velocity_weight df/dv + displacement_weight df/du.
   void assemble_tangent(double acceleration_weight, double velocity_weight, double displacement_weight,
                         SparseMatrix& matrix) const;
+  /// A number that stays the same as long as df/du and df/dv do, from one evaluate() to the next.
+  [[nodiscard]] long tangent_version() const { return tangent_version_; }
   /// matrix := stiffness of a linear analysis.
   void assemble_linear_stiffness(StiffnessStage stage, SparseMatrix& matrix) const;
   /// The trial state of nodes and elements becomes the committed one; energy accounts grow by the step between them.
+  /// What trial() holds afterwards is not specified: the next step fills it.
   void commit();
   /// Starts the energy accounts of all elements at the committed state; they are kept from then on.
   void start_energy_account();
@@ -122,8 +128,7 @@ class Model {
 
  private:
   std::vector<Node> nodes_;
-  // Hashes of the names: of a million elements, the names themselves would be much of the memory.
-  std::unordered_set<std::size_t> node_names_, element_names_;
+  TakenNames node_names_, element_names_;
   std::vector<std::unique_ptr<ElementBlock>> blocks_;
   std::unordered_map<std::type_index, std::size_t> block_of_type_;
   std::unordered_set<std::string> base_shear_names_;
@@ -136,6 +141,9 @@ class Model {
   // Tangents of the blocks for which they never change, as values of the pattern.
   std::vector<double> constant_stiffness_, constant_damping_;
   MotionState state_, trial_;
+  Vector internal_forces_;
+  long tangent_version_ = 0;
+  std::vector<std::size_t> changing_blocks_;  // those without constant tangent
   std::vector<std::size_t> blocks_with_regimes_;
   bool only_regimes_evaluated_ = false;
   int threads_ = 1;

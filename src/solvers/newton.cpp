@@ -179,7 +179,8 @@ class ForceBalanceTest final : public NOX::StatusTest::Generic {
       report_no_number(residual);
       status_ = NOX::StatusTest::Failed;
     } else if (report.residual <= options_.tolerance ||
-               (largest <= iterate.system().round_off() && report.residual <= loosest_by_round_off)) {
+               (report.iterations >= 1 && report.residual <= loosest_by_round_off &&
+                largest <= iterate.system().round_off())) {
       report.converged = true;
       status_ = NOX::StatusTest::Converged;
     } else {

@@ -20,7 +20,8 @@ class NonlinearSystem {
   /// The size the largest residual is judged against, of the x last given to compute_residual().
   [[nodiscard]] virtual double residual_scale() const = 0;
 
-  /// Residuals up to this, in the unit of the residual, are round-off of the x last given to compute_residual().
+  /// Residuals up to this, in the unit of the residual, are round-off of the x last given to compute_residual(). Asked
+  /// after the first compute_direction() of a solve only.
   [[nodiscard]] virtual double round_off() const { return 0.0; }
 
   /// direction := -(dr/dx)^-1 residual at the x last given to compute_residual(). False if the tangent is singular.
