@@ -180,6 +180,7 @@ Method arkode_on_model(const GroundMotion& motion, const std::shared_ptr<const M
   using enum GroundKinks;
   return {method_names::arkode_on_model,
           {arkode(motion, RungeKuttaMethod::bogacki_shampine_3, left_to_error_control, model),
+           arkode(motion, RungeKuttaMethod::zonneveld_4, left_to_error_control, model),
            arkode(motion, RungeKuttaMethod::dormand_prince_5, left_to_error_control, model)}};
 }
 

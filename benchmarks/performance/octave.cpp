@@ -1,14 +1,13 @@
 #include "performance/octave.hpp"
 
-#include <cstdio>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <iomanip>
-#include <memory>
 #include <sstream>
 
 #include "base/error.hpp"
+#include "performance/command_output.hpp"
 
 namespace moat::performance {
 namespace {
@@ -30,16 +29,6 @@ class TemporaryFolder {
 
   std::filesystem::path path;
 };
-
-std::string output_of(const std::string& command) {
-  const auto close = [](std::FILE* stream) { pclose(stream); };
-  const std::unique_ptr<std::FILE, decltype(close)> stream{popen(command.c_str(), "r"), close};
-  if (!stream) throw Error{"This command cannot be run: " + command};
-  std::string output;
-  char buffer[256];
-  while (std::fgets(buffer, sizeof buffer, stream.get()) != nullptr) output += buffer;
-  return output;
-}
 
 }  // namespace
 

@@ -16,6 +16,7 @@
 #include "performance/scale.hpp"
 #include "performance/street_run.hpp"
 #include "performance/suite.hpp"
+#include "performance/vector_code.hpp"
 
 namespace {
 
@@ -28,10 +29,8 @@ struct Section {
 
 const std::vector<Section>& sections() {
   static const std::vector<Section> list{
-      {"equal-accuracy", equal_accuracy},
-      {"overhead", overhead},
-      {"scale", scale},
-      {"suite", suite},
+      {"equal-accuracy", equal_accuracy}, {"overhead", overhead}, {"scale", scale}, {"suite", suite},
+      {"vector-code", vector_code},
   };
   return list;
 }
