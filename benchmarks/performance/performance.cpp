@@ -12,6 +12,7 @@
 #include "performance/measure.hpp"
 #include "performance/options.hpp"
 #include "performance/overhead.hpp"
+#include "performance/profile.hpp"
 #include "performance/record.hpp"
 #include "performance/scale.hpp"
 #include "performance/street_run.hpp"
@@ -30,7 +31,7 @@ struct Section {
 const std::vector<Section>& sections() {
   static const std::vector<Section> list{
       {"equal-accuracy", equal_accuracy}, {"overhead", overhead}, {"scale", scale}, {"suite", suite},
-      {"vector-code", vector_code},
+      {"vector-code", vector_code},       {"profile", profile},
   };
   return list;
 }
@@ -58,7 +59,7 @@ int main(int argc, char** argv) {
   CLI::App app{"How fast moat is, as ratios measured in one run"};
   app.name("./moat bench performance");
   Options options;
-  std::string only;
+  std::string only, profiled;
   bool write_docs = false;
   std::vector<std::string> names;
   for (const Section& section : sections()) names.push_back(section.name);
@@ -68,6 +69,8 @@ int main(int argc, char** argv) {
   app.add_option("--rounds", options.rounds, "interleaved rounds whose median counts")
       ->capture_default_str()
       ->check(CLI::Range(5, 1000));
+  app.add_option("--profile", profiled, "one hot loop alone, to be watched by a profiler; measures nothing")
+      ->check(CLI::IsMember({"building", "street"}));
   app.add_flag("--quick", options.quick, "less of everything, to try the program");
   try {
     app.parse(argc, argv);
@@ -78,6 +81,8 @@ int main(int argc, char** argv) {
     if (const char* records = std::getenv("MOAT_RECORDS")) options.records = records;
     if (write_docs && (options.quick || options.records.empty()))
       throw moat::InputError{"--write-docs needs the recorded motions (MOAT_RECORDS), and not --quick."};
+    if (profiled == "building") return profile_building(options), 0;
+    if (profiled == "street") return profile_street(), 0;
     return run(options, only, write_docs);
   } catch (const std::exception& error) {
     std::fprintf(stderr, "moat: error: %s\n", error.what());
