@@ -70,7 +70,7 @@ int main(int argc, char** argv) {
       ->capture_default_str()
       ->check(CLI::Range(5, 1000));
   app.add_option("--profile", profiled, "one hot loop alone, to be watched by a profiler; measures nothing")
-      ->check(CLI::IsMember({"building", "street"}));
+      ->check(CLI::IsMember({"building", "exact", "street"}));
   app.add_flag("--quick", options.quick, "less of everything, to try the program");
   try {
     app.parse(argc, argv);
@@ -82,6 +82,7 @@ int main(int argc, char** argv) {
     if (write_docs && (options.quick || options.records.empty()))
       throw moat::InputError{"--write-docs needs the recorded motions (MOAT_RECORDS), and not --quick."};
     if (profiled == "building") return profile_building(options), 0;
+    if (profiled == "exact") return profile_exact(options), 0;
     if (profiled == "street") return profile_street(), 0;
     return run(options, only, write_docs);
   } catch (const std::exception& error) {

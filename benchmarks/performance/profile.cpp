@@ -24,6 +24,7 @@ const std::string everything_else = "everything else";
 // What a function of the program or a library is part of.
 std::string item_of(const std::string& function) {
   static const std::pair<std::regex, std::string> items[] = {
+      {std::regex{"ExactBetweenEvents|multiply"}, "exact steps"},
       {std::regex{"LinkBlock<.*::(evaluate|dissipat|stored)"}, "elements, evaluate"},
       {std::regex{"LinkBlock<.*::add_forces|internal_forces"}, "elements, sum up forces"},
       {std::regex{"LinkBlock<.*::add_tangent|assemble_tangent"}, "elements, assemble the tangent"},
@@ -39,32 +40,57 @@ std::string item_of(const std::string& function) {
   return everything_else;
 }
 
-// Percent of the samples of every item, the largest first.
-std::vector<std::pair<std::string, double>> items_in(const std::string& report) {
-  const std::regex line{R"( +([0-9.]+)% +\[.\] +(.+))"};
-  std::map<std::string, double> sums;
-  for (std::sregex_iterator match{report.begin(), report.end(), line}, end; match != end; ++match)
-    sums[item_of((*match)[2].str())] += std::stod((*match)[1].str());
-  std::vector<std::pair<std::string, double>> items{sums.begin(), sums.end()};
-  std::sort(items.begin(), items.end(), [](const auto& a, const auto& b) {
-    const bool a_is_last = a.first == everything_else, b_is_last = b.first == everything_else;
-    return a_is_last != b_is_last ? b_is_last : a.second > b.second;
+struct Item {
+  std::string name;
+  double percent = 0.0;   // of the samples
+  std::string functions;  // its largest
+};
+
+std::string without_arguments(const std::string& function) {
+  constexpr std::size_t longest = 60;
+  return function.substr(0, std::min(function.find_first_of("(< ", 1), longest));
+}
+
+// The largest first, what belongs nowhere last.
+std::vector<Item> items_in(const std::string& report) {
+  const std::regex line{R"( +([0-9.]+)% +\[.\] +(.+?)(  .*)?\n)"};
+  constexpr int shown = 3;
+  std::map<std::string, Item> sums;
+  std::map<std::string, int> counts;
+  // perf lists the largest functions first.
+  for (std::sregex_iterator match{report.begin(), report.end(), line}, end; match != end; ++match) {
+    const std::string function = (*match)[2].str(), name = item_of(function);
+    Item& item = sums[name];
+    item.name = name;
+    item.percent += std::stod((*match)[1].str());
+    if (name == everything_else && counts[name]++ < shown)
+      item.functions += (item.functions.empty() ? "" : ", ") + without_arguments(function);
+  }
+  std::vector<Item> items;
+  for (const auto& [name, item] : sums) items.push_back(item);
+  std::sort(items.begin(), items.end(), [](const Item& a, const Item& b) {
+    const bool a_is_last = a.name == everything_else, b_is_last = b.name == everything_else;
+    return a_is_last != b_is_last ? b_is_last : a.percent > b.percent;
   });
   return items;
 }
 
-}  // namespace
-
-void profile_building(const Options& options) {
+void repeat(const Options& options, bool locate_yield, const TransientOptions& transient_options) {
   constexpr int histories = 1000;
-  const Model model = five_storey_model(false);
+  const Model model = five_storey_model(locate_yield);
   const GroundMotion motion =
       (options.records.empty() ? near_fault_pulse() : read_motion(options.records / "RSN1161_KOCAELI_GBZ000.AT2"))
           .scaled_to_pga(0.4 * units::g);
   const double start = seconds();
-  for (int i = 0; i < histories; ++i) moat_peaks(model, motion, {});
+  for (int i = 0; i < histories; ++i) moat_peaks(model, motion, transient_options);
   std::printf("%d histories, %.3g ms each\n", histories, 1e3 * (seconds() - start) / histories);
 }
+
+}  // namespace
+
+void profile_building(const Options& options) { repeat(options, false, {}); }
+
+void profile_exact(const Options& options) { repeat(options, true, {.integrator = Integrator::exact_between_events}); }
 
 void profile_street() {
   const StreetReport report = measure_street(
@@ -82,13 +108,14 @@ void profile(Record& record, const Options& options) {
   std::filesystem::create_directories(options.folder);
   const std::string program = std::filesystem::read_symlink("/proc/self/exe").string();
   for (const auto& [loop, name] : {std::pair<std::string, std::string>{"building", "building of five storeys"},
+                                   {"exact", "building of five storeys, exact between events"},
                                    {"street", "street of 1e5 degrees of freedom"}}) {
     const std::string data = "'" + (options.folder / ("profile_" + loop + ".data")).string() + "'";
     const auto items = items_in(output_of("perf record -q -o " + data + " '" + program + "' --profile " + loop +
                                           " >/dev/null 2>&1 && perf report -i " + data +
                                           " --no-children --sort symbol --stdio 2>/dev/null; rm -f " + data));
     if (items.empty()) record.note("perf could not watch the " + name + ".");
-    for (const auto& [item, percent] : items) record.add({name + ", " + item, single(percent), "%"});
+    for (const Item& item : items) record.add({name + ", " + item.name, single(item.percent), "%", {}, item.functions});
   }
   record.note("By perf record and perf report, functions summed up by what they are part of.");
 }

@@ -10,10 +10,13 @@ namespace moat::performance {
 /// are no records.
 void profile_building(const Options& options);
 
+/// The same exactly between events.
+void profile_exact(const Options& options);
+
 /// Steps of a street of 1e5 degrees of freedom.
 void profile_street();
 
-/// Watches both by perf, where it is installed, and tells where the time goes.
+/// Watches all of them by perf, where it is installed, and tells where the time goes.
 void profile(Record& record, const Options& options);
 
 }  // namespace moat::performance
