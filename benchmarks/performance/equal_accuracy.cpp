@@ -79,7 +79,7 @@ std::vector<Case> cases(Record& record, const Options& options) {
 // The time is the shortest of a few, to draw the chart and to find the settings worth timing.
 CurvePoint try_out(const Setting& setting, std::size_t index, const Peaks& reference) {
   constexpr int most_runs = 3;
-  constexpr double long_time = 0.05;
+  constexpr double long_time = 0.01;
   CurvePoint point{index, 0.0, 1e9};
   double sum = 0.0;
   for (int run = 0; run < most_runs && sum < long_time; ++run) {
