@@ -3,15 +3,19 @@
 #include <arkode/arkode_arkstep.h>
 #include <arkode/arkode_erkstep.h>
 
+#include <array>
+
+#include "performance/sundials_model_problem.hpp"
+#include "performance/sundials_problem.hpp"
+
 namespace moat::performance {
 namespace {
 
-constexpr std::array<int, SundialsProblem::sides> falling{-1, -1, -1, -1};
-
+template <class Problem>
 class Explicit {
  public:
-  Explicit(SundialsProblem& problem, SundialsVectors& vectors, const ArkodeSetting& setting)
-      : vectors_{&vectors}, memory_{ERKStepCreate(SundialsProblem::rate, 0.0, vectors.y, vectors.context())} {
+  Explicit(Problem& problem, SundialsVectors& vectors, const ArkodeSetting& setting)
+      : vectors_{&vectors}, memory_{ERKStepCreate(Problem::rate, 0.0, vectors.y, vectors.context())} {
     checked(ERKStepSetUserData(memory_, &problem), "ERKStepSetUserData");
     vectors.set_tolerances(setting.relative_tolerance);
     checked(ERKStepSVtolerances(memory_, setting.relative_tolerance, vectors.tolerances), "ERKStepSVtolerances");
@@ -23,10 +27,11 @@ class Explicit {
       checked(ERKStepSetFixedStep(memory_, problem.motion->time_step() / setting.fixed_divisions),
               "ERKStepSetFixedStep");
     else
-      checked(ERKStepSetMaxStep(memory_, problem.longest_step(setting.kinks)), "ERKStepSetMaxStep");
+      checked(ERKStepSetMaxStep(memory_, longest_step(*problem.motion, setting.kinks)), "ERKStepSetMaxStep");
     checked(ERKStepSetMaxNumSteps(memory_, -1), "ERKStepSetMaxNumSteps");
-    checked(ERKStepRootInit(memory_, SundialsProblem::sides, SundialsProblem::margins), "ERKStepRootInit");
-    std::array<int, SundialsProblem::sides> directions = falling;
+    checked(ERKStepRootInit(memory_, Problem::sides, Problem::margins), "ERKStepRootInit");
+    std::array<int, Problem::sides> directions{};
+    directions.fill(-1);
     checked(ERKStepSetRootDirection(memory_, directions.data()), "ERKStepSetRootDirection");
     checked(ERKStepSetNoInactiveRootWarn(memory_), "ERKStepSetNoInactiveRootWarn");
   }
@@ -53,20 +58,22 @@ class Explicit {
   double stop_ = -1.0;
 };
 
+template <class Problem>
 class Implicit {
  public:
-  Implicit(SundialsProblem& problem, SundialsVectors& vectors, const ArkodeSetting& setting)
-      : vectors_{&vectors}, memory_{ARKStepCreate(nullptr, SundialsProblem::rate, 0.0, vectors.y, vectors.context())} {
+  Implicit(Problem& problem, SundialsVectors& vectors, const ArkodeSetting& setting)
+      : vectors_{&vectors}, memory_{ARKStepCreate(nullptr, Problem::rate, 0.0, vectors.y, vectors.context())} {
     checked(ARKStepSetUserData(memory_, &problem), "ARKStepSetUserData");
     vectors.set_tolerances(setting.relative_tolerance);
     checked(ARKStepSVtolerances(memory_, setting.relative_tolerance, vectors.tolerances), "ARKStepSVtolerances");
     checked(ARKStepSetTableNum(memory_, ARKODE_SDIRK_5_3_4, ARKODE_ERK_NONE), "ARKStepSetTableNum");
     checked(ARKStepSetLinearSolver(memory_, vectors.solver, vectors.matrix), "ARKStepSetLinearSolver");
-    checked(ARKStepSetJacFn(memory_, SundialsProblem::jacobian), "ARKStepSetJacFn");
-    checked(ARKStepSetMaxStep(memory_, problem.longest_step(setting.kinks)), "ARKStepSetMaxStep");
+    checked(ARKStepSetJacFn(memory_, Problem::jacobian), "ARKStepSetJacFn");
+    checked(ARKStepSetMaxStep(memory_, longest_step(*problem.motion, setting.kinks)), "ARKStepSetMaxStep");
     checked(ARKStepSetMaxNumSteps(memory_, -1), "ARKStepSetMaxNumSteps");
-    checked(ARKStepRootInit(memory_, SundialsProblem::sides, SundialsProblem::margins), "ARKStepRootInit");
-    std::array<int, SundialsProblem::sides> directions = falling;
+    checked(ARKStepRootInit(memory_, Problem::sides, Problem::margins), "ARKStepRootInit");
+    std::array<int, Problem::sides> directions{};
+    directions.fill(-1);
     checked(ARKStepSetRootDirection(memory_, directions.data()), "ARKStepSetRootDirection");
     checked(ARKStepSetNoInactiveRootWarn(memory_), "ARKStepSetNoInactiveRootWarn");
   }
@@ -93,20 +100,27 @@ class Implicit {
   double stop_ = -1.0;
 };
 
-}  // namespace
-
-Peaks arkode_peaks(const GroundMotion& motion, const ArkodeSetting& setting) {
-  SundialsProblem problem;
-  problem.motion = &motion;
+template <class Problem>
+Peaks peaks_of(Problem problem, const ArkodeSetting& setting) {
   SundialsVectors vectors;
   if (setting.method == RungeKuttaMethod::sdirk_4) {
-    Implicit integrator{problem, vectors, setting};
+    Implicit<Problem> integrator{problem, vectors, setting};
     follow(problem, integrator, vectors, setting.kinks);
   } else {
-    Explicit integrator{problem, vectors, setting};
+    Explicit<Problem> integrator{problem, vectors, setting};
     follow(problem, integrator, vectors, setting.kinks);
   }
   return problem.peaks.values();
+}
+
+}  // namespace
+
+Peaks arkode_peaks(const GroundMotion& motion, const ArkodeSetting& setting) {
+  return peaks_of(SundialsProblem{motion}, setting);
+}
+
+Peaks arkode_peaks(const Model& model, const GroundMotion& motion, const ArkodeSetting& setting) {
+  return peaks_of(SundialsModelProblem{model, motion}, setting);
 }
 
 }  // namespace moat::performance

@@ -1,9 +1,10 @@
 // The five-storey building computed by ARKODE of SUNDIALS.
 #pragma once
 
+#include "model/model.hpp"
 #include "motions/ground_motion.hpp"
 #include "performance/five_peaks.hpp"
-#include "performance/sundials_problem.hpp"
+#include "performance/sundials_follow.hpp"
 
 namespace moat::performance {
 
@@ -24,5 +25,7 @@ struct ArkodeSetting {
 
 /// Changes of regime by ARKODE's own root finding.
 Peaks arkode_peaks(const GroundMotion& motion, const ArkodeSetting& setting);
+/// The same with a model of moat in the place of equations written by hand; its yield must be located.
+Peaks arkode_peaks(const Model& model, const GroundMotion& motion, const ArkodeSetting& setting);
 
 }  // namespace moat::performance

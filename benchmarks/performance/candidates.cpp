@@ -34,108 +34,163 @@ const std::vector<double>& newmark_tolerances() {
 }
 constexpr double contact_steps[] = {4, 6, 8, 11, 16, 23, 32, 45, 64, 128};
 
-Method moat_adaptive(const GroundMotion& motion, const std::shared_ptr<const Model>& model) {
-  Method method{method_names::moat_adaptive, {}};
+// One setting for every tolerance of Newmark, contacts divided in step with it.
+Ladder by_tolerance(const std::function<Peaks(double tolerance, int steps_per_contact)>& run) {
+  Ladder ladder;
   for (const double tolerance : newmark_tolerances())
-    method.settings.push_back({"tolerance " + to_text(tolerance), [&motion, model, tolerance] {
-                                 return moat_peaks(*model, motion,
-                                                   {.tolerance = tolerance, .steps_per_contact = steps_for(tolerance)});
-                               }});
-  return method;
+    ladder.push_back(
+        {"tolerance " + to_text(tolerance), [run, tolerance] { return run(tolerance, steps_for(tolerance)); }});
+  return ladder;
 }
 
-Method moat_recorded(const GroundMotion& motion, const std::shared_ptr<const Model>& model) {
-  Method method{method_names::moat_recorded, {}};
-  for (const double tolerance : newmark_tolerances())
-    method.settings.push_back({"tolerance " + to_text(tolerance), [&motion, model, tolerance] {
-                                 return moat_peaks_of_all_channels(
-                                     *model, motion,
-                                     {.tolerance = tolerance, .steps_per_contact = steps_for(tolerance)});
-                               }});
-  return method;
+Ladder moat_adaptive(const GroundMotion& motion, const std::shared_ptr<const Model>& model) {
+  return by_tolerance([&motion, model](double tolerance, int steps) {
+    return moat_peaks(*model, motion, {.tolerance = tolerance, .steps_per_contact = steps});
+  });
 }
 
-Method moat_fixed(const GroundMotion& motion, const std::shared_ptr<const Model>& model) {
-  Method method{method_names::moat_fixed, {}};
+Ladder moat_recorded(const GroundMotion& motion, const std::shared_ptr<const Model>& model) {
+  return by_tolerance([&motion, model](double tolerance, int steps) {
+    return moat_peaks_of_all_channels(*model, motion, {.tolerance = tolerance, .steps_per_contact = steps});
+  });
+}
+
+Ladder newmark(const GroundMotion& motion, Peaks (*peaks)(const GroundMotion&, NewmarkSetting)) {
+  return by_tolerance([&motion, peaks](double tolerance, int steps) { return peaks(motion, {tolerance, steps}); });
+}
+
+Ladder moat_fixed(const GroundMotion& motion, const std::shared_ptr<const Model>& model) {
+  Ladder ladder;
   for (const int divisions : {1, 2, 3, 4, 6, 8, 12, 16}) {
     const Time step = motion.time_step() / divisions * units::s;
-    method.settings.push_back({to_text(1e3 * step.si()) + " ms",
-                               [&motion, model, step] { return moat_peaks(*model, motion, {.step = step}); }});
+    ladder.push_back({to_text(1e3 * step.si()) + " ms",
+                      [&motion, model, step] { return moat_peaks(*model, motion, {.step = step}); }});
   }
-  return method;
+  return ladder;
 }
 
-Method moat_exact(const GroundMotion& motion, const std::shared_ptr<const Model>& model) {
-  Method method{method_names::moat_exact, {}};
+Ladder moat_exact(const GroundMotion& motion, const std::shared_ptr<const Model>& model) {
+  Ladder ladder;
   for (const double steps : contact_steps)
-    method.settings.push_back(
-        {to_text(steps) + " steps per contact", [&motion, model, per_contact = static_cast<int>(steps)] {
-           return moat_peaks(*model, motion,
-                             {.integrator = Integrator::exact_between_events,
-                              .tolerance = tolerance_for(per_contact),
-                              .steps_per_contact = per_contact});
-         }});
-  return method;
+    ladder.push_back({to_text(steps) + " steps per contact", [&motion, model, per_contact = static_cast<int>(steps)] {
+                        return moat_peaks(*model, motion,
+                                          {.integrator = Integrator::exact_between_events,
+                                           .tolerance = tolerance_for(per_contact),
+                                           .steps_per_contact = per_contact});
+                      }});
+  return ladder;
 }
 
-constexpr std::pair<GroundKinks, const char*> all_kinks[] = {
-    {GroundKinks::left_to_error_control, "kinks left to error control"},
-    {GroundKinks::steps_at_most_the_interval, "steps at most the interval"},
-    {GroundKinks::stops_at_samples, "stops at samples"}};
+constexpr GroundKinks all_kinks[] = {GroundKinks::left_to_error_control, GroundKinks::steps_at_most_the_interval,
+                                     GroundKinks::stops_at_samples};
 constexpr double general_tolerances[] = {1e-2, 3e-3, 1e-3, 3e-4, 1e-4, 3e-5, 1e-5, 3e-6, 1e-6};
 
-Method cvode(const GroundMotion& motion) {
-  Method method{method_names::cvode, {}};
-  for (const auto& [multistep, name] :
-       {std::pair{Multistep::bdf, "BDF"}, std::pair{Multistep::adams_fixed_point, "Adams"}})
-    for (const auto& [kinks, how] : all_kinks)
-      for (const double tolerance : general_tolerances) {
-        const CvodeSetting setting{multistep, kinks, tolerance};
-        method.settings.push_back({std::string{name} + ", " + how + ", tolerance " + to_text(tolerance),
-                                   [&motion, setting] { return cvode_peaks(motion, setting); }});
-      }
+const char* name_of(GroundKinks kinks) {
+  switch (kinks) {
+    case GroundKinks::left_to_error_control:
+      return "kinks left to error control";
+    case GroundKinks::steps_at_most_the_interval:
+      return "steps at most the interval";
+    case GroundKinks::stops_at_samples:
+      break;
+  }
+  return "stops at samples";
+}
+
+// The equations: those written by hand, or those of a model where one is given.
+Ladder cvode(const GroundMotion& motion, Multistep method, GroundKinks kinks,
+             const std::shared_ptr<const Model>& model = nullptr) {
+  Ladder ladder;
+  for (const double tolerance : general_tolerances)
+    ladder.push_back({std::string{method == Multistep::bdf ? "BDF" : "Adams"} + ", " + name_of(kinks) + ", tolerance " +
+                          to_text(tolerance),
+                      [&motion, model, setting = CvodeSetting{method, kinks, tolerance}] {
+                        return model ? cvode_peaks(*model, motion, setting) : cvode_peaks(motion, setting);
+                      }});
+  return ladder;
+}
+
+const char* name_of(RungeKuttaMethod method) {
+  switch (method) {
+    case RungeKuttaMethod::bogacki_shampine_3:
+      return "Bogacki-Shampine";
+    case RungeKuttaMethod::zonneveld_4:
+      return "Zonneveld";
+    case RungeKuttaMethod::dormand_prince_5:
+      return "Dormand-Prince";
+    case RungeKuttaMethod::sdirk_4:
+      break;
+  }
+  return "SDIRK";
+}
+
+Ladder arkode(const GroundMotion& motion, RungeKuttaMethod method, GroundKinks kinks,
+              const std::shared_ptr<const Model>& model = nullptr) {
+  Ladder ladder;
+  for (const double tolerance : general_tolerances) {
+    // The implicit one never comes near the explicit ones; its dearest settings would only take time.
+    if (method == RungeKuttaMethod::sdirk_4 && tolerance < 1e-5) continue;
+    ladder.push_back({std::string{name_of(method)} + ", " + name_of(kinks) + ", tolerance " + to_text(tolerance),
+                      [&motion, model, setting = ArkodeSetting{method, kinks, tolerance}] {
+                        return model ? arkode_peaks(*model, motion, setting) : arkode_peaks(motion, setting);
+                      }});
+  }
+  return ladder;
+}
+
+Ladder arkode_of_fixed_step(const GroundMotion& motion, RungeKuttaMethod method, GroundKinks kinks) {
+  Ladder ladder;
+  for (const int divisions : {1, 2, 4})
+    ladder.push_back(
+        {std::string{name_of(method)} + ", " + name_of(kinks) + ", interval/" + to_text(divisions),
+         [&motion, setting = ArkodeSetting{.method = method, .kinks = kinks, .fixed_divisions = divisions}] {
+           return arkode_peaks(motion, setting);
+         }});
+  return ladder;
+}
+
+Method all_of_cvode(const GroundMotion& motion, const char* name, Multistep multistep) {
+  Method method{name, {}};
+  for (const GroundKinks kinks : all_kinks) method.ladders.push_back(cvode(motion, multistep, kinks));
   return method;
 }
 
-Method arkode(const GroundMotion& motion) {
+Method all_of_arkode(const GroundMotion& motion) {
   Method method{method_names::arkode, {}};
-  const auto add = [&](const std::string& name, const ArkodeSetting& setting) {
-    method.settings.push_back({name, [&motion, setting] { return arkode_peaks(motion, setting); }});
-  };
-  for (const auto& [runge_kutta, name] :
-       {std::pair{RungeKuttaMethod::bogacki_shampine_3, "Bogacki-Shampine"},
-        std::pair{RungeKuttaMethod::zonneveld_4, "Zonneveld"},
-        std::pair{RungeKuttaMethod::dormand_prince_5, "Dormand-Prince"}, std::pair{RungeKuttaMethod::sdirk_4, "SDIRK"}})
-    for (const auto& [kinks, how] : all_kinks) {
-      for (const double tolerance : general_tolerances) {
-        // The implicit one never comes near the explicit ones; its dearest settings would only take time.
-        if (runge_kutta == RungeKuttaMethod::sdirk_4 && tolerance < 1e-5) continue;
-        add(std::string{name} + ", " + how + ", tolerance " + to_text(tolerance), {runge_kutta, kinks, tolerance});
-      }
+  for (const auto runge_kutta : {RungeKuttaMethod::bogacki_shampine_3, RungeKuttaMethod::zonneveld_4,
+                                 RungeKuttaMethod::dormand_prince_5, RungeKuttaMethod::sdirk_4})
+    for (const GroundKinks kinks : all_kinks) {
+      method.ladders.push_back(arkode(motion, runge_kutta, kinks));
       if (runge_kutta != RungeKuttaMethod::sdirk_4 && kinks != GroundKinks::left_to_error_control)
-        for (const int divisions : {1, 2, 4})
-          add(std::string{name} + ", " + how + ", interval/" + to_text(divisions),
-              {.method = runge_kutta, .kinks = kinks, .fixed_divisions = divisions});
+        method.ladders.push_back(arkode_of_fixed_step(motion, runge_kutta, kinks));
     }
   return method;
 }
 
-Method newmark(const GroundMotion& motion, const char* name, Peaks (*peaks)(const GroundMotion&, NewmarkSetting)) {
-  Method method{name, {}};
-  for (const double tolerance : newmark_tolerances())
-    method.settings.push_back({"tolerance " + to_text(tolerance), [&motion, peaks, tolerance] {
-                                 return peaks(motion, {tolerance, steps_for(tolerance)});
-                               }});
-  return method;
+// What does best with the equations written by hand.
+Method cvode_on_model(const GroundMotion& motion, const std::shared_ptr<const Model>& model) {
+  using enum GroundKinks;
+  return {method_names::cvode_on_model,
+          {cvode(motion, Multistep::bdf, left_to_error_control, model),
+           cvode(motion, Multistep::adams_fixed_point, left_to_error_control, model),
+           cvode(motion, Multistep::adams_fixed_point, steps_at_most_the_interval, model)}};
 }
 
-Method runge_kutta(const GroundMotion& motion) {
-  Method method{method_names::bare_runge_kutta, {}};
+Method arkode_on_model(const GroundMotion& motion, const std::shared_ptr<const Model>& model) {
+  using enum GroundKinks;
+  return {method_names::arkode_on_model,
+          {arkode(motion, RungeKuttaMethod::bogacki_shampine_3, left_to_error_control, model),
+           arkode(motion, RungeKuttaMethod::zonneveld_4, left_to_error_control, model),
+           arkode(motion, RungeKuttaMethod::dormand_prince_5, left_to_error_control, model)}};
+}
+
+Ladder runge_kutta(const GroundMotion& motion) {
+  Ladder ladder;
   for (const auto& [divisions, steps] : {std::pair{1, 4}, {1, 16}, {1, 32}, {1, 64}, {2, 64}, {4, 128}})
-    method.settings.push_back(
+    ladder.push_back(
         {"interval/" + to_text(divisions) + ", " + to_text(steps) + " steps per contact",
          [&motion, setting = RungeKuttaSetting{divisions, steps}] { return bare_runge_kutta(motion, setting); }});
-  return method;
+  return ladder;
 }
 
 }  // namespace
@@ -143,20 +198,24 @@ Method runge_kutta(const GroundMotion& motion) {
 std::vector<Method> methods(const GroundMotion& motion, bool quick) {
   const auto plain = std::make_shared<const Model>(five_storey_model(false));
   const auto located = std::make_shared<const Model>(five_storey_model(true));
-  std::vector<Method> list{moat_adaptive(motion, plain),
-                           moat_recorded(motion, plain),
-                           moat_fixed(motion, plain),
-                           moat_exact(motion, located),
-                           cvode(motion),
-                           arkode(motion),
-                           newmark(motion, method_names::bare_newmark, bare_newmark),
-                           newmark(motion, method_names::plain_newmark, plain_newmark),
-                           runge_kutta(motion)};
+  std::vector<Method> list{{method_names::moat_adaptive, {moat_adaptive(motion, plain)}},
+                           {method_names::moat_recorded, {moat_recorded(motion, plain)}},
+                           {method_names::moat_fixed, {moat_fixed(motion, plain)}},
+                           {method_names::moat_exact, {moat_exact(motion, located)}},
+                           all_of_cvode(motion, method_names::cvode_bdf, Multistep::bdf),
+                           all_of_cvode(motion, method_names::cvode_adams, Multistep::adams_fixed_point),
+                           all_of_arkode(motion),
+                           cvode_on_model(motion, located),
+                           arkode_on_model(motion, located),
+                           {method_names::plain_newmark, {newmark(motion, plain_newmark)}},
+                           {method_names::bare_newmark, {newmark(motion, bare_newmark)}},
+                           {method_names::bare_runge_kutta, {runge_kutta(motion)}}};
   if (quick)
-    for (Method& method : list) {
-      std::size_t index = 0;
-      std::erase_if(method.settings, [&](const Setting&) { return index++ % 3 != 0; });
-    }
+    for (Method& method : list)
+      for (Ladder& ladder : method.ladders) {
+        std::size_t index = 0;
+        std::erase_if(ladder, [&](const Setting&) { return index++ % 3 != 0; });
+      }
   return list;
 }
 

@@ -15,19 +15,25 @@ struct Setting {
   std::function<Peaks()> run;
 };
 
+/// Settings that differ in one thing, from the loosest to the tightest.
+using Ladder = std::vector<Setting>;
+
 struct Method {
   std::string name;
-  std::vector<Setting> settings;
+  std::vector<Ladder> ladders;
 };
 
 namespace method_names {
 inline constexpr const char *moat_adaptive = "moat adaptive", *moat_recorded = "moat adaptive, all channels recorded",
                             *moat_fixed = "moat fixed step", *moat_exact = "moat exact between events",
-                            *cvode = "CVODE", *arkode = "ARKODE", *bare_newmark = "bare Newmark",
-                            *plain_newmark = "plain Newmark", *bare_runge_kutta = "bare Runge-Kutta";
+                            *cvode_bdf = "CVODE BDF", *cvode_adams = "CVODE Adams", *arkode = "ARKODE",
+                            *cvode_on_model = "CVODE on moat's elements",
+                            *arkode_on_model = "ARKODE on moat's elements",
+                            *bare_newmark = "bare Newmark, fast for this building",
+                            *plain_newmark = "bare Newmark, plain", *bare_runge_kutta = "bare Runge-Kutta";
 }
 
-/// All of them for one motion, which must outlive them. `quick`: every third setting.
+/// All of them for one motion, which must outlive them. `quick`: every third setting of a ladder.
 std::vector<Method> methods(const GroundMotion& motion, bool quick);
 
 /// moat and the bare explicit loop at settings that leave no visible error.

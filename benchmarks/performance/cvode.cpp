@@ -4,29 +4,36 @@
 #include <cvode/cvode_ls.h>
 #include <sunnonlinsol/sunnonlinsol_fixedpoint.h>
 
+#include <array>
+
+#include "performance/sundials_model_problem.hpp"
+#include "performance/sundials_problem.hpp"
+
 namespace moat::performance {
 namespace {
 
+template <class Problem>
 class Cvode {
  public:
-  Cvode(SundialsProblem& problem, SundialsVectors& vectors, const CvodeSetting& setting)
+  Cvode(Problem& problem, SundialsVectors& vectors, const CvodeSetting& setting)
       : vectors_{&vectors},
         memory_{CVodeCreate(setting.method == Multistep::bdf ? CV_BDF : CV_ADAMS, vectors.context())} {
-    checked(CVodeInit(memory_, SundialsProblem::rate, 0.0, vectors.y), "CVodeInit");
+    checked(CVodeInit(memory_, Problem::rate, 0.0, vectors.y), "CVodeInit");
     checked(CVodeSetUserData(memory_, &problem), "CVodeSetUserData");
     vectors.set_tolerances(setting.relative_tolerance);
     checked(CVodeSVtolerances(memory_, setting.relative_tolerance, vectors.tolerances), "CVodeSVtolerances");
     if (setting.method == Multistep::bdf) {
       checked(CVodeSetLinearSolver(memory_, vectors.solver, vectors.matrix), "CVodeSetLinearSolver");
-      checked(CVodeSetJacFn(memory_, SundialsProblem::jacobian), "CVodeSetJacFn");
+      checked(CVodeSetJacFn(memory_, Problem::jacobian), "CVodeSetJacFn");
     } else {
       fixed_point_ = SUNNonlinSol_FixedPoint(vectors.y, 0, vectors.context());
       checked(CVodeSetNonlinearSolver(memory_, fixed_point_), "CVodeSetNonlinearSolver");
     }
-    checked(CVodeSetMaxStep(memory_, problem.longest_step(setting.kinks)), "CVodeSetMaxStep");
+    checked(CVodeSetMaxStep(memory_, longest_step(*problem.motion, setting.kinks)), "CVodeSetMaxStep");
     checked(CVodeSetMaxNumSteps(memory_, -1), "CVodeSetMaxNumSteps");
-    checked(CVodeRootInit(memory_, SundialsProblem::sides, SundialsProblem::margins), "CVodeRootInit");
-    std::array<int, SundialsProblem::sides> falling{-1, -1, -1, -1};
+    checked(CVodeRootInit(memory_, Problem::sides, Problem::margins), "CVodeRootInit");
+    std::array<int, Problem::sides> falling{};
+    falling.fill(-1);
     checked(CVodeSetRootDirection(memory_, falling.data()), "CVodeSetRootDirection");
     checked(CVodeSetNoInactiveRootWarn(memory_), "CVodeSetNoInactiveRootWarn");
   }
@@ -57,15 +64,22 @@ class Cvode {
   double stop_ = -1.0;
 };
 
+template <class Problem>
+Peaks peaks_of(Problem problem, const CvodeSetting& setting) {
+  SundialsVectors vectors;
+  Cvode<Problem> integrator{problem, vectors, setting};
+  follow(problem, integrator, vectors, setting.kinks);
+  return problem.peaks.values();
+}
+
 }  // namespace
 
 Peaks cvode_peaks(const GroundMotion& motion, const CvodeSetting& setting) {
-  SundialsProblem problem;
-  problem.motion = &motion;
-  SundialsVectors vectors;
-  Cvode integrator{problem, vectors, setting};
-  follow(problem, integrator, vectors, setting.kinks);
-  return problem.peaks.values();
+  return peaks_of(SundialsProblem{motion}, setting);
+}
+
+Peaks cvode_peaks(const Model& model, const GroundMotion& motion, const CvodeSetting& setting) {
+  return peaks_of(SundialsModelProblem{model, motion}, setting);
 }
 
 }  // namespace moat::performance

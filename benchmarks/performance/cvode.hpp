@@ -1,9 +1,10 @@
 // The five-storey building computed by CVODE of SUNDIALS.
 #pragma once
 
+#include "model/model.hpp"
 #include "motions/ground_motion.hpp"
 #include "performance/five_peaks.hpp"
-#include "performance/sundials_problem.hpp"
+#include "performance/sundials_follow.hpp"
 
 namespace moat::performance {
 
@@ -20,5 +21,7 @@ struct CvodeSetting {
 
 /// Changes of regime by CVODE's own root finding.
 Peaks cvode_peaks(const GroundMotion& motion, const CvodeSetting& setting);
+/// The same with a model of moat in the place of equations written by hand; its yield must be located.
+Peaks cvode_peaks(const Model& model, const GroundMotion& motion, const CvodeSetting& setting);
 
 }  // namespace moat::performance

@@ -5,6 +5,13 @@
 
 namespace moat::performance {
 
+std::vector<CurvePoint> with_lasting_errors(std::vector<CurvePoint> points) {
+  double largest = 0.0;
+  for (auto point = points.rbegin(); point != points.rend(); ++point)
+    point->error = largest = std::max(largest, point->error);
+  return points;
+}
+
 std::vector<CurvePoint> lower_envelope(std::vector<CurvePoint> points) {
   std::sort(points.begin(), points.end(),
             [](const CurvePoint& a, const CurvePoint& b) { return a.seconds < b.seconds; });
@@ -14,18 +21,22 @@ std::vector<CurvePoint> lower_envelope(std::vector<CurvePoint> points) {
   return envelope;
 }
 
-double ReadOff::time(double of_cheaper, double of_dearer) const {
-  return std::exp(std::lerp(std::log(of_cheaper), std::log(of_dearer), share));
+double ReadOff::time(double of_looser, double of_tighter) const {
+  return std::exp(std::lerp(std::log(of_looser), std::log(of_tighter), share));
 }
 
-std::optional<ReadOff> read_off(const std::vector<CurvePoint>& envelope, double error) {
-  const auto enough =
-      std::find_if(envelope.begin(), envelope.end(), [&](const CurvePoint& point) { return point.error <= error; });
-  if (enough == envelope.end()) return std::nullopt;
-  if (enough == envelope.begin()) return ReadOff{enough->setting, enough->setting, 0.0, true};
-  const CurvePoint& before = *(enough - 1);
-  return ReadOff{before.setting, enough->setting,
-                 std::log(before.error / error) / std::log(before.error / enough->error), false};
+std::optional<ReadOff> read_off(const std::vector<CurvePoint>& points, double error) {
+  const auto too_bad =
+      std::find_if(points.rbegin(), points.rend(), [&](const CurvePoint& p) { return p.error > error; });
+  if (too_bad == points.rbegin()) return std::nullopt;
+  if (too_bad == points.rend()) {
+    const auto cheapest = std::min_element(
+        points.begin(), points.end(), [](const CurvePoint& a, const CurvePoint& b) { return a.seconds < b.seconds; });
+    return ReadOff{cheapest->setting, cheapest->setting, 0.0, true};
+  }
+  const CurvePoint &looser = *too_bad, &tighter = *(too_bad - 1);
+  return ReadOff{looser.setting, tighter.setting,
+                 std::log(looser.error / error) / std::log(looser.error / tighter.error), false};
 }
 
 }  // namespace moat::performance

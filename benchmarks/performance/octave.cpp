@@ -1,14 +1,13 @@
 #include "performance/octave.hpp"
 
-#include <cstdio>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <iomanip>
-#include <memory>
 #include <sstream>
 
 #include "base/error.hpp"
+#include "performance/command_output.hpp"
 
 namespace moat::performance {
 namespace {
@@ -31,21 +30,12 @@ class TemporaryFolder {
   std::filesystem::path path;
 };
 
-std::string output_of(const std::string& command) {
-  const auto close = [](std::FILE* stream) { pclose(stream); };
-  const std::unique_ptr<std::FILE, decltype(close)> stream{popen(command.c_str(), "r"), close};
-  if (!stream) throw Error{"This command cannot be run: " + command};
-  std::string output;
-  char buffer[256];
-  while (std::fgets(buffer, sizeof buffer, stream.get()) != nullptr) output += buffer;
-  return output;
-}
-
 }  // namespace
 
 bool octave_is_installed() { return std::system("command -v octave-cli >/dev/null 2>&1") == 0; }
 
-OctaveRun octave_run(const GroundMotion& motion, const OctaveSetting& setting) {
+std::optional<OctaveRun> octave_run(const GroundMotion& motion, const OctaveSetting& setting,
+                                    const std::filesystem::path& messages) {
   const TemporaryFolder folder;
   const std::filesystem::path samples = folder.path / "motion.txt";
   std::ofstream file{samples};
@@ -53,21 +43,16 @@ OctaveRun octave_run(const GroundMotion& motion, const OctaveSetting& setting) {
   for (const double sample : motion.samples()) file << sample << '\n';
   if (!file.flush()) throw FileError{samples.string() + ": cannot be written."};
 
-  const std::filesystem::path messages = folder.path / "messages.txt";
+  if (messages.has_parent_path()) std::filesystem::create_directories(messages.parent_path());
   std::ostringstream command;
   command << "octave-cli --quiet --no-init-file --path '" MOAT_OCTAVE_SCRIPTS "' --eval \"five_storeys('"
           << samples.string() << "', '" << setting.solver << "', " << setting.relative_tolerance << ", "
-          << setting.intervals_per_step << ")\" 2>'" << messages.string() << "'";
+          << setting.intervals_per_step << ")\" 2>>'" << messages.string() << "'";
   std::istringstream output{output_of(command.str())};
   OctaveRun run;
   output >> run.seconds;
   for (double& peak : run.peaks) output >> peak;
-  if (!output) {
-    std::ostringstream said;
-    said << std::ifstream{messages}.rdbuf();
-    throw Error{"GNU Octave did not compute the building. Its command was: " + command.str() + "\nIt said:\n" +
-                said.str()};
-  }
+  if (!output) return std::nullopt;
   return run;
 }
 

@@ -1,6 +1,8 @@
 // The five-storey building computed by GNU Octave, when it is installed.
 #pragma once
 
+#include <filesystem>
+#include <optional>
 #include <string>
 
 #include "motions/ground_motion.hpp"
@@ -21,7 +23,8 @@ struct OctaveRun {
   double seconds = 0.0;  ///< CPU time of the integration, by Octave's own clock
 };
 
-/// Throws Error if Octave fails.
-OctaveRun octave_run(const GroundMotion& motion, const OctaveSetting& setting);
+/// Empty if Octave fails; what it says to its error stream, also of warnings, is added to the file `messages`.
+std::optional<OctaveRun> octave_run(const GroundMotion& motion, const OctaveSetting& setting,
+                                    const std::filesystem::path& messages);
 
 }  // namespace moat::performance

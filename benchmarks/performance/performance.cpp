@@ -12,10 +12,12 @@
 #include "performance/measure.hpp"
 #include "performance/options.hpp"
 #include "performance/overhead.hpp"
+#include "performance/profile.hpp"
 #include "performance/record.hpp"
 #include "performance/scale.hpp"
 #include "performance/street_run.hpp"
 #include "performance/suite.hpp"
+#include "performance/vector_code.hpp"
 
 namespace {
 
@@ -28,15 +30,13 @@ struct Section {
 
 const std::vector<Section>& sections() {
   static const std::vector<Section> list{
-      {"equal-accuracy", equal_accuracy},
-      {"overhead", overhead},
-      {"scale", scale},
-      {"suite", suite},
+      {"equal-accuracy", equal_accuracy}, {"overhead", overhead}, {"scale", scale}, {"suite", suite},
+      {"vector-code", vector_code},       {"profile", profile},
   };
   return list;
 }
 
-int run(const Options& options, const std::string& only, const std::string& folder, bool write_docs) {
+int run(const Options& options, const std::string& only, bool write_docs) {
   Record record;
   for (const Section& section : sections()) {
     if (!only.empty() && section.name != only) continue;
@@ -44,9 +44,9 @@ int run(const Options& options, const std::string& only, const std::string& fold
     section.run(record, options);
     std::printf("(%s: %.0f s)\n", section.name.c_str(), seconds(Clock::wall) - start);
   }
-  record.write(folder);
+  record.write(options.folder);
   if (write_docs) record.write_documentation(MOAT_PERFORMANCE_DOCUMENT);
-  std::printf("\nNumbers and charts: %s\n%d targets, %d held, %d missed\n", folder.c_str(), record.targets(),
+  std::printf("\nNumbers and charts: %s\n%d targets, %d held, %d missed\n", options.folder.c_str(), record.targets(),
               record.targets() - record.missed(), record.missed());
   return 0;
 }
@@ -59,16 +59,18 @@ int main(int argc, char** argv) {
   CLI::App app{"How fast moat is, as ratios measured in one run"};
   app.name("./moat bench performance");
   Options options;
-  std::string folder = "results/performance", only;
+  std::string only, profiled;
   bool write_docs = false;
   std::vector<std::string> names;
   for (const Section& section : sections()) names.push_back(section.name);
-  app.add_option("--out", folder, "folder for performance.json and the charts")->capture_default_str();
+  app.add_option("--out", options.folder, "folder for performance.json and the charts")->capture_default_str();
   app.add_flag("--write-docs", write_docs, "also bring docs/performance.md and its charts up to date");
   app.add_option("--only", only, "one section alone")->check(CLI::IsMember(names));
   app.add_option("--rounds", options.rounds, "interleaved rounds whose median counts")
       ->capture_default_str()
       ->check(CLI::Range(5, 1000));
+  app.add_option("--profile", profiled, "one hot loop alone, to be watched by a profiler; measures nothing")
+      ->check(CLI::IsMember({"building", "exact", "street"}));
   app.add_flag("--quick", options.quick, "less of everything, to try the program");
   try {
     app.parse(argc, argv);
@@ -79,7 +81,10 @@ int main(int argc, char** argv) {
     if (const char* records = std::getenv("MOAT_RECORDS")) options.records = records;
     if (write_docs && (options.quick || options.records.empty()))
       throw moat::InputError{"--write-docs needs the recorded motions (MOAT_RECORDS), and not --quick."};
-    return run(options, only, folder, write_docs);
+    if (profiled == "building") return profile_building(options), 0;
+    if (profiled == "exact") return profile_exact(options), 0;
+    if (profiled == "street") return profile_street(), 0;
+    return run(options, only, write_docs);
   } catch (const std::exception& error) {
     std::fprintf(stderr, "moat: error: %s\n", error.what());
     return 1;

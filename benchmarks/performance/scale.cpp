@@ -12,7 +12,6 @@ namespace {
 
 /// Longer than a base can move in one step: touches are then taken at the end of the step that sees them. Located to
 /// 1e-12 m one by one, each of them would end a step of its own, and the number of steps grow with that of buildings.
-constexpr double street_location_tolerance = 4e-3;
 
 constexpr int steps_before = 24, steps = 40;
 

@@ -162,50 +162,6 @@ void measure_parts(Model& model, int buildings, StreetReport& report) {
   }
 }
 
-StreetReport measure(const StreetSetting& setting) {
-  StreetReport report;
-  double start = seconds(Clock::wall);
-  Model model = street(setting.buildings);
-  report.degrees_of_freedom = model.degrees_of_freedom();
-  report.build_seconds = seconds(Clock::wall) - start;
-
-  start = seconds(Clock::wall);
-  std::optional<Transient> transient{std::in_place, model, street_motion(), options_of(setting)};
-  EnergyLedger ledger;
-  ChangeCounter counter;
-  transient->attach(ledger);
-  transient->attach(counter);
-  report.start_seconds = seconds(Clock::wall) - start;
-
-  for (int i = 0; i < setting.steps_before; ++i) transient->advance();
-  counter.changes = 0.0;
-  const SolverStatistics before = transient->statistics();
-  const double motion_before = model.state().time;
-  for (int i = 0; i < setting.steps; ++i) {
-    const long iterations = transient->statistics().newton_iterations;
-    start = seconds(Clock::wall);
-    transient->advance();
-    report.step_seconds.push_back(seconds(Clock::wall) - start);
-    report.step_iterations.push_back(static_cast<double>(transient->statistics().newton_iterations - iterations));
-  }
-  const SolverStatistics& after = transient->statistics();
-  const auto grown = [&](long SolverStatistics::*number) {
-    return static_cast<double>(after.*number - before.*number);
-  };
-  report.motion_seconds = model.state().time - motion_before;
-  report.solves = grown(&SolverStatistics::accepted_steps) + grown(&SolverStatistics::event_solves) +
-                  grown(&SolverStatistics::rejected_steps);
-  report.factorisations = grown(&SolverStatistics::factorisations);
-  report.events = grown(&SolverStatistics::events);
-  report.changes = counter.changes;
-  report.contacts_at_end = contacts(model);
-  report.fingerprint = fingerprint(model.state());
-  report.peak_bytes = peak_resident_bytes();
-  transient.reset();
-  if (setting.parts) measure_parts(model, setting.buildings, report);
-  return report;
-}
-
 // One entry a line: its name, then its numbers.
 void print(const StreetReport& report) {
   const auto line = [](const std::string& name, const std::vector<double>& values) {
@@ -308,16 +264,60 @@ StreetReport run_street(const StreetSetting& setting) {
                           std::to_string(setting.steps), setting.parts ? "1" : "0"}));
 }
 
+StreetReport measure_street(const StreetSetting& setting) {
+  StreetReport report;
+  double start = seconds(Clock::wall);
+  Model model = street(setting.buildings);
+  report.degrees_of_freedom = model.degrees_of_freedom();
+  report.build_seconds = seconds(Clock::wall) - start;
+
+  start = seconds(Clock::wall);
+  std::optional<Transient> transient{std::in_place, model, street_motion(), options_of(setting)};
+  EnergyLedger ledger;
+  ChangeCounter counter;
+  transient->attach(ledger);
+  transient->attach(counter);
+  report.start_seconds = seconds(Clock::wall) - start;
+
+  for (int i = 0; i < setting.steps_before; ++i) transient->advance();
+  counter.changes = 0.0;
+  const SolverStatistics before = transient->statistics();
+  const double motion_before = model.state().time;
+  for (int i = 0; i < setting.steps; ++i) {
+    const long iterations = transient->statistics().newton_iterations;
+    start = seconds(Clock::wall);
+    transient->advance();
+    report.step_seconds.push_back(seconds(Clock::wall) - start);
+    report.step_iterations.push_back(static_cast<double>(transient->statistics().newton_iterations - iterations));
+  }
+  const SolverStatistics& after = transient->statistics();
+  const auto grown = [&](long SolverStatistics::*number) {
+    return static_cast<double>(after.*number - before.*number);
+  };
+  report.motion_seconds = model.state().time - motion_before;
+  report.solves = grown(&SolverStatistics::accepted_steps) + grown(&SolverStatistics::event_solves) +
+                  grown(&SolverStatistics::rejected_steps);
+  report.factorisations = grown(&SolverStatistics::factorisations);
+  report.events = grown(&SolverStatistics::events);
+  report.changes = counter.changes;
+  report.contacts_at_end = contacts(model);
+  report.fingerprint = fingerprint(model.state());
+  report.peak_bytes = peak_resident_bytes();
+  transient.reset();
+  if (setting.parts) measure_parts(model, setting.buildings, report);
+  return report;
+}
+
 std::optional<int> street_process(int argc, char** argv) {
   constexpr int arguments = 8;
   if (argc != arguments || std::string{argv[1]} != hidden_option) return {};
   try {
-    print(measure({.buildings = std::atoi(argv[2]),
-                   .threads = std::atoi(argv[3]),
-                   .location_tolerance = std::atof(argv[4]),
-                   .steps_before = std::atoi(argv[5]),
-                   .steps = std::atoi(argv[6]),
-                   .parts = std::atoi(argv[7]) != 0}));
+    print(measure_street({.buildings = std::atoi(argv[2]),
+                          .threads = std::atoi(argv[3]),
+                          .location_tolerance = std::atof(argv[4]),
+                          .steps_before = std::atoi(argv[5]),
+                          .steps = std::atoi(argv[6]),
+                          .parts = std::atoi(argv[7]) != 0}));
   } catch (const std::exception& error) {
     std::fprintf(stderr, "moat: error: %s\n", error.what());
     return 1;

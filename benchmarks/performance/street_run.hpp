@@ -20,6 +20,9 @@ struct StreetSetting {
   bool parts = false;
 };
 
+/// m; longer than the way of a step, so that touches are taken at the end of the step that sees them.
+inline constexpr double street_location_tolerance = 4e-3;
+
 /// Times of one part of an iteration, s, and the bytes that it must touch.
 struct StreetPart {
   std::string name;
@@ -39,6 +42,9 @@ struct StreetReport {
   std::vector<StreetPart> parts;
   std::vector<double> seconds_per_byte;  ///< copying, in turn with the parts
 };
+
+/// Without peak_bytes being that of this street alone.
+StreetReport measure_street(const StreetSetting& setting);
 
 /// Runs this program again with hidden arguments: the peak of memory is then that of this one street.
 /// Throws Error where that fails.

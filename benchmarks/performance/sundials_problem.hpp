@@ -1,17 +1,12 @@
-// The five-storey building as SUNDIALS sees it: y = (u, v), restarted at every change of regime.
+// The five-storey building as SUNDIALS sees it, its equations written by hand for this very building.
 #pragma once
 
 #include <nvector/nvector_serial.h>
-#include <sundials/sundials_context.h>
-#include <sundials/sundials_nvector.h>
-#include <sunlinsol/sunlinsol_dense.h>
 #include <sunmatrix/sunmatrix_dense.h>
 
 #include <array>
-#include <memory>
-#include <string>
+#include <cmath>
 
-#include "base/error.hpp"
 #include "motions/ground_motion.hpp"
 #include "performance/five_peaks.hpp"
 #include "performance/five_storey_equations.hpp"
@@ -19,24 +14,17 @@
 
 namespace moat::performance {
 
-inline constexpr double intervals_in_longest_step = 20.0;
-
-/// What is done about the ground's acceleration, which bends at every sample.
-enum class GroundKinks {
-  left_to_error_control,  ///< steps of at most twenty intervals, lest they leap over a motion that begins slowly
-  steps_at_most_the_interval,
-  stops_at_samples,
-};
-
+/// y = (u, v), restarted at every change of regime.
 struct SundialsProblem {
-  static constexpr sunindextype size = 2 * (floors + 1);
-  static constexpr int sides = 4;
+  explicit SundialsProblem(const GroundMotion& ground_motion) : motion{&ground_motion} {}
+
+  static constexpr int sides = 4;  ///< of the box: functions whose roots are events
 
   FiveStoreys building;
   Regimes regimes;
   RegimeBox box = box_of(building, regimes);
   Line bearing = bearing_line(building, regimes);
-  const GroundMotion* motion = nullptr;
+  const GroundMotion* motion;
   FivePeaks peaks;
 
   static Values displacements(const realtype* y) {
@@ -111,10 +99,6 @@ struct SundialsProblem {
     return 0;
   }
 
-  [[nodiscard]] double longest_step(GroundKinks kinks) const {
-    return motion->time_step() * (kinks == GroundKinks::left_to_error_control ? intervals_in_longest_step : 1.0);
-  }
-
   [[nodiscard]] Peaks sample(double t, const realtype* y) const {
     const double ground = motion->acceleration_at(t);
     const Values a = acceleration(ground, y);
@@ -130,90 +114,5 @@ struct SundialsProblem {
     peaks.restart(t, sample(t, y));
   }
 };
-
-/// Throws Error for a negative return value.
-inline int checked(int flag, const char* call) {
-  if (flag < 0) throw Error{std::string{call} + " of SUNDIALS failed with code " + std::to_string(flag) + "."};
-  return flag;
-}
-
-/// What all of its integrators need, given back at the end.
-class SundialsVectors {
- public:
-  SundialsVectors() {
-    SUNContext made = nullptr;
-    checked(-std::abs(SUNContext_Create(nullptr, &made)), "SUNContext_Create");
-    context_ = made;
-    y = N_VNew_Serial(SundialsProblem::size, context_);
-    between = N_VNew_Serial(SundialsProblem::size, context_);
-    tolerances = N_VNew_Serial(SundialsProblem::size, context_);
-    matrix = SUNDenseMatrix(SundialsProblem::size, SundialsProblem::size, context_);
-    solver = SUNLinSol_Dense(y, matrix, context_);
-    N_VConst(0.0, y);
-  }
-  SundialsVectors(const SundialsVectors&) = delete;
-  SundialsVectors& operator=(const SundialsVectors&) = delete;
-  ~SundialsVectors() {
-    SUNLinSolFree(solver);
-    SUNMatDestroy(matrix);
-    N_VDestroy(tolerances);
-    N_VDestroy(between);
-    N_VDestroy(y);
-    SUNContext_Free(&context_);
-  }
-
-  /// Absolute tolerances from the relative one: of 1 cm and 10 cm/s.
-  void set_tolerances(double relative) {
-    for (sunindextype i = 0; i < SundialsProblem::size; ++i)
-      NV_Ith_S(tolerances, i) = relative * (2 * i < SundialsProblem::size ? 0.01 : 0.1);
-  }
-
-  [[nodiscard]] SUNContext context() const { return context_; }
-
-  N_Vector y = nullptr, between = nullptr, tolerances = nullptr;
-  SUNMatrix matrix = nullptr;
-  SUNLinearSolver solver = nullptr;
-
- private:
-  SUNContext context_ = nullptr;
-};
-
-/// Steps any integrator of SUNDIALS through the motion.
-///
-///     int step(double last, double& t)          one step, not beyond `last`; 2 where a margin was crossed, 1 at `last`
-///     void find_crossings(int* found)
-///     void restart(double t)                    from y at t
-///     void interpolate(double t)                into `between`, inside the last step
-///
-/// A step longer than the interval of the samples is looked at inside as well, lest a peak be missed.
-template <class Integrator>
-void follow(SundialsProblem& problem, Integrator& integrator, const SundialsVectors& vectors, GroundKinks kinks) {
-  constexpr int margin_crossed = 2, stop_reached = 1;
-  const double end = problem.motion->duration(), interval = problem.motion->time_step();
-  const realtype *y = NV_DATA_S(vectors.y), *between = NV_DATA_S(vectors.between);
-  double t = 0.0, next_sample = 1.0;
-  problem.peaks.add(t, problem.sample(t, y));
-  while (t < end * (1.0 - 1e-12)) {
-    const double last = kinks == GroundKinks::stops_at_samples ? std::min(next_sample * interval, end) : end;
-    const double start = t;
-    const int what = integrator.step(last, t);
-    const double parts = std::ceil((t - start) / interval - 1e-6);
-    for (double part = 1.0; part < parts; part += 1.0) {
-      const double inside = start + (t - start) * part / parts;
-      integrator.interpolate(inside);
-      problem.peaks.add(inside, problem.sample(inside, between));
-    }
-    problem.peaks.add(t, problem.sample(t, y));
-    if (what == margin_crossed) {
-      std::array<int, SundialsProblem::sides> found{};
-      integrator.find_crossings(found.data());
-      problem.change_regimes(t, y, found);
-      integrator.restart(t);
-      if (t >= last * (1.0 - 1e-12)) next_sample += 1.0;
-    } else if (what == stop_reached) {
-      next_sample += 1.0;
-    }
-  }
-}
 
 }  // namespace moat::performance
