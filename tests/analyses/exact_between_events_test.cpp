@@ -18,6 +18,7 @@
 #include "law_cases.hpp"
 #include "materials/linear.hpp"
 #include "message_of.hpp"
+#include "output/energy_ledger.hpp"
 #include "paper_building.hpp"
 #include "reference_rows.hpp"
 
@@ -330,6 +331,51 @@ TEST(ExactBetweenEvents, AsksForNoMemoryOnceItsMatricesAreKnown) {
   while (!analysis.finished()) analysis.advance();
   EXPECT_EQ(count_of_allocations(), before);
   EXPECT_GT(analysis.statistics().events, events + 10);
+}
+
+// Looks at nothing but nodes and the force of the gaps.
+class TopWatch final : public StepObserver {
+ public:
+  double displacement = 0.0, force = 0.0;
+
+  Observed observed() const override { return Observed::nodes; }
+  void start(const StepView& view) override { step(view); }
+  void step(const StepView& view) override {
+    const int top = view.model.degrees_of_freedom() - 1;
+    displacement = std::max(displacement, std::abs(view.model.state().displacement[top]));
+    for (const auto& block : view.model.blocks())
+      for (std::size_t e = 0; e < block->size(); ++e)
+        if (block->info(e).kind == ElementKind::gap) force = std::max(force, block->forces()[e]);
+  }
+  void event(const StepView& view, std::span<const RegimeChange>) override { step(view); }
+  void finish(const StepView&) override {}
+};
+
+TEST(ExactBetweenEvents, LeavesOutOnlyWhatNoOneLooksAt) {
+  const LawCase hertz_damp{"hertz_damp", [](Model& model, NodeId base) {
+                             add(model,
+                                 Moat<HertzDamp>{.around = base, .clearance = 10 * cm, .law = paper_hertz_damp()});
+                           }};
+  const auto analyse = [&](StepObserver* second) {
+    Model model = paper_model(hertz_damp);
+    Transient analysis{model, sine_motion(4.0), exact_options()};
+    TopWatch watch;
+    analysis.attach(watch);
+    if (second != nullptr) analysis.attach(*second);
+    analysis.run();
+    return std::pair{watch, model};
+  };
+  EnergyLedger ledger;
+  const auto [lean, lean_model] = analyse(nullptr);
+  const auto [full, full_model] = analyse(&ledger);
+  EXPECT_GT(full.force, 0.0) << "the building hits its wall";
+  EXPECT_EQ(lean.displacement, full.displacement);
+  EXPECT_EQ(lean.force, full.force);
+  // After the run every element is up to date.
+  for (std::size_t b = 0; b < full_model.blocks().size(); ++b)
+    for (std::size_t e = 0; e < full_model.blocks()[b]->size(); ++e)
+      EXPECT_EQ(lean_model.blocks()[b]->forces()[e], full_model.blocks()[b]->forces()[e])
+          << full_model.blocks()[b]->info(e).name;
 }
 
 class ExactOnRecords : public ::testing::TestWithParam<const char*> {
