@@ -16,6 +16,7 @@
 #include "performance/bare_step.hpp"
 #include "performance/function_timer.hpp"
 #include "performance/measure.hpp"
+#include "performance/moat_five_storeys.hpp"
 #include "solvers/factorisation.hpp"
 #include "solvers/newton.hpp"
 
@@ -27,22 +28,6 @@ namespace {
 
 constexpr double step_length = 0.0025;
 
-Model building() {
-  Model model;
-  const auto nodes = add(model, ShearBuilding{.storeys = 5,
-                                              .floor_mass = 500 * tonne,
-                                              .storey_stiffness = 1 * GN / m,
-                                              .damping = RayleighDamping{.ratio = 0.05},
-                                              .base_mass = 550 * tonne,
-                                              .isolation = LeadRubberBearing{.yield_force = 1.93 * MN,
-                                                                             .yield_displacement = 1 * cm,
-                                                                             .post_yield_stiffness = 19.3 * MN / m}});
-  add(model, Moat{.around = nodes.base,
-                  .clearance = 10 * cm,
-                  .law = HertzDamp{.stiffness = 2.95e9 * N / m_3_2, .restitution = 0.65}});
-  return model;
-}
-
 TransientOptions fixed_step() { return {.step = step_length * s}; }
 
 /// A history that is ready to run, with some of the observers that CaseRun attaches.
@@ -52,7 +37,7 @@ struct Prepared {
   };
 
   Prepared(const GroundMotion& motion, With with)
-      : model{building()},
+      : model{five_storey_model(false)},
         transient{model, motion, fixed_step()},
         peaks{model},
         histories{model, motion.time_step(), &energy} {
@@ -122,7 +107,7 @@ struct CallsPerStep {
 
 /// Functions of one step at a state in the middle of a history. Returns their sum per step, ns.
 double show_functions(Record& record, const GroundMotion& motion, const CallsPerStep& calls, int repetitions) {
-  Model model = building();
+  Model model = five_storey_model(false);
   Transient transient{model, motion, fixed_step()};
   while (model.state().time < 3.0) transient.advance();
 
