@@ -269,7 +269,7 @@ void Transient::advance() {
   steps_exactly_ = exact_ && exact_->applies();
   double h = steps_exactly_ ? take_exact_step() : take_newmark_step();
   const RegimeScan seen = scan(h);
-  const bool located = seen.margin < 0.0 && seen.margin >= -options_.location_tolerance.si();
+  const bool located = !seen.returned && seen.margin < 0.0 && seen.margin >= -options_.location_tolerance.si();
   if (seen.crossed && !located) h = locate_change(h, seen);
   commit(h);
   const StepView accepted = view(h == planned_);
@@ -293,7 +293,7 @@ void Transient::run() {
   const double started = process_seconds();
   start_observers();
   // Who steps by hand may look at the model after every step.
-  only_regimes_ = observed_ == Observed::nodes;
+  only_regimes_ = observed_ == Observed::nodes && !model_->keeps_energy_accounts();
   const auto end = [&] {
     if (only_regimes_) model_->refresh();
     only_regimes_ = false;

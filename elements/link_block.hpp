@@ -341,6 +341,7 @@ class LinkBlock final : public ElementBlock {
       // Beyond the margin and back within the step: only where the deformation turns inside it.
       beyond = turning_point(i);
       if (beyond <= 0.0 || margin_inside(i, step, beyond) >= 0.0) return;
+      scan.returned = true;
     }
     scan.crossed = true;
     if (scan.fraction > 0.0) scan.fraction = std::min(scan.fraction, first_crossing(i, step, beyond, scan.aim));

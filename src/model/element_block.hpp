@@ -42,6 +42,9 @@ struct RegimeScan {
   double margin = std::numeric_limits<double>::infinity();
   /// True if a change was seen inside the step, even if all margins are positive again at its end.
   bool crossed = false;
+  /// True if an element was beyond its margin inside the step and is not at its end: what its margin there tells is not
+  /// enough to judge the step.
+  bool returned = false;
   /// Fraction of the step at which the first margin is expected to reach the aim; 1 if none does.
   double fraction = 1.0;
 
@@ -49,6 +52,7 @@ struct RegimeScan {
   void merge(const RegimeScan& other) {
     margin = std::min(margin, other.margin);
     crossed = crossed || other.crossed;
+    returned = returned || other.returned;
     fraction = std::min(fraction, other.fraction);
   }
 };

@@ -28,6 +28,7 @@ Model::Model(const Model& other)
       changing_blocks_{other.changing_blocks_},
       blocks_with_regimes_{other.blocks_with_regimes_},
       only_regimes_evaluated_{other.only_regimes_evaluated_},
+      keeps_energy_accounts_{other.keeps_energy_accounts_},
       threads_{other.threads_} {
   for (const auto& block : other.blocks_) blocks_.push_back(block->clone());
 }
@@ -231,6 +232,7 @@ void Model::commit() {
 }
 
 void Model::start_energy_account() {
+  keeps_energy_accounts_ = true;
   for (const auto& block : blocks_) block->start_energy_account();
 }
 

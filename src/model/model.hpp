@@ -115,6 +115,7 @@ class Model {
   void commit();
   /// Starts the energy accounts of all elements at the committed state; they are kept from then on.
   void start_energy_account();
+  [[nodiscard]] bool keeps_energy_accounts() const { return keeps_energy_accounts_; }
   /// Evaluates and assembles on up to `threads` >= 1 threads from now on; the numbers stay the same to the last bit.
   /// The model must be prepared.
   void use_threads(int threads);
@@ -146,6 +147,7 @@ class Model {
   std::vector<std::size_t> changing_blocks_;  // those without constant tangent
   std::vector<std::size_t> blocks_with_regimes_;
   bool only_regimes_evaluated_ = false;
+  bool keeps_energy_accounts_ = false;
   int threads_ = 1;
 };
 

@@ -215,6 +215,27 @@ TEST(ContactEvents, ACrossingThatReversesWithinOneStepIsFound) {
   EXPECT_NEAR(model.state().velocity[0], speed - pull * touch, 1e-9);
 }
 
+TEST(ContactEvents, ACrossingThatReversesIsFoundBesideOneThatEndsInTheBand) {
+  // In the first step `slow` ends half a millimetre beyond its wall, which a band of 3 mm takes for located, while
+  // `quick` swings through its own wall and back.
+  Model model;
+  const NodeId slow = add(model, Node{.name = "slow", .mass = 1 * tonne, .initial_velocity = 0.1 * m / s});
+  add_wall(model, "slow wall", slow, 0.5 * mm);
+  const NodeId quick = add(model, Node{.name = "quick", .mass = 1 * tonne, .initial_velocity = 1 * m / s});
+  constexpr double frequency = 283.0;
+  add(model, Spring<Linear>{.name = "spring",
+                            .lower = ground,
+                            .upper = quick,
+                            .law = {.stiffness = 1000.0 * frequency * frequency * N / m}});
+  add_wall(model, "quick wall", quick, 3.45 * mm);
+  EventLog log;
+  Transient analysis{model, still_ground(0.1 * s), {.step = 10 * ms, .location_tolerance = 3 * mm}};
+  analysis.attach(log);
+  while (log.entries.empty() || log.entries.back().gap != "quick wall") analysis.advance();
+  EXPECT_TRUE(log.entries.back().touching);
+  EXPECT_LT(log.entries.back().time, 10e-3);
+}
+
 TEST(ContactEvents, AnAlmostCrossingWithinOneStepIsNone) {
   const double speed = 0.5, pull = 5.0, top = speed * speed / (2.0 * pull);
   Model model;
