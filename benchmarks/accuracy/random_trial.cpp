@@ -21,10 +21,10 @@ double thread_seconds() {
 
 double TrialPeak::error() const { return reference == 0.0 ? std::abs(value) : std::abs(value - reference) / reference; }
 
-const TrialPeak* Trial::worst(bool counting_only) const {
+const TrialPeak* Trial::worst(PeaksToCompare of) const {
   const TrialPeak* worst = nullptr;
   for (const TrialPeak& peak : peaks) {
-    if (counting_only && !peak.counts) continue;
+    if (of == PeaksToCompare::counting && !peak.counts) continue;
     if (worst == nullptr || peak.error() > worst->error()) worst = &peak;
   }
   return worst;
@@ -58,11 +58,17 @@ Trial run_trial(const testing::PlainModel& plain, const testing::ReferenceResult
 }
 
 TrialModel run_trials(std::uint64_t seed, const std::vector<TrialSetting>& settings) {
-  const testing::PlainModel plain = testing::random_model(seed);
   TrialModel model;
   model.seed = seed;
   const double started = thread_seconds();
-  model.reference = testing::checked_reference(plain);
+  testing::PlainModel plain;
+  try {
+    plain = testing::random_model(seed);
+    model.reference = testing::checked_reference(plain);
+  } catch (const std::runtime_error& error) {
+    model.failed = error.what();
+    return model;
+  }
   model.reference_cpu_seconds = thread_seconds() - started;
   for (const TrialSetting& setting : settings)
     model.trials.push_back(run_trial(plain, model.reference.result, setting));

@@ -28,6 +28,8 @@ struct TrialPeak {
   [[nodiscard]] double error() const;
 };
 
+enum class PeaksToCompare { counting, all };
+
 /// One model with one setting.
 struct Trial {
   std::string refused;  ///< moat's message where it refused the model or stopped
@@ -38,12 +40,13 @@ struct Trial {
   double cpu_seconds = 0.0;
 
   /// The peak with the largest error; null without peaks.
-  [[nodiscard]] const TrialPeak* worst(bool counting_only) const;
+  [[nodiscard]] const TrialPeak* worst(PeaksToCompare of) const;
 };
 
 /// One model with all settings.
 struct TrialModel {
   std::uint64_t seed = 0;
+  std::string failed;  ///< message of the reference where it stopped; there are no trials then
   testing::CheckedReference reference;
   double reference_cpu_seconds = 0.0;
   std::vector<Trial> trials;

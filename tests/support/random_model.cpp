@@ -30,7 +30,9 @@ class Drawing {
   PlainModel model() {
     model_.motion = random_motion(draws_);
     const auto intervals = static_cast<double>(model_.motion.samples.size() - 1);
-    const double tail = draws_.chance(0.2) || model_.motion.samples.back() != 0.0 ? draws_.uniform(0.5, 2.0) : 0.0;
+    // Some are followed beyond the last sample, where the ground stops, most of all those that are cut short.
+    const bool cut = std::abs(model_.motion.samples.back()) > 0.5;
+    const double tail = draws_.chance(cut ? 0.8 : 0.15) ? draws_.uniform(0.5, 2.0) : 0.0;
     model_.end = (intervals + std::round(tail / model_.motion.time_step)) * model_.motion.time_step;
     const double number = draws_.unit();
     const int count = number < 0.45 ? 1 : number < 0.8 ? 2 : 3;
@@ -212,7 +214,7 @@ class Drawing {
     std::string place;
     double share = 0.0;
     for (PlainGap& gap : model_.gaps) {
-      if (gap.place != place) share = draws_.uniform(0.25, 1.05);
+      if (gap.place != place) share = draws_.uniform(0.15, 1.0);
       place = gap.place;
       const bool neighbours = gap.left.node != plain_ground && gap.right.node != plain_ground;
       const double way =
