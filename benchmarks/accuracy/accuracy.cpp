@@ -19,6 +19,7 @@
 
 #include "documentation_section.hpp"
 #include "output/chart.hpp"
+#include "random_models.hpp"
 
 namespace {
 
@@ -47,14 +48,15 @@ struct Curves {
 
 CaseResult run(const GroundMotion& motion, const TransientOptions& options) {
   Model model;
-  const auto building = add(model, ShearBuilding{.storeys = 5,
-                                                 .floor_mass = 500 * tonne,
-                                                 .storey_stiffness = 1 * GN / m,
-                                                 .damping = RayleighDamping{.ratio = 0.05},
-                                                 .base_mass = 550 * tonne,
-                                                 .isolation = LeadRubberBearing{.yield_force = 1.93 * MN,
-                                                                                .yield_displacement = 1 * cm,
-                                                                                .post_yield_stiffness = 19.3 * MN / m}});
+  const auto building =
+      add(model, ShearBuilding{.storeys = 5,
+                               .floor_mass = 500 * tonne,
+                               .storey_stiffness = 1 * GN / m,
+                               .damping = RayleighDamping{.ratio = 0.05},
+                               .base_mass = 550 * tonne,
+                               .isolation = LeadRubberBearing{.yield_force = 1.93 * MN,
+                                                              .yield_displacement = 1 * cm,
+                                                              .post_yield_stiffness = 19.3 * MN / m}});
   add(model, Moat{.around = building.base,
                   .clearance = 10 * cm,
                   .law = HertzDamp{.stiffness = 2.95e9 * N / m_3_2, .restitution = 0.65}});
@@ -101,14 +103,16 @@ std::vector<Motion> motions() {
   list.push_back({"pulse", pulse, peaks_of(run(pulse, {.tolerance = 1e-7, .steps_per_contact = 512}))});
   const char* folder = std::getenv("MOAT_RECORDS");
   if (folder == nullptr) {
-    std::printf("Skipped: three recorded motions. Set MOAT_RECORDS to a folder with PEER NGA-West2 records RSN1161\n"
-                "(GBZ000), RSN982 (JEN022) and RSN803 (WVC270).\n");
+    std::printf(
+        "Skipped: three recorded motions. Set MOAT_RECORDS to a folder with PEER NGA-West2 records RSN1161\n"
+        "(GBZ000), RSN982 (JEN022) and RSN803 (WVC270).\n");
     return list;
   }
   for (const auto& [name, record] : {std::pair{"GBZ000", "RSN1161_KOCAELI_GBZ000"},
                                      {"JEN022", "RSN982_NORTHR_JEN022"},
                                      {"WVC270", "RSN803_LOMAP_WVC270"}})
-    list.push_back({name, read_motion(std::filesystem::path{folder} / (std::string{record} + ".AT2")).scaled_to_pga(0.4 * g),
+    list.push_back({name,
+                    read_motion(std::filesystem::path{folder} / (std::string{record} + ".AT2")).scaled_to_pga(0.4 * g),
                     reference_of(record)});
   return list;
 }
@@ -150,7 +154,8 @@ std::string percent(double value) {
 }
 
 std::string table_of(const Motion& motion, const Curves& curves) {
-  std::string text = "**" + motion.name + "**\n\n| fixed step | steps | error of peaks, % | energy error, % | tolerance "
+  std::string text = "**" + motion.name +
+                     "**\n\n| fixed step | steps | error of peaks, % | energy error, % | tolerance "
                      "| steps | error of peaks, % | energy error, % |\n|---|---|---|---|---|---|---|---|\n";
   for (std::size_t i = 0; i < curves.fixed.size(); ++i) {
     for (const Point* point : {&curves.fixed[i], &curves.adaptive[i]})
@@ -161,7 +166,7 @@ std::string table_of(const Motion& motion, const Curves& curves) {
   return text + "\n";
 }
 
-int run_all(const std::filesystem::path& folder, const std::string& documentation) {
+void run_all(const std::filesystem::path& folder, const std::string& documentation) {
   const std::vector<Motion> list = motions();
   if (!documentation.empty() && list.size() < 4) throw InputError{"--write-docs needs the recorded motions."};
   std::filesystem::create_directories(folder);
@@ -185,7 +190,6 @@ int run_all(const std::filesystem::path& folder, const std::string& documentatio
                                std::filesystem::path{documentation}.parent_path() / "images/accuracy.svg",
                                std::filesystem::copy_options::overwrite_existing);
   }
-  return 0;
 }
 
 }  // namespace
@@ -198,13 +202,31 @@ int main(int argc, char** argv) {
   bool write_docs = false;
   app.add_option("--out", folder, "folder for the figure")->capture_default_str();
   app.add_flag("--write-docs", write_docs, "also bring docs/verification.md and its figure up to date");
+  RandomModelsOptions random;
+  bool only_random = false;
+  app.add_option("--models", random.models, "number of random models, 0 for none")
+      ->capture_default_str()
+      ->check(CLI::NonNegativeNumber);
+  app.add_option("--seed", random.seed, "of the first random model; the others follow it")->capture_default_str();
+  app.add_option("--threads", random.threads, "for the random models")
+      ->capture_default_str()
+      ->check(CLI::PositiveNumber);
+  app.add_option("--csv", random.csv, "file for a row per random model and setting");
+  app.add_flag("--only-random", only_random, "random models alone");
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? 0 : exit_usage;
   }
   try {
-    return run_all(folder, write_docs ? MOAT_VERIFICATION : "");
+    const std::string documentation = write_docs ? MOAT_VERIFICATION : "";
+    if (!only_random) run_all(folder, documentation);
+    if (random.models > 0) {
+      const std::string tables = run_random_models(random);
+      std::printf("%s\n", tables.c_str());
+      if (write_docs) replace_section(documentation, "random models", tables);
+    }
+    return 0;
   } catch (const std::exception& error) {
     std::fprintf(stderr, "moat: error: %s\n", error.what());
     return 1;

@@ -1,0 +1,34 @@
+// How errors are distributed over random models, one setting at a time.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "random_trial.hpp"
+
+namespace moat {
+
+/// What a run should not miss without a warning, relative.
+inline constexpr double large_error = 5e-3;
+
+/// Of the models of one setting, by their worst peak.
+struct ErrorDistribution {
+  std::vector<double> errors;      ///< relative, of the worst peak that counts, ascending
+  std::vector<double> all_errors;  ///< of the worst of all peaks, ascending
+  std::vector<double> steps;       ///< ascending
+  int refused = 0;                 ///< models that moat refused or did not finish
+  int other_impacts = 0;           ///< models with another number of impacts than the reference
+  int large = 0;                   ///< models above large_error
+  int large_and_warned = 0;        ///< of these, those whose run warned
+};
+
+/// Of setting number `setting` of all models.
+ErrorDistribution error_distribution(const std::vector<const TrialModel*>& models, std::size_t setting);
+
+/// The smallest value that is not below the share of the sorted values; NaN without any.
+double quantile(const std::vector<double>& sorted, double share);
+
+/// A column for each setting.
+std::string table_of(const std::vector<TrialSetting>& settings, const std::vector<ErrorDistribution>& distributions);
+
+}  // namespace moat

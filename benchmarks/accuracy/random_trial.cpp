@@ -1,0 +1,78 @@
+#include "random_trial.hpp"
+
+#include <cmath>
+#include <ctime>
+#include <map>
+
+#include "analyses/case_run.hpp"
+#include "base/error.hpp"
+#include "random_model.hpp"
+
+namespace moat {
+namespace {
+
+double thread_seconds() {
+  timespec now{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
+}  // namespace
+
+double TrialPeak::error() const { return reference == 0.0 ? std::abs(value) : std::abs(value - reference) / reference; }
+
+const TrialPeak* Trial::worst(PeaksToCompare of) const {
+  const TrialPeak* worst = nullptr;
+  for (const TrialPeak& peak : peaks) {
+    if (of == PeaksToCompare::counting && !peak.counts) continue;
+    if (worst == nullptr || peak.error() > worst->error()) worst = &peak;
+  }
+  return worst;
+}
+
+Trial run_trial(const testing::PlainModel& plain, const testing::ReferenceResult& reference,
+                const TrialSetting& setting) {
+  Trial trial;
+  const double started = thread_seconds();
+  try {
+    Model model = testing::moat_model(plain, setting.locate);
+    TransientOptions options = setting.options;
+    options.end = plain.end * units::s;
+    const CaseResult result = run_case(model, testing::moat_motion(plain.motion), {.transient = options});
+    trial.impacts = result.impacts.size();
+    trial.steps = result.solver.accepted_steps;
+    trial.warned = !result.warnings.empty();
+    std::map<std::string, double> values;
+    for (const Peak& peak : result.peaks) values[peak.quantity + " " + peak.where] = peak.value;
+    const std::vector<bool> counts = testing::counting_peaks(reference.peaks);
+    for (std::size_t i = 0; i < reference.peaks.size(); ++i) {
+      const testing::ReferencePeak& peak = reference.peaks[i];
+      const std::string name = peak.quantity + " " + peak.where;
+      trial.peaks.push_back({name, values.at(name), peak.value, counts[i]});
+    }
+  } catch (const Error& error) {
+    trial.refused = error.what();
+  }
+  trial.cpu_seconds = thread_seconds() - started;
+  return trial;
+}
+
+TrialModel run_trials(std::uint64_t seed, const std::vector<TrialSetting>& settings) {
+  TrialModel model;
+  model.seed = seed;
+  const double started = thread_seconds();
+  testing::PlainModel plain;
+  try {
+    plain = testing::random_model(seed);
+    model.reference = testing::checked_reference(plain);
+  } catch (const std::runtime_error& error) {
+    model.failed = error.what();
+    return model;
+  }
+  model.reference_cpu_seconds = thread_seconds() - started;
+  for (const TrialSetting& setting : settings)
+    model.trials.push_back(run_trial(plain, model.reference.result, setting));
+  return model;
+}
+
+}  // namespace moat

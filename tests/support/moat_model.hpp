@@ -1,0 +1,20 @@
+// A plain problem made into one of moat's, with its public elements.
+#pragma once
+
+#include "model/model.hpp"
+#include "motions/ground_motion.hpp"
+#include "plain_model.hpp"
+
+namespace moat::testing {
+
+enum class LocateYield {
+  as_drawn,
+  always,  ///< in all bearings
+};
+
+/// Names of nodes and elements are those of the plain problem.
+Model moat_model(const PlainModel& plain, LocateYield locate = LocateYield::as_drawn);
+
+GroundMotion moat_motion(const PlainMotion& plain);
+
+}  // namespace moat::testing
