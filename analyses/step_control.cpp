@@ -149,6 +149,11 @@ void StepControl::watch_round_off(const Model& model) {
   }
 }
 
+void StepControl::changed_inside(const Model& model) {
+  since_event_ = 0.0;
+  if (adaptive()) scales_.regimes_changed(model);
+}
+
 void StepControl::restart(const Model& model, bool touched) {
   ramp_ = touched ? at_touch : 0;
   since_event_ = 0.0;

@@ -62,6 +62,14 @@ class StepControl {
   /// Elements changed their regime; `touched` if a gap closed.
   void restart(const Model& model, bool touched);
 
+  /// Whether a step of this length divides a contact of this duration finely enough, both in s.
+  [[nodiscard]] bool is_short_enough(double step, double contact) const {
+    constexpr double round_off = 1e-9;
+    return !adaptive() || step * options_.steps_per_contact <= contact * (1.0 + round_off);
+  }
+  /// Elements changed their regime inside the last step.
+  void changed_inside(const Model& model);
+
   /// Fewest steps any contact was divided into so far; infinite without contact.
   [[nodiscard]] double fewest_steps_per_contact() const { return fewest_steps_per_contact_; }
   /// Bound on the largest squared frequency with open gaps and initial stiffness, 1/s^2.

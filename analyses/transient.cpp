@@ -4,6 +4,7 @@
 #include <cmath>
 #include <ctime>
 #include <limits>
+#include <stdexcept>
 
 #include "base/check.hpp"
 #include "base/error.hpp"
@@ -271,12 +272,55 @@ void Transient::advance() {
   steps_exactly_ = exact_ && exact_->applies();
   double h = steps_exactly_ ? take_exact_step() : take_newmark_step();
   const RegimeScan seen = scan(h);
+  changes_.clear();
+  const bool inside = seen.crossed && goes_on_inside() && settle_inside(h);
   const bool located = !seen.returned && seen.margin < 0.0 && seen.margin >= -options_.location_tolerance.si();
-  if (seen.crossed && !located) h = locate_change(h, seen);
+  if (seen.crossed && !inside && !located) h = locate_change(h, seen);
   commit(task_of(h));
   const StepView accepted = view(h == planned_.length);
   for (const Follower& follower : observers_) follower.observer->step(accepted);
-  if (seen.crossed) change_regimes();
+  if (inside)
+    report_changes_inside();
+  else if (seen.crossed)
+    change_regimes();
+  constexpr double lately = 1.0 / 64.0;  // weight of the last step
+  changes_per_step_ += lately * (std::min(static_cast<double>(changes_.size()), 1.0) - changes_per_step_);
+}
+
+bool Transient::goes_on_inside() const {
+  constexpr double many = 0.25;
+  return !steps_exactly_ && (options_.events == EventTreatment::inside_the_step ||
+                             (options_.events == EventTreatment::automatic && changes_per_step_ > many));
+}
+
+// Solves the trial step of length h again with the regimes that elements enter inside it. False, and nothing changed,
+// if that is not possible.
+bool Transient::settle_inside(double h) {
+  constexpr int most_passes = 4;
+  const double aim = -0.5 * options_.location_tolerance.si();
+  for (int pass = 0; pass < most_passes; ++pass) {
+    const std::size_t before = changes_.size();
+    bool possible = model_->change_regimes_inside(h, aim, changes_);
+    if (possible && changes_.size() == before) return true;
+    possible = possible && control_.is_short_enough(h, model_->shortest_contact());
+    ++statistics_.event_solves;
+    if (possible && solve(h)) continue;
+    break;
+  }
+  model_->undo_changes_inside();
+  changes_.clear();
+  if (!solve(h)) throw std::logic_error{"Transient: a step that was solved before did not converge"};
+  return false;
+}
+
+void Transient::report_changes_inside() {
+  model_->open_gaps(changes_);
+  if (changes_.empty()) return;
+  statistics_.events += static_cast<long>(changes_.size());
+  chatter_.count(*model_, changes_);
+  control_.changed_inside(*model_);
+  const StepView after = view(false);
+  for (const Follower& follower : observers_) follower.observer->event(after, changes_);
 }
 
 void Transient::commit(const StepTask& step) {

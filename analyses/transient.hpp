@@ -29,6 +29,19 @@ enum class Integrator {
   exact_between_events,
 };
 
+/// What happens to the step in which an element changes its regime.
+enum class EventTreatment {
+  /// `inside_the_step` where more than a quarter of the last steps had a change, as in a long street; else `located`.
+  automatic,
+  /// The step ends at the instant of the change, located to location_tolerance: exact, and a step for every change.
+  located,
+  /// Instant and approach speed come from the interpolated motion, the step is solved again with the new regime from
+  /// there on and goes on to its planned end. Steps do not multiply with the number of gaps. A contact that begins and
+  /// ends within one step is not felt. A touch whose force jumps (linear dashpots), or whose contact asks for shorter
+  /// steps, is located all the same.
+  inside_the_step,
+};
+
 /// How a time history is computed. Every bound is checked by Transient's constructor.
 struct TransientOptions {
   Integrator integrator = Integrator::newmark;
@@ -71,6 +84,9 @@ struct TransientOptions {
   /// > 0 m. A touch or a separation is located until the gap is zero to this. Changes that are no matter of length
   /// are located to the same number: a force's factor that reaches zero (1), a rate that turns (m/s).
   Length location_tolerance = 1e-12 * units::m;
+
+  /// How touches, separations and other changes of regime are treated.
+  EventTreatment events = EventTreatment::automatic;
 
   /// >= 1. Changes of one element per second of motion, averaged over a second, before the analysis gives up.
   int largest_events_per_second = 10000;
@@ -130,6 +146,9 @@ class Transient {
   [[nodiscard]] RegimeScan scan(double h) const;
   double locate_change(double h, RegimeScan seen);
   void change_regimes();
+  [[nodiscard]] bool goes_on_inside() const;
+  bool settle_inside(double h);
+  void report_changes_inside();
   void end_motion();
   void start_observers();
   [[nodiscard]] StepView view(bool on_grid) const;
@@ -152,6 +171,7 @@ class Transient {
   Vector acceleration_;
   NewtonReport last_report_;
   std::vector<RegimeChange> changes_;
+  double changes_per_step_ = 0.0;  // over the last steps
   struct Follower {
     StepObserver* observer;
     bool started;

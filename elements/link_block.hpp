@@ -7,6 +7,7 @@
 #include <stdexcept>
 #include <string>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 #include "base/error.hpp"
@@ -147,6 +148,7 @@ class LinkBlock final : public ElementBlock {
       last_step_ = step;
     }
     committed_.swap(trial_);
+    before_changes_inside_.clear();
   }
 
   void start_energy_account() override {
@@ -215,6 +217,41 @@ class LinkBlock final : public ElementBlock {
     }
   }
 
+  bool change_regimes_inside(double step, double aim, std::size_t block_index,
+                             std::vector<RegimeChange>& changes) override {
+    if constexpr (LawWithRegimes<Law>) {
+      for (std::size_t i = 0; i < size(); ++i) {
+        if (laws_[i].regime_margin(committed_[i], deformations_[i], rates_[i]) >= 0.0) continue;
+        const bool touched = contact(i).touching;
+        if (touched && deformations_[i] <= 0.0) continue;  // opens, and has no force any more
+        const double fraction = first_crossing(i, step, 1.0, aim);
+        const HermiteQuintic path = path_of(i, step);
+        const double rate = path.rate(fraction);
+        const State next = laws_[i].next_regime(committed_[i], path.value(fraction), rate);
+        if constexpr (ContactLaw<Law>)
+          if (!touched && jumps_at_touch(i, next, rate)) return false;
+        before_changes_inside_.push_back({i, committed_[i]});
+        committed_[i] = next;
+        if constexpr (ContactLaw<Law>) follow_contact(i, touched);
+        changes.push_back({.block = block_index,
+                           .element = i,
+                           .time = fraction * step,
+                           .touched = !touched && contact(i).touching,
+                           .inside = true});
+      }
+    }
+    return true;
+  }
+
+  void undo_changes_inside() override {
+    for (; !before_changes_inside_.empty(); before_changes_inside_.pop_back()) {
+      const auto& [i, state] = before_changes_inside_.back();
+      const bool touched = contact(i).touching;
+      committed_[i] = state;
+      if constexpr (ContactLaw<Law>) follow_contact(i, touched);
+    }
+  }
+
   double shortest_contact() const override {
     double shortest = std::numeric_limits<double>::infinity();
     if constexpr (ContactLaw<Law>)
@@ -254,6 +291,15 @@ class LinkBlock final : public ElementBlock {
     const bool touching = contact(i).touching;
     touching_ += static_cast<int>(touching) - static_cast<int>(touched);
     if (touching) durations_[i] = laws_[i].contact_duration(effective_masses_[i], committed_[i].approach_speed);
+  }
+
+  // Whether the force right after a touch is of the size it has at the end of the step.
+  bool jumps_at_touch(std::size_t i, const State& touching, double rate) const {
+    constexpr double least_indentation = 1e-12, of_its_size = 0.3;
+    State after;
+    const double first = laws_[i].evaluate(touching, least_indentation, rate, after).force;
+    const double last = laws_[i].evaluate(touching, deformations_[i], rates_[i], after).force;
+    return std::abs(first) > of_its_size * std::abs(last);
   }
 
   // Adds the forces to `force` unless that is null.
@@ -474,6 +520,7 @@ class LinkBlock final : public ElementBlock {
   std::vector<double> deformations_, rates_, second_rates_, forces_, force_rates_;
   std::vector<double> stiffnesses_, dampings_;  // empty for linear laws
   Flag tangent_changed_;
+  std::vector<std::pair<std::size_t, State>> before_changes_inside_;  // of the step being tried
   Movement start_, before_;  // at the last commit, and at the one before
   double last_step_ = 0.0;   // between them, s
   bool accounting_ = false;

@@ -63,7 +63,13 @@ struct RegimeChange {
   std::size_t element = 0;  ///< index in that block
   double time = 0.0;        ///< s
   bool touched = false;     ///< a gap closed
+  bool inside = false;      ///< of the last step, which went on; else at its end, where values may jump
 };
+
+/// Whether quantities may jump where these changes are reported; none are reported where the ground stops.
+inline bool values_jump(std::span<const RegimeChange> changes) {
+  return changes.empty() || !std::ranges::all_of(changes, &RegimeChange::inside);
+}
 
 /// Where the work done on an element went, J. Work is formed from forces and deformations, what was stored from the
 /// law's potential, what was dissipated from the law's own dissipation: three independent numbers, so that their
@@ -175,6 +181,14 @@ class ElementBlock {
   virtual void scan_regimes(double step, RegimeScan& scan) const;
   /// Puts every element that is beyond its margin at the committed state into its next regime and lists it.
   virtual void change_regimes(std::size_t block_index, std::vector<RegimeChange>& changes);
+  /// Puts elements that cross their margin between the committed state and the last evaluate(), `step` seconds later,
+  /// into their next regime from the interpolated instant on, and lists them: the step is solved again with the new
+  /// regimes instead of ending there. Openings are left to change_regimes(): an opened gap has no force. False if a
+  /// force would jump, which no step can cross.
+  virtual bool change_regimes_inside(double step, double aim, std::size_t block_index,
+                                     std::vector<RegimeChange>& changes);
+  /// Takes the changes inside the step being tried back.
+  virtual void undo_changes_inside() {}
   /// How long one cycle of the fastest element that is in contact now lasts, s; infinite if none is.
   [[nodiscard]] virtual double shortest_contact() const { return std::numeric_limits<double>::infinity(); }
   [[nodiscard]] virtual ContactView contact(std::size_t element) const;

@@ -269,6 +269,28 @@ void Model::change_regimes(std::vector<RegimeChange>& changes) {
   evaluate();
 }
 
+bool Model::change_regimes_inside(double step, double aim, std::vector<RegimeChange>& changes) {
+  const std::size_t before = changes.size();
+  bool possible = true;
+  for (const std::size_t i : blocks_with_regimes_)
+    possible = possible && blocks_[i]->change_regimes_inside(step, aim, i, changes);
+  for (std::size_t i = before; i < changes.size(); ++i) changes[i].time += state_.time;
+  return possible;
+}
+
+void Model::undo_changes_inside() {
+  for (const std::size_t i : blocks_with_regimes_) blocks_[i]->undo_changes_inside();
+}
+
+void Model::open_gaps(std::vector<RegimeChange>& changes) {
+  const std::size_t before = changes.size();
+  for (const std::size_t i : blocks_with_regimes_) blocks_[i]->change_regimes(i, changes);
+  for (std::size_t i = before; i < changes.size(); ++i) {
+    changes[i].time = state_.time;
+    changes[i].inside = true;
+  }
+}
+
 double Model::shortest_contact() const {
   double shortest = std::numeric_limits<double>::infinity();
   for (const std::size_t i : blocks_with_regimes_) shortest = std::min(shortest, blocks_[i]->shortest_contact());

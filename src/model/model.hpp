@@ -128,6 +128,12 @@ class Model {
   [[nodiscard]] RegimeScan scan_regimes(double step, double aim) const;
   /// Changes the regime of every element that is beyond its margin, then evaluates anew at the committed state.
   void change_regimes(std::vector<RegimeChange>& changes);
+  /// Changes the regime of elements that cross their margin inside the trial step, from there on
+  /// (ElementBlock::change_regimes_inside); the step must then be solved again. False if one of them cannot be crossed.
+  bool change_regimes_inside(double step, double aim, std::vector<RegimeChange>& changes);
+  void undo_changes_inside();
+  /// After commit(): gaps that opened inside the step; their forces are zero already.
+  void open_gaps(std::vector<RegimeChange>& changes);
   /// Duration of the shortest contact going on, s; infinite if there is none.
   [[nodiscard]] double shortest_contact() const;
 

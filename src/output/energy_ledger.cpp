@@ -46,7 +46,9 @@ void EnergyLedger::step(const StepView& view) {
   remember(view);
 }
 
-void EnergyLedger::event(const StepView& view, std::span<const RegimeChange>) { remember(view); }
+void EnergyLedger::event(const StepView& view, std::span<const RegimeChange> changes) {
+  if (values_jump(changes)) remember(view);
+}
 
 void EnergyLedger::remember(const StepView& view) {
   const MotionState& state = view.model.state();

@@ -16,7 +16,8 @@ void PeakRecorder::step(const StepView& view) {
                 });
 }
 
-void PeakRecorder::event(const StepView& view, std::span<const RegimeChange>) {
+void PeakRecorder::event(const StepView& view, std::span<const RegimeChange> changes) {
+  if (!values_jump(changes)) return;
   channels_.sample(view, values_, rates_);
   trackers_.restart(view.model.state().time, values_.data(), rates_.data());
 }

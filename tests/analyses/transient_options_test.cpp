@@ -29,12 +29,12 @@ std::string refusal(const TransientOptions& options) {
 
 TEST(TransientOptions, RefusesAScheme) {
   for (const double beta : {0.0, -0.25})
-    EXPECT_EQ(refusal({.scheme = {.beta = beta}}),
+    EXPECT_EQ(refusal({.scheme = NewmarkScheme{.beta = beta}}),
               "TransientOptions: scheme.beta = " + to_text(beta) +
-                  " is not allowed; it must be > 0 and <= 0.5. Use NewmarkScheme::average_acceleration() or "
-                  "linear_acceleration().");
-  EXPECT_EQ(refusal({.scheme = {.beta = 0.5}}), "nothing was thrown");
-  EXPECT_NE(refusal({.scheme = {.beta = std::numeric_limits<double>::quiet_NaN()}}), "nothing was thrown");
+                  " is not allowed; it must be > 0 and <= 0.5. Use NewmarkScheme::average_acceleration(), "
+                  "linear_acceleration() or fourth_order().");
+  EXPECT_EQ(refusal({.scheme = NewmarkScheme{.beta = 0.5}}), "nothing was thrown");
+  EXPECT_NE(refusal({.scheme = NewmarkScheme{.beta = std::numeric_limits<double>::quiet_NaN()}}), "nothing was thrown");
 }
 
 TEST(TransientOptions, RefusesTimes) {

@@ -52,9 +52,9 @@ TEST(Channels, NameEveryQuantityWithPlaceAndUnit) {
 TEST(Channels, SampleTheCommittedState) {
   HandMovedBuilding building;
   const Channels channels{building.model};
-  std::vector<double> values;
+  std::vector<double> values, rates;
   // Base 12 cm to the right: 2 cm into the right wall, bearing yielded.
-  channels.sample(building.move(1.0, 0.12, 0.15, 4.0, -2.0, 0.5), values);
+  channels.sample(building.move(1.0, 0.12, 0.15, 4.0, -2.0, 0.5), values, rates);
   // What is tried afterwards does not count.
   building.model.trial().displacement.setConstant(9.0);
   const auto value = [&](const char* quantity, const char* where) {
@@ -73,6 +73,20 @@ TEST(Channels, SampleTheCommittedState) {
   // The left gap is open: not indented.
   EXPECT_EQ(value("indentation", "moat left"), 0.0);
   EXPECT_DOUBLE_EQ(value("total_base_shear", "base"), -(2.0 * 4.5 + 3.0 * -1.5));
+  const auto rate = [&](const char* quantity, const char* where) {
+    return rates.at(static_cast<std::size_t>(channels.find(quantity, where)));
+  };
+  EXPECT_EQ(rates.size(), channels.list().size());
+  EXPECT_DOUBLE_EQ(rate("displacement", "base"), value("velocity", "base"));
+  EXPECT_DOUBLE_EQ(rate("velocity", "base"), 4.0);
+  EXPECT_NEAR(rate("drift", "storey 1"), 0.003, 1e-15);
+  EXPECT_NEAR(rate("storey_shear", "storey 1"), 0.3, 1e-12);
+  EXPECT_NEAR(rate("isolator_force", "bearings"), 5.0 * 0.012, 1e-12);
+  EXPECT_EQ(rate("indentation", "moat left"), 0.0);
+  // The floor feels its storey, 100 N/m and 1 N s/m, in rates: 100 * 0.003 + 1 * (-2 - 4).
+  EXPECT_NEAR(rate("absolute_acceleration", "floor 1"), -(0.3 - 6.0) / 3.0, 1e-12);
+  EXPECT_DOUBLE_EQ(rate("total_base_shear", "base"), -(2.0 * rate("absolute_acceleration", "base") +
+                                                        3.0 * rate("absolute_acceleration", "floor 1")));
   EXPECT_EQ(Channels::of_node(building.floor), static_cast<std::size_t>(channels.find("displacement", "floor 1")));
 }
 

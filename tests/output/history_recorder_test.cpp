@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "message_of.hpp"
 #include "output/table_columns.hpp"
 #include "recorders_testing.hpp"
@@ -25,11 +27,29 @@ std::vector<double> recorded_times(double interval, const std::vector<double>& t
   return recorder.table().columns.front().values;
 }
 
-TEST(HistoryRecorder, KeepsTheFirstGridTimeAtOrAfterEachMultiple) {
+TEST(HistoryRecorder, KeepsEveryMultipleOfItsInterval) {
   EXPECT_EQ(recorded_times(0.1, {0.0, 0.05, 0.1, 0.15, 0.2}), (std::vector<double>{0.0, 0.1, 0.2}));
-  EXPECT_EQ(recorded_times(0.1, {0.0, 0.04, 0.08, 0.12, 0.16, 0.2, 0.24}), (std::vector<double>{0.0, 0.12, 0.2}));
-  // Steps longer than the interval are all kept, once each.
-  EXPECT_EQ(recorded_times(0.1, {0.0, 0.25, 0.5, 0.75}), (std::vector<double>{0.0, 0.25, 0.5, 0.75}));
+  EXPECT_EQ(recorded_times(0.1, {0.0, 0.04, 0.08, 0.12, 0.16, 0.2, 0.24}), (std::vector<double>{0.0, 0.1, 0.2}));
+  // Also inside steps longer than the interval.
+  EXPECT_EQ(recorded_times(0.25, {0.0, 0.6, 1.1}), (std::vector<double>{0.0, 0.25, 0.5, 0.75, 1.0}));
+}
+
+TEST(HistoryRecorder, InterpolatesByValueAndRate) {
+  // The base moves like exp(t/10), as the hand-moved building's velocities say.
+  HandMovedBuilding building;
+  HistoryRecorder recorder{building.model, 0.25};
+  recorder.start(building.move(0.0, 0.01, 0.01, 1e-4, 1e-4));
+  const double end = 0.01 * std::exp(0.1);
+  recorder.step(building.move(1.0, end, end, 0.01 * end, 0.01 * end, 2.0));
+  const Table table = recorder.table();
+  ASSERT_EQ(table.rows(), 5u);
+  const auto displacement = static_cast<std::size_t>(Channels{building.model}.find("displacement", "base")) + 2;
+  for (std::size_t i = 0; i < 5; ++i) {
+    const double time = 0.25 * static_cast<double>(i);
+    EXPECT_DOUBLE_EQ(table.columns[0].values[i], time);
+    EXPECT_DOUBLE_EQ(table.columns[1].values[i], 2.0 * time);
+    EXPECT_NEAR(table.columns[displacement].values[i], 0.01 * std::exp(0.1 * time), 0.01 * 1e-4 / 384.0);
+  }
 }
 
 TEST(HistoryRecorder, RoundOffOfTimesDoesNotMatter) {
@@ -39,18 +59,19 @@ TEST(HistoryRecorder, RoundOffOfTimesDoesNotMatter) {
   EXPECT_EQ(recorded_times(0.005, times), expected);
 }
 
-TEST(HistoryRecorder, SkipsInstantsBetweenGridTimes) {
+TEST(HistoryRecorder, AddsNoRowForAnEvent) {
   HandMovedBuilding building;
   HistoryRecorder recorder{building.model, 0.1};
   recorder.start(building.move(0.0, 0.0, 0.0));
   recorder.step(building.move(0.11, 0.0, 0.0, 0.0, 0.0, 0.0, false));
   recorder.event(building.move(0.11, 0.0, 0.0, 0.0, 0.0, 0.0, false), {});
   recorder.step(building.move(0.15, 0.0, 0.0));
-  EXPECT_EQ(recorder.table().columns.front().values, (std::vector<double>{0.0, 0.15}));
+  EXPECT_EQ(recorder.table().columns.front().values, (std::vector<double>{0.0, 0.1}));
 }
 
 TEST(HistoryRecorder, StartsWhereTheModelIs) {
   EXPECT_EQ(recorded_times(0.1, {7.3, 7.35, 7.4, 7.45, 7.5}), (std::vector<double>{7.3, 7.4, 7.5}));
+  EXPECT_EQ(recorded_times(0.5, {7.3, 7.5, 7.9, 8.1}), (std::vector<double>{7.5, 8.0}));
 }
 
 TEST(HistoryRecorder, HasAColumnForTimeGroundAndEveryChannel) {
@@ -63,8 +84,8 @@ TEST(HistoryRecorder, HasAColumnForTimeGroundAndEveryChannel) {
   EXPECT_EQ(column_name(table.columns[0]), "time [s]");
   EXPECT_EQ(column_name(table.columns[1]), "ground_acceleration [m/s^2] ground");
   EXPECT_EQ(table.columns[1].values, std::vector<double>{1.5});
-  std::vector<double> values;
-  channels.sample({building.model, 1.5, true}, values);
+  std::vector<double> values, rates;
+  channels.sample({building.model, 1.5, true}, values, rates);
   for (std::size_t i = 0; i < values.size(); ++i) {
     EXPECT_EQ(table.columns[i + 2].quantity, channels.list()[i].quantity);
     EXPECT_EQ(table.columns[i + 2].where, channels.list()[i].where);

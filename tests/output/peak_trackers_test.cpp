@@ -44,13 +44,14 @@ TEST_P(ManyPeakTrackers, FindWhatEachAloneFinds) {
   std::uniform_real_distribution<double> length{0.01, 0.4};
   double time = 0.0;
   for (int step = 0; step < 3000; ++step) {
-    const std::vector<double> values = values_at(time, count, random);
+    const std::vector<double> values = values_at(time, count, random), rates = values_at(time + 0.3, count, random);
     const bool event = step % 97 == 96;
     if (event)
-      together.restart(time, values.data());
+      together.restart(time, values.data(), rates.data());
     else
-      together.add(time, values.data());
-    for (std::size_t i = 0; i < count; ++i) event ? alone[i].restart(time, values[i]) : alone[i].add(time, values[i]);
+      together.add(time, values.data(), rates.data());
+    for (std::size_t i = 0; i < count; ++i)
+      event ? alone[i].restart(time, values[i], rates[i]) : alone[i].add(time, values[i], rates[i]);
     // An event is a second sample at the instant of the first.
     if (step % 97 != 95) time += length(random);
     for (std::size_t i = 0; i < count; ++i) {

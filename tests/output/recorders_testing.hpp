@@ -40,6 +40,7 @@ struct HandMovedBuilding {
     trial.velocity.head(2) << 0.1 * base_displacement, 0.1 * floor_displacement;
     trial.acceleration.head(2) << base_acceleration, floor_acceleration;
     model.evaluate();
+    model.evaluate_rates();
     model.commit();
     return {model, ground_acceleration, on_grid};
   }

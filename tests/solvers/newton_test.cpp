@@ -33,7 +33,7 @@ class CircleAndHyperbola final : public NonlinearSystem {
     errors.push_back((x - root()).norm());
     return true;
   }
-  double residual_scale() const override { return 4.0; }
+  const Vector& residual_scales() const override { return scales_; }
   bool compute_direction(const Vector& residual, Vector& direction) override {
     const double determinant = 2.0 * x_[0] * x_[0] - 2.0 * x_[1] * x_[1];
     if (determinant == 0.0) return false;
@@ -43,7 +43,7 @@ class CircleAndHyperbola final : public NonlinearSystem {
   }
 
  private:
-  Vector x_;
+  Vector x_, scales_ = Vector::Constant(2, 4.0);
 };
 
 // k_i x_i + x_i^3 = load in every degree of freedom of a chain, solved with the sparse factorisation.
@@ -56,11 +56,12 @@ class CubicChain final : public NonlinearSystem {
   bool compute_residual(const Vector& x, Vector& residual) override {
     ++residuals;
     x_ = x;
+    scales_.setConstant(size(), load_);
     residual.noalias() = linear_.view() * x;
     residual.array() += x.array().cube() - load_;
     return true;
   }
-  double residual_scale() const override { return load_; }
+  const Vector& residual_scales() const override { return scales_; }
   bool compute_direction(const Vector& residual, Vector& direction) override {
     tangent_.values = linear_.values;
     for (int i = 0; i < size(); ++i) testing::entry(tangent_, i, i) += 3.0 * x_[i] * x_[i];
@@ -75,7 +76,7 @@ class CubicChain final : public NonlinearSystem {
 
  private:
   SparseMatrix linear_, tangent_;
-  Vector x_;
+  Vector x_, scales_;
   Factorisation factorisation_;
   double load_;
 };
@@ -90,7 +91,7 @@ class NoRoot final : public NonlinearSystem {
     residual[1] = x[1] * x[1] + 1.0;
     return true;
   }
-  double residual_scale() const override { return 1.0; }
+  const Vector& residual_scales() const override { return scales_; }
   bool compute_direction(const Vector& residual, Vector& direction) override {
     direction[0] = -residual[0];
     direction[1] = -residual[1] / (2.0 * x_[1]);
@@ -98,7 +99,7 @@ class NoRoot final : public NonlinearSystem {
   }
 
  private:
-  Vector x_;
+  Vector x_, scales_ = Vector::Ones(2);
 };
 
 // x - 1 = 0 in three unknowns, with one thing that goes wrong.
@@ -119,7 +120,7 @@ class Faulty final : public NonlinearSystem {
       residual[1] = std::numeric_limits<double>::quiet_NaN();
     return fault_ != (start ? Fault::false_at_start : Fault::false_at_second);
   }
-  double residual_scale() const override { return 1.0; }
+  const Vector& residual_scales() const override { return scales_; }
   bool compute_direction(const Vector& residual, Vector& direction) override {
     if (fault_ == Fault::singular) return false;
     direction = -residual;
@@ -130,6 +131,7 @@ class Faulty final : public NonlinearSystem {
  private:
   Fault fault_;
   int residuals_ = 0;
+  Vector scales_ = Vector::Ones(3);
 };
 
 TEST(NewtonSolver, FindsTheRootWithTheRightReport) {
@@ -168,13 +170,43 @@ TEST(NewtonSolver, ALinearSystemTakesOneIteration) {
   EXPECT_EQ(x, Vector::Ones(3));
 }
 
-TEST(NewtonSolver, AStartThatBalancesTakesNoIteration) {
+// Two oscillators without connection, one a billion times heavier and balanced at the start, the other not.
+class HeavyBesideLight final : public NonlinearSystem {
+ public:
+  int size() const override { return 2; }
+  bool compute_residual(const Vector& x, Vector& residual) override {
+    residual = stiffness_.cwiseProduct(x) - load_;
+    scales_ = stiffness_.cwiseProduct(x).cwiseAbs().cwiseMax(load_.cwiseAbs());
+    return true;
+  }
+  const Vector& residual_scales() const override { return scales_; }
+  bool compute_direction(const Vector& residual, Vector& direction) override {
+    // A tangent that is off by a thousandth in the light row: one iteration is not enough there.
+    direction = -residual.cwiseQuotient(stiffness_).cwiseProduct(Vector{{1.0, 0.999}});
+    return true;
+  }
+
+ private:
+  Vector stiffness_{{1e12, 1e3}}, load_{{1e12, 1e3}}, scales_;
+};
+
+TEST(NewtonSolver, JudgesEveryRowOnItsOwnScale) {
+  HeavyBesideLight system;
+  NewtonSolver solver{system, {}};
+  Vector x{{1.0, 0.0}};
+  const NewtonReport report = solver.solve(x);
+  EXPECT_TRUE(report.converged);
+  EXPECT_NEAR(x[1], 1.0, 1e-10);
+  EXPECT_LE(report.residual, 1e-10);
+}
+
+TEST(NewtonSolver, AStartThatBalancesStillTakesOneIteration) {
   Faulty system{Faulty::Fault::none};
   NewtonSolver solver{system, {}};
   Vector x = Vector::Ones(3);
   const NewtonReport report = solver.solve(x);
   EXPECT_TRUE(report.converged);
-  EXPECT_EQ(report.iterations, 0);
+  EXPECT_EQ(report.iterations, 1);
   EXPECT_EQ(report.residual, 0.0);
   EXPECT_EQ(x, Vector::Ones(3));
 }
