@@ -48,6 +48,7 @@ class LinkBlock final : public ElementBlock {
     if constexpr (ContactLaw<Law>) {
       effective_masses_.push_back(effective_mass);
       durations_.push_back(0.0);
+      approach_speeds_.push_back(0.0);
     }
     const std::size_t count = infos_.size();
     committed_.resize(count);
@@ -203,13 +204,14 @@ class LinkBlock final : public ElementBlock {
 
   ContactView contact(std::size_t element) const override {
     if constexpr (ContactLaw<Law>)
-      return {committed_[element].phase != ContactPhase::open, committed_[element].approach_speed};
+      return {committed_[element].phase != ContactPhase::open, approach_speeds_[element]};
     else
       return {};
   }
 
   double delivered_restitution(std::size_t element, double approach_speed) const override {
     if constexpr (ContactLaw<Law>) {
+      if (approach_speed <= 0.0) return std::numeric_limits<double>::quiet_NaN();
       try {
         return moat::delivered_restitution(laws_[element], effective_masses_[element], approach_speed);
       } catch (const Error&) {
@@ -230,6 +232,7 @@ class LinkBlock final : public ElementBlock {
   void follow_contact(std::size_t i, bool touched) requires ContactLaw<Law> {
     const bool touching = contact(i).touching;
     touching_ += static_cast<int>(touching) - static_cast<int>(touched);
+    if (touching && !touched) approach_speeds_[i] = start_rates_[i];
     if (touching) durations_[i] = laws_[i].contact_duration(effective_masses_[i], committed_[i].approach_speed);
   }
 
@@ -392,6 +395,7 @@ class LinkBlock final : public ElementBlock {
   std::vector<ElementInfo> infos_;
   std::vector<Law> laws_;
   std::vector<double> effective_masses_, durations_;  // kg; s, of the contact going on. Empty for laws without contact
+  std::vector<double> approach_speeds_;               // m/s, at the last touch; that of the law's state has a floor
   int touching_ = 0;                                  // number of contacts going on
   std::vector<Ends> ends_;
   std::vector<typename Ends::Slots> slots_;

@@ -14,7 +14,8 @@ namespace moat {
 ///
 /// Source: the equation follows from integrating the impact m d'' = -F once, exactly; Hunt & Crossley (1975) and
 /// their successors approximate its root. The restitution of a free impact is e itself, for any k, masses and
-/// approach speed: z = 0.37315, 0.79310, 2.08250 for e = 0.80, 0.65, 0.40.
+/// approach speed from 1e-4 m/s up (least_approach_speed); slower impacts are more elastic: z = 0.37315,
+/// 0.79310, 2.08250 for e = 0.80, 0.65, 0.40.
 ///
 /// Indentation and compression positive. The contact ends where the force reaches zero or the gap opens,
 /// in free impact always the latter.
