@@ -93,6 +93,7 @@ double delivered_restitution(const Law& law, double effective_mass, double appro
       Motion end = next;
       while (beyond - before > 1e-13 * duration) {
         const double middle = 0.5 * (before + beyond);
+        if (middle == before || middle == beyond) break;  // damping may make the duration shorter than the digits of h
         end = free_impact::dormand_prince(slope, now, middle, difference);
         (margin(end) > 0.0 ? before : beyond) = middle;
       }
