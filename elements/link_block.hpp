@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <concepts>
 #include <limits>
 #include <stdexcept>
@@ -33,7 +34,8 @@ class LinkBlock final : public ElementBlock {
  public:
   using State = typename Law::State;
 
-  /// Appends an element. effective_mass (kg) is used only to estimate how long a contact lasts.
+  /// Appends an element. effective_mass (> 0 kg, contacts only) serves to estimate how long a contact lasts, and for
+  /// the approach speed that the law of a gap counts which starts closed.
   std::size_t add(ElementInfo info, const Law& law,
                   double effective_mass = 0.0) requires std::constructible_from<Ends, const ElementInfo&> {
     const Ends ends{info};
@@ -232,7 +234,13 @@ class LinkBlock final : public ElementBlock {
   void follow_contact(std::size_t i, bool touched) requires ContactLaw<Law> {
     const bool touching = contact(i).touching;
     touching_ += static_cast<int>(touching) - static_cast<int>(touched);
-    if (touching && !touched) approach_speeds_[i] = start_rates_[i];
+    if (touching && !touched) {
+      approach_speeds_[i] = start_rates_[i];
+      // A gap that starts closed has no approach: its law counts the speed at which an elastic impact reaches this
+      // depth. A located touch is so shallow that the speed is nothing.
+      double& counted = committed_[i].approach_speed;
+      counted = std::max(counted, std::sqrt(2.0 * stored(i) / effective_masses_[i]));
+    }
     if (touching) durations_[i] = laws_[i].contact_duration(effective_masses_[i], committed_[i].approach_speed);
   }
 
