@@ -22,8 +22,10 @@ inline constexpr const char* frames_folder = "frames";
 /// What to do when the wanted folder already holds something.
 enum class WhenFolderExists {
   use_new_number,  ///< write to the next free of results_2, results_3 ...
-  overwrite,       ///< delete the files moat itself wrote there; everything else stays
-  refuse           ///< throw InputError
+  /// Delete the files moat itself wrote there, and links that have their names; everything else stays. Throws
+  /// InputError where files have the names of results and there is no summary.json of moat.
+  overwrite,
+  refuse  ///< throw InputError
 };
 
 /// Creates the folder (and those above it) and returns where to write. A folder that exists but is empty is taken as
