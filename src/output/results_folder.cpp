@@ -7,6 +7,7 @@
 #include <string>
 #include <string_view>
 #include <system_error>
+#include <utility>
 #include <vector>
 
 #include "base/error.hpp"
@@ -79,6 +80,22 @@ void require_results_of_moat(const fs::path& folder) {
                    "results. Choose another folder, or remove them."};
 }
 
+/// `wanted` without a slash at its end, and with its own name where it ends in . or ..
+fs::path with_name(fs::path wanted) {
+  // "results/x/" would otherwise become "results/x/_2", and "." a hidden "._2".
+  if (!wanted.empty() && !wanted.has_filename()) wanted = wanted.parent_path();
+  if (wanted.empty()) throw InputError{"results folder: the path is empty. Give a folder, for example results/run."};
+  if (wanted.filename() == "." || wanted.filename() == "..") {
+    std::error_code error;
+    wanted = fs::weakly_canonical(wanted, error);
+    if (error) fail(wanted, "cannot be read", error.message());
+  }
+  if (!wanted.has_filename())
+    throw InputError{"results folder " + wanted.string() +
+                     ": this is the root of all folders. Give a folder in it, for example results/run."};
+  return wanted;
+}
+
 void remove_results(const fs::path& folder, const fs::path& inside = {}) {
   for (const fs::path& path : entries(folder / inside)) {
     std::error_code error;
@@ -106,10 +123,7 @@ bool is_results_file(const fs::path& relative_path) {
 }
 
 fs::path make_results_folder(fs::path wanted, WhenFolderExists when_exists) {
-  // "results/x/" would otherwise become "results/x/_2".
-  if (!wanted.empty() && !wanted.has_filename()) wanted = wanted.parent_path();
-  if (wanted.empty()) throw InputError{"results folder: the path is empty. Give a folder, for example results/run."};
-
+  wanted = with_name(std::move(wanted));
   if (create(wanted) || holds_nothing(wanted)) return wanted;
   switch (when_exists) {
     case WhenFolderExists::overwrite:

@@ -29,8 +29,8 @@ enum class WhenFolderExists {
 };
 
 /// Creates the folder (and those above it) and returns where to write. A folder that exists but is empty is taken as
-/// it is. Throws InputError for an empty path and for `refuse`, FileError where a folder cannot be created or emptied
-/// (among others because a file of that name exists).
+/// it is; one given as . or .. has its own name. Throws InputError for an empty path, the root and for `refuse`,
+/// FileError where a folder cannot be created or emptied (among others because a file of that name exists).
 std::filesystem::path make_results_folder(std::filesystem::path wanted, WhenFolderExists when_exists);
 
 /// Whether a file was, by its name relative to a results folder, written by moat.

@@ -118,6 +118,19 @@ TEST_F(ResultsFolder, OverwritingRefusesFilesThatMoatDidNotWrite) {
   EXPECT_FALSE(fs::exists(x / "report.html"));
 }
 
+TEST_F(ResultsFolder, GivesDotsTheNameOfTheirFolder) {
+  const fs::path real = fs::canonical(folder);
+  put(folder / "x" / "notes.txt");
+  fs::create_directory(folder / "x" / "empty");
+  EXPECT_EQ(make_results_folder(folder / "x" / ".", WhenFolderExists::use_new_number), real / "x_2");
+  EXPECT_EQ(make_results_folder(folder / "x" / "./", WhenFolderExists::use_new_number), real / "x_3");
+  EXPECT_EQ(make_results_folder(folder / "x" / "empty" / "..", WhenFolderExists::use_new_number), real / "x_4");
+  EXPECT_EQ(make_results_folder(folder / "x" / ".", WhenFolderExists::overwrite), real / "x");
+  EXPECT_FALSE(fs::exists(folder / "x" / "._2"));
+  EXPECT_EQ(message_of<InputError>([] { make_results_folder("/", WhenFolderExists::use_new_number); }),
+            "results folder /: this is the root of all folders. Give a folder in it, for example results/run.");
+}
+
 TEST_F(ResultsFolder, RefusesAndSaysWhatToDo) {
   put(folder / "x" / "notes.txt");
   EXPECT_EQ(message_of<InputError>([&] { make_results_folder(folder / "x", WhenFolderExists::refuse); }),
