@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 
 #include "base/sparse_matrix.hpp"
@@ -88,7 +89,8 @@ struct MemberPoint {
   [[nodiscard]] bool is_node() const { return share == 0.0; }
 };
 
-/// Both ends at points between nodes: difference = sum of weight * value over up to four nodes.
+/// Both ends at points between nodes: difference = sum of weight * value over up to four nodes, each of them once. A
+/// node on both sides has the sum of its weights, which is zero where it moves both sides alike.
 class PointPair {
   static constexpr std::size_t count = 4;
 
@@ -96,7 +98,28 @@ class PointPair {
   PointPair() = default;
   PointPair(const MemberPoint& first, const MemberPoint& second)
       : node_{first.node.index, first.other.index, second.node.index, second.other.index},
-        weight_{first.share - 1.0, -first.share, 1.0 - second.share, second.share} {}
+        weight_{first.share - 1.0, -first.share, 1.0 - second.share, second.share} {
+    for (std::size_t i = 0; i < count; ++i) {
+      for (std::size_t j = 0; j < i; ++j) {
+        if (node_[i] != node_[j]) continue;
+        weight_[j] += weight_[i];
+        weight_[i] = 0.0;
+      }
+    }
+    // Sums of shares that cancel leave round-off.
+    for (double& weight : weight_)
+      if (std::abs(weight) < 1e-12) weight = 0.0;
+  }
+
+  /// The sum of weight^2/mass over the nodes, 1/kg: the change of the difference under a unit impulse. `inverse_mass`
+  /// is called with indices of nodes, never with the ground's.
+  template <class InverseMass>
+  [[nodiscard]] double mobility(InverseMass inverse_mass) const {
+    double sum = 0.0;
+    for (std::size_t i = 0; i < count; ++i)
+      if (weight_[i] != 0.0 && node_[i] != ground_index) sum += weight_[i] * weight_[i] * inverse_mass(node_[i]);
+    return sum;
+  }
 
   void add_couplings(const ElementInfo&, PatternBuilder& pattern) const {
     for (std::size_t i = 0; i < count; ++i)

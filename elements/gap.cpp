@@ -3,29 +3,34 @@
 namespace moat {
 namespace {
 
-// 1/m of a point: how far it moves under a unit impulse.
-double mobility(const Model& model, const MemberPoint& point) {
-  const auto share = [&](NodeId node, double weight) {
-    return node == ground || weight == 0.0 ? 0.0 : weight * weight / model.node(node).mass.si();
-  };
-  return share(point.node, 1.0 - point.share) + share(point.other, point.share);
+void check_point(const Model& model, const Check& check, const std::string& name, std::string_view field,
+                 const MemberPoint& point) {
+  const std::string share = std::string{field} + ".share";
+  check.that(point.share >= 0.0 && point.share < 1.0, share, point.share, "1", ">= 0 and < 1",
+             "It is the way from the first node to the second; take the second node itself for 1.");
+  if (point.is_node())
+    model.require_node(point.node, "Gap \"" + name + "\"", field);
+  else
+    check_link(model, "Gap", name, {std::string{field} + ".node", point.node}, {std::string{field} + ".other", point.other});
 }
 
 }  // namespace
 
-void check_member_point(const Model& model, const Check& check, const std::string& name, std::string_view field,
-                        const MemberPoint& point) {
-  const std::string share = std::string{field} + ".share";
-  check.that(point.share >= 0.0 && point.share < 1.0, share, point.share, "1", ">= 0 and < 1",
-             "It is the way from the first node to the second; take the second node itself for 1.");
-  if (!point.is_node())
-    check_link(model, "Gap", name, {std::string{field} + ".node", point.node}, {std::string{field} + ".other", point.other});
+Check check_gap_ends(const Model& model, const std::string& name, const MemberPoint& left, const MemberPoint& right) {
+  if (left.is_node() && right.is_node())
+    return check_link(model, "Gap", name, {"left", left.node}, {"right", right.node});
+  const Check check{"Gap", name};
+  check_point(model, check, name, "left", left);
+  check_point(model, check, name, "right", right);
+  return check;
 }
 
 double effective_mass(const Model& model, const Check& check, const MemberPoint& first, const MemberPoint& second) {
-  const double sum = mobility(model, first) + mobility(model, second);
-  check.that(sum > 0.0, "neither side has mass.", "At least one side must be a node that can move.");
-  return 1.0 / sum;
+  const double mobility =
+      PointPair{first, second}.mobility([&](int node) { return 1.0 / model.node(NodeId{node}).mass.si(); });
+  check.that(mobility > 0.0, "left and right are the same point, so that the gap never changes.",
+             "Give two points that move towards each other.");
+  return 1.0 / mobility;
 }
 
 }  // namespace moat

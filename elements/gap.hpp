@@ -26,8 +26,8 @@ concept ImpactLaw = requires(const Law& law, const Check& check, double effectiv
 /// floors.
 ///
 /// Reports `impact_force` [N], compression positive, and `indentation` [m] under its name and their peaks under
-/// `place`. The effective mass that a law may need is 1/m = sum of weight^2 / mass over the nodes of both sides; the
-/// ground's mass is infinite.
+/// `place`. The effective mass that a law may need is 1/m = sum of weight^2 / mass over the nodes of both sides, where
+/// a node on both sides counts once with the difference of its weights; the ground's mass is infinite.
 template <ImpactLaw Law>
 struct Gap {
   std::string name;
@@ -40,20 +40,19 @@ struct Gap {
   Law law;
 };
 
-/// Throws InputError unless both nodes of the point are of this model and its share is from 0 to below 1.
-void check_member_point(const Model& model, const Check& check, const std::string& name, std::string_view field,
-                        const MemberPoint& point);
+/// Throws InputError unless all nodes of both points are of this model, shares are from 0 to below 1, and two ends at
+/// nodes are at different ones; returns the Check that names the gap.
+Check check_gap_ends(const Model& model, const std::string& name, const MemberPoint& left, const MemberPoint& right);
 
-/// Of two points, kg. Throws InputError if neither has mass.
+/// Of two points, kg. Throws InputError if they are the same point.
 double effective_mass(const Model& model, const Check& check, const MemberPoint& first, const MemberPoint& second);
 
-/// Throws InputError for a bad parameter of gap or law, unknown or equal nodes, or a name that is taken.
+/// Throws InputError for a bad parameter of gap or law, unknown nodes, two ends at the same point, or a name that is
+/// taken.
 template <ImpactLaw Law>
 void add(Model& model, const Gap<Law>& gap) {
   const MemberPoint &left = gap.left, &right = gap.right;
-  const Check check = check_link(model, "Gap", gap.name, {"left", left.node}, {"right", right.node});
-  check_member_point(model, check, gap.name, "left", left);
-  check_member_point(model, check, gap.name, "right", right);
+  const Check check = check_gap_ends(model, gap.name, left, right);
   check.positive("clearance", gap.clearance, "Give the free distance at rest.");
   gap.law.check(check);
   const double mass = effective_mass(model, check, left, right);

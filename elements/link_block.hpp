@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <concepts>
 #include <limits>
 #include <stdexcept>
@@ -35,7 +36,8 @@ class LinkBlock final : public ElementBlock {
  public:
   using State = typename Law::State;
 
-  /// Appends an element. effective_mass (kg) is used only to estimate how long a contact lasts.
+  /// Appends an element. effective_mass (> 0 kg, contacts only) serves to estimate how long a contact lasts, and for
+  /// the approach speed that the law of a gap counts which starts closed.
   std::size_t add(ElementInfo info, const Law& law,
                   double effective_mass = 0.0) requires std::constructible_from<Ends, const ElementInfo&> {
     const Ends ends{info};
@@ -50,6 +52,7 @@ class LinkBlock final : public ElementBlock {
     if constexpr (ContactLaw<Law>) {
       effective_masses_.push_back(effective_mass);
       durations_.push_back(0.0);
+      approach_speeds_.push_back(0.0);
     }
     const std::size_t count = infos_.size();
     committed_.resize(count);
@@ -263,13 +266,14 @@ class LinkBlock final : public ElementBlock {
 
   ContactView contact(std::size_t element) const override {
     if constexpr (ContactLaw<Law>)
-      return {committed_[element].phase != ContactPhase::open, committed_[element].approach_speed};
+      return {committed_[element].phase != ContactPhase::open, approach_speeds_[element]};
     else
       return {};
   }
 
   double delivered_restitution(std::size_t element, double approach_speed) const override {
     if constexpr (ContactLaw<Law>) {
+      if (approach_speed <= 0.0) return std::numeric_limits<double>::quiet_NaN();
       try {
         return moat::delivered_restitution(laws_[element], effective_masses_[element], approach_speed);
       } catch (const Error&) {
@@ -290,6 +294,13 @@ class LinkBlock final : public ElementBlock {
   void follow_contact(std::size_t i, bool touched) requires ContactLaw<Law> {
     const bool touching = contact(i).touching;
     touching_ += static_cast<int>(touching) - static_cast<int>(touched);
+    if (touching && !touched) {
+      approach_speeds_[i] = start_rates_[i];
+      // A gap that starts closed has no approach: its law counts the speed at which an elastic impact reaches this
+      // depth. A located touch is so shallow that the speed is nothing.
+      double& counted = committed_[i].approach_speed;
+      counted = std::max(counted, std::sqrt(2.0 * stored(i) / effective_masses_[i]));
+    }
     if (touching) durations_[i] = laws_[i].contact_duration(effective_masses_[i], committed_[i].approach_speed);
   }
 
@@ -512,6 +523,7 @@ class LinkBlock final : public ElementBlock {
   std::vector<ElementInfo> infos_;
   std::vector<Law> laws_;
   std::vector<double> effective_masses_, durations_;  // kg; s, of the contact going on. Empty for laws without contact
+  std::vector<double> approach_speeds_;               // m/s, at the last touch; that of the law's state has a floor
   int touching_ = 0;                                  // number of contacts going on
   std::vector<Ends> ends_;
   std::vector<typename Ends::Slots> slots_;

@@ -16,7 +16,8 @@ enum class ContactPhase : std::uint8_t {
 };
 
 /// History of a contact: its phase, and the approach speed at the instant of first touch, which
-/// belongs to the touch and stays until the gap opens.
+/// belongs to the touch and stays until the gap opens. Laws divide by this speed, so it has a floor; elements keep the
+/// true one (ContactView).
 ///
 ///             touch                  force reaches zero
 ///     open ----------> loaded  ----------------------------> released
@@ -26,10 +27,11 @@ enum class ContactPhase : std::uint8_t {
 ///       +----------------------------------------------------------+  gap opens
 struct ContactState {
   ContactPhase phase = ContactPhase::open;
-  double approach_speed = 0.0;  ///< m/s, > 0 while not open
+  double approach_speed = 0.0;  ///< m/s, >= least_approach_speed while not open
 };
 
-/// The approach speed is at least this, m/s: a grazing touch has none, and laws divide by it.
+/// Laws count at least this as approach speed, m/s, because they divide by it: a grazing touch has none. A law with
+/// d'/v0 that is touched more slowly is less damped than asked for, by the factor v0/least_approach_speed.
 inline constexpr double least_approach_speed = 1e-4;
 
 /// The regime margin (LawWithRegimes) of every contact.

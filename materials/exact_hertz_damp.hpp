@@ -14,14 +14,15 @@ namespace moat {
 ///
 /// Source: the equation follows from integrating the impact m d'' = -F once, exactly; Hunt & Crossley (1975) and
 /// their successors approximate its root. The restitution of a free impact is e itself, for any k, masses and
-/// approach speed: z = 0.37315, 0.79310, 2.08250 for e = 0.80, 0.65, 0.40.
+/// approach speed from 1e-4 m/s up (least_approach_speed); slower impacts are more elastic: z = 0.37315,
+/// 0.79310, 2.08250 for e = 0.80, 0.65, 0.40.
 ///
 /// Indentation and compression positive. The contact ends where the force reaches zero or the gap opens,
 /// in free impact always the latter.
 struct ExactHertzDamp {
   /// k > 0 N/m^1.5.
   Required<HertzStiffness> stiffness;
-  /// e, the coefficient of restitution asked for: 0 < e <= 1.
+  /// e, the coefficient of restitution asked for: 0.001 <= e <= 1, because the damping grows as 1/e.
   Required<double> restitution;
   /// Whether the force may turn negative while bodies in contact are drawn apart. Changes nothing in free impact.
   bool may_pull = false;
@@ -29,7 +30,7 @@ struct ExactHertzDamp {
   /// Throws InputError for a parameter outside its range.
   void check(const Check& check) const {
     check.positive("stiffness", stiffness);
-    check_restitution(check, restitution);
+    check_restitution_in_divisor(check, restitution);
   }
   /// The law between two bodies; this one does not depend on their effective mass (kg).
   [[nodiscard]] ViscousHertz between(double /*effective_mass*/) const {

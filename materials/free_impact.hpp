@@ -55,8 +55,9 @@ Motion dormand_prince(const Slope& slope, const Motion& start, double h, Motion&
 /// The restitution that a law delivers in the free impact of two bodies: m d'' = -F(d, d') from d = 0,
 /// d' = v0 until the contact ends; then the bodies fly on, so that e = -d'/v0.
 ///
-/// effective_mass m = m1 m2/(m1 + m2) > 0 kg, approach_speed v0 > 0 m/s. The error is below 1e-9: adaptive
-/// Dormand-Prince, the end located. Throws Error if the contact has not ended after 1e5 steps.
+/// effective_mass m = m1 m2/(m1 + m2) > 0 kg, approach_speed v0 > 0 m/s; below least_approach_speed laws with d'/v0
+/// divide by that floor here too. The error is below 1e-9: adaptive Dormand-Prince, the end located. Throws Error if
+/// the contact has not ended after 1e5 steps.
 template <ContactLaw Law>
 double delivered_restitution(const Law& law, double effective_mass, double approach_speed) {
   using free_impact::Motion;
@@ -92,6 +93,7 @@ double delivered_restitution(const Law& law, double effective_mass, double appro
       Motion end = next;
       while (beyond - before > 1e-13 * duration) {
         const double middle = 0.5 * (before + beyond);
+        if (middle == before || middle == beyond) break;  // damping may make the duration shorter than the digits of h
         end = free_impact::dormand_prince(slope, now, middle, difference);
         (margin(end) > 0.0 ? before : beyond) = middle;
       }

@@ -20,7 +20,7 @@ namespace moat {
 struct Gonthier {
   /// k > 0 N/m^1.5.
   Required<HertzStiffness> stiffness;
-  /// e, the coefficient of restitution asked for: 0 < e <= 1.
+  /// e, the coefficient of restitution asked for: 0.001 <= e <= 1, because the damping grows as 1/e.
   Required<double> restitution;
   /// Whether the force may turn negative while bodies in contact are drawn apart. Changes nothing in free impact.
   bool may_pull = false;
@@ -28,7 +28,7 @@ struct Gonthier {
   /// Throws InputError for a parameter outside its range.
   void check(const Check& check) const {
     check.positive("stiffness", stiffness);
-    check_restitution(check, restitution);
+    check_restitution_in_divisor(check, restitution);
   }
   /// The law between two bodies; this one does not depend on their effective mass (kg).
   [[nodiscard]] ViscousHertz between(double /*effective_mass*/) const {

@@ -28,7 +28,7 @@ struct ImpactLawNamed {
   Stiffness linear_stiffness{};
   /// > 0 N/m^1.5, for the others.
   HertzStiffness hertz_stiffness{};
-  /// 0 < e <= 1; elastic laws ignore it.
+  /// 0 < e <= 1, and at least 0.001 for laws that divide by it; elastic laws ignore it.
   double restitution = 1.0;
   /// Whether the contact may pull, for laws that leave it open; the others ignore it.
   bool may_pull = false;

@@ -30,7 +30,7 @@ namespace moat {
 struct ModifiedHertzDampPrinted {
   /// k > 0 N/m^1.5.
   Required<HertzStiffness> stiffness;
-  /// e, the coefficient of restitution asked for: 0 < e <= 1.
+  /// e, the coefficient of restitution asked for: 0.001 <= e <= 1, because the damping grows as 1/e^2.
   Required<double> restitution;
   /// When the dashpot acts.
   ContactDamping acts = ContactDamping::approach_only;
@@ -38,7 +38,7 @@ struct ModifiedHertzDampPrinted {
   /// Throws InputError for a parameter outside its range.
   void check(const Check& check) const {
     check.positive("stiffness", stiffness);
-    check_restitution(check, restitution);
+    check_restitution_in_divisor(check, restitution);
     check.that(acts != ContactDamping::may_pull || restitution >= 0.409, "restitution", restitution, "1",
                ">= 0.409 where the contact may pull", "A contact that pulls and is damped critically never ends.");
   }

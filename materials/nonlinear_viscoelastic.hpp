@@ -22,13 +22,13 @@ namespace moat {
 struct NonlinearViscoelastic {
   /// k > 0 N/m^1.5.
   Required<HertzStiffness> stiffness;
-  /// e, the coefficient of restitution asked for: 0 < e <= 1.
+  /// e, the coefficient of restitution asked for: 0.001 <= e <= 1, because the damping grows as 1/e.
   Required<double> restitution;
 
   /// Throws InputError for a parameter outside its range.
   void check(const Check& check) const {
     check.positive("stiffness", stiffness);
-    check_restitution(check, restitution);
+    check_restitution_in_divisor(check, restitution);
   }
   /// The law between two bodies of the given effective mass m1 m2/(m1 + m2) > 0 kg; a fixed wall is infinite.
   [[nodiscard]] RootDampedHertz between(double effective_mass) const {

@@ -12,13 +12,15 @@
 namespace moat {
 
 /// F = k d^1.5 (1 + z d'/v0) for indentation d > 0, compression positive; v0 is the approach speed at
-/// first touch. A whole family of impact laws has this form; they differ in how z follows from the
-/// coefficient of restitution, and each has a header of its own that makes one of these.
+/// first touch, and 1e-4 m/s (least_approach_speed) for slower ones. A whole family of impact laws has this form; they
+/// differ in how z follows from the coefficient of restitution, and each has a header of its own that makes one of
+/// these.
 ///
 /// The contact never pulls unless may_pull is set: it ends where the force reaches zero, that is where
 /// d' = -v0/z, or where the gap opens. A free impact of two bodies always ends with the gap opening, at a
-/// restitution e that satisfies ln((1 + z)/(1 - z e)) = z (1 + e), whatever k and the masses: there
-/// may_pull changes nothing. Only bodies that are drawn apart faster than v0/z feel the difference.
+/// restitution e that satisfies ln((1 + z)/(1 - z e)) = z (1 + e), whatever k, the masses and the speed
+/// from 1e-4 m/s up: there may_pull changes nothing. An impact at a lower speed v is that of the factor z v/1e-4 m/s.
+/// Only bodies that are drawn apart faster than v0/z feel the difference.
 ///
 /// Stored is 0.4 k d^2.5 until the gap opens; a released contact turns what is left of it into heat.
 struct ViscousHertz {

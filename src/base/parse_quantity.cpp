@@ -4,6 +4,7 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <cstdlib>
 #include <optional>
 
 #include "base/error.hpp"
@@ -110,6 +111,10 @@ double parse_si(std::string_view text, std::string_view what, int mass, int half
   if (start + 1 < text.size() && text[start] == '+' && text[start + 1] != '-') ++start;
   double number = 0.0;
   const auto [end, error] = std::from_chars(text.data() + start, text.data() + text.size(), number);
+  if (error == std::errc::result_out_of_range) {
+    const bool large = std::abs(std::strtod(std::string{text.data() + start, end}.c_str(), nullptr)) > 1.0;
+    refuse(what, text, large ? "is too large." : "is too small; zero is 0.");
+  }
   if (error != std::errc{} || !std::isfinite(number))
     refuse(what, text, "does not start with a number. Write a number with its unit, in " + wanted + " for example.");
   const std::string_view unit_text = text.substr(static_cast<std::size_t>(end - text.data()));

@@ -99,7 +99,7 @@ struct EnergySums {
 /// A contact as a gap element sees it.
 struct ContactView {
   bool touching = false;        ///< from touch until the gap opens, also while the force is zero
-  double approach_speed = 0.0;  ///< m/s, at first touch
+  double approach_speed = 0.0;  ///< m/s, at first touch; <= 0 if the bodies did not approach
 };
 
 /// How the work of a step is formed.
@@ -192,7 +192,8 @@ class ElementBlock {
   /// How long one cycle of the fastest element that is in contact now lasts, s; infinite if none is.
   [[nodiscard]] virtual double shortest_contact() const { return std::numeric_limits<double>::infinity(); }
   [[nodiscard]] virtual ContactView contact(std::size_t element) const;
-  /// Restitution that the element's law delivers in a free impact at this approach speed, m/s; NaN if it is no contact.
+  /// Restitution that the element's law delivers in a free impact at this approach speed, m/s. NaN if the speed is not
+  /// positive, and if the element is no contact.
   [[nodiscard]] virtual double delivered_restitution(std::size_t element, double approach_speed) const;
 };
 

@@ -17,12 +17,12 @@ struct Peak {
   double time = 0.0;     ///< s; when it was reached
 };
 
-/// One contact from touch until the gap opens again.
+/// One contact from touch until the gap opens again. ImpactRecorder says where the two ratios are NaN.
 struct Impact {
   std::string where;                 ///< the gap, for example "moat left"
   double start = 0.0;                ///< s
   double duration = 0.0;             ///< s
-  double approach_speed = 0.0;       ///< m/s, at first touch
+  double approach_speed = 0.0;       ///< m/s, at first touch; <= 0 if the bodies did not approach
   double largest_indentation = 0.0;  ///< m
   double largest_force = 0.0;        ///< N
   double rebound_ratio = 0.0;        ///< separation speed over approach speed, as it happened in the building

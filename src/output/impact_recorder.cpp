@@ -13,7 +13,9 @@ bool same(RegimeChange a, RegimeChange b) { return a.block == b.block && a.eleme
 void ImpactRecorder::start(const StepView& view) {
   for (std::size_t b = 0; b < view.model.blocks().size(); ++b)
     for (std::size_t e = 0; e < view.model.blocks()[b]->size(); ++e)
-      if (view.model.blocks()[b]->contact(e).touching) open(view, {b, e});
+      if (view.model.blocks()[b]->contact(e).touching)
+        // Later than at time 0, the contact lasts from an earlier analysis.
+        open(view, {b, e}, view.model.state().time == 0.0);
 }
 
 void ImpactRecorder::follow(const StepView& view, bool after_event) {
@@ -51,7 +53,7 @@ void ImpactRecorder::event(const StepView& view, std::span<const RegimeChange> c
   follow(view, true);
 }
 
-void ImpactRecorder::open(const StepView& view, RegimeChange gap) {
+void ImpactRecorder::open(const StepView& view, RegimeChange gap, bool closed_at_start) {
   const ElementBlock& block = *view.model.blocks()[gap.block];
   const double speed = block.contact(gap.element).approach_speed;
   ongoing_.push_back({gap, impacts_.size(), {}, {}, block.energy(gap.element).dissipated});
@@ -59,7 +61,7 @@ void ImpactRecorder::open(const StepView& view, RegimeChange gap) {
                       .start = view.model.state().time,
                       .approach_speed = speed,
                       .restitution = std::numeric_limits<double>::quiet_NaN()});
-  gaps_.push_back(gap);
+  listed_.push_back({gap, speed > 0.0 && !closed_at_start});
 }
 
 void ImpactRecorder::close(const StepView& view, const Ongoing& contact, bool separated) {
@@ -70,16 +72,20 @@ void ImpactRecorder::close(const StepView& view, const Ongoing& contact, bool se
   impact.energy_lost =
       view.model.blocks()[contact.gap.block]->energy(contact.gap.element).dissipated - contact.dissipated_before;
   const double separation_speed = -view.model.blocks()[contact.gap.block]->rates()[contact.gap.element];
-  impact.rebound_ratio =
-      separated ? separation_speed / impact.approach_speed : std::numeric_limits<double>::quiet_NaN();
+  const double ratio = separation_speed / impact.approach_speed;
+  const bool comparable = separated && listed_[contact.impact].approached && ratio <= largest_rebound_ratio;
+  impact.rebound_ratio = comparable ? ratio : std::numeric_limits<double>::quiet_NaN();
 }
 
 void ImpactRecorder::finish(const StepView& view) {
   for (const Ongoing& contact : ongoing_) close(view, contact, false);
   ongoing_.clear();
-  for (std::size_t i = 0; i < impacts_.size(); ++i)
-    impacts_[i].restitution =
-        view.model.blocks()[gaps_[i].block]->delivered_restitution(gaps_[i].element, impacts_[i].approach_speed);
+  for (std::size_t i = 0; i < impacts_.size(); ++i) {
+    const auto [gap, approached] = listed_[i];
+    if (approached)
+      impacts_[i].restitution =
+          view.model.blocks()[gap.block]->delivered_restitution(gap.element, impacts_[i].approach_speed);
+  }
 }
 
 }  // namespace moat

@@ -9,8 +9,13 @@
 
 namespace moat {
 
-/// Lists every contact from touch until the gap opens. A contact that still lasts at the end is listed with
-/// its duration so far and without a rebound ratio (NaN). What the law alone would have done is filled in at finish().
+/// Lists every contact from touch until the gap opens, with the true rate of the indentation at touch as approach
+/// speed. What the law alone would have done is filled in at finish().
+///
+/// The rebound ratio is NaN where there is nothing to compare: for a contact that still lasts at the end, which is
+/// listed with its duration so far; for one without approach, closed when the model starts (time 0) or touched at a
+/// speed <= 0, which has no restitution either; and for one driven after a slow touch, which would rebound with more
+/// than `largest_rebound_ratio`.
 class ImpactRecorder final : public StepObserver {
  public:
   void start(const StepView& view) override;
@@ -21,7 +26,14 @@ class ImpactRecorder final : public StepObserver {
   /// In order of touch.
   [[nodiscard]] const std::vector<Impact>& impacts() const { return impacts_; }
 
+  /// As d'/v0 in the impact laws counts at most this.
+  static constexpr double largest_rebound_ratio = 100.0;
+
  private:
+  struct Listed {
+    RegimeChange gap;
+    bool approached;
+  };
   struct Ongoing {
     RegimeChange gap;
     std::size_t impact;
@@ -30,11 +42,11 @@ class ImpactRecorder final : public StepObserver {
   };
 
   void follow(const StepView& view, bool after_event);
-  void open(const StepView& view, RegimeChange gap);
+  void open(const StepView& view, RegimeChange gap, bool closed_at_start = false);
   void close(const StepView& view, const Ongoing& contact, bool separated);
 
   std::vector<Impact> impacts_;
-  std::vector<RegimeChange> gaps_;  // of the impacts
+  std::vector<Listed> listed_;  // the gaps of the impacts
   std::vector<Ongoing> ongoing_;
 };
 

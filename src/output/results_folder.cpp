@@ -2,8 +2,12 @@
 
 #include <algorithm>
 #include <array>
+#include <fstream>
+#include <iterator>
 #include <string>
+#include <string_view>
 #include <system_error>
+#include <utility>
 #include <vector>
 
 #include "base/error.hpp"
@@ -55,12 +59,51 @@ std::vector<fs::path> entries(const fs::path& folder) {
   return found;
 }
 
+/// Whether write_summary_json() wrote the file.
+bool is_summary_of_moat(const fs::path& path) {
+  std::ifstream file{path, std::ios::binary};
+  const std::string text{std::istreambuf_iterator<char>{file}, {}};
+  return text.find("\"moat_version\"") != std::string::npos;
+}
+
+/// Throws InputError if files have the names of results and moat may not have written them. Frames tell nothing: they
+/// are written during a run, the summary at its end.
+void require_results_of_moat(const fs::path& folder) {
+  const auto is_file = [&](const char* name) {
+    std::error_code error;
+    return std::string_view{name} != results_file::frames && fs::is_regular_file(fs::symlink_status(folder / name, error));
+  };
+  if (std::ranges::none_of(files_at_top, is_file)) return;
+  if (is_file(results_file::summary) && is_summary_of_moat(folder / results_file::summary)) return;
+  throw InputError{"results folder " + folder.string() +
+                   " has files with the names of results, but no summary.json of moat beside them: they may not be "
+                   "results. Choose another folder, or remove them."};
+}
+
+/// `wanted` without a slash at its end, and with its own name where it ends in . or ..
+fs::path with_name(fs::path wanted) {
+  // "results/x/" would otherwise become "results/x/_2", and "." a hidden "._2".
+  if (!wanted.empty() && !wanted.has_filename()) wanted = wanted.parent_path();
+  if (wanted.empty()) throw InputError{"results folder: the path is empty. Give a folder, for example results/run."};
+  if (wanted.filename() == "." || wanted.filename() == "..") {
+    std::error_code error;
+    wanted = fs::weakly_canonical(wanted, error);
+    if (error) fail(wanted, "cannot be read", error.message());
+  }
+  if (!wanted.has_filename())
+    throw InputError{"results folder " + wanted.string() +
+                     ": this is the root of all folders. Give a folder in it, for example results/run."};
+  return wanted;
+}
+
 void remove_results(const fs::path& folder, const fs::path& inside = {}) {
   for (const fs::path& path : entries(folder / inside)) {
     std::error_code error;
     const fs::path relative = inside / path.filename();
     const fs::file_status status = fs::symlink_status(path, error);
-    // A link is followed by nobody here: what it points to is not in this folder.
+    // The target of a link is not in this folder and stays. The link goes: results would be written to its target.
+    if (fs::is_symlink(status) && (is_results_file(relative) || relative == results_file::frames_folder))
+      fs::remove(path, error);
     if (fs::is_regular_file(status) && is_results_file(relative)) fs::remove(path, error);
     if (fs::is_directory(status) && relative == results_file::frames_folder) {
       remove_results(folder, relative);
@@ -80,13 +123,11 @@ bool is_results_file(const fs::path& relative_path) {
 }
 
 fs::path make_results_folder(fs::path wanted, WhenFolderExists when_exists) {
-  // "results/x/" would otherwise become "results/x/_2".
-  if (!wanted.empty() && !wanted.has_filename()) wanted = wanted.parent_path();
-  if (wanted.empty()) throw InputError{"results folder: the path is empty. Give a folder, for example results/run."};
-
+  wanted = with_name(std::move(wanted));
   if (create(wanted) || holds_nothing(wanted)) return wanted;
   switch (when_exists) {
     case WhenFolderExists::overwrite:
+      require_results_of_moat(wanted);
       remove_results(wanted);
       return wanted;
     case WhenFolderExists::refuse:

@@ -22,13 +22,15 @@ inline constexpr const char* frames_folder = "frames";
 /// What to do when the wanted folder already holds something.
 enum class WhenFolderExists {
   use_new_number,  ///< write to the next free of results_2, results_3 ...
-  overwrite,       ///< delete the files moat itself wrote there; everything else stays
-  refuse           ///< throw InputError
+  /// Delete the files moat itself wrote there, and links that have their names; everything else stays. Throws
+  /// InputError where files have the names of results and there is no summary.json of moat.
+  overwrite,
+  refuse  ///< throw InputError
 };
 
 /// Creates the folder (and those above it) and returns where to write. A folder that exists but is empty is taken as
-/// it is. Throws InputError for an empty path and for `refuse`, FileError where a folder cannot be created or emptied
-/// (among others because a file of that name exists).
+/// it is; one given as . or .. has its own name. Throws InputError for an empty path, the root and for `refuse`,
+/// FileError where a folder cannot be created or emptied (among others because a file of that name exists).
 std::filesystem::path make_results_folder(std::filesystem::path wanted, WhenFolderExists when_exists);
 
 /// Whether a file was, by its name relative to a results folder, written by moat.

@@ -14,8 +14,10 @@
 #include "elements/spring.hpp"
 #include "elements/viscous_damper.hpp"
 #include "materials/contact_state.hpp"
+#include "materials/exact_hertz_damp.hpp"
 #include "materials/hertz_damp.hpp"
 #include "materials/linear.hpp"
+#include "materials/restitution_formulas.hpp"
 #include "message_of.hpp"
 
 namespace moat {
@@ -310,7 +312,9 @@ TEST(ContactEvents, ATouchWithoutSpeedDoesNotDivideByZero) {
     ASSERT_NO_THROW(result = run_case(model, constant_acceleration(-0.1, 1 * s), {.transient = {.step = 1 * ms}}))
         << clearance;
     ASSERT_GE(result.impacts.size(), 1u) << clearance;
-    for (const Impact& impact : result.impacts) EXPECT_GE(impact.approach_speed, 1e-4);
+    // The touch is located within a picometre beyond the face.
+    EXPECT_GE(result.impacts.front().approach_speed, 0.999 * std::sqrt(2.0 * 0.1 * clearance));
+    EXPECT_LE(result.impacts.front().approach_speed, 1.001 * std::sqrt(2.0 * 0.1 * (clearance + 1e-12)));
     EXPECT_TRUE(model.state().displacement.allFinite());
     EXPECT_TRUE(model.state().velocity.allFinite());
     EXPECT_LT(model.state().displacement[0], 0.01);
@@ -326,6 +330,39 @@ TEST(ContactEvents, ABodyThatStartsBeyondItsWallTouchesAtOnce) {
   EXPECT_EQ(result.impacts.front().start, 0.0);
   // Elastic energy 2/5 k d^2.5 becomes speed.
   EXPECT_NEAR(model.state().velocity[0], -std::sqrt(0.8 * concrete.si() * std::pow(0.01, 2.5) / 550e3), 1e-3);
+}
+
+TEST(ContactEvents, ADampedContactThatStartsClosedAtRestIsTheWayBackOfAnImpact) {
+  // v0 is the speed at which an elastic impact reaches the depth. With w = -d'/v0, m d'' = -k d^1.5 (1 + z d'/v0) from
+  // rest integrates to -w/z - ln(1 - z w)/z^2 = 1/2 at the end, whatever k, m and depth.
+  const double mass = 1000.0, stiffness = 1e9;
+  for (const double restitution : {0.3, 0.5, 0.9})
+    for (const double depth : {1e-4, 1e-3, 1e-2}) {
+      SCOPED_TRACE(std::to_string(restitution) + ", " + std::to_string(depth) + " m");
+      const double z = damping_factor_of_viscous_hertz(restitution);
+      double low = 0.0, high = std::min(1.0, 1.0 / z);
+      for (int i = 0; i < 200; ++i) {
+        const double w = 0.5 * (low + high);
+        (-w / z - std::log1p(-z * w) / (z * z) < 0.5 ? low : high) = w;
+      }
+      const double stored = 0.4 * stiffness * std::pow(depth, 2.5);
+      const double speed = low * std::sqrt(2.0 * stored / mass);
+
+      Model model;
+      const NodeId body =
+          add(model, Node{.name = "body", .mass = mass * kg, .initial_displacement = 1 * cm + depth * m});
+      add(model, Gap<ExactHertzDamp>{.name = "wall",
+                                     .left = body,
+                                     .right = ground,
+                                     .clearance = 1 * cm,
+                                     .law = {.stiffness = stiffness * N / m_3_2, .restitution = restitution}});
+      const CaseResult result = run_case(model, still_ground(0.5 * s));
+      EXPECT_NEAR(-model.state().velocity[0], speed, 1e-3 * speed);  // default steps in contact
+      EXPECT_NEAR(result.energy.impact, stored - 0.5 * mass * speed * speed, 2e-3 * stored);
+      EXPECT_TRUE(result.warnings.empty()) << result.warnings.front();
+      ASSERT_EQ(result.impacts.size(), 1u);
+      EXPECT_EQ(result.impacts.front().approach_speed, 0.0);
+    }
 }
 
 TEST(ContactEvents, StopsWhereAContactChatters) {

@@ -96,15 +96,23 @@ TEST(ParseQuantity, RefusesANumberWithoutUnit) {
 }
 
 TEST(ParseQuantity, RefusesWhatIsNoNumber) {
-  for (const char* text : {"", " ", "cm", "ten cm", "- 5 cm", "+-5 cm", "++5 cm", "nan m", "inf m", "-inf m", "1e999 m",
-                           ",5 m", "--5 m", "/s"})
+  for (const char* text :
+       {"", " ", "cm", "ten cm", "- 5 cm", "+-5 cm", "++5 cm", "nan m", "inf m", "-inf m", ",5 m", "--5 m", "/s"})
     EXPECT_EQ(refusal<Length>(text),
               "--value: \"" + std::string{text} +
                   "\" does not start with a number. Write a number with its unit, in m for example.");
 }
 
 TEST(ParseQuantity, RefusesAValueBeyondTheLargestNumber) {
-  EXPECT_EQ(refusal<Length>("1e308 km"), "--value: \"1e308 km\" is too large.");
+  for (const char* text : {"1e308 km", "1e999 m", "-1e400 cm", "1e400", "+1e309 furlong"})
+    EXPECT_EQ(refusal<Length>(text), "--value: \"" + std::string{text} + "\" is too large.");
+  EXPECT_EQ(refusal<Dimensionless>("1e400"), "--value: \"1e400\" is too large.");
+}
+
+TEST(ParseQuantity, RefusesAValueBelowTheSmallestNumber) {
+  for (const char* text : {"1e-400 m", "-1e-999 cm"})
+    EXPECT_EQ(refusal<Length>(text), "--value: \"" + std::string{text} + "\" is too small; zero is 0.");
+  EXPECT_GT(si<Length>("1e-300 m"), 0.0);
 }
 
 TEST(ParseQuantity, RefusesAnUnknownUnitByName) {

@@ -2,10 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include "analyses/case_run.hpp"
 #include "base/error.hpp"
 #include "base/units.hpp"
 #include "elements/gap.hpp"
 #include "elements/shear_spring.hpp"
+#include "materials/exact_kelvin.hpp"
 #include "materials/linear_elastic.hpp"
 #include "message_of.hpp"
 
@@ -67,6 +69,62 @@ TEST(GapPoints, EffectiveMassIsThatOfAnImpulseAtThePoint) {
   // A unit impulse at the quarter point moves it by (3/4)^2 / 2 + (1/4)^2 / 3.
   EXPECT_NEAR(effective_mass(n.model, check, MemberPoint(n.low, n.high, 0.25), ground),
               1.0 / (0.5625 / 2.0 + 0.0625 / 3.0), 1e-12);
+}
+
+TEST(GapPoints, ANodeOnBothSidesCountsOnce) {
+  Neighbours n;
+  const Check check{"Gap", "test"};
+  // d = (u_low + u_high)/2 - u_high: a unit impulse moves it by (1/2)^2/2 + (1/2)^2/3.
+  EXPECT_NEAR(effective_mass(n.model, check, MemberPoint(n.low, n.high, 0.5), n.high), 4.0 / (1.0 / 2.0 + 1.0 / 3.0),
+              1e-12);
+  EXPECT_NEAR(effective_mass(n.model, check, MemberPoint(n.low, n.high, 0.5), MemberPoint(n.low, n.high, 0.2)),
+              1.0 / (0.09 / 2.0 + 0.09 / 3.0), 1e-12);
+}
+
+TEST(GapPoints, ANodeOnBothSidesLeavesTheRestitutionAsAsked) {
+  Model model;
+  const NodeId low = add(model, Node{.name = "low", .mass = 2 * tonne, .initial_velocity = 1 * m / s});
+  const NodeId high = add(model, Node{.name = "high", .mass = 3 * tonne});
+  add(model, Gap<ExactKelvin>{.name = "gap",
+                              .left = MemberPoint{low, high, 0.5},
+                              .right = high,
+                              .clearance = 1 * cm,
+                              .law = {.stiffness = 1e8 * N / m, .restitution = 0.5}});
+  const CaseResult result = run_case(model, GroundMotion{"still ground", 1e-3, std::vector<double>(101, 0.0)});
+  ASSERT_EQ(result.impacts.size(), 1u);
+  EXPECT_NEAR(result.impacts[0].rebound_ratio, 0.5, 1e-3);  // default steps in contact
+  EXPECT_NEAR(result.impacts[0].restitution, 0.5, 1e-7);
+}
+
+TEST(GapPoints, MayBeginAtTheSameNode) {
+  Neighbours n;
+  add(n.model, Gap{.name = "gap",
+                   .left = MemberPoint{n.low, n.high, 0.25},
+                   .right = MemberPoint{n.low, n.other, 0.25},
+                   .clearance = 1 * mm,
+                   .law = law});
+  n.model.prepare();
+  std::vector<RegimeChange> changes;
+  n.model.change_regimes(changes);  // 0.25 (u_high - u_other) is 7.5 mm
+  SparseMatrix tangent = n.model.pattern();
+  n.model.assemble_tangent(0.0, 0.0, 1.0, tangent);
+  const Eigen::Vector3d weights{0.0, 0.25, -0.25};
+  const Eigen::MatrixXd expected = 1000.0 * weights * weights.transpose();
+  EXPECT_LT((Eigen::MatrixXd{tangent.view()} - expected).cwiseAbs().maxCoeff(), 1e-12);
+}
+
+TEST(GapPoints, RefuseTwoEndsAtTheSamePoint) {
+  Neighbours n;
+  const auto message = [&](const MemberPoint& left, const MemberPoint& right) {
+    return testing::message_of(
+        [&] { add(n.model, Gap{.name = "g", .left = left, .right = right, .clearance = 1 * cm, .law = law}); });
+  };
+  const std::string same_point =
+      "Gap \"g\": left and right are the same point, so that the gap never changes. Give two points that move towards "
+      "each other.";
+  EXPECT_EQ(message(MemberPoint{n.low, n.high, 0.3}, MemberPoint{n.low, n.high, 0.3}), same_point);
+  EXPECT_EQ(message(MemberPoint{n.low, n.high, 0.3}, MemberPoint{n.high, n.low, 0.7}), same_point);
+  EXPECT_EQ(message(MemberPoint{ground, n.low, 0.5}, MemberPoint{n.low, ground, 0.5}), same_point);
 }
 
 TEST(GapPoints, SayWhatIsWrong) {

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "materials/impact_law_named.hpp"
 #include "materials/impact_laws.hpp"
 #include "message_of.hpp"
@@ -75,6 +77,20 @@ TEST(Gap, FreezesTheApproachSpeedAtTouch) {
   EXPECT_DOUBLE_EQ(block.contact(0).approach_speed, 0.5);
   commit_at(nodes, 0.09, 0.0, -0.3, 0.0);
   EXPECT_FALSE(block.contact(0).touching);
+}
+
+TEST(Gap, TellsTheTrueApproachSpeedWhereTheLawCountsMore) {
+  for (const double speed : {5e-5, 0.0, -0.2}) {
+    TwoNodes nodes;
+    add(nodes.model, gap_between(nodes.a, nodes.b, hertz_damp));
+    nodes.start();
+    commit_at(nodes, 0.1 + 1e-9, 0.0, speed, 0.0);
+    const auto& block = nodes.model.block<LinkBlock<ViscousHertz>>();
+    EXPECT_TRUE(block.contact(0).touching);
+    EXPECT_EQ(block.contact(0).approach_speed, speed);
+    EXPECT_EQ(block.committed(0).approach_speed, 1e-4);
+    EXPECT_EQ(std::isnan(block.delivered_restitution(0, speed)), speed <= 0.0);
+  }
 }
 
 TEST(Gap, UsesTheEffectiveMassOfItsNodes) {

@@ -259,6 +259,38 @@ case $case in
       not_called .
     done
     ;;
+  every_example_of_the_help_runs)
+    export HOME=$world/home
+    mkdir -p "$HOME/records"
+    mv "$world/study" "$HOME/study"
+    ln -s "$root" "$HOME/moat"
+    cp "$HOME/study/tower.cpp" "$root/examples/01_moat_wall.cpp"
+    cp "$HOME/study/height of it.hpp" "$root/examples/"
+    for benchmark in paper accuracy performance; do
+      mkdir -p "$root/build/release/benchmarks/$benchmark"
+      # shellcheck disable=SC2016 # the stand-in expands this itself
+      printf '#!/bin/bash\n[[ -z $1 || $1 == --* ]]\n' >"$root/build/release/benchmarks/$benchmark/$benchmark"
+      chmod +x "$root/build/release/benchmarks/$benchmark/$benchmark"
+    done
+    grep -hv '^#' "$root"/cmake/packages/*.txt >"$world/installed"
+    count=0
+    for arguments in "--help" "run --help" "new --help" "test --help" "doctor --help" "bench --help"; do
+      # shellcheck disable=SC2086
+      launch $arguments
+      code_is 0
+      # Two blanks end a command; words in capitals and brackets stand for something else.
+      while IFS= read -r example; do
+        [[ $example != *"moat new "* ]] || rm "$HOME/study/tower.cpp"
+        code=0
+        (cd "$root" && env -u MOAT_RECORDS PATH="$world/bin:$PATH" WORLD="$world" ROOT="$root" COMPILER="$compiler" \
+          bash -c "$example") >"$world/out" 2>"$world/err" </dev/null || code=$?
+        out=$(<"$world/out") err=$(<"$world/err")
+        [[ $code == 0 ]] || fail "this should run: $example"
+        count=$((count + 1))
+      done < <(sed -n 's/^  \([^ ].*moat [a-z].*\)/\1/p' <<<"$out" | sed 's/  .*//' | grep -v '[[]\|SCRIPT\.cpp')
+    done
+    ((count >= 15)) || fail "only $count examples were found"
+    ;;
   moved_checkout)
     launch run "$script"
     mv "$root" "$world/elsewhere"

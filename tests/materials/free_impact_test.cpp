@@ -47,6 +47,20 @@ TEST(FreeImpactOfKelvin, ByDampingRatio) {
   EXPECT_NEAR(delivered_restitution(pulling, 5.5e5, 0.3), std::exp(-std::numbers::pi * x / s), 1e-9);
 }
 
+TEST(FreeImpact, EndsWhereTheApproachIsDampedHardAndTheWayBackIsSlow) {
+  // The time scale of the dashpot is so short against the way back that a fraction of it is less than the last digit of
+  // a step.
+  const double mass = 1e3, stiffness = 1e9;
+  for (const double ratio : {1e4, 1e6, 1e8}) {
+    const ViscousLinearContact linear{stiffness, 2.0 * ratio * std::sqrt(stiffness * mass),
+                                      ContactDamping::approach_only};
+    const RootDampedHertz hertz{stiffness, ratio * std::sqrt(5.0 * stiffness * mass), ContactDamping::approach_only};
+    const double expected = restitution_of_approach_damping(ratio);
+    EXPECT_NEAR(delivered_restitution(linear, mass, 1.0), expected, 1e-9) << ratio;
+    EXPECT_NEAR(delivered_restitution(hertz, mass, 1.0), expected, 1e-9) << ratio;
+  }
+}
+
 TEST(FreeImpact, TellsThatAContactDoesNotEnd) {
   // So overdamped that it creeps back for years; such parameters do not pass KelvinByDampingRatio::check.
   const ViscousLinearContact law{.stiffness = 1.0, .damping = 1e9, .acts = ContactDamping::may_pull};

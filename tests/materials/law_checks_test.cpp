@@ -14,6 +14,11 @@ const Check check{"Gap", "moat left"};
 const std::string restitution_range =
     " is not allowed; it must be > 0 and <= 1. "
     "It is the speed after the impact over the speed before; 1 is elastic.";
+// Of laws that divide by it.
+const std::string divisor_range =
+    " is not allowed; it must be from 0.001 to 1. "
+    "It is the speed after the impact over the speed before; 1 is elastic. The damping of this law grows without bound "
+    "as it falls to zero, and no time step follows such a contact.";
 
 template <class Law>
 std::string message(const Law& law) {
@@ -21,13 +26,16 @@ std::string message(const Law& law) {
 }
 
 template <class Law, class Unit>
-void expect_checked(Unit unit, const std::string& symbol) {
+void expect_checked(Unit unit, const std::string& symbol, const std::string& range = restitution_range) {
   EXPECT_EQ(message(Law{1e9 * unit, 1.0}), "nothing was thrown");
   EXPECT_EQ(message(Law{1e9 * unit, 0.42}), "nothing was thrown");
   EXPECT_EQ(message(Law{-3.0 * unit, 0.65}), "Gap \"moat left\": stiffness = -3 " + symbol +
                                                  " is not allowed; it must be > 0 " + symbol + " and finite.");
-  EXPECT_EQ(message(Law{1e9 * unit, 0.0}), "Gap \"moat left\": restitution = 0" + restitution_range);
-  EXPECT_EQ(message(Law{1e9 * unit, 1.1}), "Gap \"moat left\": restitution = 1.1" + restitution_range);
+  EXPECT_EQ(message(Law{1e9 * unit, 0.0}), "Gap \"moat left\": restitution = 0" + range);
+  EXPECT_EQ(message(Law{1e9 * unit, 1.1}), "Gap \"moat left\": restitution = 1.1" + range);
+  EXPECT_EQ(message(Law{1e9 * unit, 0.001}), "nothing was thrown");
+  EXPECT_EQ(message(Law{1e9 * unit, 0.0009}),
+            range == divisor_range ? "Gap \"moat left\": restitution = 0.0009" + range : "nothing was thrown");
 }
 
 TEST(ImpactLawCheck, NamesTheParameterItsRangeAndWhatToDo) {
@@ -36,17 +44,17 @@ TEST(ImpactLawCheck, NamesTheParameterItsRangeAndWhatToDo) {
   expect_checked<Kelvin>(linear, "N/m");
   expect_checked<Anagnostopoulos>(linear, "N/m");
   expect_checked<ExactKelvin>(linear, "N/m");
-  expect_checked<ModifiedLinearViscoelastic>(linear, "N/m");
+  expect_checked<ModifiedLinearViscoelastic>(linear, "N/m", divisor_range);
   expect_checked<HertzDamp>(hertz, "N/m^1.5");
   expect_checked<LankaraniNikravesh>(hertz, "N/m^1.5");
   expect_checked<HuntCrossley>(hertz, "N/m^1.5");
-  expect_checked<Ye2009>(hertz, "N/m^1.5");
-  expect_checked<HuGuo>(hertz, "N/m^1.5");
-  expect_checked<Gonthier>(hertz, "N/m^1.5");
-  expect_checked<ModifiedHertzDamp>(hertz, "N/m^1.5");
-  expect_checked<ModifiedHertzDampPrinted>(hertz, "N/m^1.5");
-  expect_checked<NonlinearViscoelastic>(hertz, "N/m^1.5");
-  expect_checked<ExactHertzDamp>(hertz, "N/m^1.5");
+  expect_checked<Ye2009>(hertz, "N/m^1.5", divisor_range);
+  expect_checked<HuGuo>(hertz, "N/m^1.5", divisor_range);
+  expect_checked<Gonthier>(hertz, "N/m^1.5", divisor_range);
+  expect_checked<ModifiedHertzDamp>(hertz, "N/m^1.5", divisor_range);
+  expect_checked<ModifiedHertzDampPrinted>(hertz, "N/m^1.5", divisor_range);
+  expect_checked<NonlinearViscoelastic>(hertz, "N/m^1.5", divisor_range);
+  expect_checked<ExactHertzDamp>(hertz, "N/m^1.5", divisor_range);
   EXPECT_EQ(message(Hertz{0 * hertz}),
             "Gap \"moat left\": stiffness = 0 N/m^1.5 is not allowed; it must be > 0 N/m^1.5 and finite.");
   EXPECT_EQ(message(LinearElastic{0 * linear}),

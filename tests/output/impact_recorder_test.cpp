@@ -8,7 +8,10 @@
 
 #include "analyses/transient.hpp"
 #include "elements/gap.hpp"
+#include "materials/exact_hertz_damp.hpp"
+#include "materials/exact_kelvin.hpp"
 #include "materials/hertz_damp.hpp"
+#include "materials/linear_elastic.hpp"
 
 namespace moat {
 namespace {
@@ -82,6 +85,72 @@ TEST(ImpactRecorder, AContactThatLastsFromTheStartIsListed) {
   EXPECT_NEAR(found[0].approach_speed, 0.4, 1e-9);  // that of the touch, before this analysis
   EXPECT_GT(found[0].rebound_ratio, 0.7);
   EXPECT_LT(found[0].rebound_ratio, 0.8);
+}
+
+// The one impact of a free tonne on a wall; it starts `overlap` beyond it or, if negative, before it.
+template <class Law>
+Impact impact_on_wall(const Law& law, double speed, double overlap, double end = 0.5) {
+  Model model;
+  const NodeId body = add(model, Node{.name = "body",
+                                      .mass = 1 * tonne,
+                                      .initial_displacement = 1 * cm + overlap * m,
+                                      .initial_velocity = speed * m / s});
+  add(model, Gap<Law>{.name = "wall", .left = body, .right = ground, .clearance = 1 * cm, .law = law});
+  ImpactRecorder recorder;
+  Transient analysis{model, GroundMotion{"still ground", end / 100.0, std::vector<double>(101, 0.0)}, {}};
+  analysis.attach(recorder);
+  analysis.run();
+  EXPECT_EQ(recorder.impacts().size(), 1u);
+  return recorder.impacts().empty() ? Impact{} : recorder.impacts().front();
+}
+
+TEST(ImpactRecorder, ASlowTouchHasItsTrueSpeedAndRebound) {
+  const LinearElastic elastic{.stiffness = 1e8 * N / m};
+  const ExactKelvin kelvin{.stiffness = 1e8 * N / m, .restitution = 0.5};
+  const ExactHertzDamp hertz{.stiffness = 1e9 * N / m_3_2, .restitution = 0.5};
+  for (const double speed : {1e-3, 5e-5, 1e-5, 1e-6}) {
+    SCOPED_TRACE(speed);
+    const auto expect = [&](const Impact& impact, double restitution) {
+      EXPECT_NEAR(impact.approach_speed, speed, 1e-9 * speed);
+      EXPECT_NEAR(impact.rebound_ratio, restitution, 1e-3);  // default steps in contact
+      EXPECT_NEAR(impact.restitution, restitution, 1e-7);
+    };
+    const double before = -0.1 * speed;
+    expect(impact_on_wall(elastic, speed, before), 1.0);
+    expect(impact_on_wall(kelvin, speed, before), 0.5);
+    // Below 1e-4 m/s the law divides by that, so that its damping is that of a factor z v0/1e-4.
+    const double factor = damping_factor_of_viscous_hertz(0.5) * std::min(speed / 1e-4, 1.0);
+    expect(impact_on_wall(hertz, speed, before), restitution_of_viscous_hertz(factor));
+  }
+}
+
+TEST(ImpactRecorder, AContactClosedAtTheStartHasNoApproach) {
+  for (const double speed : {0.0, 1.0, -1.0}) {
+    const Impact impact = impact_on_wall(LinearElastic{.stiffness = 1e8 * N / m}, speed, 0.001);
+    EXPECT_EQ(impact.start, 0.0);
+    EXPECT_EQ(impact.approach_speed, speed);
+    EXPECT_TRUE(std::isnan(impact.rebound_ratio)) << impact.rebound_ratio;
+    EXPECT_TRUE(std::isnan(impact.restitution)) << impact.restitution;
+  }
+}
+
+TEST(ImpactRecorder, AContactDrivenAfterASlowTouchHasNoReboundRatio) {
+  // Newton's cradle: the second contact closes when the first has hardly begun to push, and opens with almost all of
+  // the speed.
+  Model model;
+  const NodeId first = add(model, Node{.name = "first", .mass = 1 * tonne, .initial_velocity = 1 * m / s});
+  const NodeId second = add(model, Node{.name = "second", .mass = 1 * tonne});
+  const NodeId third = add(model, Node{.name = "third", .mass = 1 * tonne});
+  const LinearElastic law{.stiffness = 1e8 * N / m};
+  add(model, Gap<LinearElastic>{.name = "1-2", .left = first, .right = second, .clearance = 1 * cm, .law = law});
+  add(model, Gap<LinearElastic>{.name = "2-3", .left = second, .right = third, .clearance = 1e-9 * m, .law = law});
+  const std::vector<Impact> found = impacts(model, 0.1, 1e-5);
+  ASSERT_EQ(found.size(), 2u);
+  EXPECT_GT(found[1].approach_speed, 0.0);
+  EXPECT_LT(found[1].approach_speed, 1e-3);
+  EXPECT_GT(found[1].duration, 0.0);
+  EXPECT_TRUE(std::isnan(found[1].rebound_ratio)) << found[1].rebound_ratio;
+  EXPECT_NEAR(found[1].restitution, 1.0, 1e-7);
 }
 
 TEST(ImpactRecorder, ListsOverlappingContactsInOrderOfTouch) {

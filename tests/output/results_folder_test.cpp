@@ -2,6 +2,7 @@
 
 #include <fstream>
 
+#include "output/summary.hpp"
 #include "output_testing.hpp"
 
 namespace moat {
@@ -15,6 +16,11 @@ class ResultsFolder : public testing_output::InFolder {
   static void put(const fs::path& path) {
     fs::create_directories(path.parent_path());
     std::ofstream{path} << "something";
+  }
+  // The file by which a folder of moat's is known.
+  static void put_summary(const fs::path& results) {
+    put(results / "summary.json");
+    write_summary_json({}, results / "summary.json");
   }
 };
 
@@ -43,6 +49,7 @@ TEST_F(ResultsFolder, OverwritingKeepsWhatMoatDidNotWrite) {
     EXPECT_TRUE(is_results_file(name)) << name;
     put(x / name);
   }
+  put_summary(x);
   const std::vector<fs::path> foreign{"notes.txt",
                                       "frame_000000.vtu",
                                       "frames/mine.vtu",
@@ -74,6 +81,54 @@ TEST_F(ResultsFolder, OverwritingDoesNotFollowLinks) {
   fs::create_directory_symlink(folder / "elsewhere", folder / "x" / "frames");
   make_results_folder(folder / "x", WhenFolderExists::overwrite);
   EXPECT_TRUE(fs::exists(folder / "elsewhere" / "frame_000000.vtu"));
+}
+
+TEST_F(ResultsFolder, OverwritingUnlinksTheNamesOfItsFiles) {
+  // What is written to a link lands elsewhere.
+  const fs::path x = folder / "x";
+  put_summary(x);
+  put(folder / "victim.txt");
+  put(folder / "elsewhere" / "mine.txt");
+  fs::create_symlink("../victim.txt", x / "report.html");
+  fs::create_symlink("../nothing", x / "charts.svg");
+  fs::create_symlink("../victim.txt", x / "notes.txt");
+  fs::create_directory_symlink("../elsewhere", x / "frames");
+  EXPECT_EQ(make_results_folder(x, WhenFolderExists::overwrite), x);
+  for (const char* name : {"report.html", "charts.svg", "frames"})
+    EXPECT_EQ(fs::symlink_status(x / name).type(), fs::file_type::not_found) << name;
+  EXPECT_TRUE(fs::is_symlink(x / "notes.txt"));
+  EXPECT_EQ(testing_output::read_file(folder / "victim.txt"), "something");
+  EXPECT_TRUE(fs::exists(folder / "elsewhere" / "mine.txt"));
+}
+
+TEST_F(ResultsFolder, OverwritingRefusesFilesThatMoatDidNotWrite) {
+  const fs::path x = folder / "x";
+  put(x / "report.html");
+  put(x / "histories.csv");
+  const auto overwrite = [&] { make_results_folder(x, WhenFolderExists::overwrite); };
+  const std::string refusal = "results folder " + x.string() +
+                              " has files with the names of results, but no summary.json of moat beside them: they may "
+                              "not be results. Choose another folder, or remove them.";
+  EXPECT_EQ(message_of<InputError>(overwrite), refusal);
+  put(x / "summary.json");
+  EXPECT_EQ(message_of<InputError>(overwrite), refusal) << "of another program";
+  EXPECT_EQ(testing_output::read_file(x / "report.html"), "something");
+  put_summary(x);
+  EXPECT_EQ(make_results_folder(x, WhenFolderExists::overwrite), x);
+  EXPECT_FALSE(fs::exists(x / "report.html"));
+}
+
+TEST_F(ResultsFolder, GivesDotsTheNameOfTheirFolder) {
+  const fs::path real = fs::canonical(folder);
+  put(folder / "x" / "notes.txt");
+  fs::create_directory(folder / "x" / "empty");
+  EXPECT_EQ(make_results_folder(folder / "x" / ".", WhenFolderExists::use_new_number), real / "x_2");
+  EXPECT_EQ(make_results_folder(folder / "x" / "./", WhenFolderExists::use_new_number), real / "x_3");
+  EXPECT_EQ(make_results_folder(folder / "x" / "empty" / "..", WhenFolderExists::use_new_number), real / "x_4");
+  EXPECT_EQ(make_results_folder(folder / "x" / ".", WhenFolderExists::overwrite), real / "x");
+  EXPECT_FALSE(fs::exists(folder / "x" / "._2"));
+  EXPECT_EQ(message_of<InputError>([] { make_results_folder("/", WhenFolderExists::use_new_number); }),
+            "results folder /: this is the root of all folders. Give a folder in it, for example results/run.");
 }
 
 TEST_F(ResultsFolder, RefusesAndSaysWhatToDo) {
