@@ -210,10 +210,10 @@ class LinkBlock final : public ElementBlock {
           const double stored_before = stored(i);
           const bool touched = contact(i).touching;
           committed_[i] = laws_[i].next_regime(committed_[i], start_.deformations[i], start_.rates[i]);
-          if constexpr (ContactLaw<Law>) follow_contact(i, touched);
+          if constexpr (ContactLaw<Law>) follow_contact(i, touched, start_.rates[i]);
           // A contact that ends while still indented gives up what it had stored.
           if (accounting_) accounts_[i].dissipated += stored_before - stored(i);
-          if (change == 0) changes.push_back({.block = block_index, .element = i});
+          if (change == 0) changes.push_back({.block = block_index, .element = i, .rate = start_.rates[i]});
           changes.back().touched = changes.back().touched || (!touched && contact(i).touching);
         }
       }
@@ -235,10 +235,11 @@ class LinkBlock final : public ElementBlock {
           if (!touched && jumps_at_touch(i, next, rate)) return false;
         before_changes_inside_.push_back({i, committed_[i]});
         committed_[i] = next;
-        if constexpr (ContactLaw<Law>) follow_contact(i, touched);
+        if constexpr (ContactLaw<Law>) follow_contact(i, touched, rate);
         changes.push_back({.block = block_index,
                            .element = i,
                            .time = fraction * step,
+                           .rate = rate,
                            .touched = !touched && contact(i).touching,
                            .inside = true});
       }
@@ -251,7 +252,25 @@ class LinkBlock final : public ElementBlock {
       const auto& [i, state] = before_changes_inside_.back();
       const bool touched = contact(i).touching;
       committed_[i] = state;
-      if constexpr (ContactLaw<Law>) follow_contact(i, touched);
+      if constexpr (ContactLaw<Law>) follow_contact(i, touched, 0.0);
+    }
+  }
+
+  void open_gaps(std::size_t block_index, std::vector<RegimeChange>& changes) override {
+    if constexpr (ContactLaw<Law>) {
+      if (touching_ == 0) return;
+      for (std::size_t i = 0; i < size(); ++i) {
+        if (committed_[i].phase == ContactPhase::open || start_.deformations[i] > 0.0) continue;
+        const HermiteQuintic path = between(before_, start_, i, last_step_);
+        const double fraction = first_fall([&](double x) { return path.value(x); }, 1.0, 0.0);
+        committed_[i] = {};
+        follow_contact(i, true, 0.0);
+        changes.push_back({.block = block_index,
+                           .element = i,
+                           .time = (fraction - 1.0) * last_step_,
+                           .rate = path.rate(fraction),
+                           .inside = true});
+      }
     }
   }
 
@@ -291,11 +310,12 @@ class LinkBlock final : public ElementBlock {
   };
 
   // Called after a change of regime.
-  void follow_contact(std::size_t i, bool touched) requires ContactLaw<Law> {
+  // `rate` is that of the deformation at the change, m/s.
+  void follow_contact(std::size_t i, bool touched, double rate) requires ContactLaw<Law> {
     const bool touching = contact(i).touching;
     touching_ += static_cast<int>(touching) - static_cast<int>(touched);
     if (touching && !touched) {
-      approach_speeds_[i] = start_rates_[i];
+      approach_speeds_[i] = rate;
       // A gap that starts closed has no approach: its law counts the speed at which an elastic impact reaches this
       // depth. A located touch is so shallow that the speed is nothing.
       double& counted = committed_[i].approach_speed;
@@ -482,17 +502,23 @@ class LinkBlock final : public ElementBlock {
     if (scan.fraction > 0.0) scan.fraction = std::min(scan.fraction, first_crossing(i, step, beyond, scan.aim));
   }
 
-  // Fraction of the step at which the interpolated margin falls to `aim`, looked for between 0 and `beyond`
-  // by regula falsi (Illinois). `beyond` itself if it never falls that far.
+  // Fraction of the step at which the interpolated margin falls to `aim`, looked for between 0 and `beyond`. `beyond`
+  // itself if it never falls that far.
   double first_crossing(std::size_t i, double step, double beyond, double aim) const {
+    return first_fall([&](double x) { return margin_inside(i, step, x); }, beyond, aim);
+  }
+
+  // Where a function of 0 to `beyond` falls to `aim`, by regula falsi (Illinois); on the far side of it.
+  template <class Function>
+  static double first_fall(const Function& function, double beyond, double aim) {
     double low = 0.0, high = beyond;
-    double above = margin_inside(i, step, low) - aim, below = margin_inside(i, step, high) - aim;
+    double above = function(low) - aim, below = function(high) - aim;
     if (below >= 0.0) return beyond;
     if (above <= 0.0) return 0.0;
     int side = 0;
     for (int count = 0; count < 60 && high - low > 1e-15; ++count) {
       const double x = low + (high - low) * above / (above - below);
-      const double value = margin_inside(i, step, x) - aim;
+      const double value = function(x) - aim;
       if (value > 0.0) {
         low = x;
         above = value;
@@ -508,6 +534,7 @@ class LinkBlock final : public ElementBlock {
     return high;
   }
 
+  // Where the deformation is interpolated by the cubic through deformation and rate at both ends.
   double margin_inside(std::size_t i, double step, double x) const {
     const HermiteCubic path{start_.deformations[i], start_.rates[i], deformations_[i], rates_[i], step};
     return laws_[i].regime_margin(committed_[i], path.value(x), path.rate(x));

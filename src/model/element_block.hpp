@@ -62,6 +62,7 @@ struct RegimeChange {
   std::size_t block = 0;    ///< index into Model::blocks()
   std::size_t element = 0;  ///< index in that block
   double time = 0.0;        ///< s
+  double rate = 0.0;        ///< m/s, of the deformation at that time
   bool touched = false;     ///< a gap closed
   bool inside = false;      ///< of the last step, which went on; else at its end, where values may jump
 };
@@ -189,6 +190,8 @@ class ElementBlock {
                                      std::vector<RegimeChange>& changes);
   /// Takes the changes inside the step being tried back.
   virtual void undo_changes_inside() {}
+  /// After commit(): opens the gaps that opened inside the last step and lists them. Their forces are zero already.
+  virtual void open_gaps(std::size_t block_index, std::vector<RegimeChange>& changes);
   /// How long one cycle of the fastest element that is in contact now lasts, s; infinite if none is.
   [[nodiscard]] virtual double shortest_contact() const { return std::numeric_limits<double>::infinity(); }
   [[nodiscard]] virtual ContactView contact(std::size_t element) const;

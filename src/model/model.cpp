@@ -284,11 +284,8 @@ void Model::undo_changes_inside() {
 
 void Model::open_gaps(std::vector<RegimeChange>& changes) {
   const std::size_t before = changes.size();
-  for (const std::size_t i : blocks_with_regimes_) blocks_[i]->change_regimes(i, changes);
-  for (std::size_t i = before; i < changes.size(); ++i) {
-    changes[i].time = state_.time;
-    changes[i].inside = true;
-  }
+  for (const std::size_t i : blocks_with_regimes_) blocks_[i]->open_gaps(i, changes);
+  for (std::size_t i = before; i < changes.size(); ++i) changes[i].time += state_.time;
 }
 
 double Model::shortest_contact() const {

@@ -15,7 +15,7 @@ void ImpactRecorder::start(const StepView& view) {
     for (std::size_t e = 0; e < view.model.blocks()[b]->size(); ++e)
       if (view.model.blocks()[b]->contact(e).touching)
         // Later than at time 0, the contact lasts from an earlier analysis.
-        open(view, {b, e}, view.model.state().time == 0.0);
+        open(view, {.block = b, .element = e, .time = view.model.state().time}, view.model.state().time == 0.0);
 }
 
 void ImpactRecorder::follow(const StepView& view, bool after_event) {
@@ -46,7 +46,7 @@ void ImpactRecorder::event(const StepView& view, std::span<const RegimeChange> c
     if (touching && known == ongoing_.end()) {
       open(view, gap);
     } else if (!touching && known != ongoing_.end()) {
-      close(view, *known, true);
+      close(view, *known, gap.time, gap.rate, true);
       ongoing_.erase(known);
     }
   }
@@ -58,27 +58,26 @@ void ImpactRecorder::open(const StepView& view, RegimeChange gap, bool closed_at
   const double speed = block.contact(gap.element).approach_speed;
   ongoing_.push_back({gap, impacts_.size(), {}, {}, block.energy(gap.element).dissipated});
   impacts_.push_back({.where = block.info(gap.element).name,
-                      .start = view.model.state().time,
+                      .start = gap.time,
                       .approach_speed = speed,
                       .restitution = std::numeric_limits<double>::quiet_NaN()});
   listed_.push_back({gap, speed > 0.0 && !closed_at_start});
 }
 
-void ImpactRecorder::close(const StepView& view, const Ongoing& contact, bool separated) {
+void ImpactRecorder::close(const StepView& view, const Ongoing& contact, double time, double rate, bool separated) {
   Impact& impact = impacts_[contact.impact];
-  impact.duration = view.model.state().time - impact.start;
+  impact.duration = time - impact.start;
   impact.largest_indentation = contact.indentation.magnitude();
   impact.largest_force = contact.force.magnitude();
   impact.energy_lost =
       view.model.blocks()[contact.gap.block]->energy(contact.gap.element).dissipated - contact.dissipated_before;
-  const double separation_speed = -view.model.blocks()[contact.gap.block]->rates()[contact.gap.element];
-  const double ratio = separation_speed / impact.approach_speed;
+  const double ratio = -rate / impact.approach_speed;
   const bool comparable = separated && listed_[contact.impact].approached && ratio <= largest_rebound_ratio;
   impact.rebound_ratio = comparable ? ratio : std::numeric_limits<double>::quiet_NaN();
 }
 
 void ImpactRecorder::finish(const StepView& view) {
-  for (const Ongoing& contact : ongoing_) close(view, contact, false);
+  for (const Ongoing& contact : ongoing_) close(view, contact, view.model.state().time, 0.0, false);
   ongoing_.clear();
   for (std::size_t i = 0; i < impacts_.size(); ++i) {
     const auto [gap, approached] = listed_[i];

@@ -43,7 +43,7 @@ class ImpactRecorder final : public StepObserver {
 
   void follow(const StepView& view, bool after_event);
   void open(const StepView& view, RegimeChange gap, bool closed_at_start = false);
-  void close(const StepView& view, const Ongoing& contact, bool separated);
+  void close(const StepView& view, const Ongoing& contact, double time, double rate, bool separated);
 
   std::vector<Impact> impacts_;
   std::vector<Listed> listed_;  // the gaps of the impacts
