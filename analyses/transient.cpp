@@ -21,6 +21,7 @@ TransientOptions checked(const TransientOptions& options) {
   check.that(options.tolerance > 0.0 && options.tolerance < 1.0, "tolerance", options.tolerance, "1", "> 0 and < 1",
              "1.2e-4 is the default.");
   check.that(options.steps_per_contact >= 4, "steps_per_contact", options.steps_per_contact, "1", ">= 4");
+  check.not_negative("largest_step", options.largest_step);
   check.between("largest_halvings", options.largest_halvings, 0, 40, "1");
   check.that(options.threads >= 1, "threads", options.threads, "1", ">= 1");
   check.not_negative("end", options.end);
@@ -60,6 +61,16 @@ double next_grid_time(double time, double step) {
 
 }  // namespace
 
+double longest_step(const TransientOptions& options, double sample_interval) {
+  constexpr int most_halvings = 40;
+  double step = sample_interval;
+  if (options.largest_step.si() <= 0.0) return step;
+  // Half of a step that was given as a power of two must not be missed by round-off.
+  for (int halvings = 0; halvings < most_halvings && step > options.largest_step.si() * (1.0 + 1e-9); ++halvings)
+    step *= 0.5;
+  return step;
+}
+
 Transient::Transient(Model& model, GroundMotion motion, TransientOptions options)
     : model_{&model},
       motion_{std::move(motion)},
@@ -68,11 +79,12 @@ Transient::Transient(Model& model, GroundMotion motion, TransientOptions options
       newton_{equations_, {.tolerance = options.force_tolerance, .largest_iterations = options.largest_iterations}} {
   control_ = StepControl{model,
                          {.fixed_step = options_.step.si(),
-                          .grid_interval = motion_.time_step(),
+                          .grid_interval = longest_step(options_, motion_.time_step()),
                           .tolerance = options_.tolerance,
                           .steps_per_contact = options_.steps_per_contact,
                           .largest_halvings = options_.largest_halvings}};
-  if (options_.integrator == Integrator::exact_between_events) exact_.emplace(model, motion_.time_step());
+  if (options_.integrator == Integrator::exact_between_events)
+    exact_.emplace(model, longest_step(options_, motion_.time_step()));
   end_ = options_.end.si() > 0.0 ? options_.end.si() : motion_.duration();
   Check{"Transient", motion_.name()}.that(
       model.state().time < end_,
@@ -282,6 +294,7 @@ void Transient::commit(double h) {
   model_->commit();
   ground_ = acceleration_of_ground;
   ++statistics_.accepted_steps;
+  statistics_.longest_step = std::max(statistics_.longest_step, h);
   statistics_.factorisations = equations_.factorisations();
   if (steps_exactly_)
     control_.passed(*model_, ground_);
@@ -310,11 +323,12 @@ void Transient::run() {
 }
 
 std::vector<std::string> Transient::assumptions() const {
-  const std::string step =
-      control_.adaptive() ? "step adapted to an error of " + to_text(options_.tolerance) +
-                                " of the largest acceleration and to " + std::to_string(options_.steps_per_contact) +
-                                " steps per contact, at most " + to_text(motion_.time_step()) + " s"
-                          : "fixed step of " + to_text(options_.step.si()) + " s";
+  const std::string step = control_.adaptive()
+                               ? "step adapted to an error of " + to_text(options_.tolerance) +
+                                     " of the largest acceleration and to " +
+                                     std::to_string(options_.steps_per_contact) + " steps per contact, at most " +
+                                     to_text(longest_step(options_, motion_.time_step())) + " s"
+                               : "fixed step of " + to_text(options_.step.si()) + " s";
   const std::string exact = exact_ ? "Exact steps from sample to sample while no gap is closed; in contact: " : "";
   return {exact + "Newmark's method, beta = " + to_text(options_.scheme.beta) + ", gamma = 1/2, " + step +
               "; every step solved until the forces balance to " + to_text(options_.force_tolerance) +
