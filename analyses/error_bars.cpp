@@ -34,8 +34,8 @@ constexpr double richardson = 4.0 / 3.0;
 
 /// A settled peak is known to this share of its value.
 constexpr double settled_within = 0.01;
-/// A peak that is this much smaller than the largest of its quantity is judged by the latter: the peak of a node that
-/// stands still by symmetry is round-off.
+/// A peak that is this much smaller than the largest of its kind is round-off: that of a node that stands still by
+/// symmetry. It is judged by this share of the largest, and no other peak is judged by it.
 constexpr double negligible = 1e-6;
 
 double median(std::vector<double> values) {
@@ -66,11 +66,12 @@ std::vector<double> differences(const std::vector<Peak>& peaks, const std::vecto
 
 void set_errors(std::vector<Peak>& peaks, const std::vector<Peak>& companion, double factor) {
   const std::vector<double> difference = differences(peaks, companion);
+  const std::map<std::string, double> largest = largest_of_each(&Peak::unit, peaks);
   std::map<std::string, std::vector<double>> relative_of_unit;
   std::vector<double> relative_of_all;
   for (std::size_t i = 0; i < peaks.size(); ++i) {
     const double relative = difference[i] / peaks[i].value;
-    if (!std::isfinite(relative)) continue;
+    if (!std::isfinite(relative) || peaks[i].value < negligible * largest.at(peaks[i].unit)) continue;
     relative_of_unit[peaks[i].unit].push_back(relative);
     relative_of_all.push_back(relative);
   }
@@ -78,7 +79,6 @@ void set_errors(std::vector<Peak>& peaks, const std::vector<Peak>& companion, do
   for (const auto& [unit, relative] : relative_of_unit)
     typical[unit] =
         std::max(caution::share_of_unit * median(relative), caution::share_of_all * median(relative_of_all));
-  const std::map<std::string, double> largest = largest_of_each(&Peak::unit, peaks);
   for (std::size_t i = 0; i < peaks.size(); ++i) {
     const double least = typical[peaks[i].unit] * peaks[i].value;
     // Not std::max(least, difference): it would lose a difference that is not a number.
@@ -120,8 +120,9 @@ std::string reason_of(std::size_t impacts, std::size_t companion_impacts, const 
   constexpr std::size_t most_told = 4;
   std::string text;
   if (impacts != companion_impacts)
-    text = "with finer steps it has " + std::to_string(companion_impacts) + " impacts instead of " +
-           std::to_string(impacts) + (unsettled.empty() ? "; all peaks are known to 1 % nevertheless" : "; ");
+    text = "with finer steps it has " + std::to_string(companion_impacts) +
+           (companion_impacts == 1 ? " impact instead of " : " impacts instead of ") + std::to_string(impacts) +
+           (unsettled.empty() ? "; all peaks are known to 1 % nevertheless" : "; ");
   if (unsettled.empty()) return text;
   text += std::to_string(unsettled.size()) + " of " + std::to_string(all) + " peaks " +
           (unsettled.size() == 1 ? "is" : "are") + " not settled, with an error above 1 %: ";

@@ -68,7 +68,7 @@ struct Script::CommandLine {
     if (app.get_option_no_throw("--" + name) != nullptr)
       throw InputError{"--" + name +
                        ": there is an option of this name. Name each once; help, record and record-unit, " +
-                       "out, force, step, tolerance, end, frame-interval, check and quiet are those of Script itself."};
+                       "out, force, step, tolerance, integrator, end, frame-interval, check and quiet are those of Script itself."};
   }
 
   void add_flag(const std::string& name, bool& value, const std::string& help) {

@@ -58,11 +58,11 @@ struct EnergyBalance {
   double integration_error = 0.0;
   double largest_input = 0.0;    ///< over time
   double largest_kinetic = 0.0;  ///< over time; errors are judged against the larger of these two
-  std::string worst_element;     ///< with the largest error
+  std::string worst_element{};   ///< with the largest error
   double worst_element_error = 0.0;
 
-  std::vector<DissipatedEnergy> bearings;  ///< hysteretic, by place: bearings and other elements that yield
-  std::vector<DissipatedEnergy> gaps;      ///< impact, by gap
+  std::vector<DissipatedEnergy> bearings{};  ///< hysteretic, by place: bearings and other elements that yield
+  std::vector<DissipatedEnergy> gaps{};      ///< impact, by gap
 };
 
 /// What the solution cost.
@@ -82,13 +82,13 @@ struct SolverStatistics {
 /// has no part in any number of the main run but Peak::error.
 struct ErrorBars {
   bool checked = false;               ///< the companion ran to its end: every peak has an error
-  std::string companion;              ///< how it was computed, one sentence; why there is none if it was not
+  std::string companion{};            ///< how it was computed, one sentence; why there is none if it was not
   std::size_t companion_impacts = 0;  ///< the main run's are CaseResult::impacts
-  SolverStatistics companion_solver;
+  SolverStatistics companion_solver{};
   /// The two runs differ in their number of impacts, or there are unsettled peaks.
   bool sensitive = false;
-  std::string reason;           ///< of `sensitive`, one sentence
-  std::vector<Peak> unsettled;  ///< copies of the peaks whose error exceeds 1 % of their value
+  std::string reason{};           ///< of `sensitive`, one sentence
+  std::vector<Peak> unsettled{};  ///< copies of the peaks whose error exceeds 1 % of their value
 };
 
 /// The motion as it was applied.
@@ -121,7 +121,7 @@ struct CaseResult {
   Table histories;
   EnergyBalance energy;
   SolverStatistics solver;
-  ErrorBars error_bars;
+  ErrorBars error_bars{};
   std::vector<std::string> warnings;     ///< what may spoil the numbers, with what to do about it
   std::vector<std::string> assumptions;  ///< one sentence each: scheme, step, damping, sign conventions ...
 };
