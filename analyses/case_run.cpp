@@ -53,12 +53,12 @@ void CaseRun::run_companion() {
   const SolverStatistics& spent = transient_.statistics();
   const auto solves = static_cast<double>(std::max(spent.newton_iterations, spent.accepted_steps));
   if (options_.error_bars == ErrorBarMode::never) {
-    about_companion_ = "None, because it was not wanted (CaseOptions::error_bars).";
+    about_companion_ = "No error bars: they were not wanted (CaseOptions::error_bars).";
   } else if (!untouched_ ||
              (options_.error_bars == ErrorBarMode::automatic && !companion_is_cheap(*untouched_, solves))) {
     about_companion_ =
-        "None, because it would cost more than about 20 ms; --check (in code CaseOptions::error_bars = "
-        "ErrorBarMode::always) runs it in any case.";
+        "No error bars: the second run would cost more than about 20 ms. --check (in code CaseOptions::error_bars = "
+        "ErrorBarMode::always) makes it in any case.";
   } else {
     const TransientOptions finer = companion_options(options_.transient, spent.longest_step);
     about_companion_ = companion_description(finer);
@@ -66,7 +66,7 @@ void CaseRun::run_companion() {
       companion_ = compute_peaks(*untouched_, transient_.motion(), finer, companion_observer_);
     } catch (const Error& error) {
       companion_failure_ = error.what();
-      about_companion_ = "None, because it failed.";
+      about_companion_ = "No error bars: the second run failed.";
     }
   }
   untouched_.reset();

@@ -70,7 +70,7 @@ class CaseRun {
   HistoryRecorder histories_;
   StepObserver* companion_observer_ = nullptr;
   std::optional<PeaksAndImpacts> companion_;
-  std::string about_companion_ = "None, because the run did not reach its end.";
+  std::string about_companion_ = "No error bars: the run did not reach its end.";
   std::string companion_failure_;
 };
 

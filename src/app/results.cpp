@@ -24,7 +24,7 @@ void write_results(const CaseResult& result, const std::filesystem::path& folder
 namespace {
 
 std::string error_bar_line(const ErrorBars& bars) {
-  if (!bars.checked) return bars.companion.empty() ? "" : "\nsecond run for error bars: " + bars.companion + "\n";
+  if (!bars.checked) return bars.companion.empty() ? "" : "\n" + bars.companion + "\n";
   char line[160];
   std::snprintf(
       line, sizeof line,

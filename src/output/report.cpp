@@ -88,8 +88,7 @@ std::string peak_value(const PeakRow& peak) {
 
 std::string error_bar_note(const CaseResult& result) {
   const ErrorBars& bars = result.error_bars;
-  if (!bars.checked)
-    return bars.companion.empty() ? "" : "<p>Second run for errors: " + escaped(bars.companion) + "</p>\n";
+  if (!bars.checked) return bars.companion.empty() ? "" : "<p>" + escaped(bars.companion) + "</p>\n";
   std::string html = "<p>&plusmn; is the estimated numerical error. " + escaped(error_bar_method) +
                      " Second run: " + escaped(bars.companion) + " It took " +
                      std::to_string(bars.companion_solver.accepted_steps) + " steps and " +

@@ -26,7 +26,7 @@ RoundedError rounded_error(double error) {
   const double rounded = digits * std::pow(10.0, -decimals);
   if (decimals <= most_decimals_as_number) return {with_decimals(rounded, decimals < 0 ? 0 : decimals), decimals};
   char text[32];
-  std::snprintf(text, sizeof text, "%.0e", rounded);
+  std::snprintf(text, sizeof text, "%.2g", rounded);
   return {text, decimals};
 }
 

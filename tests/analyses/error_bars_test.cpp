@@ -344,7 +344,7 @@ TEST(ErrorBarMode, ACompanionThatFailsCostsNothingButTheBars) {
   uses = 0;
   const CaseResult result = run_worn(uses, needed + 10, ErrorBarMode::always);
   EXPECT_FALSE(result.error_bars.checked);
-  EXPECT_EQ(result.error_bars.companion, "None, because it failed.");
+  EXPECT_EQ(result.error_bars.companion, "No error bars: the second run failed.");
   ASSERT_FALSE(result.warnings.empty());
   EXPECT_TRUE(result.warnings.back().starts_with(
       "There are no error bars, because the second run with finer steps failed: The step from t = "))
@@ -362,7 +362,7 @@ TEST(ErrorBarMode, AFailedRunHasNoCompanion) {
   CaseRun run{model, still_ground(1 * s), {.error_bars = ErrorBarMode::always}};
   EXPECT_THROW(run.run(), ConvergenceError);
   EXPECT_FALSE(run.result().error_bars.checked);
-  EXPECT_EQ(run.result().error_bars.companion, "None, because the run did not reach its end.");
+  EXPECT_EQ(run.result().error_bars.companion, "No error bars: the run did not reach its end.");
 }
 
 }  // namespace
