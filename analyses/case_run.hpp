@@ -51,7 +51,7 @@ class CaseRun {
   void attach(StepObserver& observer) { transient_.attach(observer); }
   /// Calls the observer for the steps of the companion, if there is one; it must outlive the run.
   void attach_to_companion(StepObserver& observer) { companion_observer_ = &observer; }
-  /// The main run, then the companion. Throws what Transient::run throws in the main run.
+  /// The main run, then the companion. Throws as Transient::run does in the main run.
   void run();
 
   [[nodiscard]] const Transient& transient() const { return transient_; }

@@ -8,7 +8,7 @@
 namespace moat {
 namespace {
 
-// What makes this kind of steps finer.
+// Advice that makes this kind of steps finer.
 std::string finer(const TransientOptions& options) {
   if (options.step.si() > 0.0) return "Take a shorter step (now " + to_text(options.step.si()) + " s)";
   if (options.integrator == Integrator::exact_between_events)

@@ -1,4 +1,4 @@
-// What a run warns of after its end, with advice that its kind of steps can follow.
+// Warnings about a finished run, with advice for its kind of steps.
 #pragma once
 
 #include <string>

@@ -14,7 +14,7 @@
 namespace moat {
 namespace {
 
-// How cautious the bars are. Chosen on some hundred random models (buildings alone, in moats and beside neighbours;
+// The caution of the bars. Chosen on some hundred random models (buildings alone, in moats and beside neighbours;
 // seven impact laws; recorded motions and pulses; fixed, adapted and exact steps) with a much finer run as truth: the
 // error is within the bar in about 99 % of their peaks, and half of the bars are less than three times the error.
 namespace caution {
@@ -177,8 +177,8 @@ ErrorBars estimate_errors(std::vector<Peak>& peaks, std::size_t impacts, const P
 }
 
 bool companion_is_cheap(const Model& model, double solves) {
-  // Measured for buildings of 1 to 400 storeys: one solve with its share of everything else, and how many of the main
-  // run's the companion costs.
+  // Measured for buildings of 1 to 400 storeys: one solve with its share of everything else, and the cost of the
+  // companion in main runs.
   constexpr double seconds_per_solve = 0.35e-6, seconds_per_element = 0.027e-6, companion_per_main = 2.5;
   constexpr double cheap = 0.020;  // s
   std::size_t elements = 0;

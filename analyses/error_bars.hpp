@@ -1,4 +1,4 @@
-// How exact the peaks of a run are, told by a second run.
+// Error bars of peaks, from a second run with finer steps.
 #pragma once
 
 #include <cstddef>
@@ -24,7 +24,7 @@ TransientOptions companion_options(const TransientOptions& options, double longe
 /// The companion in one sentence, for reports.
 std::string companion_description(const TransientOptions& companion);
 
-/// What one run says of its peaks.
+/// Peaks and number of impacts of one run, and its cost.
 struct PeaksAndImpacts {
   std::vector<Peak> peaks;
   std::size_t impacts = 0;
@@ -32,7 +32,7 @@ struct PeaksAndImpacts {
 };
 
 /// Runs the model and returns its peaks and impacts. The observer, if any, is told of every step.
-/// Throws what Transient throws.
+/// Throws as Transient does.
 PeaksAndImpacts compute_peaks(Model& model, const GroundMotion& motion, const TransientOptions& options,
                               StepObserver* observer = nullptr);
 

@@ -77,8 +77,8 @@ struct TransientOptions {
   int largest_events_per_second = 10000;
 };
 
-/// The longest adapted or exact step of an analysis, s: what TransientOptions::largest_step says of a motion whose
-/// samples are `sample_interval` > 0 s apart.
+/// The longest adapted or exact step of an analysis, s, by TransientOptions::largest_step and the interval of the
+/// motion's samples, > 0 s.
 double longest_step(const TransientOptions& options, double sample_interval);
 
 /// Integrates M a + f(u, v) = -M iota a_g(t) from the model's committed state.

@@ -31,7 +31,7 @@ std::string error_bar_line(const ErrorBars& bars) {
       "\n+- estimated numerical error, from a second run with finer steps (%zu impact%s, %ld steps, %.3g s)\n",
       bars.companion_impacts, bars.companion_impacts == 1 ? "" : "s", bars.companion_solver.accepted_steps,
       bars.companion_solver.cpu_seconds);
-  return line + (bars.sensitive ? "the case is sensitive: " + bars.reason + "\n" : std::string{});
+  return line;
 }
 
 }  // namespace

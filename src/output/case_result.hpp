@@ -78,8 +78,8 @@ struct SolverStatistics {
   double longest_step = 0.0;  ///< s, of the accepted steps
 };
 
-/// What a second run of the same case with finer steps, the companion, told of the numerical errors of the peaks. It
-/// has no part in any number of the main run but Peak::error.
+/// The second run of the same case with finer steps, the companion, and its verdict. It has no part in any number of
+/// the main run but Peak::error.
 struct ErrorBars {
   bool checked = false;               ///< the companion ran to its end: every peak has an error
   std::string companion{};            ///< how it was computed, one sentence; why there is none if it was not
@@ -106,7 +106,7 @@ struct NamedPeriod {
   double value = 0.0;  ///< s
 };
 
-/// How the errors of the peaks are found, for reports.
+/// The method behind Peak::error, for reports.
 inline constexpr const char* error_bar_method =
     "Every peak is computed again by a second run with finer steps; the error is estimated from the difference of the "
     "two "

@@ -29,6 +29,7 @@ td:first-child { white-space: nowrap; }
 td.number, th.number { text-align: right; font-variant-numeric: tabular-nums; }
 td.error { padding-left: 0; white-space: nowrap; font-variant-numeric: tabular-nums; }
 tr.group th:nth-child(3):empty { padding: 0; }
+tr.unsettled td { background: #fdf0e0; }
 .missing { visibility: hidden; }
 .sensitive { background: #fdf0e0; border-left: 4px solid #c55a11; padding: .5em .9em; }
 svg { max-width: 100%; height: auto; display: block; }
@@ -95,7 +96,8 @@ std::string error_bar_note(const CaseResult& result) {
                      number_with_unit(bars.companion_solver.cpu_seconds, "s") + " of processor time, and has " +
                      std::to_string(bars.companion_impacts) + " impacts.</p>\n";
   if (bars.sensitive)
-    html += "<p class=\"sensitive\"><strong>The case is sensitive:</strong> " + escaped(bars.reason) + ".</p>\n";
+    html += "<p class=\"sensitive\"><strong>The case is sensitive:</strong> " + escaped(bars.reason) + "." +
+            (bars.unsettled.empty() ? "" : " Peaks that are not settled are shaded.") + "</p>\n";
   return html;
 }
 
@@ -108,7 +110,11 @@ std::string peak_section(const CaseResult& result) {
     if (with_errors) html += "<th></th>";
     html += "<th class=\"number\">at s</th></tr>\n";
     for (const PeakRow& peak : group.rows) {
-      html += "<tr><td>" + escaped(peak.where) + "</td><td class=\"number\">" + peak_value(peak) + "</td>";
+      const bool unsettled = std::ranges::any_of(result.error_bars.unsettled, [&](const Peak& each) {
+        return in_words(each.quantity) == group.quantity && each.where == peak.where;
+      });
+      html += std::string{unsettled ? "<tr class=\"unsettled\">" : "<tr>"} + "<td>" + escaped(peak.where) +
+              "</td><td class=\"number\">" + peak_value(peak) + "</td>";
       if (with_errors) html += "<td class=\"error\">" + (peak.error.empty() ? "" : "&plusmn; " + peak.error) + "</td>";
       html += "<td class=\"number\">" + peak.time + "</td></tr>\n";
     }

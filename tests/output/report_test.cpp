@@ -87,8 +87,11 @@ TEST_F(Report, ShowsErrorsAndSaysWhatTheyAre) {
   EXPECT_EQ(html.find("The case is sensitive"), std::string::npos);
   result.error_bars.sensitive = true;
   result.error_bars.reason = "1 < 2 peaks are not settled";
+  result.error_bars.unsettled = {result.peaks[1]};
   html = written(result);
   EXPECT_NE(html.find("The case is sensitive:</strong> 1 &lt; 2 peaks are not settled."), std::string::npos);
+  EXPECT_NE(html.find("<tr class=\"unsettled\"><td>floor 1</td>"), std::string::npos);
+  EXPECT_EQ(count(html, "class=\"unsettled\""), 1u);
 }
 
 TEST_F(Report, SaysWhyThereAreNoErrors) {
