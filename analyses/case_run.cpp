@@ -1,10 +1,11 @@
 #include "analyses/case_run.hpp"
 
 #include <algorithm>
-#include <cmath>
 
+#include "analyses/case_warnings.hpp"
 #include "analyses/periods.hpp"
 #include "base/check.hpp"
+#include "base/error.hpp"
 
 namespace moat {
 namespace {
@@ -26,11 +27,23 @@ bool rows_at_steps(double interval, double step) {
   return std::abs(ratio - std::round(ratio)) < 1e-9 * ratio && ratio > 0.5;
 }
 
+// A companion needs the model as it was, and a copy of a large one that is never used would be a waste.
+std::optional<Model> copy_for_companion(const Model& model, const GroundMotion& motion, const CaseOptions& options) {
+  if (options.error_bars == ErrorBarMode::never) return std::nullopt;
+  if (options.error_bars == ErrorBarMode::always) return model;
+  const TransientOptions& transient = options.transient;
+  const double end = transient.end.si() > 0.0 ? transient.end.si() : motion.duration();
+  const double step = transient.step.si() > 0.0 ? transient.step.si() : longest_step(transient, motion.time_step());
+  if (!companion_is_cheap(model, (end - model.state().time) / step)) return std::nullopt;
+  return model;
+}
+
 }  // namespace
 
 CaseRun::CaseRun(Model& model, const GroundMotion& motion, CaseOptions options)
     : options_{checked(std::move(options))},
       periods_{characteristic_periods(model)},
+      untouched_{copy_for_companion(model, motion, options_)},
       transient_{model, motion, options_.transient},
       peaks_{model},
       histories_{model, history_interval(options_, motion), &energy_,
@@ -40,6 +53,34 @@ CaseRun::CaseRun(Model& model, const GroundMotion& motion, CaseOptions options)
   attach(peaks_);
   attach(impacts_);
   attach(histories_);
+}
+
+void CaseRun::run() {
+  transient_.run();
+  run_companion();
+}
+
+void CaseRun::run_companion() {
+  const SolverStatistics& spent = transient_.statistics();
+  const auto solves = static_cast<double>(std::max(spent.newton_iterations, spent.accepted_steps));
+  if (options_.error_bars == ErrorBarMode::never) {
+    about_companion_ = "No error bars: they were not wanted (CaseOptions::error_bars).";
+  } else if (!untouched_ ||
+             (options_.error_bars == ErrorBarMode::automatic && !companion_is_cheap(*untouched_, solves))) {
+    about_companion_ =
+        "No error bars: the second run would cost more than about 20 ms. --check (in code CaseOptions::error_bars = "
+        "ErrorBarMode::always) makes it in any case.";
+  } else {
+    const TransientOptions finer = companion_options(options_.transient, spent.longest_step);
+    about_companion_ = companion_description(finer);
+    try {
+      companion_ = compute_peaks(*untouched_, transient_.motion(), finer, companion_observer_);
+    } catch (const Error& error) {
+      companion_failure_ = error.what();
+      about_companion_ = "No error bars: the second run failed.";
+    }
+  }
+  untouched_.reset();
 }
 
 CaseResult CaseRun::result() const {
@@ -56,14 +97,18 @@ CaseResult CaseRun::result() const {
                     .histories = histories_.table(),
                     .energy = energy_.balance(transient_.model()),
                     .solver = transient_.statistics(),
+                    .error_bars = {},
                     .warnings = transient_.warnings(),
                     .assumptions = transient_.assumptions()};
-  const double scale = std::max(result.energy.largest_input, result.energy.largest_kinetic);
-  const double error = scale > 0.0 ? std::abs(result.energy.integration_error) / scale : 0.0;
-  if (error > options_.warn_above_energy_error)
-    result.warnings.push_back("The energy of the elements is off by " + to_text(100.0 * error) +
-                              " % of the largest input or kinetic energy, most at \"" + result.energy.worst_element +
-                              "\". Take a shorter step or a tighter tolerance.");
+  for (std::string& warning : energy_warnings(result.energy, options_.warn_above_energy_error, options_.transient))
+    result.warnings.push_back(std::move(warning));
+  if (companion_) result.error_bars = estimate_errors(result.peaks, result.impacts.size(), *companion_);
+  result.error_bars.companion = about_companion_;
+  if (result.error_bars.sensitive)
+    result.warnings.push_back(sensitivity_warning(result.error_bars, result.impacts.size(), options_.transient));
+  if (!companion_failure_.empty())
+    result.warnings.push_back("There are no error bars, because the second run with finer steps failed: " +
+                              companion_failure_);
   result.assumptions.insert(
       result.assumptions.end(),
       {"Displacements and velocities are relative to the ground, accelerations absolute; positive to the right.",

@@ -1,8 +1,10 @@
 // One model under one motion, with everything that is reported about it.
 #pragma once
 
+#include <optional>
 #include <string>
 
+#include "analyses/error_bars.hpp"
 #include "analyses/transient.hpp"
 #include "output/case_result.hpp"
 #include "output/energy_ledger.hpp"
@@ -12,20 +14,32 @@
 
 namespace moat {
 
+/// When a run is followed by a companion with finer steps, from which its peaks get their errors.
+enum class ErrorBarMode {
+  automatic,  ///< where that costs less than about 20 ms of processor time (companion_is_cheap)
+  always,
+  never,
+};
+
 struct CaseOptions {
   std::string title{};
   TransientOptions transient{};
   /// >= 0 s. Interval of the histories; 0: that of the motion.
   Time history_interval{};
-  /// > 0. Integration error, as a fraction of the largest input or kinetic energy, above which a warning names the worst element.
+  /// > 0. Integration error, and residual of the equations, as a fraction of the largest input or kinetic energy, above
+  /// which there is a warning.
   double warn_above_energy_error = 1e-3;
+  ErrorBarMode error_bars = ErrorBarMode::automatic;
 };
 
-/// A time history with peaks, impacts, histories, periods and solver statistics.
+/// A time history with peaks and their errors, impacts, histories, periods and solver statistics.
 ///
 ///     CaseRun run{model, motion, {.title = "..."}};
 ///     run.run();                                  // may throw ConvergenceError ...
 ///     const CaseResult result = run.result();     // ... and this still tells all up to then
+///
+/// The companion (analyses/error_bars.hpp) moves a copy of the model, taken before the first step. If it fails, the
+/// result has no error bars and a warning that says why.
 class CaseRun {
  public:
   /// The model must outlive the run. Throws InputError for an option outside its range.
@@ -35,19 +49,29 @@ class CaseRun {
 
   /// Calls the observer too; it must outlive the run.
   void attach(StepObserver& observer) { transient_.attach(observer); }
-  void run() { transient_.run(); }
+  /// Calls the observer for the steps of the companion, if there is one; it must outlive the run.
+  void attach_to_companion(StepObserver& observer) { companion_observer_ = &observer; }
+  /// The main run, then the companion. Throws as Transient::run does in the main run.
+  void run();
 
   [[nodiscard]] const Transient& transient() const { return transient_; }
   [[nodiscard]] CaseResult result() const;
 
  private:
+  void run_companion();
+
   CaseOptions options_;
   std::vector<NamedPeriod> periods_;
+  std::optional<Model> untouched_;  // for the companion
   Transient transient_;
   EnergyLedger energy_;
   PeakRecorder peaks_;
   ImpactRecorder impacts_;
   HistoryRecorder histories_;
+  StepObserver* companion_observer_ = nullptr;
+  std::optional<PeaksAndImpacts> companion_;
+  std::string about_companion_ = "No error bars: the run did not reach its end.";
+  std::string companion_failure_;
 };
 
 /// Runs one case and returns its result.

@@ -10,9 +10,8 @@
 #include <set>
 #include <thread>
 
+#include "analyses/error_bars.hpp"
 #include "base/check.hpp"
-#include "output/impact_recorder.hpp"
-#include "output/peak_recorder.hpp"
 
 namespace moat {
 namespace {
@@ -194,21 +193,32 @@ StudyResult run_study(const std::vector<StudyAxis>& axes, const std::function<St
                       const StudyOptions& options) {
   const auto compute = [&](const StudyCase& each) {
     StudyModel study = make(each);
-    return peaks_of(study.model, study.motion, options.transient);
+    return peaks_of(study.model, study.motion, options.transient, options.error_bars);
   };
   return run_study(axes, std::function<StudyRecord(const StudyCase&)>{compute}, options);
 }
 
-StudyRecord peaks_of(Model& model, const GroundMotion& motion, const TransientOptions& options) {
-  Transient transient{model, motion, options};
-  PeakRecorder peaks{model};
-  ImpactRecorder impacts;
-  transient.attach(peaks);
-  transient.attach(impacts);
-  transient.run();
+StudyRecord peaks_of(Model& model, const GroundMotion& motion, const TransientOptions& options, bool error_bars) {
+  std::optional<Model> untouched;
+  if (error_bars) untouched = model;
+  PeaksAndImpacts main = compute_peaks(model, motion, options);
+  double sensitive = std::numeric_limits<double>::quiet_NaN();
+  if (error_bars) {
+    try {
+      const PeaksAndImpacts companion =
+          compute_peaks(*untouched, motion, companion_options(options, main.solver.longest_step));
+      sensitive = estimate_errors(main.peaks, main.impacts, companion).sensitive ? 1.0 : 0.0;
+    } catch (const Error&) {
+      // The case itself is computed; its errors stay unknown.
+    }
+  }
   StudyRecord record;
-  for (const Peak& peak : peaks.peaks()) record.push_back({peak.quantity, peak.where, peak.unit, peak.value});
-  record.push_back({"impacts", "", "1", static_cast<double>(impacts.impacts().size())});
+  for (const Peak& peak : main.peaks) {
+    record.push_back({peak.quantity, peak.where, peak.unit, peak.value});
+    if (error_bars) record.push_back({peak.quantity + "_error", peak.where, peak.unit, peak.error});
+  }
+  record.push_back({"impacts", "", "1", static_cast<double>(main.impacts)});
+  if (error_bars) record.push_back({"sensitive", "", "1", sensitive});
   return record;
 }
 

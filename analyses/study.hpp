@@ -72,6 +72,10 @@ struct StudyOptions {
   int threads = 0;
   /// How the time history of a StudyModel is computed.
   TransientOptions transient{};
+  /// Whether every StudyModel runs a second time with finer steps (analyses/error_bars.hpp), which costs two to three
+  /// times as much again. Every peak then has its error, as a result of its own ("displacement_error" of "base"), and
+  /// every case the result "sensitive": 1 if it is, 0 if not. Both are NaN where the second run failed.
+  bool error_bars = false;
   /// Called after every case with the number of cases done and of all cases, by one thread at a time.
   std::function<void(std::size_t done, std::size_t all)> progress{};
 };
@@ -134,13 +138,21 @@ class StudyError : public Error {
 StudyResult run_study(const std::vector<StudyAxis>& axes, const std::function<StudyRecord(const StudyCase&)>& compute,
                       const StudyOptions& options = {});
 
-/// The same for models: the results are all peaks, as PeakRecorder names them, and the number of `impacts`.
+/// The same for models: the results are all peaks, as PeakRecorder names them, and the number of `impacts`; with
+/// StudyOptions::error_bars also their errors:
+///
+///     result.values("impact_force", "moat");         // N
+///     result.values("impact_force_error", "moat");   // N, the first holds to +- this
+///     result.values("sensitive", "");                // 0 or 1
+///
 /// No histories are kept.
 StudyResult run_study(const std::vector<StudyAxis>& axes, const std::function<StudyModel(const StudyCase&)>& make,
                       const StudyOptions& options = {});
 
-/// Peaks of one model under one motion, and the number of impacts: what a case of a study computes.
-StudyRecord peaks_of(Model& model, const GroundMotion& motion, const TransientOptions& options = {});
+/// Peaks of one model under one motion, and the number of impacts: what a case of a study computes. With error_bars
+/// also "..._error" of every peak, and "sensitive" (StudyOptions::error_bars).
+StudyRecord peaks_of(Model& model, const GroundMotion& motion, const TransientOptions& options = {},
+                     bool error_bars = false);
 
 /// The value of one entry. Throws InputError if there is none of this name and place.
 double value_of(const StudyRecord& record, std::string_view quantity, std::string_view where);

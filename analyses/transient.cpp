@@ -25,6 +25,7 @@ TransientOptions checked(const TransientOptions& options) {
   check.that(options.tolerance >= 1e-12 && options.tolerance < 1.0, "tolerance", options.tolerance, "1",
              ">= 1e-12 and < 1", to_text(TransientOptions{}.tolerance) + " is the default; below 1e-12 is round-off.");
   check.that(options.steps_per_contact >= 4, "steps_per_contact", options.steps_per_contact, "1", ">= 4");
+  check.not_negative("largest_step", options.largest_step);
   check.between("largest_halvings", options.largest_halvings, 0, 40, "1");
   check.that(options.threads >= 1, "threads", options.threads, "1", ">= 1");
   check.not_negative("end", options.end);
@@ -53,6 +54,16 @@ double next_grid_time(double time, double step) {
 
 }  // namespace
 
+double longest_step(const TransientOptions& options, double sample_interval) {
+  constexpr int most_halvings = 40;
+  double step = sample_interval;
+  if (options.largest_step.si() <= 0.0) return step;
+  // Half of a step that was given as a power of two must not be missed by round-off.
+  for (int halvings = 0; halvings < most_halvings && step > options.largest_step.si() * (1.0 + 1e-9); ++halvings)
+    step *= 0.5;
+  return step;
+}
+
 Transient::Transient(Model& model, GroundMotion motion, TransientOptions options)
     : model_{&model},
       motion_{std::move(motion)},
@@ -61,14 +72,15 @@ Transient::Transient(Model& model, GroundMotion motion, TransientOptions options
       newton_{equations_, {.tolerance = options.force_tolerance, .largest_iterations = options.largest_iterations}},
       control_{model,
                {.fixed_step = options_.step.si(),
-                .grid_interval = motion_.time_step(),
+                .grid_interval = longest_step(options_, motion_.time_step()),
                 .tolerance = options_.tolerance,
                 .steps_per_contact = options_.steps_per_contact,
                 .largest_halvings = options_.largest_halvings,
                 .scheme = options_.scheme,
                 .lowest_acceleration = share_of_ground_that_counts * motion_.peak_acceleration().si()}},
       chatter_{options_.largest_events_per_second} {
-  if (options_.integrator == Integrator::exact_between_events) exact_.emplace(model, motion_.time_step());
+  if (options_.integrator == Integrator::exact_between_events)
+    exact_.emplace(model, longest_step(options_, motion_.time_step()));
   end_ = options_.end.si() > 0.0 ? options_.end.si() : motion_.duration();
   Check{"Transient", motion_.name()}.that(
       model.state().time < end_,
@@ -327,6 +339,7 @@ void Transient::commit(const StepTask& step) {
   model_->commit(work_rule());
   ground_ = step.ground_acceleration;
   ++statistics_.accepted_steps;
+  statistics_.longest_step = std::max(statistics_.longest_step, step.length);
   statistics_.factorisations = equations_.factorisations();
   control_.accepted(*model_, step.length, ground_);
 }
@@ -355,7 +368,7 @@ std::vector<std::string> Transient::assumptions() const {
   const std::string step =
       control_.adaptive() ? "step adapted to an error of " + to_text(options_.tolerance) +
                                 " of each node's acceleration and to " + std::to_string(options_.steps_per_contact) +
-                                " steps per contact, at most " + to_text(motion_.time_step()) + " s"
+                                " steps per contact, at most " + to_text(longest_step(options_, motion_.time_step())) + " s"
                           : "fixed step of " + to_text(options_.step.si()) + " s";
   const std::string exact = exact_ ? "Exact steps from sample to sample while no gap is closed; in contact: " : "";
   std::string scheme = "beta = " + to_text(options_.scheme.value_or(NewmarkScheme{}).beta) + ", gamma = 1/2, ";

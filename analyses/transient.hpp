@@ -62,7 +62,11 @@ struct TransientOptions {
   /// alone. 32 give restitution to 1e-3, 1024 to 1e-6. A fixed step with fewer than 32 warns.
   int steps_per_contact = 32;
 
-  /// >= 0, <= 40. Adaptive step: how often the interval of the samples may be halved.
+  /// >= 0 s. Adaptive step, and exact steps: the longest step. It is the interval of the samples divided by the
+  /// smallest power of two that gives at most this, at most 2^40; 0: the interval of the samples.
+  Time largest_step{};
+
+  /// >= 0, <= 40. Adaptive step: how often the longest step may be halved.
   int largest_halvings = 24;
 
   /// >= 1. Threads for the evaluation and assembly of elements; results are the same to the last bit. More than one
@@ -91,6 +95,10 @@ struct TransientOptions {
   /// >= 1. Changes of one element per second of motion, averaged over a second, before the analysis gives up.
   int largest_events_per_second = 10000;
 };
+
+/// The longest adapted or exact step of an analysis, s, by TransientOptions::largest_step and the interval of the
+/// motion's samples, > 0 s.
+double longest_step(const TransientOptions& options, double sample_interval);
 
 /// Integrates M a + f(u, v) = -M iota a_g(t) from the model's committed state.
 ///

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <chrono>
+#include <string>
 
 #include "output/step_observer.hpp"
 
@@ -10,8 +11,8 @@ namespace moat {
 /// On a terminal a bar that redraws itself; otherwise one line for every 10 %. To standard error.
 class ProgressDisplay final : public StepObserver {
  public:
-  /// end: s, the time at which the analysis ends.
-  explicit ProgressDisplay(double end);
+  /// end: s, the time at which the analysis ends. The label, if any, stands before everything shown.
+  explicit ProgressDisplay(double end, std::string label = "");
 
   void start(const StepView& view) override;
   void step(const StepView& view) override;
@@ -22,6 +23,7 @@ class ProgressDisplay final : public StepObserver {
   void show(double time);
 
   double end_;
+  std::string label_;
   bool terminal_;
   int shown_tenths_ = 0;
   int steps_until_look_ = 0;

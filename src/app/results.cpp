@@ -21,6 +21,21 @@ void write_results(const CaseResult& result, const std::filesystem::path& folder
   if (const auto charts = history_charts(result); !charts.empty()) write_svg(charts, folder / results_file::charts);
 }
 
+namespace {
+
+std::string error_bar_line(const ErrorBars& bars) {
+  if (!bars.checked) return bars.companion.empty() ? "" : "\n" + bars.companion + "\n";
+  char line[160];
+  std::snprintf(
+      line, sizeof line,
+      "\n+- estimated numerical error, from a second run with finer steps (%zu impact%s, %ld steps, %.3g s)\n",
+      bars.companion_impacts, bars.companion_impacts == 1 ? "" : "s", bars.companion_solver.accepted_steps,
+      bars.companion_solver.cpu_seconds);
+  return line;
+}
+
+}  // namespace
+
 std::string terminal_summary(const CaseResult& result) {
   std::string text;
   char line[160];
@@ -31,7 +46,7 @@ std::string terminal_summary(const CaseResult& result) {
     std::snprintf(line, sizeof line, "  %.3f\n", period.value);
     text += "  " + period.name + std::string(width - period.name.size(), ' ') + line;
   }
-  text += "\n" + peak_table(result);
+  text += "\n" + peak_table(result) + error_bar_line(result.error_bars);
   const EnergyBalance& energy = result.energy;
   std::snprintf(
       line, sizeof line, "\nenergy [kJ]\n  input %.4g = kinetic %.4g + strain %.4g + viscous %.4g + hysteretic %.4g",

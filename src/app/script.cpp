@@ -68,7 +68,7 @@ struct Script::CommandLine {
     if (app.get_option_no_throw("--" + name) != nullptr)
       throw InputError{"--" + name +
                        ": there is an option of this name. Name each once; help, record and record-unit, " +
-                       "out, force, step, tolerance, end, frame-interval and quiet are those of Script itself."};
+                       "out, force, step, tolerance, integrator, end, frame-interval, check and quiet are those of Script itself."};
   }
 
   void add_flag(const std::string& name, bool& value, const std::string& help) {
@@ -182,13 +182,14 @@ int Script::run(Model& model, const GroundMotion& motion) {
   CommandLine& line = *command_line_;
   const std::filesystem::path default_folder = std::filesystem::path{"results"} / line.program;
   const std::string wanted = text("out", default_folder.string(), "results folder; an existing one gets a new number");
-  bool force = false, quiet = false;
+  bool force = false, quiet = false, check = false;
   line.add_flag("force", force, "overwrite an existing results folder");
   const Time step = time("step", 0 * units::s, "fixed time step; 0 s adapts it");
   const double tolerance = number("tolerance", TransientOptions{}.tolerance, "error per step of an adapted step");
   const std::string integrator = text("integrator", "newmark", "newmark, or exact-between-events for small models");
   const Time end = time("end", motion.duration() * units::s, "end of the analysis");
   const Time frame_interval = time("frame-interval", 50 * units::ms, "between VTK frames; 0 s writes none");
+  line.add_flag("check", check, "error bars also where the second run they need costs more than about 20 ms");
   line.add_flag("quiet", quiet, "print errors only");
   // Asked for anywhere, also where an option would take it for its value.
   if (line.help_wanted) {
@@ -206,22 +207,25 @@ int Script::run(Model& model, const GroundMotion& motion) {
   if (integrator != "newmark" && integrator != "exact-between-events")
     throw InputError{"--integrator: \"" + integrator + "\" is not known. Give newmark or exact-between-events."};
   Check{"Script", ""}.not_negative("--frame-interval", frame_interval);
-  CaseRun run{model,
-              motion,
-              {.title = line.app.get_description(),
-               .transient = {.integrator = integrator == "newmark" ? Integrator::newmark
-                                                                   : Integrator::exact_between_events,
-                             .step = step,
-                             .tolerance = tolerance,
-                             .end = end}}};
+  CaseRun run{
+      model,
+      motion,
+      {.title = line.app.get_description(),
+       .transient = {.integrator = integrator == "newmark" ? Integrator::newmark : Integrator::exact_between_events,
+                     .step = step,
+                     .tolerance = tolerance,
+                     .end = end},
+       .error_bars = check ? ErrorBarMode::always : ErrorBarMode::automatic}};
   const std::filesystem::path folder =
       make_results_folder(wanted, force ? WhenFolderExists::overwrite : WhenFolderExists::use_new_number);
   std::optional<FrameRecorder> frames;
   if (frame_interval.si() != 0.0) run.attach(frames.emplace(model, folder, frame_interval.si()));
-  std::optional<ProgressDisplay> progress;
+  std::optional<ProgressDisplay> progress, progress_of_check;
   if (!quiet) {
     std::cout << line.app.get_description() << "\n" << motion.description() << "\n" << std::flush;
     run.attach(progress.emplace(run.transient().end_time()));
+    // Without --check the second run is over at once.
+    if (check) run.attach_to_companion(progress_of_check.emplace(run.transient().end_time(), "check:"));
   }
 
   std::string failure;

@@ -52,7 +52,7 @@ class Script {
   GroundMotion motion(const GroundMotion& preset);
 
   /// Computes the model under the motion, shows progress and peaks, writes the results folder, and returns the exit
-  /// code. Adds --out, --force, --step, --tolerance, --integrator, --end, --frame-interval, --quiet.
+  /// code. Adds --out, --force, --step, --tolerance, --integrator, --end, --frame-interval, --check, --quiet.
   int run(Model& model, const GroundMotion& motion);
 
  private:

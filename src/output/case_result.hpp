@@ -1,6 +1,8 @@
 // Everything one run of one model under one motion produced, in SI units.
 #pragma once
 
+#include <cstddef>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -15,6 +17,8 @@ struct Peak {
   double value = 0.0;    ///< magnitude, >= 0
   std::string unit;      ///< SI: "m", "m/s^2", "N"
   double time = 0.0;     ///< s; when it was reached
+  /// >= 0, in `unit`. Estimated numerical error of the value: value +- error. NaN: not known (see ErrorBars).
+  double error = std::numeric_limits<double>::quiet_NaN();
 };
 
 /// One contact from touch until the gap opens again. ImpactRecorder says where the two ratios are NaN.
@@ -52,25 +56,39 @@ struct EnergyBalance {
   double equation_residual = 0.0;
   /// Work of all elements less what they stored and dissipated: the error of the time integration.
   double integration_error = 0.0;
-  double largest_input = 0.0;     ///< over time
-  double largest_kinetic = 0.0;   ///< over time; errors are judged against the larger of these two
-  std::string worst_element;      ///< with the largest error
+  double largest_input = 0.0;    ///< over time
+  double largest_kinetic = 0.0;  ///< over time; errors are judged against the larger of these two
+  std::string worst_element{};   ///< with the largest error
   double worst_element_error = 0.0;
 
-  std::vector<DissipatedEnergy> bearings;  ///< hysteretic, by place: bearings and other elements that yield
-  std::vector<DissipatedEnergy> gaps;      ///< impact, by gap
+  std::vector<DissipatedEnergy> bearings{};  ///< hysteretic, by place: bearings and other elements that yield
+  std::vector<DissipatedEnergy> gaps{};      ///< impact, by gap
 };
 
 /// What the solution cost.
 struct SolverStatistics {
   long accepted_steps = 0;
-  long rejected_steps = 0;     ///< cut because Newton did not converge
-  long repeated_steps = 0;     ///< repeated shorter because the error estimate was too large
-  long event_solves = 0;       ///< solved again to land on a touch or separation
-  long events = 0;             ///< touches, separations and other located changes of regime
+  long rejected_steps = 0;  ///< cut because Newton did not converge
+  long repeated_steps = 0;  ///< repeated shorter because the error estimate was too large
+  long event_solves = 0;    ///< solved again to land on a touch or separation
+  long events = 0;          ///< touches, separations and other located changes of regime
   long newton_iterations = 0;
   long factorisations = 0;
   double cpu_seconds = 0.0;
+  double longest_step = 0.0;  ///< s, of the accepted steps
+};
+
+/// The second run of the same case with finer steps, the companion, and its verdict. It has no part in any number of
+/// the main run but Peak::error.
+struct ErrorBars {
+  bool checked = false;               ///< the companion ran to its end: every peak has an error
+  std::string companion{};            ///< how it was computed, one sentence; why there is none if it was not
+  std::size_t companion_impacts = 0;  ///< the main run's are CaseResult::impacts
+  SolverStatistics companion_solver{};
+  /// The two runs differ in their number of impacts, or there are unsettled peaks.
+  bool sensitive = false;
+  std::string reason{};           ///< of `sensitive`, one sentence
+  std::vector<Peak> unsettled{};  ///< copies of the peaks whose error exceeds 1 % of their value
 };
 
 /// The motion as it was applied.
@@ -88,6 +106,12 @@ struct NamedPeriod {
   double value = 0.0;  ///< s
 };
 
+/// The method behind Peak::error, for reports.
+inline constexpr const char* error_bar_method =
+    "Every peak is computed again by a second run with finer steps; the error is estimated from the difference of the "
+    "two "
+    "by Richardson's rule, with caution. It is that of the numerical solution, not of the model.";
+
 struct CaseResult {
   std::string title;
   MotionFacts motion;
@@ -97,6 +121,7 @@ struct CaseResult {
   Table histories;
   EnergyBalance energy;
   SolverStatistics solver;
+  ErrorBars error_bars{};
   std::vector<std::string> warnings;     ///< what may spoil the numbers, with what to do about it
   std::vector<std::string> assumptions;  ///< one sentence each: scheme, step, damping, sign conventions ...
 };

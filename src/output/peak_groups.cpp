@@ -2,10 +2,30 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string_view>
 
 #include "output/engineering_unit.hpp"
+#include "output/rounded_error.hpp"
 
 namespace moat {
+namespace {
+
+// The decimals that a number as text has, with the point.
+std::string_view decimals_of(std::string_view number) {
+  const std::size_t point = number.find('.');
+  return point == std::string_view::npos ? std::string_view{} : number.substr(point);
+}
+
+void align_points(std::vector<PeakRow>& rows) {
+  std::string_view longest;
+  for (const PeakRow& row : rows)
+    if (decimals_of(row.value).size() > longest.size()) longest = decimals_of(row.value);
+  const std::string zeros = "." + std::string(longest.empty() ? 0 : longest.size() - 1, '0');
+  if (longest.empty()) return;
+  for (PeakRow& row : rows) row.missing = zeros.substr(decimals_of(row.value).size());
+}
+
+}  // namespace
 
 std::vector<PeakGroup> group_peaks(const std::vector<Peak>& peaks) {
   std::vector<PeakGroup> groups;
@@ -22,9 +42,16 @@ std::vector<PeakGroup> group_peaks(const std::vector<Peak>& peaks) {
       largest = std::max(largest, std::abs(unit.per_si * peaks[i].value));
     }
     PeakGroup group{in_words(peaks[first].quantity), unit.symbol, {}};
-    for (const Peak* peak : members)
-      group.rows.push_back(
-          {peak->where, with_decimals(unit.per_si * peak->value, decimals_for(largest)), with_decimals(peak->time, 3)});
+    for (const Peak* peak : members) {
+      const RoundedError error = rounded_error(unit.per_si * peak->error);
+      const int decimals = std::min(decimals_for(largest), error.decimals);
+      group.rows.push_back({peak->where,
+                            with_decimals(rounded_to(unit.per_si * peak->value, decimals), std::max(decimals, 0)),
+                            {},
+                            error.text,
+                            with_decimals(peak->time, 3)});
+    }
+    align_points(group.rows);
     groups.push_back(std::move(group));
   }
   return groups;

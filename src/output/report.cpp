@@ -27,6 +27,11 @@ th { background: #f3f5f7; }
 tr.group th { background: none; padding-top: .9em; border-bottom: 1px solid #888; }
 td:first-child { white-space: nowrap; }
 td.number, th.number { text-align: right; font-variant-numeric: tabular-nums; }
+td.error { padding-left: 0; white-space: nowrap; font-variant-numeric: tabular-nums; }
+tr.group th:nth-child(3):empty { padding: 0; }
+tr.unsettled td { background: #fdf0e0; }
+.missing { visibility: hidden; }
+.sensitive { background: #fdf0e0; border-left: 4px solid #c55a11; padding: .5em .9em; }
 svg { max-width: 100%; height: auto; display: block; }
 )";
 
@@ -77,14 +82,42 @@ std::string motion_section(const CaseResult& result) {
   return html + "</table>\n";
 }
 
+// Digits that are not there still take their room, so that decimal points stand below each other.
+std::string peak_value(const PeakRow& peak) {
+  return peak.missing.empty() ? peak.value : peak.value + "<span class=\"missing\">" + peak.missing + "</span>";
+}
+
+std::string error_bar_note(const CaseResult& result) {
+  const ErrorBars& bars = result.error_bars;
+  if (!bars.checked) return bars.companion.empty() ? "" : "<p>" + escaped(bars.companion) + "</p>\n";
+  std::string html = "<p>&plusmn; is the estimated numerical error. " + escaped(error_bar_method) +
+                     " Second run: " + escaped(bars.companion) + " It took " +
+                     std::to_string(bars.companion_solver.accepted_steps) + " steps and " +
+                     number_with_unit(bars.companion_solver.cpu_seconds, "s") + " of processor time, and has " +
+                     std::to_string(bars.companion_impacts) + " impacts.</p>\n";
+  if (bars.sensitive)
+    html += "<p class=\"sensitive\"><strong>The case is sensitive:</strong> " + escaped(bars.reason) + "." +
+            (bars.unsettled.empty() ? "" : " Peaks that are not settled are shaded.") + "</p>\n";
+  return html;
+}
+
 std::string peak_section(const CaseResult& result) {
-  std::string html = "<h2>Peaks</h2>\n<table>\n";
+  std::string html = "<h2>Peaks</h2>\n" + error_bar_note(result) + "<table>\n";
+  const bool with_errors = result.error_bars.checked;
   for (const PeakGroup& group : group_peaks(result.peaks)) {
     html += "<tr class=\"group\"><th>" + escaped(capitalised(group.quantity)) + "</th><th class=\"number\">" +
-            escaped(with_raised_digits(group.unit)) + "</th><th class=\"number\">at s</th></tr>\n";
-    for (const PeakRow& peak : group.rows)
-      html += "<tr><td>" + escaped(peak.where) + "</td><td class=\"number\">" + peak.value +
-              "</td><td class=\"number\">" + peak.time + "</td></tr>\n";
+            escaped(with_raised_digits(group.unit)) + "</th>";
+    if (with_errors) html += "<th></th>";
+    html += "<th class=\"number\">at s</th></tr>\n";
+    for (const PeakRow& peak : group.rows) {
+      const bool unsettled = std::ranges::any_of(result.error_bars.unsettled, [&](const Peak& each) {
+        return in_words(each.quantity) == group.quantity && each.where == peak.where;
+      });
+      html += std::string{unsettled ? "<tr class=\"unsettled\">" : "<tr>"} + "<td>" + escaped(peak.where) +
+              "</td><td class=\"number\">" + peak_value(peak) + "</td>";
+      if (with_errors) html += "<td class=\"error\">" + (peak.error.empty() ? "" : "&plusmn; " + peak.error) + "</td>";
+      html += "<td class=\"number\">" + peak.time + "</td></tr>\n";
+    }
   }
   return html + "</table>\n";
 }

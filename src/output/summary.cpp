@@ -22,6 +22,33 @@ std::string padding(std::size_t width, const std::string& text) {
   return std::string(width - std::min(width, letters(text)), ' ');
 }
 
+Json json_of(const SolverStatistics& solver) {
+  return {{"accepted_steps", solver.accepted_steps},
+          {"rejected_steps", solver.rejected_steps},
+          {"repeated_steps", solver.repeated_steps},
+          {"event_solves", solver.event_solves},
+          {"events", solver.events},
+          {"newton_iterations", solver.newton_iterations},
+          {"factorisations", solver.factorisations},
+          {"cpu_seconds", solver.cpu_seconds},
+          {"longest_step", solver.longest_step}};
+}
+
+Json json_of(const ErrorBars& bars) {
+  Json json{{"checked", bars.checked},      {"method", error_bar_method},  {"companion", bars.companion},
+            {"companion_impacts", nullptr}, {"companion_solver", nullptr}, {"sensitive", nullptr},
+            {"reason", bars.reason}};
+  if (bars.checked) {
+    json["companion_impacts"] = bars.companion_impacts;
+    json["companion_solver"] = json_of(bars.companion_solver);
+    json["sensitive"] = bars.sensitive;
+  }
+  json["unsettled"] = Json::array();
+  for (const Peak& peak : bars.unsettled)
+    json["unsettled"].push_back(Json{{"quantity", peak.quantity}, {"where", peak.where}});
+  return json;
+}
+
 }  // namespace
 
 void write_summary_json(const CaseResult& result, const std::filesystem::path& path) {
@@ -43,7 +70,9 @@ void write_summary_json(const CaseResult& result, const std::filesystem::path& p
                                  {"where", peak.where},
                                  {"value", peak.value},
                                  {"unit", peak.unit},
-                                 {"time", peak.time}});
+                                 {"time", peak.time},
+                                 {"error", peak.error}});
+  json["error_bars"] = json_of(result.error_bars);
   json["impacts"] = result.impacts.size();
   json["impact_table"] = Json::array();
   for (const Impact& impact : result.impacts) {
@@ -73,36 +102,33 @@ void write_summary_json(const CaseResult& result, const std::filesystem::path& p
                     {"bearings", by_place(energy.bearings)},
                     {"gaps", by_place(energy.gaps)}};
   json["warnings"] = result.warnings;
-  json["solver"] = {{"accepted_steps", result.solver.accepted_steps},
-                    {"rejected_steps", result.solver.rejected_steps},
-                    {"repeated_steps", result.solver.repeated_steps},
-                    {"event_solves", result.solver.event_solves},
-                    {"events", result.solver.events},
-                    {"newton_iterations", result.solver.newton_iterations},
-                    {"factorisations", result.solver.factorisations},
-                    {"cpu_seconds", result.solver.cpu_seconds}};
+  json["solver"] = json_of(result.solver);
   // A title in another encoding must not cost the results of a run.
   write_file(path, json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
 }
 
 std::string peak_table(const CaseResult& result) {
   const std::vector<PeakGroup> groups = group_peaks(result.peaks);
-  std::size_t where_width = 0;
-  std::size_t value_width = 0;
-  std::size_t time_width = 0;
+  std::size_t where_width = 0, value_width = 0, error_width = 0, time_width = 0;
   for (const PeakGroup& group : groups) {
     for (const PeakRow& row : group.rows) {
       where_width = std::max(where_width, letters(row.where));
-      value_width = std::max(value_width, row.value.size());
+      value_width = std::max(value_width, row.value.size() + row.missing.size());
+      error_width = std::max(error_width, row.error.size());
       time_width = std::max(time_width, row.time.size());
     }
   }
+  const auto error_column = [&](const PeakRow& row) {
+    if (error_width == 0) return std::string{};
+    return (row.error.empty() ? "    " : " +- ") + row.error + padding(error_width, row.error);
+  };
   std::string text;
   for (const PeakGroup& group : groups) {
     text += "peak " + group.quantity + " [" + group.unit + "]\n";
     for (const PeakRow& row : group.rows)
-      text += "  " + row.where + padding(where_width + 2, row.where) + padding(value_width, row.value) + row.value +
-              "   at " + padding(time_width, row.time) + row.time + " s\n";
+      text += "  " + row.where + padding(where_width + 2, row.where) + padding(value_width, row.value + row.missing) +
+              row.value + std::string(row.missing.size(), ' ') + error_column(row) + "   at " +
+              padding(time_width, row.time) + row.time + " s\n";
   }
   return text;
 }

@@ -4,11 +4,13 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <atomic>
 #include <cmath>
 #include <mutex>
 #include <thread>
 
+#include "analyses/case_run.hpp"
 #include "materials/impact_laws.hpp"
 #include "message_of.hpp"
 #include "motions/near_fault_pulse.hpp"
@@ -186,6 +188,40 @@ TEST(Study, ComputesTheModelsThatItIsGiven) {
   EXPECT_EQ(result.values("impacts", "")[3], value_of(alone, "impacts", ""));
   EXPECT_EQ(message_of<InputError>([&] { (void)value_of(alone, "drift", "storey 9"); }),
             "There is no result \"drift\" of \"storey 9\".");
+}
+
+TEST(Study, GivesEveryPeakItsErrorIfAsked) {
+  const StudyResult without = run_study(gaps, pounding_building);
+  const StudyResult with = run_study(gaps, pounding_building, {.error_bars = true});
+  EXPECT_EQ(with.values("impact_force", "moat"), without.values("impact_force", "moat"));
+  EXPECT_THROW((void)without.values("impact_force_error", "moat"), InputError);
+  EXPECT_THROW((void)without.values("sensitive", ""), InputError);
+  const std::vector<double> forces = with.values("impact_force", "moat");
+  const std::vector<double> errors = with.values("impact_force_error", "moat");
+  const std::vector<double> sensitive = with.values("sensitive", "");
+  for (std::size_t i = 0; i < forces.size(); ++i) {
+    EXPECT_GT(errors[i], 0.0) << i;
+    EXPECT_TRUE(errors[i] <= 0.01 * forces[i] || sensitive[i] == 1.0) << i;
+  }
+  // The column stands beside its peak, in the same unit.
+  const std::vector<Column>& columns = with.table().columns;
+  const auto peak = std::ranges::find(columns, "impact_force", &Column::quantity);
+  ASSERT_LT(peak + 1, columns.end());
+  EXPECT_EQ((peak + 1)->quantity, "impact_force_error");
+  EXPECT_EQ((peak + 1)->where, "moat");
+  EXPECT_EQ((peak + 1)->unit, "N");
+}
+
+TEST(Study, HasTheErrorsOfASingleRun) {
+  StudyModel study = pounding_building(StudyCase{gaps, 3});
+  Model copy = study.model;
+  const StudyRecord record = peaks_of(study.model, study.motion, {}, true);
+  const CaseResult result = run_case(copy, study.motion, {.error_bars = ErrorBarMode::always});
+  for (const Peak& peak : result.peaks) {
+    EXPECT_EQ(value_of(record, peak.quantity, peak.where), peak.value) << peak.quantity << " " << peak.where;
+    EXPECT_EQ(value_of(record, peak.quantity + "_error", peak.where), peak.error) << peak.quantity << " " << peak.where;
+  }
+  EXPECT_EQ(value_of(record, "sensitive", ""), result.error_bars.sensitive ? 1.0 : 0.0);
 }
 
 }  // namespace

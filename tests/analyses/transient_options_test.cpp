@@ -41,6 +41,8 @@ TEST(TransientOptions, RefusesTimes) {
   EXPECT_EQ(refusal({.step = -1 * ms}),
             "TransientOptions: step = -0.001 s is not allowed; it must be >= 0 s and finite.");
   EXPECT_EQ(refusal({.end = -1 * s}), "TransientOptions: end = -1 s is not allowed; it must be >= 0 s and finite.");
+  EXPECT_EQ(refusal({.largest_step = -1 * ms}),
+            "TransientOptions: largest_step = -0.001 s is not allowed; it must be >= 0 s and finite.");
   EXPECT_EQ(refusal({.step = std::numeric_limits<double>::quiet_NaN() * s}),
             "TransientOptions: step = nan s is not allowed; it must be >= 0 s and finite.");
 }

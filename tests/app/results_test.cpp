@@ -17,5 +17,25 @@ TEST(TerminalSummary, AlignsPeriodsOfAnyName) {
       << text;
 }
 
+TEST(TerminalSummary, SaysWhereTheErrorBarsComeFrom) {
+  CaseResult result;
+  result.peaks = {{"displacement", "base", 0.5328, "m", 4.5, 0.0002}};
+  result.error_bars = {.checked = true,
+                       .companion = "Finer.",
+                       .companion_impacts = 1,
+                       .companion_solver = {.accepted_steps = 123, .cpu_seconds = 0.5}};
+  EXPECT_NE(terminal_summary(result).find(
+                "  base  53.28 +- 0.02   at 4.500 s\n\n"
+                "+- estimated numerical error, from a second run with finer steps (1 impact, 123 steps, 0.5 s)\n"),
+            std::string::npos)
+      << terminal_summary(result);
+}
+
+TEST(TerminalSummary, SaysWhyThereAreNoErrorBars) {
+  CaseResult result;
+  result.error_bars.companion = "No error bars: a reason.";
+  EXPECT_NE(terminal_summary(result).find("\nNo error bars: a reason.\n"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace moat

@@ -195,6 +195,7 @@ TEST_F(ScriptOptions, HelpListsEveryOptionWithItsUnitAndDefault) {
                            "--integrator TEXT=",
                            "--end [s]=",
                            "--frame-interval [s]=",
+                           "--check",
                            "--quiet",
                            "Exit code: 0 done, 1 bad input"})
     EXPECT_NE(help.find(line), std::string::npos) << line << "\n" << help;

@@ -58,13 +58,15 @@ TEST_F(ScriptRun, SummaryHasItsPeaksAndTheirSchema) {
   std::map<std::string, std::set<std::string>> places;
   std::map<std::string, std::string> units;
   for (const json& peak : summary.at("peaks")) {
-    ASSERT_EQ(peak.size(), 5u) << peak;
+    ASSERT_EQ(peak.size(), 6u) << peak;
     const std::string quantity = peak.at("quantity").get<std::string>();
     EXPECT_TRUE(places[quantity].insert(peak.at("where").get<std::string>()).second) << "listed twice: " << peak;
     units[quantity] = peak.at("unit").get<std::string>();
     EXPECT_GT(peak.at("value").get<double>(), 0.0) << peak;
     EXPECT_GE(peak.at("time").get<double>(), 0.0) << peak;
     EXPECT_LE(peak.at("time").get<double>(), 6.0) << peak;
+    EXPECT_GT(peak.at("error").get<double>(), 0.0) << peak;
+    EXPECT_LT(peak.at("error").get<double>(), 0.01 * peak.at("value").get<double>()) << peak;
   }
   const std::set<std::string> nodes{"base", "floor 1", "floor 2", "floor 3", "floor 4", "floor 5"};
   const std::set<std::string> storeys{"storey 1", "storey 2", "storey 3", "storey 4", "storey 5"};
@@ -137,6 +139,30 @@ TEST_F(ScriptRun, ProgressIsALineForEveryTenPercentWithoutATerminal) {
     expected.push_back(line);
   }
   EXPECT_EQ(lines_of(result.errors), expected);
+}
+
+TEST_F(ScriptRun, ErrorBarsOfALongRunAreMadeOnlyIfAsked) {
+  const std::vector<std::string> common{"--end", "6 s", "--step", "0.1 ms", "--frame-interval", "0 s"};
+  const ProgramResult plain = tour(common);
+  EXPECT_NE(plain.output.find("No error bars: the second run would cost more"), std::string::npos) << plain.output;
+  EXPECT_EQ(plain.output.find("+-"), std::string::npos) << plain.output;
+  EXPECT_EQ(plain.errors.find("check:"), std::string::npos) << plain.errors;
+  const json without = json::parse(text_of(folder / "results/01_moat_wall/summary.json"));
+  EXPECT_EQ(without.at("error_bars").at("checked"), false);
+  EXPECT_TRUE(without.at("peaks").at(0).at("error").is_null());
+
+  std::vector<std::string> checked = common;
+  checked.insert(checked.end(), {"--check", "--out", "checked"});
+  const ProgramResult asked = tour(checked);
+  EXPECT_NE(asked.output.find("cm]\n  base "), std::string::npos);
+  EXPECT_NE(asked.output.find(" +- "), std::string::npos) << asked.output;
+  EXPECT_NE(asked.errors.find("moat: check: 100 % of 6 s"), std::string::npos) << asked.errors;
+  const json with = json::parse(text_of(folder / "checked/summary.json"));
+  EXPECT_EQ(with.at("error_bars").at("checked"), true);
+  EXPECT_EQ(with.at("error_bars").at("companion"), "The same case with a fixed step of 5e-05 s.");
+  EXPECT_EQ(with.at("error_bars").at("companion_impacts"), with.at("impacts"));
+  for (std::size_t i = 0; i < with.at("peaks").size(); ++i)
+    EXPECT_EQ(with.at("peaks").at(i).at("value"), without.at("peaks").at(i).at("value")) << i;
 }
 
 TEST_F(ScriptRun, QuietSaysNothing) {

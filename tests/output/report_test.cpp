@@ -72,6 +72,36 @@ TEST_F(Report, NeedsNothingElse) {
   EXPECT_EQ(html.find(" id="), std::string::npos) << "ids of two charts would clash";
 }
 
+TEST_F(Report, ShowsErrorsAndSaysWhatTheyAre) {
+  CaseResult result = example();
+  result.peaks = {{"displacement", "base", 0.532812, "m", 4.5, 0.00021},
+                  {"displacement", "floor 1", 0.532812, "m", 4.5, 0.0031}};
+  result.error_bars = {.checked = true, .companion = "The same & finer.", .companion_impacts = 7};
+  std::string html = written(result);
+  EXPECT_NE(html.find("<td class=\"number\">53.28</td><td class=\"error\">&plusmn; 0.03</td>"), std::string::npos);
+  EXPECT_NE(html.find("53.3<span class=\"missing\">0</span></td><td class=\"error\">&plusmn; 0.4</td>"),
+            std::string::npos);
+  EXPECT_NE(html.find("estimated numerical error"), std::string::npos);
+  EXPECT_NE(html.find("The same &amp; finer."), std::string::npos);
+  EXPECT_NE(html.find("7 impacts"), std::string::npos);
+  EXPECT_EQ(html.find("The case is sensitive"), std::string::npos);
+  result.error_bars.sensitive = true;
+  result.error_bars.reason = "1 < 2 peaks are not settled";
+  result.error_bars.unsettled = {result.peaks[1]};
+  html = written(result);
+  EXPECT_NE(html.find("The case is sensitive:</strong> 1 &lt; 2 peaks are not settled."), std::string::npos);
+  EXPECT_NE(html.find("<tr class=\"unsettled\"><td>floor 1</td>"), std::string::npos);
+  EXPECT_EQ(count(html, "class=\"unsettled\""), 1u);
+}
+
+TEST_F(Report, SaysWhyThereAreNoErrors) {
+  CaseResult result = example();
+  result.error_bars.companion = "No error bars: a reason.";
+  const std::string html = written(result);
+  EXPECT_NE(html.find("No error bars: a reason."), std::string::npos);
+  EXPECT_EQ(html.find("&plusmn;"), std::string::npos);
+}
+
 TEST_F(Report, LeavesOutChartsWithoutColumns) {
   CaseResult result = example();
   result.histories.columns.pop_back();

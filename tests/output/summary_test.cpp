@@ -30,7 +30,8 @@ CaseResult example() {
                    .events = 14,
                    .newton_iterations = 15,
                    .factorisations = 16,
-                   .cpu_seconds = 0.5};
+                   .cpu_seconds = 0.5,
+                   .longest_step = 0.005};
   result.assumptions = {"Average acceleration.", "Signs: tension positive."};
   return result;
 }
@@ -48,7 +49,7 @@ TEST_F(Summary, ReadsBackWithEveryField) {
   EXPECT_EQ(json["assumptions"], Json::parse(R"(["Average acceleration.", "Signs: tension positive."])"));
   ASSERT_EQ(json["peaks"].size(), 4u);
   EXPECT_EQ(json["peaks"][0], Json::parse(R"({"quantity": "displacement", "where": "base", "value": 0.1234567,
-                                              "unit": "m", "time": 4.5})"));
+                                              "unit": "m", "time": 4.5, "error": null})"));
   ASSERT_TRUE(json["impacts"].is_number_integer());
   EXPECT_EQ(json["impacts"], 2);
   ASSERT_EQ(json["impact_table"].size(), 2u);
@@ -59,7 +60,48 @@ TEST_F(Summary, ReadsBackWithEveryField) {
   EXPECT_EQ(json["solver"], Json::parse(R"({"accepted_steps": 11, "rejected_steps": 12, "repeated_steps": 17,
                                             "event_solves": 13,
                                             "events": 14, "newton_iterations": 15, "factorisations": 16,
-                                            "cpu_seconds": 0.5})"));
+                                            "cpu_seconds": 0.5, "longest_step": 0.005})"));
+}
+
+TEST_F(Summary, HasTheErrorsOfPeaks) {
+  CaseResult result = example();
+  for (Peak& peak : result.peaks) peak.error = 0.001 * peak.value;
+  result.peaks[1].error = std::numeric_limits<double>::infinity();
+  result.error_bars = {.checked = true,
+                       .companion = "Finer.",
+                       .companion_impacts = 3,
+                       .companion_solver = {.accepted_steps = 22, .cpu_seconds = 0.75},
+                       .sensitive = true,
+                       .reason = "it has 3 impacts instead of 2",
+                       .unsettled = {result.peaks[1]}};
+  write_summary_json(result, folder / "summary.json");
+  const Json json = Json::parse(testing_output::read_file(folder / "summary.json"));
+  EXPECT_EQ(json["peaks"][0]["error"].get<double>(), 0.001 * 0.1234567);
+  EXPECT_TRUE(json["peaks"][1]["error"].is_null());
+  const Json& bars = json["error_bars"];
+  EXPECT_EQ(bars["checked"], true);
+  EXPECT_TRUE(bars["method"].is_string());
+  EXPECT_EQ(bars["companion"], "Finer.");
+  EXPECT_EQ(bars["companion_impacts"], 3);
+  EXPECT_EQ(bars["companion_solver"]["accepted_steps"], 22);
+  EXPECT_EQ(bars["companion_solver"]["cpu_seconds"], 0.75);
+  EXPECT_EQ(bars["companion_solver"].size(), json["solver"].size());
+  EXPECT_EQ(json["solver"]["accepted_steps"], 11) << "the costs of the two runs stay apart";
+  EXPECT_EQ(bars["sensitive"], true);
+  EXPECT_EQ(bars["reason"], "it has 3 impacts instead of 2");
+  EXPECT_EQ(bars["unsettled"], Json::parse(R"([{"quantity": "absolute_acceleration", "where": "floor 5"}])"));
+}
+
+TEST_F(Summary, SaysWhyThereAreNoErrors) {
+  CaseResult result = example();
+  result.error_bars.companion = "No error bars: a reason.";
+  write_summary_json(result, folder / "summary.json");
+  const Json bars = Json::parse(testing_output::read_file(folder / "summary.json"))["error_bars"];
+  EXPECT_EQ(bars["checked"], false);
+  EXPECT_EQ(bars["companion"], "No error bars: a reason.");
+  for (const char* field : {"companion_impacts", "companion_solver", "sensitive"})
+    EXPECT_TRUE(bars.at(field).is_null()) << field;
+  EXPECT_EQ(bars["unsettled"], Json::array());
 }
 
 TEST_F(Summary, StaysValidWithoutResultsOrFiniteNumbers) {
@@ -84,6 +126,25 @@ TEST(PeakTable, GroupsByQuantityInEngineeringUnits) {
             "peak impact force [kN]\n"
             "  moat left  25650   at  4.250 s\n");
   EXPECT_EQ(peak_table(CaseResult{}), "");
+}
+
+TEST(PeakTable, GivesEveryValueTheDigitsThatItsErrorLeaves) {
+  CaseResult result;
+  result.peaks = {{"displacement", "base", 0.532812, "m", 4.5, 0.000151},
+                  {"displacement", "floor 1", 0.532812, "m", 14.5, 0.0031},
+                  {"displacement", "floor 2", 0.532812, "m", 14.5, 0.0000036},
+                  {"displacement", "floor 3", 0.532812, "m", 4.5},
+                  {"impact_force", "moat left", 25.6512e6, "N", 4.25, 33e3},
+                  {"impact_force", "moat right", 0.0, "N", 0.0, 0.0}};
+  EXPECT_EQ(peak_table(result),
+            "peak displacement [cm]\n"
+            "  base        53.28 +- 0.016    at  4.500 s\n"
+            "  floor 1     53.3  +- 0.4      at 14.500 s\n"
+            "  floor 2     53.28 +- 0.0004   at 14.500 s\n"
+            "  floor 3     53.28             at  4.500 s\n"
+            "peak impact force [kN]\n"
+            "  moat left   25650 +- 40       at  4.250 s\n"
+            "  moat right      0 +- 0        at  0.000 s\n");
 }
 
 }  // namespace

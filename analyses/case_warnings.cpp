@@ -1,0 +1,60 @@
+#include "analyses/case_warnings.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/check.hpp"
+
+namespace moat {
+namespace {
+
+// Advice that makes this kind of steps finer.
+std::string finer(const TransientOptions& options) {
+  if (options.step.si() > 0.0) return "Take a shorter step (now " + to_text(options.step.si()) + " s)";
+  if (options.integrator == Integrator::exact_between_events)
+    return "Raise TransientOptions::steps_per_contact (now " + std::to_string(options.steps_per_contact) +
+           "), shorten largest_step, or compare with Integrator::newmark";
+  return "Take a tighter tolerance (now " + to_text(options.tolerance) + ")";
+}
+
+bool all_finite(const EnergyBalance& energy) {
+  return std::ranges::all_of(
+      std::initializer_list<double>{energy.input, energy.kinetic, energy.strain, energy.viscous, energy.hysteretic,
+                                    energy.impact, energy.equation_residual, energy.integration_error,
+                                    energy.largest_input, energy.largest_kinetic},
+      [](double value) { return std::isfinite(value); });
+}
+
+}  // namespace
+
+std::vector<std::string> energy_warnings(const EnergyBalance& energy, double bound, const TransientOptions& options) {
+  if (!all_finite(energy))
+    return {
+        "An energy is not a finite number, so that the balance says nothing of the results. Look for a motion, a mass "
+        "or "
+        "a stiffness of a wrong unit; peaks may be wrong."};
+  std::vector<std::string> warnings;
+  const double scale = std::max(energy.largest_input, energy.largest_kinetic);
+  const auto share = [&](double error) { return scale > 0.0 ? std::abs(error) / scale : 0.0; };
+  if (share(energy.integration_error) > bound)
+    warnings.push_back("The energy of the elements is off by " + to_text(100.0 * share(energy.integration_error)) +
+                       " % of the largest input or kinetic energy, most at \"" + energy.worst_element + "\". " +
+                       finer(options) + ".");
+  if (share(energy.equation_residual) > bound)
+    warnings.push_back("The equations do not balance: work and kinetic energy are off by " +
+                       to_text(100.0 * share(energy.equation_residual)) +
+                       " % of the largest input or kinetic energy. " + finer(options) +
+                       "; if that does not help, a tighter TransientOptions::force_tolerance (now " +
+                       to_text(options.force_tolerance) + ").");
+  return warnings;
+}
+
+std::string sensitivity_warning(const ErrorBars& bars, std::size_t impacts, const TransientOptions& options) {
+  const bool pounds = impacts > 0 || bars.companion_impacts > 0;
+  return "The case is sensitive: " + bars.reason + ". " + finer(options) +
+         (pounds ? ". Impacts amplify every small difference: where finer steps do not help, the numbers are known to "
+                   "their error bars only."
+                 : ".");
+}
+
+}  // namespace moat

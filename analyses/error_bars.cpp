@@ -1,0 +1,190 @@
+#include "analyses/error_bars.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+
+#include "base/check.hpp"
+#include "base/units.hpp"
+#include "output/engineering_unit.hpp"
+#include "output/impact_recorder.hpp"
+#include "output/peak_recorder.hpp"
+
+namespace moat {
+namespace {
+
+// The caution of the bars. Chosen on some hundred random models (buildings alone, in moats and beside neighbours;
+// seven impact laws; recorded motions and pulses; fixed, adapted and exact steps) with a much finer run as truth: the
+// error is within the bar in about 99 % of their peaks, and half of the bars are less than three times the error.
+namespace caution {
+/// Times Richardson's estimate: not all errors shrink to a quarter.
+constexpr double factor = 2.0;
+/// The same where the numbers of impacts differ: then the difference of the two runs shows how far apart two motions
+/// may end, not how an error shrinks.
+constexpr double factor_of_different_impacts = 4.0;
+/// The relative difference of a peak counts as at least this share of the median of the peaks of its unit, and of all
+/// peaks.
+constexpr double share_of_unit = 0.3, share_of_all = 0.1;
+/// Of the largest peak of the unit: round-off and the force tolerance.
+constexpr double round_off = 1e-10;
+}  // namespace caution
+
+constexpr double richardson = 4.0 / 3.0;
+
+/// A settled peak is known to this share of its value.
+constexpr double settled_within = 0.01;
+/// A peak that is this much smaller than the largest of its kind is round-off: that of a node that stands still by
+/// symmetry. It is judged by this share of the largest, and no other peak is judged by it.
+constexpr double negligible = 1e-6;
+
+double median(std::vector<double> values) {
+  if (values.empty()) return 0.0;
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::ranges::nth_element(values, middle);
+  return *middle;
+}
+
+std::map<std::string, double> largest_of_each(std::string Peak::*kind, const std::vector<Peak>& peaks) {
+  std::map<std::string, double> largest;
+  for (const Peak& peak : peaks) {
+    double& known = largest[peak.*kind];
+    known = std::max(known, peak.value);
+  }
+  return largest;
+}
+
+// |value - value of the companion| for every peak; NaN where the companion has none. Two runs of one model list the
+// same peaks in the same order.
+std::vector<double> differences(const std::vector<Peak>& peaks, const std::vector<Peak>& companion) {
+  std::vector<double> list(peaks.size(), std::numeric_limits<double>::quiet_NaN());
+  for (std::size_t i = 0; i < std::min(peaks.size(), companion.size()); ++i)
+    if (peaks[i].quantity == companion[i].quantity && peaks[i].where == companion[i].where)
+      list[i] = std::abs(peaks[i].value - companion[i].value);
+  return list;
+}
+
+void set_errors(std::vector<Peak>& peaks, const std::vector<Peak>& companion, double factor) {
+  const std::vector<double> difference = differences(peaks, companion);
+  const std::map<std::string, double> largest = largest_of_each(&Peak::unit, peaks);
+  std::map<std::string, std::vector<double>> relative_of_unit;
+  std::vector<double> relative_of_all;
+  for (std::size_t i = 0; i < peaks.size(); ++i) {
+    const double relative = difference[i] / peaks[i].value;
+    if (!std::isfinite(relative) || peaks[i].value < negligible * largest.at(peaks[i].unit)) continue;
+    relative_of_unit[peaks[i].unit].push_back(relative);
+    relative_of_all.push_back(relative);
+  }
+  std::map<std::string, double> typical;
+  for (const auto& [unit, relative] : relative_of_unit)
+    typical[unit] =
+        std::max(caution::share_of_unit * median(relative), caution::share_of_all * median(relative_of_all));
+  for (std::size_t i = 0; i < peaks.size(); ++i) {
+    const double least = typical[peaks[i].unit] * peaks[i].value;
+    // Not std::max(least, difference): it would lose a difference that is not a number.
+    const double shown = difference[i] < least ? least : difference[i];
+    peaks[i].error = factor * richardson * shown + caution::round_off * largest.at(peaks[i].unit);
+    if (!std::isfinite(peaks[i].error)) peaks[i].error = std::numeric_limits<double>::quiet_NaN();
+    // A force that neither run has is exact.
+    if (peaks[i].value == 0.0 && difference[i] == 0.0) peaks[i].error = 0.0;
+  }
+}
+
+double relative_error(const Peak& peak) {
+  return peak.value > 0.0 ? peak.error / peak.value : std::numeric_limits<double>::infinity();
+}
+
+// The worst first. An error that is not known is not settled either.
+std::vector<Peak> unsettled_of(const std::vector<Peak>& peaks) {
+  std::map<std::string, double> largest = largest_of_each(&Peak::quantity, peaks);
+  std::vector<Peak> unsettled;
+  for (const Peak& peak : peaks)
+    if (!(peak.error <= settled_within * std::max(peak.value, negligible * largest[peak.quantity])))
+      unsettled.push_back(peak);
+  std::ranges::stable_sort(unsettled, std::ranges::greater{}, [](const Peak& peak) {
+    const double relative = relative_error(peak);
+    return std::isnan(relative) ? std::numeric_limits<double>::infinity() : relative;
+  });
+  return unsettled;
+}
+
+std::string in_percent(const Peak& peak) {
+  const double relative = relative_error(peak);
+  if (std::isnan(relative)) return "not known";
+  if (relative > 1.0) return "more than 100 %";
+  return with_decimals(100.0 * relative, relative < 0.1 ? 1 : 0) + " %";
+}
+
+std::string reason_of(std::size_t impacts, std::size_t companion_impacts, const std::vector<Peak>& unsettled,
+                      std::size_t all) {
+  constexpr std::size_t most_told = 4;
+  std::string text;
+  if (impacts != companion_impacts)
+    text = "with finer steps it has " + std::to_string(companion_impacts) +
+           (companion_impacts == 1 ? " impact instead of " : " impacts instead of ") + std::to_string(impacts) +
+           (unsettled.empty() ? "; all peaks are known to 1 % nevertheless" : "; ");
+  if (unsettled.empty()) return text;
+  text += std::to_string(unsettled.size()) + " of " + std::to_string(all) + " peaks " +
+          (unsettled.size() == 1 ? "is" : "are") + " not settled, with an error above 1 %: ";
+  for (std::size_t i = 0; i < std::min(most_told, unsettled.size()); ++i)
+    text += (i == 0 ? "" : ", ") + in_words(unsettled[i].quantity) + " of \"" + unsettled[i].where + "\" (" +
+            in_percent(unsettled[i]) + ")";
+  if (unsettled.size() > most_told) text += " and " + std::to_string(unsettled.size() - most_told) + " more";
+  return text;
+}
+
+}  // namespace
+
+TransientOptions companion_options(const TransientOptions& options, double longest_step) {
+  TransientOptions companion = options;
+  companion.step = 0.5 * options.step;
+  companion.tolerance = options.tolerance / 16.0;
+  companion.steps_per_contact = 2 * options.steps_per_contact;
+  companion.largest_step = 0.5 * longest_step * units::s;
+  return companion;
+}
+
+std::string companion_description(const TransientOptions& companion) {
+  if (companion.step.si() > 0.0) return "The same case with a fixed step of " + to_text(companion.step.si()) + " s.";
+  return "The same case with a tolerance of " + to_text(companion.tolerance) + ", " +
+         std::to_string(companion.steps_per_contact) + " steps per contact and steps of at most " +
+         to_text(companion.largest_step.si()) + " s.";
+}
+
+PeaksAndImpacts compute_peaks(Model& model, const GroundMotion& motion, const TransientOptions& options,
+                              StepObserver* observer) {
+  Transient transient{model, motion, options};
+  PeakRecorder peaks{model};
+  ImpactRecorder impacts;
+  transient.attach(peaks);
+  transient.attach(impacts);
+  if (observer != nullptr) transient.attach(*observer);
+  transient.run();
+  return {peaks.peaks(), impacts.impacts().size(), transient.statistics()};
+}
+
+ErrorBars estimate_errors(std::vector<Peak>& peaks, std::size_t impacts, const PeaksAndImpacts& companion) {
+  const bool same_impacts = impacts == companion.impacts;
+  set_errors(peaks, companion.peaks, same_impacts ? caution::factor : caution::factor_of_different_impacts);
+  ErrorBars bars;
+  bars.checked = true;
+  bars.companion_impacts = companion.impacts;
+  bars.companion_solver = companion.solver;
+  bars.unsettled = unsettled_of(peaks);
+  bars.sensitive = !same_impacts || !bars.unsettled.empty();
+  bars.reason = reason_of(impacts, companion.impacts, bars.unsettled, peaks.size());
+  return bars;
+}
+
+bool companion_is_cheap(const Model& model, double solves) {
+  // Measured for buildings of 1 to 400 storeys: one solve with its share of everything else, and the cost of the
+  // companion in main runs.
+  constexpr double seconds_per_solve = 0.35e-6, seconds_per_element = 0.027e-6, companion_per_main = 2.5;
+  constexpr double cheap = 0.020;  // s
+  std::size_t elements = 0;
+  for (const auto& block : model.blocks()) elements += block->size();
+  const double per_solve = seconds_per_solve + seconds_per_element * static_cast<double>(elements);
+  return companion_per_main * per_solve * solves < cheap;
+}
+
+}  // namespace moat

@@ -1,0 +1,55 @@
+// Error bars of peaks, from a second run with finer steps.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "analyses/transient.hpp"
+#include "model/model.hpp"
+#include "motions/ground_motion.hpp"
+#include "output/case_result.hpp"
+#include "output/step_observer.hpp"
+
+namespace moat {
+
+/// Options of the companion of a run with `options` whose longest step was `longest_step` > 0 s
+/// (SolverStatistics::longest_step): everything that has an error is finer. A fixed step is halved. An adapted one has
+/// 1/16 of the tolerance, twice the steps per contact, and at most half the longest step; exact steps have the same.
+///
+/// A coarser companion would not do: where the sampling interval of the motion limits the steps, it would take the same
+/// ones and show no error.
+TransientOptions companion_options(const TransientOptions& options, double longest_step);
+
+/// The companion in one sentence, for reports.
+std::string companion_description(const TransientOptions& companion);
+
+/// Peaks and number of impacts of one run, and its cost.
+struct PeaksAndImpacts {
+  std::vector<Peak> peaks;
+  std::size_t impacts = 0;
+  SolverStatistics solver;
+};
+
+/// Runs the model and returns its peaks and impacts. The observer, if any, is told of every step.
+/// Throws as Transient does.
+PeaksAndImpacts compute_peaks(Model& model, const GroundMotion& motion, const TransientOptions& options,
+                              StepObserver* observer = nullptr);
+
+/// Gives every peak of the main run its error: Richardson's estimate from the companion's peak, whose own error is at
+/// most a quarter,
+///
+///     error = caution * 4/3 |value - value of the companion|
+///
+/// and at least a share of the differences that are typical of this run, because two runs also agree by accident. A
+/// peak that the companion does not have, or that is not finite, has the error NaN.
+///
+/// Returns the verdict with the companion's impacts and cost. The case is sensitive if the numbers of impacts differ
+/// or any error is not within 1 % of its peak.
+ErrorBars estimate_errors(std::vector<Peak>& peaks, std::size_t impacts, const PeaksAndImpacts& companion);
+
+/// Whether the companion of a run of this model that takes `solves` steps or Newton iterations, whichever are more, is
+/// expected to cost less than about 20 ms of processor time. Counted, not measured: the same run has the same answer.
+bool companion_is_cheap(const Model& model, double solves);
+
+}  // namespace moat
