@@ -16,6 +16,16 @@ CaseOptions checked(CaseOptions options) {
   return options;
 }
 
+double history_interval(const CaseOptions& options, const GroundMotion& motion) {
+  return options.history_interval.si() > 0.0 ? options.history_interval.si() : motion.time_step();
+}
+
+// Whether every multiple of the histories' interval is the end of a step.
+bool rows_at_steps(double interval, double step) {
+  const double ratio = interval / step;
+  return std::abs(ratio - std::round(ratio)) < 1e-9 * ratio && ratio > 0.5;
+}
+
 }  // namespace
 
 CaseRun::CaseRun(Model& model, const GroundMotion& motion, CaseOptions options)
@@ -23,8 +33,9 @@ CaseRun::CaseRun(Model& model, const GroundMotion& motion, CaseOptions options)
       periods_{characteristic_periods(model)},
       transient_{model, motion, options_.transient},
       peaks_{model},
-      histories_{model, options_.history_interval.si() > 0.0 ? options_.history_interval.si() : motion.time_step(),
-                 &energy_} {
+      histories_{model, history_interval(options_, motion), &energy_,
+                 !rows_at_steps(history_interval(options_, motion),
+                                options_.transient.step.si() > 0.0 ? options_.transient.step.si() : motion.time_step())} {
   attach(energy_);
   attach(peaks_);
   attach(impacts_);

@@ -204,6 +204,9 @@ void ExactBetweenEvents::solve(double h, double end_time) {
   trial.displacement.head(n) = end_.head(n);
   trial.velocity.head(n) = end_.segment(n, n);
   trial.acceleration.head(n) = end_.segment(2 * n, n);
+  auto jerk = trial.jerk.head(n);
+  jerk.noalias() = -(system.stiffness * end_.segment(n, n));
+  jerk.noalias() -= system.damping * end_.segment(2 * n, n);
 }
 
 // With U_k the coefficients of t^k in u, those of u' are (k + 1) U_{k+1}, and the differential equation gives U_{k+2}

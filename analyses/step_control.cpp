@@ -4,50 +4,125 @@
 #include <cmath>
 
 namespace moat {
+namespace {
 
-StepControl::StepControl(const Model& model, Options options) : options_{options} {
-  before_.setZero(model.degrees_of_freedom());
-  last_ = before_;
-  for (int halvings = 0; halvings <= options_.largest_halvings; ++halvings)
-    steps_.push_back(std::ldexp(options_.grid_interval, -halvings));
+// Gershgorin's bounds, row by row: sum of a row's magnitudes over its mass.
+Vector row_sums(const SparseMatrix& matrix, const Vector& masses) {
+  Vector sums = Vector::Zero(masses.size());
+  for (int column = 0; column < matrix.size; ++column)
+    for (int k = matrix.column_starts[static_cast<std::size_t>(column)];
+         k < matrix.column_starts[static_cast<std::size_t>(column) + 1]; ++k)
+      sums[matrix.row_indices[static_cast<std::size_t>(k)]] += std::abs(matrix.values[static_cast<std::size_t>(k)]);
+  return sums.cwiseQuotient(masses);
 }
 
-double StepControl::next_step(const Model& model) {
+// Further halvings of the first step after a touch.
+constexpr int at_touch = 6;
+
+// Of a step's error, for one halving or doubling.
+double change_by_doubling(NewmarkScheme scheme) { return scheme.order() == 4 ? 8.0 : 4.0; }
+
+}  // namespace
+
+StepControl::StepControl(const Model& model, Options options)
+    : options_{options}, scales_{model, options.lowest_acceleration} {
+  for (int halvings = 0; halvings <= options_.largest_halvings; ++halvings)
+    steps_.push_back(std::ldexp(options_.grid_interval, -halvings));
+  SparseMatrix matrix = model.pattern();
+  model.assemble_linear_stiffness(StiffnessStage::initial, matrix);
+  const Vector stiffness = row_sums(matrix, model.masses());
+  stiffest_squared_ = stiffness.maxCoeff();
+  constexpr double last_digits = 4.0 * std::numeric_limits<double>::epsilon();
+  round_off_per_displacement_ = last_digits * stiffness;
+  model.assemble_tangent(0.0, 1.0, 0.0, matrix);
+  most_damped_ = row_sums(matrix, model.masses()).maxCoeff();
+  restart(model, false);
+}
+
+// Longest step inside the bound of stability of the fourth-order scheme, with a contact of this duration going on.
+double StepControl::stable_step(double contact) const {
+  // h w <= 1.8 and h c/m <= 4 hold together with some room; a contact driven hard is stiffer than a free one.
+  constexpr double of_frequency = 1.8, of_damping = 4.0, pi = 3.141592653589793, harder = 2.0;
+  const double of_contact = std::isfinite(contact) ? harder * pi / contact : 0.0;
+  const double frequency = std::sqrt(stiffest_squared_ + of_contact * of_contact);
+  return std::min(of_frequency / std::max(frequency, std::numeric_limits<double>::min()),
+                  of_damping / std::max(most_damped_, std::numeric_limits<double>::min()));
+}
+
+StepControl::Step StepControl::next_step(const Model& model) {
+  const double contact = model.shortest_contact();
   if (!adaptive()) {
-    fewest_steps_per_contact_ = std::min(fewest_steps_per_contact_, model.shortest_contact() / options_.fixed_step);
-    return options_.fixed_step;
+    fewest_steps_per_contact_ = std::min(fewest_steps_per_contact_, contact / options_.fixed_step);
+    return {options_.fixed_step, options_.scheme.value_or(NewmarkScheme::average_acceleration())};
   }
   constexpr double durations_until_leaning = 4.0;
-  const double contact = model.shortest_contact();
   const bool pounding = since_event_ < durations_until_leaning * contact && std::isfinite(contact);
   int halvings = halvings_;
   if (pounding)
     while (halvings < options_.largest_halvings && step_at(halvings) * options_.steps_per_contact > contact) ++halvings;
+  NewmarkScheme scheme = NewmarkScheme::average_acceleration();
+  if (options_.scheme) {
+    scheme = *options_.scheme;
+  } else if (ramp_ < at_touch) {
+    // Halved this often for stability, the fourth-order scheme is still the cheaper one.
+    constexpr int worth_halving = 6;
+    const double stable = stable_step(contact);
+    int stable_halvings = halvings;
+    while (stable_halvings < std::min(halvings + worth_halving, options_.largest_halvings) &&
+           step_at(stable_halvings) > stable)
+      ++stable_halvings;
+    if (step_at(stable_halvings) <= stable) {
+      halvings = stable_halvings;
+      scheme = NewmarkScheme::fourth_order();
+    }
+  }
   const double step = step_at(std::min(halvings + ramp_, options_.largest_halvings));
   if (pounding) fewest_steps_per_contact_ = std::min(fewest_steps_per_contact_, contact / step);
-  return step;
+  return {step, scheme};
 }
 
-bool StepControl::accepts(const Model& model, double h, double ground_acceleration) {
-  if (!adaptive() || known_ < 2) return true;
-  const auto now = model.trial().acceleration.head(model.degrees_of_freedom()).array() + ground_acceleration;
-  const double largest = std::max(largest_acceleration_, now.abs().maxCoeff());
-  if (largest <= 0.0) return true;
-  const double per_step = 1.0 / h, per_last_step = 1.0 / last_h_;
-  const double largest_bend =
-      ((now - last_.array()) * per_step - (last_ - before_).array() * per_last_step).abs().maxCoeff();
-  const double error_per_square = largest_bend / (6.0 * (h + last_h_) * largest);
-  constexpr double repeat_above = 4.0, lengthen_below = 0.2;
-  if (error_per_square * h * h > repeat_above * options_.tolerance && halvings_ < options_.largest_halvings &&
-      step_at(halvings_ + 1) < h) {
-    ++halvings_;
+// Largest error of all places over the tolerance.
+double StepControl::error_of(const Model& model, const StepTask& step, NewmarkScheme scheme) const {
+  // Average acceleration errs by more for an equal estimate: its error of period is the estimate itself.
+  constexpr double stricter_at_second_order = 8.0;
+  const int count = model.degrees_of_freedom();
+  const MotionState &start = model.state(), &end = model.trial();
+  const double *a0 = start.acceleration.data(), *a1 = end.acceleration.data(), *j0 = start.jerk.data(),
+               *j1 = end.jerk.data(), *u1 = end.displacement.data(), *scales = scales_.values().data(),
+               *round_off_per_displacement = round_off_per_displacement_.data();
+  const double h = step.length, rise_of_ground = h * step.ground_jerk;
+  const bool fourth_order = scheme.order() == 4;
+  double largest = 0.0;
+  for (int i = 0; i < count; ++i) {
+    const double difference =
+        fourth_order ? 2.0 * (a1[i] - a0[i] + rise_of_ground) - h * (j0[i] + j1[i]) : h * (j1[i] - j0[i]);
+    const double round_off = round_off_per_displacement[i] * std::abs(u1[i]);
+    const double scale = std::max(scales[i], std::abs(a1[i] + step.ground_acceleration));
+    largest = std::max(largest, (std::abs(difference) / 12.0 - round_off) / scale);
+  }
+  return (fourth_order ? 1.0 : stricter_at_second_order) * largest / options_.tolerance;
+}
+
+bool StepControl::accepts(const Model& model, const StepTask& step, NewmarkScheme scheme) {
+  if (!adaptive() || ramp_ > 0) return true;
+  const double h = step.length;
+  const double error = error_of(model, step, scheme);
+  constexpr double repeat_above = 2.0;
+  if (error > repeat_above && halvings_ < options_.largest_halvings && step_at(halvings_ + 1) < h) {
+    // Steps may be shorter than halvings_ says, in contact or for stability.
+    do ++halvings_;
+    while (halvings_ < options_.largest_halvings && step_at(halvings_) >= h);
     return false;
   }
+  // A step cut to a small part says nothing of the nominal one.
   const double nominal = step_at(halvings_);
-  const double nominal_error = error_per_square * nominal * nominal;
-  if (nominal_error > options_.tolerance && halvings_ < options_.largest_halvings)
+  constexpr double shortest_that_tells = 0.3;
+  if (h < shortest_that_tells * nominal) return true;
+  const double of_doubling = change_by_doubling(scheme);
+  const double nominal_error = error * std::pow(nominal / h, scheme.order() == 4 ? 3 : 2);
+  if (nominal_error > 1.0 && halvings_ < options_.largest_halvings)
     ++halvings_;
-  else if (nominal_error < lengthen_below * options_.tolerance && halvings_ > 0)
+  else if (nominal_error * of_doubling < 0.7 && halvings_ > 0)
     --halvings_;
   return true;
 }
@@ -55,33 +130,29 @@ bool StepControl::accepts(const Model& model, double h, double ground_accelerati
 void StepControl::accepted(const Model& model, double h, double ground_acceleration) {
   if (!adaptive()) return;
   since_event_ += h;
-  // A step cut to nearly nothing tells nothing of the curvature, and dividing by its length would amplify round-off.
+  scales_.accepted(model, h, ground_acceleration);
+  watch_round_off(model);
+  // A step cut to nearly nothing does not count.
   constexpr double negligible = 1e-6;
-  if (h < negligible * step_at(std::min(halvings_ + ramp_, options_.largest_halvings))) return;
-  remember(model, h, ground_acceleration);
-  known_ = std::min(known_ + 1, 2);
-  ramp_ = std::max(ramp_ - 1, 0);
+  if (h >= negligible * step_at(std::min(halvings_ + ramp_, options_.largest_halvings))) ramp_ = std::max(ramp_ - 1, 0);
 }
 
-void StepControl::passed(const Model& model, double ground_acceleration) {
-  const auto acceleration = model.state().acceleration.head(model.degrees_of_freedom()).array() + ground_acceleration;
-  largest_acceleration_ = std::max(largest_acceleration_, acceleration.abs().maxCoeff());
+void StepControl::watch_round_off(const Model& model) {
+  constexpr double harmless_squared_frequency = 1e10;  // 1/s^2
+  if (stiffest_squared_ < harmless_squared_frequency) return;
+  for (int i = 0; i < model.degrees_of_freedom(); ++i) {
+    const double share =
+        round_off_per_displacement_[i] * std::abs(model.state().displacement[i]) / scales_.values()[i];
+    if (share <= largest_round_off_) continue;
+    largest_round_off_ = share;
+    place_of_round_off_ = NodeId{i};
+  }
 }
 
-void StepControl::restart(const Model& model, double ground_acceleration) {
-  if (!adaptive()) return;
-  constexpr int at_start = 8, at_touch = 6, at_separation = 3;
-  ramp_ = known_ == 0 ? at_start : std::isfinite(model.shortest_contact()) ? at_touch : at_separation;
-  remember(model, 0.0, ground_acceleration);
-  known_ = 1;
+void StepControl::restart(const Model& model, bool touched) {
+  ramp_ = touched ? at_touch : 0;
   since_event_ = 0.0;
-}
-
-void StepControl::remember(const Model& model, double h, double ground_acceleration) {
-  before_.swap(last_);
-  last_ = model.state().acceleration.head(model.degrees_of_freedom()).array() + ground_acceleration;
-  largest_acceleration_ = std::max(largest_acceleration_, last_.lpNorm<Eigen::Infinity>());
-  last_h_ = h;
+  if (adaptive()) scales_.regimes_changed(model);
 }
 
 }  // namespace moat

@@ -1,30 +1,36 @@
-// How long the next step should be.
+// How long the next step should be, and by which scheme.
 #pragma once
 
 #include <limits>
+#include <optional>
 #include <vector>
 
-#include "base/vector.hpp"
+#include "analyses/acceleration_scales.hpp"
+#include "analyses/newmark.hpp"
+#include "analyses/step_equations.hpp"
 #include "model/model.hpp"
 
 namespace moat {
 
 /// Chooses steps: fixed, or so that two things are resolved.
 ///
-/// Outside contact, the acceleration. Newmark's error is one of period: a vibration of frequency w loses
-/// (w h)^2 / 12 of its phase, which an estimate on displacements does not see until accelerations are wrong. The
-/// second difference of the absolute accelerations is (w h)^2 times their amplitude, so
+/// Outside contact, the acceleration. With jerks j at both ends of a step two schemes can be compared, one with the
+/// acceleration a parabola through a0, j0 and a1, the other with the cubic through j1 as well. Their difference is the
+/// error
 ///
-///     error = max |h^2 d2a/dt2| / 12 / (largest absolute acceleration so far)
+///     fourth order:          h/12 |2 (a1 - a0)/h - j0 - j1|  =  (w h)^3/72 of a vibration of frequency w
+///     average acceleration:  h/12 |j1 - j0|                  =  (w h)^2/12
 ///
-/// is that loss, weighted with what it matters for the peaks. A step with four times the tolerance is repeated.
+/// over the scale of the place's acceleration (acceleration_scales.hpp), and the largest of all places counts. A step
+/// with twice the tolerance is repeated. Differences that are round-off of forces do not count.
 ///
 /// In contact, the contact's own duration, divided into steps_per_contact. A contact that lasts longer than four
-/// times that is a body leaning on another, and its accelerations tell enough.
+/// times that is a body leaning on another, and its accelerations tell enough. The first steps after a touch are
+/// shorter, double from one to the next, and take average acceleration: some laws' forces rise with infinite slope
+/// there (like d^1/4).
 ///
-/// The first steps, at the start and after every event, are shorter and double from one to the next: nothing is known
-/// yet of what they must resolve, and some laws' forces rise with infinite slope at touch (like d^1/4), where the
-/// first full step alone would cost 0.4 % of the peak acceleration.
+/// The scheme is that of fourth order where a step is inside its bound of stability. A model that is too stiff for that
+/// at any reasonable length takes average acceleration.
 ///
 /// Adaptive steps are the grid interval divided by powers of two, so that they end on the samples of the motion and
 /// the tangent takes few values.
@@ -36,41 +42,52 @@ class StepControl {
     double tolerance = 1.2e-4;
     int steps_per_contact = 32;
     int largest_halvings = 24;
+    std::optional<NewmarkScheme> scheme{};  ///< of every step; none: chosen here
+    double lowest_acceleration = 0.0;       ///< m/s^2; errors are judged on no smaller scale
+  };
+  struct Step {
+    double length = 0.0;  ///< s
+    NewmarkScheme scheme{};
   };
 
-  StepControl() = default;
   StepControl(const Model& model, Options options);
 
   [[nodiscard]] bool adaptive() const { return options_.fixed_step <= 0.0; }
-  /// The step to try next from the committed state, s.
-  [[nodiscard]] double next_step(const Model& model);
-  /// Judges the trial state, h seconds after the committed one. False: repeat with next_step(), which is shorter.
-  [[nodiscard]] bool accepts(const Model& model, double h, double ground_acceleration);
+  /// The step to try next from the committed state.
+  [[nodiscard]] Step next_step(const Model& model);
+  /// Judges the trial state that a step of this scheme led to. False: repeat with next_step(), which is shorter.
+  [[nodiscard]] bool accepts(const Model& model, const StepTask& step, NewmarkScheme scheme);
   /// The trial state was committed.
   void accepted(const Model& model, double h, double ground_acceleration);
-  /// A step that was not chosen here was committed.
-  void passed(const Model& model, double ground_acceleration);
-  /// Forces jumped or bent: what came before is no measure of what follows.
-  void restart(const Model& model, double ground_acceleration);
+  /// Elements changed their regime; `touched` if a gap closed.
+  void restart(const Model& model, bool touched);
 
   /// Fewest steps any contact was divided into so far; infinite without contact.
   [[nodiscard]] double fewest_steps_per_contact() const { return fewest_steps_per_contact_; }
+  /// Bound on the largest squared frequency with open gaps and initial stiffness, 1/s^2.
+  [[nodiscard]] double stiffest_squared() const { return stiffest_squared_; }
+  /// Largest round-off of a node's acceleration over its scale so far, and where.
+  [[nodiscard]] double largest_round_off() const { return largest_round_off_; }
+  [[nodiscard]] NodeId place_of_round_off() const { return place_of_round_off_; }
 
  private:
   [[nodiscard]] double step_at(int halvings) const { return steps_[static_cast<std::size_t>(halvings)]; }
-  void remember(const Model& model, double h, double ground_acceleration);
+  [[nodiscard]] double stable_step(double contact) const;
+  [[nodiscard]] double error_of(const Model& model, const StepTask& step, NewmarkScheme scheme) const;
+  void watch_round_off(const Model& model);
 
   Options options_;
+  AccelerationScales scales_;
   std::vector<double> steps_;  // grid interval divided by 1, 2, 4, ...; s
   int halvings_ = 0;
-  int ramp_ = 0;              // further halvings after an event
+  int ramp_ = 0;              // further halvings after a touch
   double since_event_ = 0.0;  // s
-  // The last two committed absolute accelerations of this smooth stretch, and the step between them.
-  Vector before_, last_;
-  double last_h_ = 0.0;
-  int known_ = 0;
-  double largest_acceleration_ = 0.0;
   double fewest_steps_per_contact_ = std::numeric_limits<double>::infinity();
+  // Of the model with open gaps: bounds on the largest squared frequency, 1/s^2, and rate of damping, 1/s.
+  double stiffest_squared_ = 0.0, most_damped_ = 0.0;
+  Vector round_off_per_displacement_;  // of every node's acceleration, 1/s^2
+  double largest_round_off_ = 0.0;
+  NodeId place_of_round_off_{};
 };
 
 }  // namespace moat

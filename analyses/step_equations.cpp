@@ -6,27 +6,59 @@
 
 namespace moat {
 
-StepEquations::StepEquations(Model& model, NewmarkScheme scheme) : model_{&model}, scheme_{scheme} {
+StepEquations::StepEquations(Model& model) : model_{&model} {
   model.prepare();
   tangent_ = model.pattern();
   predicted_displacement_.setZero(size());
   predicted_velocity_.setZero(size());
-  for (int i = 0; i < size(); ++i) diagonal_.push_back(static_cast<std::size_t>(tangent_.slot(i, i)));
+  lowest_scales_.setConstant(size(), std::numeric_limits<double>::min());
+  scales_ = lowest_scales_;
 }
 
-void StepEquations::begin(double h, double end_time, double ground_acceleration) {
-  h_ = h;
-  ground_acceleration_ = ground_acceleration;
+void StepEquations::begin(const StepTask& task, NewmarkScheme scheme, Vector& guess) {
+  task_ = task;
+  scheme_ = scheme;
+  const double h = task.length;
   const MotionState& start = model_->state();
-  const double *u = start.displacement.data(), *v = start.velocity.data(), *a = start.acceleration.data();
-  const double square = (0.5 - scheme_.beta) * h * h, first = (1.0 - NewmarkScheme::gamma) * h;
+  const double *u = start.displacement.data(), *v = start.velocity.data(), *a = start.acceleration.data(),
+               *jerk = start.jerk.data(), *scales = scales_.data();
   double* __restrict displacement = predicted_displacement_.data();
   double* __restrict velocity = predicted_velocity_.data();
-  for (int i = 0; i < size(); ++i) {
-    displacement[i] = u[i] + h * v[i] + square * a[i];
-    velocity[i] = v[i] + first * a[i];
+  double* __restrict lowest_scales = lowest_scales_.data();
+  double* __restrict first = guess.data();
+  const double square = (0.5 - scheme.beta) * h * h;
+  if (scheme.corrects_velocity) {
+    const double correction = h * h / 12.0;
+    for (int i = 0; i < size(); ++i) {
+      const double relative_jerk = jerk[i] - task.ground_jerk;
+      const double shift = correction * relative_jerk;
+      displacement[i] = u[i] + h * (v[i] + shift) + square * a[i];
+      velocity[i] = v[i] + 2.0 * shift + (2.0 / 3.0) * h * a[i];
+      first[i] = a[i] + h * relative_jerk;
+    }
+  } else {
+    const double half = (1.0 - NewmarkScheme::gamma) * h;
+    for (int i = 0; i < size(); ++i) {
+      displacement[i] = u[i] + h * v[i] + square * a[i];
+      velocity[i] = v[i] + half * a[i];
+      first[i] = a[i];
+    }
   }
-  model_->trial().time = end_time;
+  for (int i = 0; i < size(); ++i) lowest_scales[i] = std::max(0.5 * scales[i], std::numeric_limits<double>::min());
+  model_->trial().time = task.end_time;
+}
+
+void StepEquations::complete() {
+  model_->evaluate_rates();
+  if (!scheme_.corrects_velocity) return;
+  const double h = task_.length, correction = h * h / 12.0, half = NewmarkScheme::gamma * h;
+  const MotionState& start = model_->state();
+  MotionState& end = model_->trial();
+  const double *v = start.velocity.data(), *a = start.acceleration.data(), *jerk = start.jerk.data(),
+               *end_acceleration = end.acceleration.data(), *end_jerk = end.jerk.data();
+  double* __restrict velocity = end.velocity.data();
+  for (int i = 0; i < size(); ++i)
+    velocity[i] = v[i] + half * (a[i] + end_acceleration[i]) - correction * (end_jerk[i] - jerk[i]);
 }
 
 void StepEquations::balance_committed_state(double ground_acceleration) {
@@ -37,14 +69,15 @@ void StepEquations::balance_committed_state(double ground_acceleration) {
   const int count = size();
   trial.acceleration.head(count) =
       (-force.head(count).array() / model_->masses().array() - ground_acceleration).matrix();
+  model_->evaluate_rates();
   model_->commit();
 }
 
 bool StepEquations::compute_residual(const Vector& acceleration, Vector& residual) {
   const int count = size();
   MotionState& trial = model_->trial();
-  const double displacement_weight = scheme_.displacement_weight(h_),
-               velocity_weight = NewmarkScheme::velocity_weight(h_);
+  const double displacement_weight = scheme_.displacement_weight(task_.length),
+               velocity_weight = scheme_.velocity_weight(task_.length);
   const double *a = acceleration.data(), *predicted_displacement = predicted_displacement_.data(),
                *predicted_velocity = predicted_velocity_.data();
   double* __restrict trial_displacement = trial.displacement.data();
@@ -59,26 +92,29 @@ bool StepEquations::compute_residual(const Vector& acceleration, Vector& residua
 
   const double* mass = model_->masses().data();
   const double* force = model_->internal_forces().data();
+  const double* lowest_scales = lowest_scales_.data();
   double* __restrict unbalanced = residual.data();
-  double largest_inertia = 0.0, largest_force = 0.0, largest_mass = 0.0;
+  double* __restrict scales = scales_.data();
+  double sum = 0.0;
   for (int i = 0; i < count; ++i) {
-    const double inertia = mass[i] * a[i];
-    unbalanced[i] = inertia + force[i] + mass[i] * ground_acceleration_;
-    largest_inertia = std::max(largest_inertia, std::abs(inertia));
-    largest_force = std::max(largest_force, std::abs(force[i]));
-    largest_mass = std::max(largest_mass, mass[i]);
+    const double inertia = mass[i] * a[i], load = mass[i] * task_.ground_acceleration;
+    unbalanced[i] = inertia + force[i] + load;
+    scales[i] = std::max(std::max(std::abs(inertia), std::abs(force[i])), std::max(std::abs(load), lowest_scales[i]));
+    sum += scales[i];
   }
-  // Each term alone passes through zero at some instant; the largest of them does not.
-  scale_ = std::max({largest_inertia, largest_force, largest_mass * std::abs(ground_acceleration_)});
-  return std::isfinite(scale_);
+  return std::isfinite(sum);
 }
 
 bool StepEquations::compute_direction(const Vector& residual, Vector& direction) {
-  if (!factorised_ || h_ != factorised_step_ || model_->tangent_version() != factorised_version_) {
-    model_->assemble_tangent(1.0, NewmarkScheme::velocity_weight(h_), scheme_.displacement_weight(h_), tangent_);
+  const double velocity_weight = scheme_.velocity_weight(task_.length),
+               displacement_weight = scheme_.displacement_weight(task_.length);
+  if (!factorised_ || velocity_weight != factorised_velocity_weight_ ||
+      displacement_weight != factorised_displacement_weight_ || model_->tangent_version() != factorised_version_) {
+    model_->assemble_tangent(1.0, velocity_weight, displacement_weight, tangent_);
     factorised_ = factorisation_.factorise(tangent_);
     if (!factorised_) return false;
-    factorised_step_ = h_;
+    factorised_velocity_weight_ = velocity_weight;
+    factorised_displacement_weight_ = displacement_weight;
     factorised_version_ = model_->tangent_version();
   }
   direction = -residual;
@@ -86,17 +122,20 @@ bool StepEquations::compute_direction(const Vector& residual, Vector& direction)
   return true;
 }
 
-double StepEquations::round_off() const {
+double StepEquations::round_off(int row) const {
   // A displacement is known to its last digit; stiffness times that is the force no iteration can balance. It shows
   // where net forces have died away but displacements have not: in the tail of a motion, beside very stiff links.
   constexpr double last_digits = 8.0 * std::numeric_limits<double>::epsilon();
-  const double weight = scheme_.displacement_weight(h_);
-  double largest = 0.0;
-  for (int i = 0; i < size(); ++i) {
-    const double stiffness = (tangent_.values[diagonal_[static_cast<std::size_t>(i)]] - model_->masses()[i]) / weight;
-    largest = std::max(largest, last_digits * std::abs(stiffness * model_->trial().displacement[i]));
+  const double weight = scheme_.displacement_weight(task_.length);
+  double sum = 0.0;
+  // The pattern is symmetric, and so are nearly all tangents: the column serves for the row.
+  for (int k = tangent_.column_starts[static_cast<std::size_t>(row)];
+       k < tangent_.column_starts[static_cast<std::size_t>(row) + 1]; ++k) {
+    const int other = tangent_.row_indices[static_cast<std::size_t>(k)];
+    const double entry = tangent_.values[static_cast<std::size_t>(k)] - (other == row ? model_->masses()[row] : 0.0);
+    sum += std::abs(entry * model_->trial().displacement[other]);
   }
-  return largest;
+  return last_digits * sum / weight;
 }
 
 }  // namespace moat

@@ -1,9 +1,6 @@
 // The equations of one time step.
 #pragma once
 
-#include <cstddef>
-#include <vector>
-
 #include "analyses/newmark.hpp"
 #include "model/model.hpp"
 #include "solvers/factorisation.hpp"
@@ -11,25 +8,35 @@
 
 namespace moat {
 
+/// A step from the committed state.
+struct StepTask {
+  double length = 0.0;               ///< h > 0 s
+  double end_time = 0.0;             ///< s
+  double ground_acceleration = 0.0;  ///< m/s^2, at the end
+  double ground_jerk = 0.0;          ///< m/s^3, constant in the step; used by schemes that correct the velocity
+};
+
 /// M a + f(u(a), v(a)) = -M iota a_g at the end of a step; the unknown is the acceleration a.
 ///
 /// The acceleration and not the displacement, because a = (u - prediction) / (beta h^2) loses all digits
 /// after a very short step, and steps that end at a located event can be very short.
 class StepEquations final : public NonlinearSystem {
  public:
-  StepEquations(Model& model, NewmarkScheme scheme);
+  explicit StepEquations(Model& model);
 
-  /// Sets up a step of length h > 0 from the model's committed state, with time and ground acceleration at its end.
-  void begin(double h, double end_time, double ground_acceleration);
+  /// Sets up a step from the model's committed state. `guess` := accelerations to start from.
+  void begin(const StepTask& task, NewmarkScheme scheme, Vector& guess);
+  /// After the last compute_residual(): jerks of the trial state, and its velocities where the scheme corrects them.
+  void complete();
 
-  /// Accelerations that balance the committed state, for the start and after events: M a = -f - M iota a_g.
-  /// Leaves them in the committed state of the model.
+  /// Accelerations that balance the committed state, for the start and after events: M a = -f - M iota a_g, and their
+  /// jerks. Leaves both in the committed state of the model.
   void balance_committed_state(double ground_acceleration);
 
   int size() const override { return model_->degrees_of_freedom(); }
   bool compute_residual(const Vector& acceleration, Vector& residual) override;
-  double residual_scale() const override { return scale_; }
-  double round_off() const override;
+  const Vector& residual_scales() const override { return scales_; }
+  double round_off(int row) const override;
   bool compute_direction(const Vector& residual, Vector& direction) override;
 
   [[nodiscard]] long factorisations() const { return factorisation_.count(); }
@@ -39,15 +46,14 @@ class StepEquations final : public NonlinearSystem {
   NewmarkScheme scheme_;
   Factorisation factorisation_;
   SparseMatrix tangent_;
-  double h_ = 0.0;
-  double ground_acceleration_ = 0.0;
+  StepTask task_;
   Vector predicted_displacement_, predicted_velocity_;
-  double scale_ = 0.0;
-  // What the factors at hand were made for.
+  // Largest force of every row, now and, halved from step to step, before: all of a row's terms may be zero at once.
+  Vector scales_, lowest_scales_;
+  // What the factors were made for.
   bool factorised_ = false;
-  double factorised_step_ = 0.0;
+  double factorised_velocity_weight_ = 0.0, factorised_displacement_weight_ = 0.0;
   long factorised_version_ = 0;
-  std::vector<std::size_t> diagonal_;  // positions in the tangent
 };
 
 }  // namespace moat

@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "analyses/chatter_guard.hpp"
 #include "analyses/exact_between_events.hpp"
 #include "analyses/newmark.hpp"
 #include "analyses/step_control.hpp"
@@ -32,14 +33,16 @@ enum class Integrator {
 struct TransientOptions {
   Integrator integrator = Integrator::newmark;
 
-  NewmarkScheme scheme = NewmarkScheme::average_acceleration();
+  /// Of Newmark's method. None: the fourth-order scheme in an adaptive step that is inside its bound of stability,
+  /// average acceleration elsewhere and in a fixed step.
+  std::optional<NewmarkScheme> scheme{};
 
   /// >= 0 s. Length of a fixed step; 0: the step adapts itself (next three options), which
   /// Integrator::exact_between_events requires.
   Time step{};
 
-  /// > 0. Adaptive step: the error of acceleration that one step may add, relative to the largest absolute
-  /// acceleration so far. Steps are the interval of the motion's samples divided by powers of two.
+  /// >= 1e-12, < 1. Adaptive step: the error of acceleration that one step may add at any node, relative to the size
+  /// of that node's absolute acceleration. Steps are the interval of the motion's samples divided by powers of two.
   double tolerance = 1.2e-4;
 
   /// >= 4. Adaptive step: steps within the duration of one contact, estimated with the masses of the joined nodes
@@ -56,7 +59,7 @@ struct TransientOptions {
   /// >= 0 s. Where the analysis ends; 0: at the last sample of the motion.
   Time end{};
 
-  /// > 0, < 1. Largest out-of-balance force of an accepted step, relative to the largest force in its equations.
+  /// > 0, < 1. Largest out-of-balance force of an accepted step at any node, relative to the largest force there.
   double force_tolerance = 1e-10;
 
   /// >= 1. Newton iterations before a step is cut.
@@ -69,7 +72,7 @@ struct TransientOptions {
   /// are located to the same number: a force's factor that reaches zero (1), a rate that turns (m/s).
   Length location_tolerance = 1e-12 * units::m;
 
-  /// >= 1. Touches and separations per second of motion, averaged over a second, before the analysis gives up.
+  /// >= 1. Changes of one element per second of motion, averaged over a second, before the analysis gives up.
   int largest_events_per_second = 10000;
 };
 
@@ -117,9 +120,8 @@ class Transient {
   [[nodiscard]] std::vector<std::string> warnings() const;
 
  private:
-  [[nodiscard]] double time_after(double h) const;
-  [[nodiscard]] double ground_after(double h) const;
-  void commit(double h);
+  [[nodiscard]] StepTask task_of(double h) const;
+  void commit(const StepTask& step);
   void plan(double step);
   double take_exact_step();
   double take_newmark_step();
@@ -128,9 +130,10 @@ class Transient {
   [[nodiscard]] RegimeScan scan(double h) const;
   double locate_change(double h, RegimeScan seen);
   void change_regimes();
+  void end_motion();
   void start_observers();
-  void count_event(double time);
   [[nodiscard]] StepView view(bool on_grid) const;
+  [[nodiscard]] WorkRule work_rule() const;
 
   Model* model_;
   GroundMotion motion_;
@@ -139,10 +142,13 @@ class Transient {
   NewtonSolver newton_;
   StepControl control_;
   std::optional<ExactBetweenEvents> exact_;
+  ChatterGuard chatter_;
   bool steps_exactly_ = false;  // the step being tried
+  NewmarkScheme scheme_{};      // of the step being tried
   double end_ = 0.0;
-  double planned_ = 0.0, target_ = 0.0;        // length and end of the step being tried
-  double ground_ = 0.0, target_ground_ = 0.0;  // acceleration of the ground at the committed state and at the target
+  StepTask planned_;          // the step being tried, before it was cut or ended at an event
+  double ground_ = 0.0;       // acceleration of the ground at the committed state, m/s^2
+  bool motion_ended_ = false;  // the ground rests from now on
   Vector acceleration_;
   NewtonReport last_report_;
   std::vector<RegimeChange> changes_;
@@ -153,10 +159,7 @@ class Transient {
   std::vector<Follower> observers_;
   Observed observed_ = Observed::nodes;  // by any observer
   bool only_regimes_ = false;            // exact steps leave out elements that no one looks at
-  double stiffest_squared_ = 0.0;        // bound on the largest squared frequency, 1/s^2
   SolverStatistics statistics_;
-  double event_window_start_ = 0.0;
-  int events_in_window_ = 0;
 };
 
 }  // namespace moat

@@ -24,8 +24,9 @@ struct LeadRubberBearing {
   Required<Length> yield_displacement;
   /// 0 <= post_yield_stiffness < F_y / d_y, N/m.
   Required<Stiffness> post_yield_stiffness;
-  /// Locate the instants of yield and unloading (materials/located_bilinear.hpp) instead of stepping over them.
-  bool locate_yield = false;
+  /// Locate the instants of yield and unloading (materials/located_bilinear.hpp) instead of stepping over them: the
+  /// peaks are ten to a hundred times more accurate at equal steps.
+  bool locate_yield = true;
 };
 
 /// Throws InputError for a bad parameter, unknown, missing or equal nodes, or a name that is taken.

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "base/error.hpp"
+#include "base/hermite.hpp"
 #include "base/parallel.hpp"
 #include "elements/ends.hpp"
 #include "elements/shares.hpp"
@@ -52,7 +53,7 @@ class LinkBlock final : public ElementBlock {
     const std::size_t count = infos_.size();
     committed_.resize(count);
     trial_.resize(count);
-    for (auto* values : {&deformations_, &rates_, &forces_}) values->resize(count, 0.0);
+    for (auto* values : {&deformations_, &rates_, &second_rates_, &forces_, &force_rates_}) values->resize(count, 0.0);
     if constexpr (!is_linear) {
       stiffnesses_.resize(count, 0.0);
       dampings_.resize(count, 0.0);
@@ -100,15 +101,24 @@ class LinkBlock final : public ElementBlock {
           threads_, [this](std::size_t i) { return forces_[i]; }, force);
   }
 
+  void evaluate_rates(const double* acceleration, double* force_rate) override {
+    const Ends* ends = ends_.data();
+    const double* rates = rates_.data();
+    double* __restrict second_rates = second_rates_.data();
+    double* __restrict force_rates = force_rates_.data();
+    for (std::size_t i = 0; i < size(); ++i) {
+      const Tangents tangents = tangents_of(i);
+      second_rates[i] = ends[i].difference(acceleration);
+      force_rates[i] = tangents.stiffness * rates[i] + tangents.damping * second_rates[i];
+    }
+    if (force_rate == nullptr) return;
+    for (std::size_t i = 0; i < size(); ++i) ends[i].add_force(force_rates[i], force_rate);
+  }
+
   void add_tangent(double displacement_weight, double velocity_weight, double* values) const override {
     const auto tangent = [&](std::size_t i) {
-      if constexpr (is_linear) {
-        State trial;
-        const Response response = laws_[i].evaluate(State{}, 0.0, 0.0, trial);
-        return displacement_weight * response.stiffness + velocity_weight * response.damping;
-      } else {
-        return displacement_weight * stiffnesses_[i] + velocity_weight * dampings_[i];
-      }
+      const Tangents tangents = tangents_of(i);
+      return displacement_weight * tangents.stiffness + velocity_weight * tangents.damping;
     };
     if (threads_ > 1)
       slot_shares_.add(threads_, tangent, values);
@@ -125,15 +135,16 @@ class LinkBlock final : public ElementBlock {
       slots_[i].add_stiffness(ends_[i], laws_[i].linear_stiffness(stage), values);
   }
 
-  void commit(double step) override {
-    if (accounting_ || keeps_start() || !std::is_empty_v<State>) {
-      for_ranges(threads_, size(), [step, this](std::size_t begin, std::size_t end) {
-        if (accounting_) account(step, begin, end);
-        if (keeps_start()) {
-          std::copy(deformations_.data() + begin, deformations_.data() + end, start_deformations_.data() + begin);
-          std::copy(rates_.data() + begin, rates_.data() + end, start_rates_.data() + begin);
-        }
-      });
+  void commit(double step, WorkRule rule) override {
+    if (accounting_)
+      for_ranges(threads_, size(),
+                 [step, rule, this](std::size_t begin, std::size_t end) { account(step, rule, begin, end); });
+    if (keeps_start()) {
+      before_.swap(start_);
+      start_.deformations = deformations_;
+      start_.rates = rates_;
+      start_.second_rates = second_rates_;
+      last_step_ = step;
     }
     committed_.swap(trial_);
   }
@@ -141,8 +152,9 @@ class LinkBlock final : public ElementBlock {
   void start_energy_account() override {
     accounting_ = true;
     allocate_start();
-    std::copy(deformations_.begin(), deformations_.end(), start_deformations_.begin());
-    std::copy(rates_.begin(), rates_.end(), start_rates_.begin());
+    start_.deformations = deformations_;
+    start_.rates = rates_;
+    start_.second_rates = second_rates_;
     accounts_.resize(size());
     for (std::size_t i = 0; i < size(); ++i)
       accounts_[i] = {.force = forces_[i],
@@ -163,6 +175,16 @@ class LinkBlock final : public ElementBlock {
   std::span<const double> deformations() const override { return deformations_; }
   std::span<const double> rates() const override { return rates_; }
   std::span<const double> forces() const override { return forces_; }
+  std::span<const double> second_rates() const override { return second_rates_; }
+  std::span<const double> force_rates() const override { return force_rates_; }
+
+  double force_inside(std::size_t i, double fraction) const override {
+    if (!keeps_start()) throw std::logic_error{"LinkBlock: a linear element's force needs no law to interpolate"};
+    const HermiteQuintic path = between(before_, start_, i, last_step_);
+    State after;
+    // commit() has left the states of the step's start in trial_.
+    return laws_[i].evaluate(trial_[i], path.value(fraction), path.rate(fraction), after).force;
+  }
 
   bool linear_between_events() const override { return LinearWithinRegimes<Law> || ContactLaw<Law>; }
   bool has_regimes() const override { return LawWithRegimes<Law>; }
@@ -179,14 +201,15 @@ class LinkBlock final : public ElementBlock {
       for (std::size_t i = 0; i < size(); ++i) {
         // One change may lead straight into another (a touch that is already separating); three visit every phase.
         for (int change = 0; change < 3; ++change) {
-          if (laws_[i].regime_margin(committed_[i], start_deformations_[i], start_rates_[i]) >= 0.0) break;
+          if (laws_[i].regime_margin(committed_[i], start_.deformations[i], start_.rates[i]) >= 0.0) break;
           const double stored_before = stored(i);
           const bool touched = contact(i).touching;
-          committed_[i] = laws_[i].next_regime(committed_[i], start_deformations_[i], start_rates_[i]);
+          committed_[i] = laws_[i].next_regime(committed_[i], start_.deformations[i], start_.rates[i]);
           if constexpr (ContactLaw<Law>) follow_contact(i, touched);
           // A contact that ends while still indented gives up what it had stored.
           if (accounting_) accounts_[i].dissipated += stored_before - stored(i);
-          if (change == 0) changes.push_back({block_index, i});
+          if (change == 0) changes.push_back({.block = block_index, .element = i});
+          changes.back().touched = changes.back().touched || (!touched && contact(i).touching);
         }
       }
     }
@@ -287,12 +310,49 @@ class LinkBlock final : public ElementBlock {
     double work = 0.0, dissipated = 0.0, stored_at_start = 0.0;
   };
 
-  // Whether deformations and rates of the last commit are needed: to look for changes of regime, and for energies.
-  bool keeps_start() const { return LawWithRegimes<Law> || accounting_; }
+  // How the deformation of every element moves at one instant.
+  struct Movement {
+    std::vector<double> deformations, rates, second_rates;
+
+    void resize(std::size_t count) {
+      for (auto* values : {&deformations, &rates, &second_rates}) values->resize(count, 0.0);
+    }
+    void swap(Movement& other) {
+      deformations.swap(other.deformations);
+      rates.swap(other.rates);
+      second_rates.swap(other.second_rates);
+    }
+  };
+
+  static HermiteQuintic between(const Movement& start, const Movement& end, std::size_t i, double step) {
+    return {start.deformations[i], start.rates[i], start.second_rates[i],
+            end.deformations[i],   end.rates[i],   end.second_rates[i],   step};
+  }
+  // From the committed to the trial state.
+  HermiteQuintic path_of(std::size_t i, double step) const {
+    return {start_.deformations[i], start_.rates[i], start_.second_rates[i],
+            deformations_[i],       rates_[i],       second_rates_[i],       step};
+  }
+
+  struct Tangents {
+    double stiffness, damping;
+  };
+  Tangents tangents_of(std::size_t i) const {
+    if constexpr (is_linear) {
+      State trial;
+      const Response response = laws_[i].evaluate(State{}, 0.0, 0.0, trial);
+      return {response.stiffness, response.damping};
+    } else {
+      return {stiffnesses_[i], dampings_[i]};
+    }
+  }
+
+  // Whether the movement at the last commits is needed: for changes of regime, forces inside a step, and energies.
+  bool keeps_start() const { return !is_linear || accounting_; }
 
   void allocate_start() {
-    start_deformations_.resize(size(), 0.0);
-    start_rates_.resize(size(), 0.0);
+    start_.resize(size());
+    before_.resize(size());
   }
 
   void share_out(const SparseMatrix& matrix) {
@@ -303,34 +363,52 @@ class LinkBlock final : public ElementBlock {
                           [&](std::size_t i, auto add) { slots_[i].for_each_slot(ends_[i], add); }};
   }
 
-  void account(double step, std::size_t begin, std::size_t end) {
+  void account(double step, WorkRule rule, std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       Account& account = accounts_[i];
       const double power = rate_independent ? 0.0 : laws_[i].dissipation_rate(trial_[i], deformations_[i], rates_[i]);
       if (step > 0.0) {
-        account.work += 0.5 * (account.force + forces_[i]) * (deformations_[i] - start_deformations_[i]);
-        account.dissipated += dissipated_in_step(i, step, power);
+        if (rule == WorkRule::mean_force)
+          add_by_mean_force(i, step, power);
+        else
+          add_by_quadrature(i, step, power);
+        // Rate-independent laws know it from their states, also where they yield inside the step.
+        if constexpr (rate_independent) account.dissipated += laws_[i].dissipated_energy(committed_[i], trial_[i]);
       }
       account.force = forces_[i];
       account.power = power;
     }
   }
 
-  double stored(std::size_t i) const { return laws_[i].stored_energy(committed_[i], start_deformations_[i]); }
+  double stored(std::size_t i) const { return laws_[i].stored_energy(committed_[i], start_.deformations[i]); }
 
-  // Energy dissipated from the last commit to the trial state; `end_power` is the dissipation rate there.
-  double dissipated_in_step(std::size_t i, double step, double end_power) const {
-    if constexpr (rate_independent) {
-      // Rate-independent laws know it from their states, also where they yield inside the step.
-      return laws_[i].dissipated_energy(committed_[i], trial_[i]);
-    } else {
-      const double start = start_deformations_[i], start_rate = start_rates_[i];
-      const double rise = deformations_[i] - start;
-      const double middle = start + 0.5 * rise + 0.125 * step * (start_rate - rates_[i]);
-      const double middle_rate = 1.5 * rise / step - 0.25 * (start_rate + rates_[i]);
-      const double middle_power = laws_[i].dissipation_rate(committed_[i], middle, middle_rate);
-      return step / 6.0 * (accounts_[i].power + 4.0 * middle_power + end_power);
+  // The work by the means of the step's ends, the dissipation by Simpson's rule.
+  void add_by_mean_force(std::size_t i, double step, double end_power) {
+    Account& account = accounts_[i];
+    account.work += 0.5 * (account.force + forces_[i]) * (deformations_[i] - start_.deformations[i]);
+    if constexpr (!rate_independent) {
+      const HermiteCubic path{start_.deformations[i], start_.rates[i], deformations_[i], rates_[i], step};
+      const double middle_power = laws_[i].dissipation_rate(committed_[i], path.value(0.5), path.rate(0.5));
+      account.dissipated += step / 6.0 * (account.power + 4.0 * middle_power + end_power);
     }
+  }
+
+  // Both by Lobatto's rule with four points.
+  void add_by_quadrature(std::size_t i, double step, double end_power) {
+    constexpr double first_inside = 0.27639320225002103;  // (1 - 1/sqrt(5))/2
+    Account& account = accounts_[i];
+    const HermiteQuintic path = path_of(i, step);
+    double work = account.force * start_.rates[i] + forces_[i] * rates_[i];
+    double dissipated = account.power + end_power;
+    for (const double x : {first_inside, 1.0 - first_inside}) {
+      const double deformation = path.value(x), rate = path.rate(x);
+      State after;
+      work += 5.0 * laws_[i].evaluate(committed_[i], deformation, rate, after).force * rate;
+      if constexpr (!rate_independent)
+        dissipated += 5.0 * laws_[i].dissipation_rate(committed_[i], deformation, rate);
+    }
+    account.work += step / 12.0 * work;
+    if constexpr (!rate_independent) account.dissipated += step / 12.0 * dissipated;
   }
 
   void scan_element(std::size_t i, double step, RegimeScan& scan) const requires LawWithRegimes<Law> {
@@ -373,19 +451,15 @@ class LinkBlock final : public ElementBlock {
     return high;
   }
 
-  // The margin where the deformation is interpolated by the cubic through deformation and rate at both ends.
   double margin_inside(std::size_t i, double step, double x) const {
-    const double rise = deformations_[i] - start_deformations_[i];
-    const double left = step * start_rates_[i] - rise, right = rise - step * rates_[i];
-    const double deformation = start_deformations_[i] + x * rise + x * (1.0 - x) * ((1.0 - x) * left + x * right);
-    const double slope = rise + (1.0 - x) * (1.0 - 3.0 * x) * left + x * (2.0 - 3.0 * x) * right;
-    return laws_[i].regime_margin(committed_[i], deformation, slope / step);
+    const HermiteCubic path{start_.deformations[i], start_.rates[i], deformations_[i], rates_[i], step};
+    return laws_[i].regime_margin(committed_[i], path.value(x), path.rate(x));
   }
 
   // Fraction at which the deformation turns inside the step, 0 if it does not. A linear rate is exact for
   // average acceleration and close enough for others to decide whether to look.
   double turning_point(std::size_t i) const {
-    const double start = start_rates_[i], end = rates_[i];
+    const double start = start_.rates[i], end = rates_[i];
     return start * end < 0.0 ? start / (start - end) : 0.0;
   }
 
@@ -397,10 +471,11 @@ class LinkBlock final : public ElementBlock {
   std::vector<typename Ends::Slots> slots_;
   std::vector<double> offsets_;
   std::vector<State> committed_, trial_;
-  std::vector<double> deformations_, rates_, forces_;
+  std::vector<double> deformations_, rates_, second_rates_, forces_, force_rates_;
   std::vector<double> stiffnesses_, dampings_;  // empty for linear laws
   Flag tangent_changed_;
-  std::vector<double> start_deformations_, start_rates_;  // at the last commit
+  Movement start_, before_;  // at the last commit, and at the one before
+  double last_step_ = 0.0;   // between them, s
   bool accounting_ = false;
   std::vector<Account> accounts_;
   int threads_ = 1;

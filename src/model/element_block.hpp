@@ -61,6 +61,8 @@ struct RegimeScan {
 struct RegimeChange {
   std::size_t block = 0;    ///< index into Model::blocks()
   std::size_t element = 0;  ///< index in that block
+  double time = 0.0;        ///< s
+  bool touched = false;     ///< a gap closed
 };
 
 /// Where the work done on an element went, J. Work is formed from forces and deformations, what was stored from the
@@ -94,6 +96,14 @@ struct ContactView {
   double approach_speed = 0.0;  ///< m/s, at first touch
 };
 
+/// How the work of a step is formed.
+enum class WorkRule {
+  /// Mean force times change of deformation: with average acceleration an identity with the kinetic energy.
+  mean_force,
+  /// Lobatto's rule with four points on the interpolant of the deformation, of order six: for steps of higher order.
+  quadrature,
+};
+
 /// All elements of one type, in contiguous arrays. Analyses know elements only through this class;
 /// one virtual call serves a whole block.
 ///
@@ -122,6 +132,9 @@ class ElementBlock {
   /// Forces, tangents and trial states at trial displacements and velocities. Adds the internal forces to `force`
   /// unless that is null.
   virtual void evaluate(const double* displacement, const double* velocity, double* force) = 0;
+  /// After evaluate(): the rates of its forces, from both tangents and the given accelerations. Adds them to
+  /// `force_rate` unless that is null.
+  virtual void evaluate_rates(const double* acceleration, double* force_rate) = 0;
   /// Adds displacement_weight * df/du + velocity_weight * df/dv of the last evaluate().
   virtual void add_tangent(double displacement_weight, double velocity_weight, double* values) const = 0;
   /// Whether df/du and df/dv never change: the block adds its tangent to a sum that is kept, not to every new one.
@@ -133,7 +146,7 @@ class ElementBlock {
 
   /// The trial states of the last evaluate() become the committed ones, `step` seconds after the last commit.
   /// Adds the step to the energy account of every element, if they are kept; a step of 0 is the same instant again.
-  virtual void commit(double step) = 0;
+  virtual void commit(double step, WorkRule rule) = 0;
 
   /// Starts the energy account of every element at the committed state, which must be the last one evaluated. They are
   /// kept from then on; without them steps cost less.
@@ -147,6 +160,11 @@ class ElementBlock {
   [[nodiscard]] virtual std::span<const double> deformations() const = 0;
   [[nodiscard]] virtual std::span<const double> rates() const = 0;
   [[nodiscard]] virtual std::span<const double> forces() const = 0;
+  /// Results of the last evaluate_rates(): rates of the rates above, m/s^2, and of the forces, N/s.
+  [[nodiscard]] virtual std::span<const double> second_rates() const = 0;
+  [[nodiscard]] virtual std::span<const double> force_rates() const = 0;
+  /// Force at a fraction of the last committed step: the law itself, on the deformation and rate interpolated there.
+  [[nodiscard]] virtual double force_inside(std::size_t element, double fraction) const = 0;
 
   /// Whether all forces are linear in displacement and velocity from one located change of regime to the next, not
   /// counting closed gaps: what add_tangent() adds is then constant, and an open gap adds nothing.

@@ -24,6 +24,7 @@ Model::Model(const Model& other)
       state_{other.state_},
       trial_{other.trial_},
       internal_forces_{other.internal_forces_},
+      force_rates_{other.force_rates_},
       tangent_version_{other.tangent_version_},
       changing_blocks_{other.changing_blocks_},
       blocks_with_regimes_{other.blocks_with_regimes_},
@@ -148,7 +149,7 @@ void Model::prepare() {
   masses_.resize(count);
   // What was added since the last analysis starts from its initial values; the rest goes on from where it is.
   const Eigen::Index known = std::max<Eigen::Index>(state_.displacement.size() - 1, 0);
-  for (Vector* vector : {&state_.displacement, &state_.velocity, &state_.acceleration}) {
+  for (Vector* vector : {&state_.displacement, &state_.velocity, &state_.acceleration, &state_.jerk}) {
     vector->conservativeResize(count + 1);
     vector->tail(count + 1 - known).setZero();
   }
@@ -163,7 +164,7 @@ void Model::prepare() {
   prepared_ = true;
   internal_forces_.resize(count + 1);
   evaluate();
-  for (const auto& block : blocks_) block->commit(0.0);
+  for (const auto& block : blocks_) block->commit(0.0, WorkRule::mean_force);
 }
 
 void Model::use_threads(int threads) {
@@ -181,7 +182,9 @@ void Model::refresh() {
   if (!only_regimes_evaluated_) return;
   trial_ = state_;
   evaluate();
-  for (const auto& block : blocks_) block->commit(0.0);
+  evaluate_rates();
+  state_.jerk = trial_.jerk;
+  for (const auto& block : blocks_) block->commit(0.0, WorkRule::mean_force);
 }
 
 void Model::evaluate() {
@@ -191,6 +194,20 @@ void Model::evaluate() {
     block->evaluate(trial_.displacement.data(), trial_.velocity.data(), internal_forces_.data());
   for (const std::size_t i : changing_blocks_)
     if (blocks_[i]->take_tangent_change()) ++tangent_version_;
+}
+
+void Model::evaluate_rates() {
+  const double* acceleration = trial_.acceleration.data();
+  if (only_regimes_evaluated_) {
+    for (const std::size_t i : blocks_with_regimes_) blocks_[i]->evaluate_rates(acceleration, nullptr);
+    return;
+  }
+  force_rates_.setZero(degrees_of_freedom() + 1);
+  for (const auto& block : blocks_) block->evaluate_rates(acceleration, force_rates_.data());
+  const int count = degrees_of_freedom();
+  const double *mass = masses_.data(), *force_rate = force_rates_.data();
+  double* __restrict jerk = trial_.jerk.data();
+  for (int i = 0; i < count; ++i) jerk[i] = -force_rate[i] / mass[i];
 }
 
 void Model::assemble_tangent(double acceleration_weight, double velocity_weight, double displacement_weight,
@@ -219,16 +236,17 @@ void Model::assemble_linear_stiffness(StiffnessStage stage, SparseMatrix& matrix
   for (const auto& block : blocks_) block->add_linear_stiffness(stage, matrix.values.data());
 }
 
-void Model::commit() {
+void Model::commit(WorkRule rule) {
   const double step = trial_.time - state_.time;
   state_.time = trial_.time;
   state_.displacement.swap(trial_.displacement);
   state_.velocity.swap(trial_.velocity);
   state_.acceleration.swap(trial_.acceleration);
+  state_.jerk.swap(trial_.jerk);
   if (only_regimes_evaluated_)
-    for (const std::size_t i : blocks_with_regimes_) blocks_[i]->commit(step);
+    for (const std::size_t i : blocks_with_regimes_) blocks_[i]->commit(step, rule);
   else
-    for (const auto& block : blocks_) block->commit(step);
+    for (const auto& block : blocks_) block->commit(step, rule);
 }
 
 void Model::start_energy_account() {
@@ -246,6 +264,7 @@ void Model::change_regimes(std::vector<RegimeChange>& changes) {
   const std::size_t before = changes.size();
   for (const std::size_t i : blocks_with_regimes_) blocks_[i]->change_regimes(i, changes);
   if (changes.size() == before) return;
+  for (std::size_t i = before; i < changes.size(); ++i) changes[i].time = state_.time;
   trial_ = state_;
   evaluate();
 }

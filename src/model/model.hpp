@@ -24,6 +24,7 @@ struct MotionState {
   Vector displacement;  ///< m
   Vector velocity;      ///< m/s
   Vector acceleration;  ///< m/s^2
+  Vector jerk;          ///< m/s^3, rate of the absolute acceleration: it jumps only where forces bend, not with the ground
 };
 
 /// Reports the shear that the outside exerts on a set of nodes, from their inertia: the sum of mass
@@ -94,6 +95,9 @@ class Model {
 
   /// Computes all elements at the trial state.
   void evaluate();
+  /// After evaluate(): the rates of all forces at the trial state, from both tangents and the trial accelerations, and
+  /// from them the trial jerk, -M^-1 df/dt.
+  void evaluate_rates();
   /// Computes only the elements that can change their regime; forces and deformations of the others stay those of the
   /// last evaluate(). For whoever knows the motion of the nodes without forces and has no one to show them to.
   void evaluate_regimes();
@@ -110,9 +114,9 @@ class Model {
   [[nodiscard]] long tangent_version() const { return tangent_version_; }
   /// matrix := stiffness of a linear analysis.
   void assemble_linear_stiffness(StiffnessStage stage, SparseMatrix& matrix) const;
-  /// The trial state of nodes and elements becomes the committed one; energy accounts grow by the step between them.
-  /// What trial() holds afterwards is not specified: the next step fills it.
-  void commit();
+  /// The trial state of nodes and elements becomes the committed one; energy accounts grow by the step between them,
+  /// whose work is formed by `rule`. What trial() holds afterwards is not specified: the next step fills it.
+  void commit(WorkRule rule = WorkRule::mean_force);
   /// Starts the energy accounts of all elements at the committed state; they are kept from then on.
   void start_energy_account();
   [[nodiscard]] bool keeps_energy_accounts() const { return keeps_energy_accounts_; }
@@ -142,7 +146,7 @@ class Model {
   // Tangents of the blocks for which they never change, as values of the pattern.
   std::vector<double> constant_stiffness_, constant_damping_;
   MotionState state_, trial_;
-  Vector internal_forces_;
+  Vector internal_forces_, force_rates_;
   long tangent_version_ = 0;
   std::vector<std::size_t> changing_blocks_;  // those without constant tangent
   std::vector<std::size_t> blocks_with_regimes_;

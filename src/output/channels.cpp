@@ -20,6 +20,7 @@ Channels::Channels(const Model& model) {
         of_block.elements.push_back({e, info.kind == ElementKind::gap ? Shown::indentation : Shown::deformation});
       }
       if (!info.force_quantity.empty()) {
+        if (!block.constant_tangent()) of_laws_.push_back({list_.size(), b, e});
         list_.push_back({info.force_quantity.text(), info.name, info.listed_under(), "N"});
         of_block.elements.push_back({e, Shown::force});
       }
@@ -36,36 +37,53 @@ int Channels::find(std::string_view quantity, std::string_view where) const {
   return -1;
 }
 
-void Channels::sample(const StepView& view, std::vector<double>& values) const {
+void Channels::sample(const StepView& view, std::vector<double>& values, std::vector<double>& rates) const {
   values.resize(list_.size());
-  double* next = values.data();
+  rates.resize(list_.size());
+  double *value = values.data(), *rate = rates.data();
   const MotionState& state = view.model.state();
   const double *displacement = state.displacement.data(), *velocity = state.velocity.data(),
-               *acceleration = state.acceleration.data();
+               *acceleration = state.acceleration.data(), *jerk = state.jerk.data();
   for (std::size_t i = 0; i < view.model.nodes().size(); ++i) {
-    *next++ = displacement[i];
-    *next++ = velocity[i];
-    *next++ = acceleration[i] + view.ground_acceleration;
+    value[0] = displacement[i];
+    value[1] = rate[0] = velocity[i];
+    rate[1] = acceleration[i];
+    value[2] = acceleration[i] + view.ground_acceleration;
+    rate[2] = jerk[i];
+    value += 3;
+    rate += 3;
   }
   for (const BlockChannels& channels : blocks_) {
     const ElementBlock& block = *view.model.blocks()[channels.block];
-    const double *deformations = block.deformations().data(), *forces = block.forces().data();
+    const double *deformations = block.deformations().data(), *deformation_rates = block.rates().data(),
+                 *forces = block.forces().data(), *force_rates = block.force_rates().data();
     for (const ElementChannel& channel : channels.elements) {
-      const double deformation = deformations[channel.element];
+      const bool force = channel.shown == Shown::force;
+      *value = force ? forces[channel.element] : deformations[channel.element];
+      *rate = force ? force_rates[channel.element] : deformation_rates[channel.element];
       // An open gap is not indented.
-      *next++ = channel.shown == Shown::force         ? forces[channel.element]
-                : channel.shown == Shown::indentation ? std::max(deformation, 0.0)
-                                                      : deformation;
+      if (channel.shown == Shown::indentation && *value < 0.0) *value = *rate = 0.0;
+      ++value;
+      ++rate;
     }
   }
   const Vector& mass = view.model.masses();
   for (const BaseShear& shear : view.model.base_shears()) {
     // The force from outside is minus the inertia of all that stands on the base.
-    double inertia = 0.0;
-    for (const NodeId node : shear.nodes)
+    double inertia = 0.0, inertia_rate = 0.0;
+    for (const NodeId node : shear.nodes) {
       inertia += mass[node.index] * (state.acceleration[node.index] + view.ground_acceleration);
-    *next++ = -inertia;
+      inertia_rate += mass[node.index] * state.jerk[node.index];
+    }
+    *value++ = -inertia;
+    *rate++ = -inertia_rate;
   }
+}
+
+double Channels::value_inside(const Model& model, std::size_t channel, double fraction, double of_cubic) const {
+  const auto found = std::ranges::lower_bound(of_laws_, channel, {}, &LawChannel::channel);
+  if (found == of_laws_.end() || found->channel != channel) return of_cubic;
+  return model.blocks()[found->block]->force_inside(found->element, fraction);
 }
 
 }  // namespace moat

@@ -28,8 +28,11 @@ class Channels {
   [[nodiscard]] const std::vector<Channel>& list() const { return list_; }
   /// The channel of this quantity at this node or element; -1 if there is none.
   [[nodiscard]] int find(std::string_view quantity, std::string_view where) const;
-  /// values := all channels at the committed state; as long as list().
-  void sample(const StepView& view, std::vector<double>& values) const;
+  /// values := all channels at the committed state, rates := their rates, per second; as long as list().
+  void sample(const StepView& view, std::vector<double>& values, std::vector<double>& rates) const;
+  /// A channel at a fraction of the step that led to the committed state, where a cubic through its values and rates has
+  /// the given value. The force of a law that bends is asked of the law, so that none exceeds its capacity.
+  [[nodiscard]] double value_inside(const Model& model, std::size_t channel, double fraction, double of_cubic) const;
 
   /// Index of the first of a node's channels: displacement, then velocity, then absolute acceleration.
   [[nodiscard]] static std::size_t of_node(NodeId node) { return 3 * static_cast<std::size_t>(node.index); }
@@ -45,8 +48,14 @@ class Channels {
     std::vector<ElementChannel> elements;
   };
 
+  // A channel whose value inside a step comes from its law.
+  struct LawChannel {
+    std::size_t channel, block, element;
+  };
+
   std::vector<Channel> list_;
   std::vector<BlockChannels> blocks_;
+  std::vector<LawChannel> of_laws_;  // ascending
 };
 
 }  // namespace moat

@@ -16,20 +16,45 @@ double kinetic_energy(const Model& model) {
 }  // namespace
 
 void EnergyLedger::start(const StepView& view) {
-  displacement_ = view.model.state().displacement;
-  ground_acceleration_ = view.ground_acceleration;
+  remember(view);
   kinetic_at_start_ = kinetic_energy(view.model);
   largest_kinetic_ = kinetic_at_start_;
 }
 
 void EnergyLedger::step(const StepView& view) {
-  const Vector& displacement = view.model.state().displacement;
+  const MotionState& end = view.model.state();
   const int count = view.model.degrees_of_freedom();
-  const double mean = 0.5 * (ground_acceleration_ + view.ground_acceleration);
-  input_ -= mean * view.model.masses().dot(displacement.head(count) - displacement_.head(count));
+  const auto displacement = end.displacement.head(count);
+  const Vector& masses = view.model.masses();
+  if (view.work_rule == WorkRule::mean_force) {
+    const double mean = 0.5 * (ground_acceleration_ + view.ground_acceleration);
+    input_ -= mean * masses.dot(displacement - displacement_);
+  } else {
+    // The integral of a_g v dt by parts, a_g being linear; that of u by the quintic through u, v and a at both ends.
+    const double h = end.time - time_;
+    if (h > 0.0) {
+      const double slope = (view.ground_acceleration - ground_acceleration_) / h;
+      const double now = masses.dot(displacement), before = masses.dot(displacement_);
+      const double mean = 0.5 * h * (now + before) +
+                          h * h / 10.0 * masses.dot(velocity_ - end.velocity.head(count)) +
+                          h * h * h / 120.0 * masses.dot(acceleration_ + end.acceleration.head(count));
+      input_ -= view.ground_acceleration * now - ground_acceleration_ * before - slope * mean;
+    }
+  }
   largest_input_ = std::max(largest_input_, std::abs(input_));
   largest_kinetic_ = std::max(largest_kinetic_, kinetic_energy(view.model));
-  displacement_ = displacement;
+  remember(view);
+}
+
+void EnergyLedger::event(const StepView& view, std::span<const RegimeChange>) { remember(view); }
+
+void EnergyLedger::remember(const StepView& view) {
+  const MotionState& state = view.model.state();
+  const int count = view.model.degrees_of_freedom();
+  time_ = state.time;
+  displacement_ = state.displacement.head(count);
+  velocity_ = state.velocity.head(count);
+  acceleration_ = state.acceleration.head(count);
   ground_acceleration_ = view.ground_acceleration;
 }
 

@@ -1,8 +1,10 @@
 #include "output/history_recorder.hpp"
 
-#include "base/check.hpp"
-
 #include <array>
+#include <cmath>
+
+#include "base/check.hpp"
+#include "base/hermite.hpp"
 
 namespace moat {
 namespace {
@@ -21,8 +23,8 @@ constexpr std::array energy_columns{EnergyColumn{"input_energy", &EnergyBalance:
 
 }  // namespace
 
-HistoryRecorder::HistoryRecorder(const Model& model, double interval, const EnergyLedger* ledger)
-    : channels_{model}, interval_{interval}, ledger_{ledger} {
+HistoryRecorder::HistoryRecorder(const Model& model, double interval, const EnergyLedger* ledger, bool inside_steps)
+    : channels_{model}, interval_{interval}, ledger_{ledger}, inside_steps_{inside_steps} {
   Check{"HistoryRecorder", ""}.positive("interval", interval, "s");
   heads_.push_back({"time", "", "s", {}});
   heads_.push_back({"ground_acceleration", "ground", "m/s^2", {}});
@@ -32,30 +34,67 @@ HistoryRecorder::HistoryRecorder(const Model& model, double interval, const Ener
 }
 
 void HistoryRecorder::start(const StepView& view) {
-  next_ = static_cast<long>(view.model.state().time / interval_);
-  record(view);
+  constexpr double coincident = 1e-9;  // of an interval
+  next_ = static_cast<long>(std::ceil(view.model.state().time / interval_ - coincident));
+  take(view, true);
+  if (std::abs(now_.time - next_time()) > coincident * interval_) return;
+  add_row(now_);
+  ++next_;
 }
 
 void HistoryRecorder::step(const StepView& view) {
-  // Steps that end at an event lie between grid times; a regular table skips them, peaks do not.
-  if (view.on_grid && view.model.state().time >= static_cast<double>(next_) * interval_ * (1.0 - 1e-12)) record(view);
+  constexpr double coincident = 1e-9;  // of an interval
+  const double time = view.model.state().time;
+  const bool due = time >= next_time() - coincident * interval_;
+  before_.values.swap(now_.values);
+  before_.rates.swap(now_.rates);
+  before_.energies.swap(now_.energies);
+  before_.time = now_.time;
+  before_.ground_acceleration = now_.ground_acceleration;
+  take(view, due || inside_steps_);
+  for (; time >= next_time() - coincident * interval_; ++next_)
+    add_row(std::abs(time - next_time()) <= coincident * interval_ ? now_ : between(view.model, next_time()));
 }
 
-void HistoryRecorder::record(const StepView& view) {
-  channels_.sample(view, values_);
+void HistoryRecorder::event(const StepView& view, std::span<const RegimeChange>) { take(view, inside_steps_); }
+
+void HistoryRecorder::take(const StepView& view, bool with_energies) {
+  now_.time = view.model.state().time;
+  now_.ground_acceleration = view.ground_acceleration;
+  channels_.sample(view, now_.values, now_.rates);
+  if (ledger_ == nullptr || !with_energies) return;
+  const EnergyBalance balance = ledger_->totals(view.model);
+  now_.energies.clear();
+  for (const EnergyColumn& column : energy_columns) now_.energies.push_back(balance.*column.value);
+}
+
+const HistoryRecorder::Sample& HistoryRecorder::between(const Model& model, double time) {
+  const double step = now_.time - before_.time, x = (time - before_.time) / step;
+  const auto linear = [x](double first, double last) { return first + x * (last - first); };
+  inside_.time = time;
+  inside_.ground_acceleration = linear(before_.ground_acceleration, now_.ground_acceleration);
+  inside_.values.resize(now_.values.size());
+  for (std::size_t i = 0; i < now_.values.size(); ++i) {
+    const HermiteCubic cubic{before_.values[i], before_.rates[i], now_.values[i], now_.rates[i], step};
+    inside_.values[i] = channels_.value_inside(model, i, x, cubic.value(x));
+  }
+  inside_.energies = now_.energies;
+  if (before_.energies.size() == now_.energies.size())
+    for (std::size_t i = 0; i < now_.energies.size(); ++i)
+      inside_.energies[i] = linear(before_.energies[i], now_.energies[i]);
+  return inside_;
+}
+
+void HistoryRecorder::add_row(const Sample& sample) {
   if (pieces_.empty() || pieces_.back().size() == rows_per_piece * heads_.size()) {
     pieces_.emplace_back();
     pieces_.back().reserve(rows_per_piece * heads_.size());
   }
   std::vector<double>& piece = pieces_.back();
-  piece.push_back(view.model.state().time);
-  piece.push_back(view.ground_acceleration);
-  piece.insert(piece.end(), values_.begin(), values_.end());
-  if (ledger_ != nullptr) {
-    const EnergyBalance balance = ledger_->totals(view.model);
-    for (const EnergyColumn& column : energy_columns) piece.push_back(balance.*column.value);
-  }
-  while (static_cast<double>(next_) * interval_ <= view.model.state().time * (1.0 + 1e-12)) ++next_;
+  piece.push_back(sample.time);
+  piece.push_back(sample.ground_acceleration);
+  piece.insert(piece.end(), sample.values.begin(), sample.values.end());
+  if (ledger_ != nullptr) piece.insert(piece.end(), sample.energies.begin(), sample.energies.end());
 }
 
 Table HistoryRecorder::table() const {

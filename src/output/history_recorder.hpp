@@ -7,28 +7,41 @@
 
 namespace moat {
 
-/// Keeps time, ground acceleration and every channel at a constant interval: at the first grid time of the
-/// analysis at or after each multiple of it. With a ledger also the energies, at place "structure".
+/// Keeps time, ground acceleration and every channel at the multiples of a constant interval, from the first at or after
+/// the start on. A row that falls inside a step is interpolated: channels by the cubic through value and rate at both
+/// ends (forces of laws that bend by the law itself), energies linearly. With a ledger the energies too, at place
+/// "structure". At an event a row has the values before it.
 class HistoryRecorder final : public StepObserver {
  public:
-  /// interval: s, > 0. ledger: must outlive the recorder and be attached before it; may be null.
-  HistoryRecorder(const Model& model, double interval, const EnergyLedger* ledger = nullptr);
+  /// interval: s, > 0. ledger: must outlive the recorder and be attached before it; may be null. inside_steps: rows may
+  /// fall inside steps, so that energies are needed at every step.
+  HistoryRecorder(const Model& model, double interval, const EnergyLedger* ledger = nullptr, bool inside_steps = false);
 
   void start(const StepView& view) override;
   void step(const StepView& view) override;
-  void event(const StepView&, std::span<const RegimeChange>) override {}
+  void event(const StepView& view, std::span<const RegimeChange> changes) override;
   void finish(const StepView&) override {}
 
   [[nodiscard]] Table table() const;
 
  private:
-  void record(const StepView& view);
+  // All there is to know at one instant.
+  struct Sample {
+    double time = 0.0, ground_acceleration = 0.0;
+    std::vector<double> values, rates, energies;
+  };
+
+  void take(const StepView& view, bool with_energies);
+  void add_row(const Sample& sample);
+  [[nodiscard]] const Sample& between(const Model& model, double time);
+  [[nodiscard]] double next_time() const { return static_cast<double>(next_) * interval_; }
 
   Channels channels_;
   double interval_;
   const EnergyLedger* ledger_;
-  long next_ = 0;
-  std::vector<double> values_;
+  bool inside_steps_;
+  long next_ = 0;  // multiple of the interval
+  Sample before_, now_, inside_;
   std::vector<Column> heads_;  // without values
   // Rows one after the other, in pieces, so that a long history is not copied while it grows.
   static constexpr std::size_t rows_per_piece = 256;

@@ -20,14 +20,16 @@ void ImpactRecorder::follow(const StepView& view, bool after_event) {
   const double time = view.model.state().time;
   for (Ongoing& contact : ongoing_) {
     const ElementBlock& block = *view.model.blocks()[contact.gap.block];
-    const double indentation = block.deformations()[contact.gap.element];
-    const double force = block.forces()[contact.gap.element];
+    const std::size_t element = contact.gap.element;
+    const double indentation = block.deformations()[element], rate = block.rates()[element];
+    const double force = block.forces()[element], force_rate = block.force_rates()[element];
     if (after_event) {
-      contact.indentation.restart(time, indentation);
-      contact.force.restart(time, force);
+      contact.indentation.restart(time, indentation, rate);
+      contact.force.restart(time, force, force_rate);
     } else {
-      contact.indentation.add(time, indentation);
-      contact.force.add(time, force);
+      contact.indentation.add(time, indentation, rate);
+      contact.force.add(time, force, force_rate,
+                        [&](double fraction, double) { return block.force_inside(element, fraction); });
     }
   }
 }

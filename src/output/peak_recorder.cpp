@@ -9,13 +9,16 @@ PeakRecorder::PeakRecorder(const Model& model) : model_{&model}, channels_{model
 void PeakRecorder::start(const StepView& view) { step(view); }
 
 void PeakRecorder::step(const StepView& view) {
-  channels_.sample(view, values_);
-  trackers_.add(view.model.state().time, values_.data());
+  channels_.sample(view, values_, rates_);
+  trackers_.add(view.model.state().time, values_.data(), rates_.data(),
+                [&](std::size_t i, double fraction, double turned) {
+                  return channels_.value_inside(view.model, i, fraction, turned);
+                });
 }
 
 void PeakRecorder::event(const StepView& view, std::span<const RegimeChange>) {
-  channels_.sample(view, values_);
-  trackers_.restart(view.model.state().time, values_.data());
+  channels_.sample(view, values_, rates_);
+  trackers_.restart(view.model.state().time, values_.data(), rates_.data());
 }
 
 std::vector<Peak> PeakRecorder::peaks() const {

@@ -27,7 +27,7 @@ class PeakRecorder final : public StepObserver {
   const Model* model_;
   Channels channels_;
   PeakTrackers trackers_;
-  std::vector<double> values_;
+  std::vector<double> values_, rates_;
 };
 
 }  // namespace moat

@@ -1,35 +1,42 @@
-// The largest magnitude of a quantity between samples.
+// The largest magnitude of a quantity over continuous time.
 #pragma once
 
 #include <cmath>
 
+#include "base/hermite.hpp"
+
 namespace moat {
 
-/// Follows one quantity through instants at unequal distances and keeps its largest magnitude over
-/// continuous time: where neighbouring samples turn, the vertex of the parabola through three of them counts.
-/// Quantities may jump at events; restart() keeps the parabola from reaching across.
+/// Follows one quantity through instants at unequal distances and keeps its largest magnitude over continuous time:
+/// between two instants whose rates have opposite signs the cubic through values and rates turns, and its value there
+/// counts. Quantities may jump at events; restart() keeps the cubic from reaching across.
 class PeakTracker {
  public:
-  void add(double time, double value) {
+  /// Value and rate (per second) at a time in s. `inside(fraction, value)` is asked for the value that counts at a
+  /// fraction of the last step, where the cubic turns with the given value.
+  template <class Inside>
+  void add(double time, double value, double rate, const Inside& inside) {
     keep(time, value);
-    const double last_rise = rise_, rise = value - middle_;
-    // Two equal samples with the turn between them are a vertex too; more of them are a plateau.
-    const bool turns = count_ >= 2 && last_rise * rise < 0.0;
-    const bool turned_between = count_ >= 3 && last_rise == 0.0 && rise_before_ * rise < 0.0;
-    if (turns || turned_between) keep_vertex(time, value);
-    rise_before_ = last_rise;
-    rise_ = rise;
-    first_ = middle_;
-    first_time_ = middle_time_;
-    middle_ = value;
-    middle_time_ = time;
-    if (count_ < 3) ++count_;
+    const double step = time - time_before_;
+    if (known_ && step > 0.0 && rate_before_ * rate < 0.0) {
+      const HermiteCubic cubic{value_before_, rate_before_, value, rate, step};
+      const double x = cubic.turn();
+      const double turned = cubic.value(x);
+      if (std::abs(turned) > magnitude_) keep(time_before_ + x * step, inside(x, turned));
+    }
+    known_ = true;
+    time_before_ = time;
+    value_before_ = value;
+    rate_before_ = rate;
+  }
+  void add(double time, double value, double rate) {
+    add(time, value, rate, [](double, double turned) { return turned; });
   }
 
-  /// The value just after an event; the past is not used for interpolation any more.
-  void restart(double time, double value) {
-    count_ = 0;
-    add(time, value);
+  /// The value just after an event.
+  void restart(double time, double value, double rate) {
+    known_ = false;
+    add(time, value, rate);
   }
 
   [[nodiscard]] double magnitude() const { return magnitude_; }
@@ -42,20 +49,9 @@ class PeakTracker {
     time_ = time;
   }
 
-  void keep_vertex(double time, double value) {
-    const double before = middle_time_ - first_time_, after = time - middle_time_;
-    if (before <= 0.0 || after <= 0.0) return;
-    const double slope_before = (middle_ - first_) / before, slope_after = (value - middle_) / after;
-    const double curvature = (slope_after - slope_before) / (before + after);
-    const double slope = (slope_before * after + slope_after * before) / (before + after);
-    const double shift = -0.5 * slope / curvature;
-    keep(middle_time_ + shift, middle_ + 0.5 * slope * shift);
-  }
-
   double magnitude_ = 0.0, time_ = 0.0;
-  double first_ = 0.0, middle_ = 0.0, first_time_ = 0.0, middle_time_ = 0.0;
-  double rise_ = 0.0, rise_before_ = 0.0;  // between the last two samples, and the two before
-  int count_ = 0;
+  double time_before_ = 0.0, value_before_ = 0.0, rate_before_ = 0.0;
+  bool known_ = false;
 };
 
 }  // namespace moat

@@ -12,6 +12,7 @@ struct StepView {
   const Model& model;
   double ground_acceleration = 0.0;  ///< m/s^2, at the state's time
   bool on_grid = true;               ///< false where the step ended at a located event, between grid times
+  WorkRule work_rule = WorkRule::mean_force;  ///< of the step that led here
 };
 
 /// What an observer looks at, apart from time and ground; each includes those before it.

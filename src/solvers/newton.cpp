@@ -155,8 +155,8 @@ class NewtonDirectionFactory final : public NOX::Direction::UserDefinedFactory {
   }
 };
 
-// Converged when the largest residual is small against the largest force; failed when it is not a
-// number or the iterations are used up.
+// Converged when every residual is small against the forces of its own row; failed when one is not a number or the
+// iterations are used up.
 class ForceBalanceTest final : public NOX::StatusTest::Generic {
  public:
   explicit ForceBalanceTest(NewtonOptions options) : options_{options} {}
@@ -171,24 +171,31 @@ class ForceBalanceTest final : public NOX::StatusTest::Generic {
     report.iterations = solver.getNumIterations();
     report.converged = false;
     const moat::Vector& residual = iterate.residual();
-    const double largest = residual.cwiseAbs().maxCoeff();
     const double sum = residual.cwiseAbs().sum();
-    report.residual = largest / std::max(iterate.system().residual_scale(), std::numeric_limits<double>::min());
+    report.residual =
+        (residual.array().abs() / iterate.system().residual_scales().array()).maxCoeff(&report.worst_degree_of_freedom);
     // The sum, because comparisons pass over what is not a number.
     if (!iterate.isF() || !std::isfinite(sum)) {
       report_no_number(residual);
       status_ = NOX::StatusTest::Failed;
-    } else if (report.residual <= options_.tolerance ||
-               (report.iterations >= 1 && report.residual <= loosest_by_round_off &&
-                largest <= iterate.system().round_off())) {
+    } else if (report.iterations >= 1 && (report.residual <= options_.tolerance ||
+                                          (report.residual <= loosest_by_round_off && is_round_off(iterate)))) {
       report.converged = true;
       status_ = NOX::StatusTest::Converged;
     } else {
       status_ =
           report.iterations >= options_.largest_iterations ? NOX::StatusTest::Failed : NOX::StatusTest::Unconverged;
-      if (status_ == NOX::StatusTest::Failed) residual.cwiseAbs().maxCoeff(&report.worst_degree_of_freedom);
     }
     return status_;
+  }
+  // Whether rows beyond the tolerance are there by round-off only.
+  [[nodiscard]] bool is_round_off(const NoxGroup& iterate) const {
+    const moat::Vector &residual = iterate.residual(), &scales = iterate.system().residual_scales();
+    for (int i = 0; i < static_cast<int>(residual.size()); ++i)
+      if (std::abs(residual[i]) > options_.tolerance * scales[i] &&
+          std::abs(residual[i]) > iterate.system().round_off(i))
+        return false;
+    return true;
   }
   // The residual is not a number, or could not be computed.
   void report_no_number(const moat::Vector& residual) {

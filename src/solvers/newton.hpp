@@ -17,19 +17,19 @@ class NonlinearSystem {
   /// residual := r(x). False if x is outside the domain of the equations.
   virtual bool compute_residual(const Vector& x, Vector& residual) = 0;
 
-  /// The size the largest residual is judged against, of the x last given to compute_residual().
-  [[nodiscard]] virtual double residual_scale() const = 0;
+  /// The sizes > 0 that the residuals are judged against, row by row, of the x last given to compute_residual().
+  [[nodiscard]] virtual const Vector& residual_scales() const = 0;
 
-  /// Residuals up to this, in the unit of the residual, are round-off of the x last given to compute_residual(). Asked
+  /// A residual of this row up to this, in its unit, is round-off of the x last given to compute_residual(). Asked
   /// after the first compute_direction() of a solve only.
-  [[nodiscard]] virtual double round_off() const { return 0.0; }
+  [[nodiscard]] virtual double round_off(int /*row*/) const { return 0.0; }
 
   /// direction := -(dr/dx)^-1 residual at the x last given to compute_residual(). False if the tangent is singular.
   virtual bool compute_direction(const Vector& residual, Vector& direction) = 0;
 };
 
 struct NewtonOptions {
-  /// Largest residual over residual_scale(). 0 < tolerance < 1.
+  /// Largest residual over its row's scale. 0 < tolerance < 1.
   double tolerance = 1e-10;
   /// 1 <= largest_iterations.
   int largest_iterations = 20;
@@ -38,11 +38,12 @@ struct NewtonOptions {
 struct NewtonReport {
   bool converged = false;
   int iterations = 0;
-  double residual = 0.0;            ///< largest residual over residual_scale(); NaN where it is not a number
+  double residual = 0.0;            ///< largest residual over its row's scale; NaN where it is not a number
   int worst_degree_of_freedom = 0;  ///< where it is
 };
 
-/// Full Newton steps by Trilinos NOX. The solver object is made once for a size and reused: after
+/// Full Newton steps by Trilinos NOX, at least one: where some rows balance already, others may not, and a linear system
+/// is solved by the first step anyway. The solver object is made once for a size and reused: after
 /// the first call solve() allocates nothing. One per thread.
 class NewtonSolver {
  public:

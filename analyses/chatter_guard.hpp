@@ -1,0 +1,27 @@
+// Ends an analysis in which one element changes its regime again and again.
+#pragma once
+
+#include <map>
+#include <span>
+#include <utility>
+
+#include "model/model.hpp"
+
+namespace moat {
+
+/// Counts the changes of every element in windows of a second. Many gaps may close in one second; one that closes
+/// thousands of times chatters.
+class ChatterGuard {
+ public:
+  explicit ChatterGuard(int largest_per_second) : largest_per_second_{largest_per_second} {}
+
+  /// Throws Error that names the element, if one changed too often.
+  void count(const Model& model, std::span<const RegimeChange> changes);
+
+ private:
+  int largest_per_second_;
+  double window_start_ = 0.0;  // s
+  std::map<std::pair<std::size_t, std::size_t>, int> changes_of_;
+};
+
+}  // namespace moat

@@ -1,0 +1,71 @@
+// Polynomials through values and derivatives at both ends of a step.
+#pragma once
+
+#include <cmath>
+
+namespace moat {
+
+/// A quantity over one step, x = t/h from 0 to 1: the cubic through value and rate at both ends. Its error is
+/// h^4/384 of the fourth derivative.
+class HermiteCubic {
+ public:
+  /// Values, rates (per second) and the length h > 0 s of the step.
+  HermiteCubic(double value0, double rate0, double value1, double rate1, double h)
+      : value_{value0},
+        rise_{value1 - value0},
+        left_{h * rate0 - (value1 - value0)},
+        right_{(value1 - value0) - h * rate1},
+        h_{h} {}
+
+  [[nodiscard]] double value(double x) const {
+    return value_ + x * (rise_ + (1.0 - x) * ((1.0 - x) * left_ + x * right_));
+  }
+  /// Per second.
+  [[nodiscard]] double rate(double x) const {
+    return (rise_ + (1.0 - x) * (1.0 - 3.0 * x) * left_ + x * (2.0 - 3.0 * x) * right_) / h_;
+  }
+  /// Where the rate is zero inside the step if the rates at its ends have opposite signs: the root between them.
+  [[nodiscard]] double turn() const {
+    // h * rate = c + b x + a x^2 with c and c + b + a of opposite signs. The form without cancellation.
+    const double c = rise_ + left_, b = 2.0 * right_ - 4.0 * left_, a = 3.0 * (left_ - right_);
+    const double root = std::sqrt(std::fmax(b * b - 4.0 * a * c, 0.0));
+    const double q = -0.5 * (b + std::copysign(root, b));
+    const double first = q != 0.0 ? c / q : -1.0;
+    return first >= 0.0 && first <= 1.0 ? first : a != 0.0 ? std::fmin(std::fmax(q / a, 0.0), 1.0) : 0.5;
+  }
+
+ private:
+  double value_, rise_, left_, right_, h_;
+};
+
+/// A quantity over one step, x = t/h from 0 to 1: the quintic through value and first two derivatives at both ends.
+/// Its error is h^6/46080 of the sixth derivative.
+class HermiteQuintic {
+ public:
+  /// Values, rates and their rates (per second, per second squared) and the length h > 0 s of the step.
+  HermiteQuintic(double value0, double rate0, double second0, double value1, double rate1, double second1, double h)
+      : h_{h} {
+    const double rise = value1 - value0, slope0 = h * rate0, slope1 = h * rate1;
+    const double bend0 = 0.5 * h * h * second0, bend1 = 0.5 * h * h * second1;
+    c_[0] = value0;
+    c_[1] = slope0;
+    c_[2] = bend0;
+    c_[3] = 10.0 * rise - 6.0 * slope0 - 4.0 * slope1 - 3.0 * bend0 + bend1;
+    c_[4] = -15.0 * rise + 8.0 * slope0 + 7.0 * slope1 + 3.0 * bend0 - 2.0 * bend1;
+    c_[5] = 6.0 * rise - 3.0 * (slope0 + slope1) - bend0 + bend1;
+  }
+
+  [[nodiscard]] double value(double x) const {
+    return c_[0] + x * (c_[1] + x * (c_[2] + x * (c_[3] + x * (c_[4] + x * c_[5]))));
+  }
+  /// Per second.
+  [[nodiscard]] double rate(double x) const {
+    return (c_[1] + x * (2.0 * c_[2] + x * (3.0 * c_[3] + x * (4.0 * c_[4] + x * 5.0 * c_[5])))) / h_;
+  }
+
+ private:
+  double c_[6];
+  double h_;
+};
+
+}  // namespace moat
