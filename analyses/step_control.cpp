@@ -108,10 +108,10 @@ bool StepControl::accepts(const Model& model, const StepTask& step, NewmarkSchem
   const double h = step.length;
   const double error = error_of(model, step, scheme);
   constexpr double repeat_above = 2.0;
-  if (error > repeat_above && halvings_ < options_.largest_halvings && step_at(halvings_ + 1) < h) {
+  if (error > repeat_above && step_at(options_.largest_halvings) < 0.5 * h) {
     // Steps may be shorter than halvings_ says, in contact or for stability.
-    do ++halvings_;
-    while (halvings_ < options_.largest_halvings && step_at(halvings_) >= h);
+    constexpr double shorter = 0.75;
+    while (halvings_ < options_.largest_halvings && step_at(halvings_) > shorter * h) ++halvings_;
     return false;
   }
   // A step cut to a small part says nothing of the nominal one.

@@ -17,6 +17,14 @@ class HermiteCubic {
         right_{(value1 - value0) - h * rate1},
         h_{h} {}
 
+  /// False where the rate at one end is far beyond all that the other end and the rise bear out: the quantity has an
+  /// infinite slope there, like d^1/4 at d = 0, and the cubic overshoots. For a parabola |h rate0| <= 2 |rise| + |h rate1|.
+  [[nodiscard]] bool is_smooth() const {
+    constexpr double far_beyond = 4.0;
+    const double rise = std::fabs(rise_), slope0 = std::fabs(left_ + rise_), slope1 = std::fabs(rise_ - right_);
+    return slope0 <= far_beyond * (2.0 * rise + slope1) && slope1 <= far_beyond * (2.0 * rise + slope0);
+  }
+
   [[nodiscard]] double value(double x) const {
     return value_ + x * (rise_ + (1.0 - x) * ((1.0 - x) * left_ + x * right_));
   }

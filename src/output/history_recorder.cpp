@@ -76,7 +76,8 @@ const HistoryRecorder::Sample& HistoryRecorder::between(const Model& model, doub
   inside_.values.resize(now_.values.size());
   for (std::size_t i = 0; i < now_.values.size(); ++i) {
     const HermiteCubic cubic{before_.values[i], before_.rates[i], now_.values[i], now_.rates[i], step};
-    inside_.values[i] = channels_.value_inside(model, i, x, cubic.value(x));
+    inside_.values[i] = channels_.value_inside(
+        model, i, x, cubic.is_smooth() ? cubic.value(x) : linear(before_.values[i], now_.values[i]));
   }
   inside_.energies = now_.energies;
   if (before_.energies.size() == now_.energies.size())

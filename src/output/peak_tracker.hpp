@@ -22,7 +22,7 @@ class PeakTracker {
       const HermiteCubic cubic{value_before_, rate_before_, value, rate, step};
       const double x = cubic.turn();
       const double turned = cubic.value(x);
-      if (std::abs(turned) > magnitude_) keep(time_before_ + x * step, inside(x, turned));
+      if (cubic.is_smooth() && std::abs(turned) > magnitude_) keep(time_before_ + x * step, inside(x, turned));
     }
     known_ = true;
     time_before_ = time;
