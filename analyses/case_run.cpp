@@ -1,6 +1,7 @@
 #include "analyses/case_run.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "analyses/case_warnings.hpp"
 #include "analyses/periods.hpp"

@@ -10,11 +10,13 @@ namespace {
 
 double error_of(const TrialPeak* worst) { return worst == nullptr ? 0.0 : worst->error(); }
 
-std::string percent(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.4f %%", 100.0 * value);
-  return text;
+std::string text(const char* format, double value) {
+  char buffer[32];
+  std::snprintf(buffer, sizeof buffer, format, value);
+  return buffer;
 }
+
+std::string percent(double value) { return text("%.2g %%", 100.0 * value); }
 
 std::string whole(double value) { return std::to_string(std::lround(value)); }
 
@@ -24,6 +26,22 @@ double quantile(const std::vector<double>& sorted, double share) {
   if (sorted.empty()) return NAN;
   const double place = std::ceil(share * static_cast<double>(sorted.size())) - 1.0;
   return sorted[static_cast<std::size_t>(std::max(place, 0.0))];
+}
+
+ErrorBarCheck check_error_bars(const std::vector<const TrialModel*>& models, std::size_t setting) {
+  std::vector<double> widths;
+  std::size_t peaks = 0, covered = 0;
+  for (const TrialModel* model : models)
+    for (const TrialPeak& peak : model->trials[setting].peaks) {
+      if (!peak.counts || std::isnan(peak.error_bar)) continue;
+      const double error = std::abs(peak.value - peak.reference);
+      ++peaks;
+      covered += static_cast<std::size_t>(error <= peak.error_bar);
+      if (error > 0.0) widths.push_back(peak.error_bar / error);
+    }
+  if (peaks == 0) return {};
+  std::sort(widths.begin(), widths.end());
+  return {peaks, static_cast<double>(covered) / static_cast<double>(peaks), quantile(widths, 0.5)};
 }
 
 ErrorDistribution error_distribution(const std::vector<const TrialModel*>& models, std::size_t setting) {
@@ -42,6 +60,7 @@ ErrorDistribution error_distribution(const std::vector<const TrialModel*>& model
     found.large += static_cast<int>(error > large_error);
     found.large_and_warned += static_cast<int>(error > large_error && trial.warned);
   }
+  found.bars = check_error_bars(models, setting);
   for (auto* values : {&found.errors, &found.all_errors, &found.steps}) std::sort(values->begin(), values->end());
   return found;
 }
@@ -71,6 +90,11 @@ std::string table_of(const std::vector<TrialSetting>& settings, const std::vecto
   row("models with another number of impacts", [](const D& d) { return std::to_string(d.other_impacts); });
   row("models above " + percent(large_error), [](const D& d) { return std::to_string(d.large); });
   row("of these, with a warning", [](const D& d) { return std::to_string(d.large_and_warned); });
+  if (std::any_of(distributions.begin(), distributions.end(), [](const D& d) { return d.bars.peaks > 0; })) {
+    row("peaks with an error bar", [](const D& d) { return std::to_string(d.bars.peaks); });
+    row("true error within the bar", [](const D& d) { return text("%.1f %%", 100.0 * d.bars.coverage); });
+    row("bar over true error: median", [](const D& d) { return text("%.1f", d.bars.width); });
+  }
   row("steps: median", [](const D& d) { return whole(quantile(d.steps, 0.5)); });
   row("90th percentile", [](const D& d) { return whole(quantile(d.steps, 0.9)); });
   return table;

@@ -11,6 +11,13 @@ namespace moat {
 /// What a run should not miss without a warning, relative.
 inline constexpr double large_error = 5e-3;
 
+/// How good moat's own error bars are, over the peaks that count of the models of one setting.
+struct ErrorBarCheck {
+  std::size_t peaks = 0;  ///< with an error bar
+  double coverage = 0.0;  ///< share of them whose true error is at most the bar
+  double width = 0.0;     ///< median of bar over true error
+};
+
 /// Of the models of one setting, by their worst peak.
 struct ErrorDistribution {
   std::vector<double> errors;      ///< relative, of the worst peak that counts, ascending
@@ -20,9 +27,11 @@ struct ErrorDistribution {
   int other_impacts = 0;           ///< models with another number of impacts than the reference
   int large = 0;                   ///< models above large_error
   int large_and_warned = 0;        ///< of these, those whose run warned
+  ErrorBarCheck bars;
 };
 
 /// Of setting number `setting` of all models.
+ErrorBarCheck check_error_bars(const std::vector<const TrialModel*>& models, std::size_t setting);
 ErrorDistribution error_distribution(const std::vector<const TrialModel*>& models, std::size_t setting);
 
 /// The smallest value that is not below the share of the sorted values; NaN without any.

@@ -17,6 +17,20 @@ double thread_seconds() {
   return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
+// Error bars, where this state of the library has them.
+template <class Options>
+CaseOptions with_error_bars(Options options) {
+  if constexpr (requires { options.error_bars; }) options.error_bars = decltype(options.error_bars)::always;
+  return options;
+}
+template <class P>
+double error_bar_of(const P& peak) {
+  if constexpr (requires { peak.error; })
+    return peak.error;
+  else
+    return NAN;
+}
+
 }  // namespace
 
 double TrialPeak::error() const { return reference == 0.0 ? std::abs(value) : std::abs(value - reference) / reference; }
@@ -38,17 +52,19 @@ Trial run_trial(const testing::PlainModel& plain, const testing::ReferenceResult
     Model model = testing::moat_model(plain, setting.locate);
     TransientOptions options = setting.options;
     options.end = plain.end * units::s;
-    const CaseResult result = run_case(model, testing::moat_motion(plain.motion), {.transient = options});
+    const CaseResult result =
+        run_case(model, testing::moat_motion(plain.motion), with_error_bars(CaseOptions{.transient = options}));
     trial.impacts = result.impacts.size();
     trial.steps = result.solver.accepted_steps;
     trial.warned = !result.warnings.empty();
-    std::map<std::string, double> values;
-    for (const Peak& peak : result.peaks) values[peak.quantity + " " + peak.where] = peak.value;
+    std::map<std::string, const Peak*> found;
+    for (const Peak& peak : result.peaks) found[peak.quantity + " " + peak.where] = &peak;
     const std::vector<bool> counts = testing::counting_peaks(reference.peaks);
     for (std::size_t i = 0; i < reference.peaks.size(); ++i) {
       const testing::ReferencePeak& peak = reference.peaks[i];
       const std::string name = peak.quantity + " " + peak.where;
-      trial.peaks.push_back({name, values.at(name), peak.value, counts[i]});
+      const Peak& of_moat = *found.at(name);
+      trial.peaks.push_back({name, of_moat.value, peak.value, counts[i], error_bar_of(of_moat)});
     }
   } catch (const Error& error) {
     trial.refused = error.what();

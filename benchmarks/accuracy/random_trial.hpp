@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -23,6 +24,7 @@ struct TrialPeak {
   std::string name;  ///< quantity and place
   double value = 0.0, reference = 0.0;
   bool counts = true;  ///< at least a thousandth of the largest of its quantity in the model
+  double error_bar = std::numeric_limits<double>::quiet_NaN();  ///< moat's estimate of its error, NaN where it has none
 
   /// Relative; the value itself where the reference is zero.
   [[nodiscard]] double error() const;
