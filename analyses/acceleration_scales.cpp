@@ -9,6 +9,7 @@ namespace moat {
 namespace {
 
 constexpr double seconds_to_fade = 1.0;  // by a factor e
+constexpr double share_of_building = 0.1;
 
 // Numbers of connected parts: two nodes have the same one if elements other than gaps lead from one to the other.
 std::vector<int> connected_parts(const Model& model) {
@@ -40,40 +41,61 @@ AccelerationScales::AccelerationScales(const Model& model, double lowest)
       building_{connected_parts(model)},
       touching_(building_.size(), 0) {
   values_.setConstant(model.degrees_of_freedom(), lowest_);
+  own_ = values_;
   outside_contact_ = values_;
+  of_building_ = values_;
   regimes_changed(model);
 }
 
 void AccelerationScales::regimes_changed(const Model& model) {
-  const bool were_touching = any_touching_;
   std::vector<char> touching(touching_.size(), 0);
+  const auto building_of = [&](int node) { return static_cast<std::size_t>(building_[static_cast<std::size_t>(node)]); };
+  const auto for_each_contact = [&](auto action) {
+    for (const auto& block : model.blocks()) {
+      if (!block->has_regimes()) continue;
+      for (std::size_t e = 0; e < block->size(); ++e) {
+        const ContactView contact = block->contact(e);
+        if (!contact.touching) continue;
+        for (const NodeId node : {block->info(e).first, block->info(e).second})
+          if (node != ground) action(node.index, contact);
+      }
+    }
+  };
   any_touching_ = false;
-  for (const auto& block : model.blocks()) {
-    if (!block->has_regimes()) continue;
-    for (std::size_t e = 0; e < block->size(); ++e) {
-      if (!block->contact(e).touching) continue;
-      any_touching_ = true;
-      for (const NodeId node : {block->info(e).first, block->info(e).second})
-        if (node != ground) touching[static_cast<std::size_t>(building_[static_cast<std::size_t>(node.index)])] = 1;
-    }
-  }
-  if (were_touching)
-    for (std::size_t i = 0; i < building_.size(); ++i) {
-      const auto building = static_cast<std::size_t>(building_[i]);
-      if (touching_[building] != 0 && touching[building] == 0)
-        values_[static_cast<Eigen::Index>(i)] = outside_contact_[static_cast<Eigen::Index>(i)];
-    }
+  for_each_contact([&](int node, const ContactView&) {
+    any_touching_ = true;
+    touching[building_of(node)] = 1;
+  });
+  for (int i = 0; i < static_cast<int>(building_.size()); ++i)
+    if (touching_[building_of(i)] != 0 && touching[building_of(i)] == 0) own_[i] = outside_contact_[i];
   touching_ = std::move(touching);
+  for_each_contact([&](int node, const ContactView& contact) {
+    own_[node] = std::max(own_[node], contact.expected_force / model.masses()[node]);
+  });
+  raise_to_building();
+}
+
+// values_ from the scales of the nodes alone.
+void AccelerationScales::raise_to_building() {
+  const int count = static_cast<int>(own_.size());
+  const int* building = building_.data();
+  const double* own = own_.data();
+  double* __restrict largest = of_building_.data();
+  double* __restrict values = values_.data();
+  for (int i = 0; i < count; ++i) largest[i] = 0.0;
+  for (int i = 0; i < count; ++i) largest[building[i]] = std::max(largest[building[i]], own[i]);
+  for (int i = 0; i < count; ++i) values[i] = std::max(own[i], share_of_building * largest[building[i]]);
 }
 
 void AccelerationScales::accepted(const Model& model, double h, double ground_acceleration) {
   const double fade = std::exp(-h / seconds_to_fade);
   const int count = model.degrees_of_freedom();
   const double* acceleration = model.state().acceleration.data();
-  double* __restrict values = values_.data();
+  double* __restrict values = own_.data();
   double* __restrict outside = outside_contact_.data();
   for (int i = 0; i < count; ++i)
     values[i] = std::max(std::max(values[i] * fade, lowest_), std::abs(acceleration[i] + ground_acceleration));
+  raise_to_building();
   if (!any_touching_) {
     for (int i = 0; i < count; ++i) outside[i] = values[i];
     return;

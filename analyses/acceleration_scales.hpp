@@ -8,11 +8,12 @@
 
 namespace moat {
 
-/// The scale of every node's absolute acceleration, m/s^2: its largest so far, fading with time.
+/// The scale of every node's absolute acceleration, m/s^2: its largest so far, fading with time, and at least a tenth of
+/// the largest in its building: an impact below reaches a floor that has not moved yet.
 ///
-/// Every node has its own, so that a light body that pounds somewhere does not loosen the tolerance of a building. While
-/// a building is in contact its nodes count as they are, and what they did in contact is forgotten when it ends: an
-/// impact is no measure of the motion that follows. A building is here what elements other than gaps hold together.
+/// A light body that pounds somewhere else does not loosen the tolerance of a building. While a building is in contact
+/// its nodes count as they are, and the nodes that touch with at least the acceleration to be expected of the impact;
+/// all that is forgotten when the contact ends: an impact is no measure of the motion that follows. A building is here what elements other than gaps hold together.
 class AccelerationScales {
  public:
   /// lowest >= 0: no scale is below this, m/s^2.
@@ -28,11 +29,15 @@ class AccelerationScales {
 
  private:
   double lowest_;
-  std::vector<int> building_;  // of every node
+  void raise_to_building();
+
+  std::vector<int> building_;  // of every node: the number of one of its nodes
   std::vector<char> touching_;  // of every building
   bool any_touching_ = false;
-  Vector values_;
-  Vector outside_contact_;
+  Vector values_;           // what errors are judged on
+  Vector own_;              // of each node alone
+  Vector outside_contact_;  // the same, without contacts
+  Vector of_building_;      // largest, at the index building_ names
 };
 
 }  // namespace moat

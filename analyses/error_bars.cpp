@@ -19,15 +19,15 @@ namespace {
 // error is within the bar in about 99 % of their peaks, and half of the bars are less than three times the error.
 namespace caution {
 /// Times Richardson's estimate: not all errors shrink to a quarter.
-constexpr double factor = 2.0;
+constexpr double factor = 4.0;
 /// The same where the numbers of impacts differ: then the difference of the two runs shows how far apart two motions
 /// may end, not how an error shrinks.
-constexpr double factor_of_different_impacts = 4.0;
+constexpr double factor_of_different_impacts = 8.0;
 /// The relative difference of a peak counts as at least this share of the median of the peaks of its unit, and of all
 /// peaks.
-constexpr double share_of_unit = 0.3, share_of_all = 0.1;
+constexpr double share_of_unit = 0.5, share_of_all = 0.2;
 /// Of the largest peak of the unit: round-off and the force tolerance.
-constexpr double round_off = 1e-10;
+constexpr double round_off = 1e-8;
 }  // namespace caution
 
 constexpr double richardson = 4.0 / 3.0;

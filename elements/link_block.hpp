@@ -5,6 +5,7 @@
 #include <cmath>
 #include <concepts>
 #include <limits>
+#include <numbers>
 #include <stdexcept>
 #include <string>
 #include <type_traits>
@@ -284,10 +285,14 @@ class LinkBlock final : public ElementBlock {
   }
 
   ContactView contact(std::size_t element) const override {
-    if constexpr (ContactLaw<Law>)
-      return {committed_[element].phase != ContactPhase::open, approach_speeds_[element]};
-    else
+    if constexpr (ContactLaw<Law>) {
+      const ContactState& state = committed_[element];
+      if (state.phase == ContactPhase::open) return {false, approach_speeds_[element], 0.0};
+      const double impulse = effective_masses_[element] * state.approach_speed;
+      return {true, approach_speeds_[element], std::numbers::pi * impulse / durations_[element]};
+    } else {
       return {};
+    }
   }
 
   double delivered_restitution(std::size_t element, double approach_speed) const override {

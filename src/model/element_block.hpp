@@ -101,6 +101,7 @@ struct EnergySums {
 struct ContactView {
   bool touching = false;        ///< from touch until the gap opens, also while the force is zero
   double approach_speed = 0.0;  ///< m/s, at first touch; <= 0 if the bodies did not approach
+  double expected_force = 0.0;  ///< N, of a free impact that lasts half a sine: pi m v0 / duration
 };
 
 /// How the work of a step is formed.

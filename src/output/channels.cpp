@@ -27,8 +27,24 @@ Channels::Channels(const Model& model) {
     }
     if (!of_block.elements.empty()) blocks_.push_back(std::move(of_block));
   }
-  for (const BaseShear& shear : model.base_shears())
+  base_shear_of_node_.assign(model.nodes().size(), -1);
+  for (const BaseShear& shear : model.base_shears()) {
+    for (const NodeId node : shear.nodes)
+      base_shear_of_node_[static_cast<std::size_t>(node.index)] = static_cast<int>(list_.size());
     list_.push_back({"total_base_shear", shear.where, shear.where, "N"});
+  }
+}
+
+std::vector<std::size_t> Channels::bent_by(const Model& model, const RegimeChange& change) const {
+  const ElementInfo& info = model.blocks()[change.block]->info(change.element);
+  std::vector<std::size_t> bent;
+  for (const NodeId node : {info.first, info.second}) {
+    if (node == ground) continue;
+    bent.push_back(of_node(node) + 2);
+    if (const int shear = base_shear_of_node_[static_cast<std::size_t>(node.index)]; shear >= 0)
+      bent.push_back(static_cast<std::size_t>(shear));
+  }
+  return bent;
 }
 
 int Channels::find(std::string_view quantity, std::string_view where) const {

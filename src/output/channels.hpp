@@ -34,6 +34,9 @@ class Channels {
   /// the given value. The force of a law that bends is asked of the law, so that none exceeds its capacity.
   [[nodiscard]] double value_inside(const Model& model, std::size_t channel, double fraction, double of_cubic) const;
 
+  /// The channels whose curves bend where an element changes its regime: accelerations of its nodes, base shears.
+  [[nodiscard]] std::vector<std::size_t> bent_by(const Model& model, const RegimeChange& change) const;
+
   /// Index of the first of a node's channels: displacement, then velocity, then absolute acceleration.
   [[nodiscard]] static std::size_t of_node(NodeId node) { return 3 * static_cast<std::size_t>(node.index); }
 
@@ -56,6 +59,7 @@ class Channels {
   std::vector<Channel> list_;
   std::vector<BlockChannels> blocks_;
   std::vector<LawChannel> of_laws_;  // ascending
+  std::vector<int> base_shear_of_node_;  // channel; -1 if there is none
 };
 
 }  // namespace moat

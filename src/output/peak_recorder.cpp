@@ -17,7 +17,11 @@ void PeakRecorder::step(const StepView& view) {
 }
 
 void PeakRecorder::event(const StepView& view, std::span<const RegimeChange> changes) {
-  if (!values_jump(changes)) return;
+  if (!values_jump(changes)) {
+    for (const RegimeChange& change : changes)
+      for (const std::size_t channel : channels_.bent_by(*model_, change)) trackers_.add_bend(channel, change.time);
+    return;
+  }
   channels_.sample(view, values_, rates_);
   trackers_.restart(view.model.state().time, values_.data(), rates_.data());
 }

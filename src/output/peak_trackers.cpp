@@ -11,7 +11,12 @@ using Pair = double __attribute__((vector_size(16), aligned(8), may_alias));
 }  // namespace
 
 PeakTrackers::PeakTrackers(std::size_t count)
-    : magnitudes_(count, 0.0), times_(count, 0.0), values_before_(count, 0.0), rates_before_(count, 0.0) {
+    : magnitudes_(count, 0.0),
+      times_(count, 0.0),
+      values_before_(count, 0.0),
+      rates_before_(count, 0.0),
+      start_values_(count, 0.0),
+      start_rates_(count, 0.0) {
   notable_.reserve(count);
 }
 
@@ -32,7 +37,18 @@ void PeakTrackers::find_notable(const double* values, const double* rates) {
   for (; i < size(); ++i) notable_.push_back(i);
 }
 
+void PeakTrackers::add_bend(std::size_t i, double time) {
+  const double from_start = time - start_time_, to_end = time_before_ - time, step = time_before_ - start_time_;
+  if (from_start <= 0.0 || to_end <= 0.0) return;
+  const double forward = start_values_[i] + start_rates_[i] * from_start;
+  const double backward = values_before_[i] - rates_before_[i] * to_end;
+  keep(i, time, (to_end * forward + from_start * backward) / step);
+}
+
 void PeakTrackers::remember(double time, const double* values, const double* rates) {
+  start_values_.swap(values_before_);
+  start_rates_.swap(rates_before_);
+  start_time_ = time_before_;
   std::copy(values, values + size(), values_before_.begin());
   std::copy(rates, rates + size(), rates_before_.begin());
   time_before_ = time;
