@@ -9,7 +9,9 @@ namespace moat {
 namespace {
 
 constexpr double seconds_to_fade = 1.0;  // by a factor e
-constexpr double share_of_building = 0.1;
+constexpr double share_of_building = 0.25;
+// Of nodes that touch, whose acceleration rises like t^1.5 or faster: steps_per_contact resolves that.
+constexpr double lenience_in_contact = 16.0;
 
 // Numbers of connected parts: two nodes have the same one if elements other than gaps lead from one to the other.
 std::vector<int> connected_parts(const Model& model) {
@@ -70,9 +72,15 @@ void AccelerationScales::regimes_changed(const Model& model) {
     if (touching_[building_of(i)] != 0 && touching[building_of(i)] == 0) own_[i] = outside_contact_[i];
   touching_ = std::move(touching);
   for_each_contact([&](int node, const ContactView& contact) {
-    own_[node] = std::max(own_[node], contact.expected_force / model.masses()[node]);
+    own_[node] = std::max(own_[node], lenience_in_contact * contact.expected_force / model.masses()[node]);
   });
-  raise_to_building();
+  up_to_date_ = false;
+}
+
+const Vector& AccelerationScales::values() {
+  if (!up_to_date_) raise_to_building();
+  up_to_date_ = true;
+  return values_;
 }
 
 // values_ from the scales of the nodes alone.
@@ -95,7 +103,7 @@ void AccelerationScales::accepted(const Model& model, double h, double ground_ac
   double* __restrict outside = outside_contact_.data();
   for (int i = 0; i < count; ++i)
     values[i] = std::max(std::max(values[i] * fade, lowest_), std::abs(acceleration[i] + ground_acceleration));
-  raise_to_building();
+  up_to_date_ = false;
   if (!any_touching_) {
     for (int i = 0; i < count; ++i) outside[i] = values[i];
     return;

@@ -8,7 +8,7 @@
 
 namespace moat {
 
-/// The scale of every node's absolute acceleration, m/s^2: its largest so far, fading with time, and at least a tenth of
+/// The scale of every node's absolute acceleration, m/s^2: its largest so far, fading with time, and at least a quarter of
 /// the largest in its building: an impact below reaches a floor that has not moved yet.
 ///
 /// A light body that pounds somewhere else does not loosen the tolerance of a building. While a building is in contact
@@ -25,7 +25,7 @@ class AccelerationScales {
   void accepted(const Model& model, double h, double ground_acceleration);
 
   /// Of every node, > 0.
-  [[nodiscard]] const Vector& values() const { return values_; }
+  [[nodiscard]] const Vector& values();
 
  private:
   double lowest_;
@@ -34,7 +34,8 @@ class AccelerationScales {
   std::vector<int> building_;  // of every node: the number of one of its nodes
   std::vector<char> touching_;  // of every building
   bool any_touching_ = false;
-  Vector values_;           // what errors are judged on
+  Vector values_;           // what errors are judged on, if they are up to date
+  bool up_to_date_ = false;
   Vector own_;              // of each node alone
   Vector outside_contact_;  // the same, without contacts
   Vector of_building_;      // largest, at the index building_ names

@@ -3,6 +3,7 @@
 
 #include <limits>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "analyses/acceleration_scales.hpp"
@@ -55,8 +56,10 @@ class StepControl {
   [[nodiscard]] bool adaptive() const { return options_.fixed_step <= 0.0; }
   /// The step to try next from the committed state.
   [[nodiscard]] Step next_step(const Model& model);
-  /// Judges the trial state that a step of this scheme led to. False: repeat with next_step(), which is shorter.
-  [[nodiscard]] bool accepts(const Model& model, const StepTask& step, NewmarkScheme scheme);
+  /// Judges the trial state that a step of this scheme led to, but not the nodes of elements that change their regime
+  /// inside it: their accelerations bend. False: repeat with next_step(), which is shorter.
+  [[nodiscard]] bool accepts(const Model& model, const StepTask& step, NewmarkScheme scheme,
+                             std::span<const RegimeChange> inside = {});
   /// The trial state was committed.
   void accepted(const Model& model, double h, double ground_acceleration);
   /// Elements changed their regime; `touched` if a gap closed.
@@ -81,11 +84,14 @@ class StepControl {
  private:
   [[nodiscard]] double step_at(int halvings) const { return steps_[static_cast<std::size_t>(halvings)]; }
   [[nodiscard]] double stable_step(double contact) const;
-  [[nodiscard]] double error_of(const Model& model, const StepTask& step, NewmarkScheme scheme) const;
+  [[nodiscard]] double error_of(const Model& model, const StepTask& step, NewmarkScheme scheme,
+                                const Vector& scales_of_nodes) const;
+  [[nodiscard]] const Vector& scales_without(const Model& model, std::span<const RegimeChange> inside);
   void watch_round_off(const Model& model);
 
   Options options_;
   AccelerationScales scales_;
+  Vector scales_without_bends_;
   std::vector<double> steps_;  // grid interval divided by 1, 2, 4, ...; s
   int halvings_ = 0;
   int ramp_ = 0;              // further halvings after a touch

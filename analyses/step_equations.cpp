@@ -48,6 +48,13 @@ void StepEquations::begin(const StepTask& task, NewmarkScheme scheme, Vector& gu
   model_->trial().time = task.end_time;
 }
 
+void StepEquations::predict(const StepTask& task, NewmarkScheme scheme, Vector& guess) {
+  begin(task, scheme, guess);
+  move(guess);
+  model_->evaluate_regimes();
+  model_->evaluate_rates();
+}
+
 void StepEquations::complete() {
   model_->evaluate_rates();
   if (!scheme_.corrects_velocity) return;
@@ -73,7 +80,8 @@ void StepEquations::balance_committed_state(double ground_acceleration) {
   model_->commit();
 }
 
-bool StepEquations::compute_residual(const Vector& acceleration, Vector& residual) {
+// The trial state with these accelerations at its end.
+void StepEquations::move(const Vector& acceleration) {
   const int count = size();
   MotionState& trial = model_->trial();
   const double displacement_weight = scheme_.displacement_weight(task_.length),
@@ -88,8 +96,14 @@ bool StepEquations::compute_residual(const Vector& acceleration, Vector& residua
     trial_displacement[i] = predicted_displacement[i] + displacement_weight * a[i];
     trial_velocity[i] = predicted_velocity[i] + velocity_weight * a[i];
   }
+}
+
+bool StepEquations::compute_residual(const Vector& acceleration, Vector& residual) {
+  const int count = size();
+  move(acceleration);
   model_->evaluate();
 
+  const double* a = acceleration.data();
   const double* mass = model_->masses().data();
   const double* force = model_->internal_forces().data();
   const double* lowest_scales = lowest_scales_.data();

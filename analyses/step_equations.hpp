@@ -26,6 +26,8 @@ class StepEquations final : public NonlinearSystem {
 
   /// Sets up a step from the model's committed state. `guess` := accelerations to start from.
   void begin(const StepTask& task, NewmarkScheme scheme, Vector& guess);
+  /// begin(), and the trial state that the guess leads to; only elements that can change their regime are evaluated.
+  void predict(const StepTask& task, NewmarkScheme scheme, Vector& guess);
   /// After the last compute_residual(): jerks of the trial state, and its velocities where the scheme corrects them.
   void complete();
 
@@ -42,6 +44,8 @@ class StepEquations final : public NonlinearSystem {
   [[nodiscard]] long factorisations() const { return factorisation_.count(); }
 
  private:
+  void move(const Vector& acceleration);
+
   Model* model_;
   NewmarkScheme scheme_;
   Factorisation factorisation_;

@@ -270,8 +270,11 @@ double Transient::take_newmark_step() {
     const StepControl::Step step = control_.next_step(*model_);
     plan(step.length);
     scheme_ = step.scheme;
+    changes_.clear();
+    if (goes_on_inside(0)) foresee_changes();
     const double h = solve_cutting(planned_.length);
-    if (control_.accepts(*model_, task_of(h), scheme_)) return h;
+    if (control_.accepts(*model_, task_of(h), scheme_, changes_) && (h == planned_.length || changes_.empty())) return h;
+    model_->undo_changes_inside();
   }
 }
 
@@ -284,8 +287,7 @@ void Transient::advance() {
   steps_exactly_ = exact_ && exact_->applies();
   double h = steps_exactly_ ? take_exact_step() : take_newmark_step();
   const RegimeScan seen = scan(h);
-  changes_.clear();
-  const bool inside = seen.crossed && goes_on_inside() && settle_inside(h);
+  const bool inside = (seen.crossed || !changes_.empty()) && goes_on_inside(seen.crossings) && settle_inside(h);
   const bool located = !seen.returned && seen.margin < 0.0 && seen.margin >= -options_.location_tolerance.si();
   if (seen.crossed && !inside && !located) h = locate_change(h, seen);
   commit(task_of(h));
@@ -295,14 +297,27 @@ void Transient::advance() {
     report_changes_inside();
   else if (seen.crossed)
     change_regimes();
-  constexpr double lately = 1.0 / 64.0;  // weight of the last step
+  constexpr double lately = 1.0 / 16.0;  // weight of the last step
   changes_per_step_ += lately * (std::min(static_cast<double>(changes_.size()), 1.0) - changes_per_step_);
 }
 
-bool Transient::goes_on_inside() const {
-  constexpr double many = 0.25;
-  return !steps_exactly_ && (options_.events == EventTreatment::inside_the_step ||
-                             (options_.events == EventTreatment::automatic && changes_per_step_ > many));
+bool Transient::goes_on_inside(int crossings) const {
+  constexpr double many = 0.3;
+  constexpr int many_at_once = 8;
+  return !steps_exactly_ &&
+         (options_.events == EventTreatment::inside_the_step ||
+          (options_.events == EventTreatment::automatic && (changes_per_step_ > many || crossings >= many_at_once)));
+}
+
+// Changes of regime inside the planned step as the motion predicts them: they need no second solution then.
+void Transient::foresee_changes() {
+  equations_.predict(planned_, scheme_, acceleration_);
+  const bool possible =
+      model_->change_regimes_inside(planned_.length, -0.5 * options_.location_tolerance.si(), changes_) &&
+      control_.is_short_enough(planned_.length, model_->shortest_contact());
+  if (possible) return;
+  model_->undo_changes_inside();
+  changes_.clear();
 }
 
 // Solves the trial step of length h again with the regimes that elements enter inside it. False, and nothing changed,

@@ -31,7 +31,8 @@ enum class Integrator {
 
 /// What happens to the step in which an element changes its regime.
 enum class EventTreatment {
-  /// `inside_the_step` where more than a quarter of the last steps had a change, as in a long street; else `located`.
+  /// `inside_the_step` where about a third of the last sixteen steps had a change, or eight elements change in one step,
+  /// as in a long street; else `located`.
   automatic,
   /// The step ends at the instant of the change, located to location_tolerance: exact, and a step for every change.
   located,
@@ -77,7 +78,7 @@ struct TransientOptions {
   Time end{};
 
   /// > 0, < 1. Largest out-of-balance force of an accepted step at any node, relative to the largest force there.
-  double force_tolerance = 1e-10;
+  double force_tolerance = 1e-8;
 
   /// >= 1. Newton iterations before a step is cut.
   int largest_iterations = 20;
@@ -154,7 +155,8 @@ class Transient {
   [[nodiscard]] RegimeScan scan(double h) const;
   double locate_change(double h, RegimeScan seen);
   void change_regimes();
-  [[nodiscard]] bool goes_on_inside() const;
+  [[nodiscard]] bool goes_on_inside(int crossings) const;
+  void foresee_changes();
   bool settle_inside(double h);
   void report_changes_inside();
   void end_motion();

@@ -133,6 +133,17 @@ class LinkBlock final : public ElementBlock {
 
   bool constant_tangent() const override { return is_linear; }
 
+  bool has_corner() const override {
+    if constexpr (!is_linear && !LawWithRegimes<Law>) {
+      constexpr double jump = 0.2;
+      for (std::size_t i = 0; i < start_stiffnesses_.size(); ++i)
+        if (std::abs(stiffnesses_[i] - start_stiffnesses_[i]) >
+            jump * std::max(std::abs(stiffnesses_[i]), std::abs(start_stiffnesses_[i])))
+          return true;
+    }
+    return false;
+  }
+
   bool take_tangent_change() override { return tangent_changed_.take(); }
 
   void add_linear_stiffness(StiffnessStage stage, double* values) const override {
@@ -149,6 +160,7 @@ class LinkBlock final : public ElementBlock {
       start_.deformations = deformations_;
       start_.rates = rates_;
       start_.second_rates = second_rates_;
+      if constexpr (!is_linear && !LawWithRegimes<Law>) start_stiffnesses_ = stiffnesses_;
       last_step_ = step;
     }
     committed_.swap(trial_);
@@ -504,6 +516,7 @@ class LinkBlock final : public ElementBlock {
       scan.returned = true;
     }
     scan.crossed = true;
+    ++scan.crossings;
     if (scan.fraction > 0.0) scan.fraction = std::min(scan.fraction, first_crossing(i, step, beyond, scan.aim));
   }
 
@@ -566,6 +579,7 @@ class LinkBlock final : public ElementBlock {
   Flag tangent_changed_;
   std::vector<std::pair<std::size_t, State>> before_changes_inside_;  // of the step being tried
   Movement start_, before_;  // at the last commit, and at the one before
+  std::vector<double> start_stiffnesses_;  // of laws without regimes, at the last commit
   double last_step_ = 0.0;   // between them, s
   bool accounting_ = false;
   std::vector<Account> accounts_;

@@ -45,6 +45,8 @@ struct RegimeScan {
   /// True if an element was beyond its margin inside the step and is not at its end: what its margin there tells is not
   /// enough to judge the step.
   bool returned = false;
+  /// Number of elements that changed.
+  int crossings = 0;
   /// Fraction of the step at which the first margin is expected to reach the aim; 1 if none does.
   double fraction = 1.0;
 
@@ -53,6 +55,7 @@ struct RegimeScan {
     margin = std::min(margin, other.margin);
     crossed = crossed || other.crossed;
     returned = returned || other.returned;
+    crossings += other.crossings;
     fraction = std::min(fraction, other.fraction);
   }
 };
@@ -149,6 +152,9 @@ class ElementBlock {
   [[nodiscard]] virtual bool constant_tangent() const { return false; }
   /// Whether df/du or df/dv of any element has changed since this was last asked.
   virtual bool take_tangent_change() = 0;
+  /// Whether the stiffness of an element without located regimes jumped between the last commit and the last evaluate(),
+  /// by more than a fifth: its force has a corner inside the step.
+  [[nodiscard]] virtual bool has_corner() const { return false; }
   /// Adds the constant stiffness of a linear analysis.
   virtual void add_linear_stiffness(StiffnessStage stage, double* values) const = 0;
 

@@ -231,6 +231,10 @@ void Model::assemble_tangent(double acceleration_weight, double velocity_weight,
   for (const std::size_t i : changing_blocks_) blocks_[i]->add_tangent(displacement_weight, velocity_weight, values);
 }
 
+bool Model::has_corner() const {
+  return std::ranges::any_of(changing_blocks_, [&](std::size_t i) { return blocks_[i]->has_corner(); });
+}
+
 void Model::assemble_linear_stiffness(StiffnessStage stage, SparseMatrix& matrix) const {
   std::fill(matrix.values.begin(), matrix.values.end(), 0.0);
   for (const auto& block : blocks_) block->add_linear_stiffness(stage, matrix.values.data());

@@ -112,6 +112,8 @@ class Model {
                         SparseMatrix& matrix) const;
   /// A number that stays the same as long as df/du and df/dv do, from one evaluate() to the next.
   [[nodiscard]] long tangent_version() const { return tangent_version_; }
+  /// Whether a force has a corner inside the trial step that is not located (ElementBlock::has_corner).
+  [[nodiscard]] bool has_corner() const;
   /// matrix := stiffness of a linear analysis.
   void assemble_linear_stiffness(StiffnessStage stage, SparseMatrix& matrix) const;
   /// The trial state of nodes and elements becomes the committed one; energy accounts grow by the step between them,

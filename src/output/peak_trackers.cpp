@@ -16,7 +16,8 @@ PeakTrackers::PeakTrackers(std::size_t count)
       values_before_(count, 0.0),
       rates_before_(count, 0.0),
       start_values_(count, 0.0),
-      start_rates_(count, 0.0) {
+      start_rates_(count, 0.0),
+      earlier_rates_(count, 0.0) {
   notable_.reserve(count);
 }
 
@@ -40,12 +41,16 @@ void PeakTrackers::find_notable(const double* values, const double* rates) {
 void PeakTrackers::add_bend(std::size_t i, double time) {
   const double from_start = time - start_time_, to_end = time_before_ - time, step = time_before_ - start_time_;
   if (from_start <= 0.0 || to_end <= 0.0) return;
-  const double forward = start_values_[i] + start_rates_[i] * from_start;
-  const double backward = values_before_[i] - rates_before_[i] * to_end;
+  const double earlier_step = start_time_ - earlier_time_;
+  const double curvature = earlier_step > 0.0 ? (start_rates_[i] - earlier_rates_[i]) / earlier_step : 0.0;
+  const double forward = start_values_[i] + from_start * (start_rates_[i] + 0.5 * curvature * from_start);
+  const double backward = values_before_[i] - to_end * (rates_before_[i] - 0.5 * curvature * to_end);
   keep(i, time, (to_end * forward + from_start * backward) / step);
 }
 
 void PeakTrackers::remember(double time, const double* values, const double* rates) {
+  earlier_rates_.swap(start_rates_);
+  earlier_time_ = start_time_;
   start_values_.swap(values_before_);
   start_rates_.swap(rates_before_);
   start_time_ = time_before_;

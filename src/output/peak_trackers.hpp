@@ -36,8 +36,8 @@ class PeakTrackers {
   void add(double time, const double* values, const double* rates) {
     add(time, values, rates, [](std::size_t, double, double turned) { return turned; });
   }
-  /// Quantity i bends at a time inside the last step: what it has there counts too, extrapolated from both ends, the
-  /// nearer one with the larger weight.
+  /// Quantity i bends at a time inside the last step: its value there counts too, extrapolated from both ends with the
+  /// curvature of the step before, the nearer end with the larger weight.
   void add_bend(std::size_t i, double time);
   /// The values just after an event.
   void restart(double time, const double* values, const double* rates) {
@@ -62,7 +62,8 @@ class PeakTrackers {
   std::vector<double> magnitudes_, times_;
   std::vector<double> values_before_, rates_before_;  // at the last instant
   std::vector<double> start_values_, start_rates_;    // at the one before it
-  double time_before_ = 0.0, start_time_ = 0.0;
+  std::vector<double> earlier_rates_;                 // and before that
+  double time_before_ = 0.0, start_time_ = 0.0, earlier_time_ = 0.0;
   bool known_ = false;
   std::vector<std::size_t> notable_;
 };
