@@ -1,6 +1,7 @@
 // Physical quantities: a double in SI whose dimension is part of its type.
 #pragma once
 
+#include <cmath>
 #include <compare>
 #include <string>
 
@@ -13,7 +14,7 @@ namespace moat {
 /// compile; multiplying and dividing them gives the dimension one expects:
 ///
 ///     const Stiffness k = 1.93 * MN / cm;
-///     const Time period = 2 * pi * sqrt(mass / k);
+///     const Time period = 2 * pi * sqrt(mass / k);   // pi is in base/units.hpp
 ///
 /// Quantities are made from units (`10 * cm`, base/units.hpp) and read back by division
 /// (`gap / cm` is a plain double) or with si().
@@ -70,6 +71,12 @@ class Quantity {
   friend constexpr Quantity operator/(Quantity q, double divisor) { return Quantity{q.si_ / divisor}; }
   friend constexpr Quantity<-mass, -half_length, -time> operator/(double number, Quantity q) {
     return Quantity<-mass, -half_length, -time>{number / q.si_};
+  }
+  /// Of a quantity whose root has whole powers of kg and s, and of m whole or half ones.
+  friend Quantity<mass / 2, half_length / 2, time / 2> sqrt(Quantity q) requires(!dimensionless && mass % 2 == 0 &&
+                                                                                 half_length % 2 == 0 &&
+                                                                                 time % 2 == 0) {
+    return Quantity<mass / 2, half_length / 2, time / 2>{std::sqrt(q.si_)};
   }
 
  private:

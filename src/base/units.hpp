@@ -1,6 +1,8 @@
 // Units to write quantities with: `10 * cm`, `1.93 * MN`, `2.95e9 * N / m_3_2`, `0.4 * g`.
 #pragma once
 
+#include <numbers>
+
 #include "base/quantity.hpp"
 
 namespace moat {
@@ -10,6 +12,8 @@ inline constexpr double standard_gravity = 9.80665;
 
 /// Brought into a script by `using namespace moat::units;`.
 namespace units {
+
+using std::numbers::pi;
 
 inline constexpr Length m{1.0}, mm{1e-3}, cm{1e-2}, km{1e3};
 inline constexpr Time s{1.0}, ms{1e-3}, minute{60.0};

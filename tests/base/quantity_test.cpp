@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <concepts>
+#include <numbers>
 
 #include "base/units.hpp"
 
@@ -16,6 +18,11 @@ concept Addable = requires(A a, B b) { a + b; };
 template <class A, class B>
 concept Comparable = requires(A a, B b) { a < b; };
 
+template <class A>
+concept HasRoot = requires(A a) {
+  sqrt(a);
+};
+
 static_assert(Addable<Length, Length> && !Addable<Length, Mass> && !Addable<Length, double>);
 static_assert(Comparable<Force, Force> && !Comparable<Force, Stiffness>);
 static_assert(!std::convertible_to<double, Length> && !std::convertible_to<Length, double>);
@@ -24,6 +31,9 @@ static_assert(std::convertible_to<Dimensionless, double>);
 static_assert(std::same_as<decltype(2.95e9 * N / m_3_2), HertzStiffness>);
 static_assert(std::same_as<decltype(kg * m / s / s), Force>);
 static_assert(std::same_as<decltype(1.0 / s), Frequency>);
+static_assert(HasRoot<Length> && !HasRoot<Mass> && !HasRoot<Speed>);
+static_assert(std::same_as<decltype(sqrt(m * m)), Length>);
+static_assert(std::same_as<decltype(sqrt(J / kg)), Speed>);
 static_assert(sizeof(Length) == sizeof(double));
 
 TEST(Quantity, KeepsSi) {
@@ -37,6 +47,15 @@ TEST(Quantity, KeepsSi) {
 TEST(Quantity, ReadsBackByDivision) {
   const double gap_in_cm = 0.25 * m / cm;
   EXPECT_DOUBLE_EQ(gap_in_cm, 25.0);
+}
+
+TEST(Quantity, HasARootWhereTheDimensionAllows) {
+  const Mass mass = 4 * tonne;
+  const Stiffness k = 1 * MN / m;
+  const Time period = 2 * pi * sqrt(mass / k);
+  EXPECT_DOUBLE_EQ(period / s, 2.0 * std::numbers::pi * std::sqrt(0.004));
+  const Speed fall = sqrt(2 * g * 10 * m);
+  EXPECT_DOUBLE_EQ(fall.si(), std::sqrt(196.133));
 }
 
 TEST(Quantity, NamesItsUnit) {
