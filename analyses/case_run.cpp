@@ -47,9 +47,10 @@ CaseRun::CaseRun(Model& model, const GroundMotion& motion, CaseOptions options)
       untouched_{copy_for_companion(model, motion, options_)},
       transient_{model, motion, options_.transient},
       peaks_{model},
-      histories_{model, history_interval(options_, motion), &energy_,
-                 !rows_at_steps(history_interval(options_, motion),
-                                options_.transient.step.si() > 0.0 ? options_.transient.step.si() : motion.time_step())} {
+      histories_{
+          model, history_interval(options_, motion), &energy_,
+          !rows_at_steps(history_interval(options_, motion),
+                         options_.transient.step.si() > 0.0 ? options_.transient.step.si() : motion.time_step())} {
   attach(energy_);
   attach(peaks_);
   attach(impacts_);
@@ -103,7 +104,9 @@ CaseResult CaseRun::result() const {
                     .assumptions = transient_.assumptions()};
   for (std::string& warning : energy_warnings(result.energy, options_.warn_above_energy_error, options_.transient))
     result.warnings.push_back(std::move(warning));
-  if (companion_) result.error_bars = estimate_errors(result.peaks, result.impacts.size(), *companion_);
+  if (companion_)
+    result.error_bars = estimate_errors(result.peaks, result.impacts.size(), *companion_,
+                                        least_share_of_errors(transient_.model(), options_.transient));
   result.error_bars.companion = about_companion_;
   if (result.error_bars.sensitive)
     result.warnings.push_back(sensitivity_warning(result.error_bars, result.impacts.size(), options_.transient));

@@ -41,12 +41,19 @@ PeaksAndImpacts compute_peaks(Model& model, const GroundMotion& motion, const Tr
 ///
 ///     error = caution * 4/3 |value - value of the companion|
 ///
-/// and at least a share of the differences that are typical of this run, because two runs also agree by accident. A
-/// peak that the companion does not have, or that is not finite, has the error NaN.
+/// and at least a share of the differences that are typical of this run, because two runs also agree by accident, and
+/// at least `least_share` >= 0 of the value. A peak that the companion does not have, or that is not finite, has the
+/// error NaN.
 ///
 /// Returns the verdict with the companion's impacts and cost. The case is sensitive if the numbers of impacts differ
 /// or any error is not within 1 % of its peak.
-ErrorBars estimate_errors(std::vector<Peak>& peaks, std::size_t impacts, const PeaksAndImpacts& companion);
+ErrorBars estimate_errors(std::vector<Peak>& peaks, std::size_t impacts, const PeaksAndImpacts& companion,
+                          double least_share = 0.0);
+
+/// The least_share of a run. A law that bends where no event is located (a bearing without locate_yield, a law of one's
+/// own) makes errors that leap when a step happens to see one bend more, and a companion may miss the same bend: an
+/// adapted step then promises no more than its tolerance, of which this is a share. Otherwise zero.
+double least_share_of_errors(const Model& model, const TransientOptions& options);
 
 /// Whether the companion of a run of this model that takes `solves` steps or Newton iterations, whichever are more, is
 /// expected to cost less than about 20 ms of processor time. Counted, not measured: the same run has the same answer.

@@ -207,7 +207,8 @@ StudyRecord peaks_of(Model& model, const GroundMotion& motion, const TransientOp
     try {
       const PeaksAndImpacts companion =
           compute_peaks(*untouched, motion, companion_options(options, main.solver.longest_step));
-      sensitive = estimate_errors(main.peaks, main.impacts, companion).sensitive ? 1.0 : 0.0;
+      const double least_share = least_share_of_errors(model, options);
+      sensitive = estimate_errors(main.peaks, main.impacts, companion, least_share).sensitive ? 1.0 : 0.0;
     } catch (const Error&) {
       // The case itself is computed; its errors stay unknown.
     }

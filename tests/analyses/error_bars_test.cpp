@@ -11,6 +11,7 @@
 #include "analyses/case_run.hpp"
 #include "analysis_testing.hpp"
 #include "elements/gap.hpp"
+#include "elements/lead_rubber_bearing.hpp"
 #include "elements/shear_spring.hpp"
 #include "elements/spring.hpp"
 #include "elements/viscous_damper.hpp"
@@ -45,6 +46,10 @@ TEST(CompanionOptions, AnAdaptedStepIsFinerInEveryRespect) {
     EXPECT_EQ(companion_description(companion),
               "The same case with a tolerance of 1e-05, 96 steps per contact and steps of at most 0.005 s.");
   }
+}
+
+TEST(CompanionOptions, ATighterToleranceThanIsAllowedIsNotAskedFor) {
+  EXPECT_EQ(companion_options({.tolerance = 1e-12}, 0.01).tolerance, 1e-12);
 }
 
 TEST(LongestStep, IsTheIntervalDividedByAPowerOfTwo) {
@@ -225,6 +230,29 @@ TEST(EstimateErrors, DoesNotTrustAgreementByAccident) {
   estimate_errors(peaks, 0, {{peak("a", 100.0), peak("b", 100.2), peak("c", 100.3)}, 0, {}});
   EXPECT_GT(peaks[0].error, 0.02);
   EXPECT_LT(peaks[0].error, peaks[1].error);
+}
+
+TEST(EstimateErrors, IsAtLeastTheShareThatTheRunPromises) {
+  std::vector<Peak> peaks{peak("displacement", 100.0), peak("drift", 0.0)};
+  estimate_errors(peaks, 0, {{peak("displacement", 100.0), peak("drift", 0.0)}, 0, {}}, 1e-4);
+  EXPECT_NEAR(peaks[0].error, 0.01, 1e-6);
+  EXPECT_EQ(peaks[1].error, 0.0);
+}
+
+TEST(EstimateErrors, PromisesNoMoreThanTheToleranceWhereBendsAreNotLocated) {
+  const auto least_share = [](bool located, const TransientOptions& options) {
+    Model model = Oscillator::model();
+    add(model, LeadRubberBearing{.upper = NodeId{0},
+                                 .yield_force = 1 * kN,
+                                 .yield_displacement = 1 * cm,
+                                 .post_yield_stiffness = 10 * kN / m,
+                                 .locate_yield = located});
+    return least_share_of_errors(model, options);
+  };
+  EXPECT_EQ(least_share(false, {.tolerance = 4e-5}), 1e-5);
+  EXPECT_EQ(least_share(true, {.tolerance = 4e-5}), 0.0);
+  EXPECT_EQ(least_share(false, {.step = 1 * ms}), 0.0) << "a fixed step has no tolerance";
+  EXPECT_EQ(least_share_of_errors(Oscillator::model(), {}), 0.0);
 }
 
 TEST(EstimateErrors, LeavesNoErrorToAForceThatNeitherRunHas) {
