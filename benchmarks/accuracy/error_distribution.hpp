@@ -14,8 +14,8 @@ inline constexpr double large_error = 5e-3;
 /// How good moat's own error bars are, over the peaks that count of the models of one setting.
 struct ErrorBarCheck {
   std::size_t peaks = 0;  ///< with an error bar
-  double coverage = 0.0;  ///< share of them whose true error is at most the bar
-  double width = 0.0;     ///< median of bar over true error
+  double coverage = 0.0;  ///< share of them whose true error is at most the bar and the change of the reference
+  double width = 0.0;     ///< median of bar over true error, where that is more than the change of the reference
 };
 
 /// Of the models of one setting, by their worst peak.

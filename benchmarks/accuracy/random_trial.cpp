@@ -17,20 +17,6 @@ double thread_seconds() {
   return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
-// Error bars, where this state of the library has them.
-template <class Options>
-CaseOptions with_error_bars(Options options) {
-  if constexpr (requires { options.error_bars; }) options.error_bars = decltype(options.error_bars)::always;
-  return options;
-}
-template <class P>
-double error_bar_of(const P& peak) {
-  if constexpr (requires { peak.error; })
-    return peak.error;
-  else
-    return NAN;
-}
-
 }  // namespace
 
 double TrialPeak::error() const { return reference == 0.0 ? std::abs(value) : std::abs(value - reference) / reference; }
@@ -44,8 +30,9 @@ const TrialPeak* Trial::worst(PeaksToCompare of) const {
   return worst;
 }
 
-Trial run_trial(const testing::PlainModel& plain, const testing::ReferenceResult& reference,
+Trial run_trial(const testing::PlainModel& plain, const testing::CheckedReference& checked,
                 const TrialSetting& setting) {
+  const testing::ReferenceResult& reference = checked.result;
   Trial trial;
   const double started = thread_seconds();
   try {
@@ -53,7 +40,7 @@ Trial run_trial(const testing::PlainModel& plain, const testing::ReferenceResult
     TransientOptions options = setting.options;
     options.end = plain.end * units::s;
     const CaseResult result =
-        run_case(model, testing::moat_motion(plain.motion), with_error_bars(CaseOptions{.transient = options}));
+        run_case(model, testing::moat_motion(plain.motion), {.transient = options, .error_bars = ErrorBarMode::always});
     trial.impacts = result.impacts.size();
     trial.steps = result.solver.accepted_steps;
     trial.warned = !result.warnings.empty();
@@ -64,7 +51,8 @@ Trial run_trial(const testing::PlainModel& plain, const testing::ReferenceResult
       const testing::ReferencePeak& peak = reference.peaks[i];
       const std::string name = peak.quantity + " " + peak.where;
       const Peak& of_moat = *found.at(name);
-      trial.peaks.push_back({name, of_moat.value, peak.value, counts[i], error_bar_of(of_moat)});
+      trial.peaks.push_back(
+          {name, of_moat.value, peak.value, checked.peak_changes[i] * peak.value, counts[i], of_moat.error});
     }
   } catch (const Error& error) {
     trial.refused = error.what();
@@ -86,8 +74,7 @@ TrialModel run_trials(std::uint64_t seed, const std::vector<TrialSetting>& setti
     return model;
   }
   model.reference_cpu_seconds = thread_seconds() - started;
-  for (const TrialSetting& setting : settings)
-    model.trials.push_back(run_trial(plain, model.reference.result, setting));
+  for (const TrialSetting& setting : settings) model.trials.push_back(run_trial(plain, model.reference, setting));
   return model;
 }
 

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "analyses/transient.hpp"
+#include "checked_reference.hpp"
 #include "moat_model.hpp"
-#include "reference_history.hpp"
 
 namespace moat {
 
@@ -23,7 +23,8 @@ struct TrialSetting {
 struct TrialPeak {
   std::string name;  ///< quantity and place
   double value = 0.0, reference = 0.0;
-  bool counts = true;  ///< at least a thousandth of the largest of its quantity in the model
+  double reference_change = 0.0;  ///< of the reference with half the length of steps, in the unit of the peak
+  bool counts = true;             ///< at least a thousandth of the largest of its quantity in the model
   double error_bar = std::numeric_limits<double>::quiet_NaN();  ///< moat's estimate of its error, NaN where it has none
 
   /// Relative; the value itself where the reference is zero.
@@ -54,7 +55,7 @@ struct TrialModel {
   std::vector<Trial> trials;
 };
 
-Trial run_trial(const testing::PlainModel& plain, const testing::ReferenceResult& reference,
+Trial run_trial(const testing::PlainModel& plain, const testing::CheckedReference& reference,
                 const TrialSetting& setting);
 
 /// Draws the model of the seed and runs it with every setting.

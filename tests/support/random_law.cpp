@@ -17,9 +17,10 @@ bool may_pull(PlainLawKind kind) {
   }
 }
 
-}  // namespace
-
+// The laws whose stiffness is in N/m^1.5 stand behind those in N/m.
 bool is_hertz(PlainLawKind kind) { return kind >= PlainLawKind::hertz; }
+
+}  // namespace
 
 PlainLaw random_law(RandomDraws& draws, double effective_mass) {
   PlainLaw law;

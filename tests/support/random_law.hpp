@@ -9,7 +9,4 @@ namespace moat::testing {
 /// Any of the laws between two bodies of about the effective mass, kg; soft to stiff, restitution 0.15 to 0.95.
 PlainLaw random_law(RandomDraws& draws, double effective_mass);
 
-/// Whether the stiffness of a law is that of Hertz, N/m^1.5, and not N/m.
-bool is_hertz(PlainLawKind kind);
-
 }  // namespace moat::testing

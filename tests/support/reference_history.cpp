@@ -48,7 +48,6 @@ class History {
   void accept(double h);
   void balance();
   void change_regimes();
-  [[nodiscard]] double point_velocity(const PlainPoint& point) const;
 
   const PlainModel& model_;
   ReferenceOptions options_;
@@ -60,7 +59,7 @@ class History {
   double next_step_ = 0.0, step_ = 0.0;  // s, step_ of the step being tried
   bool at_event_ = false;                // whether it ends at one
   long events_ = 0;
-  std::vector<std::size_t> touched_;
+  std::vector<ReferenceSystem::Touch> touches_;
   ReferenceState start_, end_;  // committed, and of the step being tried
   std::array<std::vector<double>, stages> velocities_, accelerations_;
   std::vector<double> displacement_, velocity_;  // of a stage
@@ -255,23 +254,13 @@ double History::locate(double h) {
 }
 
 void History::change_regimes() {
-  touched_.clear();
-  system_.change_regimes(start_, touched_);
-  for (const std::size_t gap : touched_) {
-    const PlainGap& touched = model_.gaps[gap];
-    const double speed = point_velocity(touched.left) - point_velocity(touched.right);
-    result_.touches.push_back({touched.name, time_, speed});
-  }
+  touches_.clear();
+  system_.change_regimes(start_, touches_);
+  for (const auto& touch : touches_)
+    result_.touches.push_back({model_.gaps[touch.gap].name, time_, touch.approach_speed});
   if (++events_ > most_events) throw std::runtime_error{"The reference saw a million events: a contact chatters."};
   balance();
   next_step_ = 1e-5 / system_.fastest(start_);
-}
-
-double History::point_velocity(const PlainPoint& point) const {
-  const auto of = [&](int node) {
-    return node == plain_ground ? 0.0 : start_.velocity[static_cast<std::size_t>(node)];
-  };
-  return (1.0 - point.share) * of(point.node) + point.share * of(point.other);
 }
 
 void History::accept(double h) {
@@ -297,35 +286,6 @@ void History::accept(double h) {
 
 ReferenceResult reference_history(const PlainModel& model, const ReferenceOptions& options) {
   return History{model, options}.run();
-}
-
-std::vector<bool> counting_peaks(const std::vector<ReferencePeak>& peaks) {
-  constexpr double least_share = 1e-3;
-  std::map<std::string, double> largest;
-  for (const ReferencePeak& peak : peaks) largest[peak.quantity] = std::max(largest[peak.quantity], peak.value);
-  std::vector<bool> counts;
-  for (const ReferencePeak& peak : peaks)
-    counts.push_back(peak.value > 0.0 && peak.value >= least_share * largest[peak.quantity]);
-  return counts;
-}
-
-CheckedReference checked_reference(const PlainModel& model, const ReferenceOptions& options) {
-  const ReferenceResult coarse = reference_history(model, options);
-  CheckedReference checked{.result = reference_history(model, {.largest_phase = options.largest_phase / 2.0,
-                                                               .tolerance = options.tolerance / 32.0}),
-                           .peak_changes = {}};
-  const ReferenceResult& fine = checked.result;
-  const std::vector<bool> counts = counting_peaks(fine.peaks);
-  for (std::size_t i = 0; i < fine.peaks.size(); ++i) {
-    const double value = fine.peaks[i].value;
-    const double change = value > 0.0 ? std::abs(coarse.peaks[i].value / value - 1.0) : 0.0;
-    checked.peak_changes.push_back(change);
-    if (counts[i]) checked.largest_change = std::max(checked.largest_change, change);
-  }
-  checked.same_touches =
-      std::equal(coarse.touches.begin(), coarse.touches.end(), fine.touches.begin(), fine.touches.end(),
-                 [](const ReferenceTouch& a, const ReferenceTouch& b) { return a.gap == b.gap; });
-  return checked;
 }
 
 }  // namespace moat::testing

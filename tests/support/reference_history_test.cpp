@@ -7,6 +7,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "checked_reference.hpp"
 #include "reference_cases.hpp"
 
 namespace moat::testing {

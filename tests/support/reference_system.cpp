@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 
 namespace moat::testing {
 namespace {
@@ -155,7 +154,7 @@ void ReferenceSystem::margins(const ReferenceState& state, std::vector<Margin>& 
   }
 }
 
-void ReferenceSystem::change_regime(Link& link, const ReferenceState& state, std::vector<std::size_t>& touched) const {
+void ReferenceSystem::change_regime(Link& link, const ReferenceState& state, std::vector<Touch>& touches) const {
   const std::array<Margin, margins_per_link> all = margins(link, state);
   if (all[0].value >= 0.0 && all[1].value >= 0.0) return;
   const double d = sum(link, state.displacement.data()) - link.offset, rate = sum(link, state.velocity.data());
@@ -170,7 +169,7 @@ void ReferenceSystem::change_regime(Link& link, const ReferenceState& state, std
     link.phase = Phase::loaded;
     link.approaching = true;
     link.approach_speed = std::max(rate, least_approach_speed);
-    touched.push_back(link.gap);
+    touches.push_back({link.gap, rate});
   } else if (all[0].value < 0.0) {
     link.phase = Phase::open;
   } else if (link.contact.approach_only) {
@@ -180,9 +179,9 @@ void ReferenceSystem::change_regime(Link& link, const ReferenceState& state, std
   }
 }
 
-void ReferenceSystem::change_regimes(const ReferenceState& state, std::vector<std::size_t>& touched) {
+void ReferenceSystem::change_regimes(const ReferenceState& state, std::vector<Touch>& touches) {
   for (Link& link : links_)
-    if (link.kind == Kind::bearing || link.kind == Kind::gap) change_regime(link, state, touched);
+    if (link.kind == Kind::bearing || link.kind == Kind::gap) change_regime(link, state, touches);
 }
 
 void ReferenceSystem::channels(const ReferenceState& state, double ground,

@@ -38,8 +38,12 @@ class ReferenceSystem {
   };
   /// The margins of all elements, in a fixed order. Regimes without one report 1.
   void margins(const ReferenceState& state, std::vector<Margin>& margins) const;
-  /// Gaps that were touched by the change are appended to `touched`.
-  void change_regimes(const ReferenceState& state, std::vector<std::size_t>& touched);
+  struct Touch {
+    std::size_t gap = 0;          ///< index in the problem
+    double approach_speed = 0.0;  ///< m/s
+  };
+  /// Touches are appended to `touches`.
+  void change_regimes(const ReferenceState& state, std::vector<Touch>& touches);
 
   /// Quantity and place of every channel; several may share both.
   struct ChannelName {
@@ -83,7 +87,7 @@ class ReferenceSystem {
   [[nodiscard]] double sum(const Link& link, const double* values) const;
   [[nodiscard]] ReferenceContact::Response respond(const Link& link, double deformation, double rate) const;
   [[nodiscard]] std::array<Margin, margins_per_link> margins(const Link& link, const ReferenceState& state) const;
-  void change_regime(Link& link, const ReferenceState& state, std::vector<std::size_t>& touched) const;
+  void change_regime(Link& link, const ReferenceState& state, std::vector<Touch>& touches) const;
 
   std::vector<double> masses_;
   std::vector<Link> links_;
