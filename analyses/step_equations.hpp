@@ -52,7 +52,8 @@ class StepEquations final : public NonlinearSystem {
   SparseMatrix tangent_;
   StepTask task_;
   Vector predicted_displacement_, predicted_velocity_;
-  // Largest force of every row, now and, halved from step to step, before: all of a row's terms may be zero at once.
+  // Largest force of every row now, and at least half of that in the step before: all of a row's terms may be zero at
+  // once.
   Vector scales_, lowest_scales_;
   // What the factors were made for.
   bool factorised_ = false;
