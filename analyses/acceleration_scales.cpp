@@ -41,7 +41,8 @@ std::vector<int> connected_parts(const Model& model) {
 AccelerationScales::AccelerationScales(const Model& model, double lowest)
     : lowest_{std::max(lowest, std::numeric_limits<double>::min())},
       building_{connected_parts(model)},
-      touching_(building_.size(), 0) {
+      touching_(building_.size(), 0),
+      touched_before_(building_.size(), 0) {
   values_.setConstant(model.degrees_of_freedom(), lowest_);
   own_ = values_;
   outside_contact_ = values_;
@@ -50,7 +51,8 @@ AccelerationScales::AccelerationScales(const Model& model, double lowest)
 }
 
 void AccelerationScales::regimes_changed(const Model& model) {
-  std::vector<char> touching(touching_.size(), 0);
+  touched_before_.swap(touching_);
+  std::ranges::fill(touching_, 0);
   const auto building_of = [&](int node) { return static_cast<std::size_t>(building_[static_cast<std::size_t>(node)]); };
   const auto for_each_contact = [&](auto action) {
     for (const auto& block : model.blocks()) {
@@ -66,11 +68,10 @@ void AccelerationScales::regimes_changed(const Model& model) {
   any_touching_ = false;
   for_each_contact([&](int node, const ContactView&) {
     any_touching_ = true;
-    touching[building_of(node)] = 1;
+    touching_[building_of(node)] = 1;
   });
   for (int i = 0; i < static_cast<int>(building_.size()); ++i)
-    if (touching_[building_of(i)] != 0 && touching[building_of(i)] == 0) own_[i] = outside_contact_[i];
-  touching_ = std::move(touching);
+    if (touched_before_[building_of(i)] != 0 && touching_[building_of(i)] == 0) own_[i] = outside_contact_[i];
   for_each_contact([&](int node, const ContactView& contact) {
     own_[node] = std::max(own_[node], lenience_in_contact * contact.expected_force / model.masses()[node]);
   });

@@ -33,7 +33,7 @@ class AccelerationScales {
   void raise_to_building();
 
   std::vector<int> building_;  // of every node: the number of one of its nodes
-  std::vector<char> touching_;  // of every building
+  std::vector<char> touching_, touched_before_;  // of every building, now and before the last change
   bool any_touching_ = false;
   Vector values_;           // what errors are judged on, if they are up to date
   bool up_to_date_ = false;

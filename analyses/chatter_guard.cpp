@@ -1,5 +1,6 @@
 #include "analyses/chatter_guard.hpp"
 
+#include <algorithm>
 #include <string>
 
 #include "base/check.hpp"
@@ -12,14 +13,18 @@ void ChatterGuard::count(const Model& model, std::span<const RegimeChange> chang
   constexpr double window = 1.0;  // s
   if (time - window_start_ > window) {
     window_start_ = time;
-    changes_of_.clear();
+    for (std::vector<int>& of_block : changes_of_) std::ranges::fill(of_block, 0);
   }
-  for (const RegimeChange& change : changes)
-    if (++changes_of_[{change.block, change.element}] > largest_per_second_)
+  changes_of_.resize(model.blocks().size());
+  for (const RegimeChange& change : changes) {
+    std::vector<int>& of_block = changes_of_[change.block];
+    of_block.resize(model.blocks()[change.block]->size(), 0);
+    if (++of_block[change.element] > largest_per_second_)
       throw Error{"\"" + model.blocks()[change.block]->info(change.element).name + "\" changed more than " +
                   std::to_string(largest_per_second_) + " times within one second before t = " + to_text(time) +
                   " s: it chatters. Check its stiffness and damping, or raise "
                   "TransientOptions::largest_events_per_second."};
+  }
 }
 
 }  // namespace moat

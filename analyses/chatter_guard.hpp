@@ -1,9 +1,8 @@
 // Ends an analysis in which one element changes its regime again and again.
 #pragma once
 
-#include <map>
 #include <span>
-#include <utility>
+#include <vector>
 
 #include "model/model.hpp"
 
@@ -20,8 +19,8 @@ class ChatterGuard {
 
  private:
   int largest_per_second_;
-  double window_start_ = 0.0;  // s
-  std::map<std::pair<std::size_t, std::size_t>, int> changes_of_;
+  double window_start_ = 0.0;                  // s
+  std::vector<std::vector<int>> changes_of_;  // in this window, by block and element
 };
 
 }  // namespace moat

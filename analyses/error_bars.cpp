@@ -27,8 +27,8 @@ constexpr double factor_of_different_impacts = 8.0;
 constexpr double share_of_unit = 0.5, share_of_all = 0.2;
 /// Of the tolerance, where bends are not located.
 constexpr double share_of_tolerance = 0.25;
-/// Of the largest peak of the unit: round-off and the force tolerance.
-constexpr double round_off = 1e-8;
+/// Of the peak itself, and of the largest peak of the unit: round-off, force tolerance and location.
+constexpr double round_off_of_peak = 1e-8, round_off = 1e-10;
 }  // namespace caution
 
 constexpr double richardson = 4.0 / 3.0;
@@ -85,7 +85,7 @@ void set_errors(std::vector<Peak>& peaks, const std::vector<Peak>& companion, do
     // std::max returns its first argument where that is not a number.
     const double shown = std::max(difference[i], least);
     const double estimate = std::max(factor * richardson * shown, least_share * peaks[i].value);
-    peaks[i].error = estimate + caution::round_off * largest.at(peaks[i].unit);
+    peaks[i].error = estimate + caution::round_off_of_peak * peaks[i].value + caution::round_off * largest.at(peaks[i].unit);
     if (!std::isfinite(peaks[i].error)) peaks[i].error = std::numeric_limits<double>::quiet_NaN();
     // A force that neither run has is exact.
     if (peaks[i].value == 0.0 && difference[i] == 0.0) peaks[i].error = 0.0;

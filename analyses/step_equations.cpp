@@ -13,6 +13,7 @@ StepEquations::StepEquations(Model& model) : model_{&model} {
   predicted_velocity_.setZero(size());
   lowest_scales_.setConstant(size(), std::numeric_limits<double>::min());
   scales_ = lowest_scales_;
+  balanced_scales_ = lowest_scales_;
 }
 
 void StepEquations::begin(const StepTask& task, NewmarkScheme scheme, Vector& guess) {
@@ -21,7 +22,7 @@ void StepEquations::begin(const StepTask& task, NewmarkScheme scheme, Vector& gu
   const double h = task.length;
   const MotionState& start = model_->state();
   const double *u = start.displacement.data(), *v = start.velocity.data(), *a = start.acceleration.data(),
-               *jerk = start.jerk.data(), *scales = scales_.data();
+               *jerk = start.jerk.data(), *scales = balanced_scales_.data();
   double* __restrict displacement = predicted_displacement_.data();
   double* __restrict velocity = predicted_velocity_.data();
   double* __restrict lowest_scales = lowest_scales_.data();
@@ -57,6 +58,7 @@ void StepEquations::predict(const StepTask& task, NewmarkScheme scheme, Vector& 
 
 void StepEquations::complete() {
   model_->evaluate_rates();
+  balanced_scales_ = scales_;
   if (!scheme_.corrects_velocity) return;
   const double h = task_.length, correction = h * h / 12.0, half = NewmarkScheme::gamma * h;
   const MotionState& start = model_->state();

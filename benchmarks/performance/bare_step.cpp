@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "base/units.hpp"
-#include "output/peak_tracker.hpp"
+#include "performance/parabola_peak.hpp"
 #include "structures/rayleigh_damping.hpp"
 
 namespace moat::performance {
@@ -98,7 +98,7 @@ class Building {
     record();
     const double end = motion_.duration();
     while (time_ < end * (1.0 - 1e-12)) advance(end);
-    for (const PeakTracker& tracker : trackers_) history_.peaks.push_back(tracker.magnitude());
+    for (const ParabolaPeak& tracker : trackers_) history_.peaks.push_back(tracker.magnitude());
     history_.largest_input = largest_input_;
     history_.largest_kinetic = largest_kinetic_;
     history_.integration_error = work_ - strain() - viscous_ - hysteretic_ - impact_;
@@ -389,7 +389,7 @@ class Building {
 
   void follow(bool after_event) {
     for_each_channel([&](int channel, double value) {
-      PeakTracker& tracker = trackers_[static_cast<std::size_t>(channel)];
+      ParabolaPeak& tracker = trackers_[static_cast<std::size_t>(channel)];
       after_event ? tracker.restart(time_, value) : tracker.add(time_, value);
     });
   }
@@ -427,7 +427,7 @@ class Building {
 
   double input_ = 0.0, work_ = 0.0, viscous_ = 0.0, hysteretic_ = 0.0, impact_ = 0.0;
   double kinetic_ = 0.0, largest_kinetic_ = 0.0, largest_input_ = 0.0;
-  std::array<PeakTracker, channels> trackers_;
+  std::array<ParabolaPeak, channels> trackers_;
   long next_row_ = 0;
   BareHistory history_;
 };

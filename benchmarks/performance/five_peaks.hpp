@@ -6,7 +6,7 @@
 #include <cmath>
 #include <cstddef>
 
-#include "output/peak_tracker.hpp"
+#include "performance/parabola_peak.hpp"
 
 namespace moat::performance {
 
@@ -19,7 +19,7 @@ inline double largest_error(const Peaks& peaks, const Peaks& reference) {
   return std::isfinite(worst) ? worst : 1e9;
 }
 
-/// Follows the five over continuous time, for everyone in the same way.
+/// Follows the five over continuous time by samples alone: for the peers, who have no rates.
 class FivePeaks {
  public:
   void add(double time, const Peaks& now) {
@@ -36,7 +36,7 @@ class FivePeaks {
   }
 
  private:
-  std::array<PeakTracker, 5> trackers_;
+  std::array<ParabolaPeak, 5> trackers_;
 };
 
 }  // namespace moat::performance

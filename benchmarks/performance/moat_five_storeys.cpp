@@ -4,6 +4,7 @@
 #include <moat.hpp>
 
 #include "output/peak_recorder.hpp"
+#include "output/peak_tracker.hpp"
 #include "paper/paper_building.hpp"
 
 namespace moat::performance {
@@ -20,25 +21,36 @@ class PeakObserver final : public StepObserver {
   // The gaps' force is all it wants of elements.
   Observed observed() const override { return Observed::nodes; }
   void start(const StepView& view) override { step(view); }
-  void step(const StepView& view) override { peaks_.add(view.model.state().time, sample(view)); }
+  void step(const StepView& view) override {
+    const auto [values, rates] = sample(view);
+    for (std::size_t i = 0; i < values.size(); ++i) trackers_[i].add(view.model.state().time, values[i], rates[i]);
+  }
   void event(const StepView& view, std::span<const RegimeChange>) override {
-    peaks_.restart(view.model.state().time, sample(view));
+    const auto [values, rates] = sample(view);
+    for (std::size_t i = 0; i < values.size(); ++i) trackers_[i].restart(view.model.state().time, values[i], rates[i]);
   }
   void finish(const StepView&) override {}
 
-  [[nodiscard]] Peaks peaks() const { return peaks_.values(); }
+  [[nodiscard]] Peaks peaks() const {
+    Peaks peaks{};
+    for (std::size_t i = 0; i < peaks.size(); ++i) peaks[i] = trackers_[i].magnitude();
+    return peaks;
+  }
 
  private:
-  [[nodiscard]] Peaks sample(const StepView& view) const {
+  // Values and rates.
+  [[nodiscard]] std::pair<Peaks, Peaks> sample(const StepView& view) const {
     const MotionState& state = view.model.state();
-    const auto forces = gaps_->forces();
-    return {state.displacement[0], state.displacement[top_], state.acceleration[0] + view.ground_acceleration,
-            state.acceleration[top_] + view.ground_acceleration, std::max(forces[0], forces[1])};
+    const auto forces = gaps_->forces(), rates = gaps_->force_rates();
+    const std::size_t closed = forces[0] > forces[1] ? 0 : 1;
+    return {{state.displacement[0], state.displacement[top_], state.acceleration[0] + view.ground_acceleration,
+             state.acceleration[top_] + view.ground_acceleration, forces[closed]},
+            {state.velocity[0], state.velocity[top_], state.jerk[0], state.jerk[top_], rates[closed]}};
   }
 
   int top_;
   const ElementBlock* gaps_ = nullptr;
-  FivePeaks peaks_;
+  std::array<PeakTracker, 5> trackers_;
 };
 
 double peak_of(const std::vector<Peak>& peaks, std::string_view quantity, std::string_view where) {

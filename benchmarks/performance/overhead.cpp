@@ -75,11 +75,14 @@ class Trivial final : public NonlinearSystem {
     residual = x;
     return true;
   }
-  double residual_scale() const override { return 1.0; }
+  const Vector& residual_scales() const override { return scales_; }
   bool compute_direction(const Vector& residual, Vector& direction) override {
     direction = -residual;
     return true;
   }
+
+ private:
+  Vector scales_ = Vector::Ones(6);
 };
 
 std::vector<double> difference(const std::vector<double>& a, const std::vector<double>& b, double factor) {

@@ -102,7 +102,7 @@ void measure_parts(Model& model, int buildings, StreetReport& report) {
   const double time = model.state().time;
   const double ground = street_motion().acceleration_at(time);
   const int size = model.degrees_of_freedom();
-  StepEquations equations{model, scheme};
+  StepEquations equations{model};
   SparseMatrix tangent = model.pattern();
   Factorisation factorisation;
   Vector forces(size + 1), acceleration = model.state().acceleration.head(size), next_acceleration(size);
@@ -151,7 +151,8 @@ void measure_parts(Model& model, int buildings, StreetReport& report) {
   constexpr int rounds = 7;
   for (int round = -1; round < rounds; ++round, ++count) {
     const double copy = seconds_per_byte_copied();
-    equations.begin(length(), time + length(), ground);
+    equations.begin({.length = length(), .end_time = time + length(), .ground_acceleration = ground}, scheme,
+                    acceleration);
     for (std::size_t i = 0; i < candidates.size(); ++i) {
       const double start = seconds(Clock::wall);
       candidates[i].run();

@@ -374,12 +374,13 @@ TEST(ContactEvents, StopsWhereAContactChatters) {
                             .right = body,
                             .clearance = 1 * mm,
                             .law = {.stiffness = 1e5 * concrete, .restitution = 1.0}});
-  Transient analysis{model, still_ground(2 * s), {.step = 1 * ms, .largest_events_per_second = 20}};
+  Transient analysis{model, still_ground(2 * s), {.step = 1 * ms, .largest_events_per_second = 5}};
   const std::string message = message_of<Error>([&] { analysis.run(); });
-  EXPECT_TRUE(message.starts_with("More than 20 touches and separations within one second before t = ")) << message;
-  EXPECT_TRUE(
-      message.ends_with("s: a contact chatters. Check impact stiffness and damping, or raise "
-                        "TransientOptions::largest_events_per_second."))
+  EXPECT_TRUE(message.starts_with("\"left wall\" changed more than 5 times within one second before t = ") ||
+              message.starts_with("\"right wall\" changed more than 5 times within one second before t = "))
+      << message;
+  EXPECT_TRUE(message.ends_with(" s: it chatters. Check its stiffness and damping, or raise "
+                                "TransientOptions::largest_events_per_second."))
       << message;
 }
 

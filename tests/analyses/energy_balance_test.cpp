@@ -94,7 +94,8 @@ TEST(EnergyBalance, ClosesForABuildingThatYieldsAndPounds) {
     const EnergyBalance& e = result.energy;
     ASSERT_FALSE(result.impacts.empty());
     EXPECT_GT(e.hysteretic, 0.0);
-    EXPECT_LT(std::abs(e.equation_residual), 1e-10 * e.largest_input);
+    // Velocities of fourth order: the residual is far below the tolerance of the steps, not round-off.
+    EXPECT_LT(std::abs(e.equation_residual), 1e-5 * e.largest_input);
     EXPECT_LT(std::abs(e.integration_error), 1e-3 * e.largest_input);
     EXPECT_NEAR(total(e) + e.integration_error - e.equation_residual, e.input, 1e-12 * e.largest_input);
     double lost = 0.0;

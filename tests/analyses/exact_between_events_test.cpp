@@ -59,10 +59,14 @@ double largest_difference(Model model, const GroundMotion& motion, Time end, Mot
   double largest = 0.0;
   const auto compare = [&](const StepView& view) {
     const MotionState& state = view.model.state();
-    const Motion expected = closed(state.time);
-    largest = std::max({largest, std::abs(state.displacement[0] - expected.u) / amplitude.u,
-                        std::abs(state.velocity[0] - expected.v) / amplitude.v,
-                        std::abs(state.acceleration[0] - expected.a) / amplitude.a});
+    const auto difference = [&](const Motion& expected) {
+      return std::max({std::abs(state.displacement[0] - expected.u) / amplitude.u,
+                       std::abs(state.velocity[0] - expected.v) / amplitude.v,
+                       std::abs(state.acceleration[0] - expected.a) / amplitude.a});
+    };
+    // Where the ground stops there are two values, and an observer is shown both.
+    constexpr double shortly = 1e-15;
+    largest = std::max(largest, std::min(difference(closed(state.time)), difference(closed(state.time + shortly))));
   };
   Watch watch{compare};
   analysis.attach(watch);
@@ -267,7 +271,9 @@ TEST(ExactBetweenEvents, StepsEndOnTheSamplesOfTheMotion) {
 
 TEST(ExactBetweenEvents, RefusesAModelThatIsNotLinearBetweenEvents) {
   Model model;
-  add(model, paper_building());
+  ShearBuilding building = paper_building();
+  building.isolation->locate_yield = false;
+  add(model, building);
   EXPECT_EQ(message_of([&] { Transient(model, still_ground(1 * s), exact_options()); }),
             "TransientOptions: integrator = exact_between_events needs elements that are linear between located "
             "events, and \"bearings\" is not. Give LeadRubberBearing{.locate_yield = true}, or use "
