@@ -1,0 +1,121 @@
+// Changes of regime inside steps give what located ones do.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "analyses/case_run.hpp"
+#include "analysis_testing.hpp"
+#include "elements/gap.hpp"
+#include "materials/kelvin_by_damping_ratio.hpp"
+#include "paper_building.hpp"
+
+namespace moat {
+namespace {
+
+using namespace units;
+using namespace testing;
+
+// Isolated buildings in a row between two fixed walls, all different, all moving at the start.
+template <class Law>
+Model street(int buildings, const Law& law) {
+  Model model;
+  NodeId left = ground;
+  const auto clearance = [](int number) { return (2.5 + 2.0 * std::sin(1.7 * number)) * cm; };
+  for (int number = 1; number <= buildings; ++number) {
+    ShearBuilding building = paper_building(std::to_string(number));
+    building.storeys = 2;
+    building.floor_mass = floor_mass * (1.0 + 0.3 * std::sin(2.3 * number)) * kg;
+    building.isolation->post_yield_stiffness = post_yield_stiffness * (1.0 + 0.3 * std::cos(3.1 * number)) * N / m;
+    const NodeId base = add(model, building).base;
+    add(model, Gap<Law>{.name = "gap " + std::to_string(number),
+                        .left = left,
+                        .right = base,
+                        .clearance = clearance(number),
+                        .law = law});
+    left = base;
+  }
+  add(model, Gap<Law>{.name = "last gap", .left = left, .right = ground, .clearance = clearance(0), .law = law});
+  model.prepare();
+  MotionState& state = model.trial();
+  for (int i = 0; i < model.degrees_of_freedom(); ++i) state.velocity[i] = 0.5 * std::sin(1.0 + 2.0 * (i / 3));
+  model.evaluate();
+  model.commit();
+  return model;
+}
+
+GroundMotion shaking() {
+  std::vector<double> samples(201);
+  for (std::size_t i = 0; i < samples.size(); ++i) samples[i] = 3.0 * std::sin(0.04 * static_cast<double>(i));
+  return {"sine", 0.01, samples};
+}
+
+CaseResult run(Model model, EventTreatment events) {
+  return run_case(model, shaking(),
+                  {.transient = {.tolerance = 1e-7, .steps_per_contact = 512, .events = events},
+                   .error_bars = ErrorBarMode::never});
+}
+
+// Of restitution and peaks, relative: errors are those of a step of 1/512 of a contact, some 1e-6, and every impact
+// amplifies those of the ones before it.
+constexpr double alike = 1e-3;
+
+void expect_alike(const CaseResult& inside, const CaseResult& located) {
+  ASSERT_EQ(inside.impacts.size(), located.impacts.size());
+  ASSERT_GT(located.impacts.size(), 5u);
+  for (std::size_t i = 0; i < located.impacts.size(); ++i) {
+    const Impact &one = inside.impacts[i], &other = located.impacts[i];
+    EXPECT_EQ(one.where, other.where) << i;
+    EXPECT_NEAR(one.start, other.start, 1e-4) << i;
+    ASSERT_EQ(std::isnan(one.rebound_ratio), std::isnan(other.rebound_ratio)) << i;
+    if (std::isnan(one.rebound_ratio)) continue;
+    EXPECT_NEAR(one.rebound_ratio, other.rebound_ratio, alike) << other.where << " at " << other.start;
+  }
+  ASSERT_EQ(inside.peaks.size(), located.peaks.size());
+  for (std::size_t i = 0; i < located.peaks.size(); ++i) {
+    EXPECT_NEAR(inside.peaks[i].value, located.peaks[i].value, alike * located.peaks[i].value)
+        << located.peaks[i].quantity << " " << located.peaks[i].where;
+  }
+}
+
+TEST(InsideTheStep, ThreeBuildingsPoundAlike) {
+  const Model model = street(3, paper_hertz_damp());
+  expect_alike(run(model, EventTreatment::inside_the_step), run(model, EventTreatment::located));
+}
+
+TEST(InsideTheStep, AStreetOfTenPoundsAlike) {
+  const Model model = street(10, paper_hertz_damp());
+  expect_alike(run(model, EventTreatment::inside_the_step), run(model, EventTreatment::located));
+}
+
+TEST(InsideTheStep, ALawWhoseForceJumpsPoundsAlike) {
+  const Model model = street(3, KelvinByDampingRatio{.stiffness = 5e8 * N / m, .damping_ratio = 0.14});
+  expect_alike(run(model, EventTreatment::inside_the_step), run(model, EventTreatment::located));
+}
+
+TEST(InsideTheStep, AFreeBodyReboundsAlike) {
+  // Against a wall at 1 m/s, with the restitution of the law either way. The touch is located; the force is zero where
+  // the contact ends and only bends there, which costs the square of a step.
+  for (const EventTreatment events : {EventTreatment::located, EventTreatment::inside_the_step}) {
+    Model model;
+    const NodeId body = add(model, Node{.name = "body", .mass = 1e5 * kg, .initial_velocity = 1 * m / s});
+    add(model, Gap{.name = "wall",
+                   .left = body,
+                   .right = ground,
+                   .clearance = 12.3 * mm,
+                   .law = KelvinByDampingRatio{.stiffness = 1e9 * N / m, .damping_ratio = 0.14}});
+    const CaseResult result =
+        run_case(model, still_ground(1 * s),
+                 {.transient = {.steps_per_contact = 512, .events = events}, .error_bars = ErrorBarMode::never});
+    const double angle = std::acos(0.14);  // see KelvinByDampingRatio
+    ASSERT_EQ(result.impacts.size(), 1u);
+    EXPECT_NEAR(result.impacts[0].rebound_ratio, std::exp(-2.0 * angle / std::tan(angle)), std::pow(3.2 / 512.0, 2));
+    EXPECT_NEAR(result.impacts[0].start, 12.3e-3, 1e-12);
+  }
+}
+
+}  // namespace
+}  // namespace moat
