@@ -46,9 +46,9 @@ constexpr double share_of_ground_that_counts = 0.02;
 
 // The first multiple of `step` after `time`; one that is closer than round-off is skipped.
 double next_grid_time(double time, double step) {
-  constexpr double coincident = 1e-6;
   const double position = time / step;
-  return (static_cast<double>(static_cast<long>(position + coincident)) + 1.0) * step;
+  const double coincident = std::max(1e-6, 8.0 * std::numeric_limits<double>::epsilon() * position);
+  return (std::floor(position + coincident) + 1.0) * step;
 }
 
 }  // namespace
