@@ -8,18 +8,19 @@
 
 namespace moat {
 
-/// The scale of every node's absolute acceleration, m/s^2: its largest so far, fading with time, and at least a quarter of
-/// the largest in its building: an impact below reaches a floor that has not moved yet.
+/// The scale of every node's absolute acceleration, m/s^2: its largest so far, fading by a factor e in a second, and at
+/// least a quarter of the largest in its building: an impact below reaches a floor that has not moved yet.
 ///
 /// A light body that pounds somewhere else does not loosen the tolerance of a building. While a building is in contact
-/// its nodes count as they are, and the nodes that touch with at least the acceleration to be expected of the impact;
-/// all that is forgotten when the contact ends: an impact is no measure of the motion that follows. A building is here what elements other than gaps hold together.
+/// its nodes count as they are, and the nodes that touch (ElementInfo::first and second) with at least sixteen times
+/// the acceleration to be expected of the impact. All that is forgotten when the building's last contact ends: an
+/// impact is no measure of the motion that follows. A building is here all that elements other than gaps hold together.
 class AccelerationScales {
  public:
   /// lowest >= 0: no scale is below this, m/s^2.
   AccelerationScales(const Model& model, double lowest);
 
-  /// Contacts began or ended.
+  /// Contacts may have begun or ended.
   void regimes_changed(const Model& model);
   /// A step of h s was committed.
   void accepted(const Model& model, double h, double ground_acceleration);

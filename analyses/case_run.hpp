@@ -24,7 +24,7 @@ enum class ErrorBarMode {
 struct CaseOptions {
   std::string title{};
   TransientOptions transient{};
-  /// >= 0 s. Interval of the histories; 0: that of the motion.
+  /// >= 0 s. Interval of the histories, which have rows exactly at its multiples; 0: that of the motion's samples.
   Time history_interval{};
   /// > 0. Integration error, and residual of the equations, as a fraction of the largest input or kinetic energy, above
   /// which there is a warning.
@@ -36,7 +36,7 @@ struct CaseOptions {
 ///
 ///     CaseRun run{model, motion, {.title = "..."}};
 ///     run.run();                                  // may throw ConvergenceError ...
-///     const CaseResult result = run.result();     // ... and this still tells all up to then
+///     const CaseResult result = run.result();     // ... and this still has all up to then
 ///
 /// The companion (analyses/error_bars.hpp) moves a copy of the model, taken before the first step. If it fails, the
 /// result has no error bars and a warning that says why.

@@ -8,8 +8,8 @@
 
 namespace moat {
 
-/// Counts the changes of every element in windows of a second. Many gaps may close in one second; one that closes
-/// thousands of times chatters.
+/// Counts the changes of every element in windows of a second, one after the other. Many gaps may close in one second;
+/// one that closes thousands of times chatters.
 class ChatterGuard {
  public:
   explicit ChatterGuard(int largest_per_second) : largest_per_second_{largest_per_second} {}

@@ -31,7 +31,7 @@ struct PeaksAndImpacts {
   SolverStatistics solver;
 };
 
-/// Runs the model and returns its peaks and impacts. The observer, if any, is told of every step.
+/// Runs the model and returns its peaks and impacts. The observer, if any, gets every step.
 /// Throws as Transient does.
 PeaksAndImpacts compute_peaks(Model& model, const GroundMotion& motion, const TransientOptions& options,
                               StepObserver* observer = nullptr);

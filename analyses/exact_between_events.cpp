@@ -205,7 +205,8 @@ void ExactBetweenEvents::solve(double h, double end_time) {
   trial.velocity.head(n) = end_.segment(n, n);
   trial.acceleration.head(n) = end_.segment(2 * n, n);
   auto jerk = trial.jerk.head(n);
-  jerk.noalias() = -(system.stiffness * end_.segment(n, n));
+  jerk.setZero();
+  jerk.noalias() -= system.stiffness * end_.segment(n, n);
   jerk.noalias() -= system.damping * end_.segment(2 * n, n);
 }
 

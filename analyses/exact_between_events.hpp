@@ -21,9 +21,9 @@ namespace moat {
 /// the grid) take the Taylor series of the solution, summed to round-off once per step and then evaluated at any
 /// length. There is no error of period, hence no tolerance.
 ///
-/// A step is the interval of the motion's samples, halved until the fastest eigenvalue of the system times the step
-/// is at most 1/2: the series converges quickly then, changes of regime inside a step are seen, and peaks between
-/// samples are where the parabola of a PeakTracker puts them, to a few 1e-4.
+/// A step is the longest step of the analysis (longest_step()), halved until the fastest eigenvalue of the system times
+/// the step is at most 1/2: the series converges quickly then, changes of regime inside a step are seen, and the cubic
+/// of a PeakTracker finds peaks between samples to (1/2)^4/384, about 2e-4, of the fastest vibration.
 ///
 /// While a gap is closed the model is not linear and applies() is false; Transient takes Newmark's steps there.
 class ExactBetweenEvents {
@@ -31,7 +31,7 @@ class ExactBetweenEvents {
   /// Matrices are full: this is for small models.
   static constexpr int most_degrees_of_freedom = 50;
 
-  /// The model must be prepared and outlive this object. grid_interval > 0 s is that of the motion's samples.
+  /// The model must be prepared and outlive this object. grid_interval > 0 s is the longest step.
   /// Throws InputError for a model with too many degrees of freedom, an element that is not linear between events, or
   /// an eigenvalue that asks for thousands of steps from sample to sample.
   ExactBetweenEvents(Model& model, double grid_interval);

@@ -20,15 +20,17 @@ namespace moat {
 /// error
 ///
 ///     fourth order:          h/12 |2 (a1 - a0)/h - j0 - j1|  =  (w h)^3/72 of a vibration of frequency w
-///     average acceleration:  h/12 |j1 - j0|                  =  (w h)^2/12
+///     average acceleration:  8 h/12 |j1 - j0|                =  8 (w h)^2/12
 ///
-/// over the scale of the place's acceleration (acceleration_scales.hpp), and the largest of all places counts. A step
-/// with twice the tolerance is repeated. Differences that are round-off of forces do not count.
+/// over the scale of the place's acceleration (acceleration_scales.hpp), and the largest of all places counts. The 8 is
+/// there because (w h)^2/12 is itself the error of period of average acceleration. Where the stiffness of a law without
+/// located regimes jumps inside a step, the fourth-order scheme takes h/12 |j1 - j0| too. A step with more than twice
+/// the tolerance is repeated. Differences that are round-off of forces do not count.
 ///
-/// In contact, the contact's own duration, divided into steps_per_contact. A contact that lasts longer than four
-/// times that is a body leaning on another, and its accelerations tell enough. The first steps after a touch are
-/// shorter, double from one to the next, and take average acceleration: some laws' forces rise with infinite slope
-/// there (like d^1/4).
+/// In contact, the contact's own duration, divided into steps_per_contact. A contact that goes on for four times that
+/// after the last event is a body leaning on another, and the error of acceleration is enough. The first steps after a
+/// located touch are shorter, double from one to the next, and are not judged; the first of them takes average
+/// acceleration: some laws' forces rise with infinite slope there (like d^1/4).
 ///
 /// The scheme is that of fourth order where a step is inside its bound of stability. A model that is too stiff for that
 /// at any reasonable length takes average acceleration.
@@ -56,16 +58,17 @@ class StepControl {
   [[nodiscard]] bool adaptive() const { return options_.fixed_step <= 0.0; }
   /// The step to try next from the committed state.
   [[nodiscard]] Step next_step(const Model& model);
-  /// Judges the trial state that a step of this scheme led to, but not the nodes of elements that change their regime
-  /// inside it: their accelerations bend. False: repeat with next_step(), which is shorter.
+  /// Judges the trial state that a step of this scheme led to, but not the nodes (ElementInfo::first and second) of
+  /// elements that change their regime inside it: their accelerations bend. False: repeat with next_step(), which is
+  /// shorter.
   [[nodiscard]] bool accepts(const Model& model, const StepTask& step, NewmarkScheme scheme,
                              std::span<const RegimeChange> inside = {});
   /// The trial state was committed.
   void accepted(const Model& model, double h, double ground_acceleration);
-  /// Elements changed their regime; `touched` if a gap closed.
+  /// Elements changed their regime at the committed state, or the ground stopped; `touched` if a gap closed.
   void restart(const Model& model, bool touched);
 
-  /// Whether a step of this length divides a contact of this duration finely enough, both in s.
+  /// Whether a step of this length divides a contact of this duration finely enough, both in s. A fixed one always.
   [[nodiscard]] bool is_short_enough(double step, double contact) const {
     constexpr double round_off = 1e-9;
     return !adaptive() || step * options_.steps_per_contact <= contact * (1.0 + round_off);
@@ -77,7 +80,8 @@ class StepControl {
   [[nodiscard]] double fewest_steps_per_contact() const { return fewest_steps_per_contact_; }
   /// Bound on the largest squared frequency with open gaps and initial stiffness, 1/s^2.
   [[nodiscard]] double stiffest_squared() const { return stiffest_squared_; }
-  /// Largest round-off of a node's acceleration over its scale so far, and where.
+  /// Largest round-off of a node's acceleration over its scale so far, and where. Looked for in adapted steps of models
+  /// with a squared frequency above 1e10 1/s^2 only.
   [[nodiscard]] double largest_round_off() const { return largest_round_off_; }
   [[nodiscard]] NodeId place_of_round_off() const { return place_of_round_off_; }
 

@@ -31,15 +31,15 @@ enum class Integrator {
 
 /// What happens to the step in which an element changes its regime.
 enum class EventTreatment {
-  /// `inside_the_step` where about a third of the last sixteen steps had a change, or eight elements change in one step,
-  /// as in a long street; else `located`.
+  /// `inside_the_step` where about a third of the last sixteen steps had a change, or eight elements change in one
+  /// step, as in a long street; else `located`. Exact steps are always `located`.
   automatic,
   /// The step ends at the instant of the change, located to location_tolerance: exact, and a step for every change.
   located,
   /// Instant and approach speed come from the interpolated motion, the step is solved again with the new regime from
   /// there on and goes on to its planned end. Steps do not multiply with the number of gaps. A contact that begins and
   /// ends within one step is not felt. A touch whose force jumps (linear dashpots), or whose contact asks for shorter
-  /// steps, is located all the same.
+  /// adapted steps, and changes that do not settle in a few solutions, are located all the same.
   inside_the_step,
 };
 
@@ -48,15 +48,16 @@ struct TransientOptions {
   Integrator integrator = Integrator::newmark;
 
   /// Of Newmark's method. None: the fourth-order scheme in an adaptive step that is inside its bound of stability,
-  /// average acceleration elsewhere and in a fixed step.
+  /// average acceleration elsewhere, in the first step after a touch, and in a fixed step.
   std::optional<NewmarkScheme> scheme{};
 
   /// >= 0 s. Length of a fixed step; 0: the step adapts itself (next three options), which
   /// Integrator::exact_between_events requires.
   Time step{};
 
-  /// >= 1e-12, < 1. Adaptive step: the error of acceleration that one step may add at any node, relative to the size
-  /// of that node's absolute acceleration. Steps are the interval of the motion's samples divided by powers of two.
+  /// >= 1e-12, < 1. Adaptive step: the error of acceleration that one step should add at any node, relative to the
+  /// scale of the absolute acceleration there (analyses/acceleration_scales.hpp); above twice that a step is repeated.
+  /// Steps are the longest step divided by powers of two.
   double tolerance = 1.2e-4;
 
   /// >= 4. Adaptive step: steps within the duration of one contact, estimated with the masses of the joined nodes
@@ -77,7 +78,8 @@ struct TransientOptions {
   /// >= 0 s. Where the analysis ends; 0: at the last sample of the motion.
   Time end{};
 
-  /// > 0, < 1. Largest out-of-balance force of an accepted step at any node, relative to the largest force there.
+  /// > 0, < 1. Largest out-of-balance force of an accepted step at any node, relative to the largest force there. More,
+  /// up to 1e-6, passes where it is round-off of the displacements.
   double force_tolerance = 1e-8;
 
   /// >= 1. Newton iterations before a step is cut.
@@ -93,7 +95,7 @@ struct TransientOptions {
   /// How touches, separations and other changes of regime are treated.
   EventTreatment events = EventTreatment::automatic;
 
-  /// >= 1. Changes of one element per second of motion, averaged over a second, before the analysis gives up.
+  /// >= 1. Changes of one element in a window of one second of motion, before the analysis gives up.
   int largest_events_per_second = 10000;
 };
 
@@ -103,11 +105,13 @@ double longest_step(const TransientOptions& options, double sample_interval);
 
 /// Integrates M a + f(u, v) = -M iota a_g(t) from the model's committed state.
 ///
-/// Newmark's method with Newton-Raphson in every step. Touch and separation of gaps are located: the step
-/// that would cross one is solved again, shorter, until it ends there; then the acceleration is computed
-/// anew from the forces after the change, and one odd step leads back to the time grid. The step follows the
-/// physics (analyses/step_control.hpp) unless it is fixed. With Integrator::exact_between_events steps outside contact
-/// are exact instead, and everything else is the same.
+/// Newmark's method with Newton-Raphson in every step. Touch and separation of gaps, and yield and unloading of located
+/// bearings, are events. A located one ends its step: the step that would cross it is solved again, shorter, until it
+/// ends there; then the acceleration is computed anew from the forces after the change, and one odd step leads back to
+/// the time grid. Where events are many they may stay inside a step (EventTreatment). The end of the motion is an event
+/// too: the ground's acceleration drops to zero there. The step follows the physics (analyses/step_control.hpp) unless
+/// it is fixed. With Integrator::exact_between_events steps outside contact are exact instead, and everything else is
+/// the same.
 ///
 /// A step that does not converge is cut in half; if that does not help, advance() throws ConvergenceError
 /// naming time, step, residual and the worst degree of freedom. It is never accepted.
@@ -127,12 +131,12 @@ class Transient {
   void attach(StepObserver& observer);
 
   [[nodiscard]] bool finished() const;
-  /// One accepted step, and the change of regime at its end if there is one. Observers attached since the last step
-  /// are told of the start first.
+  /// One accepted step, and the changes of regime inside it or at its end if there are any. Observers attached since
+  /// the last step get the start first.
   void advance();
-  /// Tells the observers that the analysis ends here; run() does so itself.
+  /// Calls finish() of the observers: the analysis ends here. run() does so itself.
   void finish();
-  /// Until finished(), telling the observers of start and end, also when a step fails.
+  /// Until finished(), with start() and finish() of the observers, also when a step fails.
   void run();
 
   [[nodiscard]] const Model& model() const { return *model_; }

@@ -42,7 +42,7 @@ struct RegimeScan {
   double margin = std::numeric_limits<double>::infinity();
   /// True if a change was seen inside the step, even if all margins are positive again at its end.
   bool crossed = false;
-  /// True if an element was beyond its margin inside the step and is not at its end: what its margin there tells is not
+  /// True if an element was beyond its margin inside the step and is not at its end: the margins at the end are not
   /// enough to judge the step.
   bool returned = false;
   /// Number of elements that changed.
@@ -79,7 +79,7 @@ inline bool values_jump(std::span<const RegimeChange> changes) {
 /// law's potential, what was dissipated from the law's own dissipation: three independent numbers, so that their
 /// difference is an error of the time integration and not zero by construction.
 struct ElementEnergy {
-  double work = 0.0;        ///< mean force of every step times its change of deformation
+  double work = 0.0;        ///< of the force on the deformation, by the WorkRule of every step
   double stored = 0.0;      ///< recoverable energy now less that at the start
   double dissipated = 0.0;  ///< integral of dissipation_rate, and what changes of regime released
   bool hysteretic = false;  ///< dissipates by sliding, whatever the speed; else viscous
@@ -120,7 +120,8 @@ enum class WorkRule {
 ///
 /// A block holds two vectors of states. evaluate() computes the trial states from the committed ones
 /// and the given displacements, never the other way round; commit() makes the trial states the
-/// committed ones. Dropping a trial step therefore needs no call at all.
+/// committed ones. Dropping a trial step therefore needs no call at all, unless regimes were changed inside it
+/// (undo_changes_inside).
 ///
 /// Arrays of displacements, velocities and forces have one entry per degree of freedom and one more,
 /// the last, for the ground.
@@ -132,7 +133,7 @@ class ElementBlock {
   [[nodiscard]] virtual std::size_t size() const = 0;
   [[nodiscard]] virtual const ElementInfo& info(std::size_t element) const = 0;
 
-  /// Tells which degrees of freedom its elements couple.
+  /// Adds the pairs of degrees of freedom that its elements couple.
   virtual void add_couplings(PatternBuilder& pattern) const = 0;
   /// Remembers where in the matrix its elements scatter to.
   virtual void find_slots(const SparseMatrix& matrix) = 0;
@@ -152,8 +153,8 @@ class ElementBlock {
   [[nodiscard]] virtual bool constant_tangent() const { return false; }
   /// Whether df/du or df/dv of any element has changed since this was last asked.
   virtual bool take_tangent_change() = 0;
-  /// Whether the stiffness of an element without located regimes jumped between the last commit and the last evaluate(),
-  /// by more than a fifth: its force has a corner inside the step.
+  /// Whether the stiffness of an element without located regimes jumped between the last commit and the last
+  /// evaluate(), by more than a fifth: its force has a corner inside the step.
   [[nodiscard]] virtual bool has_corner() const { return false; }
   /// Adds the constant stiffness of a linear analysis.
   virtual void add_linear_stiffness(StiffnessStage stage, double* values) const = 0;
@@ -189,10 +190,11 @@ class ElementBlock {
   virtual void scan_regimes(double step, RegimeScan& scan) const;
   /// Puts every element that is beyond its margin at the committed state into its next regime and lists it.
   virtual void change_regimes(std::size_t block_index, std::vector<RegimeChange>& changes);
-  /// Puts elements that cross their margin between the committed state and the last evaluate(), `step` seconds later,
-  /// into their next regime from the interpolated instant on, and lists them: the step is solved again with the new
-  /// regimes instead of ending there. Openings are left to change_regimes(): an opened gap has no force. False if a
-  /// force would jump, which no step can cross.
+  /// Puts elements that are beyond their margin at the last evaluate(), `step` seconds after the committed state, into
+  /// their next regime from the interpolated instant on, and lists them, with times from the committed state: the step
+  /// is solved again with the new regimes instead of ending there. Openings are left to open_gaps(): an opened gap has
+  /// no force. False if a force would jump, which no step can cross; elements before that one stay changed until
+  /// undo_changes_inside().
   virtual bool change_regimes_inside(double step, double aim, std::size_t block_index,
                                      std::vector<RegimeChange>& changes);
   /// Takes the changes inside the step being tried back.

@@ -24,7 +24,7 @@ struct MotionState {
   Vector displacement;  ///< m
   Vector velocity;      ///< m/s
   Vector acceleration;  ///< m/s^2
-  Vector jerk;          ///< m/s^3, rate of the absolute acceleration: it jumps only where forces bend, not with the ground
+  Vector jerk;          ///< m/s^3, rate of the absolute acceleration: it jumps where forces bend, not with the ground
 };
 
 /// Reports the shear that the outside exerts on a set of nodes, from their inertia: the sum of mass
@@ -99,7 +99,7 @@ class Model {
   /// from them the trial jerk, -M^-1 df/dt.
   void evaluate_rates();
   /// Computes only the elements that can change their regime; forces and deformations of the others stay those of the
-  /// last evaluate(). For whoever knows the motion of the nodes without forces and has no one to show them to.
+  /// last evaluate(). For analyses that know the motion of the nodes without the forces and have no observer of them.
   void evaluate_regimes();
   /// Computes all elements at the committed state, where evaluate_regimes() left some out.
   void refresh();
@@ -131,8 +131,10 @@ class Model {
   /// Changes the regime of every element that is beyond its margin, then evaluates anew at the committed state.
   void change_regimes(std::vector<RegimeChange>& changes);
   /// Changes the regime of elements that cross their margin inside the trial step, from there on
-  /// (ElementBlock::change_regimes_inside); the step must then be solved again. False if one of them cannot be crossed.
+  /// (ElementBlock::change_regimes_inside); the step must then be solved again. False if one of them cannot be crossed:
+  /// others may be changed by then, until undo_changes_inside().
   bool change_regimes_inside(double step, double aim, std::vector<RegimeChange>& changes);
+  /// Takes back all changes inside the step being tried.
   void undo_changes_inside();
   /// After commit(): gaps that opened inside the step; their forces are zero already.
   void open_gaps(std::vector<RegimeChange>& changes);

@@ -10,7 +10,7 @@
 namespace moat {
 
 /// Remembers names by their hashes alone, in one table: the names of a million elements, kept a second time, would be
-/// much of a model's memory. Two names may share a hash; whoever is told that a name may be taken has to look.
+/// much of a model's memory. Two names may share a hash; after true the caller has to compare the names.
 class TakenNames {
  public:
   void add(std::string_view name) {

@@ -42,7 +42,7 @@ struct DissipatedEnergy {
 
 /// Where the energy that the ground put into the structure went, in the frame of the ground, J.
 ///
-///     kinetic + strain + viscous + hysteretic + impact = input at the start + input + errors
+///     kinetic + strain + viscous + hysteretic + impact = input + errors
 struct EnergyBalance {
   double input = 0.0;       ///< work of the inertia forces of the ground motion: - sum of m a_g du
   double kinetic = 0.0;     ///< of motion relative to the ground, now less that at the start
@@ -51,8 +51,8 @@ struct EnergyBalance {
   double hysteretic = 0.0;  ///< dissipated by bearings and other elements that yield
   double impact = 0.0;      ///< lost in impacts
 
-  /// kinetic + work of all elements - input: zero but for round-off and the force tolerance with average
-  /// acceleration, of second order with other schemes.
+  /// kinetic + work of all elements - input. Average acceleration: zero but for round-off and the force tolerance.
+  /// Fourth-order steps: of fourth order. Exact steps: of sixth order. Newmark's method with another beta: of second.
   double equation_residual = 0.0;
   /// Work of all elements less what they stored and dissipated: the error of the time integration.
   double integration_error = 0.0;
@@ -70,8 +70,9 @@ struct SolverStatistics {
   long accepted_steps = 0;
   long rejected_steps = 0;  ///< cut because Newton did not converge
   long repeated_steps = 0;  ///< repeated shorter because the error estimate was too large
-  long event_solves = 0;    ///< solved again to land on a touch or separation
-  long events = 0;          ///< touches, separations and other located changes of regime
+  long event_solves = 0;    ///< solved again for a change of regime: to end there, or with the new regime
+  long events = 0;          ///< touches, separations and other changes of regime, also inside steps
+  long changes_inside = 0;     ///< of these, inside a step that went on (EventTreatment::inside_the_step)
   long newton_iterations = 0;
   long factorisations = 0;
   double cpu_seconds = 0.0;

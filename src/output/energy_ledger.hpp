@@ -10,9 +10,10 @@ namespace moat {
 ///
 /// For average acceleration the change of kinetic energy in a step equals the mean force times the change of
 /// displacement exactly, so that `equation_residual` is an identity. For steps of higher order work and input are
-/// integrals along the motion inside the step, of order six, and the residual has the error of the integrated velocities:
-/// fourth order with Newmark's method, round-off with exact steps. `integration_error` is a check of its own: every
-/// element's work against its potential and its independently integrated dissipation.
+/// integrals along the motion inside the step, of order six, and the residual has the error of the integrated
+/// velocities: fourth order with Newmark's method. With exact steps it has the error of the integrals alone.
+/// `integration_error` is a check of its own: every element's work against its potential and its independently
+/// integrated dissipation.
 class EnergyLedger final : public StepObserver {
  public:
   void start(const StepView& view) override;

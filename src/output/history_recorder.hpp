@@ -7,9 +7,9 @@
 
 namespace moat {
 
-/// Keeps time, ground acceleration and every channel at the multiples of a constant interval, from the first at or after
-/// the start on. A row that falls inside a step is interpolated: channels by the cubic through value and rate at both
-/// ends (forces of laws that bend by the law itself), energies linearly. With a ledger the energies too, at place
+/// Keeps time, ground acceleration and every channel at the multiples of a constant interval, from the first at or
+/// after the start on. A row that falls inside a step is interpolated: channels by the cubic through value and rate at
+/// both ends (forces of laws that bend by the law itself), energies linearly. With a ledger the energies too, at place
 /// "structure". At an event a row has the values before it.
 class HistoryRecorder final : public StepObserver {
  public:

@@ -1,4 +1,4 @@
-// Whoever follows an analysis step by step.
+// Observers that follow an analysis step by step.
 #pragma once
 
 #include <span>
@@ -11,7 +11,7 @@ namespace moat {
 struct StepView {
   const Model& model;
   double ground_acceleration = 0.0;  ///< m/s^2, at the state's time
-  bool on_grid = true;               ///< false where the step ended at a located event, between grid times
+  bool on_grid = true;               ///< false where the step was cut or ended at a located event, between grid times
   WorkRule work_rule = WorkRule::mean_force;  ///< of the step that led here
 };
 
@@ -23,7 +23,9 @@ enum class Observed {
 };
 
 /// Receives every accepted step of an analysis. At a located event it is called twice for the same
-/// instant: step() with the values before the change of regime, event() with those after it.
+/// instant: step() with the values before the change of regime, event() with those after it. Where elements changed
+/// inside a step (RegimeChange::inside), event() follows that step, at its end, and no value jumps. Where the ground
+/// stops after the last sample, event() has no changes, and accelerations jump.
 class StepObserver {
  public:
   virtual ~StepObserver() = default;

@@ -77,11 +77,13 @@ TEST_P(AdaptiveStep, NeedsAtMostHalfTheStepsOfAFixedStepOfEqualError) {
 TEST_P(AdaptiveStep, ATighterToleranceReducesErrorAndEnergyError) {
   const LawCase law = law_case("hertz_damp", paper_hertz_damp());
   const Row row = reference_row(record(), law.row);
-  const CaseResult coarse = run(law, *motion_, {.tolerance = 1e-3});
+  // Samples of 5 ms resolve the building to 1e-5: the coarse run goes beyond them where it may not, in contact.
+  const CaseResult coarse = run(law, *motion_, {.tolerance = 1e-1, .steps_per_contact = 4});
   const CaseResult fine = run(law, *motion_, {.tolerance = 1e-5, .steps_per_contact = 128});
-  // Second order: a hundredth of the tolerance is a tenth of the step, a hundredth of the error.
   EXPECT_LT(largest_error(fine, row), largest_error(coarse, row) / 20.0);
-  EXPECT_LT(std::abs(fine.energy.integration_error), std::abs(coarse.energy.integration_error) / 10.0);
+  EXPECT_LT(largest_error(fine, row), 1e-6);  // the digits of the reference
+  EXPECT_LT(std::abs(fine.energy.integration_error), 1e-6 * fine.energy.largest_input);
+  EXPECT_LT(std::abs(fine.energy.equation_residual), 1e-6 * fine.energy.largest_input);
 }
 
 INSTANTIATE_TEST_SUITE_P(Records, AdaptiveStep,

@@ -23,7 +23,8 @@ LeadRubberBearing bearing(NodeId lower, NodeId upper) {
           .upper = upper,
           .yield_force = 1 * MN,
           .yield_displacement = 1 * cm,
-          .post_yield_stiffness = 10 * MN / m};
+          .post_yield_stiffness = 10 * MN / m,
+          .locate_yield = false};
 }
 
 TEST(ShearSpring, PullsTheUpperNodeBackAndTheLowerOneAlong) {

@@ -27,8 +27,9 @@ TEST(PeakRecorder, FindsPeaksBetweenSteps) {
   HandMovedBuilding building;
   PeakRecorder recorder{building.model};
   const auto base = [](double t) { return 0.08 - 0.5 * (t - 0.33) * (t - 0.33); };
-  recorder.start(building.move(0.0, base(0.0), 0.0));
-  for (const double t : {0.2, 0.4, 0.6}) recorder.step(building.move(t, base(t), 0.0));
+  const auto at = [&](double t) { return building.move(t, base(t), 0.0, 0.0, 0.0, 0.0, true, -(t - 0.33)); };
+  recorder.start(at(0.0));
+  for (const double t : {0.2, 0.4, 0.6}) recorder.step(at(t));
   const Peak found = peak(recorder, "displacement", "base");
   EXPECT_NEAR(found.value, 0.08, 1e-14);
   EXPECT_NEAR(found.time, 0.33, 1e-13);

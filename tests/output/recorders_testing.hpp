@@ -1,6 +1,7 @@
 // A model moved by hand, to see what recorders make of it.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -24,7 +25,8 @@ struct HandMovedBuilding {
     add(model, ViscousDamper{.name = "damper", .lower = base, .upper = floor, .damping = 1 * N * s / m});
     add(model,
         LeadRubberBearing{
-            .upper = base, .yield_force = 10 * N, .yield_displacement = 10 * cm, .post_yield_stiffness = 5 * N / m});
+            .upper = base, .yield_force = 10 * N, .yield_displacement = 10 * cm, .post_yield_stiffness = 5 * N / m,
+            .locate_yield = false});
     add(model, Moat<HertzDamp>{
                    .around = base, .clearance = 10 * cm, .law = {.stiffness = 1000 * N / m_3_2, .restitution = 1.0}});
     add(model, BaseShear{.where = "base", .nodes = {base, floor}});
@@ -33,11 +35,12 @@ struct HandMovedBuilding {
 
   /// Puts both nodes somewhere and commits.
   StepView move(double time, double base_displacement, double floor_displacement, double base_acceleration = 0.0,
-                double floor_acceleration = 0.0, double ground_acceleration = 0.0, bool on_grid = true) {
+                double floor_acceleration = 0.0, double ground_acceleration = 0.0, bool on_grid = true,
+                std::optional<double> base_velocity = {}) {
     MotionState& trial = model.trial();
     trial.time = time;
     trial.displacement.head(2) << base_displacement, floor_displacement;
-    trial.velocity.head(2) << 0.1 * base_displacement, 0.1 * floor_displacement;
+    trial.velocity.head(2) << base_velocity.value_or(0.1 * base_displacement), 0.1 * floor_displacement;
     trial.acceleration.head(2) << base_acceleration, floor_acceleration;
     model.evaluate();
     model.evaluate_rates();
