@@ -239,7 +239,11 @@ class LinkBlock final : public ElementBlock {
       for (std::size_t i = 0; i < size(); ++i) {
         if (laws_[i].regime_margin(committed_[i], deformations_[i], rates_[i]) >= 0.0) continue;
         const bool touched = contact(i).touching;
-        if (touched && deformations_[i] <= 0.0) continue;  // opens, and has no force any more
+        if (touched && deformations_[i] <= 0.0) {
+          if constexpr (ContactLaw<Law>)
+            if (jumps_at_opening(i)) return false;  // pulls up to there
+          continue;  // opens, and has no force any more
+        }
         const double fraction = first_crossing(i, step, 1.0, aim);
         const HermiteQuintic path = path_of(i, step);
         const double rate = path.rate(fraction);
@@ -339,6 +343,14 @@ class LinkBlock final : public ElementBlock {
       counted = std::max(counted, std::sqrt(2.0 * stored(i) / effective_masses_[i]));
     }
     if (touching) durations_[i] = laws_[i].contact_duration(effective_masses_[i], committed_[i].approach_speed);
+  }
+
+  // Whether the contact still pulls where its gap opens.
+  bool jumps_at_opening(std::size_t i) const {
+    constexpr double least_indentation = 1e-12, of_expected = 0.01;
+    State after;
+    const double last = laws_[i].evaluate(committed_[i], least_indentation, rates_[i], after).force;
+    return std::abs(last) > of_expected * contact(i).expected_force;
   }
 
   // Whether the force right after a touch is of the size it has at the end of the step.

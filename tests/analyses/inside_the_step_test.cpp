@@ -92,8 +92,32 @@ TEST(InsideTheStep, AStreetOfTenPoundsAlike) {
 }
 
 TEST(InsideTheStep, ALawWhoseForceJumpsPoundsAlike) {
-  const Model model = street(3, KelvinByDampingRatio{.stiffness = 5e8 * N / m, .damping_ratio = 0.14});
-  expect_alike(run(model, EventTreatment::inside_the_step), run(model, EventTreatment::located));
+  for (const bool may_pull : {false, true}) {
+    SCOPED_TRACE(may_pull);
+    const Model model =
+        street(3, KelvinByDampingRatio{.stiffness = 5e8 * N / m, .damping_ratio = 0.14, .may_pull = may_pull});
+    expect_alike(run(model, EventTreatment::inside_the_step), run(model, EventTreatment::located));
+  }
+}
+
+TEST(InsideTheStep, AGapThatPullsUntilItOpensLetsGoAlike) {
+  // The force jumps where the gap opens; half a step of it would be 1e-3 of the rebound.
+  for (const double clearance : {12.3, 13.7, 15.2, 17.9}) {
+    Model model;
+    const NodeId body = add(model, Node{.name = "body", .mass = 1e5 * kg, .initial_velocity = 1 * m / s});
+    add(model, Gap{.name = "wall",
+                   .left = body,
+                   .right = ground,
+                   .clearance = clearance * mm,
+                   .law = KelvinByDampingRatio{.stiffness = 1e9 * N / m, .damping_ratio = 0.14, .may_pull = true}});
+    const CaseResult result =
+        run_case(model, still_ground(1 * s),
+                 {.transient = {.steps_per_contact = 512, .events = EventTreatment::inside_the_step},
+                  .error_bars = ErrorBarMode::never});
+    ASSERT_EQ(result.impacts.size(), 1u);
+    EXPECT_NEAR(-model.state().velocity[0], std::exp(-std::acos(-1.0) * 0.14 / std::sqrt(1.0 - 0.14 * 0.14)),
+                std::pow(3.2 / 512.0, 2));
+  }
 }
 
 TEST(InsideTheStep, AFreeBodyReboundsAlike) {
