@@ -190,7 +190,7 @@ void ExactBetweenEvents::begin(double longest, double ground_acceleration, doubl
   terms_ = 0;
 }
 
-void ExactBetweenEvents::solve(double h, double end_time) {
+void ExactBetweenEvents::solve(double h, double end_time, bool with_jerk) {
   const Eigen::Index n = offset_.size();
   const LinearSystem& system = systems_[current_];
   if (h == system.step) {
@@ -204,6 +204,7 @@ void ExactBetweenEvents::solve(double h, double end_time) {
   trial.displacement.head(n) = end_.head(n);
   trial.velocity.head(n) = end_.segment(n, n);
   trial.acceleration.head(n) = end_.segment(2 * n, n);
+  if (!with_jerk) return;
   auto jerk = trial.jerk.head(n);
   jerk.setZero();
   jerk.noalias() -= system.stiffness * end_.segment(n, n);

@@ -47,7 +47,8 @@ class ExactBetweenEvents {
   /// linearly from the first value to the second.
   void begin(double longest, double ground_acceleration, double ground_acceleration_at_end);
   /// Solves a step of length 0 < h <= longest into the trial state, without evaluating the model there.
-  void solve(double h, double end_time);
+  /// The jerk is left to Model::evaluate_rates() unless it is wanted.
+  void solve(double h, double end_time, bool with_jerk);
 
  private:
   using Matrix = Eigen::MatrixXd;

@@ -135,7 +135,7 @@ StepTask Transient::task_of(double h) const {
 bool Transient::solve(double h) {
   const StepTask task = task_of(h);
   if (steps_exactly_) {
-    exact_->solve(h, task.end_time);
+    exact_->solve(h, task.end_time, only_regimes_);
     if (only_regimes_)
       model_->evaluate_regimes();
     else
