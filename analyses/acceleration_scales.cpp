@@ -53,7 +53,9 @@ AccelerationScales::AccelerationScales(const Model& model, double lowest)
 void AccelerationScales::regimes_changed(const Model& model) {
   touched_before_.swap(touching_);
   std::ranges::fill(touching_, 0);
-  const auto building_of = [&](int node) { return static_cast<std::size_t>(building_[static_cast<std::size_t>(node)]); };
+  const auto building_of = [&](int node) {
+    return static_cast<std::size_t>(building_[static_cast<std::size_t>(node)]);
+  };
   const auto for_each_contact = [&](auto action) {
     for (const auto& block : model.blocks()) {
       if (!block->has_regimes()) continue;
@@ -97,7 +99,11 @@ void AccelerationScales::raise_to_building() {
 }
 
 void AccelerationScales::accepted(const Model& model, double h, double ground_acceleration) {
-  const double fade = std::exp(-h / seconds_to_fade);
+  if (h != step_of_fade_) {
+    step_of_fade_ = h;
+    fade_ = std::exp(-h / seconds_to_fade);
+  }
+  const double fade = fade_;
   const int count = model.degrees_of_freedom();
   const double* acceleration = model.state().acceleration.data();
   double* __restrict values = own_.data();
@@ -110,8 +116,7 @@ void AccelerationScales::accepted(const Model& model, double h, double ground_ac
     return;
   }
   for (int i = 0; i < count; ++i) {
-    const bool touching =
-        touching_[static_cast<std::size_t>(building_[static_cast<std::size_t>(i)])] != 0;
+    const bool touching = touching_[static_cast<std::size_t>(building_[static_cast<std::size_t>(i)])] != 0;
     outside[i] = touching ? std::max(outside[i] * fade, lowest_) : values[i];
   }
 }

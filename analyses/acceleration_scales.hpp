@@ -32,10 +32,11 @@ class AccelerationScales {
   double lowest_;
   void raise_to_building();
 
-  std::vector<int> building_;  // of every node: the number of one of its nodes
+  std::vector<int> building_;                    // of every node: the number of one of its nodes
   std::vector<char> touching_, touched_before_;  // of every building, now and before the last change
   bool any_touching_ = false;
-  Vector values_;           // what errors are judged on, if they are up to date
+  double step_of_fade_ = 0.0, fade_ = 1.0;  // the last step, s, and how much is left after it
+  Vector values_;                           // what errors are judged on, if they are up to date
   bool up_to_date_ = false;
   Vector own_;              // of each node alone
   Vector outside_contact_;  // the same, without contacts

@@ -19,7 +19,7 @@ class ChatterGuard {
 
  private:
   int largest_per_second_;
-  double window_start_ = 0.0;                  // s
+  double window_start_ = 0.0;                 // s
   std::vector<std::vector<int>> changes_of_;  // in this window, by block and element
 };
 

@@ -14,8 +14,8 @@
 namespace moat {
 namespace {
 
-// The caution of the bars. Chosen on the random models of ./moat bench accuracy, whose tables in docs/verification.md show
-// how many true errors lie within the bars and how wide these are.
+// The caution of the bars. Chosen on the random models of ./moat bench accuracy, whose tables in docs/verification.md
+// show how many true errors lie within the bars and how wide these are.
 namespace caution {
 /// Times Richardson's estimate: not all errors shrink to a quarter.
 constexpr double factor = 4.0;
@@ -85,7 +85,8 @@ void set_errors(std::vector<Peak>& peaks, const std::vector<Peak>& companion, do
     // std::max returns its first argument where that is not a number.
     const double shown = std::max(difference[i], least);
     const double estimate = std::max(factor * richardson * shown, least_share * peaks[i].value);
-    peaks[i].error = estimate + caution::round_off_of_peak * peaks[i].value + caution::round_off * largest.at(peaks[i].unit);
+    peaks[i].error =
+        estimate + caution::round_off_of_peak * peaks[i].value + caution::round_off * largest.at(peaks[i].unit);
     if (!std::isfinite(peaks[i].error)) peaks[i].error = std::numeric_limits<double>::quiet_NaN();
     // A force that neither run has is exact.
     if (peaks[i].value == 0.0 && difference[i] == 0.0) peaks[i].error = 0.0;

@@ -93,7 +93,8 @@ double StepControl::error_of(const Model& model, const StepTask& step, NewmarkSc
                *round_off_per_displacement = round_off_per_displacement_.data();
   const double h = step.length, rise_of_ground = h * step.ground_jerk;
   const bool fourth_order = scheme.order() == 4;
-  // The parabola and the cubic may agree by chance where a corner lies between their ends; the jump of the jerk does not.
+  // The parabola and the cubic may agree by chance where a corner lies between their ends; the jump of the jerk does
+  // not.
   const double of_jump = !fourth_order || model.has_corner() ? h : 0.0, of_curve = fourth_order ? 1.0 : 0.0;
   double largest = 0.0;
   for (int i = 0; i < count; ++i) {
@@ -157,8 +158,7 @@ void StepControl::watch_round_off(const Model& model) {
   constexpr double harmless_squared_frequency = 1e10;  // 1/s^2
   if (stiffest_squared_ < harmless_squared_frequency) return;
   for (int i = 0; i < model.degrees_of_freedom(); ++i) {
-    const double share =
-        round_off_per_displacement_[i] * std::abs(model.state().displacement[i]) / scales_.values()[i];
+    const double share = round_off_per_displacement_[i] * std::abs(model.state().displacement[i]) / scales_.values()[i];
     if (share <= largest_round_off_) continue;
     largest_round_off_ = share;
     place_of_round_off_ = NodeId{i};

@@ -52,8 +52,8 @@ class StepEquations final : public NonlinearSystem {
   SparseMatrix tangent_;
   StepTask task_;
   Vector predicted_displacement_, predicted_velocity_;
-  // Largest force of every row: of the iterate, and of the last balanced step. All of a row's terms may be zero at once:
-  // half of the latter is the least.
+  // Largest force of every row: of the iterate, and of the last balanced step. All of a row's terms may be zero at
+  // once: half of the latter is the least.
   Vector scales_, balanced_scales_, lowest_scales_;
   // What the factors were made for.
   bool factorised_ = false;

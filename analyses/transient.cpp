@@ -162,8 +162,8 @@ double Transient::solve_cutting(double h) {
   const double time = model_->state().time;
   throw ConvergenceError{"The step from t = " + to_text(time) + " s did not converge although it was cut to " +
                              to_text(h) + " s: the forces are out of balance by " + to_text(last_report_.residual) +
-                             " of the largest force there (allowed: " + to_text(options_.force_tolerance) + "), worst at \"" +
-                             worst_name +
+                             " of the largest force there (allowed: " + to_text(options_.force_tolerance) +
+                             "), worst at \"" + worst_name +
                              "\". Check the parameters of the elements there; results up to this time are kept.",
                          time, h, last_report_.residual, worst_name};
 }
@@ -327,8 +327,8 @@ void Transient::foresee_changes() {
   changes_.clear();
 }
 
-// Solves the trial step of length h again with the regimes that elements enter inside it. False if that is not possible:
-// the regimes are as before, the trial state is to be solved again.
+// Solves the trial step of length h again with the regimes that elements enter inside it. False if that is not
+// possible: the regimes are as before, the trial state is to be solved again.
 bool Transient::settle_inside(double h) {
   constexpr int most_passes = 4;
   const double aim = -0.5 * options_.location_tolerance.si();
@@ -387,25 +387,28 @@ void Transient::run() {
 }
 
 std::vector<std::string> Transient::assumptions() const {
-  const std::string step =
-      control_.adaptive() ? "step adapted to an error of " + to_text(options_.tolerance) +
-                                " of each node's acceleration and to " + std::to_string(options_.steps_per_contact) +
-                                " steps per contact, at most " + to_text(longest_step(options_, motion_.time_step())) + " s"
-                          : "fixed step of " + to_text(options_.step.si()) + " s";
+  const std::string step = control_.adaptive()
+                               ? "step adapted to an error of " + to_text(options_.tolerance) +
+                                     " of each node's acceleration and to " +
+                                     std::to_string(options_.steps_per_contact) + " steps per contact, at most " +
+                                     to_text(longest_step(options_, motion_.time_step())) + " s"
+                               : "fixed step of " + to_text(options_.step.si()) + " s";
   const std::string exact = exact_ ? "Exact steps from sample to sample while no gap is closed; in contact: " : "";
   std::string scheme = "beta = " + to_text(options_.scheme.value_or(NewmarkScheme{}).beta) + ", gamma = 1/2, ";
   if (control_.adaptive() && !options_.scheme)
-    scheme = "gamma = 1/2, beta = 1/12 with velocities corrected to fourth order (beta = 1/4 after a touch, and where a "
-             "step is too long for that), ";
-  return {exact + "Newmark's method, " + scheme + step + "; every step solved until the forces at each node balance to " +
-              to_text(options_.force_tolerance) + " of the largest force there.",
-          "Touch and separation located until the gap is zero to " + to_text(options_.location_tolerance.si()) +
-              " m, acceleration recomputed there" +
-              (statistics_.changes_inside > 0 ? "; " + std::to_string(statistics_.changes_inside) +
-                                                    " of " + std::to_string(statistics_.events) +
-                                                    " changes crossed inside a step." : "."),
-          "Ground acceleration linear between samples and zero after the last one; the system starts at rest at the "
-          "first sample unless initial values are given."};
+    scheme =
+        "gamma = 1/2, beta = 1/12 with velocities corrected to fourth order (beta = 1/4 after a touch, and where a "
+        "step is too long for that), ";
+  return {
+      exact + "Newmark's method, " + scheme + step + "; every step solved until the forces at each node balance to " +
+          to_text(options_.force_tolerance) + " of the largest force there.",
+      "Touch and separation located until the gap is zero to " + to_text(options_.location_tolerance.si()) +
+          " m, acceleration recomputed there" +
+          (statistics_.changes_inside > 0 ? "; " + std::to_string(statistics_.changes_inside) + " of " +
+                                                std::to_string(statistics_.events) + " changes crossed inside a step."
+                                          : "."),
+      "Ground acceleration linear between samples and zero after the last one; the system starts at rest at the "
+      "first sample unless initial values are given."};
 }
 
 std::vector<std::string> Transient::warnings() const {
@@ -435,9 +438,8 @@ std::vector<std::string> Transient::warnings() const {
   const NewmarkScheme scheme = options_.scheme.value_or(NewmarkScheme::average_acceleration());
   const double limit = scheme.stability_limit() / std::sqrt(control_.stiffest_squared());
   if (step > limit)
-    list.push_back("The fixed step is longer than the " + to_text(limit) +
-                   " s up to which beta = " + to_text(scheme.beta) +
-                   " is sure to be stable. Take a shorter one or average acceleration.");
+    list.push_back("The fixed step is longer than the " + to_text(limit) + " s up to which beta = " +
+                   to_text(scheme.beta) + " is sure to be stable. Take a shorter one or average acceleration.");
   if (fewest >= enough) return list;
   list.push_back("The fixed step divides the shortest contact into " + to_text(fewest) +
                  " steps only; with fewer than " + to_text(enough) +

@@ -179,8 +179,8 @@ class Transient {
   bool steps_exactly_ = false;  // the step being tried
   NewmarkScheme scheme_{};      // of the step being tried
   double end_ = 0.0;
-  StepTask planned_;          // the step being tried, before it was cut or ended at an event
-  double ground_ = 0.0;       // acceleration of the ground at the committed state, m/s^2
+  StepTask planned_;           // the step being tried, before it was cut or ended at an event
+  double ground_ = 0.0;        // acceleration of the ground at the committed state, m/s^2
   bool motion_ended_ = false;  // the ground rests from now on
   Vector acceleration_;
   NewtonReport last_report_;

@@ -11,7 +11,8 @@ void check_point(const Model& model, const Check& check, const std::string& name
   if (point.is_node())
     model.require_node(point.node, "Gap \"" + name + "\"", field);
   else
-    check_link(model, "Gap", name, {std::string{field} + ".node", point.node}, {std::string{field} + ".other", point.other});
+    check_link(model, "Gap", name, {std::string{field} + ".node", point.node},
+               {std::string{field} + ".other", point.other});
 }
 
 }  // namespace

@@ -242,7 +242,7 @@ class LinkBlock final : public ElementBlock {
         if (touched && deformations_[i] <= 0.0) {
           if constexpr (ContactLaw<Law>)
             if (jumps_at_opening(i)) return false;  // pulls up to there
-          continue;  // opens, and has no force any more
+          continue;                                 // opens, and has no force any more
         }
         const double fraction = first_crossing(i, step, 1.0, aim);
         const HermiteQuintic path = path_of(i, step);
@@ -431,13 +431,23 @@ class LinkBlock final : public ElementBlock {
   };
 
   static HermiteQuintic between(const Movement& start, const Movement& end, std::size_t i, double step) {
-    return {start.deformations[i], start.rates[i], start.second_rates[i],
-            end.deformations[i],   end.rates[i],   end.second_rates[i],   step};
+    return {start.deformations[i],
+            start.rates[i],
+            start.second_rates[i],
+            end.deformations[i],
+            end.rates[i],
+            end.second_rates[i],
+            step};
   }
   // From the committed to the trial state.
   HermiteQuintic path_of(std::size_t i, double step) const {
-    return {start_.deformations[i], start_.rates[i], start_.second_rates[i],
-            deformations_[i],       rates_[i],       second_rates_[i],       step};
+    return {start_.deformations[i],
+            start_.rates[i],
+            start_.second_rates[i],
+            deformations_[i],
+            rates_[i],
+            second_rates_[i],
+            step};
   }
 
   struct Tangents {
@@ -510,8 +520,7 @@ class LinkBlock final : public ElementBlock {
       const double deformation = path.value(x), rate = path.rate(x);
       State after;
       work += 5.0 * laws_[i].evaluate(committed_[i], deformation, rate, after).force * rate;
-      if constexpr (!rate_independent)
-        dissipated += 5.0 * laws_[i].dissipation_rate(committed_[i], deformation, rate);
+      if constexpr (!rate_independent) dissipated += 5.0 * laws_[i].dissipation_rate(committed_[i], deformation, rate);
     }
     account.work += step / 12.0 * work;
     if constexpr (!rate_independent) account.dissipated += step / 12.0 * dissipated;
@@ -590,9 +599,9 @@ class LinkBlock final : public ElementBlock {
   std::vector<double> stiffnesses_, dampings_;  // empty for linear laws
   Flag tangent_changed_;
   std::vector<std::pair<std::size_t, State>> before_changes_inside_;  // of the step being tried
-  Movement start_, before_;  // at the last commit, and at the one before
-  std::vector<double> start_stiffnesses_;  // of laws without regimes, at the last commit
-  double last_step_ = 0.0;   // between them, s
+  Movement start_, before_;                                           // at the last commit, and at the one before
+  std::vector<double> start_stiffnesses_;                             // of laws without regimes, at the last commit
+  double last_step_ = 0.0;                                            // between them, s
   bool accounting_ = false;
   std::vector<Account> accounts_;
   int threads_ = 1;

@@ -66,9 +66,9 @@ struct Script::CommandLine {
     if (name.empty() || name.front() == '-' || !std::ranges::all_of(name, allowed))
       throw InputError{"Script: \"" + name + "\" cannot be the name of an option. Use letters, digits, - and _."};
     if (app.get_option_no_throw("--" + name) != nullptr)
-      throw InputError{"--" + name +
-                       ": there is an option of this name. Name each once; help, record and record-unit, " +
-                       "out, force, step, tolerance, integrator, end, frame-interval, check and quiet are those of Script itself."};
+      throw InputError{
+          "--" + name + ": there is an option of this name. Name each once; help, record and record-unit, " +
+          "out, force, step, tolerance, integrator, end, frame-interval, check and quiet are those of Script itself."};
   }
 
   void add_flag(const std::string& name, bool& value, const std::string& help) {

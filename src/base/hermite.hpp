@@ -18,7 +18,8 @@ class HermiteCubic {
         h_{h} {}
 
   /// False where the rate at one end is far beyond all that the other end and the rise bear out: the quantity has an
-  /// infinite slope there, like d^1/4 at d = 0, and the cubic overshoots. For a parabola |h rate0| <= 2 |rise| + |h rate1|.
+  /// infinite slope there, like d^1/4 at d = 0, and the cubic overshoots. For a parabola |h rate0| <= 2 |rise| + |h
+  /// rate1|.
   [[nodiscard]] bool is_smooth() const {
     constexpr double far_beyond = 4.0;
     const double rise = std::fabs(rise_), slope0 = std::fabs(left_ + rise_), slope1 = std::fabs(rise_ - right_);

@@ -25,11 +25,11 @@ constexpr Symbol symbol(std::string_view name, Q unit) {
 }
 
 constexpr std::array symbols{
-    symbol("m", units::m),   symbol("mm", units::mm), symbol("cm", units::cm),      symbol("km", units::km),
-    symbol("s", units::s),   symbol("ms", units::ms), symbol("min", units::minute), symbol("kg", units::kg),
-    symbol("t", units::tonne), symbol("tonne", units::tonne), symbol("N", units::N), symbol("kN", units::kN),
-    symbol("MN", units::MN), symbol("GN", units::GN), symbol("J", units::J),        symbol("kJ", units::kJ),
-    symbol("MJ", units::MJ), symbol("Hz", units::Hz), symbol("g", units::g)};
+    symbol("m", units::m),     symbol("mm", units::mm),       symbol("cm", units::cm),      symbol("km", units::km),
+    symbol("s", units::s),     symbol("ms", units::ms),       symbol("min", units::minute), symbol("kg", units::kg),
+    symbol("t", units::tonne), symbol("tonne", units::tonne), symbol("N", units::N),        symbol("kN", units::kN),
+    symbol("MN", units::MN),   symbol("GN", units::GN),       symbol("J", units::J),        symbol("kJ", units::kJ),
+    symbol("MJ", units::MJ),   symbol("Hz", units::Hz),       symbol("g", units::g)};
 
 struct Unit {
   double si = 1.0;
@@ -70,8 +70,9 @@ void multiply(Unit& unit, std::string_view factor, int sign, std::string_view wh
     unit.si *= std::pow(known.si, 0.5 * sign * *halves);
     return;
   }
-  refuse(what, text, "has an unknown unit \"" + std::string{name} + "\". Known are m mm cm km s ms min kg t tonne N kN " +
-                         "MN GN J kJ MJ Hz and g (gravity), joined by / or a blank, with powers as in N/m^1.5.");
+  refuse(what, text,
+         "has an unknown unit \"" + std::string{name} + "\". Known are m mm cm km s ms min kg t tonne N kN " +
+             "MN GN J kJ MJ Hz and g (gravity), joined by / or a blank, with powers as in N/m^1.5.");
 }
 
 Unit parse_unit(std::string_view unit_text, std::string_view what, std::string_view text) {
@@ -123,8 +124,9 @@ double parse_si(std::string_view text, std::string_view what, int mass, int half
     refuse(what, text, "has no unit. Write the unit behind the number, in " + wanted + " for example.");
   const Unit unit = parse_unit(unit_text, what, text);
   if (unit.mass != mass || unit.half_length != half_length || unit.time != time)
-    refuse(what, text, "is in " + unit_symbol(unit.mass, unit.half_length, unit.time) + ", but it must be in " +
-                           (wanted == "1" ? std::string{"no unit: a plain number"} : wanted + " or multiples of it") + ".");
+    refuse(what, text,
+           "is in " + unit_symbol(unit.mass, unit.half_length, unit.time) + ", but it must be in " +
+               (wanted == "1" ? std::string{"no unit: a plain number"} : wanted + " or multiples of it") + ".");
   if (has_unit && wanted == "1") refuse(what, text, "has a unit, but it must be a plain number.");
   const double value = number * unit.si;
   if (!std::isfinite(value)) refuse(what, text, "is too large.");

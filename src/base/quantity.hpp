@@ -36,36 +36,36 @@ class Quantity {
   /// The value in SI units (m, kg, s, N, ...).
   [[nodiscard]] constexpr double si() const { return si_; }
 
-  constexpr operator double() const
-    requires(dimensionless)
-  {
-    return si_;
-  }
+  constexpr operator double() const requires(dimensionless) { return si_; }
 
   constexpr Quantity operator-() const { return Quantity{-si_}; }
   constexpr Quantity operator+() const { return *this; }
-  constexpr Quantity& operator+=(Quantity other) { si_ += other.si_; return *this; }
-  constexpr Quantity& operator-=(Quantity other) { si_ -= other.si_; return *this; }
-  constexpr Quantity& operator*=(double factor) { si_ *= factor; return *this; }
-  constexpr Quantity& operator/=(double divisor) { si_ /= divisor; return *this; }
+  constexpr Quantity& operator+=(Quantity other) {
+    si_ += other.si_;
+    return *this;
+  }
+  constexpr Quantity& operator-=(Quantity other) {
+    si_ -= other.si_;
+    return *this;
+  }
+  constexpr Quantity& operator*=(double factor) {
+    si_ *= factor;
+    return *this;
+  }
+  constexpr Quantity& operator/=(double divisor) {
+    si_ /= divisor;
+    return *this;
+  }
 
   // Without dimension these are those of double: both kinds together would leave `gap / cm > 10` ambiguous.
-  friend constexpr Quantity operator+(Quantity a, Quantity b)
-    requires(!dimensionless)
-  {
+  friend constexpr Quantity operator+(Quantity a, Quantity b) requires(!dimensionless) {
     return Quantity{a.si_ + b.si_};
   }
-  friend constexpr Quantity operator-(Quantity a, Quantity b)
-    requires(!dimensionless)
-  {
+  friend constexpr Quantity operator-(Quantity a, Quantity b) requires(!dimensionless) {
     return Quantity{a.si_ - b.si_};
   }
-  friend constexpr auto operator<=>(Quantity a, Quantity b)
-    requires(!dimensionless)
-  = default;
-  friend constexpr bool operator==(Quantity a, Quantity b)
-    requires(!dimensionless)
-  = default;
+  friend constexpr auto operator<=>(Quantity a, Quantity b) requires(!dimensionless) = default;
+  friend constexpr bool operator==(Quantity a, Quantity b) requires(!dimensionless) = default;
   friend constexpr Quantity operator*(double factor, Quantity q) { return Quantity{factor * q.si_}; }
   friend constexpr Quantity operator*(Quantity q, double factor) { return Quantity{q.si_ * factor}; }
   friend constexpr Quantity operator/(Quantity q, double divisor) { return Quantity{q.si_ / divisor}; }

@@ -72,7 +72,7 @@ struct SolverStatistics {
   long repeated_steps = 0;  ///< repeated shorter because the error estimate was too large
   long event_solves = 0;    ///< solved again for a change of regime: to end there, or with the new regime
   long events = 0;          ///< touches, separations and other changes of regime, also inside steps
-  long changes_inside = 0;     ///< of these, inside a step that went on (EventTreatment::inside_the_step)
+  long changes_inside = 0;  ///< of these, inside a step that went on (EventTreatment::inside_the_step)
   long newton_iterations = 0;
   long factorisations = 0;
   double cpu_seconds = 0.0;

@@ -35,8 +35,7 @@ void EnergyLedger::step(const StepView& view) {
     if (h > 0.0) {
       const double slope = (view.ground_acceleration - ground_acceleration_) / h;
       const double now = masses.dot(displacement), before = masses.dot(displacement_);
-      const double mean = 0.5 * h * (now + before) +
-                          h * h / 10.0 * masses.dot(velocity_ - end.velocity.head(count)) +
+      const double mean = 0.5 * h * (now + before) + h * h / 10.0 * masses.dot(velocity_ - end.velocity.head(count)) +
                           h * h * h / 120.0 * masses.dot(acceleration_ + end.acceleration.head(count));
       input_ -= view.ground_acceleration * now - ground_acceleration_ * before - slope * mean;
     }

@@ -29,7 +29,8 @@ class PeakTrackers {
       const HermiteCubic cubic{values_before_[i], rates_before_[i], values[i], rates[i], step};
       const double x = cubic.turn();
       const double turned = cubic.value(x);
-      if (cubic.is_smooth() && std::abs(turned) > magnitudes_[i]) keep(i, time_before_ + x * step, inside(i, x, turned));
+      if (cubic.is_smooth() && std::abs(turned) > magnitudes_[i])
+        keep(i, time_before_ + x * step, inside(i, x, turned));
     }
     remember(time, values, rates);
   }

@@ -18,7 +18,8 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::array files_at_top{results_file::summary, results_file::histories_csv, results_file::histories_vtt,
-                                  results_file::impacts, results_file::charts, results_file::report, results_file::frames};
+                                  results_file::impacts, results_file::charts,        results_file::report,
+                                  results_file::frames};
 
 bool is_frame_name(const std::string& name) {
   const std::string front = "frame_";
@@ -71,7 +72,8 @@ bool is_summary_of_moat(const fs::path& path) {
 void require_results_of_moat(const fs::path& folder) {
   const auto is_file = [&](const char* name) {
     std::error_code error;
-    return std::string_view{name} != results_file::frames && fs::is_regular_file(fs::symlink_status(folder / name, error));
+    return std::string_view{name} != results_file::frames &&
+           fs::is_regular_file(fs::symlink_status(folder / name, error));
   };
   if (std::ranges::none_of(files_at_top, is_file)) return;
   if (is_file(results_file::summary) && is_summary_of_moat(folder / results_file::summary)) return;

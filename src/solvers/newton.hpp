@@ -42,9 +42,9 @@ struct NewtonReport {
   int worst_degree_of_freedom = 0;  ///< where it is
 };
 
-/// Full Newton steps by Trilinos NOX, at least one: where some rows balance already, others may not, and a linear system
-/// is solved by the first step anyway. The solver object is made once for a size and reused: after
-/// the first call solve() allocates nothing. One per thread.
+/// Full Newton steps by Trilinos NOX, at least one: where some rows balance already, others may not, and a linear
+/// system is solved by the first step anyway. The solver object is made once for a size and reused: after the first
+/// call solve() allocates nothing. One per thread.
 class NewtonSolver {
  public:
   /// The system must outlive the solver.

@@ -56,7 +56,8 @@ TEST_P(AdaptiveStep, AStiffContactOfLowRestitutionIsWithinTheClaimToo) {
   const HertzDamp stiff{.stiffness = 10.0 * paper_hertz_damp().stiffness.value(), .restitution = 0.4};
   const LawCase law = law_case("ten times stiffer", stiff);
   const CaseResult result = run(law, *motion_, {});
-  // Converged by two independent settings of moat itself: a thousandth of the tolerance, 32 times the steps per contact.
+  // Converged by two independent settings of moat itself: a thousandth of the tolerance, 32 times the steps per
+  // contact.
   const CaseResult converged = run(law, *motion_, {.tolerance = 1e-7, .steps_per_contact = 1024});
   EXPECT_LT(difference_of_peaks(result, converged), claimed);
   EXPECT_EQ(result.impacts.size(), converged.impacts.size());

@@ -379,8 +379,9 @@ TEST(ContactEvents, StopsWhereAContactChatters) {
   EXPECT_TRUE(message.starts_with("\"left wall\" changed more than 5 times within one second before t = ") ||
               message.starts_with("\"right wall\" changed more than 5 times within one second before t = "))
       << message;
-  EXPECT_TRUE(message.ends_with(" s: it chatters. Check its stiffness and damping, or raise "
-                                "TransientOptions::largest_events_per_second."))
+  EXPECT_TRUE(
+      message.ends_with(" s: it chatters. Check its stiffness and damping, or raise "
+                        "TransientOptions::largest_events_per_second."))
       << message;
 }
 

@@ -138,12 +138,10 @@ TEST(GapPoints, SayWhatIsWrong) {
             }),
             "Gap \"g\": left.share = 1 is not allowed; it must be >= 0 and < 1. It is the way from the first node to "
             "the second; take the second node itself for 1.");
-  EXPECT_THROW(add(n.model, Gap{.name = "g",
-                                .left = MemberPoint{n.low, n.low, 0.5},
-                                .right = n.other,
-                                .clearance = 1 * cm,
-                                .law = law}),
-               InputError);
+  EXPECT_THROW(
+      add(n.model,
+          Gap{.name = "g", .left = MemberPoint{n.low, n.low, 0.5}, .right = n.other, .clearance = 1 * cm, .law = law}),
+      InputError);
   EXPECT_THROW(add(n.model, Gap{.name = "g",
                                 .left = MemberPoint{n.low, NodeId{}, 0.5},
                                 .right = n.other,

@@ -85,8 +85,8 @@ TEST(Channels, SampleTheCommittedState) {
   EXPECT_EQ(rate("indentation", "moat left"), 0.0);
   // The floor feels its storey, 100 N/m and 1 N s/m, in rates: 100 * 0.003 + 1 * (-2 - 4).
   EXPECT_NEAR(rate("absolute_acceleration", "floor 1"), -(0.3 - 6.0) / 3.0, 1e-12);
-  EXPECT_DOUBLE_EQ(rate("total_base_shear", "base"), -(2.0 * rate("absolute_acceleration", "base") +
-                                                        3.0 * rate("absolute_acceleration", "floor 1")));
+  EXPECT_DOUBLE_EQ(rate("total_base_shear", "base"),
+                   -(2.0 * rate("absolute_acceleration", "base") + 3.0 * rate("absolute_acceleration", "floor 1")));
   EXPECT_EQ(Channels::of_node(building.floor), static_cast<std::size_t>(channels.find("displacement", "floor 1")));
 }
 

@@ -19,8 +19,7 @@ TEST(PeakTracker, FindsTheVertexOfAParabolaExactly) {
 
 TEST(PeakTracker, FindsANegativePeakAsMagnitude) {
   PeakTracker tracker;
-  for (const double t : {0.0, 0.2, 0.4, 0.6})
-    tracker.add(t, -3.0 + 2.0 * (t - 0.37) * (t - 0.37), 4.0 * (t - 0.37));
+  for (const double t : {0.0, 0.2, 0.4, 0.6}) tracker.add(t, -3.0 + 2.0 * (t - 0.37) * (t - 0.37), 4.0 * (t - 0.37));
   EXPECT_NEAR(tracker.magnitude(), 3.0, 1e-14);
   EXPECT_NEAR(tracker.time(), 0.37, 1e-13);
 }
