@@ -2,7 +2,9 @@
 #pragma once
 
 #include <concepts>
+#include <string_view>
 #include <variant>
+#include <vector>
 
 #include "materials/response.hpp"
 #include "materials/root_damped_hertz.hpp"
@@ -21,6 +23,14 @@ class AnyContact {
   requires std::constructible_from<Form, const Law&> AnyContact(const Law& law) : form_{law} {}
 
   [[nodiscard]] const Form& form() const { return form_; }
+
+  /// Of the form that it is.
+  [[nodiscard]] std::string_view name() const {
+    return std::visit([](const auto& law) { return law.name; }, form_);
+  }
+  [[nodiscard]] std::vector<Parameter> parameters() const {
+    return std::visit([](const auto& law) { return law.parameters(); }, form_);
+  }
 
   Response evaluate(const State& committed, double indentation, double rate, State& trial) const {
     return std::visit([&](const auto& law) { return law.evaluate(committed, indentation, rate, trial); }, form_);

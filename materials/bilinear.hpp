@@ -3,8 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string_view>
+#include <vector>
 
 #include "base/check.hpp"
+#include "base/parameter.hpp"
 #include "base/quantity.hpp"
 #include "base/required.hpp"
 #include "materials/response.hpp"
@@ -24,6 +27,8 @@ namespace moat {
 /// Unloading is elastic with k1 over a range of 2 d_y. Tension positive.
 /// The energy dissipated in a full cycle of amplitude D > d_y is 4 (k1 - k2) d_y (D - d_y).
 struct Bilinear {
+  static constexpr std::string_view name = "Bilinear";
+
   /// F_y > 0 N: force at first yield.
   Required<Force> yield_force;
   /// d_y > 0 m: deformation at first yield.
@@ -33,6 +38,8 @@ struct Bilinear {
 
   struct State {
     double slip = 0.0;  ///< m
+
+    friend bool operator==(const State&, const State&) = default;
   };
 
   void check(const Check& check) const {
@@ -44,6 +51,12 @@ struct Bilinear {
         false, "post_yield_stiffness", post_yield_stiffness.si(), "N/m",
         "below the initial stiffness yield_force / yield_displacement = " + to_text(initial_stiffness()) + " N/m",
         "Check the exponents of the three parameters.");
+  }
+
+  [[nodiscard]] std::vector<Parameter> parameters() const {
+    return {{"yield_force", yield_force.si(), "N"},
+            {"yield_displacement", yield_displacement.si(), "m"},
+            {"post_yield_stiffness", post_yield_stiffness.si(), "N/m"}};
   }
 
   [[nodiscard]] double initial_stiffness() const { return yield_force.si() / yield_displacement.si(); }

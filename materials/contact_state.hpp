@@ -28,6 +28,8 @@ enum class ContactPhase : std::uint8_t {
 struct ContactState {
   ContactPhase phase = ContactPhase::open;
   double approach_speed = 0.0;  ///< m/s, >= least_approach_speed while not open
+
+  friend bool operator==(const ContactState&, const ContactState&) = default;
 };
 
 /// Laws count at least this as approach speed, m/s, because they divide by it: a grazing touch has none. A law with

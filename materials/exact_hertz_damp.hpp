@@ -1,7 +1,11 @@
 // Hertz-damp impact law that delivers the restitution asked for.
 #pragma once
 
+#include <string_view>
+#include <vector>
+
 #include "base/check.hpp"
+#include "base/parameter.hpp"
 #include "base/quantity.hpp"
 #include "base/required.hpp"
 #include "materials/impact_checks.hpp"
@@ -20,6 +24,8 @@ namespace moat {
 /// Indentation and compression positive. The contact ends where the force reaches zero or the gap opens,
 /// in free impact always the latter.
 struct ExactHertzDamp {
+  static constexpr std::string_view name = "ExactHertzDamp";
+
   /// k > 0 N/m^1.5.
   Required<HertzStiffness> stiffness;
   /// e, the coefficient of restitution asked for: 0.001 <= e <= 1, because the damping grows as 1/e.
@@ -31,6 +37,12 @@ struct ExactHertzDamp {
   void check(const Check& check) const {
     check.positive("stiffness", stiffness);
     check_restitution_in_divisor(check, restitution);
+  }
+  /// As given.
+  [[nodiscard]] std::vector<Parameter> parameters() const {
+    return {{"stiffness", stiffness.si(), "N/m^1.5"},
+            {"restitution", restitution, "1"},
+            {"may_pull", may_pull ? 1.0 : 0.0, "1"}};
   }
   /// The law between two bodies; this one does not depend on their effective mass (kg).
   [[nodiscard]] ViscousHertz between(double /*effective_mass*/) const {

@@ -1,7 +1,11 @@
 // Hertz impact law.
 #pragma once
 
+#include <string_view>
+#include <vector>
+
 #include "base/check.hpp"
+#include "base/parameter.hpp"
 #include "base/quantity.hpp"
 #include "base/required.hpp"
 #include "materials/viscous_hertz.hpp"
@@ -14,11 +18,15 @@ namespace moat {
 /// opens. Deepest indentation (5 m v0^2/(4 k))^0.4, duration 2.94328 times that over v0. Indentation and
 /// compression positive.
 struct Hertz {
+  static constexpr std::string_view name = "Hertz";
+
   /// k > 0 N/m^1.5.
   Required<HertzStiffness> stiffness;
 
   /// Throws InputError for a parameter outside its range.
   void check(const Check& check) const { check.positive("stiffness", stiffness); }
+  /// As given.
+  [[nodiscard]] std::vector<Parameter> parameters() const { return {{"stiffness", stiffness.si(), "N/m^1.5"}}; }
   /// The law between two bodies; this one does not depend on their effective mass (kg).
   [[nodiscard]] ViscousHertz between(double /*effective_mass*/) const { return {stiffness.si(), 0.0}; }
 };

@@ -1,7 +1,11 @@
 // Impact law of Hunt and Crossley.
 #pragma once
 
+#include <string_view>
+#include <vector>
+
 #include "base/check.hpp"
+#include "base/parameter.hpp"
 #include "base/quantity.hpp"
 #include "base/required.hpp"
 #include "materials/impact_checks.hpp"
@@ -19,6 +23,8 @@ namespace moat {
 /// Indentation and compression positive. The contact ends where the force reaches zero or the gap opens,
 /// in free impact always the latter.
 struct HuntCrossley {
+  static constexpr std::string_view name = "HuntCrossley";
+
   /// k > 0 N/m^1.5.
   Required<HertzStiffness> stiffness;
   /// e, the coefficient of restitution asked for: 0 < e <= 1.
@@ -30,6 +36,12 @@ struct HuntCrossley {
   void check(const Check& check) const {
     check.positive("stiffness", stiffness);
     check_restitution(check, restitution);
+  }
+  /// As given.
+  [[nodiscard]] std::vector<Parameter> parameters() const {
+    return {{"stiffness", stiffness.si(), "N/m^1.5"},
+            {"restitution", restitution, "1"},
+            {"may_pull", may_pull ? 1.0 : 0.0, "1"}};
   }
   /// The law between two bodies; this one does not depend on their effective mass (kg).
   [[nodiscard]] ViscousHertz between(double /*effective_mass*/) const {

@@ -2,8 +2,11 @@
 #pragma once
 
 #include <cmath>
+#include <string_view>
+#include <vector>
 
 #include "base/check.hpp"
+#include "base/parameter.hpp"
 #include "base/quantity.hpp"
 #include "base/required.hpp"
 #include "materials/impact_checks.hpp"
@@ -20,6 +23,8 @@ namespace moat {
 /// the force reaches zero, and delivers more: e' = 0.808, 0.675, 0.472 for e = 0.80, 0.65, 0.40; ExactKelvin
 /// delivers e without pulling. The force jumps to c v0 at touch. Indentation and compression positive.
 struct Kelvin {
+  static constexpr std::string_view name = "Kelvin";
+
   /// k > 0 N/m.
   Required<Stiffness> stiffness;
   /// e, the coefficient of restitution asked for: 0 < e <= 1.
@@ -31,6 +36,12 @@ struct Kelvin {
   void check(const Check& check) const {
     check.positive("stiffness", stiffness);
     check_restitution(check, restitution);
+  }
+  /// As given.
+  [[nodiscard]] std::vector<Parameter> parameters() const {
+    return {{"stiffness", stiffness.si(), "N/m"},
+            {"restitution", restitution, "1"},
+            {"may_pull", may_pull ? 1.0 : 0.0, "1"}};
   }
   /// The law between two bodies of the given effective mass m1 m2/(m1 + m2) > 0 kg; a fixed wall is infinite.
   [[nodiscard]] ViscousLinearContact between(double effective_mass) const {

@@ -2,8 +2,11 @@
 #pragma once
 
 #include <cmath>
+#include <string_view>
+#include <vector>
 
 #include "base/check.hpp"
+#include "base/parameter.hpp"
 #include "base/quantity.hpp"
 #include "base/required.hpp"
 #include "materials/viscous_linear_contact.hpp"
@@ -18,6 +21,8 @@ namespace moat {
 /// exp(-pi xi/sqrt(1 - xi^2)) if it may pull until the gap opens. xi = 0.14 gives 0.667 and 0.641. The force
 /// jumps to c v0 at touch. Indentation and compression positive.
 struct KelvinByDampingRatio {
+  static constexpr std::string_view name = "KelvinByDampingRatio";
+
   /// k > 0 N/m.
   Required<Stiffness> stiffness;
   /// xi >= 0, and < 1 if the contact may pull: beyond, it would never end.
@@ -31,6 +36,12 @@ struct KelvinByDampingRatio {
     check.not_negative("damping_ratio", damping_ratio.value(), "1");
     check.that(!may_pull || damping_ratio < 1.0, "damping_ratio", damping_ratio, "1", "< 1 where may_pull is true",
                "A contact that pulls and is damped critically never ends.");
+  }
+  /// As given.
+  [[nodiscard]] std::vector<Parameter> parameters() const {
+    return {{"stiffness", stiffness.si(), "N/m"},
+            {"damping_ratio", damping_ratio, "1"},
+            {"may_pull", may_pull ? 1.0 : 0.0, "1"}};
   }
   /// The law between two bodies of the given effective mass m1 m2/(m1 + m2) > 0 kg; a fixed wall is infinite.
   [[nodiscard]] ViscousLinearContact between(double effective_mass) const {

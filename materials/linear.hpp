@@ -1,7 +1,11 @@
 // Linear spring with an optional dashpot beside it.
 #pragma once
 
+#include <string_view>
+#include <vector>
+
 #include "base/check.hpp"
+#include "base/parameter.hpp"
 #include "base/quantity.hpp"
 #include "base/required.hpp"
 #include "materials/response.hpp"
@@ -10,6 +14,8 @@ namespace moat {
 
 /// F = stiffness * d + damping * d'. Tension positive.
 struct Linear {
+  static constexpr std::string_view name = "Linear";
+
   /// > 0 N/m.
   Required<Stiffness> stiffness;
   /// >= 0 N s/m.
@@ -21,6 +27,9 @@ struct Linear {
   void check(const Check& check) const {
     check.positive("stiffness", stiffness);
     check.not_negative("damping", damping);
+  }
+  [[nodiscard]] std::vector<Parameter> parameters() const {
+    return {{"stiffness", stiffness.si(), "N/m"}, {"damping", damping.si(), "N s/m"}};
   }
   Response evaluate(const State&, double deformation, double rate, State&) const {
     return {stiffness.si() * deformation + damping.si() * rate, stiffness.si(), damping.si()};

@@ -1,7 +1,11 @@
 // Linear elastic impact law.
 #pragma once
 
+#include <string_view>
+#include <vector>
+
 #include "base/check.hpp"
+#include "base/parameter.hpp"
 #include "base/quantity.hpp"
 #include "base/required.hpp"
 #include "materials/viscous_linear_contact.hpp"
@@ -13,11 +17,15 @@ namespace moat {
 /// Source: Zhao, Liu & Li (2017), Eq. 1. Elastic: delivers e = 1; never pulls; the contact ends where the gap
 /// opens. Deepest indentation v0 sqrt(m/k), duration pi sqrt(m/k). Indentation and compression positive.
 struct LinearElastic {
+  static constexpr std::string_view name = "LinearElastic";
+
   /// k > 0 N/m.
   Required<Stiffness> stiffness;
 
   /// Throws InputError for a parameter outside its range.
   void check(const Check& check) const { check.positive("stiffness", stiffness); }
+  /// As given.
+  [[nodiscard]] std::vector<Parameter> parameters() const { return {{"stiffness", stiffness.si(), "N/m"}}; }
   /// The law between two bodies; this one does not depend on their effective mass (kg).
   [[nodiscard]] ViscousLinearContact between(double /*effective_mass*/) const { return {stiffness.si()}; }
 };

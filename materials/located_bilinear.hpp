@@ -2,6 +2,8 @@
 #pragma once
 
 #include <cmath>
+#include <string_view>
+#include <vector>
 
 #include "materials/bilinear.hpp"
 
@@ -12,11 +14,15 @@ namespace moat {
 ///
 /// Regimes: elastic until |d - s| = d_y; sliding in one direction until the rate turns.
 struct LocatedBilinear {
+  static constexpr std::string_view name = "LocatedBilinear";
+
   Bilinear law;
 
   struct State {
     double slip = 0.0;  ///< m
     int direction = 0;  ///< of sliding: -1, +1; 0: elastic
+
+    friend bool operator==(const State&, const State&) = default;
   };
 
   static constexpr bool linear_within_regimes = true;
@@ -24,6 +30,7 @@ struct LocatedBilinear {
   /// Yield is noticed this much beyond d_y, relative: the end of unloading must not switch it by round-off.
   static constexpr double threshold = 1e-9;
 
+  [[nodiscard]] std::vector<Parameter> parameters() const { return law.parameters(); }
   Response evaluate(const State& committed, double deformation, double, State& trial) const {
     const double post_yield = law.post_yield_stiffness.si();
     const double sliding = law.initial_stiffness() - post_yield;
@@ -38,8 +45,8 @@ struct LocatedBilinear {
   }
   double stored_energy(const State& committed, double deformation) const {
     const double post_yield = law.post_yield_stiffness.si();
-    const double kept = committed.direction == 0 ? deformation - committed.slip
-                                                 : committed.direction * law.yield_displacement.si();
+    const double kept =
+        committed.direction == 0 ? deformation - committed.slip : committed.direction * law.yield_displacement.si();
     return 0.5 * post_yield * deformation * deformation + 0.5 * (law.initial_stiffness() - post_yield) * kept * kept;
   }
   double dissipation_rate(const State& committed, double, double rate) const {

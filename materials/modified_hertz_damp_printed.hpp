@@ -2,8 +2,11 @@
 #pragma once
 
 #include <cmath>
+#include <string_view>
+#include <vector>
 
 #include "base/check.hpp"
+#include "base/parameter.hpp"
 #include "base/quantity.hpp"
 #include "base/required.hpp"
 #include "materials/impact_checks.hpp"
@@ -28,6 +31,8 @@ namespace moat {
 ///
 /// Indentation and compression positive.
 struct ModifiedHertzDampPrinted {
+  static constexpr std::string_view name = "ModifiedHertzDampPrinted";
+
   /// k > 0 N/m^1.5.
   Required<HertzStiffness> stiffness;
   /// e, the coefficient of restitution asked for: 0.001 <= e <= 1, because the damping grows as 1/e^2.
@@ -41,6 +46,13 @@ struct ModifiedHertzDampPrinted {
     check_restitution_in_divisor(check, restitution);
     check.that(acts != ContactDamping::may_pull || restitution >= 0.409, "restitution", restitution, "1",
                ">= 0.409 where the contact may pull", "A contact that pulls and is damped critically never ends.");
+  }
+  /// As given.
+  [[nodiscard]] std::vector<Parameter> parameters() const {
+    return {{"stiffness", stiffness.si(), "N/m^1.5"},
+            {"restitution", restitution, "1"},
+            {"approach_only", acts == ContactDamping::approach_only ? 1.0 : 0.0, "1"},
+            {"may_pull", acts == ContactDamping::may_pull ? 1.0 : 0.0, "1"}};
   }
   /// The law between two bodies of the given effective mass m1 m2/(m1 + m2) > 0 kg; a fixed wall is infinite.
   [[nodiscard]] RootDampedHertz between(double effective_mass) const {

@@ -3,8 +3,11 @@
 
 #include <cmath>
 #include <numbers>
+#include <string_view>
+#include <vector>
 
 #include "base/check.hpp"
+#include "base/parameter.hpp"
 #include "base/quantity.hpp"
 #include "base/required.hpp"
 #include "materials/impact_checks.hpp"
@@ -20,6 +23,8 @@ namespace moat {
 /// restitution it delivers is exp(-a cot a), cos a = xi: 0.801, 0.654, 0.407 for e = 0.80, 0.65, 0.40. The force jumps
 /// to c v0 at touch. Indentation and compression positive.
 struct ModifiedLinearViscoelastic {
+  static constexpr std::string_view name = "ModifiedLinearViscoelastic";
+
   /// k > 0 N/m.
   Required<Stiffness> stiffness;
   /// e, the coefficient of restitution asked for: 0.001 <= e <= 1, because the damping grows as 1/e.
@@ -29,6 +34,10 @@ struct ModifiedLinearViscoelastic {
   void check(const Check& check) const {
     check.positive("stiffness", stiffness);
     check_restitution_in_divisor(check, restitution);
+  }
+  /// As given.
+  [[nodiscard]] std::vector<Parameter> parameters() const {
+    return {{"stiffness", stiffness.si(), "N/m"}, {"restitution", restitution, "1"}};
   }
   /// The law between two bodies of the given effective mass m1 m2/(m1 + m2) > 0 kg; a fixed wall is infinite.
   [[nodiscard]] ViscousLinearContact between(double effective_mass) const {

@@ -3,8 +3,11 @@
 
 #include <cmath>
 #include <numbers>
+#include <string_view>
+#include <vector>
 
 #include "base/check.hpp"
+#include "base/parameter.hpp"
 #include "base/quantity.hpp"
 #include "base/required.hpp"
 #include "materials/impact_checks.hpp"
@@ -20,6 +23,8 @@ namespace moat {
 /// 2 xi/sqrt(5): 0.799, 0.647, 0.393 for e = 0.80, 0.65, 0.40. (The column of this name in Table 1 of the paper
 /// was computed with Ye2009.) Indentation and compression positive.
 struct NonlinearViscoelastic {
+  static constexpr std::string_view name = "NonlinearViscoelastic";
+
   /// k > 0 N/m^1.5.
   Required<HertzStiffness> stiffness;
   /// e, the coefficient of restitution asked for: 0.001 <= e <= 1, because the damping grows as 1/e.
@@ -29,6 +34,10 @@ struct NonlinearViscoelastic {
   void check(const Check& check) const {
     check.positive("stiffness", stiffness);
     check_restitution_in_divisor(check, restitution);
+  }
+  /// As given.
+  [[nodiscard]] std::vector<Parameter> parameters() const {
+    return {{"stiffness", stiffness.si(), "N/m^1.5"}, {"restitution", restitution, "1"}};
   }
   /// The law between two bodies of the given effective mass m1 m2/(m1 + m2) > 0 kg; a fixed wall is infinite.
   [[nodiscard]] RootDampedHertz between(double effective_mass) const {

@@ -2,8 +2,11 @@
 #pragma once
 
 #include <concepts>
+#include <string_view>
 #include <type_traits>
+#include <vector>
 
+#include "base/parameter.hpp"
 #include "base/stiffness_stage.hpp"
 
 namespace moat {
@@ -16,7 +19,9 @@ struct Response {
 };
 
 /// State of a law without history.
-struct NoState {};
+struct NoState {
+  friend bool operator==(NoState, NoState) = default;
+};
 
 /// A force-deformation law: a value without base class that knows nothing of nodes, time steps or
 /// integrators. Deformation in m, rate in m/s, force in N; springs count tension positive, contacts
@@ -37,6 +42,28 @@ concept ForceLaw = std::is_trivially_copyable_v<typename Law::State> &&
   { law.dissipation_rate(committed, x, x) } -> std::same_as<double>;
   { law.linear_stiffness(StiffnessStage::initial) } -> std::same_as<double>;
 };
+
+/// For reports, a law says what it is: the name of its type and its parameters. All laws of moat do; a law of a
+/// script's own that does not is listed as "law", without parameters.
+///
+///     static constexpr std::string_view name = "Friction";
+///     std::vector<Parameter> parameters() const { return {{"force", force.si(), "N"}}; }
+template <class Law>
+std::string_view name_of(const Law& law) {
+  if constexpr (requires { law.name(); })
+    return law.name();  // of a law that is chosen when the program runs
+  else if constexpr (requires { std::string_view{law.name}; })
+    return law.name;
+  else
+    return "law";
+}
+template <class Law>
+std::vector<Parameter> parameters_of(const Law& law) {
+  if constexpr (requires { law.parameters(); })
+    return law.parameters();
+  else
+    return {};
+}
 
 /// A law that is smooth only between located instants: a contact that touches and separates, a spring that yields.
 ///

@@ -4,7 +4,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <string_view>
+#include <vector>
 
+#include "base/parameter.hpp"
 #include "materials/contact_damping.hpp"
 #include "materials/contact_state.hpp"
 #include "materials/response.hpp"
@@ -25,6 +28,8 @@ namespace moat {
 ///
 /// Stored is 0.4 k d^2.5 until the gap opens; a released contact turns what is left of it into heat.
 struct RootDampedHertz {
+  static constexpr std::string_view name = "RootDampedHertz";
+
   double stiffness = 0.0;  ///< k > 0, N/m^1.5
   double damping = 0.0;    ///< c >= 0, N s/m^1.25
   ContactDamping acts = ContactDamping::throughout;
@@ -35,6 +40,13 @@ struct RootDampedHertz {
   static constexpr double least_root_indentation = 1e-15;
   /// A released contact pushes again only where d^1.25 + (c/k) d' exceeds this, m^1.25.
   static constexpr double reload_threshold = 1e-12;
+
+  [[nodiscard]] std::vector<Parameter> parameters() const {
+    return {{"stiffness", stiffness, "N/m^1.5"},
+            {"damping", damping, "N s/m^1.25"},
+            {"approach_only", acts == ContactDamping::approach_only ? 1.0 : 0.0, "1"},
+            {"may_pull", acts == ContactDamping::may_pull ? 1.0 : 0.0, "1"}};
+  }
 
   Response evaluate(const State& committed, double indentation, double rate, State& trial) const {
     trial = committed;

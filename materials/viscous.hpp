@@ -1,7 +1,11 @@
 // Linear dashpot.
 #pragma once
 
+#include <string_view>
+#include <vector>
+
 #include "base/check.hpp"
+#include "base/parameter.hpp"
 #include "base/quantity.hpp"
 #include "base/required.hpp"
 #include "materials/response.hpp"
@@ -10,6 +14,8 @@ namespace moat {
 
 /// F = damping * d'.
 struct Viscous {
+  static constexpr std::string_view name = "Viscous";
+
   /// > 0 N s/m.
   Required<DampingCoefficient> damping;
 
@@ -17,6 +23,7 @@ struct Viscous {
   static constexpr bool linear_within_regimes = true;
 
   void check(const Check& check) const { check.positive("damping", damping); }
+  [[nodiscard]] std::vector<Parameter> parameters() const { return {{"damping", damping.si(), "N s/m"}}; }
   Response evaluate(const State&, double, double rate, State&) const {
     return {damping.si() * rate, 0.0, damping.si()};
   }

@@ -4,7 +4,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <string_view>
+#include <vector>
 
+#include "base/parameter.hpp"
 #include "materials/contact_state.hpp"
 #include "materials/response.hpp"
 #include "materials/restitution_formulas.hpp"
@@ -24,6 +27,8 @@ namespace moat {
 ///
 /// Stored is 0.4 k d^2.5 until the gap opens; a released contact turns what is left of it into heat.
 struct ViscousHertz {
+  static constexpr std::string_view name = "ViscousHertz";
+
   double stiffness = 0.0;       ///< k > 0, N/m^1.5
   double damping_factor = 0.0;  ///< z >= 0, dimensionless
   bool may_pull = false;
@@ -35,6 +40,12 @@ struct ViscousHertz {
   static constexpr double largest_speed_ratio = 100.0;
   /// A released contact pushes again only where 1 + z d'/v0 exceeds this.
   static constexpr double reload_threshold = 1e-9;
+
+  [[nodiscard]] std::vector<Parameter> parameters() const {
+    return {{"stiffness", stiffness, "N/m^1.5"},
+            {"damping_factor", damping_factor, "1"},
+            {"may_pull", may_pull ? 1.0 : 0.0, "1"}};
+  }
 
   Response evaluate(const State& committed, double indentation, double rate, State& trial) const {
     trial = committed;

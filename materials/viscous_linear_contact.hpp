@@ -5,7 +5,10 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <string_view>
+#include <vector>
 
+#include "base/parameter.hpp"
 #include "materials/contact_damping.hpp"
 #include "materials/contact_state.hpp"
 #include "materials/response.hpp"
@@ -23,6 +26,8 @@ namespace moat {
 /// the separation itself is located. Stored is k d^2/2 until the gap opens; a released contact turns what is
 /// left of it into heat.
 struct ViscousLinearContact {
+  static constexpr std::string_view name = "ViscousLinearContact";
+
   double stiffness = 0.0;  ///< k > 0, N/m
   double damping = 0.0;    ///< c >= 0, N s/m
   ContactDamping acts = ContactDamping::throughout;
@@ -31,6 +36,13 @@ struct ViscousLinearContact {
 
   /// A released contact pushes again only where d + (c/k) d' exceeds this, m.
   static constexpr double reload_threshold = 1e-10;
+
+  [[nodiscard]] std::vector<Parameter> parameters() const {
+    return {{"stiffness", stiffness, "N/m"},
+            {"damping", damping, "N s/m"},
+            {"approach_only", acts == ContactDamping::approach_only ? 1.0 : 0.0, "1"},
+            {"may_pull", acts == ContactDamping::may_pull ? 1.0 : 0.0, "1"}};
+  }
 
   Response evaluate(const State& committed, double indentation, double rate, State& trial) const {
     trial = committed;

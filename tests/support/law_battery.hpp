@@ -13,9 +13,7 @@
 #include <random>
 #include <vector>
 
-#include "materials/bilinear.hpp"
 #include "materials/contact_state.hpp"
-#include "materials/located_bilinear.hpp"
 #include "materials/response.hpp"
 
 namespace moat::testing {
@@ -49,15 +47,6 @@ class Arguments {
   LawRange range_;
   std::mt19937_64 engine_{20170119};
 };
-
-inline bool same(NoState, NoState) { return true; }
-inline bool same(const ContactState& a, const ContactState& b) {
-  return a.phase == b.phase && a.approach_speed == b.approach_speed;
-}
-inline bool same(const LocatedBilinear::State& a, const LocatedBilinear::State& b) {
-  return a.slip == b.slip && a.direction == b.direction;
-}
-inline bool same(const Bilinear::State& a, const Bilinear::State& b) { return a.slip == b.slip; }
 
 inline double distance_to_nearest(const std::vector<double>& corners, double value, double at_most) {
   double nearest = at_most;
@@ -122,8 +111,8 @@ void expect_pure(const Law& law, const typename Law::State& committed, const Law
     EXPECT_EQ(bits(one.force), bits(two.force));
     EXPECT_EQ(bits(one.stiffness), bits(two.stiffness));
     EXPECT_EQ(bits(one.damping), bits(two.damping));
-    EXPECT_TRUE(same(first, second));
-    EXPECT_TRUE(same(before, committed));
+    EXPECT_TRUE(first == second);
+    EXPECT_TRUE(before == committed);
   }
 }
 
