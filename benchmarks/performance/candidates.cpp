@@ -49,12 +49,6 @@ Ladder moat_adaptive(const GroundMotion& motion, const std::shared_ptr<const Mod
   });
 }
 
-Ladder moat_recorded(const GroundMotion& motion, const std::shared_ptr<const Model>& model) {
-  return by_tolerance([&motion, model](double tolerance, int steps) {
-    return moat_peaks_of_all_channels(*model, motion, {.tolerance = tolerance, .steps_per_contact = steps});
-  });
-}
-
 Ladder newmark(const GroundMotion& motion, Peaks (*peaks)(const GroundMotion&, NewmarkSetting)) {
   return by_tolerance([&motion, peaks](double tolerance, int steps) { return peaks(motion, {tolerance, steps}); });
 }
@@ -199,7 +193,6 @@ std::vector<Method> methods(const GroundMotion& motion, bool quick) {
   const auto plain = std::make_shared<const Model>(five_storey_model(false));
   const auto located = std::make_shared<const Model>(five_storey_model(true));
   std::vector<Method> list{{method_names::moat_adaptive, {moat_adaptive(motion, plain)}},
-                           {method_names::moat_recorded, {moat_recorded(motion, plain)}},
                            {method_names::moat_fixed, {moat_fixed(motion, plain)}},
                            {method_names::moat_exact, {moat_exact(motion, located)}},
                            all_of_cvode(motion, method_names::cvode_bdf, Multistep::bdf),

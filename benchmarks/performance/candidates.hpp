@@ -24,9 +24,9 @@ struct Method {
 };
 
 namespace method_names {
-inline constexpr const char *moat_adaptive = "moat adaptive", *moat_recorded = "moat adaptive, all channels recorded",
-                            *moat_fixed = "moat fixed step", *moat_exact = "moat exact between events",
-                            *cvode_bdf = "CVODE BDF", *cvode_adams = "CVODE Adams", *arkode = "ARKODE",
+inline constexpr const char *moat_adaptive = "moat adaptive", *moat_fixed = "moat fixed step",
+                            *moat_exact = "moat exact between events", *cvode_bdf = "CVODE BDF",
+                            *cvode_adams = "CVODE Adams", *arkode = "ARKODE",
                             *cvode_on_model = "CVODE on moat's elements",
                             *arkode_on_model = "ARKODE on moat's elements",
                             *bare_newmark = "bare Newmark, fast for this building",

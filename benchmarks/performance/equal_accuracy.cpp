@@ -206,8 +206,7 @@ class CaseReport {
     costs(curves, timing, coarse);
     compare(at_fine);
     std::vector<Series> series;
-    for (const Curves& each : curves)
-      if (each.method->name != method_names::moat_recorded) series.push_back(series_of(each));
+    for (const Curves& each : curves) series.push_back(series_of(each));
     if (case_->name == (options_->records.empty() ? "pulse" : "GBZ000")) add_octave(reference, at_fine, series);
     record_->chart("equal_accuracy_" + case_->name + ".svg",
                    {{.title = "Five storeys, " + case_->name + ": what a lasting error costs at best",

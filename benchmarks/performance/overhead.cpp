@@ -114,7 +114,6 @@ double show_functions(Record& record, const GroundMotion& motion, const CallsPer
   Transient transient{model, motion, fixed_step()};
   while (model.state().time < 3.0) transient.advance();
 
-  Vector forces(model.degrees_of_freedom() + 1);
   const NewmarkScheme scheme;
   SparseMatrix tangents[2] = {model.pattern(), model.pattern()};
   const auto assemble = [&](double h, SparseMatrix& matrix) {
@@ -139,7 +138,6 @@ double show_functions(Record& record, const GroundMotion& motion, const CallsPer
   };
   const std::vector<Timed> list{
       {{"evaluate", [&] { model.evaluate(); }}, calls.evaluations},
-      {{"sum up forces", [&] { model.internal_forces(forces); }}, calls.evaluations},
       {{"assemble", [&] { assemble(step_length, assembled); }}, calls.iterations},
       {{"factorise, tangent changed", [&] { good = changing.factorise(tangents[turn++ % 2]) && good; }},
        calls.factorisations},

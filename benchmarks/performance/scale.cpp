@@ -191,30 +191,6 @@ void show_located(Record& record) {
   }
 }
 
-void show_threads(Record& record, const Options& options) {
-  const int buildings = options.quick ? 1667 : 16667;
-  std::vector<double> one, two;
-  bool equal = true;
-  for (int round = 0; round < options.rounds; ++round) {
-    std::uint64_t prints[2] = {};
-    for (const int threads : {1, 2}) {
-      const StreetReport report = run_street({.buildings = buildings,
-                                              .threads = threads,
-                                              .location_tolerance = street_location_tolerance,
-                                              .steps_before = steps_before,
-                                              .steps = steps});
-      std::vector<double>& list = threads == 1 ? one : two;
-      list.push_back(spread_of(report.step_seconds).median);
-      prints[threads - 1] = report.fingerprint;
-    }
-    equal = equal && prints[0] == prints[1];
-  }
-  const std::string name = named(6.0 * buildings);
-  record.add({name + "time per step on 1 thread over that on 2", ratio_of(one, two), ""});
-  record.add({name + "states of 1 and 2 threads equal in every bit (1 = yes)", single(equal ? 1.0 : 0.0), "",
-              Target{1.0, false}});
-}
-
 }  // namespace
 
 void scale(Record& record, const Options& options) {
@@ -225,7 +201,6 @@ void scale(Record& record, const Options& options) {
               "own, whose whole peak counts as memory: code, model with all names, matrix, factors, states.");
   grow(record, options);
   show_located(record);
-  show_threads(record, options);
 }
 
 }  // namespace moat::performance

@@ -7,7 +7,7 @@
 namespace moat::performance {
 
 /// Time per step and per Newton iteration and memory per degree of freedom from 1e3 to 1e6 degrees of freedom, the
-/// parts of an iteration beside the speed of memory, and two threads beside one.
+/// parts of an iteration beside the speed of memory.
 void scale(Record& record, const Options& options);
 
 }  // namespace moat::performance

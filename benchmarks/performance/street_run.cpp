@@ -59,16 +59,10 @@ double contacts(const Model& model) {
   return count;
 }
 
-template <class Options>
-void set_threads(Options& options, int threads) {
-  if constexpr (requires { options.threads; }) options.threads = threads;
-}
-
 TransientOptions options_of(const StreetSetting& setting) {
   TransientOptions options{.step = step_length * s, .location_tolerance = setting.location_tolerance * m};
   // A street has many contacts, none of which chatters.
   options.largest_events_per_second = 1'000'000'000;
-  set_threads(options, setting.threads);
   return options;
 }
 
@@ -105,7 +99,7 @@ void measure_parts(Model& model, int buildings, StreetReport& report) {
   StepEquations equations{model};
   SparseMatrix tangent = model.pattern();
   Factorisation factorisation;
-  Vector forces(size + 1), acceleration = model.state().acceleration.head(size), next_acceleration(size);
+  Vector acceleration = model.state().acceleration.head(size), next_acceleration(size);
   Vector residual(size), direction(size);
   // Two lengths in turn, so that the tangent changes every time.
   int count = 0;
@@ -133,16 +127,12 @@ void measure_parts(Model& model, int buildings, StreetReport& report) {
     next_acceleration = acceleration + direction;
   };
   const std::vector<Candidate> candidates{
-      {"",
-       [&] {
-         model.evaluate();
-         model.internal_forces(forces);
-       }},
+      {"", [&] { model.evaluate(); }},
       {"", assemble},
       {"", [&] { succeeded(factorisation.factorise(tangent)); }},
       {"",
        [&] {
-         direction = forces.head(size);
+         direction = model.internal_forces().head(size);
          factorisation.solve(direction);
        }},
       {"", iteration},
@@ -260,9 +250,9 @@ std::string output_of(std::vector<std::string> arguments) {
 }  // namespace
 
 StreetReport run_street(const StreetSetting& setting) {
-  return parse(output_of({hidden_option, std::to_string(setting.buildings), std::to_string(setting.threads),
-                          to_text(setting.location_tolerance), std::to_string(setting.steps_before),
-                          std::to_string(setting.steps), setting.parts ? "1" : "0"}));
+  return parse(
+      output_of({hidden_option, std::to_string(setting.buildings), to_text(setting.location_tolerance),
+                 std::to_string(setting.steps_before), std::to_string(setting.steps), setting.parts ? "1" : "0"}));
 }
 
 StreetReport measure_street(const StreetSetting& setting) {
@@ -310,15 +300,14 @@ StreetReport measure_street(const StreetSetting& setting) {
 }
 
 std::optional<int> street_process(int argc, char** argv) {
-  constexpr int arguments = 8;
+  constexpr int arguments = 7;
   if (argc != arguments || std::string{argv[1]} != hidden_option) return {};
   try {
     print(measure_street({.buildings = std::atoi(argv[2]),
-                          .threads = std::atoi(argv[3]),
-                          .location_tolerance = std::atof(argv[4]),
-                          .steps_before = std::atoi(argv[5]),
-                          .steps = std::atoi(argv[6]),
-                          .parts = std::atoi(argv[7]) != 0}));
+                          .location_tolerance = std::atof(argv[3]),
+                          .steps_before = std::atoi(argv[4]),
+                          .steps = std::atoi(argv[5]),
+                          .parts = std::atoi(argv[6]) != 0}));
   } catch (const std::exception& error) {
     std::fprintf(stderr, "moat: error: %s\n", error.what());
     return 1;

@@ -11,7 +11,6 @@ namespace moat::performance {
 /// What is run.
 struct StreetSetting {
   int buildings = 2;
-  int threads = 1;
   /// m; TransientOptions::location_tolerance.
   double location_tolerance = 1e-12;
   int steps_before = 0;  ///< not measured

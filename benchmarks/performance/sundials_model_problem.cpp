@@ -21,7 +21,6 @@ SundialsModelProblem::SundialsModelProblem(const Model& model, const GroundMotio
     : motion{&ground_motion},
       model_{model},
       inverse_masses_{model.masses().head(freedoms).cwiseInverse()},
-      force_{Vector::Zero(freedoms + 1)},
       stiffness_{model.pattern()},
       damping_{model.pattern()} {
   if (model.degrees_of_freedom() != freedoms)
@@ -40,7 +39,6 @@ void SundialsModelProblem::put_into_trial(double t, const realtype* y) {
 void SundialsModelProblem::evaluate(double t, const realtype* y) {
   put_into_trial(t, y);
   model_.evaluate();
-  model_.internal_forces(force_);
 }
 
 int SundialsModelProblem::rate(realtype t, N_Vector y, N_Vector ydot, void* data) {
@@ -51,7 +49,7 @@ int SundialsModelProblem::rate(realtype t, N_Vector y, N_Vector ydot, void* data
   const double ground = problem.motion->acceleration_at(t);
   for (Eigen::Index i = 0; i < freedoms; ++i) {
     to[i] = from[freedoms + i];
-    to[freedoms + i] = -problem.inverse_masses_[i] * problem.force_[i] - ground;
+    to[freedoms + i] = -problem.inverse_masses_[i] * problem.model_.internal_forces()[i] - ground;
   }
   return 0;
 }
@@ -81,7 +79,7 @@ int SundialsModelProblem::jacobian(realtype t, N_Vector y, N_Vector, SUNMatrix m
 int SundialsModelProblem::margins(realtype t, N_Vector y, realtype* margin, void* data) {
   SundialsModelProblem& problem = problem_of(data);
   problem.put_into_trial(t, NV_DATA_S(y));
-  problem.model_.evaluate_regimes();
+  problem.model_.evaluate();
   const double step = t - problem.model_.state().time;
   margin[0] = std::min(problem.model_.scan_regimes(step, 0.0).margin + beyond_change, 1.0);
   return 0;
@@ -91,8 +89,9 @@ Peaks SundialsModelProblem::sample(double t, const realtype* y) {
   evaluate(t, y);
   constexpr Eigen::Index top = floors;
   const auto forces = gaps_->forces();
+  const Vector& internal = model_.internal_forces();
   // Absolute accelerations.
-  return {y[0], y[top], -inverse_masses_[0] * force_[0], -inverse_masses_[top] * force_[top],
+  return {y[0], y[top], -inverse_masses_[0] * internal[0], -inverse_masses_[top] * internal[top],
           std::max(forces[0], forces[1])};
 }
 

@@ -41,7 +41,7 @@ class SundialsModelProblem {
 
   Model model_;
   const ElementBlock* gaps_ = nullptr;
-  Vector inverse_masses_, force_;
+  Vector inverse_masses_;
   SparseMatrix stiffness_, damping_;
   std::vector<RegimeChange> changes_;
 };
