@@ -24,7 +24,7 @@ void show_unpounded_displacement(Exhibit& exhibit) {
         add(study.model, building);
         return study;
       },
-      {.progress = StudyProgress{"fig9, without walls"}});
+      {.progress = ProgressBar{"fig9, without walls"}});
   ShownTable table{"Largest base displacement without walls [cm]: the gap beyond which pounding is avoided",
                    {"viscous damping of the isolator"},
                    {}};

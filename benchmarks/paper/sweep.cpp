@@ -66,7 +66,7 @@ SweepResult run_sweep(Exhibit& exhibit, const Sweep& sweep, const std::vector<Gr
                                   const BuildingNodes nodes = sweep.build(model, each);
                                   return responses_of(model, nodes, motions[each.position("record")]);
                                 },
-                                {.progress = StudyProgress{sweep.name + ", " + sweep.title}});
+                                {.progress = ProgressBar{sweep.name + ", " + sweep.title}});
   SweepResult result{sweep.axis.values, labels, std::move(study)};
 
   ShownFigure figure{sweep.name, caption, {}, 290, 2};

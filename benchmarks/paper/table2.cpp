@@ -127,7 +127,7 @@ void compare_with_references(Exhibit& exhibit) {
                                          laws[each.position("law")].add_walls(study.model, nodes.base, {});
                                          return study;
                                        },
-                                       {.transient = converged, .progress = StudyProgress{"Table 2, references"}});
+                                       {.transient = converged, .progress = ProgressBar{"Table 2, references"}});
 
   for (std::size_t law = 0; law < laws.size(); ++law) {
     double largest = 0.0;

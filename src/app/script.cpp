@@ -12,7 +12,7 @@
 #include <optional>
 
 #include "analyses/case_run.hpp"
-#include "app/progress.hpp"
+#include "app/progress_bar.hpp"
 #include "app/results.hpp"
 #include "base/check.hpp"
 #include "base/error.hpp"
@@ -220,12 +220,12 @@ int Script::run(Model& model, const GroundMotion& motion) {
       make_results_folder(wanted, force ? WhenFolderExists::overwrite : WhenFolderExists::use_new_number);
   std::optional<FrameRecorder> frames;
   if (frame_interval.si() != 0.0) run.attach(frames.emplace(model, folder, frame_interval.si()));
-  std::optional<ProgressDisplay> progress, progress_of_check;
+  std::optional<ProgressObserver> progress, progress_of_check;
   if (!quiet) {
     std::cout << line.app.get_description() << "\n" << motion.description() << "\n" << std::flush;
     run.attach(progress.emplace(run.transient().end_time()));
     // Without --check the second run is over at once.
-    if (check) run.attach_to_companion(progress_of_check.emplace(run.transient().end_time(), "check:"));
+    if (check) run.attach_to_companion(progress_of_check.emplace(run.transient().end_time(), "check"));
   }
 
   std::string failure;

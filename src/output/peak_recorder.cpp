@@ -10,20 +10,22 @@ void PeakRecorder::start(const StepView& view) { step(view); }
 
 void PeakRecorder::step(const StepView& view) {
   channels_.sample(view, values_, rates_);
-  trackers_.add(view.model.state().time, values_.data(), rates_.data(),
-                [&](std::size_t i, double fraction, double turned) {
-                  return channels_.value_inside(view.model, i, fraction, turned);
-                });
+  const double time = view.model.state().time;
+  for (std::size_t i = 0; i < trackers_.size(); ++i)
+    trackers_[i].add(time, values_[i], rates_[i], [&](double fraction, double turned) {
+      return channels_.value_inside(view.model, i, fraction, turned);
+    });
 }
 
 void PeakRecorder::event(const StepView& view, std::span<const RegimeChange> changes) {
   if (!values_jump(changes)) {
     for (const RegimeChange& change : changes)
-      for (const std::size_t channel : channels_.bent_by(*model_, change)) trackers_.add_bend(channel, change.time);
+      for (const std::size_t channel : channels_.bent_by(*model_, change)) trackers_[channel].add_bend(change.time);
     return;
   }
   channels_.sample(view, values_, rates_);
-  trackers_.restart(view.model.state().time, values_.data(), rates_.data());
+  for (std::size_t i = 0; i < trackers_.size(); ++i)
+    trackers_[i].restart(view.model.state().time, values_[i], rates_[i]);
 }
 
 std::vector<Peak> PeakRecorder::peaks() const {
@@ -34,18 +36,18 @@ std::vector<Peak> PeakRecorder::peaks() const {
     const auto [found, inserted] = index.try_emplace({channel.quantity, channel.place}, peaks.size());
     if (inserted) peaks.push_back({channel.quantity, channel.place, 0.0, channel.unit, 0.0});
     Peak& peak = peaks[found->second];
-    if (trackers_.magnitude(i) > peak.value) {
-      peak.value = trackers_.magnitude(i);
-      peak.time = trackers_.time(i);
+    if (trackers_[i].magnitude() > peak.value) {
+      peak.value = trackers_[i].magnitude();
+      peak.time = trackers_[i].time();
     }
   }
   for (const BaseShear& shear : model_->base_shears()) {
     Peak sum{"sum_of_floor_inertia_maxima", shear.where, 0.0, "N", 0.0};
     for (const NodeId node : shear.nodes) {
       const std::size_t acceleration = Channels::of_node(node) + 2;
-      sum.value += model_->masses()[node.index] * trackers_.magnitude(acceleration);
+      sum.value += model_->masses()[node.index] * trackers_[acceleration].magnitude();
       // The maxima are not simultaneous; the last of them completes the sum.
-      sum.time = std::max(sum.time, trackers_.time(acceleration));
+      sum.time = std::max(sum.time, trackers_[acceleration].time());
     }
     peaks.push_back(sum);
   }

@@ -5,7 +5,7 @@
 
 #include "output/case_result.hpp"
 #include "output/channels.hpp"
-#include "output/peak_trackers.hpp"
+#include "output/peak_tracker.hpp"
 
 namespace moat {
 
@@ -26,7 +26,7 @@ class PeakRecorder final : public StepObserver {
  private:
   const Model* model_;
   Channels channels_;
-  PeakTrackers trackers_;
+  std::vector<PeakTracker> trackers_;  // one for each channel
   std::vector<double> values_, rates_;
 };
 

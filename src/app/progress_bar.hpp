@@ -1,0 +1,46 @@
+// Progress on a terminal or in a log.
+#pragma once
+
+#include <string>
+
+#include "output/step_observer.hpp"
+
+namespace moat {
+
+/// On a terminal a bar that redraws itself at every percent and is gone at the end; otherwise one line for every 10 %.
+/// To standard error.
+///
+///     run_study(axes, compute, {.progress = ProgressBar{"gaps"}});
+class ProgressBar {
+ public:
+  /// title: stands before everything shown, if not empty. unit: of the amounts that are counted.
+  explicit ProgressBar(std::string title = "", std::string unit = "cases");
+
+  /// 0 <= done <= all, all > 0.
+  void operator()(double done, double all);
+  /// Removes an unfinished bar from the terminal.
+  void clear();
+
+ private:
+  std::string title_, unit_;
+  bool terminal_;
+  int shown_percent_ = 0;
+};
+
+/// Shows the time that an analysis has reached.
+class ProgressObserver final : public StepObserver {
+ public:
+  /// end: s, > 0, the time at which the analysis ends.
+  explicit ProgressObserver(double end, std::string title = "") : end_{end}, bar_{std::move(title), "s"} {}
+
+  void start(const StepView&) override {}
+  void step(const StepView& view) override { bar_(view.model.state().time, end_); }
+  void event(const StepView&, std::span<const RegimeChange>) override {}
+  void finish(const StepView&) override { bar_.clear(); }
+
+ private:
+  double end_;
+  ProgressBar bar_;
+};
+
+}  // namespace moat
