@@ -3,7 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
+
+#include "model/building.hpp"
 
 namespace moat {
 namespace {
@@ -12,29 +13,6 @@ constexpr double seconds_to_fade = 1.0;  // by a factor e
 constexpr double share_of_building = 0.25;
 // Of nodes that touch, whose acceleration rises like t^1.5 or faster: steps_per_contact resolves that.
 constexpr double lenience_in_contact = 16.0;
-
-// Numbers of connected parts: two nodes have the same one if elements other than gaps lead from one to the other.
-std::vector<int> connected_parts(const Model& model) {
-  std::vector<int> parent(static_cast<std::size_t>(model.node_count()));
-  std::iota(parent.begin(), parent.end(), 0);
-  const auto root = [&](int node) {
-    while (parent[static_cast<std::size_t>(node)] != node) {
-      int& above = parent[static_cast<std::size_t>(node)];
-      above = parent[static_cast<std::size_t>(above)];
-      node = above;
-    }
-    return node;
-  };
-  for (const auto& block : model.blocks())
-    for (std::size_t e = 0; e < block->size(); ++e) {
-      const ElementInfo& info = block->info(e);
-      if (info.kind == ElementKind::gap || info.first == ground || info.second == ground) continue;
-      parent[static_cast<std::size_t>(root(info.first.index))] = root(info.second.index);
-    }
-  std::vector<int> part(parent.size());
-  for (std::size_t i = 0; i < part.size(); ++i) part[i] = root(static_cast<int>(i));
-  return part;
-}
 
 }  // namespace
 
@@ -58,9 +36,10 @@ void AccelerationScales::regimes_changed(const Model& model) {
   };
   const auto for_each_contact = [&](auto action) {
     for (const auto& block : model.blocks()) {
-      if (!block->has_regimes()) continue;
+      const Contacts* contacts = block->contacts();
+      if (contacts == nullptr || contacts->touching() == 0) continue;
       for (std::size_t e = 0; e < block->size(); ++e) {
-        const ContactView contact = block->contact(e);
+        const ContactView contact = contacts->contact(e);
         if (!contact.touching) continue;
         for (const NodeId node : {block->info(e).first, block->info(e).second})
           if (node != ground) action(node.index, contact);

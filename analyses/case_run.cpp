@@ -7,6 +7,7 @@
 #include "analyses/periods.hpp"
 #include "base/check.hpp"
 #include "base/error.hpp"
+#include "model/building.hpp"
 
 namespace moat {
 namespace {
@@ -20,6 +21,21 @@ CaseOptions checked(CaseOptions options) {
 
 double history_interval(const CaseOptions& options, const GroundMotion& motion) {
   return options.history_interval.si() > 0.0 ? options.history_interval.si() : motion.time_step();
+}
+
+std::vector<BuildingParts> parts_of_buildings(const Model& model) {
+  std::vector<BuildingParts> list;
+  const auto name_of = [&](NodeId node) { return std::string{model.node_name(node)}; };
+  const std::vector<Building> buildings = all_buildings(model);
+  const std::vector<std::vector<ElementId>> isolators = isolators_of(model, buildings);
+  for (std::size_t b = 0; b < buildings.size(); ++b) {
+    const Building& building = buildings[b];
+    BuildingParts parts{.name = building.name, .base = building.base == ground ? "" : name_of(building.base)};
+    for (const NodeId floor : building.floors) parts.floors.push_back(name_of(floor));
+    for (const ElementId id : isolators[b]) parts.isolators.push_back(model.blocks()[id.block]->info(id.element).name);
+    list.push_back(std::move(parts));
+  }
+  return list;
 }
 
 // Whether every multiple of the histories' interval is the end of a step.
@@ -93,6 +109,7 @@ CaseResult CaseRun::result() const {
                                .peak_velocity = motion.peak_velocity().si(),
                                .time_step = motion.time_step(),
                                .duration = motion.duration()},
+                    .buildings = parts_of_buildings(transient_.model()),
                     .periods = periods_,
                     .peaks = peaks_.peaks(),
                     .impacts = impacts_.impacts(),

@@ -11,9 +11,9 @@ namespace {
 // Advice that makes this kind of steps finer.
 std::string finer(const TransientOptions& options) {
   if (options.step.si() > 0.0) return "Take a shorter step (now " + to_text(options.step.si()) + " s)";
-  if (options.integrator == Integrator::exact_between_events)
+  if (is_exact(options.integrator))
     return "Raise TransientOptions::steps_per_contact (now " + std::to_string(options.steps_per_contact) +
-           "), shorten largest_step, or compare with Integrator::newmark";
+           "), shorten largest_step, or compare with Newmark";
   return "Take a tighter tolerance (now " + to_text(options.tolerance) + ")";
 }
 

@@ -23,7 +23,7 @@ void ChatterGuard::count(const Model& model, std::span<const RegimeChange> chang
       throw Error{"\"" + model.blocks()[change.block]->info(change.element).name + "\" changed more than " +
                   std::to_string(largest_per_second_) + " times within one second before t = " + to_text(time) +
                   " s: it chatters. Check its stiffness and damping, or raise "
-                  "TransientOptions::largest_events_per_second."};
+                  "TransientOptions::max_events_per_second."};
   }
 }
 

@@ -183,9 +183,9 @@ ErrorBars estimate_errors(std::vector<Peak>& peaks, std::size_t impacts, const P
 }
 
 double least_share_of_errors(const Model& model, const TransientOptions& options) {
-  const bool adapted = options.step.si() <= 0.0 && options.integrator == Integrator::newmark;
+  const bool adapted = options.step.si() <= 0.0 && !is_exact(options.integrator);
   const bool bends = std::ranges::any_of(model.blocks(), [](const auto& block) {
-    return block->size() > 0 && !block->has_regimes() && !block->linear_between_events();
+    return block->size() > 0 && block->regimes() == nullptr && !block->linear_between_events();
   });
   return adapted && bends ? caution::share_of_tolerance * options.tolerance : 0.0;
 }

@@ -1,88 +1,27 @@
-// Exact steps of a model that is linear between events.
+// Exact steps while no gap is closed.
 #pragma once
 
-#include <Eigen/Core>
-#include <vector>
+#include <optional>
+#include <string>
+#include <string_view>
 
-#include "base/sparse_matrix.hpp"
-#include "base/vector.hpp"
-#include "model/model.hpp"
+#include "analyses/step_scheme.hpp"
+#include "base/check.hpp"
 
 namespace moat {
 
-/// Between touches, yields and unloadings a building of linear storeys, dashpots and located bilinear bearings is a
-/// linear system under a ground acceleration that is linear between samples:
-///
-///     u'' = -M^-1 (K u + C u' + f0) - iota (a_g + s t)
-///
-/// with the tangents K and C of the current regimes and f0, the elements' forces at zero displacement and velocity.
-/// Its solution over a whole step is a matrix times (u, u', 1, a_g, s), exact to round-off: the exponential of the
-/// augmented first-order system, computed once for every K and C that occur. Other lengths (to an event, and back to
-/// the grid) take the Taylor series of the solution, summed to round-off once per step and then evaluated at any
-/// length. There is no error of period, hence no tolerance.
-///
-/// A step is the longest step of the analysis (longest_step()), halved until the fastest eigenvalue of the system times
-/// the step is at most 1/2: the series converges quickly then, changes of regime inside a step are seen, and the cubic
-/// of a PeakTracker finds peaks between samples to (1/2)^4/384, about 2e-4, of the fastest vibration.
-///
-/// While a gap is closed the model is not linear and applies() is false; Transient takes Newmark's steps there.
-class ExactBetweenEvents {
- public:
-  /// Matrices are full: this is for small models.
-  static constexpr int most_degrees_of_freedom = 50;
+/// Exact steps while no gap is closed (analyses/exact_steps.hpp), Newmark's method in contact: for small models whose
+/// springs, dampers and bearings are linear between located events.
+struct ExactBetweenEvents {
+  static constexpr std::string_view name = "exact-between-events";
 
-  /// The model must be prepared and outlive this object. grid_interval > 0 s is the longest step.
-  /// Throws InputError for a model with too many degrees of freedom, an element that is not linear between events, or
-  /// an eigenvalue that asks for thousands of steps from sample to sample.
-  ExactBetweenEvents(Model& model, double grid_interval);
+  [[nodiscard]] std::optional<StepScheme> scheme() const { return std::nullopt; }
+  void check(const Check&) const {}
+  [[nodiscard]] std::string description() const {
+    return "Exact steps from sample to sample while no gap is closed; in contact: Newmark's method";
+  }
 
-  /// Whether the model is linear now: no gap is closed.
-  [[nodiscard]] bool applies() const { return !touching_; }
-  /// Elements changed their regime, or the model its state: what was known of the system is not valid any more.
-  void restart();
-
-  /// Length of a whole step in the current regimes, s.
-  [[nodiscard]] double step_length();
-  /// Sets up steps of at most `longest` > 0 s from the committed state, in which the ground's acceleration goes
-  /// linearly from the first value to the second.
-  void begin(double longest, double ground_acceleration, double ground_acceleration_at_end);
-  /// Solves a step of length 0 < h <= longest into the trial state, without evaluating the model there.
-  /// The jerk is left to Model::evaluate_rates() unless it is wanted.
-  void solve(double h, double end_time, bool with_jerk);
-
- private:
-  using Matrix = Eigen::MatrixXd;
-
-  // One pair of K and C.
-  struct LinearSystem {
-    std::vector<double> stiffness_values, damping_values;  // by which it is found again
-    Matrix stiffness, damping;                             // M^-1 K, M^-1 C
-    double step = 0.0;                                     // length of a whole step, s
-    Matrix transition;     // (u, u', u'') after a whole step, per entry of (u, u', 1, a_g, s); rows filled up
-    Matrix from_constant;  // (u, u', u'') after a whole step, per constant acceleration of each degree of freedom
-  };
-
-  void check() const;
-  void linearise();
-  [[nodiscard]] LinearSystem make_system() const;
-  void expand();
-  void evaluate_series(double h);
-
-  Model* model_;
-  double grid_interval_;
-  bool touching_ = false;
-  bool linearised_ = false;
-  std::vector<LinearSystem> systems_;
-  std::size_t current_ = 0;
-  SparseMatrix stiffness_, damping_;
-  Vector offset_;  // -M^-1 f0
-
-  // The step that begin() set up.
-  double longest_ = 0.0, ground_ = 0.0, ground_slope_ = 0.0;
-  Vector start_, end_;  // (u, u', 1, a_g, s) and (u, u', u''), filled up
-  // Column k holds the coefficients of (t / longest)^k in u, of which terms_ are known.
-  Matrix series_;
-  int terms_ = 0;
+  friend bool operator==(const ExactBetweenEvents&, const ExactBetweenEvents&) = default;
 };
 
 }  // namespace moat

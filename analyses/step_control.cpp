@@ -20,13 +20,13 @@ Vector row_sums(const SparseMatrix& matrix, const Vector& masses) {
 constexpr int at_touch = 6;
 
 // Of a step's error, for one halving or doubling.
-double change_by_doubling(NewmarkScheme scheme) { return scheme.order() == 4 ? 8.0 : 4.0; }
+double change_by_doubling(StepScheme scheme) { return scheme.order() == 4 ? 8.0 : 4.0; }
 
 }  // namespace
 
 StepControl::StepControl(const Model& model, Options options)
     : options_{options}, scales_{model, options.lowest_acceleration} {
-  for (int halvings = 0; halvings <= options_.largest_halvings; ++halvings)
+  for (int halvings = 0; halvings <= options_.max_halvings; ++halvings)
     steps_.push_back(std::ldexp(options_.grid_interval, -halvings));
   SparseMatrix matrix = model.pattern();
   model.assemble_linear_stiffness(StiffnessStage::initial, matrix);
@@ -53,14 +53,14 @@ StepControl::Step StepControl::next_step(const Model& model) {
   const double contact = model.shortest_contact();
   if (!adaptive()) {
     fewest_steps_per_contact_ = std::min(fewest_steps_per_contact_, contact / options_.fixed_step);
-    return {options_.fixed_step, options_.scheme.value_or(NewmarkScheme::average_acceleration())};
+    return {options_.fixed_step, options_.scheme.value_or(StepScheme::average_acceleration())};
   }
   constexpr double durations_until_leaning = 4.0;
   const bool pounding = since_event_ < durations_until_leaning * contact && std::isfinite(contact);
   int halvings = halvings_;
   if (pounding)
-    while (halvings < options_.largest_halvings && step_at(halvings) * options_.steps_per_contact > contact) ++halvings;
-  NewmarkScheme scheme = NewmarkScheme::average_acceleration();
+    while (halvings < options_.max_halvings && step_at(halvings) * options_.steps_per_contact > contact) ++halvings;
+  StepScheme scheme = StepScheme::average_acceleration();
   if (options_.scheme) {
     scheme = *options_.scheme;
   } else if (ramp_ < at_touch) {
@@ -68,21 +68,21 @@ StepControl::Step StepControl::next_step(const Model& model) {
     constexpr int worth_halving = 6;
     const double stable = stable_step(contact);
     int stable_halvings = halvings;
-    while (stable_halvings < std::min(halvings + worth_halving, options_.largest_halvings) &&
+    while (stable_halvings < std::min(halvings + worth_halving, options_.max_halvings) &&
            step_at(stable_halvings) > stable)
       ++stable_halvings;
     if (step_at(stable_halvings) <= stable) {
       halvings = stable_halvings;
-      scheme = NewmarkScheme::fourth_order();
+      scheme = StepScheme::fourth_order();
     }
   }
-  const double step = step_at(std::min(halvings + ramp_, options_.largest_halvings));
+  const double step = step_at(std::min(halvings + ramp_, options_.max_halvings));
   if (pounding) fewest_steps_per_contact_ = std::min(fewest_steps_per_contact_, contact / step);
   return {step, scheme};
 }
 
 // Largest error of all places over the tolerance.
-double StepControl::error_of(const Model& model, const StepTask& step, NewmarkScheme scheme,
+double StepControl::error_of(const Model& model, const StepTask& step, StepScheme scheme,
                              const Vector& scales_of_nodes) const {
   // Average acceleration errs by more for an equal estimate: its error of period is the estimate itself.
   constexpr double stricter_at_second_order = 8.0;
@@ -119,16 +119,16 @@ const Vector& StepControl::scales_without(const Model& model, std::span<const Re
   return scales_without_bends_;
 }
 
-bool StepControl::accepts(const Model& model, const StepTask& step, NewmarkScheme scheme,
+bool StepControl::accepts(const Model& model, const StepTask& step, StepScheme scheme,
                           std::span<const RegimeChange> inside) {
   if (!adaptive() || ramp_ > 0) return true;
   const double h = step.length;
   const double error = error_of(model, step, scheme, scales_without(model, inside));
   constexpr double repeat_above = 2.0;
-  if (error > repeat_above && step_at(options_.largest_halvings) < 0.5 * h) {
+  if (error > repeat_above && step_at(options_.max_halvings) < 0.5 * h) {
     // Steps may be shorter than halvings_ says, in contact or for stability.
     constexpr double shorter = 0.75;
-    while (halvings_ < options_.largest_halvings && step_at(halvings_) > shorter * h) ++halvings_;
+    while (halvings_ < options_.max_halvings && step_at(halvings_) > shorter * h) ++halvings_;
     return false;
   }
   // A step cut to a small part says nothing of the nominal one.
@@ -137,7 +137,7 @@ bool StepControl::accepts(const Model& model, const StepTask& step, NewmarkSchem
   if (h < shortest_that_tells * nominal) return true;
   const double of_doubling = change_by_doubling(scheme);
   const double nominal_error = error * std::pow(nominal / h, scheme.order() == 4 ? 3 : 2);
-  if (nominal_error > 1.2 && halvings_ < options_.largest_halvings)
+  if (nominal_error > 1.2 && halvings_ < options_.max_halvings)
     ++halvings_;
   else if (nominal_error * of_doubling < 0.9 && halvings_ > 0)
     --halvings_;
@@ -151,7 +151,7 @@ void StepControl::accepted(const Model& model, double h, double ground_accelerat
   watch_round_off(model);
   // A step cut to nearly nothing does not count.
   constexpr double negligible = 1e-6;
-  if (h >= negligible * step_at(std::min(halvings_ + ramp_, options_.largest_halvings))) ramp_ = std::max(ramp_ - 1, 0);
+  if (h >= negligible * step_at(std::min(halvings_ + ramp_, options_.max_halvings))) ramp_ = std::max(ramp_ - 1, 0);
 }
 
 void StepControl::watch_round_off(const Model& model) {

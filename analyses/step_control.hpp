@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "analyses/acceleration_scales.hpp"
-#include "analyses/newmark.hpp"
 #include "analyses/step_equations.hpp"
+#include "analyses/step_scheme.hpp"
 #include "model/model.hpp"
 
 namespace moat {
@@ -44,13 +44,13 @@ class StepControl {
     double grid_interval = 0.0;  ///< s; the largest adaptive step
     double tolerance = 1.2e-4;
     int steps_per_contact = 32;
-    int largest_halvings = 24;
-    std::optional<NewmarkScheme> scheme{};  ///< of every step; none: chosen here
-    double lowest_acceleration = 0.0;       ///< m/s^2; errors are judged on no smaller scale
+    int max_halvings = 24;
+    std::optional<StepScheme> scheme{};  ///< of every step; none: chosen here
+    double lowest_acceleration = 0.0;    ///< m/s^2; errors are judged on no smaller scale
   };
   struct Step {
     double length = 0.0;  ///< s
-    NewmarkScheme scheme{};
+    StepScheme scheme{};
   };
 
   StepControl(const Model& model, Options options);
@@ -61,7 +61,7 @@ class StepControl {
   /// Judges the trial state that a step of this scheme led to, but not the nodes (ElementInfo::first and second) of
   /// elements that change their regime inside it: their accelerations bend. False: repeat with next_step(), which is
   /// shorter.
-  [[nodiscard]] bool accepts(const Model& model, const StepTask& step, NewmarkScheme scheme,
+  [[nodiscard]] bool accepts(const Model& model, const StepTask& step, StepScheme scheme,
                              std::span<const RegimeChange> inside = {});
   /// The trial state was committed.
   void accepted(const Model& model, double h, double ground_acceleration);
@@ -88,7 +88,7 @@ class StepControl {
  private:
   [[nodiscard]] double step_at(int halvings) const { return steps_[static_cast<std::size_t>(halvings)]; }
   [[nodiscard]] double stable_step(double contact) const;
-  [[nodiscard]] double error_of(const Model& model, const StepTask& step, NewmarkScheme scheme,
+  [[nodiscard]] double error_of(const Model& model, const StepTask& step, StepScheme scheme,
                                 const Vector& scales_of_nodes) const;
   [[nodiscard]] const Vector& scales_without(const Model& model, std::span<const RegimeChange> inside);
   void watch_round_off(const Model& model);

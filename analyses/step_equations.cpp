@@ -16,7 +16,7 @@ StepEquations::StepEquations(Model& model) : model_{&model} {
   balanced_scales_ = lowest_scales_;
 }
 
-void StepEquations::begin(const StepTask& task, NewmarkScheme scheme, Vector& guess) {
+void StepEquations::begin(const StepTask& task, StepScheme scheme, Vector& guess) {
   task_ = task;
   scheme_ = scheme;
   const double h = task.length;
@@ -38,7 +38,7 @@ void StepEquations::begin(const StepTask& task, NewmarkScheme scheme, Vector& gu
       first[i] = a[i] + h * relative_jerk;
     }
   } else {
-    const double half = (1.0 - NewmarkScheme::gamma) * h;
+    const double half = (1.0 - scheme.gamma) * h;
     for (int i = 0; i < size(); ++i) {
       displacement[i] = u[i] + h * v[i] + square * a[i];
       velocity[i] = v[i] + half * a[i];
@@ -46,21 +46,30 @@ void StepEquations::begin(const StepTask& task, NewmarkScheme scheme, Vector& gu
     }
   }
   for (int i = 0; i < size(); ++i) lowest_scales[i] = std::max(0.5 * scales[i], std::numeric_limits<double>::min());
+  if (!scheme.balances_at_end()) average_start();
   model_->trial().time = task.end_time;
 }
 
-void StepEquations::predict(const StepTask& task, NewmarkScheme scheme, Vector& guess) {
+void StepEquations::average_start() {
+  const int count = size();
+  const auto masses = model_->masses().array();
+  of_start_ = ((1.0 - scheme_.mass_share) * masses * model_->state().acceleration.head(count).array() +
+               (1.0 - scheme_.force_share) *
+                   (model_->committed_forces().head(count).array() + masses * task_.ground_acceleration_at_start))
+                  .matrix();
+}
+
+void StepEquations::predict(const StepTask& task, StepScheme scheme, Vector& guess) {
   begin(task, scheme, guess);
   move(guess);
   model_->evaluate_regimes();
-  model_->evaluate_rates();
 }
 
 void StepEquations::complete() {
   model_->evaluate_rates();
   balanced_scales_ = scales_;
   if (!scheme_.corrects_velocity) return;
-  const double h = task_.length, correction = h * h / 12.0, half = NewmarkScheme::gamma * h;
+  const double h = task_.length, correction = h * h / 12.0, half = scheme_.gamma * h;
   const MotionState& start = model_->state();
   MotionState& end = model_->trial();
   const double *v = start.velocity.data(), *a = start.acceleration.data(), *jerk = start.jerk.data(),
@@ -118,19 +127,27 @@ bool StepEquations::compute_residual(const Vector& acceleration, Vector& residua
     scales[i] = std::max(std::max(std::abs(inertia), std::abs(force[i])), std::max(std::abs(load), lowest_scales[i]));
     sum += scales[i];
   }
+  if (!scheme_.balances_at_end()) {
+    const double mass_share = scheme_.mass_share, force_share = scheme_.force_share;
+    for (int i = 0; i < count; ++i)
+      unbalanced[i] =
+          mass_share * mass[i] * a[i] + force_share * (force[i] + mass[i] * task_.ground_acceleration) + of_start_[i];
+  }
   return std::isfinite(sum);
 }
 
 bool StepEquations::compute_direction(const Vector& residual, Vector& direction) {
-  const double velocity_weight = scheme_.velocity_weight(task_.length),
-               displacement_weight = scheme_.displacement_weight(task_.length);
+  const double velocity_weight = scheme_.force_share * scheme_.velocity_weight(task_.length),
+               displacement_weight = scheme_.force_share * scheme_.displacement_weight(task_.length);
   if (!factorised_ || velocity_weight != factorised_velocity_weight_ ||
-      displacement_weight != factorised_displacement_weight_ || model_->tangent_version() != factorised_version_) {
-    model_->assemble_tangent(1.0, velocity_weight, displacement_weight, tangent_);
+      displacement_weight != factorised_displacement_weight_ || scheme_.mass_share != factorised_mass_share_ ||
+      model_->tangent_version() != factorised_version_) {
+    model_->assemble_tangent(scheme_.mass_share, velocity_weight, displacement_weight, tangent_);
     factorised_ = factorisation_.factorise(tangent_);
     if (!factorised_) return false;
     factorised_velocity_weight_ = velocity_weight;
     factorised_displacement_weight_ = displacement_weight;
+    factorised_mass_share_ = scheme_.mass_share;
     factorised_version_ = model_->tangent_version();
   }
   direction = -residual;

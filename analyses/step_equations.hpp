@@ -1,7 +1,7 @@
 // The equations of one time step.
 #pragma once
 
-#include "analyses/newmark.hpp"
+#include "analyses/step_scheme.hpp"
 #include "model/model.hpp"
 #include "solvers/factorisation.hpp"
 #include "solvers/newton.hpp"
@@ -14,9 +14,12 @@ struct StepTask {
   double end_time = 0.0;             ///< s
   double ground_acceleration = 0.0;  ///< m/s^2, at the end
   double ground_jerk = 0.0;          ///< m/s^3, constant in the step; used by schemes that correct the velocity
+  double ground_acceleration_at_start = 0.0;  ///< m/s^2
+  double start_time = 0.0;                    ///< s
 };
 
-/// M a + f(u(a), v(a)) = -M iota a_g at the end of a step; the unknown is the acceleration a.
+/// M a + f(u(a), v(a)) = -M iota a_g at the end of a step, or averaged over it (StepScheme); the unknown is the
+/// acceleration a at the end.
 ///
 /// The acceleration and not the displacement, because a = (u - prediction) / (beta h^2) loses all digits
 /// after a very short step, and steps that end at a located event can be very short.
@@ -25,9 +28,9 @@ class StepEquations final : public NonlinearSystem {
   explicit StepEquations(Model& model);
 
   /// Sets up a step from the model's committed state. `guess` := accelerations to start from.
-  void begin(const StepTask& task, NewmarkScheme scheme, Vector& guess);
+  void begin(const StepTask& task, StepScheme scheme, Vector& guess);
   /// begin(), and the trial state that the guess leads to; only elements that can change their regime are evaluated.
-  void predict(const StepTask& task, NewmarkScheme scheme, Vector& guess);
+  void predict(const StepTask& task, StepScheme scheme, Vector& guess);
   /// After the last compute_residual(): jerks of the trial state, and its velocities where the scheme corrects them.
   void complete();
 
@@ -45,19 +48,21 @@ class StepEquations final : public NonlinearSystem {
 
  private:
   void move(const Vector& acceleration);
+  void average_start();
 
   Model* model_;
-  NewmarkScheme scheme_;
+  StepScheme scheme_;
   Factorisation factorisation_;
   SparseMatrix tangent_;
   StepTask task_;
   Vector predicted_displacement_, predicted_velocity_;
+  Vector of_start_;  // the share of the start in averaged equations
   // Largest force of every row: of the iterate, and of the last balanced step. All of a row's terms may be zero at
   // once: half of the latter is the least.
   Vector scales_, balanced_scales_, lowest_scales_;
   // What the factors were made for.
   bool factorised_ = false;
-  double factorised_velocity_weight_ = 0.0, factorised_displacement_weight_ = 0.0;
+  double factorised_velocity_weight_ = 0.0, factorised_displacement_weight_ = 0.0, factorised_mass_share_ = 0.0;
   long factorised_version_ = 0;
 };
 

@@ -32,12 +32,6 @@ class NodePair {
     forces[second_] += force;
     forces[first_] -= force;
   }
-  /// Calls add(entry, weight) for every entry of a vector of forces that an element's force is added to.
-  template <class Add>
-  void for_each_entry(Add add) const {
-    add(second_, 1.0);
-    add(first_, -1.0);
-  }
 
   /// Where in the values of the matrix an element's stiffness goes.
   class Slots {
@@ -54,14 +48,6 @@ class NodePair {
       values[first_first_] += stiffness;
       values[first_second_] -= stiffness;
       values[second_first_] -= stiffness;
-    }
-    /// Calls add(slot, weight) for every value of the matrix that an element's stiffness is added to.
-    template <class Add>
-    void for_each_slot(const NodePair&, Add add) const {
-      add(second_second_, 1.0);
-      add(first_first_, 1.0);
-      add(first_second_, -1.0);
-      add(second_first_, -1.0);
     }
 
    private:
@@ -137,10 +123,6 @@ class PointPair {
   void add_force(double force, double* forces) const {
     for (std::size_t i = 0; i < count; ++i) forces[entry_[i]] += weight_[i] * force;
   }
-  template <class Add>
-  void for_each_entry(Add add) const {
-    for (std::size_t i = 0; i < count; ++i) add(entry_[i], weight_[i]);
-  }
 
   class Slots {
    public:
@@ -151,12 +133,8 @@ class PointPair {
                                                                          : matrix.nonzeros();
     }
     void add_stiffness(const PointPair& ends, double stiffness, double* values) const {
-      for_each_slot(ends, [&](int slot, double weight) { values[slot] += weight * stiffness; });
-    }
-    template <class Add>
-    void for_each_slot(const PointPair& ends, Add add) const {
       for (std::size_t i = 0; i < count; ++i)
-        for (std::size_t j = 0; j < count; ++j) add(slot_[i][j], ends.weight_[i] * ends.weight_[j]);
+        for (std::size_t j = 0; j < count; ++j) values[slot_[i][j]] += ends.weight_[i] * ends.weight_[j] * stiffness;
     }
 
    private:

@@ -61,7 +61,6 @@ void add(Model& model, const Gap<Law>& gap) {
   model.register_element("Gap", gap.name);
   ElementInfo info{.name = gap.name,
                    .place = gap.place,
-                   .kind = ElementKind::gap,
                    .first = right.node,
                    .second = left.node,
                    .offset = gap.clearance.si(),

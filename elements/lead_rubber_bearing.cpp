@@ -1,11 +1,26 @@
 #include "elements/lead_rubber_bearing.hpp"
 
-#include "elements/link_block.hpp"
-#include "elements/link_checks.hpp"
+#include <cmath>
+#include <numbers>
+
+#include "elements/isolator.hpp"
 #include "materials/bilinear.hpp"
 #include "materials/located_bilinear.hpp"
 
 namespace moat {
+
+LeadRubberBearing LeadRubberBearing::from_design(const BearingDesign& design) {
+  const Check check{"LeadRubberBearing::from_design", ""};
+  check.positive("weight", design.weight, "Give the weight that the bearings carry, m g.");
+  check.positive("characteristic_strength", design.characteristic_strength);
+  check.positive("isolation_period", design.isolation_period);
+  check.positive("yield_displacement", design.yield_displacement);
+  const double frequency = 2.0 * std::numbers::pi / design.isolation_period.si();
+  const Stiffness post_yield = design.weight.si() / standard_gravity * frequency * frequency * units::N / units::m;
+  return {.yield_force = design.characteristic_strength.value() + post_yield * design.yield_displacement.value(),
+          .yield_displacement = design.yield_displacement,
+          .post_yield_stiffness = post_yield};
+}
 
 void add(Model& model, const LeadRubberBearing& bearing) {
   const Check check =
@@ -15,16 +30,11 @@ void add(Model& model, const LeadRubberBearing& bearing) {
                      .post_yield_stiffness = bearing.post_yield_stiffness};
   law.check(check);
   model.register_element("LeadRubberBearing", bearing.name);
-  ElementInfo info{.name = bearing.name,
-                   .kind = ElementKind::bearing,
-                   .first = bearing.lower,
-                   .second = bearing.upper,
-                   .deformation_quantity = "isolator_deformation",
-                   .force_quantity = "isolator_force"};
+  const ElementInfo info = isolator_info(bearing.name, bearing.lower, bearing.upper);
   if (bearing.locate_yield)
-    model.block<LinkBlock<LocatedBilinear>>().add(std::move(info), LocatedBilinear{law});
+    model.block<LinkBlock<LocatedBilinear>>().add(info, LocatedBilinear{law});
   else
-    model.block<LinkBlock<Bilinear>>().add(std::move(info), law);
+    model.block<LinkBlock<Bilinear>>().add(info, law);
 }
 
 }  // namespace moat

@@ -5,6 +5,18 @@
 
 namespace moat {
 
+/// Lead-rubber bearings as a designer specifies them.
+struct BearingDesign {
+  /// W > 0 N: of everything the bearings carry.
+  Required<Force> weight;
+  /// Q_d > 0 N: the force at zero displacement after yielding, of the lead cores.
+  Required<Force> characteristic_strength;
+  /// T > 0 s: of the rigid building on the post-yield stiffness.
+  Required<Time> isolation_period;
+  /// d_y > 0 m.
+  Required<Length> yield_displacement;
+};
+
 /// The lead-rubber bearings (LRB) of a building taken together: bilinear hysteresis with kinematic
 /// hardening (materials/bilinear.hpp).
 ///
@@ -27,6 +39,10 @@ struct LeadRubberBearing {
   /// Locate the instants of yield and unloading (materials/located_bilinear.hpp) instead of stepping over them: the
   /// peaks are ten to a hundred times more accurate at equal steps.
   bool locate_yield = true;
+
+  /// Bearings of a design: post_yield_stiffness = W/g (2 pi / T)^2 and yield_force = Q_d + post_yield_stiffness d_y.
+  /// Throws InputError for a value that is not positive.
+  static LeadRubberBearing from_design(const BearingDesign& design);
 };
 
 /// Throws InputError for a bad parameter, unknown, missing or equal nodes, or a name that is taken.

@@ -12,11 +12,11 @@ void add(Model& model, const ShearSpring& spring) {
   law.check(check);
   model.register_element("ShearSpring", spring.name);
   model.block<LinkBlock<Linear>>().add({.name = spring.name,
-                                        .kind = ElementKind::storey,
                                         .first = spring.lower,
                                         .second = spring.upper,
                                         .deformation_quantity = "drift",
-                                        .force_quantity = "storey_shear"},
+                                        .force_quantity = "storey_shear",
+                                        .drawn_as = DrawnAs::storey},
                                        law);
 }
 

@@ -28,7 +28,6 @@ void add(Model& model, const Spring<Law>& spring) {
   if constexpr (requires { spring.law.check(check); }) spring.law.check(check);
   model.register_element("Spring", spring.name);
   model.block<LinkBlock<Law>>().add({.name = spring.name,
-                                     .kind = ElementKind::other,
                                      .first = spring.lower,
                                      .second = spring.upper,
                                      .deformation_quantity = spring.deformation_quantity,

@@ -12,7 +12,7 @@ void add(Model& model, const ViscousDamper& damper) {
   law.check(check);
   model.register_element("ViscousDamper", damper.name);
   model.block<LinkBlock<Viscous>>().add(
-      {.name = damper.name, .kind = ElementKind::damper, .first = damper.lower, .second = damper.upper}, law);
+      {.name = damper.name, .first = damper.lower, .second = damper.upper, .drawn_as = DrawnAs::nothing}, law);
 }
 
 }  // namespace moat

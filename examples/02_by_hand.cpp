@@ -9,9 +9,6 @@
 //     ./moat run examples/02_by_hand.cpp
 #include <moat.hpp>
 
-#include <cmath>
-#include <numbers>
-
 using namespace moat;
 using namespace moat::units;
 
@@ -29,23 +26,18 @@ int main(int argc, char** argv) {
   const NodeId base = add(model, Node{.name = "base", .mass = 550 * tonne});
   std::vector<NodeId> floors;
   for (int i = 1; i <= storeys; ++i)
-    floors.push_back(
-        add(model, Node{.name = "floor " + std::to_string(i), .mass = floor_mass, .height = i * 3.5 * m}));
+    floors.push_back(add(model, Node{.name = "floor " + std::to_string(i), .mass = floor_mass, .height = i * 3.5 * m}));
 
-  // 5 % in the first two modes of the superstructure held at its base: a uniform chain of n storeys has the angular
-  // frequencies 2 sqrt(k/m) sin((2 i - 1) pi / (2 (2 n + 1))).
-  const auto frequency = [&](int i) {
-    return 2.0 * std::sqrt(storey_stiffness.si() / floor_mass.si()) *
-           std::sin((2 * i - 1) * std::numbers::pi / (2 * (2 * storeys + 1)));
-  };
-  const RayleighFactors rayleigh = rayleigh_factors(0.05, frequency(1), frequency(2));
+  // 5 % in the first two modes of the superstructure held at its base.
+  const std::vector<Mass> masses(storeys, floor_mass);
+  const std::vector<Stiffness> stiffnesses(storeys, storey_stiffness);
+  const RayleighFactors rayleigh = rayleigh_factors_of_chain(0.05, masses, stiffnesses);
 
   NodeId below = base;
   for (int i = 1; i <= storeys; ++i) {
     const NodeId floor = floors[static_cast<std::size_t>(i - 1)];
     const std::string number = std::to_string(i);
-    add(model, ShearSpring{
-                   .name = "storey " + number, .lower = below, .upper = floor, .stiffness = storey_stiffness});
+    add(model, ShearSpring{.name = "storey " + number, .lower = below, .upper = floor, .stiffness = storey_stiffness});
     add(model, ViscousDamper{.name = "storey " + number + " damping",
                              .lower = below,
                              .upper = floor,
@@ -67,10 +59,8 @@ int main(int argc, char** argv) {
   add(model,
       Gap{.name = "moat right", .place = "moat", .left = base, .right = ground, .clearance = gap, .law = concrete});
 
-  // What the outside exerts on the building, reported under "base".
-  std::vector<NodeId> building = floors;
-  building.insert(building.begin(), base);
-  add(model, BaseShear{.where = "base", .nodes = building});
+  // Periods, charts and the base shear ask for the building.
+  add(model, Building{.base = base, .floors = floors});
 
   return script.run(model, motion);
 }

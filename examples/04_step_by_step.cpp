@@ -49,24 +49,23 @@ struct HardeningSpring {
   double linear_stiffness(StiffnessStage) const { return stiffness.si(); }
 };
 
-// Is told of every accepted step, and of every touch and opening of a gap.
+// An observer sees every accepted step, and every change of regime: touches and openings of gaps among them.
 class ImpactPrinter final : public StepObserver {
  public:
   void start(const StepView&) override {}
   void step(const StepView&) override {}
   void event(const StepView& view, std::span<const RegimeChange> changes) override {
     for (const RegimeChange& change : changes) {
-      const ElementBlock& block = *view.model.blocks()[change.block];
-      const ContactView contact = block.contact(change.element);
       // Bearings that yield change their regime too, and contacts that stay closed.
-      if (block.info(change.element).kind != ElementKind::gap || (contact.touching && !change.touched)) continue;
+      if (!change.touched && !change.opened) continue;
       ++events;
+      const ElementBlock& block = *view.model.blocks()[change.block];
       std::printf("%8.4f s  %-10s  %s", change.time, block.info(change.element).name.c_str(),
-                  contact.touching ? "touches" : "opens\n");
-      if (contact.touching) std::printf(" at %.1f cm/s\n", 100.0 * contact.approach_speed);
+                  change.touched ? "touches" : "opens\n");
+      if (change.touched)
+        std::printf(" at %.1f cm/s\n", 100.0 * block.contacts()->contact(change.element).approach_speed);
     }
   }
-  void finish(const StepView&) override {}
 
   int events = 0;
 };
@@ -102,11 +101,10 @@ int main() {
   double largest_stretch = 0.0, its_time = 0.0;
   while (!analysis.finished()) {
     analysis.advance();
-    const MotionState& now = model.state();
-    const double stretch = std::abs(now.displacement[tank.index] - now.displacement[building.top().index]);
+    const double stretch = std::abs(model.displacement(tank) - model.displacement(building.top()));
     if (stretch > largest_stretch) {
       largest_stretch = stretch;
-      its_time = now.time;
+      its_time = model.state().time;
     }
   }
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "analyses/case_run.hpp"
-#include "analyses/newmark.hpp"
+#include "analyses/integrators.hpp"
 #include "analyses/periods.hpp"
 #include "analyses/study.hpp"
 #include "analyses/transient.hpp"
@@ -14,6 +14,7 @@
 #include "base/required.hpp"
 #include "base/units.hpp"
 #include "elements/gap.hpp"
+#include "elements/isolator.hpp"
 #include "elements/lead_rubber_bearing.hpp"
 #include "elements/shear_spring.hpp"
 #include "elements/spring.hpp"
@@ -25,6 +26,7 @@
 #include "materials/linear.hpp"
 #include "materials/located_bilinear.hpp"
 #include "materials/viscous.hpp"
+#include "model/building.hpp"
 #include "model/model.hpp"
 #include "motions/ground_motion.hpp"
 #include "motions/high_pass.hpp"
@@ -37,6 +39,7 @@
 #include "output/chart.hpp"
 #include "output/csv_writer.hpp"
 #include "output/step_observer.hpp"
+#include "structures/isolation.hpp"
 #include "structures/moat.hpp"
 #include "structures/rayleigh_damping.hpp"
 #include "structures/shear_building.hpp"

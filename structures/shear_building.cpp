@@ -1,5 +1,7 @@
 #include "structures/shear_building.hpp"
 
+#include <vector>
+
 #include "base/check.hpp"
 #include "elements/shear_spring.hpp"
 #include "elements/viscous_damper.hpp"
@@ -10,15 +12,15 @@ namespace {
 void check_parameters(const ShearBuilding& building) {
   const Check check{"ShearBuilding", building.name};
   check.that(building.storeys >= 1, "storeys", building.storeys, "", ">= 1");
-  check.positive("floor_mass", building.floor_mass);
-  check.positive("storey_stiffness", building.storey_stiffness);
-  check.positive("storey_height", building.storey_height);
+  building.floor_mass.check(check, "floor_mass", building.storeys);
+  building.storey_stiffness.check(check, "storey_stiffness", building.storeys);
+  building.storey_height.check(check, "storey_height", building.storeys);
   check.positive("half_width", building.half_width);
   if (building.isolation) {
     check.positive("base_mass", building.base_mass, "An isolated building needs the mass of its base floor.");
-    check.that(building.isolation->lower == ground, "isolation.lower is given.",
+    check.that(!building.isolation->has_lower(), "isolation.lower is given.",
                "Leave it out: the bearings stand on the ground.");
-    check.that(!building.isolation->upper.specified(), "isolation.upper is given.",
+    check.that(!building.isolation->has_upper(), "isolation.upper is given.",
                "Leave it out: the bearings carry the base.");
   } else {
     check.that(building.base_mass == Mass{}, "base_mass", building.base_mass.si(), "kg",
@@ -34,60 +36,57 @@ void require_new_name(const Model& model, const ShearBuilding& building) {
                                              "Give every building its own .name.");
 }
 
-}  // namespace
-
-BuildingNodes add(Model& model, const ShearBuilding& building) {
-  check_parameters(building);
-  require_new_name(model, building);
-  const auto named = [&](std::string part) { return building.name.empty() ? part : building.name + " " + part; };
-  const auto node = [&](const std::string& part, Mass mass, int level) {
-    return add(model, Node{.name = named(part),
-                           .mass = mass,
-                           .x = building.x,
-                           .height = level * building.storey_height,
-                           .half_width = building.half_width});
+Building add_nodes(Model& model, const ShearBuilding& building, const std::string& prefix) {
+  Length height{};
+  const auto node = [&](const std::string& part, Mass mass) {
+    return add(
+        model,
+        Node{
+            .name = prefix + part, .mass = mass, .x = building.x, .height = height, .half_width = building.half_width});
   };
+  Building added{.name = building.name, .base = building.isolation ? node("base", building.base_mass) : ground};
+  for (int floor = 1; floor <= building.storeys; ++floor) {
+    height += building.storey_height.of(floor);
+    added.floors.push_back(node("floor " + std::to_string(floor), building.floor_mass.of(floor)));
+  }
+  return added;
+}
 
-  BuildingNodes nodes{.base = building.isolation ? node("base", building.base_mass, 0) : ground, .floors = {}};
-  for (int floor = 1; floor <= building.storeys; ++floor)
-    nodes.floors.push_back(node("floor " + std::to_string(floor), building.floor_mass, floor));
-
-  const std::vector<Mass> masses(nodes.floors.size(), building.floor_mass);
-  const std::vector<Stiffness> stiffnesses(nodes.floors.size(), building.storey_stiffness);
+void add_storeys(Model& model, const ShearBuilding& building, const std::string& prefix, const Building& nodes) {
+  const std::vector<Mass> masses = building.floor_mass.list(building.storeys);
+  const std::vector<Stiffness> stiffnesses = building.storey_stiffness.list(building.storeys);
   const RayleighFactors rayleigh = rayleigh_factors_of_chain(building.damping.ratio, masses, stiffnesses);
-
   NodeId below = nodes.base;
-  for (int storey = 1; storey <= building.storeys; ++storey) {
-    const NodeId above = nodes.floors[static_cast<std::size_t>(storey - 1)];
-    const std::string number = std::to_string(storey);
+  for (std::size_t i = 0; i < nodes.floors.size(); ++i) {
+    const NodeId above = nodes.floors[i];
+    const std::string number = std::to_string(i + 1);
     add(model,
-        ShearSpring{
-            .name = named("storey " + number), .lower = below, .upper = above, .stiffness = building.storey_stiffness});
+        ShearSpring{.name = prefix + "storey " + number, .lower = below, .upper = above, .stiffness = stiffnesses[i]});
     if (rayleigh.stiffness_factor > 0.0)
-      add(model, ViscousDamper{.name = named("storey " + number + " damping"),
+      add(model, ViscousDamper{.name = prefix + "storey " + number + " damping",
                                .lower = below,
                                .upper = above,
-                               .damping = rayleigh.stiffness_factor * units::s * building.storey_stiffness.value()});
+                               .damping = rayleigh.stiffness_factor * units::s * stiffnesses[i]});
     if (rayleigh.mass_factor > 0.0)
-      add(model, ViscousDamper{.name = named("floor " + number + " damping"),
+      add(model, ViscousDamper{.name = prefix + "floor " + number + " damping",
                                .lower = nodes.base,
                                .upper = above,
-                               .damping = rayleigh.mass_factor / units::s * building.floor_mass.value()});
+                               .damping = rayleigh.mass_factor / units::s * masses[i]});
     below = above;
   }
+}
 
-  if (building.isolation) {
-    LeadRubberBearing bearing = *building.isolation;
-    bearing.name = named(bearing.name);
-    bearing.lower = ground;
-    bearing.upper = nodes.base;
-    add(model, bearing);
-  }
+}  // namespace
 
-  std::vector<NodeId> all = nodes.floors;
-  if (building.isolation) all.insert(all.begin(), nodes.base);
-  add(model, BaseShear{.where = named("base"), .nodes = std::move(all)});
-  return nodes;
+Building add(Model& model, const ShearBuilding& building) {
+  check_parameters(building);
+  require_new_name(model, building);
+  const std::string prefix = building.name.empty() ? "" : building.name + " ";
+  Building added = add_nodes(model, building, prefix);
+  add_storeys(model, building, prefix, added);
+  if (building.isolation) building.isolation->add_to(model, prefix, added.base);
+  add(model, added);
+  return added;
 }
 
 }  // namespace moat

@@ -3,55 +3,50 @@
 
 #include <optional>
 #include <string>
-#include <vector>
 
-#include "elements/lead_rubber_bearing.hpp"
 #include "model/model.hpp"
+#include "structures/isolation.hpp"
+#include "structures/per_storey.hpp"
 #include "structures/rayleigh_damping.hpp"
 
 namespace moat {
 
-/// A shear building on lead-rubber bearings, or fixed to the ground.
+/// A shear building on isolators, or fixed to the ground.
 ///
-///     [ floor 5 ]     floor_mass
-///        | |          storey_stiffness, Rayleigh damping
+///     [ floor 3 ]     floor_mass
+///        | |          storey_stiffness, storey_height, Rayleigh damping
 ///        ...
 ///     [ floor 1 ]
 ///        | |
 ///     [  base   ]     base_mass                (none without isolation: the ground is the base)
-///     ====LRB====     isolation
+///     =========       isolation
 ///
-/// Rayleigh damping acts on the motion of the superstructure relative to its base: the stiffness part as
-/// a dashpot in every storey, the mass part as a dashpot from every floor to the base, reacting on it.
+/// Masses, stiffnesses and heights are one value for all storeys or one for each (structures/per_storey.hpp). Rayleigh
+/// damping has its ratio in the first two modes of this chain held at its base, and acts on the motion of the
+/// superstructure relative to its base: the stiffness part as a dashpot in every storey, the mass part as a dashpot
+/// from every floor to the base, reacting on it.
 struct ShearBuilding {
   /// Put before the names of all parts ("north base", "north floor 1") where a model has several buildings.
   std::string name{};
   /// >= 1.
   Required<int> storeys;
   /// > 0 kg, each floor above the base.
-  Required<Mass> floor_mass;
+  PerStorey<Mass> floor_mass;
   /// > 0 N/m, each storey.
-  Required<Stiffness> storey_stiffness;
+  PerStorey<Stiffness> storey_stiffness;
   RayleighDamping damping{};
   /// > 0 kg; give it together with isolation.
   Mass base_mass{};
-  /// The bearings under the base; fixed to the ground if left out.
-  std::optional<LeadRubberBearing> isolation{};
+  /// The isolators under the base, with any law; fixed to the ground if left out.
+  std::optional<Isolation> isolation{};
   /// For drawings only.
-  Length storey_height = 3.5 * units::m;
+  PerStorey<Length> storey_height = 3.5 * units::m;
   Length half_width = 5.0 * units::m;
   Length x{};
 };
 
-/// The nodes of a building that was added.
-struct BuildingNodes {
-  NodeId base;                 ///< `ground` for a fixed building
-  std::vector<NodeId> floors;  ///< from floor 1 up
-  [[nodiscard]] NodeId top() const { return floors.back(); }
-};
-
-/// Adds nodes `base`, `floor 1` ..., elements `storey 1` ..., `bearings`, and the report of base shear.
+/// Adds nodes `base`, `floor 1` ..., elements `storey 1` ..., `bearings`, and the Building that it returns.
 /// Throws InputError for a bad parameter or a name that is taken: a second building needs a name.
-BuildingNodes add(Model& model, const ShearBuilding& building);
+Building add(Model& model, const ShearBuilding& building);
 
 }  // namespace moat

@@ -19,7 +19,7 @@ constexpr double settled_reference = 1e-5;
 std::vector<TrialSetting> trial_settings() {
   return {{"default", {}, testing::LocateYield::as_drawn},
           {"tight", {.tolerance = 1e-7, .steps_per_contact = 512}, testing::LocateYield::as_drawn},
-          {"exact", {.integrator = Integrator::exact_between_events}, testing::LocateYield::always}};
+          {"exact", {.integrator = ExactBetweenEvents{}}, testing::LocateYield::always}};
 }
 
 bool usable(const TrialModel& model) { return model.failed.empty() && model.reference.settled(settled_reference); }

@@ -51,7 +51,7 @@ inline DampingCoefficient isolator_damping(double ratio, Time period, int storey
   return 2.0 * ratio * total_mass(storeys) * (2.0 * std::numbers::pi / period);
 }
 
-inline BuildingNodes add(Model& model, const PaperBuilding& paper) {
+inline Building add(Model& model, const PaperBuilding& paper) {
   ShearBuilding building{.storeys = paper.storeys,
                          .floor_mass = floor_mass,
                          .storey_stiffness = 1 * GN / m,
@@ -62,7 +62,7 @@ inline BuildingNodes add(Model& model, const PaperBuilding& paper) {
                                            .yield_displacement = paper.yield_displacement,
                                            .post_yield_stiffness = paper.post_yield_stiffness};
   }
-  BuildingNodes nodes = moat::add(model, building);
+  Building nodes = moat::add(model, building);
   if (paper.isolator_damping > DampingCoefficient{})
     moat::add(model,
               ViscousDamper{
@@ -76,9 +76,9 @@ inline ModifiedHertzDamp study_law(HertzStiffness stiffness = hertz_impact_stiff
 }
 
 /// The building inside its walls with the law of the parametric studies.
-inline BuildingNodes add_pounding(Model& model, const PaperBuilding& building, Length gap = paper_gap,
-                                  HertzStiffness stiffness = hertz_impact_stiffness) {
-  BuildingNodes nodes = add(model, building);
+inline Building add_pounding(Model& model, const PaperBuilding& building, Length gap = paper_gap,
+                             HertzStiffness stiffness = hertz_impact_stiffness) {
+  Building nodes = add(model, building);
   moat::add(model, Moat{.around = nodes.base, .clearance = gap, .law = study_law(stiffness)});
   return nodes;
 }

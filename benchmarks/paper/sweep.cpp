@@ -26,7 +26,7 @@ constexpr Panel panels[] = {{"top_acceleration", "Top floor", "peak acceleration
                             {"total_base_shear", "Total base shear", "peak force [MN]", 1e6},
                             {"sum_of_floor_inertia_maxima", "Sum of floor inertia maxima", "force [MN]", 1e6}};
 
-StudyRecord responses_of(Model& model, const BuildingNodes& nodes, const GroundMotion& motion) {
+StudyRecord responses_of(Model& model, const Building& nodes, const GroundMotion& motion) {
   const StudyRecord peaks = peaks_of(model, motion, {.tolerance = sweep_tolerance});
   const std::string base{model.node_name(nodes.base)}, top{model.node_name(nodes.top())};
   double largest_drift = 0.0;
@@ -63,7 +63,7 @@ SweepResult run_sweep(Exhibit& exhibit, const Sweep& sweep, const std::vector<Gr
   StudyResult study = run_study({sweep.axis, StudyAxis::of_names("record", labels)},
                                 [&](const StudyCase& each) {
                                   Model model;
-                                  const BuildingNodes nodes = sweep.build(model, each);
+                                  const Building nodes = sweep.build(model, each);
                                   return responses_of(model, nodes, motions[each.position("record")]);
                                 },
                                 {.progress = ProgressBar{sweep.name + ", " + sweep.title}});

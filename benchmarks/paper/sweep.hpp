@@ -18,7 +18,7 @@ struct Sweep {
   std::string x_label;  ///< with unit
   bool logarithmic = false;
   /// Adds the building of one case to an empty model, with floors 1 to `storeys`.
-  std::function<BuildingNodes(Model&, const StudyCase&)> build;
+  std::function<Building(Model&, const StudyCase&)> build;
 };
 
 /// Peaks of a sweep, by axis and record.

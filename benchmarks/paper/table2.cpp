@@ -123,7 +123,7 @@ void compare_with_references(Exhibit& exhibit) {
   const StudyResult result = run_study(axes,
                                        [&](const StudyCase& each) {
                                          StudyModel study{Model{}, motions[each.position("record")]};
-                                         const BuildingNodes nodes = add(study.model, PaperBuilding{});
+                                         const Building nodes = add(study.model, PaperBuilding{});
                                          laws[each.position("law")].add_walls(study.model, nodes.base, {});
                                          return study;
                                        },
@@ -167,7 +167,7 @@ std::vector<StudyRecord> peaks_of_laws(const Reading& reading) {
   std::vector<StudyRecord> peaks;
   for (std::size_t law = 0; law < printed_laws; ++law) {
     Model model;
-    const BuildingNodes nodes = add(model, reading.building);
+    const Building nodes = add(model, reading.building);
     laws[law].add_walls(model, nodes.base, reading.contact);
     peaks.push_back(peaks_of(model, reading.motion, converged));
   }

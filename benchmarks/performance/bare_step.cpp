@@ -22,7 +22,7 @@ constexpr double yield_displacement = 0.01, post_yield = 19.3e6, sliding = 1.93e
 constexpr double clearance = 0.1, hertz = 2.95e9, restitution = 0.65;
 constexpr double damping_factor = 0.75 * (1.0 - restitution * restitution);
 constexpr double force_tolerance = 1e-10, location_tolerance = 1e-12, reload_threshold = 1e-9;
-constexpr int largest_iterations = 20;
+constexpr int max_iterations = 20;
 
 enum class Phase { open, loaded, released };
 
@@ -202,7 +202,7 @@ class Building {
         largest = std::max(largest, std::abs(residual[i]));
       }
       if (largest <= force_tolerance * scale || (largest <= round_off && largest <= 1e-6 * scale)) return true;
-      if (iteration == largest_iterations || !(scale < std::numeric_limits<double>::infinity())) return false;
+      if (iteration == max_iterations || !(scale < std::numeric_limits<double>::infinity())) return false;
       ++history_.newton_iterations;
       factorise(h);
       constexpr double last_digits = 8.0 * std::numeric_limits<double>::epsilon();

@@ -68,7 +68,7 @@ Ladder moat_exact(const GroundMotion& motion, const std::shared_ptr<const Model>
   for (const double steps : contact_steps)
     ladder.push_back({to_text(steps) + " steps per contact", [&motion, model, per_contact = static_cast<int>(steps)] {
                         return moat_peaks(*model, motion,
-                                          {.integrator = Integrator::exact_between_events,
+                                          {.integrator = ExactBetweenEvents{},
                                            .tolerance = tolerance_for(per_contact),
                                            .steps_per_contact = per_contact});
                       }});

@@ -114,7 +114,7 @@ double show_functions(Record& record, const GroundMotion& motion, const CallsPer
   Transient transient{model, motion, fixed_step()};
   while (model.state().time < 3.0) transient.advance();
 
-  const NewmarkScheme scheme;
+  const StepScheme scheme;
   SparseMatrix tangents[2] = {model.pattern(), model.pattern()};
   const auto assemble = [&](double h, SparseMatrix& matrix) {
     model.assemble_tangent(1.0, scheme.velocity_weight(h), scheme.displacement_weight(h), matrix);

@@ -90,7 +90,7 @@ void repeat(const Options& options, bool locate_yield, const TransientOptions& t
 
 void profile_building(const Options& options) { repeat(options, false, {}); }
 
-void profile_exact(const Options& options) { repeat(options, true, {.integrator = Integrator::exact_between_events}); }
+void profile_exact(const Options& options) { repeat(options, true, {.integrator = ExactBetweenEvents{}}); }
 
 void profile_street() {
   const StreetReport report = measure_street(

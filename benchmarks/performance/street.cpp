@@ -27,7 +27,7 @@ constexpr double velocity_step = displacement_step / root;
 
 constexpr double variation = 0.3;
 
-BuildingNodes add_building(Model& model, int number) {
+Building add_building(Model& model, int number) {
   return add(model, ShearBuilding{.name = std::to_string(number),
                                   .storeys = 5,
                                   .floor_mass = (1.0 + variation * spread_evenly(number, mass_step)) * 500 * tonne,

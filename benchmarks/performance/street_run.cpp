@@ -52,17 +52,12 @@ std::uint64_t fingerprint(const MotionState& state) {
   return hash;
 }
 
-double contacts(const Model& model) {
-  double count = 0.0;
-  for (const auto& block : model.blocks())
-    for (std::size_t i = 0; i < block->size(); ++i) count += block->contact(i).touching ? 1.0 : 0.0;
-  return count;
-}
+double contacts(const Model& model) { return model.contacts_going_on(); }
 
 TransientOptions options_of(const StreetSetting& setting) {
   TransientOptions options{.step = step_length * s, .location_tolerance = setting.location_tolerance * m};
   // A street has many contacts, none of which chatters.
-  options.largest_events_per_second = 1'000'000'000;
+  options.max_events_per_second = 1'000'000'000;
   return options;
 }
 
@@ -92,7 +87,7 @@ struct BytesPerBuilding {
 
 // The parts of an iteration, each beside a copy of memory.
 void measure_parts(Model& model, int buildings, StreetReport& report) {
-  const NewmarkScheme scheme = NewmarkScheme::average_acceleration();
+  const StepScheme scheme = StepScheme::average_acceleration();
   const double time = model.state().time;
   const double ground = street_motion().acceleration_at(time);
   const int size = model.degrees_of_freedom();

@@ -186,7 +186,7 @@ int Script::run(Model& model, const GroundMotion& motion) {
   line.add_flag("force", force, "overwrite an existing results folder");
   const Time step = time("step", 0 * units::s, "fixed time step; 0 s adapts it");
   const double tolerance = number("tolerance", TransientOptions{}.tolerance, "error per step of an adapted step");
-  const std::string integrator = text("integrator", "newmark", "newmark, or exact-between-events for small models");
+  const std::string integrator = text("integrator", "newmark", integrator_names() + "; the last for small models");
   const Time end = time("end", motion.duration() * units::s, "end of the analysis");
   const Time frame_interval = time("frame-interval", 50 * units::ms, "between VTK frames; 0 s writes none");
   line.add_flag("check", check, "error bars also where the second run they need costs more than about 20 ms");
@@ -204,18 +204,15 @@ int Script::run(Model& model, const GroundMotion& motion) {
   }
 
   // Before the results folder is made.
-  if (integrator != "newmark" && integrator != "exact-between-events")
-    throw InputError{"--integrator: \"" + integrator + "\" is not known. Give newmark or exact-between-events."};
   Check{"Script", ""}.not_negative("--frame-interval", frame_interval);
-  CaseRun run{
-      model,
-      motion,
-      {.title = line.app.get_description(),
-       .transient = {.integrator = integrator == "newmark" ? Integrator::newmark : Integrator::exact_between_events,
-                     .step = step,
-                     .tolerance = tolerance,
-                     .end = end},
-       .error_bars = check ? ErrorBarMode::always : ErrorBarMode::automatic}};
+  CaseRun run{model,
+              motion,
+              {.title = line.app.get_description(),
+               .transient = {.integrator = integrator_named(integrator, "--integrator"),
+                             .step = step,
+                             .tolerance = tolerance,
+                             .end = end},
+               .error_bars = check ? ErrorBarMode::always : ErrorBarMode::automatic}};
   const std::filesystem::path folder =
       make_results_folder(wanted, force ? WhenFolderExists::overwrite : WhenFolderExists::use_new_number);
   std::optional<FrameRecorder> frames;

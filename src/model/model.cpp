@@ -1,43 +1,13 @@
 #include "model/model.hpp"
 
 #include <algorithm>
+#include <limits>
+#include <utility>
 
 #include "base/check.hpp"
 #include "base/error.hpp"
-#include "base/parallel.hpp"
 
 namespace moat {
-
-Model::Model(const Model& other)
-    : nodes_{other.nodes_},
-      node_names_{other.node_names_},
-      element_names_{other.element_names_},
-      block_of_type_{other.block_of_type_},
-      base_shear_names_{other.base_shear_names_},
-      base_shears_{other.base_shears_},
-      prepared_{other.prepared_},
-      masses_{other.masses_},
-      diagonal_slots_{other.diagonal_slots_},
-      pattern_{other.pattern_},
-      constant_stiffness_{other.constant_stiffness_},
-      constant_damping_{other.constant_damping_},
-      state_{other.state_},
-      trial_{other.trial_},
-      internal_forces_{other.internal_forces_},
-      force_rates_{other.force_rates_},
-      tangent_version_{other.tangent_version_},
-      changing_blocks_{other.changing_blocks_},
-      blocks_with_regimes_{other.blocks_with_regimes_},
-      only_regimes_evaluated_{other.only_regimes_evaluated_},
-      keeps_energy_accounts_{other.keeps_energy_accounts_},
-      threads_{other.threads_} {
-  for (const auto& block : other.blocks_) blocks_.push_back(block->clone());
-}
-
-Model& Model::operator=(const Model& other) {
-  if (this != &other) *this = Model{other};
-  return *this;
-}
 
 NodeId Model::add_node(Node node) {
   const Check check{"Node", node.name};
@@ -101,21 +71,23 @@ void Model::register_element(std::string_view kind, const std::string& name) {
   element_names_.add(name);
 }
 
-void Model::add_base_shear(BaseShear shear) {
-  const Check check{"BaseShear", shear.where};
-  check.that(!shear.where.empty(), "a base shear has no name.", "Give .where: it is listed under it.");
-  check.that(!base_shear_names_.contains(shear.where), "a base shear is reported under this name.",
-             "Give .where another name.");
-  check.that(!shear.nodes.empty(), "no nodes are given.", "List the base and all floors of one building.");
-  std::unordered_set<int> listed;
-  for (const NodeId id : shear.nodes) {
-    require_node(id, "BaseShear \"" + shear.where + "\"", "a node");
-    check.that(id != ground, "the ground has no inertia.", "List only nodes with mass.");
-    check.that(listed.insert(id.index).second, "the node \"" + node(id).name + "\" is listed twice.",
+void Model::add_building(Building building) {
+  const Check check{"Building", building.name};
+  const std::vector<NodeId> nodes = building.nodes();
+  check.that(!nodes.empty(), "no floors are given.", "Give .base and .floors, from the lowest up.");
+  check.that(building_names_.insert(building.name).second, "a building of this name exists.",
+             "Give every building its own .name.");
+  in_building_.resize(nodes_.size(), false);
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    require_node(nodes[i], building.name.empty() ? "Building" : "Building \"" + building.name + "\"",
+                 i == 0 && building.base != ground ? "base" : "a floor");
+    check.that(nodes[i] != ground, "the ground is among the floors.", "List only nodes with mass.");
+    const auto index = static_cast<std::size_t>(nodes[i].index);
+    check.that(!in_building_[index], "the node \"" + node(nodes[i]).name + "\" is in a building already.",
                "Its inertia would count twice.");
+    in_building_[index] = true;
   }
-  base_shear_names_.insert(shear.where);
-  base_shears_.push_back(std::move(shear));
+  buildings_.push_back(std::move(building));
 }
 
 void Model::prepare() {
@@ -126,11 +98,12 @@ void Model::prepare() {
   for (const auto& block : blocks_) block->add_couplings(builder);
   pattern_ = builder.build();
   blocks_with_regimes_.clear();
+  blocks_with_contacts_.clear();
   for (std::size_t i = 0; i < blocks_.size(); ++i) {
     blocks_[i]->find_slots(pattern_);
-    if (blocks_[i]->has_regimes()) blocks_with_regimes_.push_back(i);
+    if (blocks_[i]->regimes() != nullptr) blocks_with_regimes_.push_back(i);
+    if (blocks_[i]->contacts() != nullptr) blocks_with_contacts_.push_back(i);
   }
-  use_threads(threads_);
   constant_stiffness_.assign(pattern_.values.size(), 0.0);
   constant_damping_.assign(pattern_.values.size(), 0.0);
   changing_blocks_.clear();
@@ -165,30 +138,17 @@ void Model::prepare() {
   internal_forces_.resize(count + 1);
   evaluate();
   for (const auto& block : blocks_) block->commit(0.0, WorkRule::mean_force);
-}
-
-void Model::use_threads(int threads) {
-  threads_ = threads;
-  for (const auto& block : blocks_) block->use_threads(threads, pattern_);
+  committed_forces_ = internal_forces_;
 }
 
 void Model::evaluate_regimes() {
-  for (const std::size_t i : blocks_with_regimes_)
+  for (const std::size_t i : blocks_with_regimes_) {
     blocks_[i]->evaluate(trial_.displacement.data(), trial_.velocity.data(), nullptr);
-  only_regimes_evaluated_ = true;
-}
-
-void Model::refresh() {
-  if (!only_regimes_evaluated_) return;
-  trial_ = state_;
-  evaluate();
-  evaluate_rates();
-  state_.jerk = trial_.jerk;
-  for (const auto& block : blocks_) block->commit(0.0, WorkRule::mean_force);
+    blocks_[i]->evaluate_rates(trial_.acceleration.data(), nullptr);
+  }
 }
 
 void Model::evaluate() {
-  only_regimes_evaluated_ = false;
   internal_forces_.setZero(degrees_of_freedom() + 1);
   for (const auto& block : blocks_)
     block->evaluate(trial_.displacement.data(), trial_.velocity.data(), internal_forces_.data());
@@ -197,13 +157,8 @@ void Model::evaluate() {
 }
 
 void Model::evaluate_rates() {
-  const double* acceleration = trial_.acceleration.data();
-  if (only_regimes_evaluated_) {
-    for (const std::size_t i : blocks_with_regimes_) blocks_[i]->evaluate_rates(acceleration, nullptr);
-    return;
-  }
   force_rates_.setZero(degrees_of_freedom() + 1);
-  for (const auto& block : blocks_) block->evaluate_rates(acceleration, force_rates_.data());
+  for (const auto& block : blocks_) block->evaluate_rates(trial_.acceleration.data(), force_rates_.data());
   const int count = degrees_of_freedom();
   const double *mass = masses_.data(), *force_rate = force_rates_.data();
   double* __restrict jerk = trial_.jerk.data();
@@ -216,17 +171,15 @@ void Model::assemble_tangent(double acceleration_weight, double velocity_weight,
   const double *stiffness = constant_stiffness_.data(), *damping = constant_damping_.data(), *mass = masses_.data();
   const int *diagonal = diagonal_slots_.data(), *starts = matrix.column_starts.data();
   const auto count = diagonal_slots_.size();
-  for_ranges(threads_, count, [&](std::size_t begin, std::size_t end) {
-    // So few columns at a time that their values are still at hand for the masses.
-    constexpr std::size_t at_once = 256;
-    for (; begin < end; begin += at_once) {
-      const std::size_t piece_end = std::min(begin + at_once, end);
-      for (int k = starts[begin]; k < starts[piece_end]; ++k)
-        values[k] = displacement_weight * stiffness[k] + velocity_weight * damping[k];
-      for (std::size_t i = begin; i < piece_end; ++i) values[diagonal[i]] += acceleration_weight * mass[i];
-    }
-  });
-  // Of the ground, where everything may be added and nothing is read.
+  // Chunks of 256 columns, so that their values are still in L1 when the masses are added.
+  constexpr std::size_t chunk = 256;
+  for (std::size_t begin = 0; begin < count; begin += chunk) {
+    const std::size_t end = std::min(begin + chunk, count);
+    for (int k = starts[begin]; k < starts[end]; ++k)
+      values[k] = displacement_weight * stiffness[k] + velocity_weight * damping[k];
+    for (std::size_t i = begin; i < end; ++i) values[diagonal[i]] += acceleration_weight * mass[i];
+  }
+  // The entry of the ground: elements add to it, and nothing reads it.
   values[matrix.nonzeros()] = 0.0;
   for (const std::size_t i : changing_blocks_) blocks_[i]->add_tangent(displacement_weight, velocity_weight, values);
 }
@@ -247,26 +200,24 @@ void Model::commit(WorkRule rule) {
   state_.velocity.swap(trial_.velocity);
   state_.acceleration.swap(trial_.acceleration);
   state_.jerk.swap(trial_.jerk);
-  if (only_regimes_evaluated_)
-    for (const std::size_t i : blocks_with_regimes_) blocks_[i]->commit(step, rule);
-  else
-    for (const auto& block : blocks_) block->commit(step, rule);
+  committed_forces_.swap(internal_forces_);
+  for (const auto& block : blocks_) block->commit(step, rule);
 }
 
-void Model::start_energy_account() {
+void Model::start_energy_accounts() {
   keeps_energy_accounts_ = true;
-  for (const auto& block : blocks_) block->start_energy_account();
+  for (const auto& block : blocks_) block->start_energy_accounts();
 }
 
 RegimeScan Model::scan_regimes(double step, double aim) const {
-  RegimeScan scan{.aim = aim};
-  for (const std::size_t i : blocks_with_regimes_) blocks_[i]->scan_regimes(step, scan);
+  RegimeScan scan;
+  for (const std::size_t i : blocks_with_regimes_) blocks_[i]->regimes()->scan(step, aim, scan);
   return scan;
 }
 
 void Model::change_regimes(std::vector<RegimeChange>& changes) {
   const std::size_t before = changes.size();
-  for (const std::size_t i : blocks_with_regimes_) blocks_[i]->change_regimes(i, changes);
+  for (const std::size_t i : blocks_with_regimes_) blocks_[i]->regimes()->change(i, changes);
   if (changes.size() == before) return;
   for (std::size_t i = before; i < changes.size(); ++i) changes[i].time = state_.time;
   trial_ = state_;
@@ -277,24 +228,31 @@ bool Model::change_regimes_inside(double step, double aim, std::vector<RegimeCha
   const std::size_t before = changes.size();
   bool possible = true;
   for (const std::size_t i : blocks_with_regimes_)
-    possible = possible && blocks_[i]->change_regimes_inside(step, aim, i, changes);
+    possible = possible && blocks_[i]->regimes()->change_inside(step, aim, i, changes);
   for (std::size_t i = before; i < changes.size(); ++i) changes[i].time += state_.time;
   return possible;
 }
 
 void Model::undo_changes_inside() {
-  for (const std::size_t i : blocks_with_regimes_) blocks_[i]->undo_changes_inside();
+  for (const std::size_t i : blocks_with_regimes_) blocks_[i]->regimes()->undo_changes_inside();
 }
 
 void Model::open_gaps(std::vector<RegimeChange>& changes) {
   const std::size_t before = changes.size();
-  for (const std::size_t i : blocks_with_regimes_) blocks_[i]->open_gaps(i, changes);
+  for (const std::size_t i : blocks_with_contacts_) blocks_[i]->contacts()->open_gaps(i, changes);
   for (std::size_t i = before; i < changes.size(); ++i) changes[i].time += state_.time;
+}
+
+int Model::contacts_going_on() const {
+  int count = 0;
+  for (const std::size_t i : blocks_with_contacts_) count += blocks_[i]->contacts()->touching();
+  return count;
 }
 
 double Model::shortest_contact() const {
   double shortest = std::numeric_limits<double>::infinity();
-  for (const std::size_t i : blocks_with_regimes_) shortest = std::min(shortest, blocks_[i]->shortest_contact());
+  for (const std::size_t i : blocks_with_contacts_)
+    shortest = std::min(shortest, blocks_[i]->contacts()->shortest_contact());
   return shortest;
 }
 

@@ -9,8 +9,10 @@
 #include <unordered_set>
 #include <vector>
 
+#include "base/copyable_pointer.hpp"
 #include "base/sparse_matrix.hpp"
 #include "base/vector.hpp"
+#include "model/building.hpp"
 #include "model/element_block.hpp"
 #include "model/node.hpp"
 #include "model/taken_names.hpp"
@@ -27,16 +29,6 @@ struct MotionState {
   Vector jerk;          ///< m/s^3, rate of the absolute acceleration: it jumps where forces bend, not with the ground
 };
 
-/// Reports the shear that the outside exerts on a set of nodes, from their inertia: the sum of mass
-/// times absolute acceleration is the force of isolators and impacts together (`total_base_shear`);
-/// the sum of the maxima of its terms is the design value that many papers quote
-/// (`sum_of_floor_inertia_maxima`).
-struct BaseShear {
-  /// Where the two quantities are listed.
-  std::string where = "base";
-  std::vector<NodeId> nodes;
-};
-
 /// A structure: nodes joined by elements, and all state of both.
 ///
 /// Nodes and elements are added with the free functions add(model, ...). An analysis then moves the
@@ -44,13 +36,6 @@ struct BaseShear {
 /// trial state or overwrites it. A copy is complete and independent.
 class Model {
  public:
-  Model() = default;
-  Model(const Model& other);
-  Model& operator=(const Model& other);
-  Model(Model&&) noexcept = default;
-  Model& operator=(Model&&) noexcept = default;
-  ~Model() = default;
-
   /// Throws InputError for a mass that is not positive or a name that exists.
   NodeId add_node(Node node);
   [[nodiscard]] int node_count() const { return static_cast<int>(nodes_.size()); }
@@ -71,9 +56,11 @@ class Model {
   template <class Block>
   Block& block();
 
-  void add_base_shear(BaseShear shear);
-  [[nodiscard]] const std::vector<BaseShear>& base_shears() const { return base_shears_; }
-  [[nodiscard]] const std::vector<std::unique_ptr<ElementBlock>>& blocks() const { return blocks_; }
+  /// Throws InputError for a building without nodes, an unknown or repeated node, a node of another building, or a
+  /// name that is taken.
+  void add_building(Building building);
+  [[nodiscard]] const std::vector<Building>& buildings() const { return buildings_; }
+  [[nodiscard]] const std::vector<CopyablePointer<ElementBlock>>& blocks() const { return blocks_; }
 
   /// Gives degrees of freedom their numbers and the matrix its pattern. Called by analyses; cheap when
   /// nothing was added since. Throws InputError for a model without nodes.
@@ -87,6 +74,14 @@ class Model {
   /// A zero matrix with the pattern of this model.
   [[nodiscard]] const SparseMatrix& pattern() const { return pattern_; }
 
+  /// Committed motion of a node relative to the ground: m, m/s, m/s^2, m/s^3. Zero for the ground. The model must be
+  /// prepared: an analysis of it exists, or prepare() was called.
+  [[nodiscard]] double displacement(NodeId node) const { return state_.displacement[entry(node)]; }
+  [[nodiscard]] double velocity(NodeId node) const { return state_.velocity[entry(node)]; }
+  [[nodiscard]] double acceleration(NodeId node) const { return state_.acceleration[entry(node)]; }
+  /// Rate of the node's absolute acceleration.
+  [[nodiscard]] double jerk(NodeId node) const { return state_.jerk[entry(node)]; }
+
   /// The committed state.
   [[nodiscard]] const MotionState& state() const { return state_; }
   /// The state that evaluate() looks at, for analyses to fill.
@@ -98,15 +93,13 @@ class Model {
   /// After evaluate(): the rates of all forces at the trial state, from both tangents and the trial accelerations, and
   /// from them the trial jerk, -M^-1 df/dt.
   void evaluate_rates();
-  /// Computes only the elements that can change their regime; forces and deformations of the others stay those of the
-  /// last evaluate(). For analyses that know the motion of the nodes without the forces and have no observer of them.
+  /// Computes only the elements that can change their regime, with the rates of their forces: enough for
+  /// scan_regimes() and change_regimes_inside(). evaluate() must follow before a commit().
   void evaluate_regimes();
-  /// Computes all elements at the committed state, where evaluate_regimes() left some out.
-  void refresh();
-  /// Internal forces of the last evaluate(); one entry more than degrees of freedom, which has no meaning.
+  /// Internal forces of the last evaluate(). The last entry is the sum of the forces on the ground: the reactions.
   [[nodiscard]] const Vector& internal_forces() const { return internal_forces_; }
-  /// force := internal_forces().
-  void internal_forces(Vector& force) const { force = internal_forces_; }
+  /// The same at the committed state, after the last change of regime.
+  [[nodiscard]] const Vector& committed_forces() const { return committed_forces_; }
   /// matrix := acceleration_weight M + velocity_weight df/dv + displacement_weight df/du.
   void assemble_tangent(double acceleration_weight, double velocity_weight, double displacement_weight,
                         SparseMatrix& matrix) const;
@@ -120,34 +113,36 @@ class Model {
   /// whose work is formed by `rule`. What trial() holds afterwards is not specified: the next step fills it.
   void commit(WorkRule rule = WorkRule::mean_force);
   /// Starts the energy accounts of all elements at the committed state; they are kept from then on.
-  void start_energy_account();
+  void start_energy_accounts();
   [[nodiscard]] bool keeps_energy_accounts() const { return keeps_energy_accounts_; }
-  /// Evaluates and assembles on up to `threads` >= 1 threads from now on; the numbers stay the same to the last bit.
-  /// The model must be prepared.
-  void use_threads(int threads);
   /// Looks for changes of regime between the committed and the trial state, `step` seconds apart;
-  /// `aim` <= 0 is where a located step should end (RegimeScan).
+  /// `aim` <= 0 m is the margin at which a located step should end.
   [[nodiscard]] RegimeScan scan_regimes(double step, double aim) const;
   /// Changes the regime of every element that is beyond its margin, then evaluates anew at the committed state.
   void change_regimes(std::vector<RegimeChange>& changes);
   /// Changes the regime of elements that cross their margin inside the trial step, from there on
-  /// (ElementBlock::change_regimes_inside); the step must then be solved again. False if one of them cannot be crossed:
+  /// (Regimes::change_inside); the step must then be solved again. False if one of them cannot be crossed:
   /// others may be changed by then, until undo_changes_inside().
   bool change_regimes_inside(double step, double aim, std::vector<RegimeChange>& changes);
   /// Takes back all changes inside the step being tried.
   void undo_changes_inside();
   /// After commit(): gaps that opened inside the step; their forces are zero already.
   void open_gaps(std::vector<RegimeChange>& changes);
+  /// Number of gaps that are closed.
+  [[nodiscard]] int contacts_going_on() const;
   /// Duration of the shortest contact going on, s; infinite if there is none.
   [[nodiscard]] double shortest_contact() const;
 
  private:
+  [[nodiscard]] int entry(NodeId node) const { return node == ground ? node_count() : node.index; }
+
   std::vector<Node> nodes_;
   TakenNames node_names_, element_names_;
-  std::vector<std::unique_ptr<ElementBlock>> blocks_;
+  std::vector<CopyablePointer<ElementBlock>> blocks_;
   std::unordered_map<std::type_index, std::size_t> block_of_type_;
-  std::unordered_set<std::string> base_shear_names_;
-  std::vector<BaseShear> base_shears_;
+  std::vector<Building> buildings_;
+  std::unordered_set<std::string> building_names_;
+  std::vector<bool> in_building_;  // by node
 
   bool prepared_ = false;
   Vector masses_;
@@ -156,27 +151,26 @@ class Model {
   // Tangents of the blocks for which they never change, as values of the pattern.
   std::vector<double> constant_stiffness_, constant_damping_;
   MotionState state_, trial_;
-  Vector internal_forces_, force_rates_;
+  Vector internal_forces_, committed_forces_, force_rates_;
   long tangent_version_ = 0;
   std::vector<std::size_t> changing_blocks_;  // those without constant tangent
   std::vector<std::size_t> blocks_with_regimes_;
-  bool only_regimes_evaluated_ = false;
+  std::vector<std::size_t> blocks_with_contacts_;
   bool keeps_energy_accounts_ = false;
-  int threads_ = 1;
 };
 
 template <class Block>
 Block& Model::block() {
   prepared_ = false;
   const auto [found, inserted] = block_of_type_.try_emplace(std::type_index{typeid(Block)}, blocks_.size());
-  if (inserted) blocks_.push_back(std::make_unique<Block>());
+  if (inserted) blocks_.emplace_back(std::make_unique<Block>());
   return static_cast<Block&>(*blocks_[found->second]);
 }
 
 /// Adds a node.
 inline NodeId add(Model& model, Node node) { return model.add_node(std::move(node)); }
 
-/// Adds a report of base shear. Throws InputError for an empty, unknown or repeated node, or a name that is taken.
-inline void add(Model& model, BaseShear shear) { model.add_base_shear(std::move(shear)); }
+/// Adds a building; throws as Model::add_building does.
+inline void add(Model& model, Building building) { model.add_building(std::move(building)); }
 
 }  // namespace moat

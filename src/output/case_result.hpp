@@ -101,6 +101,14 @@ struct MotionFacts {
   double duration = 0.0;           ///< s
 };
 
+/// A building and the names of its parts.
+struct BuildingParts {
+  std::string name{};                    ///< may be empty
+  std::string base{};                    ///< a node; empty for a fixed building
+  std::vector<std::string> floors{};     ///< nodes, from the lowest up
+  std::vector<std::string> isolators{};  ///< elements
+};
+
 /// A period with the name of what vibrates.
 struct NamedPeriod {
   std::string name;
@@ -116,6 +124,7 @@ inline constexpr const char* error_bar_method =
 struct CaseResult {
   std::string title;
   MotionFacts motion;
+  std::vector<BuildingParts> buildings;
   std::vector<NamedPeriod> periods;
   std::vector<Peak> peaks;
   std::vector<Impact> impacts;

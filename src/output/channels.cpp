@@ -17,7 +17,7 @@ Channels::Channels(const Model& model) {
       const ElementInfo& info = block.info(e);
       if (!info.deformation_quantity.empty()) {
         list_.push_back({info.deformation_quantity.text(), info.name, info.listed_under(), "m"});
-        of_block.elements.push_back({e, info.kind == ElementKind::gap ? Shown::indentation : Shown::deformation});
+        of_block.elements.push_back({e, block.contacts() != nullptr ? Shown::indentation : Shown::deformation});
       }
       if (!info.force_quantity.empty()) {
         if (!block.constant_tangent()) of_laws_.push_back({list_.size(), b, e});
@@ -28,10 +28,11 @@ Channels::Channels(const Model& model) {
     if (!of_block.elements.empty()) blocks_.push_back(std::move(of_block));
   }
   base_shear_of_node_.assign(model.nodes().size(), -1);
-  for (const BaseShear& shear : model.base_shears()) {
-    for (const NodeId node : shear.nodes)
+  for (const Building& building : model.buildings()) {
+    building_nodes_.push_back(building.nodes());
+    for (const NodeId node : building_nodes_.back())
       base_shear_of_node_[static_cast<std::size_t>(node.index)] = static_cast<int>(list_.size());
-    list_.push_back({"total_base_shear", shear.where, shear.where, "N"});
+    list_.push_back({"total_base_shear", building.base_name(), building.base_name(), "N"});
   }
 }
 
@@ -84,12 +85,12 @@ void Channels::sample(const StepView& view, std::vector<double>& values, std::ve
     }
   }
   const Vector& mass = view.model.masses();
-  for (const BaseShear& shear : view.model.base_shears()) {
-    // The force from outside is minus the inertia of all that stands on the base.
+  for (const std::vector<NodeId>& building : building_nodes_) {
+    // The force from outside is minus the inertia of base and floors.
     double inertia = 0.0, inertia_rate = 0.0;
-    for (const NodeId node : shear.nodes) {
-      inertia += mass[node.index] * (state.acceleration[node.index] + view.ground_acceleration);
-      inertia_rate += mass[node.index] * state.jerk[node.index];
+    for (const NodeId node : building) {
+      inertia += mass[node.index] * view.absolute_acceleration(node);
+      inertia_rate += mass[node.index] * view.model.jerk(node);
     }
     *value++ = -inertia;
     *rate++ = -inertia_rate;

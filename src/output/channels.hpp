@@ -58,7 +58,8 @@ class Channels {
 
   std::vector<Channel> list_;
   std::vector<BlockChannels> blocks_;
-  std::vector<LawChannel> of_laws_;      // ascending
+  std::vector<LawChannel> of_laws_;  // ascending
+  std::vector<std::vector<NodeId>> building_nodes_;
   std::vector<int> base_shear_of_node_;  // channel; -1 if there is none
 };
 

@@ -66,7 +66,7 @@ EnergyBalance EnergyLedger::totals(const Model& model) const {
   balance.largest_kinetic = largest_kinetic_;
   balance.kinetic = kinetic_energy(model) - kinetic_at_start_;
   EnergySums sums;
-  for (const auto& block : model.blocks()) block->add_energies(sums);
+  for (const auto& block : model.blocks()) add_energies(*block, sums);
   balance.strain = sums.stored;
   balance.integration_error = sums.error;
   balance.viscous = sums.viscous;
@@ -87,7 +87,7 @@ EnergyBalance EnergyLedger::balance(const Model& model) const {
         balance.worst_element_error = energy.error();
         balance.worst_element = info.name;
       }
-      if (info.kind == ElementKind::gap) {
+      if (block->contacts() != nullptr) {
         balance.gaps.push_back({info.name, energy.dissipated});
       } else if (energy.hysteretic) {
         const auto [known, inserted] = position_of_place.try_emplace(info.listed_under(), balance.bearings.size());

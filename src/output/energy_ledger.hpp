@@ -16,10 +16,10 @@ namespace moat {
 /// integrated dissipation.
 class EnergyLedger final : public StepObserver {
  public:
+  bool needs_energy_accounts() const override { return true; }
   void start(const StepView& view) override;
   void step(const StepView& view) override;
   void event(const StepView& view, std::span<const RegimeChange> changes) override;
-  void finish(const StepView&) override {}
 
   /// The sums at the model's committed state, without lists and the worst element. Walks over all elements.
   [[nodiscard]] EnergyBalance totals(const Model& model) const;

@@ -11,11 +11,14 @@ bool same(RegimeChange a, RegimeChange b) { return a.block == b.block && a.eleme
 }  // namespace
 
 void ImpactRecorder::start(const StepView& view) {
-  for (std::size_t b = 0; b < view.model.blocks().size(); ++b)
+  for (std::size_t b = 0; b < view.model.blocks().size(); ++b) {
+    const Contacts* contacts = view.model.blocks()[b]->contacts();
+    if (contacts == nullptr || contacts->touching() == 0) continue;
     for (std::size_t e = 0; e < view.model.blocks()[b]->size(); ++e)
-      if (view.model.blocks()[b]->contact(e).touching)
+      if (contacts->contact(e).touching)
         // Later than at time 0, the contact lasts from an earlier analysis.
         open(view, {.block = b, .element = e, .time = view.model.state().time}, view.model.state().time == 0.0);
+  }
 }
 
 void ImpactRecorder::follow(const StepView& view, bool after_event) {
@@ -40,7 +43,9 @@ void ImpactRecorder::step(const StepView& view) { follow(view, false); }
 
 void ImpactRecorder::event(const StepView& view, std::span<const RegimeChange> changes) {
   for (const RegimeChange gap : changes) {
-    const bool touching = view.model.blocks()[gap.block]->contact(gap.element).touching;
+    const Contacts* contacts = view.model.blocks()[gap.block]->contacts();
+    if (contacts == nullptr) continue;
+    const bool touching = contacts->contact(gap.element).touching;
     const auto known =
         std::find_if(ongoing_.begin(), ongoing_.end(), [&](const Ongoing& o) { return same(o.gap, gap); });
     if (touching && known == ongoing_.end()) {
@@ -55,7 +60,7 @@ void ImpactRecorder::event(const StepView& view, std::span<const RegimeChange> c
 
 void ImpactRecorder::open(const StepView& view, RegimeChange gap, bool closed_at_start) {
   const ElementBlock& block = *view.model.blocks()[gap.block];
-  const double speed = block.contact(gap.element).approach_speed;
+  const double speed = block.contacts()->contact(gap.element).approach_speed;
   ongoing_.push_back({gap, impacts_.size(), {}, {}, block.energy(gap.element).dissipated});
   impacts_.push_back({.where = block.info(gap.element).name,
                       .start = gap.time,
@@ -83,7 +88,7 @@ void ImpactRecorder::finish(const StepView& view) {
     const auto [gap, approached] = listed_[i];
     if (approached)
       impacts_[i].restitution =
-          view.model.blocks()[gap.block]->delivered_restitution(gap.element, impacts_[i].approach_speed);
+          view.model.blocks()[gap.block]->contacts()->delivered_restitution(gap.element, impacts_[i].approach_speed);
   }
 }
 

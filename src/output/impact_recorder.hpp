@@ -18,6 +18,7 @@ namespace moat {
 /// than `largest_rebound_ratio`.
 class ImpactRecorder final : public StepObserver {
  public:
+  bool needs_energy_accounts() const override { return true; }
   void start(const StepView& view) override;
   void step(const StepView& view) override;
   void event(const StepView& view, std::span<const RegimeChange> changes) override;

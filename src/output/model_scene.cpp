@@ -46,19 +46,25 @@ class SceneBuilder {
   void add_slab(NodeId id) {
     const Place p = place(id, id);
     const double top = p.z, bottom = p.z - slab_thickness;
-    scene_.cells.push_back({CellKind::floor, model_.node(id).name,
+    scene_.cells.push_back({CellKind::floor,
+                            model_.node(id).name,
                             {point(p.x - p.half_width, bottom, p.node), point(p.x + p.half_width, bottom, p.node),
                              point(p.x + p.half_width, top, p.node), point(p.x - p.half_width, top, p.node)},
                             -1});
   }
 
   void add_element(const ElementInfo& info, int number) {
-    switch (info.kind) {
-      case ElementKind::storey: return add_panel(CellKind::storey, info, number);
-      case ElementKind::bearing: return add_panel(CellKind::bearing, info, number);
-      case ElementKind::gap: return add_gap(info, number);
-      case ElementKind::damper: return;
-      case ElementKind::other: return add_panel(CellKind::other, info, number);
+    switch (info.drawn_as) {
+      case DrawnAs::nothing:
+        return;
+      case DrawnAs::storey:
+        return add_panel(CellKind::storey, info, number);
+      case DrawnAs::bearing:
+        return add_panel(CellKind::bearing, info, number);
+      case DrawnAs::gap:
+        return add_gap(info, number);
+      case DrawnAs::other:
+        return add_panel(CellKind::other, info, number);
     }
   }
 
@@ -66,7 +72,8 @@ class SceneBuilder {
     const Place low = place(info.first, info.second), high = place(info.second, info.first);
     const double half = std::max(0.1, std::min(low.half_width, high.half_width) - storey_inset);
     const double top = high.z - slab_thickness;
-    scene_.cells.push_back({kind, info.name,
+    scene_.cells.push_back({kind,
+                            info.name,
                             {point(low.x - half, low.z, low.node), point(low.x + half, low.z, low.node),
                              point(high.x + half, top, high.node), point(high.x - half, top, high.node)},
                             number});
@@ -79,15 +86,16 @@ class SceneBuilder {
     const double level = (wall_right ? left.z : right.z) - 0.5 * slab_thickness;
     const double left_face = wall_left ? right.x - right.half_width - info.offset : left.x + left.half_width;
     const double right_face = wall_right ? left.x + left.half_width + info.offset : right.x - right.half_width;
-    scene_.cells.push_back({CellKind::gap, info.name,
-                            {point(left_face, level, left.node), point(right_face, level, right.node)}, number});
+    scene_.cells.push_back(
+        {CellKind::gap, info.name, {point(left_face, level, left.node), point(right_face, level, right.node)}, number});
     if (wall_left) add_wall(info.name, left_face - wall_thickness, left_face, level);
     if (wall_right) add_wall(info.name, right_face, right_face + wall_thickness, level);
   }
 
   void add_wall(const std::string& gap, double from, double to, double level) {
     const double bottom = level - 0.5 * slab_thickness - bearing_height, top = level + slab_thickness;
-    scene_.cells.push_back({CellKind::wall, gap + " wall",
+    scene_.cells.push_back({CellKind::wall,
+                            gap + " wall",
                             {point(from, bottom, -1), point(to, bottom, -1), point(to, top, -1), point(from, top, -1)},
                             -1});
   }
@@ -113,35 +121,35 @@ void FrameRecorder::step(const StepView& view) {
 
 void FrameRecorder::write(const StepView& view) {
   const Model& model = view.model;
-  const MotionState& state = model.state();
   const auto nodes = static_cast<std::size_t>(model.node_count());
   displacement_.resize(nodes);
   velocity_.resize(nodes);
   acceleration_.resize(nodes);
   for (std::size_t i = 0; i < nodes; ++i) {
-    const auto entry = static_cast<Eigen::Index>(i);
-    displacement_[i] = state.displacement[entry];
-    velocity_[i] = state.velocity[entry];
-    acceleration_[i] = state.acceleration[entry] + view.ground_acceleration;
+    const NodeId node{static_cast<int>(i)};
+    displacement_[i] = model.displacement(node);
+    velocity_[i] = model.velocity(node);
+    acceleration_[i] = view.absolute_acceleration(node);
   }
   deformation_.clear();
   force_.clear();
   in_contact_.clear();
-  for (const auto& block : model.blocks())
+  for (const auto& block : model.blocks()) {
+    const Contacts* contacts = block->contacts();
     for (std::size_t e = 0; e < block->size(); ++e) {
-      const bool gap = block->info(e).kind == ElementKind::gap;
-      deformation_.push_back(gap ? -block->deformations()[e] : block->deformations()[e]);
+      deformation_.push_back(contacts != nullptr ? -block->deformations()[e] : block->deformations()[e]);
       force_.push_back(block->forces()[e]);
-      in_contact_.push_back(block->contact(e).touching ? 1.0 : 0.0);
+      in_contact_.push_back(contacts != nullptr && contacts->contact(e).touching ? 1.0 : 0.0);
     }
-  writer_.write(state.time, {.node_displacement = displacement_,
-                             .node_velocity = velocity_,
-                             .node_absolute_acceleration = acceleration_,
-                             .deformation = deformation_,
-                             .force = force_,
-                             .in_contact = in_contact_,
-                             .ground_acceleration = view.ground_acceleration});
-  while (next_ <= state.time * (1.0 + 1e-12)) next_ += interval_;
+  }
+  writer_.write(model.state().time, {.node_displacement = displacement_,
+                                     .node_velocity = velocity_,
+                                     .node_absolute_acceleration = acceleration_,
+                                     .deformation = deformation_,
+                                     .force = force_,
+                                     .in_contact = in_contact_,
+                                     .ground_acceleration = view.ground_acceleration});
+  while (next_ <= model.state().time * (1.0 + 1e-12)) next_ += interval_;
 }
 
 }  // namespace moat

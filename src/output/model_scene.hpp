@@ -23,7 +23,6 @@ class FrameRecorder final : public StepObserver {
 
   void start(const StepView& view) override;
   void step(const StepView& view) override;
-  void event(const StepView&, std::span<const RegimeChange>) override {}
   void finish(const StepView&) override { writer_.finish(); }
 
  private:

@@ -41,9 +41,9 @@ std::vector<Peak> PeakRecorder::peaks() const {
       peak.time = trackers_[i].time();
     }
   }
-  for (const BaseShear& shear : model_->base_shears()) {
-    Peak sum{"sum_of_floor_inertia_maxima", shear.where, 0.0, "N", 0.0};
-    for (const NodeId node : shear.nodes) {
+  for (const Building& building : model_->buildings()) {
+    Peak sum{"sum_of_floor_inertia_maxima", building.base_name(), 0.0, "N", 0.0};
+    for (const NodeId node : building.nodes()) {
       const std::size_t acceleration = Channels::of_node(node) + 2;
       sum.value += model_->masses()[node.index] * trackers_[acceleration].magnitude();
       // The maxima are not simultaneous; the last of them completes the sum.

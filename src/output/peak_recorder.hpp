@@ -15,7 +15,6 @@ class PeakRecorder final : public StepObserver {
  public:
   explicit PeakRecorder(const Model& model);
 
-  Observed observed() const override { return Observed::elements; }
   void start(const StepView& view) override;
   void step(const StepView& view) override;
   void event(const StepView& view, std::span<const RegimeChange> changes) override;

@@ -18,69 +18,26 @@ std::vector<const Column*> columns_of(const Table& table, std::string_view quant
   return found;
 }
 
-// The columns of one quantity that belong to one building.
-struct BuildingColumns {
-  std::string prefix{};  // before "base" and "floor 1": "" or "north "
-  const Column* base = nullptr;
-  const Column* top = nullptr;
-  bool has_floors = false;
-};
+constexpr std::size_t most_buildings = 3;  // so that a chart stays legible
 
-constexpr std::string_view base_name = "base", floor_name = "floor ", wall_name = " wall";
-constexpr std::size_t most_buildings = 3;
-
-bool starts_word(std::string_view text, std::size_t at) { return at == 0 || text[at - 1] == ' '; }
-
-std::optional<std::string> prefix_of_base(std::string_view where) {
-  if (!where.ends_with(base_name)) return std::nullopt;
-  const std::size_t at = where.size() - base_name.size();
-  if (!starts_word(where, at)) return std::nullopt;
-  return std::string{where.substr(0, at)};
+const Column* column_of(const std::vector<const Column*>& columns, const std::string& where) {
+  const auto found = std::ranges::find_if(columns, [&](const Column* column) { return column->where == where; });
+  return found == columns.end() ? nullptr : *found;
 }
 
-std::optional<std::string> prefix_of_floor(std::string_view where) {
-  const std::size_t at = where.rfind(floor_name);
-  if (at == std::string_view::npos || !starts_word(where, at)) return std::nullopt;
-  const std::string_view number = where.substr(at + floor_name.size());
-  if (number.empty() || number.find_first_not_of("0123456789") != std::string_view::npos) return std::nullopt;
-  return std::string{where.substr(0, at)};
-}
-
-// Buildings by the names of their nodes, in order; at most three, so that a chart stays legible.
-std::vector<BuildingColumns> buildings_of(const std::vector<const Column*>& columns) {
-  std::vector<BuildingColumns> buildings;
-  const auto index_of = [&](const std::string& prefix) {
-    const auto known = std::ranges::find(buildings, prefix, &BuildingColumns::prefix);
-    const auto index = static_cast<std::size_t>(known - buildings.begin());
-    if (known == buildings.end()) buildings.push_back({.prefix = prefix});
-    return index;
-  };
-  std::optional<std::size_t> last_with_base;
-  for (const Column* column : columns) {
-    const std::string& where = column->where;
-    if (const auto base_prefix = prefix_of_base(where)) {
-      last_with_base = index_of(*base_prefix);
-      buildings[*last_with_base].base = column;
-    } else if (const auto floor_prefix = prefix_of_floor(where)) {
-      BuildingColumns& building = buildings[index_of(*floor_prefix)];
-      building.top = column;
-      building.has_floors = true;
-    } else if (last_with_base) {
-      BuildingColumns& building = buildings[*last_with_base];
-      if (!building.has_floors && where.starts_with(building.prefix) && !where.ends_with(wall_name))
-        building.top = column;
+// The last column if the model has no building.
+std::vector<const Column*> bases_and_tops(const CaseResult& result, std::string_view quantity) {
+  const std::vector<const Column*> columns = columns_of(result.histories, quantity);
+  std::vector<const Column*> picked;
+  for (std::size_t b = 0; b < std::min(result.buildings.size(), most_buildings); ++b) {
+    const BuildingParts& building = result.buildings[b];
+    const std::string& top = building.floors.empty() ? building.base : building.floors.back();
+    for (const std::string& where : {building.base, top}) {
+      const Column* column = column_of(columns, where);
+      if (column != nullptr && std::ranges::find(picked, column) == picked.end()) picked.push_back(column);
     }
   }
-  if (buildings.empty() && !columns.empty()) buildings.push_back({.top = columns.back()});
-  if (buildings.size() > most_buildings) buildings.resize(most_buildings);
-  return buildings;
-}
-
-std::vector<const Column*> bases_and_tops(const Table& table, std::string_view quantity) {
-  std::vector<const Column*> picked;
-  for (const BuildingColumns& building : buildings_of(columns_of(table, quantity)))
-    for (const Column* column : {building.base, building.top})
-      if (column != nullptr) picked.push_back(column);
+  if (picked.empty() && !columns.empty()) picked.push_back(columns.back());
   return picked;
 }
 
@@ -113,7 +70,7 @@ std::vector<Chart> history_charts(const CaseResult& result) {
   const std::vector<const Column*> times = columns_of(table, "time");
   std::vector<Chart> charts;
   if (times.empty() || times.front()->values.back() <= times.front()->values.front()) return charts;
-  for (const auto& columns : {bases_and_tops(table, "displacement"), bases_and_tops(table, "absolute_acceleration"),
+  for (const auto& columns : {bases_and_tops(result, "displacement"), bases_and_tops(result, "absolute_acceleration"),
                               columns_of(table, "impact_force")})
     if (!columns.empty()) charts.push_back(history_chart(*times.front(), columns));
   return charts;
@@ -123,20 +80,19 @@ std::optional<Chart> hysteresis_chart(const CaseResult& result) {
   const Table& table = result.histories;
   require_equal_lengths(table);
   const std::vector<const Column*> forces = columns_of(table, "isolator_force");
-  if (forces.empty()) return std::nullopt;
-  const auto buildings = buildings_of(columns_of(table, "displacement"));
-  const auto isolated = std::ranges::find_if(buildings, [](const auto& building) { return building.base != nullptr; });
-  if (isolated == buildings.end()) return std::nullopt;
-  // That building's own, where names tell.
-  const auto own =
-      std::ranges::find_if(forces, [&](const Column* force) { return force->where.starts_with(isolated->prefix); });
-  const Column& force = own == forces.end() ? *forces.front() : **own;
-  Chart loop;
-  loop.title = "Isolators";
-  loop.x_label = isolated->prefix + "base displacement [" + engineering_unit(isolated->base->unit).symbol + "]";
-  loop.y_label = axis_label(force);
-  loop.series.push_back({force.where, scaled(*isolated->base), scaled(force)});
-  return loop;
+  const std::vector<const Column*> displacements = columns_of(table, "displacement");
+  for (const BuildingParts& building : result.buildings) {
+    const Column* base = column_of(displacements, building.base);
+    const Column* force = building.isolators.empty() ? nullptr : column_of(forces, building.isolators.front());
+    if (base == nullptr || force == nullptr) continue;
+    Chart loop;
+    loop.title = "Isolators";
+    loop.x_label = base->where + " displacement [" + engineering_unit(base->unit).symbol + "]";
+    loop.y_label = axis_label(*force);
+    loop.series.push_back({force->where, scaled(*base), scaled(*force)});
+    return loop;
+  }
+  return std::nullopt;
 }
 
 }  // namespace moat

@@ -13,13 +13,11 @@ struct StepView {
   double ground_acceleration = 0.0;  ///< m/s^2, at the state's time
   bool on_grid = true;               ///< false where the step was cut or ended at a located event, between grid times
   WorkRule work_rule = WorkRule::mean_force;  ///< of the step that led here
-};
 
-/// What an observer looks at, apart from time and ground; each includes those before it.
-enum class Observed {
-  nodes,     ///< displacements, velocities and accelerations
-  elements,  ///< also deformations and forces
-  energy,    ///< also the elements' energy accounts
+  /// m/s^2.
+  [[nodiscard]] double absolute_acceleration(NodeId node) const {
+    return model.acceleration(node) + ground_acceleration;
+  }
 };
 
 /// Receives every accepted step of an analysis. At a located event it is called twice for the same
@@ -30,16 +28,15 @@ class StepObserver {
  public:
   virtual ~StepObserver() = default;
 
-  /// An analysis may leave out what none of its observers looks at. From touch to separation and in event() elements
-  /// are up to date in any case, and the force of an open gap is zero.
-  [[nodiscard]] virtual Observed observed() const { return Observed::energy; }
+  /// Whether the elements' energy accounts must be kept (ElementBlock::energy); steps cost less without.
+  [[nodiscard]] virtual bool needs_energy_accounts() const { return false; }
 
   /// The state at the start, before the first step.
   virtual void start(const StepView& view) = 0;
   virtual void step(const StepView& view) = 0;
-  virtual void event(const StepView& view, std::span<const RegimeChange> changes) = 0;
+  virtual void event(const StepView&, std::span<const RegimeChange>) {}
   /// After the last step, also when a step failed and the analysis ends early.
-  virtual void finish(const StepView& view) = 0;
+  virtual void finish(const StepView&) {}
 };
 
 }  // namespace moat

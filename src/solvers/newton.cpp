@@ -183,8 +183,7 @@ class ForceBalanceTest final : public NOX::StatusTest::Generic {
       report.converged = true;
       status_ = NOX::StatusTest::Converged;
     } else {
-      status_ =
-          report.iterations >= options_.largest_iterations ? NOX::StatusTest::Failed : NOX::StatusTest::Unconverged;
+      status_ = report.iterations >= options_.max_iterations ? NOX::StatusTest::Failed : NOX::StatusTest::Unconverged;
     }
     return status_;
   }
@@ -235,7 +234,7 @@ NewtonOptions checked(NewtonOptions options) {
   const Check check{"NewtonOptions", ""};
   check.that(options.tolerance > 0.0 && options.tolerance < 1.0, "tolerance", options.tolerance, "1", "> 0 and < 1",
              "1e-10 is the default.");
-  check.that(options.largest_iterations >= 1, "largest_iterations", options.largest_iterations, "1", ">= 1");
+  check.that(options.max_iterations >= 1, "max_iterations", options.max_iterations, "1", ">= 1");
   return options;
 }
 

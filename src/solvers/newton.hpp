@@ -31,8 +31,8 @@ class NonlinearSystem {
 struct NewtonOptions {
   /// Largest residual over its row's scale. 0 < tolerance < 1.
   double tolerance = 1e-10;
-  /// 1 <= largest_iterations.
-  int largest_iterations = 20;
+  /// 1 <= max_iterations.
+  int max_iterations = 20;
 };
 
 struct NewtonReport {

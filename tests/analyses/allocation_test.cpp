@@ -22,7 +22,7 @@ class Allocation : public ::testing::TestWithParam<TransientOptions> {};
 TEST_P(Allocation, NoStepAsksForMemoryOnceEverythingHasHappened) {
   Model model;
   ShearBuilding building = paper_building();
-  building.isolation->locate_yield = GetParam().integrator == Integrator::exact_between_events;
+  building.isolation = paper_bearings(is_exact(GetParam().integrator));
   const NodeId base = add(model, building).base;
   add(model, Moat<HertzDamp>{.around = base, .clearance = 10 * cm, .law = paper_hertz_damp()});
   Transient analysis{model, near_fault_pulse({.pulse_period = 1.3 * s}).scaled_to_pga(0.4 * g), GetParam()};
@@ -48,10 +48,9 @@ TEST_P(Allocation, NoStepAsksForMemoryOnceEverythingHasHappened) {
 
 INSTANTIATE_TEST_SUITE_P(Integrators, Allocation,
                          ::testing::Values(TransientOptions{}, TransientOptions{.step = 2.5 * ms},
-                                           TransientOptions{.integrator = Integrator::exact_between_events}),
+                                           TransientOptions{.integrator = ExactBetweenEvents{}}),
                          [](const auto& options) {
-                           if (options.param.integrator == Integrator::exact_between_events)
-                             return "ExactBetweenEvents";
+                           if (is_exact(options.param.integrator)) return "ExactBetweenEvents";
                            return options.param.step.si() > 0.0 ? "FixedStep" : "AdaptiveStep";
                          });
 

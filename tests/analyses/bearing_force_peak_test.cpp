@@ -78,8 +78,7 @@ TEST(BearingForcePeak, IsNeverAboveWhatTheBearingCanCarry) {
 
 TEST(BearingForcePeak, ExactStepsReachItToo) {
   for (const double period : {0.37, 0.5, 0.83, 1.1})
-    EXPECT_NEAR(peak(run({0.0, true}, period, {.integrator = Integrator::exact_between_events}), "isolator_force") /
-                    yield_force,
+    EXPECT_NEAR(peak(run({0.0, true}, period, {.integrator = ExactBetweenEvents{}}), "isolator_force") / yield_force,
                 1.0, last_digits + passed);
 }
 

@@ -15,7 +15,7 @@ namespace {
 
 using namespace units;
 
-const TransientOptions adapted{}, fixed{.step = 5 * ms}, exact{.integrator = Integrator::exact_between_events};
+const TransientOptions adapted{}, fixed{.step = 5 * ms}, exact{.integrator = ExactBetweenEvents{}};
 
 std::string only(const EnergyBalance& energy, const TransientOptions& options) {
   const std::vector<std::string> warnings = energy_warnings(energy, 1e-3, options);

@@ -56,7 +56,7 @@ struct EventLog final : StepObserver {
     for (const RegimeChange& change : changes) {
       const ElementBlock& block = *view.model.blocks()[change.block];
       entries.push_back({view.model.state().time, block.info(change.element).name,
-                         -block.deformations()[change.element], block.contact(change.element).touching});
+                         -block.deformations()[change.element], block.contacts()->contact(change.element).touching});
     }
   }
   void finish(const StepView&) override {}
@@ -117,7 +117,6 @@ Model body_before_dashpot() {
       add(model, Node{.name = "body", .mass = dashpot_mass * kg, .initial_velocity = dashpot_speed * m / s});
   model.block<LinkBlock<DashpotWall>>().add({.name = "dashpot",
                                              .place = "dashpot",
-                                             .kind = ElementKind::gap,
                                              .first = ground,
                                              .second = body,
                                              .offset = 0.0103,
@@ -374,14 +373,14 @@ TEST(ContactEvents, StopsWhereAContactChatters) {
                             .right = body,
                             .clearance = 1 * mm,
                             .law = {.stiffness = 1e5 * concrete, .restitution = 1.0}});
-  Transient analysis{model, still_ground(2 * s), {.step = 1 * ms, .largest_events_per_second = 5}};
+  Transient analysis{model, still_ground(2 * s), {.step = 1 * ms, .max_events_per_second = 5}};
   const std::string message = message_of<Error>([&] { analysis.run(); });
   EXPECT_TRUE(message.starts_with("\"left wall\" changed more than 5 times within one second before t = ") ||
               message.starts_with("\"right wall\" changed more than 5 times within one second before t = "))
       << message;
   EXPECT_TRUE(
       message.ends_with(" s: it chatters. Check its stiffness and damping, or raise "
-                        "TransientOptions::largest_events_per_second."))
+                        "TransientOptions::max_events_per_second."))
       << message;
 }
 

@@ -63,7 +63,7 @@ TEST(EndOfMotion, FixedStepsAreOfSecondOrder) {
 TEST(EndOfMotion, ExactStepsAreExact) {
   // The peak lies between steps; a cubic through values and rates at both ends of one misses it by (w h)^4/384.
   for (const Time interval : {5 * ms, 10 * ms, 20 * ms})
-    EXPECT_LT(std::abs(error(interval, {.integrator = Integrator::exact_between_events})),
+    EXPECT_LT(std::abs(error(interval, {.integrator = ExactBetweenEvents{}})),
               std::pow(frequency * interval.si(), 4) / 384.0 + 1e-13);
 }
 

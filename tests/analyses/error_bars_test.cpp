@@ -35,7 +35,7 @@ TEST(CompanionOptions, AFixedStepIsHalved) {
 }
 
 TEST(CompanionOptions, AnAdaptedStepIsFinerInEveryRespect) {
-  for (const Integrator integrator : {Integrator::newmark, Integrator::exact_between_events}) {
+  for (const Integrator& integrator : {Integrator{Newmark{}}, Integrator{ExactBetweenEvents{}}}) {
     const TransientOptions companion =
         companion_options({.integrator = integrator, .tolerance = 1.6e-4, .steps_per_contact = 48}, 0.01);
     EXPECT_EQ(companion.integrator, integrator);
@@ -63,7 +63,7 @@ TEST(LongestStep, IsTheIntervalDividedByAPowerOfTwo) {
 }
 
 TEST(LongestStep, IsNotExceeded) {
-  for (const Integrator integrator : {Integrator::newmark, Integrator::exact_between_events}) {
+  for (const Integrator& integrator : {Integrator{Newmark{}}, Integrator{ExactBetweenEvents{}}}) {
     Model model;
     add(model, Node{.name = "slow", .mass = 1 * kg});
     add(model, ShearSpring{.name = "spring", .lower = ground, .upper = NodeId{0}, .stiffness = 1 * N / m});
@@ -132,7 +132,7 @@ TEST(ErrorBars, HoldAnOscillatorWithCoarseFixedSteps) {
 }
 
 TEST(ErrorBars, HoldAnOscillatorWithAdaptedAndExactSteps) {
-  for (const Integrator integrator : {Integrator::newmark, Integrator::exact_between_events}) {
+  for (const Integrator& integrator : {Integrator{Newmark{}}, Integrator{ExactBetweenEvents{}}}) {
     for (const double tolerance : {1e-3, 1.2e-4, 1e-5}) {
       SCOPED_TRACE(tolerance);
       const CaseResult result = Oscillator::run({.integrator = integrator, .tolerance = tolerance});

@@ -20,7 +20,7 @@ using namespace units;
 using namespace testing;
 
 constexpr double mass = 1e5;  // kg
-const TransientOptions exact{.integrator = Integrator::exact_between_events};
+const TransientOptions exact{.integrator = ExactBetweenEvents{}};
 
 Model oscillator(double period, double ratio) {
   Model model;

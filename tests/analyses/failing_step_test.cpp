@@ -80,7 +80,7 @@ ConvergenceError failure_of(CaseRun& run) {
 
 TEST(FailingStep, TellsTimeStepResidualAndWorstNode) {
   Model model = pulling(Edge{});
-  CaseRun run{model, still_ground(1 * s), {.transient = {.step = 10 * ms, .largest_iterations = 5, .largest_cuts = 3}}};
+  CaseRun run{model, still_ground(1 * s), {.transient = {.step = 10 * ms, .max_iterations = 5, .max_cuts = 3}}};
   const ConvergenceError error = failure_of(run);
   // Every step that stays before the edge is accepted; the last one starts closer to it than its own length.
   EXPECT_LE(error.step, 0.01 / 8.0);
@@ -102,7 +102,7 @@ TEST(FailingStep, TellsTimeStepResidualAndWorstNode) {
 TEST(FailingStep, AForceThatIsNotANumberIsAFailureWithAPlace) {
   for (const double beyond : {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
     Model model = pulling(Brittle{.beyond = beyond});
-    CaseRun run{model, still_ground(1 * s), {.transient = {.step = 10 * ms, .largest_cuts = 2}}};
+    CaseRun run{model, still_ground(1 * s), {.transient = {.step = 10 * ms, .max_cuts = 2}}};
     const ConvergenceError error = failure_of(run);
     EXPECT_EQ(error.worst_degree_of_freedom, "puller") << beyond;
     EXPECT_TRUE(std::isnan(error.residual)) << beyond;
@@ -118,7 +118,7 @@ TEST(FailingStep, AForceThatIsNotANumberIsAFailureWithAPlace) {
 TEST(FailingStep, CutsAsOftenAsAllowed) {
   for (const int cuts : {0, 1, 6}) {
     Model model = pulling(Brittle{});
-    CaseRun run{model, still_ground(1 * s), {.transient = {.step = 10 * ms, .largest_cuts = cuts}}};
+    CaseRun run{model, still_ground(1 * s), {.transient = {.step = 10 * ms, .max_cuts = cuts}}};
     const ConvergenceError error = failure_of(run);
     // The grid ahead may be nearer than a step: the first try is at most that long.
     EXPECT_LE(error.step, 0.01 * std::ldexp(1.0, -cuts) * (1.0 + 1e-9)) << cuts;
@@ -166,7 +166,7 @@ TEST(FailingStep, AStepThatOnlyNeedsCuttingIsAccepted) {
   const NodeId node = add(model, Node{.name = "mass", .mass = 1000 * kg, .initial_velocity = 1 * mm / s});
   model.block<LinkBlock<Corner>>().add({.name = "corner", .place = "corner", .first = ground, .second = node},
                                        Corner{});
-  Transient analysis{model, still_ground(0.5 * s), {.step = 100 * ms, .largest_iterations = 4}};
+  Transient analysis{model, still_ground(0.5 * s), {.step = 100 * ms, .max_iterations = 4}};
   EXPECT_NO_THROW(analysis.run());
   EXPECT_GT(analysis.statistics().rejected_steps, 0);
   EXPECT_TRUE(analysis.finished());

@@ -115,7 +115,7 @@ TEST(FourthOrder, ConvergesInDisplacementVelocityAndAcceleration) {
   for (const double step : {20e-3, 10e-3, 5e-3, 2.5e-3}) {
     SCOPED_TRACE(step);
     const Errors now =
-        errors(step, {.scheme = NewmarkScheme::fourth_order(), .step = step * s, .force_tolerance = 1e-14});
+        errors(step, {.integrator = Newmark::fourth_order(), .step = step * s, .force_tolerance = 1e-14});
     if (before.u > 0.0) {
       EXPECT_NEAR(order(before.u, now.u), 4.0, 0.1);
       EXPECT_NEAR(order(before.v, now.v), 4.0, 0.1);
@@ -151,7 +151,7 @@ double largest_displacement(double phase, int steps) {
   double largest = 0.0;
   Watch watch{[&](const StepView& view) { largest = std::max(largest, std::abs(view.model.state().displacement[0])); }};
   Transient analysis{
-      model, still_ground(steps * step * s, step * s), {.scheme = NewmarkScheme::fourth_order(), .step = step * s}};
+      model, still_ground(steps * step * s, step * s), {.integrator = Newmark::fourth_order(), .step = step * s}};
   analysis.attach(watch);
   analysis.run();
   EXPECT_EQ(analysis.statistics().accepted_steps, steps);
@@ -161,7 +161,7 @@ double largest_displacement(double phase, int steps) {
 // Without damping the scheme conserves an energy up to h w = sqrt(6) = 2.449: amplitudes stay what they were, but for
 // round-off, and grow beyond it.
 TEST(FourthOrder, IsStableUpToItsBound) {
-  EXPECT_NEAR(NewmarkScheme::fourth_order().stability_limit(), std::sqrt(6.0), 1e-12);
+  EXPECT_NEAR(StepScheme::fourth_order().stability_limit(), std::sqrt(6.0), 1e-12);
   for (const double phase : {0.5, 1.0, 1.8, 2.2, 2.39, 2.44})
     EXPECT_NEAR(largest_displacement(phase, 10000), 1.0, 1e-6) << phase;
 }

@@ -63,9 +63,8 @@ TEST(FreeBodies, ManyThatHitOnceDoNotChatter) {
                    .law = LinearElastic{.stiffness = 1e8 * N / m}});
   }
   // 600 changes within 0.14 s, two for each gap.
-  const CaseResult result =
-      run_case(model, still_ground(0.2 * s),
-               {.transient = {.largest_events_per_second = 20}, .error_bars = ErrorBarMode::never});
+  const CaseResult result = run_case(model, still_ground(0.2 * s),
+                                     {.transient = {.max_events_per_second = 20}, .error_bars = ErrorBarMode::never});
   ASSERT_EQ(result.impacts.size(), static_cast<std::size_t>(bodies));
   for (int i = 0; i < bodies; ++i) EXPECT_NEAR(model.state().velocity[i], -1.0, 1e-3) << i;
 }
@@ -81,7 +80,7 @@ TEST(FreeBodies, OneThatChattersIsNamed) {
   add(model, Gap{.name = "busy gap", .left = busy, .right = ground, .clearance = 1 * mm, .law = law});
   add(model, Gap{.name = "other gap", .left = ground, .right = busy, .clearance = 1 * mm, .law = law});
   const std::string message =
-      message_of<Error>([&] { Transient(model, still_ground(1 * s), {.largest_events_per_second = 20}).run(); });
+      message_of<Error>([&] { Transient(model, still_ground(1 * s), {.max_events_per_second = 20}).run(); });
   EXPECT_TRUE(message.starts_with("\"busy gap\" changed more than 20 times within one second")) << message;
   EXPECT_NE(message.find("it chatters"), std::string::npos) << message;
   // Ten touches and ten separations are allowed. From one touch to the next there are two ways of 2 mm and two contacts

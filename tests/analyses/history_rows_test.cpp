@@ -74,7 +74,7 @@ TEST(HistoryRows, BetweenExactStepsAreAtTheMultiplesAndOfFourthOrder) {
   double before = 0.0;
   for (const double interval : {20e-3, 10e-3, 5e-3}) {
     SCOPED_TRACE(interval);
-    const Table table = rows(interval * s, 1 * ms, {.integrator = Integrator::exact_between_events});
+    const Table table = rows(interval * s, 1 * ms, {.integrator = ExactBetweenEvents{}});
     expect_rows_at_multiples(table, 1e-3);
     const double now = error(table);
     EXPECT_LT(now, std::pow(frequency * interval, 4) / 384.0);
@@ -89,7 +89,7 @@ TEST(HistoryRows, BetweenFourthOrderStepsAreOfFourthOrder) {
   double before = 0.0;
   for (const double interval : {40e-3, 20e-3, 10e-3}) {
     SCOPED_TRACE(interval);
-    const Table table = rows(interval * s, 1 * ms, {.scheme = NewmarkScheme::fourth_order(), .step = interval * s});
+    const Table table = rows(interval * s, 1 * ms, {.integrator = Newmark::fourth_order(), .step = interval * s});
     expect_rows_at_multiples(table, 1e-3);
     const double now = error(table);
     if (before > 0.0) {
@@ -100,7 +100,7 @@ TEST(HistoryRows, BetweenFourthOrderStepsAreOfFourthOrder) {
 }
 
 TEST(HistoryRows, ExactStepsThatEndAtRowsKeepTheExactValues) {
-  EXPECT_LT(error(rows(10 * ms, 20 * ms, {.integrator = Integrator::exact_between_events})), 1e-12);
+  EXPECT_LT(error(rows(10 * ms, 20 * ms, {.integrator = ExactBetweenEvents{}})), 1e-12);
 }
 
 }  // namespace

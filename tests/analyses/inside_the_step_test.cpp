@@ -29,7 +29,9 @@ Model street(int buildings, const Law& law) {
     ShearBuilding building = paper_building(std::to_string(number));
     building.storeys = 2;
     building.floor_mass = floor_mass * (1.0 + 0.3 * std::sin(2.3 * number)) * kg;
-    building.isolation->post_yield_stiffness = post_yield_stiffness * (1.0 + 0.3 * std::cos(3.1 * number)) * N / m;
+    LeadRubberBearing bearings = paper_bearings();
+    bearings.post_yield_stiffness = post_yield_stiffness * (1.0 + 0.3 * std::cos(3.1 * number)) * N / m;
+    building.isolation = bearings;
     const NodeId base = add(model, building).base;
     add(model, Gap<Law>{.name = "gap " + std::to_string(number),
                         .left = left,

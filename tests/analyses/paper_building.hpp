@@ -11,6 +11,14 @@ namespace moat::testing {
 inline constexpr double floor_mass = 5e5, base_mass = 5.5e5, storey_stiffness = 1e9;
 inline constexpr double yield_force = 1.93e6, yield_displacement = 0.01, post_yield_stiffness = 1.93e7;
 
+inline LeadRubberBearing paper_bearings(bool locate_yield = true) {
+  using namespace units;
+  return {.yield_force = yield_force * N,
+          .yield_displacement = yield_displacement * m,
+          .post_yield_stiffness = post_yield_stiffness * N / m,
+          .locate_yield = locate_yield};
+}
+
 inline ShearBuilding paper_building(std::string name = {}) {
   using namespace units;
   return {.name = std::move(name),
@@ -19,9 +27,7 @@ inline ShearBuilding paper_building(std::string name = {}) {
           .storey_stiffness = storey_stiffness * N / m,
           .damping = RayleighDamping{.ratio = 0.05},
           .base_mass = base_mass * kg,
-          .isolation = LeadRubberBearing{.yield_force = yield_force * N,
-                                         .yield_displacement = yield_displacement * m,
-                                         .post_yield_stiffness = post_yield_stiffness * N / m}};
+          .isolation = paper_bearings()};
 }
 
 inline ShearBuilding paper_building_on_fixed_base() {

@@ -59,7 +59,7 @@ TEST(RandomModels, PeaksAndImpactsAreThoseOfTheReference) {
     EXPECT_LT(worst_error(tight, reference.result), bound_with_tight_settings);
     default_errors.push_back(worst_error(run(plain, {}), reference.result));
     EXPECT_LT(default_errors.back(), bound_with_default_settings);
-    const CaseResult exact = run(plain, {.integrator = Integrator::exact_between_events}, LocateYield::always);
+    const CaseResult exact = run(plain, {.integrator = ExactBetweenEvents{}}, LocateYield::always);
     EXPECT_EQ(exact.impacts.size(), reference.result.touches.size());
     EXPECT_LT(worst_error(exact, reference.result), bound_of_exact_steps);
   }

@@ -64,7 +64,7 @@ TEST_P(ReferencePeaks, HertzDamp) {
   for (const Precision& options : {Precision{1.25 * ms, 0.002}, Precision{2.5 * ms, 0.01}, Precision{0 * s, 0.01}}) {
     SCOPED_TRACE("step " + std::to_string(options.step.si()) + " s (0: default)");
     Model model;
-    const BuildingNodes nodes = add(model, paper_building());
+    const Building nodes = add(model, paper_building());
     add(model, Moat<HertzDamp>{.around = nodes.base, .clearance = 10 * cm, .law = paper_hertz_damp()});
     const CaseResult result = run(model, options.step);
     expect_isolated(result, row, options.tolerance);

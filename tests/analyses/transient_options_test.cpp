@@ -29,12 +29,12 @@ std::string refusal(const TransientOptions& options) {
 
 TEST(TransientOptions, RefusesAScheme) {
   for (const double beta : {0.0, -0.25})
-    EXPECT_EQ(refusal({.scheme = NewmarkScheme{.beta = beta}}),
-              "TransientOptions: scheme.beta = " + to_text(beta) +
-                  " is not allowed; it must be > 0 and <= 0.5. Use NewmarkScheme::average_acceleration(), "
+    EXPECT_EQ(refusal({.integrator = Newmark{.beta = beta}}),
+              "TransientOptions: integrator.beta = " + to_text(beta) +
+                  " is not allowed; it must be > 0 and <= 0.5. Use Newmark::average_acceleration(), "
                   "linear_acceleration() or fourth_order().");
-  EXPECT_EQ(refusal({.scheme = NewmarkScheme{.beta = 0.5}}), "nothing was thrown");
-  EXPECT_NE(refusal({.scheme = NewmarkScheme{.beta = std::numeric_limits<double>::quiet_NaN()}}), "nothing was thrown");
+  EXPECT_EQ(refusal({.integrator = Newmark{.beta = 0.5}}), "nothing was thrown");
+  EXPECT_NE(refusal({.integrator = Newmark{.beta = std::numeric_limits<double>::quiet_NaN()}}), "nothing was thrown");
 }
 
 TEST(TransientOptions, RefusesTimes) {
@@ -56,11 +56,10 @@ TEST(TransientOptions, RefusesTolerances) {
 }
 
 TEST(TransientOptions, RefusesCounts) {
-  EXPECT_EQ(refusal({.largest_iterations = 0}),
-            "TransientOptions: largest_iterations = 0 is not allowed; it must be >= 1.");
-  EXPECT_EQ(refusal({.largest_cuts = -1}), "TransientOptions: largest_cuts = -1 is not allowed; it must be >= 0.");
-  EXPECT_EQ(refusal({.largest_events_per_second = 0}),
-            "TransientOptions: largest_events_per_second = 0 is not allowed; it must be >= 1.");
+  EXPECT_EQ(refusal({.max_iterations = 0}), "TransientOptions: max_iterations = 0 is not allowed; it must be >= 1.");
+  EXPECT_EQ(refusal({.max_cuts = -1}), "TransientOptions: max_cuts = -1 is not allowed; it must be >= 0.");
+  EXPECT_EQ(refusal({.max_events_per_second = 0}),
+            "TransientOptions: max_events_per_second = 0 is not allowed; it must be >= 1.");
 }
 
 TEST(TransientOptions, RefusesAModelWithoutNodesAndAHistoryInterval) {

@@ -112,7 +112,8 @@ TEST_F(ScriptOptions, TheIntegratorIsChosenByName) {
     EXPECT_EQ(text.find("Exact steps from sample to sample") != std::string::npos, exact) << name;
   }
   expect_refusal({"--integrator", "euler"}, 1,
-                 "moat: error: --integrator: \"euler\" is not known. Give newmark or exact-between-events.\n");
+                 "moat: error: --integrator: \"euler\" is not known. Give one of: newmark, hht-alpha, "
+                 "generalized-alpha, exact-between-events.\n");
 }
 
 TEST_F(ScriptOptions, RefusesWhatItDoesNotKnow) {

@@ -37,7 +37,7 @@ TEST(GapPoints, ForceIsSharedByTheFloorsOfTheColumn) {
   n.model.change_regimes(changes);  // the neighbour starts 20 mm inside the column
   ASSERT_EQ(changes.size(), 1u);
   Vector force;
-  n.model.internal_forces(force);
+  force = n.model.internal_forces();
   EXPECT_NEAR(force[0], 0.75 * 20.0, 1e-12);
   EXPECT_NEAR(force[1], 0.25 * 20.0, 1e-12);
   EXPECT_NEAR(force[2], -20.0, 1e-12);

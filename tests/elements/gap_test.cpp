@@ -71,12 +71,12 @@ TEST(Gap, FreezesTheApproachSpeedAtTouch) {
   nodes.start();
   commit_at(nodes, 0.1 + 1e-9, 0.0, 0.7, 0.2);
   const ElementBlock& block = *nodes.model.blocks()[0];
-  EXPECT_TRUE(block.contact(0).touching);
-  EXPECT_DOUBLE_EQ(block.contact(0).approach_speed, 0.5);
+  EXPECT_TRUE(block.contacts()->contact(0).touching);
+  EXPECT_DOUBLE_EQ(block.contacts()->contact(0).approach_speed, 0.5);
   commit_at(nodes, 0.12, 0.0, 0.1, 0.0);
-  EXPECT_DOUBLE_EQ(block.contact(0).approach_speed, 0.5);
+  EXPECT_DOUBLE_EQ(block.contacts()->contact(0).approach_speed, 0.5);
   commit_at(nodes, 0.09, 0.0, -0.3, 0.0);
-  EXPECT_FALSE(block.contact(0).touching);
+  EXPECT_FALSE(block.contacts()->contact(0).touching);
 }
 
 TEST(Gap, TellsTheTrueApproachSpeedWhereTheLawCountsMore) {

@@ -31,7 +31,7 @@ struct TwoNodes {
   /// Internal forces on a, b and the ground, N.
   [[nodiscard]] Eigen::Vector3d forces() const {
     Vector force;
-    model.internal_forces(force);
+    force = model.internal_forces();
     return force;
   }
 };

@@ -121,42 +121,6 @@ TEST(ModelInput, EffectiveMass) {
   EXPECT_THROW(static_cast<void>(model.effective_mass(light, NodeId{5})), InputError);
 }
 
-TEST(ModelInput, BaseShear) {
-  Model model;
-  const NodeId node = add(model, Node{.name = "base", .mass = 1 * kg});
-  EXPECT_EQ(message_of([&] { add(model, BaseShear{.where = "house", .nodes = {}}); }),
-            "BaseShear \"house\": no nodes are given. List the base and all floors of one building.");
-  EXPECT_EQ(message_of([&] {
-              add(model, BaseShear{.where = "house", .nodes = {node, ground}});
-            }),
-            "BaseShear \"house\": the ground has no inertia. List only nodes with mass.");
-  EXPECT_EQ(message_of([&] { add(model, BaseShear{.where = "house", .nodes = {NodeId{1}}}); }),
-            "BaseShear \"house\": a node is not a node of this model. "
-            "Use the NodeId that add(model, Node{...}) returned.");
-  EXPECT_EQ(message_of([&] {
-              add(model, BaseShear{.where = "house", .nodes = {node, NodeId{}}});
-            }),
-            "BaseShear \"house\": a node is not given. Set it to a node of this model or to `ground`.");
-  EXPECT_TRUE(model.base_shears().empty());
-  add(model, BaseShear{.where = "house", .nodes = {node}});
-  EXPECT_EQ(model.base_shears().size(), 1u);
-}
-
-TEST(ModelInput, RefusesABaseShearThatWouldBeListedTwice) {
-  Model model;
-  const NodeId a = add(model, Node{.name = "a", .mass = 1 * kg});
-  const NodeId b = add(model, Node{.name = "b", .mass = 1 * kg});
-  add(model, BaseShear{.where = "house", .nodes = {a}});
-  EXPECT_EQ(message_of([&] { add(model, BaseShear{.where = "house", .nodes = {b}}); }),
-            "BaseShear \"house\": a base shear is reported under this name. Give .where another name.");
-  EXPECT_EQ(message_of([&] { add(model, BaseShear{.where = "", .nodes = {b}}); }),
-            "BaseShear: a base shear has no name. Give .where: it is listed under it.");
-  EXPECT_EQ(message_of([&] {
-              add(model, BaseShear{.where = "twice", .nodes = {b, b}});
-            }),
-            "BaseShear \"twice\": the node \"b\" is listed twice. Its inertia would count twice.");
-}
-
 TEST(ModelInput, RefusesAModelWithoutNodes) {
   Model model;
   EXPECT_EQ(message_of([&] { model.prepare(); }),

@@ -62,12 +62,10 @@ struct Fingerprint {
 Fingerprint fingerprint(const Model& original) {
   Model copy = original;
   const MotionState state = copy.state();
-  Vector forces;
   copy.trial().displacement.head(2) << 0.031, 0.033;
   copy.trial().velocity.head(2) << 0.2, -0.1;
   copy.evaluate();
-  copy.internal_forces(forces);
-  return {state.time, state.displacement, state.velocity, state.acceleration, forces};
+  return {state.time, state.displacement, state.velocity, state.acceleration, copy.internal_forces()};
 }
 
 TEST(ModelState, StartsFromInitialValues) {
@@ -105,13 +103,12 @@ TEST(ModelState, CommittedHistoryMatters) {
   Isolated made = isolated_storey();
   Model& model = made.model;
   model.prepare();
-  Vector forces;
   for (const double displacement : {0.03, 0.0}) {
     model.trial().displacement.head(2).setConstant(displacement);
     model.evaluate();
     model.commit();
   }
-  model.internal_forces(forces);
+  const Vector& forces = model.committed_forces();
   // k1 = 4 MN/m, k2 = 0.4 MN/m, d_y = 1 cm: slip 2 cm, of which unloading by 3 cm takes 1 cm back.
   EXPECT_NEAR(forces[made.base.index], -(4e6 - 0.4e6) * 0.01, 1e-6);
 }
@@ -203,12 +200,10 @@ TEST(ModelState, TangentIsTheDerivativeOfTheForces) {
   ASSERT_FALSE(analysis.finished());
 
   const auto forces_at = [&](const Vector& displacement, const Vector& velocity) {
-    Vector forces;
     model.trial().displacement.head(2) = displacement;
     model.trial().velocity.head(2) = velocity;
     model.evaluate();
-    model.internal_forces(forces);
-    return Vector{forces.head(2)};
+    return Vector{model.internal_forces().head(2)};
   };
   // A little deeper than the committed state, where the bearing stands at its corner.
   const Vector u = model.state().displacement.head(2) * 1.02, v = model.state().velocity.head(2);

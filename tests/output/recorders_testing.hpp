@@ -30,7 +30,7 @@ struct HandMovedBuilding {
                                  .locate_yield = false});
     add(model, Moat<HertzDamp>{
                    .around = base, .clearance = 10 * cm, .law = {.stiffness = 1000 * N / m_3_2, .restitution = 1.0}});
-    add(model, BaseShear{.where = "base", .nodes = {base, floor}});
+    add(model, Building{.base = base, .floors = {floor}});
     model.prepare();
   }
 

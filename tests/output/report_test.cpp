@@ -22,6 +22,7 @@ CaseResult example() {
   CaseResult result;
   result.title = "Gap < 10 cm & \"hard\"";
   result.motion = {"record A", 3.92266, 0.45, 0.005, 28.0};
+  result.buildings = {{.base = "base", .floors = {"floor 1", "floor 5"}, .isolators = {"bearings"}}};
   result.periods = {{"isolated", 2.125}};
   result.peaks = {{"displacement", "base", 0.1234567, "m", 4.5}, {"impact_force", "moat left", 25.65e6, "N", 4.25}};
   result.impacts = {{"moat left", 3.25, 0.125, 0.5, 0.01, 2.5e7, 0.75}};

@@ -2,6 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <string>
+#include <utility>
+#include <vector>
+
 #include "base/error.hpp"
 
 namespace moat {
@@ -14,15 +18,17 @@ CaseResult result_with(std::vector<Column> columns) {
 }
 
 CaseResult isolated_result() {
-  return result_with({{"time", "", "s", {0.0, 1.0, 2.0}},
-                      {"displacement", "base", "m", {0.0, 0.1, -0.05}},
-                      {"displacement", "floor 1", "m", {0.0, 0.15, -0.1}},
-                      {"displacement", "floor 2", "m", {0.0, 0.2, -0.1}},
-                      {"absolute_acceleration", "base", "m/s^2", {0.0, 1.0, 2.0}},
-                      {"absolute_acceleration", "floor 2", "m/s^2", {0.0, 3.0, 4.0}},
-                      {"isolator_force", "bearings", "N", {0.0, 2e6, -1e6}},
-                      {"impact_force", "moat left", "N", {0.0, 0.0, 5e6}},
-                      {"impact_force", "moat right", "N", {0.0, 7e6, 0.0}}});
+  CaseResult result = result_with({{"time", "", "s", {0.0, 1.0, 2.0}},
+                                   {"displacement", "base", "m", {0.0, 0.1, -0.05}},
+                                   {"displacement", "floor 1", "m", {0.0, 0.15, -0.1}},
+                                   {"displacement", "floor 2", "m", {0.0, 0.2, -0.1}},
+                                   {"absolute_acceleration", "base", "m/s^2", {0.0, 1.0, 2.0}},
+                                   {"absolute_acceleration", "floor 2", "m/s^2", {0.0, 3.0, 4.0}},
+                                   {"isolator_force", "bearings", "N", {0.0, 2e6, -1e6}},
+                                   {"impact_force", "moat left", "N", {0.0, 0.0, 5e6}},
+                                   {"impact_force", "moat right", "N", {0.0, 7e6, 0.0}}});
+  result.buildings = {{.base = "base", .floors = {"floor 1", "floor 2"}, .isolators = {"bearings"}}};
+  return result;
 }
 
 TEST(ResultCharts, ShowBaseAndTopAndAllImpacts) {
@@ -61,83 +67,61 @@ TEST(ResultCharts, LeaveOutWhatThereIsNot) {
 }
 
 TEST(ResultCharts, ABodyOfItsOwnIsDrawnOnce) {
-  const std::vector<Chart> charts =
-      history_charts(result_with({{"time", "", "s", {0.0, 1.0}}, {"displacement", "base", "m", {0.0, 0.1}}}));
+  CaseResult result = result_with({{"time", "", "s", {0.0, 1.0}}, {"displacement", "tank", "m", {0.0, 0.1}}});
+  result.buildings = {{.name = "tank", .floors = {"tank"}}};
+  const std::vector<Chart> charts = history_charts(result);
   ASSERT_EQ(charts.size(), 1u);
   EXPECT_EQ(charts[0].series.size(), 1u);
 }
 
-TEST(ResultCharts, FindABaseThatHasAPrefix) {
-  const std::vector<Chart> charts = history_charts(result_with({{"time", "", "s", {0.0, 1.0}},
-                                                                {"displacement", "database", "m", {0.0, 0.3}},
-                                                                {"displacement", "north base", "m", {0.0, 0.1}},
-                                                                {"displacement", "north floor 1", "m", {0.0, 0.2}}}));
-  ASSERT_EQ(charts.size(), 1u);
-  ASSERT_EQ(charts[0].series.size(), 2u);
-  EXPECT_EQ(charts[0].series[0].name, "north base");
-  EXPECT_EQ(charts[0].series[1].name, "north floor 1");
-}
+using Names = std::vector<std::string>;
 
-std::vector<std::string> names_in(const Chart& chart) {
-  std::vector<std::string> names;
+Names names_in(const Chart& chart) {
+  Names names;
   for (const Series& series : chart.series) names.push_back(series.name);
   return names;
 }
 
-// Displacements at these nodes, the first of 1 m, the second of 2 m ...
-CaseResult displacements_at(const std::vector<std::string>& nodes) {
-  std::vector<Column> columns{{"time", "", "s", {0.0, 1.0}}};
-  for (std::size_t i = 0; i < nodes.size(); ++i)
-    columns.push_back({"displacement", nodes[i], "m", {0.0, static_cast<double>(i + 1)}});
-  return result_with(std::move(columns));
+// Displacements of the nodes of some buildings, the first of 1 m, the second of 2 m ...
+CaseResult displacements_of(std::vector<BuildingParts> buildings) {
+  CaseResult result = result_with({{"time", "", "s", {0.0, 1.0}}});
+  double value = 0.0;
+  const auto column = [&](const std::string& node) {
+    result.histories.columns.push_back({"displacement", node, "m", {0.0, ++value}});
+  };
+  for (const BuildingParts& building : buildings) {
+    if (!building.base.empty()) column(building.base);
+    for (const std::string& floor : building.floors) column(floor);
+  }
+  result.buildings = std::move(buildings);
+  return result;
 }
-
-std::vector<std::string> drawn_of(const std::vector<std::string>& nodes) {
-  return names_in(history_charts(displacements_at(nodes)).at(0));
-}
-
-using Names = std::vector<std::string>;
 
 TEST(ResultCharts, ShowBaseAndTopOfEachBuilding) {
-  EXPECT_EQ(
-      drawn_of({"low base", "low floor 1", "low floor 2", "tall base", "tall floor 1", "tall floor 2", "tall floor 3"}),
-      (Names{"low base", "low floor 2", "tall base", "tall floor 3"}));
-  EXPECT_EQ(history_charts(displacements_at({"low base", "low floor 1", "tall base", "tall floor 1"}))[0].series[1].y,
-            (std::vector<double>{0.0, 200.0}));
-  // One of them without a name, one fixed to the ground.
-  EXPECT_EQ(drawn_of({"base", "floor 1", "floor 2", "old floor 1", "old floor 2"}),
-            (Names{"base", "floor 2", "old floor 2"}));
+  const CaseResult result = displacements_of(
+      {{.name = "low", .base = "cellar", .floors = {"deck", "roof"}}, {.name = "old", .floors = {"old 1", "old 2"}}});
+  EXPECT_EQ(names_in(history_charts(result).at(0)), (Names{"cellar", "roof", "old 2"}));
+  EXPECT_EQ(history_charts(result)[0].series[1].y, (std::vector<double>{0.0, 300.0}));
 }
 
 TEST(ResultCharts, ShowThreeBuildingsAtMost) {
-  EXPECT_EQ(drawn_of({"a base", "a floor 1", "b base", "b floor 1", "c base", "c floor 1", "d base", "d floor 1"}),
-            (Names{"a base", "a floor 1", "b base", "b floor 1", "c base", "c floor 1"}));
-}
-
-TEST(ResultCharts, AMoatWallIsNotTheTop) {
-  EXPECT_EQ(drawn_of({"base", "floor 1", "moat left wall", "moat right wall"}), (Names{"base", "floor 1"}));
-  EXPECT_EQ(drawn_of({"base", "roof", "moat left wall"}), (Names{"base", "roof"}));
-  EXPECT_EQ(drawn_of({"base", "moat left wall"}), (Names{"base"}));
-}
-
-TEST(ResultCharts, OtherNamesBelongToTheBaseBeforeThem) {
-  EXPECT_EQ(drawn_of({"base", "deck", "roof"}), (Names{"base", "roof"}));
-  EXPECT_EQ(drawn_of({"north base", "north roof", "south base", "south deck", "south roof"}),
-            (Names{"north base", "north roof", "south base", "south roof"}));
-  EXPECT_EQ(drawn_of({"base", "floor 1", "tank"}), (Names{"base", "floor 1"})) << "floors go before other names";
-  EXPECT_EQ(drawn_of({"left", "right"}), (Names{"right"})) << "no name is known";
-  EXPECT_EQ(drawn_of({"first floor", "dance floor 2b"}), (Names{"dance floor 2b"})) << "not the name of a floor";
+  const CaseResult result = displacements_of({{.base = "a", .floors = {"a1"}},
+                                              {.base = "b", .floors = {"b1"}},
+                                              {.base = "c", .floors = {"c1"}},
+                                              {.base = "d", .floors = {"d1"}}});
+  EXPECT_EQ(names_in(history_charts(result).at(0)), (Names{"a", "a1", "b", "b1", "c", "c1"}));
 }
 
 TEST(ResultCharts, HysteresisIsThatOfTheFirstIsolatedBuilding) {
-  CaseResult result = displacements_at({"old floor 1", "tall base", "tall floor 1"});
-  result.histories.columns.push_back({"isolator_force", "low bearings", "N", {0.0, 1e3}});
-  result.histories.columns.push_back({"isolator_force", "tall bearings", "N", {0.0, 5e3}});
+  CaseResult result = displacements_of({{.name = "old", .floors = {"old floor 1"}},
+                                        {.base = "cellar", .floors = {"floor"}, .isolators = {"pendulums"}}});
+  result.histories.columns.push_back({"isolator_force", "other bearings", "N", {0.0, 1e3}});
+  result.histories.columns.push_back({"isolator_force", "pendulums", "N", {0.0, 5e3}});
   const std::optional<Chart> loop = hysteresis_chart(result);
   ASSERT_TRUE(loop.has_value());
-  EXPECT_EQ(loop->x_label, "tall base displacement [cm]");
+  EXPECT_EQ(loop->x_label, "cellar displacement [cm]");
   ASSERT_EQ(loop->series.size(), 1u);
-  EXPECT_EQ(loop->series[0].name, "tall bearings");
+  EXPECT_EQ(loop->series[0].name, "pendulums");
   EXPECT_EQ(loop->series[0].x, (std::vector<double>{0.0, 200.0}));
   EXPECT_EQ(loop->series[0].y, (std::vector<double>{0.0, 5.0}));
 }

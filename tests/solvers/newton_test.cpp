@@ -213,7 +213,7 @@ TEST(NewtonSolver, AStartThatBalancesStillTakesOneIteration) {
 
 TEST(NewtonSolver, ReportsTheIterationLimitAndTheWorstDegreeOfFreedom) {
   NoRoot system;
-  NewtonSolver solver{system, {.largest_iterations = 7}};
+  NewtonSolver solver{system, {.max_iterations = 7}};
   Vector x{{1.0, 3.0}};
   const NewtonReport report = solver.solve(x);
   EXPECT_FALSE(report.converged);
@@ -259,7 +259,7 @@ TEST(NewtonSolver, NamesTheDegreeOfFreedomThatIsNotANumber) {
 
 TEST(NewtonSolver, SolvesAgainWithoutAllocating) {
   CubicChain system{50, 10.0};
-  NewtonSolver solver{system, {.largest_iterations = 60}};
+  NewtonSolver solver{system, {.max_iterations = 60}};
   Vector x = Vector::Zero(50);
   ASSERT_TRUE(solver.solve(x).converged);
   const long before = testing::count_of_allocations();
@@ -289,7 +289,7 @@ TEST(NewtonSolver, TwoSolversInTwoThreadsDoNotDisturbEachOther) {
   };
   const auto solve_all = [](Job& job) {
     CubicChain system{job.size, job.load};
-    NewtonSolver solver{system, {.largest_iterations = 60}};
+    NewtonSolver solver{system, {.max_iterations = 60}};
     Vector x = Vector::Zero(job.size);
     for (int i = 0; i < 300; ++i) {
       system.set_load(job.load + i % 7);
@@ -312,8 +312,8 @@ TEST(NewtonSolver, RefusesOptionsOutOfRange) {
   Faulty system{Faulty::Fault::none};
   EXPECT_EQ(message_of([&] { NewtonSolver(system, {.tolerance = 0.0}); }),
             "NewtonOptions: tolerance = 0 is not allowed; it must be > 0 and < 1. 1e-10 is the default.");
-  EXPECT_EQ(message_of([&] { NewtonSolver(system, {.largest_iterations = 0}); }),
-            "NewtonOptions: largest_iterations = 0 is not allowed; it must be >= 1.");
+  EXPECT_EQ(message_of([&] { NewtonSolver(system, {.max_iterations = 0}); }),
+            "NewtonOptions: max_iterations = 0 is not allowed; it must be >= 1.");
 }
 
 }  // namespace

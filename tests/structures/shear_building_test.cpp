@@ -38,12 +38,10 @@ ShearBuilding fixed(int storeys) {
 
 Vector forces_at(Model& model, const Vector& displacement, const Vector& velocity) {
   const int count = model.degrees_of_freedom();
-  Vector forces;
   model.trial().displacement.head(count) = displacement;
   model.trial().velocity.head(count) = velocity;
   model.evaluate();
-  model.internal_forces(forces);
-  return forces;
+  return model.internal_forces();
 }
 
 struct Matrices {
@@ -140,7 +138,7 @@ TEST(ShearBuilding, WithoutRatioThereAreNoDampers) {
 
 TEST(ShearBuilding, NamesItsParts) {
   Model model;
-  const BuildingNodes nodes = add(model, isolated(2));
+  const Building nodes = add(model, isolated(2));
   EXPECT_EQ(model.node_name(nodes.base), "base");
   ASSERT_EQ(nodes.floors.size(), 2u);
   EXPECT_EQ(model.node_name(nodes.floors[0]), "floor 1");
@@ -149,9 +147,9 @@ TEST(ShearBuilding, NamesItsParts) {
   EXPECT_EQ(element_names(model),
             (std::vector<std::string>{"bearings", "floor 1 damping", "floor 2 damping", "storey 1", "storey 1 damping",
                                       "storey 2", "storey 2 damping"}));
-  ASSERT_EQ(model.base_shears().size(), 1u);
-  EXPECT_EQ(model.base_shears()[0].where, "base");
-  EXPECT_EQ(model.base_shears()[0].nodes, (std::vector<NodeId>{nodes.base, nodes.floors[0], nodes.floors[1]}));
+  ASSERT_EQ(model.buildings().size(), 1u);
+  EXPECT_EQ(model.buildings()[0].base_name(), "base");
+  EXPECT_EQ(model.buildings()[0].nodes(), (std::vector<NodeId>{nodes.base, nodes.floors[0], nodes.floors[1]}));
 }
 
 TEST(ShearBuilding, TwoInAModelAreToldApartByTheirName) {
@@ -161,14 +159,14 @@ TEST(ShearBuilding, TwoInAModelAreToldApartByTheirName) {
   south.name = "south";
   south.x = 20 * m;
   add(model, north);
-  const BuildingNodes nodes = add(model, south);
+  const Building nodes = add(model, south);
   EXPECT_EQ(model.node_name(nodes.base), "south base");
   EXPECT_EQ(model.node_name(nodes.top()), "south floor 1");
   EXPECT_EQ(model.node(nodes.top()).x.si(), 20.0);
   EXPECT_EQ(element_names(model),
             (std::vector<std::string>{"north bearings", "north storey 1", "north storey 1 damping", "south bearings",
                                       "south storey 1", "south storey 1 damping"}));
-  EXPECT_EQ(model.base_shears()[1].where, "south base");
+  EXPECT_EQ(model.buildings()[1].base_name(), "south base");
   EXPECT_EQ(message_of([&] { add(model, north); }),
             "ShearBuilding \"north\": the model has a node \"north floor 1\" already. Give every building its own "
             ".name.");
@@ -176,10 +174,10 @@ TEST(ShearBuilding, TwoInAModelAreToldApartByTheirName) {
 
 TEST(ShearBuilding, FixedBaseStandsOnTheGround) {
   Model model;
-  const BuildingNodes nodes = add(model, fixed(3));
+  const Building nodes = add(model, fixed(3));
   EXPECT_EQ(nodes.base, ground);
   EXPECT_EQ(model.node_count(), 3);
-  EXPECT_EQ(model.base_shears()[0].nodes, nodes.floors);
+  EXPECT_EQ(model.buildings()[0].nodes(), nodes.floors);
   const Matrices made = matrices_of(model);
   const double k = 1e9;
   const Eigen::Matrix3d expected{{2.0 * k, -k, 0.0}, {-k, 2.0 * k, -k}, {0.0, -k, k}};
@@ -229,18 +227,97 @@ TEST(ShearBuilding, RefusesABearingThatIsTiedElsewhere) {
   Model model;
   const NodeId other = add(model, Node{.name = "other", .mass = 1 * tonne});
   ShearBuilding building = isolated(1);
-  building.isolation->upper = other;
+  LeadRubberBearing tied = bearing();
+  tied.upper = other;
+  building.isolation = tied;
   EXPECT_EQ(message_of([&] { add(model, building); }),
             "ShearBuilding: isolation.upper is given. Leave it out: the bearings carry the base.");
-  building = isolated(1);
-  building.isolation->lower = other;
+  tied = bearing();
+  tied.lower = other;
+  building.isolation = tied;
   EXPECT_EQ(message_of([&] { add(model, building); }),
             "ShearBuilding: isolation.lower is given. Leave it out: the bearings stand on the ground.");
 }
 
 TEST(ShearBuilding, RefusesWhatItsBearingRefuses) {
-  EXPECT_EQ(refusal([](ShearBuilding& b) { b.isolation->yield_force = -1 * N; }),
+  LeadRubberBearing bad = bearing();
+  bad.yield_force = -1 * N;
+  EXPECT_EQ(refusal([&](ShearBuilding& b) { b.isolation = bad; }),
             "LeadRubberBearing \"house bearings\": yield_force = -1 N is not allowed; it must be > 0 N and finite.");
+}
+
+// Deformation to force, without history.
+struct HardeningPad {
+  struct State {};
+  Stiffness stiffness;
+
+  void check(const Check& check) const { check.positive("stiffness", stiffness); }
+  Response evaluate(const State&, double d, double, State&) const {
+    return {.force = stiffness.si() * d * (1.0 + d * d), .stiffness = stiffness.si() * (1.0 + 3.0 * d * d)};
+  }
+  double stored_energy(const State&, double d) const { return stiffness.si() * d * d * (0.5 + 0.25 * d * d); }
+  double dissipation_rate(const State&, double, double) const { return 0.0; }
+  double linear_stiffness(StiffnessStage) const { return stiffness.si(); }
+};
+
+TEST(ShearBuilding, StandsOnAnyLaw) {
+  Model model;
+  ShearBuilding building = isolated(1);
+  building.isolation = HardeningPad{.stiffness = 5 * MN / m};
+  const Building added = add(model, building);
+  const auto isolators = isolators_of(model, model.buildings());
+  ASSERT_EQ(isolators[0].size(), 1u);
+  const ElementInfo& info = model.blocks()[isolators[0][0].block]->info(isolators[0][0].element);
+  EXPECT_EQ(info.name, "bearings");
+  EXPECT_EQ(info.second, added.base);
+  EXPECT_EQ(info.force_quantity, "isolator_force");
+  const Matrices made = matrices_of(model);
+  EXPECT_NEAR(made.stiffness(2, 0), -5e6, 10.0) << "what reaches the ground";
+}
+
+TEST(ShearBuilding, NamesIsolatorsAsTheyAreNamed) {
+  Model model;
+  ShearBuilding building = isolated(1);
+  building.name = "tower";
+  building.isolation = Isolator{.name = "pads", .law = HardeningPad{.stiffness = 5 * MN / m}};
+  add(model, building);
+  EXPECT_TRUE(model.has_element("tower pads"));
+  EXPECT_EQ(refusal([](ShearBuilding& b) { b.isolation = HardeningPad{.stiffness = -1 * N / m}; }),
+            "Isolator \"house bearings\": stiffness = -1 N/m is not allowed; it must be > 0 N/m and finite.");
+}
+
+TEST(ShearBuilding, TakesAValueForEveryStorey) {
+  Model model;
+  ShearBuilding building = fixed(3);
+  building.floor_mass = {500 * tonne, 400 * tonne, 250 * tonne};
+  building.storey_stiffness = {1 * GN / m, 0.8 * GN / m, 0.5 * GN / m};
+  building.storey_height = {5 * m, 4 * m, 3 * m};
+  const Building added = add(model, building);
+  EXPECT_EQ(model.node(added.top()).height.si(), 12.0);
+  const Matrices made = matrices_of(model);
+  EXPECT_EQ(model.masses(), (Vector{{500e3, 400e3, 250e3}}));
+  const Eigen::Matrix3d expected{{1.8e9, -0.8e9, 0.0}, {-0.8e9, 1.3e9, -0.5e9}, {0.0, -0.5e9, 0.5e9}};
+  EXPECT_LT((made.stiffness.topRows(3) - expected).norm(), 1.0);
+  // Rayleigh damping of this chain: 5 % in its first two modes.
+  const Eigen::MatrixXd mass = model.masses().asDiagonal(), damping = made.damping.topRows(3);
+  const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> modes{expected, mass};
+  for (int i = 0; i < 2; ++i) {
+    const Eigen::VectorXd shape = modes.eigenvectors().col(i);
+    EXPECT_NEAR(shape.dot(damping * shape) / (2.0 * std::sqrt(modes.eigenvalues()[i])), 0.05, 1e-9) << i;
+  }
+}
+
+TEST(ShearBuilding, RefusesListsThatDoNotFit) {
+  EXPECT_EQ(
+      refusal([](ShearBuilding& b) {
+        b.floor_mass = {1 * tonne, 2 * tonne, 3 * tonne};
+      }),
+      "ShearBuilding \"house\": floor_mass has 3 values for 2 storeys. Give one value for all storeys, or one for "
+      "each from the lowest up.");
+  EXPECT_EQ(refusal([](ShearBuilding& b) {
+              b.storey_stiffness = {1 * MN / m, -2 * MN / m};
+            }),
+            "ShearBuilding \"house\": storey_stiffness[1] = -2e+06 N/m is not allowed; it must be > 0 N/m and finite.");
 }
 
 TEST(ShearBuilding, ASecondOneNeedsAName) {

@@ -1,4 +1,4 @@
-#include "analyses/exact_between_events.hpp"
+#include "analyses/exact_steps.hpp"
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>
@@ -56,8 +56,7 @@ double fastest_eigenvalue(const Eigen::MatrixXd& stiffness, const Eigen::MatrixX
 
 }  // namespace
 
-ExactBetweenEvents::ExactBetweenEvents(Model& model, double grid_interval)
-    : model_{&model}, grid_interval_{grid_interval} {
+ExactSteps::ExactSteps(Model& model, double grid_interval) : model_{&model}, grid_interval_{grid_interval} {
   check();
   const int count = model.degrees_of_freedom();
   stiffness_ = model.pattern();
@@ -71,40 +70,34 @@ ExactBetweenEvents::ExactBetweenEvents(Model& model, double grid_interval)
   if (!touching_) linearise();
 }
 
-void ExactBetweenEvents::check() const {
+void ExactSteps::check() const {
   const Check check{"TransientOptions", ""};
   check.that(model_->degrees_of_freedom() <= most_degrees_of_freedom,
-             "integrator = exact_between_events is for at most " + std::to_string(most_degrees_of_freedom) +
+             "integrator = ExactBetweenEvents{} is for at most " + std::to_string(most_degrees_of_freedom) +
                  " degrees of freedom; the model has " + std::to_string(model_->degrees_of_freedom()) + ".",
-             "Use Integrator::newmark.");
+             "Use Newmark{}.");
   for (const auto& block : model_->blocks()) {
     if (block->size() == 0 || block->linear_between_events()) continue;
     const ElementInfo& info = block->info(0);
     check.that(false,
-               "integrator = exact_between_events needs elements that are linear between located events, and \"" +
+               "integrator = ExactBetweenEvents{} needs elements that are linear between located events, and \"" +
                    info.name + "\" is not.",
-               info.kind == ElementKind::bearing
-                   ? "Give LeadRubberBearing{.locate_yield = true}, or use Integrator::newmark."
-                   : "Use Integrator::newmark.");
+               "Use Newmark{}, or a law whose changes of stiffness are located (LeadRubberBearing::locate_yield).");
   }
 }
 
-void ExactBetweenEvents::restart() {
+void ExactSteps::restart() {
   linearised_ = false;
   terms_ = 0;
-  touching_ = false;
-  for (const auto& block : model_->blocks()) {
-    if (!block->has_regimes()) continue;
-    for (std::size_t e = 0; e < block->size(); ++e) touching_ = touching_ || block->contact(e).touching;
-  }
+  touching_ = model_->contacts_going_on() > 0;
 }
 
-double ExactBetweenEvents::step_length() {
+double ExactSteps::next_length() {
   if (!linearised_) linearise();
   return systems_[current_].step;
 }
 
-void ExactBetweenEvents::linearise() {
+void ExactSteps::linearise() {
   MotionState& trial = model_->trial();
   trial.displacement.setZero();
   trial.velocity.setZero();
@@ -127,7 +120,7 @@ void ExactBetweenEvents::linearise() {
   linearised_ = true;
 }
 
-ExactBetweenEvents::LinearSystem ExactBetweenEvents::make_system() const {
+ExactSteps::LinearSystem ExactSteps::make_system() const {
   const Eigen::Index n = offset_.size();
   LinearSystem system;
   system.stiffness_values = stiffness_.values;
@@ -141,10 +134,10 @@ ExactBetweenEvents::LinearSystem ExactBetweenEvents::make_system() const {
   system.step = grid_interval_;
   Check{"TransientOptions", ""}.that(
       fastest * std::ldexp(grid_interval_, -most_halvings) <= longest_against_fastest,
-      "integrator = exact_between_events would need more than " + std::to_string(1 << most_halvings) +
+      "integrator = ExactBetweenEvents{} would need more than " + std::to_string(1 << most_halvings) +
           " steps from one sample of the motion to the next: the fastest eigenvalue of the model is " +
           to_text(fastest) + " 1/s.",
-      "Look for a very stiff spring or damper at a small mass, or use Integrator::newmark.");
+      "Look for a very stiff spring or damper at a small mass, or use Newmark{}.");
   while (system.step * fastest > longest_against_fastest) system.step *= 0.5;
 
   // States u, u', the constant acceleration w of every degree of freedom, and the slope s of the ground's:
@@ -176,12 +169,12 @@ ExactBetweenEvents::LinearSystem ExactBetweenEvents::make_system() const {
   return system;
 }
 
-void ExactBetweenEvents::begin(double longest, double ground_acceleration, double ground_acceleration_at_end) {
+void ExactSteps::begin(const StepTask& step) {
   if (!linearised_) linearise();
   const Eigen::Index n = offset_.size();
-  longest_ = longest;
-  ground_ = ground_acceleration;
-  ground_slope_ = (ground_acceleration_at_end - ground_acceleration) / longest;
+  longest_ = step.length;
+  ground_ = step.ground_acceleration_at_start;
+  ground_slope_ = step.ground_jerk;
   start_.head(n) = model_->state().displacement.head(n);
   start_.segment(n, n) = model_->state().velocity.head(n);
   start_[2 * n] = 1.0;
@@ -190,7 +183,8 @@ void ExactBetweenEvents::begin(double longest, double ground_acceleration, doubl
   terms_ = 0;
 }
 
-void ExactBetweenEvents::solve(double h, double end_time, bool with_jerk) {
+bool ExactSteps::solve(const StepTask& part) {
+  const double h = part.length;
   const Eigen::Index n = offset_.size();
   const LinearSystem& system = systems_[current_];
   if (h == system.step) {
@@ -200,20 +194,18 @@ void ExactBetweenEvents::solve(double h, double end_time, bool with_jerk) {
     evaluate_series(h);
   }
   MotionState& trial = model_->trial();
-  trial.time = end_time;
+  trial.time = part.end_time;
   trial.displacement.head(n) = end_.head(n);
   trial.velocity.head(n) = end_.segment(n, n);
   trial.acceleration.head(n) = end_.segment(2 * n, n);
-  if (!with_jerk) return;
-  auto jerk = trial.jerk.head(n);
-  jerk.setZero();
-  jerk.noalias() -= system.stiffness * end_.segment(n, n);
-  jerk.noalias() -= system.damping * end_.segment(2 * n, n);
+  model_->evaluate();
+  model_->evaluate_rates();
+  return true;
 }
 
 // With U_k the coefficients of t^k in u, those of u' are (k + 1) U_{k+1}, and the differential equation gives U_{k+2}
 // from U_k and U_{k+1}. Scaled by powers of the longest step they fall like 1 / (2^k k!).
-void ExactBetweenEvents::expand() {
+void ExactSteps::expand() {
   const Eigen::Index n = offset_.size();
   const LinearSystem& system = systems_[current_];
   series_.col(0) = start_.head(n);
@@ -237,7 +229,7 @@ void ExactBetweenEvents::expand() {
   }
 }
 
-void ExactBetweenEvents::evaluate_series(double h) {
+void ExactSteps::evaluate_series(double h) {
   const Eigen::Index n = offset_.size();
   const double x = h / longest_;
   auto displacement = end_.head(n);

@@ -1,0 +1,51 @@
+#include "analyses/changes_inside.hpp"
+
+#include <algorithm>
+
+namespace moat {
+
+bool ChangesInside::wanted(int crossings) const {
+  constexpr double many = 0.3;
+  constexpr int many_at_once = 8;
+  return &step_->stepper() == &step_->implicit() &&
+         (treatment_ == EventTreatment::inside_the_step ||
+          (treatment_ == EventTreatment::automatic && (changes_per_step_ > many || crossings >= many_at_once)));
+}
+
+// Puts elements that change inside the trial step into their next regimes. False if one of them cannot be crossed, or a
+// contact asks for shorter steps.
+bool ChangesInside::enter(double h, std::vector<RegimeChange>& changes) {
+  Model& model = step_->model();
+  return model.change_regimes_inside(h, step_->aim(), changes) &&
+         step_->implicit().control().is_short_enough(h, model.shortest_contact());
+}
+
+void ChangesInside::take_back(std::vector<RegimeChange>& changes) {
+  step_->model().undo_changes_inside();
+  changes.clear();
+}
+
+void ChangesInside::foresee(std::vector<RegimeChange>& changes) {
+  step_->implicit().predict(step_->whole());
+  if (!enter(step_->whole().length, changes)) take_back(changes);
+}
+
+bool ChangesInside::settle(double h, std::vector<RegimeChange>& changes) {
+  constexpr int most_passes = 4;
+  for (int pass = 0; pass < most_passes; ++pass) {
+    const std::size_t before = changes.size();
+    const bool possible = enter(h, changes);
+    if (possible && changes.size() == before) return true;
+    ++step_->statistics().event_solves;
+    if (!possible || !step_->solve(h)) break;
+  }
+  take_back(changes);
+  return false;
+}
+
+void ChangesInside::accepted(std::size_t changes) {
+  constexpr double of_last_step = 1.0 / 16.0;
+  changes_per_step_ += of_last_step * (std::min(static_cast<double>(changes), 1.0) - changes_per_step_);
+}
+
+}  // namespace moat

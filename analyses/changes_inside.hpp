@@ -1,0 +1,38 @@
+// Changes of regime that a step crosses without ending there.
+#pragma once
+
+#include <vector>
+
+#include "analyses/step_solver.hpp"
+
+namespace moat {
+
+/// Treats changes of regime inside the step (EventTreatment::inside_the_step): their instants and approach speeds come
+/// from the interpolated motion, and the step is solved with the regimes that follow.
+class ChangesInside {
+ public:
+  ChangesInside(StepSolver& step, EventTreatment treatment) : step_{&step}, treatment_{treatment} {}
+
+  /// Whether a step with this number of crossings goes on instead of ending at the first: where it is asked for, or
+  /// changes are many.
+  [[nodiscard]] bool wanted(int crossings) const;
+
+  /// Enters the regimes that the predicted motion of the whole step leads to, so that it needs no second solution.
+  /// Lists them in `changes`.
+  void foresee(std::vector<RegimeChange>& changes);
+  /// Solves the trial step of length h again with the regimes that elements enter inside it, until no other change is
+  /// seen. False if a change cannot be crossed: the regimes are as before, and the trial state must be solved again.
+  bool settle(double h, std::vector<RegimeChange>& changes);
+  /// A step with this number of changes, inside it or at its end, was accepted.
+  void accepted(std::size_t changes);
+
+ private:
+  bool enter(double h, std::vector<RegimeChange>& changes);
+  void take_back(std::vector<RegimeChange>& changes);
+
+  StepSolver* step_;
+  EventTreatment treatment_;
+  double changes_per_step_ = 0.0;  // over the last steps, at most one of each
+};
+
+}  // namespace moat

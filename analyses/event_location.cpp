@@ -1,0 +1,89 @@
+#include "analyses/event_location.hpp"
+
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "base/check.hpp"
+#include "base/error.hpp"
+
+namespace moat {
+namespace {
+
+// The part of a step in which the first change lies: from a length whose step ends before it to one that ends beyond.
+struct Bracket {
+  double before = 0.0, beyond = 0.0;                // lengths, s
+  double margin_before = 0.0, margin_beyond = 0.0;  // at the ends of these steps, m
+
+  [[nodiscard]] double width() const { return beyond - before; }
+  [[nodiscard]] bool contains(double length) const { return length > before && length < beyond; }
+  // Where a straight line through both margins reaches the aim.
+  [[nodiscard]] double by_secant(double aim) const {
+    return margin_beyond < 0.0 ? before + width() * (margin_before - aim) / (margin_before - margin_beyond) : beyond;
+  }
+};
+
+// The element that is nearest to its change in the trial state.
+std::string nearest_element(const StepSolver& step, double h) {
+  std::string name = "an element";
+  double least = std::numeric_limits<double>::infinity();
+  for (const auto& block : step.model().blocks()) {
+    if (block->regimes() == nullptr || block->size() == 0) continue;
+    RegimeScan scan;
+    block->regimes()->scan(h, step.aim(), scan);
+    if (scan.margin >= least) continue;
+    least = scan.margin;
+    name = block->info(0).name + (block->size() > 1 ? " or another element with its law" : "");
+  }
+  return name;
+}
+
+}  // namespace
+
+bool is_located(const RegimeScan& seen, double location_tolerance) {
+  return !seen.crossed_back && seen.margin < 0.0 && seen.margin >= -location_tolerance;
+}
+
+double locate_change(StepSolver& step, double h, RegimeScan seen) {
+  const double tolerance = step.location_tolerance();
+  const double start = step.model().state().time;
+  const double shortest = 4.0 * std::numeric_limits<double>::epsilon() * (start + h);
+  Bracket bracket{.beyond = h, .margin_beyond = seen.margin};
+  double next = seen.fraction * h;
+  constexpr int most_solves = 100, solves_by_secant = 8;
+  for (int count = 0; count < most_solves; ++count) {
+    const double width = bracket.width();
+    const bool slow = count > solves_by_secant && count % 2 == 0;
+    if (!bracket.contains(next) || slow) next = bracket.before + 0.5 * width;
+    if (width <= shortest) next = bracket.beyond;
+    ++step.statistics().event_solves;
+    if (!step.solve(next)) {
+      // A shorter step may end before the change, or beyond it by any amount.
+      const double shorter = step.solve_cutting(0.5 * next);
+      seen = step.scan(shorter);
+      return seen.crossed ? locate_change(step, shorter, seen) : shorter;
+    }
+    seen = step.scan(next);
+    if (seen.margin < 0.0 && (seen.margin >= -tolerance || width <= shortest)) return next;
+    if (seen.crossed && width <= shortest) return next;  // crossed and came back within round-off: no change
+    if (seen.crossed) {
+      bracket.beyond = next;
+      bracket.margin_beyond = seen.margin;
+      next = seen.fraction * next;
+      continue;
+    }
+    // The interpolant of the longer step crossed a change and came back; this step does neither. The rest of the step
+    // is looked at again from its end on.
+    if (width <= shortest || bracket.margin_beyond >= 0.0) return next;
+    bracket.before = next;
+    bracket.margin_before = seen.margin;
+    next = bracket.by_secant(step.aim());
+  }
+  const std::string element = nearest_element(step, bracket.beyond);
+  throw ConvergenceError{"A change of \"" + element + "\" after t = " + to_text(start) + " s could not be located to " +
+                             to_text(tolerance) +
+                             " m. Raise TransientOptions::location_tolerance; results up to this time are kept.",
+                         start, bracket.beyond, seen.margin, element};
+}
+
+}  // namespace moat

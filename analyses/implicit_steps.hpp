@@ -1,0 +1,49 @@
+// Steps of Newmark's family, solved by Newton's method.
+#pragma once
+
+#include "analyses/step_control.hpp"
+#include "analyses/stepper.hpp"
+#include "analyses/transient_options.hpp"
+#include "solvers/newton.hpp"
+
+namespace moat {
+
+/// Steps whose scheme and length StepControl chooses, solved by NOX.
+class ImplicitSteps final : public Stepper {
+ public:
+  /// The model must outlive this object and is prepared here.
+  ImplicitSteps(Model& model, const TransientOptions& options, const StepControl::Options& control);
+
+  double next_length() override;
+  void begin(const StepTask&) override {}
+  bool solve(const StepTask& part) override;
+  bool accepts(const StepTask& step, std::span<const RegimeChange> inside) override {
+    return control_.accepts(*model_, step, scheme_, inside);
+  }
+  WorkRule work_rule() const override { return scheme_.order() > 2 ? WorkRule::quadrature : WorkRule::mean_force; }
+
+  /// The trial state that the step would lead to without iterations; only elements that can change their regime are
+  /// evaluated there.
+  void predict(const StepTask& step) { equations_.predict(step, scheme_, acceleration_); }
+  /// Computes accelerations and jerks of the committed state anew, from its forces.
+  void balance_committed_state(double ground_acceleration) { equations_.balance_committed_state(ground_acceleration); }
+
+  [[nodiscard]] StepControl& control() { return control_; }
+  [[nodiscard]] const StepControl& control() const { return control_; }
+  /// Of the last solve().
+  [[nodiscard]] const NewtonReport& last_report() const { return last_report_; }
+  [[nodiscard]] long newton_iterations() const { return newton_iterations_; }
+  [[nodiscard]] long factorisations() const { return equations_.factorisations(); }
+
+ private:
+  Model* model_;
+  StepEquations equations_;
+  NewtonSolver newton_;
+  StepControl control_;
+  StepScheme scheme_{};  // of the step being tried
+  Vector acceleration_;
+  NewtonReport last_report_;
+  long newton_iterations_ = 0;
+};
+
+}  // namespace moat

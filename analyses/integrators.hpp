@@ -1,0 +1,35 @@
+// The one list of integrators.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <variant>
+
+#include "analyses/exact_between_events.hpp"
+#include "analyses/generalized_alpha.hpp"
+#include "analyses/hilber_hughes_taylor.hpp"
+#include "analyses/newmark.hpp"
+
+namespace moat {
+
+/// An integrator is a value with `name`, check(), description() and scheme(): the numbers of its steps
+/// (analyses/step_scheme.hpp). Names on the command line, checks and reports follow from this list.
+///
+///     TransientOptions{.integrator = GeneralizedAlpha{.spectral_radius = 0.8}}
+using Integrator = std::variant<Newmark, HilberHughesTaylor, GeneralizedAlpha, ExactBetweenEvents>;
+
+/// The integrator of this name, with its default parameters. Throws InputError that starts with `what` and lists the
+/// names.
+Integrator integrator_named(std::string_view name, std::string_view what = "integrator");
+/// "newmark, hht-alpha, ..."
+std::string integrator_names();
+
+inline std::optional<StepScheme> scheme_of(const Integrator& integrator) {
+  return std::visit([](const auto& each) { return each.scheme(); }, integrator);
+}
+inline std::string_view name_of(const Integrator& integrator) {
+  return std::visit([](const auto& each) { return each.name; }, integrator);
+}
+inline bool is_exact(const Integrator& integrator) { return std::holds_alternative<ExactBetweenEvents>(integrator); }
+
+}  // namespace moat

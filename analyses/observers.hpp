@@ -1,0 +1,41 @@
+// The observers of one analysis.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "output/step_observer.hpp"
+
+namespace moat {
+
+/// Calls observers in the order in which they were added. Each gets the start before its first step.
+class Observers {
+ public:
+  void add(StepObserver& observer) { followers_.push_back({&observer, false}); }
+
+  void start(const StepView& view) {
+    for (Follower& follower : followers_) {
+      if (follower.started) continue;
+      follower.started = true;
+      follower.observer->start(view);
+    }
+  }
+  void step(const StepView& view) const {
+    for (const Follower& follower : followers_) follower.observer->step(view);
+  }
+  void event(const StepView& view, std::span<const RegimeChange> changes) const {
+    for (const Follower& follower : followers_) follower.observer->event(view, changes);
+  }
+  void finish(const StepView& view) const {
+    for (const Follower& follower : followers_) follower.observer->finish(view);
+  }
+
+ private:
+  struct Follower {
+    StepObserver* observer;
+    bool started;
+  };
+  std::vector<Follower> followers_;
+};
+
+}  // namespace moat

@@ -1,0 +1,42 @@
+// Where steps end.
+#pragma once
+
+#include "analyses/step_equations.hpp"
+#include "motions/ground_motion.hpp"
+
+namespace moat {
+
+/// The times at which steps end: multiples of their length, the end of the motion, and the end of the analysis; and the
+/// ground's acceleration there. Grid times are multiples of the step and not sums of steps, so that the last sample is
+/// not passed by round-off.
+class StepGrid {
+ public:
+  /// `motion` must outlive this object. `start` < `end`, s.
+  StepGrid(const GroundMotion& motion, double start, double end);
+
+  [[nodiscard]] double end() const { return end_; }
+  [[nodiscard]] bool finished(double time) const { return time >= end_ * (1.0 - 1e-12); }
+  /// The ground's acceleration at the committed state, m/s^2.
+  [[nodiscard]] double ground_acceleration() const { return ground_; }
+
+  /// The step from `time` to the next multiple of `length`, s.
+  [[nodiscard]] StepTask next_step(double time, double length) const;
+  /// The first h seconds of a step that next_step() returned.
+  [[nodiscard]] StepTask first_part(const StepTask& step, double h) const;
+  /// The step was accepted.
+  void accepted(const StepTask& step) { ground_ = step.ground_acceleration; }
+
+  /// Whether the last sample is reached and end_motion() was not called yet.
+  [[nodiscard]] bool reaches_end_of_motion(double time) const;
+  /// After its last sample the ground rests; its acceleration drops to zero and does not go there linearly. False if
+  /// it is zero already.
+  bool end_motion();
+
+ private:
+  const GroundMotion* motion_;
+  double end_;
+  double ground_;
+  bool motion_ended_ = false;
+};
+
+}  // namespace moat

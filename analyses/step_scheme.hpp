@@ -1,0 +1,50 @@
+// One implicit time step as numbers.
+#pragma once
+
+#include <cmath>
+#include <limits>
+
+namespace moat {
+
+/// The methods of Newmark, Hilber, Hughes & Taylor, and Chung & Hulbert over a step h, from 0 to 1:
+///
+///     u1 = u0 + h v0 + h^2 ((1/2 - beta) a0 + beta a1)
+///     v1 = v0 + h ((1 - gamma) a0 + gamma a1)
+///     mass_share M a1 + (1 - mass_share) M a0 + force_share p1 + (1 - force_share) p0 = 0,   p = f(u, v) + M iota a_g
+///
+/// The unknown is a1. An integrator (analyses/integrators.hpp) is a choice of these numbers.
+///
+/// With corrects_velocity, which beta = 1/12 needs (analyses/newmark.hpp), the step goes on with v' = v + h^2/12 j,
+/// where j is the rate of acceleration (the jerk), and gives back the velocity of the motion at its end:
+///
+///     v'0 = v0 + h^2/12 j0        v'1 = v'0 + h/2 (a0 + a1)        v1 = v'1 - h^2/12 j1
+///
+/// Forces that depend on velocity are evaluated with v1 = v'0 + h^2/12 j0 + h (2/3 a0 + 1/3 a1), where j1 is
+/// extrapolated from a0, j0 and a1, j1 = 2 (a1 - a0)/h - j0. All of it is of fourth order, over steps of any lengths.
+struct StepScheme {
+  double beta = 0.25;
+  double gamma = 0.5;
+  double mass_share = 1.0;   ///< of the inertia at the end of the step
+  double force_share = 1.0;  ///< of forces and loads at the end of the step
+  bool corrects_velocity = false;
+
+  static constexpr StepScheme average_acceleration() { return {}; }
+  static constexpr StepScheme fourth_order() { return {.beta = 1.0 / 12.0, .corrects_velocity = true}; }
+
+  [[nodiscard]] constexpr int order() const { return corrects_velocity ? 4 : 2; }
+  /// Whether the equation is that of the end of the step alone.
+  [[nodiscard]] constexpr bool balances_at_end() const { return mass_share == 1.0 && force_share == 1.0; }
+
+  /// Largest stable h * angular frequency of an undamped vibration: 2 / sqrt(1 - 4 beta), infinite from beta = 1/4 on.
+  [[nodiscard]] double stability_limit() const {
+    return beta >= 0.25 ? std::numeric_limits<double>::infinity() : 2.0 / std::sqrt(1.0 - 4.0 * beta);
+  }
+
+  /// du1/da1 and dv1/da1.
+  [[nodiscard]] constexpr double displacement_weight(double h) const { return beta * h * h; }
+  [[nodiscard]] constexpr double velocity_weight(double h) const { return corrects_velocity ? h / 3.0 : gamma * h; }
+
+  friend bool operator==(const StepScheme&, const StepScheme&) = default;
+};
+
+}  // namespace moat

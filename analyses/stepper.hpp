@@ -1,0 +1,32 @@
+// What takes a model from its committed state to a trial state.
+#pragma once
+
+#include <span>
+
+#include "analyses/step_equations.hpp"
+#include "model/model.hpp"
+
+namespace moat {
+
+/// Solves time steps. Implicit steps (analyses/implicit_steps.hpp) serve every model, exact ones
+/// (analyses/exact_steps.hpp) some. A stepper knows no observers, no files and no location of events; these shorten
+/// its steps.
+class Stepper {
+ public:
+  virtual ~Stepper() = default;
+
+  /// Length of the step to try next, s.
+  [[nodiscard]] virtual double next_length() = 0;
+  /// Sets up a step from the committed state.
+  virtual void begin(const StepTask& step) = 0;
+  /// Solves the step, or its first part, into the trial state, with all forces and their rates. False if it did not
+  /// converge.
+  virtual bool solve(const StepTask& part) = 0;
+  /// Judges the trial state that solve() led to, with these changes of regime inside the step. False: begin again with
+  /// next_length(), which is shorter.
+  [[nodiscard]] virtual bool accepts(const StepTask& step, std::span<const RegimeChange> inside) = 0;
+  /// How the work of its steps is formed.
+  [[nodiscard]] virtual WorkRule work_rule() const = 0;
+};
+
+}  // namespace moat

@@ -1,0 +1,79 @@
+// How a time history is computed.
+#pragma once
+
+#include "analyses/integrators.hpp"
+#include "base/quantity.hpp"
+#include "base/units.hpp"
+
+namespace moat {
+
+/// What happens to the step in which an element changes its regime.
+enum class EventTreatment {
+  /// `inside_the_step` where about a third of the last sixteen steps had a change, or eight elements change in one
+  /// step, as in a long street; else `located`. Exact steps are always `located`.
+  automatic,
+  /// The step ends at the instant of the change, located to location_tolerance: exact, and a step for every change.
+  located,
+  /// Instant and approach speed come from the interpolated motion, the step is solved again with the new regime from
+  /// there on and goes on to its planned end. Steps do not multiply with the number of gaps. A contact that begins and
+  /// ends within one step is not felt. A touch whose force jumps (linear dashpots), or whose contact asks for shorter
+  /// adapted steps, and changes that do not settle in a few solutions, are located all the same.
+  inside_the_step,
+};
+
+/// How a time history is computed. Every bound is checked by Transient's constructor.
+struct TransientOptions {
+  /// Newmark, HilberHughesTaylor, GeneralizedAlpha or ExactBetweenEvents, with its parameters.
+  Integrator integrator = Newmark{};
+
+  /// >= 0 s. Length of a fixed step; 0: the step adapts itself (next three options), which
+  /// ExactBetweenEvents requires.
+  Time step{};
+
+  /// >= 1e-12, < 1. Adaptive step: the error of acceleration that one step should add at any node, relative to the
+  /// scale of the absolute acceleration there (analyses/acceleration_scales.hpp); above twice that a step is repeated.
+  /// Steps are the longest step divided by powers of two.
+  double tolerance = 1.2e-4;
+
+  /// >= 4. Adaptive step: steps within the duration of one contact, estimated with the masses of the joined nodes
+  /// alone. 32 give restitution to 1e-3, 1024 to 1e-6. A fixed step with fewer than 32 warns.
+  int steps_per_contact = 32;
+
+  /// >= 0 s. Adaptive step, and exact steps: the longest step. It is the interval of the samples divided by the
+  /// smallest power of two that gives at most this, at most 2^40; 0: the interval of the samples.
+  Time largest_step{};
+
+  /// >= 0, <= 40. Adaptive step: how often the longest step may be halved.
+  int max_halvings = 24;
+
+  /// >= 0 s. Where the analysis ends; 0: at the last sample of the motion.
+  Time end{};
+
+  /// > 0, < 1. Largest out-of-balance force of an accepted step at any node, relative to the largest force there. More,
+  /// up to 1e-6, passes where it is round-off of the displacements.
+  double force_tolerance = 1e-8;
+
+  /// >= 1. Newton iterations before a step is cut.
+  int max_iterations = 20;
+
+  /// >= 0. How often a step that does not converge is cut in half before the analysis gives up.
+  int max_cuts = 12;
+
+  /// > 0 m. A change of regime is located until its margin, a length, is zero to this: the gap at a touch.
+  Length location_tolerance = 1e-12 * units::m;
+
+  /// How touches, separations and other changes of regime are treated.
+  EventTreatment events = EventTreatment::automatic;
+
+  /// >= 1. Changes of one element in a window of one second of motion, before the analysis gives up.
+  int max_events_per_second = 10000;
+};
+
+/// The longest adapted or exact step of an analysis, s, by TransientOptions::largest_step and the interval of the
+/// motion's samples, > 0 s.
+double longest_step(const TransientOptions& options, double sample_interval);
+
+/// The options themselves. Throws InputError for one outside its range.
+const TransientOptions& checked(const TransientOptions& options);
+
+}  // namespace moat

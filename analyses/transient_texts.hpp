@@ -1,0 +1,23 @@
+// An analysis in words, for reports.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "analyses/step_control.hpp"
+#include "analyses/transient_options.hpp"
+#include "model/model.hpp"
+#include "motions/ground_motion.hpp"
+#include "output/case_result.hpp"
+
+namespace moat {
+
+/// Method, step and tolerances, one sentence each. `longest_step` s is that of adapted steps.
+std::vector<std::string> assumptions_of(const TransientOptions& options, const StepControl& control,
+                                        double longest_step, const SolverStatistics& statistics);
+
+/// Settings that may spoil the numbers, with advice.
+std::vector<std::string> warnings_of(const TransientOptions& options, const StepControl& control,
+                                     const GroundMotion& motion, const Model& model);
+
+}  // namespace moat

@@ -1,0 +1,141 @@
+// Links that touch and separate.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <numbers>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "base/error.hpp"
+#include "elements/links_with_regimes.hpp"
+#include "materials/contact_state.hpp"
+#include "materials/free_impact.hpp"
+
+namespace moat {
+
+/// Links with a contact law. Besides the regimes they keep the speed at which every contact was touched, and how long
+/// it would last as a free impact, from which steps take their length.
+template <ContactLaw Law, class Ends = NodePair>
+class ContactLinks final : public LinksWithRegimes<Law, Ends>, public Contacts {
+  using Base = LinksWithRegimes<Law, Ends>;
+
+ public:
+  using State = ContactState;
+
+  /// Appends an element. effective_mass > 0 kg serves to estimate how long a contact lasts, and for the approach speed
+  /// that the law of a gap counts which starts closed.
+  std::size_t add(ElementInfo info, const Law& law,
+                  double effective_mass) requires std::constructible_from<Ends, const ElementInfo&> {
+    const Ends ends{info};
+    return add(std::move(info), law, effective_mass, ends);
+  }
+  std::size_t add(ElementInfo info, const Law& law, double effective_mass, const Ends& ends) {
+    effective_masses_.push_back(effective_mass);
+    durations_.push_back(0.0);
+    approach_speeds_.push_back(0.0);
+    info.drawn_as = DrawnAs::gap;
+    return Base::add(std::move(info), law, ends);
+  }
+
+  std::unique_ptr<ElementBlock> clone() const override { return std::make_unique<ContactLinks>(*this); }
+  Contacts* contacts() override { return this; }
+  const Contacts* contacts() const override { return this; }
+  /// A closed gap does not count.
+  bool linear_between_events() const override { return true; }
+
+  ContactView contact(std::size_t i) const override {
+    if (!is_touching(i)) return {false, approach_speeds_[i], 0.0};
+    const double impulse = effective_masses_[i] * this->committed_[i].approach_speed;
+    return {true, approach_speeds_[i], std::numbers::pi * impulse / durations_[i]};
+  }
+
+  int touching() const override { return touching_; }
+
+  double shortest_contact() const override {
+    double shortest = std::numeric_limits<double>::infinity();
+    if (touching_ > 0)
+      for (std::size_t i = 0; i < this->size(); ++i)
+        if (is_touching(i)) shortest = std::min(shortest, durations_[i]);
+    return shortest;
+  }
+
+  double delivered_restitution(std::size_t i, double approach_speed) const override {
+    if (approach_speed <= 0.0) return std::numeric_limits<double>::quiet_NaN();
+    try {
+      return moat::delivered_restitution(this->laws_[i], effective_masses_[i], approach_speed);
+    } catch (const Error&) {
+      // A contact that never ends has no restitution; the impact itself is reported all the same.
+      return std::numeric_limits<double>::quiet_NaN();
+    }
+  }
+
+  void open_gaps(std::size_t block_index, std::vector<RegimeChange>& changes) override {
+    if (touching_ == 0) return;
+    for (std::size_t i = 0; i < this->size(); ++i) {
+      if (!is_touching(i) || this->start_.deformations[i] > 0.0) continue;
+      const HermiteQuintic path = path_between(this->before_, this->start_, i, this->last_step_);
+      const double fraction = first_fall([&](double x) { return path.value(x); }, 1.0, 0.0);
+      changes.push_back({.block = block_index,
+                         .element = i,
+                         .time = (fraction - 1.0) * this->last_step_,
+                         .rate = path.rate(fraction),
+                         .inside = true});
+      enter(i, {}, 0.0, changes.back());
+    }
+  }
+
+ protected:
+  void enter(std::size_t i, const State& next, double rate, RegimeChange& change) override {
+    const bool touched_before = is_touching(i);
+    this->committed_[i] = next;
+    const bool touches = is_touching(i);
+    touching_ += static_cast<int>(touches) - static_cast<int>(touched_before);
+    if (touches && !touched_before) {
+      change.touched = true;
+      approach_speeds_[i] = rate;
+      // A gap that starts closed has no approach: its law counts the speed at which an elastic impact reaches this
+      // depth. A located touch is so shallow that the speed is nothing.
+      double& counted = this->committed_[i].approach_speed;
+      counted = std::max(counted, std::sqrt(2.0 * this->stored(i) / effective_masses_[i]));
+    }
+    change.opened = change.opened || (touched_before && !touches);
+    if (touches)
+      durations_[i] = this->laws_[i].contact_duration(effective_masses_[i], this->committed_[i].approach_speed);
+  }
+
+  bool opens(std::size_t i) const override { return is_touching(i) && this->now_.deformations[i] <= 0.0; }
+
+  bool jumps_at_opening(std::size_t i) const override {
+    constexpr double of_expected = 0.01;
+    const double last = force_at(i, this->committed_[i], least_indentation, this->now_.rates[i]);
+    return std::abs(last) > of_expected * contact(i).expected_force;
+  }
+
+  // Whether the force right after a touch is of the size it has at the end of the step.
+  bool jumps_at_entry(std::size_t i, const State& next, double rate) const override {
+    if (is_touching(i)) return false;
+    constexpr double of_its_size = 0.3;
+    const double first = force_at(i, next, least_indentation, rate);
+    const double last = force_at(i, next, this->now_.deformations[i], this->now_.rates[i]);
+    return std::abs(first) > of_its_size * std::abs(last);
+  }
+
+ private:
+  static constexpr double least_indentation = 1e-12;  // m
+
+  [[nodiscard]] bool is_touching(std::size_t i) const { return this->committed_[i].phase != ContactPhase::open; }
+  [[nodiscard]] double force_at(std::size_t i, const State& state, double indentation, double rate) const {
+    State after;
+    return this->laws_[i].evaluate(state, indentation, rate, after).force;
+  }
+
+  std::vector<double> effective_masses_, durations_;  // kg; s, of the contact going on
+  std::vector<double> approach_speeds_;               // m/s, at the last touch; that of the law's state has a floor
+  int touching_ = 0;                                  // number of contacts going on
+};
+
+}  // namespace moat

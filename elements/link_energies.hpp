@@ -1,0 +1,126 @@
+// The energy accounts of a block of links.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "elements/link_motion.hpp"
+#include "materials/response.hpp"
+#include "model/energy_accounts.hpp"
+
+namespace moat {
+
+/// Work and dissipation of every link of a block, added up step by step.
+///
+///     work = integral of F d' dt        dissipated = integral of dissipation_rate dt
+///
+/// By WorkRule::mean_force the work of a step is the mean of the forces at its ends times the change of deformation,
+/// and the dissipation follows Simpson's rule. By WorkRule::quadrature both follow Lobatto's rule with four points:
+///
+///     integral over h = h/12 (f(0) + 5 f(x1) + 5 f(1 - x1) + f(h)),   x1 = (1 - 1/sqrt(5))/2
+///
+/// with the law evaluated on the interpolated deformation. A law with dissipated_energy(from, to) gives its dissipation
+/// exactly instead.
+template <ForceLaw Law>
+class LinkEnergies {
+ public:
+  using State = typename Law::State;
+
+  /// Whether the law knows its dissipation from its states: it slides, at any speed.
+  static constexpr bool hysteretic = requires(const Law& law, const State& state) {
+    law.dissipated_energy(state, state);
+  };
+
+  /// Laws, states and motion at both ends of a step of `length` s; the states at its end are the trial ones.
+  struct Step {
+    const std::vector<Law>& laws;
+    const std::vector<State>&committed, &trial;
+    const LinkMotion &start, &end;
+    const std::vector<double>& forces;  // at the end, N
+    double length;
+  };
+
+  [[nodiscard]] bool kept() const { return kept_; }
+
+  void resize(std::size_t count) {
+    if (kept_) accounts_.resize(count);
+  }
+
+  /// Starts all accounts at zero, in the state and motion of the committed instant.
+  void start(const std::vector<Law>& laws, const std::vector<State>& committed, const LinkMotion& now,
+             const std::vector<double>& forces) {
+    kept_ = true;
+    accounts_.resize(laws.size());
+    for (std::size_t i = 0; i < laws.size(); ++i)
+      accounts_[i] = {.force = forces[i],
+                      .power = laws[i].dissipation_rate(committed[i], now.deformations[i], now.rates[i]),
+                      .stored_at_start = laws[i].stored_energy(committed[i], now.deformations[i])};
+  }
+
+  void add_step(const Step& step, WorkRule rule) {
+    for (std::size_t i = 0; i < accounts_.size(); ++i) {
+      Account& account = accounts_[i];
+      const double deformation = step.end.deformations[i], rate = step.end.rates[i];
+      const double power = hysteretic ? 0.0 : step.laws[i].dissipation_rate(step.trial[i], deformation, rate);
+      if (step.length > 0.0) {
+        if (rule == WorkRule::mean_force)
+          add_by_mean_force(step, i, power);
+        else
+          add_by_quadrature(step, i, power);
+        if constexpr (hysteretic)
+          account.dissipated += step.laws[i].dissipated_energy(step.committed[i], step.trial[i]);
+      }
+      account.force = step.forces[i];
+      account.power = power;
+    }
+  }
+
+  /// A change of regime gave up stored energy, J.
+  void release(std::size_t link, double energy) {
+    if (kept_) accounts_[link].dissipated += energy;
+  }
+
+  /// `stored` J is the link's energy now.
+  [[nodiscard]] ElementEnergy energy(std::size_t link, double stored) const {
+    const Account& account = accounts_[link];
+    return {account.work, stored - account.stored_at_start, account.dissipated, hysteretic};
+  }
+
+ private:
+  struct Account {
+    double force = 0.0, power = 0.0;  // at the last commit
+    double work = 0.0, dissipated = 0.0, stored_at_start = 0.0;
+  };
+
+  void add_by_mean_force(const Step& step, std::size_t i, double end_power) {
+    Account& account = accounts_[i];
+    account.work += 0.5 * (account.force + step.forces[i]) * (step.end.deformations[i] - step.start.deformations[i]);
+    if constexpr (!hysteretic) {
+      const HermiteCubic path = cubic_between(step.start, step.end, i, step.length);
+      const double middle = step.laws[i].dissipation_rate(step.committed[i], path.value(0.5), path.rate(0.5));
+      account.dissipated += step.length / 6.0 * (account.power + 4.0 * middle + end_power);
+    }
+  }
+
+  void add_by_quadrature(const Step& step, std::size_t i, double end_power) {
+    constexpr double first_inside = 0.27639320225002103;  // (1 - 1/sqrt(5))/2
+    Account& account = accounts_[i];
+    const HermiteQuintic path = path_between(step.start, step.end, i, step.length);
+    double work = account.force * step.start.rates[i] + step.forces[i] * step.end.rates[i];
+    double dissipated = account.power + end_power;
+    for (const double x : {first_inside, 1.0 - first_inside}) {
+      const double deformation = path.value(x), rate = path.rate(x);
+      State after;
+      work += 5.0 * step.laws[i].evaluate(step.committed[i], deformation, rate, after).force * rate;
+      if constexpr (!hysteretic)
+        dissipated += 5.0 * step.laws[i].dissipation_rate(step.committed[i], deformation, rate);
+    }
+    account.work += step.length / 12.0 * work;
+    if constexpr (!hysteretic) account.dissipated += step.length / 12.0 * dissipated;
+  }
+
+  bool kept_ = false;
+  std::vector<Account> accounts_;
+};
+
+}  // namespace moat

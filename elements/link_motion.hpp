@@ -1,0 +1,41 @@
+// How the links of a block deform over a step.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "base/hermite.hpp"
+
+namespace moat {
+
+/// Deformation of every link of a block at one instant, with its first two rates: m, m/s, m/s^2.
+struct LinkMotion {
+  std::vector<double> deformations, rates, second_rates;
+
+  void resize(std::size_t count) {
+    for (auto* values : {&deformations, &rates, &second_rates}) values->resize(count, 0.0);
+  }
+  void swap(LinkMotion& other) {
+    deformations.swap(other.deformations);
+    rates.swap(other.rates);
+    second_rates.swap(other.second_rates);
+  }
+};
+
+/// The deformation of one link from one instant to another, `step` s later, through value and both rates.
+inline HermiteQuintic path_between(const LinkMotion& start, const LinkMotion& end, std::size_t link, double step) {
+  return {start.deformations[link],
+          start.rates[link],
+          start.second_rates[link],
+          end.deformations[link],
+          end.rates[link],
+          end.second_rates[link],
+          step};
+}
+
+/// The same through value and rate alone.
+inline HermiteCubic cubic_between(const LinkMotion& start, const LinkMotion& end, std::size_t link, double step) {
+  return {start.deformations[link], start.rates[link], end.deformations[link], end.rates[link], step};
+}
+
+}  // namespace moat

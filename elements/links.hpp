@@ -1,0 +1,266 @@
+// Elements with one law between two places.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <concepts>
+#include <stdexcept>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#include "elements/ends.hpp"
+#include "elements/link_energies.hpp"
+#include "elements/link_motion.hpp"
+#include "materials/response.hpp"
+#include "model/element_block.hpp"
+
+namespace moat {
+
+/// All elements of a model that put a law of type Law between two places, in contiguous arrays.
+///
+///     deformation d = u(second) - u(first) - offset;  the law's force pulls `second` back and `first` along.
+///
+/// A spring has its lower node first; a contact has its right node first and its clearance as offset, so that d is the
+/// indentation and a positive force is compression. `Ends` is how the two places are attached: at nodes (NodePair) or
+/// at points between nodes (PointPair).
+///
+/// This class serves laws that are smooth everywhere; LinksWithRegimes and ContactLinks add the rest. Take the type
+/// from LinkBlock<Law> (elements/link_block.hpp).
+template <ForceLaw Law, class Ends = NodePair>
+class Links : public ElementBlock {
+ public:
+  using State = typename Law::State;
+
+  /// Appends an element and returns its index.
+  std::size_t add(ElementInfo info, const Law& law) requires std::constructible_from<Ends, const ElementInfo&> {
+    const Ends ends{info};
+    return add(std::move(info), law, ends);
+  }
+  std::size_t add(ElementInfo info, const Law& law, const Ends& ends) {
+    ends_.push_back(ends);
+    slots_.emplace_back();
+    offsets_.push_back(info.offset);
+    infos_.push_back(std::move(info));
+    laws_.push_back(law);
+    const std::size_t count = infos_.size();
+    committed_.resize(count);
+    trial_.resize(count);
+    now_.resize(count);
+    forces_.resize(count, 0.0);
+    force_rates_.resize(count, 0.0);
+    if constexpr (!is_linear) {
+      stiffnesses_.resize(count, 0.0);
+      dampings_.resize(count, 0.0);
+    }
+    if (keeps_start()) resize_start();
+    energies_.resize(count);
+    return count - 1;
+  }
+
+  [[nodiscard]] const Law& law(std::size_t element) const { return laws_[element]; }
+  [[nodiscard]] const State& committed(std::size_t element) const { return committed_[element]; }
+
+  std::unique_ptr<ElementBlock> clone() const override { return std::make_unique<Links>(*this); }
+  std::size_t size() const override { return ends_.size(); }
+  const ElementInfo& info(std::size_t element) const override { return infos_[element]; }
+  std::string law_name(std::size_t element) const override {
+    if constexpr (requires { std::string{Law::name}; })
+      return std::string{Law::name};
+    else
+      return ElementBlock::law_name(element);
+  }
+  std::vector<Parameter> parameters(std::size_t element) const override {
+    if constexpr (requires(const Law& law) { law.parameters(); })
+      return laws_[element].parameters();
+    else
+      return {};
+  }
+
+  void add_couplings(PatternBuilder& pattern) const override {
+    for (std::size_t i = 0; i < size(); ++i) ends_[i].add_couplings(infos_[i], pattern);
+  }
+
+  void find_slots(const SparseMatrix& matrix) override {
+    for (std::size_t i = 0; i < size(); ++i) {
+      ends_[i].find_entries(infos_[i], matrix);
+      slots_[i].find(ends_[i], infos_[i], matrix);
+    }
+  }
+
+  void evaluate(const double* displacement, const double* velocity, double* force) override {
+    // Chunks of 512, so that arrays written by one loop are still in L1 for the next.
+    constexpr std::size_t chunk = 512;
+    for (std::size_t begin = 0; begin < size(); begin += chunk) {
+      const std::size_t end = std::min(begin + chunk, size());
+      deform(begin, end, displacement, velocity);
+      apply_laws(begin, end);
+      if (force == nullptr) continue;
+      const Ends* ends = ends_.data();
+      const double* forces = forces_.data();
+      for (std::size_t i = begin; i < end; ++i) ends[i].add_force(forces[i], force);
+    }
+  }
+
+  void evaluate_rates(const double* acceleration, double* force_rate) override {
+    const Ends* ends = ends_.data();
+    const double* rates = now_.rates.data();
+    double* __restrict second_rates = now_.second_rates.data();
+    double* __restrict force_rates = force_rates_.data();
+    for (std::size_t i = 0; i < size(); ++i) {
+      const Tangents tangents = tangents_of(i);
+      second_rates[i] = ends[i].difference(acceleration);
+      force_rates[i] = tangents.stiffness * rates[i] + tangents.damping * second_rates[i];
+    }
+    if (force_rate == nullptr) return;
+    for (std::size_t i = 0; i < size(); ++i) ends[i].add_force(force_rates[i], force_rate);
+  }
+
+  void add_tangent(double displacement_weight, double velocity_weight, double* values) const override {
+    for (std::size_t i = 0; i < size(); ++i) {
+      const Tangents tangents = tangents_of(i);
+      slots_[i].add_stiffness(ends_[i], displacement_weight * tangents.stiffness + velocity_weight * tangents.damping,
+                              values);
+    }
+  }
+
+  void add_linear_stiffness(StiffnessStage stage, double* values) const override {
+    for (std::size_t i = 0; i < size(); ++i)
+      slots_[i].add_stiffness(ends_[i], laws_[i].linear_stiffness(stage), values);
+  }
+
+  bool constant_tangent() const override { return is_linear; }
+  bool take_tangent_change() override { return std::exchange(tangent_changed_, false); }
+
+  bool has_corner() const override {
+    if constexpr (has_unlocated_corners) {
+      constexpr double jump = 0.2;
+      for (std::size_t i = 0; i < start_stiffnesses_.size(); ++i)
+        if (std::abs(stiffnesses_[i] - start_stiffnesses_[i]) >
+            jump * std::max(std::abs(stiffnesses_[i]), std::abs(start_stiffnesses_[i])))
+          return true;
+    }
+    return false;
+  }
+
+  bool linear_between_events() const override { return LinearWithinRegimes<Law>; }
+
+  void commit(double step, WorkRule rule) override {
+    if (energies_.kept()) energies_.add_step({laws_, committed_, trial_, start_, now_, forces_, step}, rule);
+    if (keeps_start()) {
+      before_.swap(start_);
+      start_ = now_;
+      if constexpr (has_unlocated_corners) start_stiffnesses_ = stiffnesses_;
+      last_step_ = step;
+    }
+    committed_.swap(trial_);
+  }
+
+  void start_energy_accounts() override {
+    start_ = now_;
+    before_.resize(size());
+    energies_.start(laws_, committed_, now_, forces_);
+  }
+
+  ElementEnergy energy(std::size_t element) const override {
+    if (!energies_.kept()) throw std::logic_error{"Links: energy() without start_energy_accounts()"};
+    return energies_.energy(element, stored(element));
+  }
+
+  std::span<const double> deformations() const override { return now_.deformations; }
+  std::span<const double> rates() const override { return now_.rates; }
+  std::span<const double> second_rates() const override { return now_.second_rates; }
+  std::span<const double> forces() const override { return forces_; }
+  std::span<const double> force_rates() const override { return force_rates_; }
+
+  double force_inside(std::size_t i, double fraction) const override {
+    if (!keeps_start()) throw std::logic_error{"Links: a linear element's force needs no law to interpolate"};
+    const HermiteQuintic path = path_between(before_, start_, i, last_step_);
+    State after;
+    // commit() has left the states of the step's start in trial_.
+    return laws_[i].evaluate(trial_[i], path.value(fraction), path.rate(fraction), after).force;
+  }
+
+ protected:
+  /// Without history and without regimes: both tangents are constants of the law.
+  static constexpr bool is_linear = LinearWithinRegimes<Law> && !LawWithRegimes<Law> && std::is_empty_v<State>;
+  static constexpr bool has_unlocated_corners = !is_linear && !LawWithRegimes<Law>;
+
+  /// Stored energy at the committed state, J.
+  [[nodiscard]] double stored(std::size_t i) const {
+    return laws_[i].stored_energy(committed_[i], start_.deformations[i]);
+  }
+
+  std::vector<ElementInfo> infos_;
+  std::vector<Law> laws_;
+  std::vector<Ends> ends_;
+  std::vector<typename Ends::Slots> slots_;
+  std::vector<double> offsets_;
+  std::vector<State> committed_, trial_;
+  LinkMotion now_;             // at the last evaluate()
+  LinkMotion start_, before_;  // at the last commit, and at the one before
+  double last_step_ = 0.0;     // between them, s
+  std::vector<double> forces_, force_rates_;
+  std::vector<double> stiffnesses_, dampings_;  // empty for linear laws
+  LinkEnergies<Law> energies_;
+
+ private:
+  struct Tangents {
+    double stiffness, damping;
+  };
+  [[nodiscard]] Tangents tangents_of(std::size_t i) const {
+    if constexpr (is_linear) {
+      State trial;
+      const Response response = laws_[i].evaluate(State{}, 0.0, 0.0, trial);
+      return {response.stiffness, response.damping};
+    } else {
+      return {stiffnesses_[i], dampings_[i]};
+    }
+  }
+
+  void deform(std::size_t begin, std::size_t end, const double* displacement, const double* velocity) {
+    const Ends* ends = ends_.data();
+    const double* offsets = offsets_.data();
+    double* __restrict deformations = now_.deformations.data();
+    double* __restrict rates = now_.rates.data();
+    for (std::size_t i = begin; i < end; ++i) {
+      deformations[i] = ends[i].difference(displacement) - offsets[i];
+      rates[i] = ends[i].difference(velocity);
+    }
+  }
+
+  // A loop over arrays that do not overlap: for most laws the compiler turns it into vector code.
+  void apply_laws(std::size_t begin, std::size_t end) {
+    const Law* laws = laws_.data();
+    const State* committed = committed_.data();
+    const double *deformations = now_.deformations.data(), *rates = now_.rates.data();
+    State* __restrict trial = trial_.data();
+    double* __restrict forces = forces_.data();
+    double* __restrict stiffnesses = stiffnesses_.data();
+    double* __restrict dampings = dampings_.data();
+    bool changed = false;
+    for (std::size_t i = begin; i < end; ++i) {
+      const Response response = laws[i].evaluate(committed[i], deformations[i], rates[i], trial[i]);
+      forces[i] = response.force;
+      if constexpr (!is_linear) {
+        changed |= (stiffnesses[i] != response.stiffness) | (dampings[i] != response.damping);
+        stiffnesses[i] = response.stiffness;
+        dampings[i] = response.damping;
+      }
+    }
+    if (changed) tangent_changed_ = true;
+  }
+
+  // Changes of regime, forces inside a step and energies need the motion at the last commits.
+  [[nodiscard]] bool keeps_start() const { return !is_linear || energies_.kept(); }
+  void resize_start() {
+    start_.resize(size());
+    before_.resize(size());
+  }
+
+  bool tangent_changed_ = false;
+  std::vector<double> start_stiffnesses_;  // at the last commit, of laws with corners
+};
+
+}  // namespace moat

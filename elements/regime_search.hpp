@@ -1,0 +1,64 @@
+// Where inside a step a law changes its regime.
+#pragma once
+
+#include <cmath>
+
+#include "base/hermite.hpp"
+#include "materials/response.hpp"
+
+namespace moat {
+
+/// Where a function of 0 to `beyond` falls to `aim`, by regula falsi (Illinois), on the far side of it. `beyond` itself
+/// if it never falls that far, 0 if it is there from the start.
+template <class Function>
+double first_fall(const Function& function, double beyond, double aim) {
+  double low = 0.0, high = beyond;
+  double above = function(low) - aim, below = function(high) - aim;
+  if (below >= 0.0) return beyond;
+  if (above <= 0.0) return 0.0;
+  int side = 0;
+  for (int count = 0; count < 60 && high - low > 1e-15; ++count) {
+    const double x = low + (high - low) * above / (above - below);
+    const double value = function(x) - aim;
+    if (value > 0.0) {
+      low = x;
+      above = value;
+      if (side == 1) below *= 0.5;
+      side = 1;
+    } else {
+      high = x;
+      below = value;
+      if (side == -1) above *= 0.5;
+      side = -1;
+    }
+  }
+  return high;
+}
+
+/// The margin of one law along the interpolated deformation of a step.
+template <LawWithRegimes Law>
+class MarginPath {
+ public:
+  MarginPath(const Law& law, const typename Law::State& committed, const HermiteCubic& path)
+      : law_{&law}, committed_{&committed}, path_{path} {}
+
+  /// At a fraction of the step, m.
+  [[nodiscard]] double operator()(double fraction) const {
+    return law_->regime_margin(*committed_, path_.value(fraction), path_.rate(fraction));
+  }
+  /// Fraction of the step at which the margin falls to `aim`, looked for between 0 and `beyond`.
+  [[nodiscard]] double first_crossing(double beyond, double aim) const { return first_fall(*this, beyond, aim); }
+
+ private:
+  const Law* law_;
+  const typename Law::State* committed_;
+  HermiteCubic path_;
+};
+
+/// Fraction at which the deformation turns inside a step with these rates at its ends, 0 if it does not. A linear rate
+/// is exact for average acceleration, and close enough for others to decide whether to look there.
+inline double turning_point(double start_rate, double end_rate) {
+  return start_rate * end_rate < 0.0 ? start_rate / (start_rate - end_rate) : 0.0;
+}
+
+}  // namespace moat

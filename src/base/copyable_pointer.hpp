@@ -1,0 +1,33 @@
+// A pointer whose copies own copies.
+#pragma once
+
+#include <memory>
+#include <utility>
+
+namespace moat {
+
+/// Owns an object of a class with `std::unique_ptr<T> clone() const`. Copying the pointer clones the object, so that a
+/// class which holds such pointers is copied by default.
+template <class T>
+class CopyablePointer {
+ public:
+  CopyablePointer() = default;
+  CopyablePointer(std::unique_ptr<T> object) : object_{std::move(object)} {}
+  CopyablePointer(const CopyablePointer& other) : object_{other.object_ ? other.object_->clone() : nullptr} {}
+  CopyablePointer& operator=(const CopyablePointer& other) {
+    if (this != &other) *this = CopyablePointer{other};
+    return *this;
+  }
+  CopyablePointer(CopyablePointer&&) noexcept = default;
+  CopyablePointer& operator=(CopyablePointer&&) noexcept = default;
+  ~CopyablePointer() = default;
+
+  T& operator*() const { return *object_; }
+  T* operator->() const { return object_.get(); }
+  [[nodiscard]] T* get() const { return object_.get(); }
+
+ private:
+  std::unique_ptr<T> object_;
+};
+
+}  // namespace moat

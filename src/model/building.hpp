@@ -1,0 +1,55 @@
+// A building among the nodes of a model.
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "model/node.hpp"
+
+namespace moat {
+
+class Model;
+
+/// A building: floors above each other, on a base or on the ground. Periods, charts and reports ask for it; it changes
+/// no force. A ShearBuilding adds one itself; add one when you build from nodes and elements:
+///
+///     add(model, Building{.base = base, .floors = {floor_1, floor_2}});
+///
+/// The sum of mass times absolute acceleration over its nodes is the force of isolators and impacts together
+/// (`total_base_shear`); the sum of the maxima of its terms is the design value that many papers quote
+/// (`sum_of_floor_inertia_maxima`). Both are listed at "base", or at "<name> base".
+struct Building {
+  /// Put before "base" in results; needed where a model has several buildings.
+  std::string name{};
+  /// The floor on the isolators; `ground` for a fixed building.
+  NodeId base = ground;
+  /// From the lowest up.
+  std::vector<NodeId> floors{};
+
+  /// Base, unless that is the ground, and floors.
+  [[nodiscard]] std::vector<NodeId> nodes() const;
+  [[nodiscard]] NodeId top() const { return floors.empty() ? base : floors.back(); }
+  /// Where its base shear is listed.
+  [[nodiscard]] std::string base_name() const { return name.empty() ? "base" : name + " base"; }
+};
+
+/// An element, by its place in a model.
+struct ElementId {
+  std::size_t block = 0;    ///< index into Model::blocks()
+  std::size_t element = 0;  ///< index in that block
+};
+
+/// The isolators of every building: elements that separate one of its nodes from the ground (ElementInfo::isolates).
+std::vector<std::vector<ElementId>> isolators_of(const Model& model, std::span<const Building> buildings);
+
+/// The number of a part for every node: two nodes have the same one if elements other than contacts lead from one to
+/// the other, not by way of the ground.
+std::vector<int> connected_parts(const Model& model);
+
+/// The buildings of a model, and every connected part in which there is none, as a building with the name of its first
+/// node. Its base is the first of its nodes on isolators.
+std::vector<Building> all_buildings(const Model& model);
+
+}  // namespace moat

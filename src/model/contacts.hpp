@@ -1,0 +1,36 @@
+// Elements that touch and separate.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "model/regimes.hpp"
+
+namespace moat {
+
+/// A contact as its element sees it.
+struct ContactView {
+  bool touching = false;        ///< from touch until the gap opens, also while the force is zero
+  double approach_speed = 0.0;  ///< m/s, at the last touch; <= 0 if the bodies did not approach
+  double expected_force = 0.0;  ///< N, of a free impact that lasts half a sine: pi m v0 / duration
+};
+
+/// The side of an ElementBlock whose elements are contacts.
+class Contacts {
+ public:
+  [[nodiscard]] virtual ContactView contact(std::size_t element) const = 0;
+  /// Number of contacts going on.
+  [[nodiscard]] virtual int touching() const = 0;
+  /// How long one cycle of the fastest contact going on lasts, s; infinite if there is none.
+  [[nodiscard]] virtual double shortest_contact() const = 0;
+  /// Restitution that the element's law delivers in a free impact at this approach speed, m/s. NaN if the speed is not
+  /// positive, and for a law whose contact never ends.
+  [[nodiscard]] virtual double delivered_restitution(std::size_t element, double approach_speed) const = 0;
+  /// After commit(): opens the gaps that opened inside the last step and lists them. Their forces are zero already.
+  virtual void open_gaps(std::size_t block_index, std::vector<RegimeChange>& changes) = 0;
+
+ protected:
+  ~Contacts() = default;
+};
+
+}  // namespace moat

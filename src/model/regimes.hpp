@@ -1,0 +1,68 @@
+// Elements whose law changes at instants: contacts that touch and separate, bearings that yield.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <limits>
+#include <span>
+#include <vector>
+
+namespace moat {
+
+/// The regimes of all elements at the end of a trial step.
+struct RegimeScan {
+  /// Smallest margin, m: how far the nearest element is from its next change of regime; negative: beyond it.
+  double margin = std::numeric_limits<double>::infinity();
+  /// True if an element crossed its margin inside the step, also if all margins are positive again at its end.
+  bool crossed = false;
+  /// True if an element crossed its margin inside the step and came back before the end; the margins at the end alone
+  /// would miss it.
+  bool crossed_back = false;
+  /// Number of elements that crossed.
+  int crossings = 0;
+  /// Fraction of the step at which the first margin is expected to reach the aim; 1 if none does.
+  double fraction = 1.0;
+};
+
+/// One change of regime that happened.
+struct RegimeChange {
+  std::size_t block = 0;    ///< index into Model::blocks()
+  std::size_t element = 0;  ///< index in that block
+  double time = 0.0;        ///< s
+  double rate = 0.0;        ///< m/s, of the deformation at that time
+  bool touched = false;     ///< a gap closed
+  bool opened = false;      ///< a gap opened
+  bool inside = false;      ///< of the last step, which went on; else at its end, where values may jump
+};
+
+/// Whether quantities may jump where these changes are reported; none are reported where the ground stops.
+inline bool values_jump(std::span<const RegimeChange> changes) {
+  return changes.empty() || !std::ranges::all_of(changes, &RegimeChange::inside);
+}
+
+/// The side of an ElementBlock whose elements have regimes. A margin is a length in m that is positive while the
+/// committed regime lasts and falls below zero beyond it.
+class Regimes {
+ public:
+  /// Looks for changes between the committed state and the last evaluate(), `step` seconds later. `aim` <= 0 m is the
+  /// margin at which a located step is meant to end, just beyond zero.
+  virtual void scan(double step, double aim, RegimeScan& scan) const = 0;
+
+  /// Puts every element that is beyond its margin at the committed state into its next regime and lists it.
+  virtual void change(std::size_t block_index, std::vector<RegimeChange>& changes) = 0;
+
+  /// Puts elements that are beyond their margin at the last evaluate(), `step` seconds after the committed state, into
+  /// their next regime from the interpolated instant on, and lists them, with times from the committed state. The step
+  /// is then solved again with the new regimes instead of ending there. Openings of gaps are left to open_gaps(): an
+  /// opened gap has no force. False if a force would jump, which no step can cross; elements before that one stay
+  /// changed until undo_changes_inside().
+  virtual bool change_inside(double step, double aim, std::size_t block_index, std::vector<RegimeChange>& changes) = 0;
+
+  /// Takes the changes inside the step being tried back.
+  virtual void undo_changes_inside() = 0;
+
+ protected:
+  ~Regimes() = default;
+};
+
+}  // namespace moat

@@ -1,0 +1,46 @@
+// One value for all storeys, or one for each.
+#pragma once
+
+#include <cstddef>
+#include <initializer_list>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "base/check.hpp"
+
+namespace moat {
+
+/// A value for every storey of a building, from the lowest up: one for all, or a list.
+///
+///     .floor_mass = 500 * tonne                                  every floor
+///     .floor_mass = {500 * tonne, 480 * tonne, 430 * tonne}      floor 1, 2 and 3
+template <class T>
+class PerStorey {
+ public:
+  PerStorey(T every) : values_{every} {}
+  PerStorey(std::initializer_list<T> list) : values_{list}, is_list_{true} {}
+  PerStorey(std::vector<T> list) : values_{std::move(list)}, is_list_{true} {}
+
+  /// Of storey or floor 1, 2, ...
+  [[nodiscard]] const T& of(int storey) const { return values_[is_list_ ? static_cast<std::size_t>(storey - 1) : 0]; }
+  [[nodiscard]] std::vector<T> list(int storeys) const {
+    return is_list_ ? values_ : std::vector<T>(static_cast<std::size_t>(storeys), values_.front());
+  }
+
+  /// Throws InputError unless every value is > 0 and a list has one for each storey.
+  void check(const Check& check, const std::string& field, int storeys) const {
+    check.that(!is_list_ || values_.size() == static_cast<std::size_t>(storeys),
+               field + " has " + std::to_string(values_.size()) + " values for " + std::to_string(storeys) +
+                   (storeys == 1 ? " storey." : " storeys."),
+               "Give one value for all storeys, or one for each from the lowest up.");
+    for (std::size_t i = 0; i < values_.size(); ++i)
+      check.positive(is_list_ ? field + "[" + std::to_string(i) + "]" : field, values_[i]);
+  }
+
+ private:
+  std::vector<T> values_;
+  bool is_list_ = false;
+};
+
+}  // namespace moat

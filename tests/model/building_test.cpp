@@ -1,0 +1,133 @@
+#include "model/building.hpp"
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+#include "base/error.hpp"
+#include "elements/gap.hpp"
+#include "elements/isolator.hpp"
+#include "elements/shear_spring.hpp"
+#include "materials/hertz_damp.hpp"
+#include "materials/linear.hpp"
+#include "message_of.hpp"
+
+namespace moat {
+namespace {
+
+using namespace units;
+using testing::message_of;
+
+NodeId add_floor(Model& model, const std::string& name) {
+  return add(model, Node{.name = name, .mass = 1 * tonne});
+}
+
+void join(Model& model, NodeId lower, NodeId upper) {
+  add(model, ShearSpring{.name = "spring " + std::to_string(upper.index),
+                         .lower = lower,
+                         .upper = upper,
+                         .stiffness = 1 * MN / m});
+}
+
+TEST(Building, RefusesNodesThatDoNotFit) {
+  Model model;
+  const NodeId node = add_floor(model, "base");
+  EXPECT_EQ(message_of([&] { add(model, Building{.name = "house"}); }),
+            "Building \"house\": no floors are given. Give .base and .floors, from the lowest up.");
+}
+
+TEST(Building, RefusesAFloorThatIsTheGround) {
+  Model model;
+  const NodeId node = add_floor(model, "base");
+  EXPECT_EQ(message_of([&] {
+              add(model, Building{.name = "house", .base = node, .floors = {ground}});
+            }),
+            "Building \"house\": the ground is among the floors. List only nodes with mass.");
+}
+
+TEST(Building, RefusesAnUnknownNode) {
+  Model model;
+  const NodeId node = add_floor(model, "base");
+  EXPECT_EQ(message_of([&] { add(model, Building{.name = "house", .base = NodeId{1}}); }),
+            "Building \"house\": base is not a node of this model. Use the NodeId that add(model, Node{...}) "
+            "returned.");
+  EXPECT_EQ(message_of([&] {
+              add(model, Building{.base = node, .floors = {NodeId{}}});
+            }),
+            "Building: a floor is not given. Set it to a node of this model or to `ground`.");
+}
+
+TEST(Building, RefusesANodeOrANameTwice) {
+  Model model;
+  const NodeId a = add_floor(model, "a"), b = add_floor(model, "b");
+  add(model, Building{.name = "house", .base = a});
+  EXPECT_EQ(message_of([&] { add(model, Building{.name = "house", .base = b}); }),
+            "Building \"house\": a building of this name exists. Give every building its own .name.");
+  EXPECT_EQ(message_of([&] { add(model, Building{.name = "shed", .base = a}); }),
+            "Building \"shed\": the node \"a\" is in a building already. Its inertia would count twice.");
+  EXPECT_EQ(message_of([&] {
+              add(model, Building{.name = "barn", .base = b, .floors = {b}});
+            }),
+            "Building \"barn\": the node \"b\" is in a building already. Its inertia would count twice.");
+}
+
+TEST(Building, KnowsItsNodesAndItsName) {
+  const NodeId base{0}, first{1}, second{2};
+  const Building isolated{.base = base, .floors = {first, second}}, fixed{.name = "old", .floors = {first}};
+  EXPECT_EQ(isolated.nodes(), (std::vector<NodeId>{base, first, second}));
+  EXPECT_EQ(isolated.top(), second);
+  EXPECT_EQ(isolated.base_name(), "base");
+  EXPECT_EQ(fixed.nodes(), (std::vector<NodeId>{first}));
+  EXPECT_EQ(fixed.base_name(), "old base");
+  EXPECT_EQ((Building{.base = base}.top()), base);
+}
+
+TEST(Building, IsolatorsBelongToTheBuildingAboveThem) {
+  Model model;
+  const NodeId north = add_floor(model, "north"), south = add_floor(model, "south");
+  add(model, Isolator{.name = "first", .upper = south, .law = Linear{.stiffness = 1 * MN / m}});
+  add(model, Isolator{.name = "second", .upper = south, .law = Linear{.stiffness = 1 * MN / m}});
+  const std::vector<Building> buildings{{.name = "north", .base = north}, {.name = "south", .base = south}};
+  const auto isolators = isolators_of(model, buildings);
+  EXPECT_TRUE(isolators[0].empty());
+  ASSERT_EQ(isolators[1].size(), 2u);
+  const ElementId id = isolators[1][1];
+  EXPECT_EQ(model.blocks()[id.block]->info(id.element).name, "second");
+}
+
+TEST(Building, PartsAreJoinedByElementsButNotByGapsOrTheGround) {
+  Model model;
+  const NodeId a = add_floor(model, "a"), b = add_floor(model, "b"), c = add_floor(model, "c");
+  join(model, ground, a);
+  join(model, a, b);
+  join(model, ground, c);
+  add(model, Gap{.name = "gap",
+                 .left = b,
+                 .right = c,
+                 .clearance = 1 * cm,
+                 .law = HertzDamp{.stiffness = 1e9 * N / m_3_2, .restitution = 0.5}});
+  const std::vector<int> part = connected_parts(model);
+  EXPECT_EQ(part[0], part[1]);
+  EXPECT_NE(part[0], part[2]);
+}
+
+TEST(Building, BodiesBesideTheBuildingsAreListedByTheirFirstNode) {
+  Model model;
+  const NodeId base = add_floor(model, "base"), floor = add_floor(model, "floor 1"), tank = add_floor(model, "tank"),
+               deck = add_floor(model, "deck"), roof = add_floor(model, "roof");
+  join(model, base, floor);
+  join(model, floor, tank);  // part of the building's body, but not one of its floors
+  add(model, Isolator{.name = "pads", .upper = deck, .law = Linear{.stiffness = 1 * MN / m}});
+  join(model, deck, roof);
+  add(model, Building{.name = "tower", .base = base, .floors = {floor}});
+  const std::vector<Building> all = all_buildings(model);
+  ASSERT_EQ(all.size(), 2u);
+  EXPECT_EQ(all[0].name, "tower");
+  EXPECT_EQ(all[1].name, "deck");
+  EXPECT_EQ(all[1].base, deck);
+  EXPECT_EQ(all[1].floors, (std::vector<NodeId>{roof}));
+}
+
+}  // namespace
+}  // namespace moat
