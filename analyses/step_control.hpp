@@ -42,7 +42,7 @@ class StepControl {
   struct Options {
     double fixed_step = 0.0;     ///< s; 0: adaptive
     double grid_interval = 0.0;  ///< s; the largest adaptive step
-    double tolerance = 1.2e-4;
+    double tolerance = 3e-5;
     int steps_per_contact = 32;
     int max_halvings = 24;
     std::optional<StepScheme> scheme{};  ///< of every step; none: chosen here

@@ -33,7 +33,7 @@ struct TransientOptions {
   /// >= 1e-12, < 1. Adaptive step: the error of acceleration that one step should add at any node, relative to the
   /// scale of the absolute acceleration there (analyses/acceleration_scales.hpp); above twice that a step is repeated.
   /// Steps are the longest step divided by powers of two.
-  double tolerance = 1.2e-4;
+  double tolerance = 3e-5;
 
   /// >= 4. Adaptive step: steps within the duration of one contact, estimated with the masses of the joined nodes
   /// alone. 32 give restitution to 1e-3, 1024 to 1e-6. A fixed step with fewer than 32 warns.

@@ -129,10 +129,10 @@ Curves measure(const Motion& motion) {
     const double step = motion.motion.time_step() / divisions;
     curves.fixed.push_back(measure(motion, to_text(1e3 * step) + " ms", {.step = step * s}));
   }
-  for (const double tolerance : {3e-3, 1e-3, 3.6e-4, 1.2e-4, 3.6e-5, 1.2e-5}) {
+  for (const double tolerance : {3e-3, 1e-3, 3e-4, 1e-4, 3e-5, 1e-5}) {
     // Contacts are divided in step with the tolerance: the error of both falls with the square of the step.
-    const int per_contact = std::max(8, static_cast<int>(32.0 * std::sqrt(1.2e-4 / tolerance)));
-    curves.adaptive.push_back(measure(motion, to_text(tolerance) + (tolerance == 1.2e-4 ? " (default)" : ""),
+    const int per_contact = std::max(8, static_cast<int>(32.0 * std::sqrt(3e-5 / tolerance)));
+    curves.adaptive.push_back(measure(motion, to_text(tolerance) + (tolerance == 3e-5 ? " (default)" : ""),
                                       {.tolerance = tolerance, .steps_per_contact = per_contact}));
   }
   return curves;
