@@ -36,7 +36,7 @@ class AccelerationScales {
   std::vector<char> touching_, touched_before_;  // of every building, now and before the last change
   bool any_touching_ = false;
   double step_of_fade_ = 0.0, fade_ = 1.0;  // the last step, s, and how much is left after it
-  Vector values_;                           // what errors are judged on, if they are up to date
+  Vector values_;                           // scales that errors are judged on, if they are up to date
   bool up_to_date_ = false;
   Vector own_;              // of each node alone
   Vector outside_contact_;  // the same, without contacts

@@ -39,7 +39,7 @@ class ExactSteps final : public Stepper {
 
   /// Whether the model is linear now: no gap is closed.
   [[nodiscard]] bool applies() const { return !touching_; }
-  /// Elements changed their regime, or the model its state: what was known of the system is not valid any more.
+  /// Elements changed their regime, or the model its state: the linear system must be made again.
   void restart();
 
   /// Length of a whole step in the current regimes, s.

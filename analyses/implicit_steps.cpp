@@ -1,5 +1,7 @@
 #include "analyses/implicit_steps.hpp"
 
+#include <utility>
+
 namespace moat {
 
 ImplicitSteps::ImplicitSteps(Model& model, const TransientOptions& options, const StepControl::Options& control)
@@ -16,8 +18,13 @@ double ImplicitSteps::next_length() {
   return step.length;
 }
 
+void ImplicitSteps::predict(const StepTask& step) {
+  equations_.predict(step, scheme_, acceleration_);
+  is_set_up_ = true;
+}
+
 bool ImplicitSteps::solve(const StepTask& part) {
-  equations_.begin(part, scheme_, acceleration_);
+  if (!std::exchange(is_set_up_, false)) equations_.begin(part, scheme_, acceleration_);
   last_report_ = newton_.solve(acceleration_);
   newton_iterations_ += last_report_.iterations;
   if (last_report_.converged) equations_.complete();

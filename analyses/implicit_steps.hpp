@@ -15,7 +15,7 @@ class ImplicitSteps final : public Stepper {
   ImplicitSteps(Model& model, const TransientOptions& options, const StepControl::Options& control);
 
   double next_length() override;
-  void begin(const StepTask&) override {}
+  void begin(const StepTask&) override { is_set_up_ = false; }
   bool solve(const StepTask& part) override;
   bool accepts(const StepTask& step, std::span<const RegimeChange> inside) override {
     return control_.accepts(*model_, step, scheme_, inside);
@@ -24,7 +24,7 @@ class ImplicitSteps final : public Stepper {
 
   /// The trial state that the step would lead to without iterations; only elements that can change their regime are
   /// evaluated there.
-  void predict(const StepTask& step) { equations_.predict(step, scheme_, acceleration_); }
+  void predict(const StepTask& step);
   /// Computes accelerations and jerks of the committed state anew, from its forces.
   void balance_committed_state(double ground_acceleration) { equations_.balance_committed_state(ground_acceleration); }
 
@@ -42,6 +42,7 @@ class ImplicitSteps final : public Stepper {
   StepControl control_;
   StepScheme scheme_{};  // of the step being tried
   Vector acceleration_;
+  bool is_set_up_ = false;  // by predict(): the equations of the whole step
   NewtonReport last_report_;
   long newton_iterations_ = 0;
 };

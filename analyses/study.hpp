@@ -130,7 +130,7 @@ class StudyError : public Error {
 ///           return study;
 ///         });
 ///
-/// The function is called from several threads at once: what it shares it may only read. The order of the table is
+/// The function is called from several threads at once: it may only read shared data. The order of the table is
 /// that of the cases, and every number is the same whatever the number of threads.
 ///
 /// Throws InputError for an axis without values or a name that appears twice; StudyError after the last case if any
@@ -149,7 +149,7 @@ StudyResult run_study(const std::vector<StudyAxis>& axes, const std::function<St
 StudyResult run_study(const std::vector<StudyAxis>& axes, const std::function<StudyModel(const StudyCase&)>& make,
                       const StudyOptions& options = {});
 
-/// Peaks of one model under one motion, and the number of impacts: what a case of a study computes. With error_bars
+/// Peaks of one model under one motion, and the number of impacts: the record of one case of a study. With error_bars
 /// also "..._error" of every peak, and "sensitive" (StudyOptions::error_bars).
 StudyRecord peaks_of(Model& model, const GroundMotion& motion, const TransientOptions& options = {},
                      bool error_bars = false);

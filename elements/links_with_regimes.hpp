@@ -79,7 +79,7 @@ class LinksWithRegimes : public Links<Law, Ends>, public Regimes {
   }
 
  protected:
-  /// Puts a link into a regime at this rate of deformation, m/s, and notes what a contact did.
+  /// Puts a link into a regime at this rate of deformation, m/s, and notes whether a contact touched or opened.
   virtual void enter(std::size_t i, const State& next, double, RegimeChange&) { this->committed_[i] = next; }
   /// Whether a contact opens inside the trial step, and whether it still pulls there.
   [[nodiscard]] virtual bool opens(std::size_t) const { return false; }

@@ -21,7 +21,7 @@ struct Spring {
   std::string force_quantity = "force";
 };
 
-/// Throws InputError for unknown or equal nodes, a name that is taken, or what the law refuses.
+/// Throws InputError for unknown or equal nodes, a name that is taken, or a parameter that the law refuses.
 template <ForceLaw Law>
 void add(Model& model, const Spring<Law>& spring) {
   const Check check = check_link(model, "Spring", spring.name, {"lower", spring.lower}, {"upper", spring.upper});

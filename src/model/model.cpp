@@ -34,14 +34,6 @@ std::string_view Model::node_name(NodeId id) const {
   return id == ground ? std::string_view{"ground"} : std::string_view{node(id).name};
 }
 
-double Model::effective_mass(NodeId a, NodeId b) const {
-  if (a == ground && b == ground) throw InputError{"Model: two points of the ground have no effective mass."};
-  if (a == ground) return node(b).mass.si();
-  if (b == ground) return node(a).mass.si();
-  const double first = node(a).mass.si(), second = node(b).mass.si();
-  return first * second / (first + second);
-}
-
 void Model::require_node(NodeId id, std::string_view object, std::string_view field) const {
   if (id == ground || (id.index >= 0 && id.index < node_count())) return;
   std::string message{object};

@@ -43,8 +43,6 @@ class Model {
   [[nodiscard]] const std::vector<Node>& nodes() const { return nodes_; }
   /// The node's name; "ground" for the ground.
   [[nodiscard]] std::string_view node_name(NodeId id) const;
-  /// m1 m2 / (m1 + m2) of two nodes, kg; the ground's mass is infinite.
-  [[nodiscard]] double effective_mass(NodeId a, NodeId b) const;
   [[nodiscard]] bool has_element(const std::string& name) const;
   /// Throws InputError unless id is the ground or a node of this model; `object` and `field` are named.
   void require_node(NodeId id, std::string_view object, std::string_view field) const;

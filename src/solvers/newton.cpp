@@ -174,7 +174,7 @@ class ForceBalanceTest final : public NOX::StatusTest::Generic {
     const double sum = residual.cwiseAbs().sum();
     report.residual =
         (residual.array().abs() / iterate.system().residual_scales().array()).maxCoeff(&report.worst_degree_of_freedom);
-    // The sum, because comparisons pass over what is not a number.
+    // The sum, because comparisons do not notice a NaN.
     if (!iterate.isF() || !std::isfinite(sum)) {
       report_no_number(residual);
       status_ = NOX::StatusTest::Failed;

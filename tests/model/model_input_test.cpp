@@ -108,19 +108,6 @@ TEST(ModelInput, RefusesAnElementWithoutOrWithATakenName) {
             "ShearSpring \"base\": an element of this name exists. Give every element its own name.");
 }
 
-TEST(ModelInput, EffectiveMass) {
-  Model model;
-  const NodeId light = add(model, Node{.name = "light", .mass = 3 * kg});
-  const NodeId heavy = add(model, Node{.name = "heavy", .mass = 6 * kg});
-  EXPECT_DOUBLE_EQ(model.effective_mass(light, heavy), 2.0);
-  EXPECT_DOUBLE_EQ(model.effective_mass(heavy, light), 2.0);
-  EXPECT_EQ(model.effective_mass(ground, heavy), 6.0);
-  EXPECT_EQ(model.effective_mass(light, ground), 3.0);
-  EXPECT_EQ(message_of([&] { static_cast<void>(model.effective_mass(ground, ground)); }),
-            "Model: two points of the ground have no effective mass.");
-  EXPECT_THROW(static_cast<void>(model.effective_mass(light, NodeId{5})), InputError);
-}
-
 TEST(ModelInput, RefusesAModelWithoutNodes) {
   Model model;
   EXPECT_EQ(message_of([&] { model.prepare(); }),
