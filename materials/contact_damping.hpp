@@ -6,8 +6,7 @@
 namespace moat {
 
 enum class ContactDamping : std::uint8_t {
-  throughout,     ///< in approach and restitution; the contact ends where the force reaches zero: it never pulls
-  may_pull,       ///< in approach and restitution; the contact ends where the gap opens, pulling before it does
+  throughout,     ///< in approach and restitution
   approach_only,  ///< only while the bodies approach; the force is elastic on the way back and never pulls
 };
 

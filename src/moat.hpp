@@ -21,7 +21,7 @@
 #include "elements/viscous_damper.hpp"
 #include "materials/bilinear.hpp"
 #include "materials/free_impact.hpp"
-#include "materials/impact_law_named.hpp"
+#include "materials/named_impact_law.hpp"
 #include "materials/impact_laws.hpp"
 #include "materials/linear.hpp"
 #include "materials/located_bilinear.hpp"

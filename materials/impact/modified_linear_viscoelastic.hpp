@@ -24,6 +24,7 @@ namespace moat {
 /// to c v0 at touch. Indentation and compression positive.
 struct ModifiedLinearViscoelastic {
   static constexpr std::string_view name = "ModifiedLinearViscoelastic";
+  static constexpr std::string_view formula = "damping on approach only; xi = (1 - e^2)/(e (e (pi - 2) + 2))";
 
   /// k > 0 N/m.
   Required<Stiffness> stiffness;
