@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "base/parameter.hpp"
-#include "materials/contact_damping.hpp"
 #include "materials/contact_state.hpp"
 #include "materials/response.hpp"
 #include "materials/restitution_formulas.hpp"
@@ -16,7 +15,7 @@
 namespace moat {
 
 /// F = k d^1.5 + c d^0.25 d' for indentation d > 0, compression positive; c = 2 xi sqrt(k m) with the
-/// effective mass m (Jankowski 2006). ContactDamping says when the second term acts.
+/// effective mass m (Jankowski 2006). The dashpot may act on approach only.
 ///
 /// The contact never pulls unless it separates at_opening. In terms of y = d^1.25 a free impact is that of a linear
 /// spring and dashpot with the damping ratio x = 2 xi / sqrt(5): restitution_formulas.hpp holds exactly, whatever k, m
@@ -31,9 +30,9 @@ namespace moat {
 struct RootDampedHertzContact {
   static constexpr std::string_view name = "RootDampedHertzContact";
 
-  double stiffness = 0.0;  ///< k > 0, N/m^1.5
-  double damping = 0.0;    ///< c >= 0, N s/m^1.25
-  ContactDamping acts = ContactDamping::throughout;
+  double stiffness = 0.0;      ///< k > 0, N/m^1.5
+  double damping = 0.0;        ///< c >= 0, N s/m^1.25
+  bool approach_only = false;  ///< whether the dashpot acts only while the bodies approach
   Separation separation = Separation::at_zero_force;
 
   using State = ContactState;
@@ -44,7 +43,7 @@ struct RootDampedHertzContact {
   [[nodiscard]] std::vector<Parameter> parameters() const {
     return {{"stiffness", stiffness, "N/m^1.5"},
             {"damping", damping, "N s/m^1.25"},
-            {"approach_only", acts == ContactDamping::approach_only ? 1.0 : 0.0, "1"},
+            {"approach_only", approach_only ? 1.0 : 0.0, "1"},
             {"may_pull", separation == Separation::at_opening ? 1.0 : 0.0, "1"}};
   }
 
@@ -95,13 +94,11 @@ struct RootDampedHertzContact {
     const double value = std::sqrt(std::sqrt(indentation));
     return {value, 0.25 * value / indentation};
   }
-  [[nodiscard]] double acting_damping(double rate) const {
-    return acts == ContactDamping::approach_only && rate < 0.0 ? 0.0 : damping;
-  }
+  [[nodiscard]] double acting_damping(double rate) const { return approach_only && rate < 0.0 ? 0.0 : damping; }
   // The force over k d^0.25, so that it crosses zero with a finite slope, and over L^0.25 with L = (c v0/k)^0.8, the
   // depth at which the dashpot at v0 pushes as hard as the spring: m.
   [[nodiscard]] double push(const State& committed, double indentation, double rate) const {
-    if (acts == ContactDamping::approach_only || separation == Separation::at_opening || damping == 0.0 ||
+    if (approach_only || separation == Separation::at_opening || damping == 0.0 ||
         committed.phase == ContactPhase::open)
       return std::numeric_limits<double>::infinity();
     const double depth = std::max(indentation, 0.0);

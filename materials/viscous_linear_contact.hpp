@@ -9,14 +9,13 @@
 #include <vector>
 
 #include "base/parameter.hpp"
-#include "materials/contact_damping.hpp"
 #include "materials/contact_state.hpp"
 #include "materials/response.hpp"
 
 namespace moat {
 
 /// F = k d + c d' for indentation d > 0, compression positive. Linear elastic, Kelvin and their relatives
-/// differ in c and in when it acts (ContactDamping); each has a header of its own that makes one of these.
+/// differ in c and in when it acts; each has a header of its own that makes one of these.
 ///
 /// The contact never pulls unless it separates at_opening. At touch the force jumps to c v0. With damping on approach
 /// only, F = k d + c max(d', 0) is continuous where the motion turns and only its slope changes; no instant is located
@@ -28,9 +27,9 @@ namespace moat {
 struct ViscousLinearContact {
   static constexpr std::string_view name = "ViscousLinearContact";
 
-  double stiffness = 0.0;  ///< k > 0, N/m
-  double damping = 0.0;    ///< c >= 0, N s/m
-  ContactDamping acts = ContactDamping::throughout;
+  double stiffness = 0.0;      ///< k > 0, N/m
+  double damping = 0.0;        ///< c >= 0, N s/m
+  bool approach_only = false;  ///< whether the dashpot acts only while the bodies approach
   Separation separation = Separation::at_zero_force;
 
   using State = ContactState;
@@ -38,7 +37,7 @@ struct ViscousLinearContact {
   [[nodiscard]] std::vector<Parameter> parameters() const {
     return {{"stiffness", stiffness, "N/m"},
             {"damping", damping, "N s/m"},
-            {"approach_only", acts == ContactDamping::approach_only ? 1.0 : 0.0, "1"},
+            {"approach_only", approach_only ? 1.0 : 0.0, "1"},
             {"may_pull", separation == Separation::at_opening ? 1.0 : 0.0, "1"}};
   }
 
@@ -75,13 +74,10 @@ struct ViscousLinearContact {
  private:
   // F/k = d + (c/k) d', m.
   [[nodiscard]] double push(double indentation, double rate) const {
-    if (acts == ContactDamping::approach_only || separation == Separation::at_opening)
-      return std::numeric_limits<double>::infinity();
+    if (approach_only || separation == Separation::at_opening) return std::numeric_limits<double>::infinity();
     return indentation + damping / stiffness * rate;
   }
-  [[nodiscard]] double acting_damping(double rate) const {
-    return acts == ContactDamping::approach_only && rate < 0.0 ? 0.0 : damping;
-  }
+  [[nodiscard]] double acting_damping(double rate) const { return approach_only && rate < 0.0 ? 0.0 : damping; }
 };
 
 }  // namespace moat

@@ -48,8 +48,9 @@ struct ExactKelvin {
   [[nodiscard]] ViscousLinearContact between(double effective_mass) const {
     const double damping_ratio =
         may_pull ? damping_ratio_of_pulling_contact(restitution) : damping_ratio_of_clamped_contact(restitution);
-    return {stiffness.si(), 2.0 * damping_ratio * std::sqrt(stiffness.si() * effective_mass),
-            ContactDamping::throughout, separation(may_pull)};
+    return {.stiffness = stiffness.si(),
+            .damping = 2.0 * damping_ratio * std::sqrt(stiffness.si() * effective_mass),
+            .separation = separation(may_pull)};
   }
 };
 

@@ -44,8 +44,9 @@ struct ModifiedLinearViscoelastic {
   [[nodiscard]] ViscousLinearContact between(double effective_mass) const {
     const double e = restitution;
     const double damping_ratio = (1.0 - e * e) / (e * (e * (std::numbers::pi - 2.0) + 2.0));
-    return {stiffness.si(), 2.0 * damping_ratio * std::sqrt(stiffness.si() * effective_mass),
-            ContactDamping::approach_only};
+    return {.stiffness = stiffness.si(),
+            .damping = 2.0 * damping_ratio * std::sqrt(stiffness.si() * effective_mass),
+            .approach_only = true};
   }
 };
 

@@ -46,8 +46,9 @@ struct NonlinearViscoelastic {
     const double e = restitution;
     const double damping_ratio =
         4.5 * std::sqrt(5.0) * (1.0 - e * e) / (e * (e * (9.0 * std::numbers::pi - 16.0) + 16.0));
-    return {stiffness.si(), 2.0 * damping_ratio * std::sqrt(stiffness.si() * effective_mass),
-            ContactDamping::approach_only};
+    return {.stiffness = stiffness.si(),
+            .damping = 2.0 * damping_ratio * std::sqrt(stiffness.si() * effective_mass),
+            .approach_only = true};
   }
 };
 

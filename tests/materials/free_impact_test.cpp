@@ -42,10 +42,8 @@ TEST(FreeImpact, EndsWhereTheApproachIsDampedHardAndTheWayBackIsSlow) {
   // a step.
   const double mass = 1e3, stiffness = 1e9;
   for (const double ratio : {1e4, 1e6, 1e8}) {
-    const ViscousLinearContact linear{stiffness, 2.0 * ratio * std::sqrt(stiffness * mass),
-                                      ContactDamping::approach_only};
-    const RootDampedHertzContact hertz{stiffness, ratio * std::sqrt(5.0 * stiffness * mass),
-                                       ContactDamping::approach_only};
+    const ViscousLinearContact linear{stiffness, 2.0 * ratio * std::sqrt(stiffness * mass), true};
+    const RootDampedHertzContact hertz{stiffness, ratio * std::sqrt(5.0 * stiffness * mass), true};
     const double expected = restitution_of_approach_damping(ratio);
     EXPECT_NEAR(delivered_restitution(linear, mass, 1.0), expected, 1e-9) << ratio;
     EXPECT_NEAR(delivered_restitution(hertz, mass, 1.0), expected, 1e-9) << ratio;

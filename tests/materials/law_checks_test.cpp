@@ -76,17 +76,16 @@ TEST(ImpactLawCheck, RefusesAContactThatWouldNeverEnd) {
   EXPECT_EQ(message(KelvinByDampingRatio{.stiffness = 1e9 * N / m, .damping_ratio = 1.0, .may_pull = true}),
             "Gap \"moat left\": damping_ratio = 1 is not allowed; it must be < 1 where may_pull is true. "
             "A contact that pulls and is damped critically never ends.");
-  EXPECT_EQ(
-      message(ModifiedHertzDampPrinted{
-          .stiffness = 1e9 * N / m_3_2, .restitution = 0.4, .acts = ContactDamping::throughout, .may_pull = true}),
-      "Gap \"moat left\": restitution = 0.4 is not allowed; it must be >= 0.409 where the contact may pull. "
-      "A contact that pulls and is damped critically never ends.");
+  EXPECT_EQ(message(ModifiedHertzDampPrinted{
+                .stiffness = 1e9 * N / m_3_2, .restitution = 0.4, .approach_only = false, .may_pull = true}),
+            "Gap \"moat left\": restitution = 0.4 is not allowed; it must be >= 0.409 where the contact may pull. "
+            "A contact that pulls and is damped critically never ends.");
 }
 
 TEST(ImpactLawCheck, RefusesToPullWithADashpotThatNeverPulls) {
   EXPECT_EQ(message(ModifiedHertzDampPrinted{.stiffness = 1e9 * N / m_3_2, .restitution = 0.6, .may_pull = true}),
-            "Gap \"moat left\": may_pull = 1 is not allowed; it must be false unless acts is "
-            "ContactDamping::throughout. A dashpot that acts on approach only never pulls.");
+            "Gap \"moat left\": may_pull = 1 is not allowed; it must be false where "
+            "approach_only is true. A dashpot that acts on approach only never pulls.");
 }
 
 TEST(BilinearCheck, NamesTheParameterItsRangeAndWhatToDo) {

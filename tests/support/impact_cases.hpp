@@ -50,7 +50,7 @@ inline double expected_restitution(const NonlinearViscoelastic& law) {
 }
 inline double expected_restitution(const ModifiedHertzDampPrinted& law) {
   const double x = (1.0 - std::pow(law.restitution, 2)) / (5.0 * std::pow(law.restitution, 2));  // 2 xi/sqrt(5)
-  return law.acts == ContactDamping::approach_only ? restitution_of_approach_damping(x) : by_ratio(x, law.may_pull);
+  return law.approach_only ? restitution_of_approach_damping(x) : by_ratio(x, law.may_pull);
 }
 inline double expected_restitution(const LinearElastic&) { return 1.0; }
 inline double expected_restitution(const Kelvin& law) {
@@ -119,14 +119,14 @@ inline std::vector<ImpactCase> all_impact_cases() {
   std::vector<ImpactCase> cases;
   AllImpactLaws::for_each([&]<class Law>() {
     cases.push_back(impact_case<Law>("", false, [](Law&) {}));
-    constexpr bool chooses_damping = requires(Law law) { law.acts; };
+    constexpr bool chooses_damping = requires(Law law) { law.approach_only; };
     if constexpr (chooses_damping) {
-      cases.push_back(impact_case<Law>("Throughout", false, [](Law& law) { law.acts = ContactDamping::throughout; }));
+      cases.push_back(impact_case<Law>("Throughout", false, [](Law& law) { law.approach_only = false; }));
     }
     if constexpr (requires(Law law) { law.may_pull; }) {
       cases.push_back(impact_case<Law>("ThatPulls", true, [](Law& law) {
         law.may_pull = true;
-        if constexpr (chooses_damping) law.acts = ContactDamping::throughout;
+        if constexpr (chooses_damping) law.approach_only = false;
       }));
     }
   });

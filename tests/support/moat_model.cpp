@@ -55,11 +55,10 @@ void with_law(const PlainLaw& law, const AddGap& add_gap) {
     case PlainLawKind::nonlinear_viscoelastic:
       return add_gap(NonlinearViscoelastic{.stiffness = hertz, .restitution = e});
     case PlainLawKind::modified_hertz_damp_printed:
-      return add_gap(ModifiedHertzDampPrinted{
-          .stiffness = hertz,
-          .restitution = e,
-          .acts = law.acts == PlainDamping::approach_only ? ContactDamping::approach_only : ContactDamping::throughout,
-          .may_pull = pulls});
+      return add_gap(ModifiedHertzDampPrinted{.stiffness = hertz,
+                                              .restitution = e,
+                                              .approach_only = law.acts == PlainDamping::approach_only,
+                                              .may_pull = pulls});
   }
   throw std::logic_error{"moat_model: a law without a case"};
 }
