@@ -3,10 +3,10 @@
 #include <gtest/gtest.h>
 
 #include "expected_restitution.hpp"
-#include "impact_law/lee_wang.hpp"
+#include "materials/impact/lee_wang.hpp"
 
 namespace moat::testing {
-#include "impact_law/expected_restitution.hpp"
+#include "tests/expected_restitution_line.hpp"
 }  // namespace moat::testing
 
 #include "impact_cases.hpp"

@@ -2,10 +2,9 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <filesystem>
-#include <sstream>
-#include <vector>
+
+#include "message_of.hpp"
 
 namespace moat::testing {
 namespace {
@@ -24,13 +23,8 @@ TEST(CodeOfRecipes, IsTheBlockAfterEveryMark) {
 }
 
 TEST(CodeOfRecipes, RefusesMarksWithoutTheirCode) {
-  const auto refusal = [](const std::string& text) -> std::string {
-    try {
-      code_of_recipes(written(text));
-      return "nothing was thrown";
-    } catch (const std::runtime_error& error) {
-      return error.what();
-    }
+  const auto refusal = [](const std::string& text) {
+    return message_of<std::runtime_error>([&] { code_of_recipes(written(text)); });
   };
   EXPECT_TRUE(refusal("<!-- recipe: a/b -->\n\n```\n```\n").ends_with("no code block after the mark of a/b."));
   EXPECT_TRUE(refusal("<!-- recipe: a/b -->\n```\nint a;\n").ends_with("the code block of a/b does not end."));
