@@ -1,38 +1,21 @@
 // Where inside a step a law changes its regime.
 #pragma once
 
-#include <cmath>
-
 #include "base/hermite.hpp"
+#include "base/root.hpp"
 #include "materials/response.hpp"
 
 namespace moat {
 
-/// Where a function of 0 to `beyond` falls to `aim`, by regula falsi (Illinois), on the far side of it. `beyond` itself
-/// if it never falls that far, 0 if it is there from the start.
+/// Where a function of 0 to `beyond` falls to `aim`, on the far side of it. `beyond` itself if it never falls that far,
+/// 0 if it is there from the start.
 template <class Function>
 double first_fall(const Function& function, double beyond, double aim) {
-  double low = 0.0, high = beyond;
-  double above = function(low) - aim, below = function(high) - aim;
-  if (below >= 0.0) return beyond;
-  if (above <= 0.0) return 0.0;
-  int side = 0;
-  for (int count = 0; count < 60 && high - low > 1e-15; ++count) {
-    const double x = low + (high - low) * above / (above - below);
-    const double value = function(x) - aim;
-    if (value > 0.0) {
-      low = x;
-      above = value;
-      if (side == 1) below *= 0.5;
-      side = 1;
-    } else {
-      high = x;
-      below = value;
-      if (side == -1) above *= 0.5;
-      side = -1;
-    }
-  }
-  return high;
+  constexpr double close = 1e-15;
+  const auto above_aim = [&](double x) { return function(x) - aim; };
+  if (above_aim(beyond) >= 0.0) return beyond;
+  if (above_aim(0.0) <= 0.0) return 0.0;
+  return bracket_root(above_aim, 0.0, beyond, close).high;
 }
 
 /// The margin of one law along the interpolated deformation of a step.

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "materials/response.hpp"
-#include "materials/root_damped_hertz.hpp"
-#include "materials/viscous_hertz.hpp"
+#include "materials/root_damped_hertz_contact.hpp"
+#include "materials/viscous_hertz_contact.hpp"
 #include "materials/viscous_linear_contact.hpp"
 
 namespace moat {
@@ -17,7 +17,7 @@ namespace moat {
 class AnyContact {
  public:
   using State = ContactState;
-  using Form = std::variant<ViscousHertz, RootDampedHertz, ViscousLinearContact>;
+  using Form = std::variant<ViscousHertzContact, RootDampedHertzContact, ViscousLinearContact>;
 
   template <class Law>
   requires std::constructible_from<Form, const Law&> AnyContact(const Law& law) : form_{law} {}

@@ -15,6 +15,15 @@ enum class ContactPhase : std::uint8_t {
   released,  ///< still indented, but the law has ended: no force until it would push again or the gap opens
 };
 
+/// Where a contact ends.
+enum class Separation : std::uint8_t {
+  at_zero_force,  ///< where the force reaches zero, at the latest where the gap opens: the contact never pulls
+  at_opening,     ///< where the gap opens; a dashpot may pull before that
+};
+
+/// Of laws that leave the choice to their user.
+inline Separation separation(bool may_pull) { return may_pull ? Separation::at_opening : Separation::at_zero_force; }
+
 /// History of a contact: its phase, and the approach speed at the instant of first touch, which
 /// belongs to the touch and stays until the gap opens. Laws divide by this speed, so it has a floor; elements keep the
 /// true one (ContactView).
@@ -36,12 +45,15 @@ struct ContactState {
 /// d'/v0 that is touched more slowly is less damped than asked for, by the factor v0/least_approach_speed.
 inline constexpr double least_approach_speed = 1e-4;
 
-/// The regime margin (LawWithRegimes) of every contact.
+/// A released contact is loaded again only where it would push by more than this, m, so that round-off does not switch
+/// it: ten times the default TransientOptions::location_tolerance.
+inline constexpr double reload_threshold = 1e-11;
+
+/// The regime margin (LawWithRegimes) of every contact, m.
 ///
-/// `push` is any measure of the force that has its sign and is smooth; a law that never ends before the gap
-/// opens passes infinity. A released contact is loaded again only where push exceeds `reload_threshold` > 0,
-/// so that round-off does not switch it.
-inline double contact_margin(const ContactState& committed, double indentation, double push, double reload_threshold) {
+/// `push` is the force as a length, m: it has the sign of the force, crosses zero with a finite slope, and is of the
+/// order of the indentation; d F/F_elastic for example. A law that never ends before the gap opens passes infinity.
+inline double contact_margin(const ContactState& committed, double indentation, double push) {
   switch (committed.phase) {
     case ContactPhase::open:
       return -indentation;

@@ -27,6 +27,10 @@ struct LocatedBilinear {
 
   static constexpr bool linear_within_regimes = true;
 
+  /// A rate counts in the regime margin as the way in this time, s: the order of 1/omega of an isolated building. While
+  /// sliding the margin is the way that the bearing would still slide in it.
+  static constexpr double time_of_rate = 1.0;
+
   /// Yield is noticed this much beyond d_y, relative: the end of unloading must not switch it by round-off.
   static constexpr double threshold = 1e-9;
 
@@ -59,7 +63,7 @@ struct LocatedBilinear {
   double linear_stiffness(StiffnessStage stage) const { return law.linear_stiffness(stage); }
 
   double regime_margin(const State& committed, double deformation, double rate) const {
-    if (committed.direction != 0) return committed.direction * rate;
+    if (committed.direction != 0) return committed.direction * rate * time_of_rate;
     return law.yield_displacement.si() * (1.0 + threshold) - std::abs(deformation - committed.slip);
   }
   State next_regime(const State& committed, double deformation, double) const {

@@ -67,8 +67,10 @@ std::vector<Parameter> parameters_of(const Law& law) {
 
 /// A law that is smooth only between located instants: a contact that touches and separates, a spring that yields.
 ///
-/// regime_margin() is positive while the committed regime lasts and reaches zero where the next one
-/// begins; within a regime evaluate() is smooth. next_regime() gives the state on the other side.
+/// regime_margin(), m, is positive while the committed regime lasts and reaches zero where the next one begins; within
+/// a regime evaluate() is smooth. It is a length for all laws, because changes are located until it is zero to
+/// TransientOptions::location_tolerance: a gap is its own length, a force counts as a deformation of the law's spring,
+/// a rate as the way in a time of the law. next_regime() gives the state on the other side.
 template <class Law>
 concept LawWithRegimes = ForceLaw<Law> && requires(const Law& law, const typename Law::State& committed, double x) {
   { law.regime_margin(committed, x, x) } -> std::same_as<double>;

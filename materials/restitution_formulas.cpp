@@ -3,19 +3,10 @@
 #include <cmath>
 #include <numbers>
 
+#include "base/root.hpp"
+
 namespace moat {
 namespace {
-
-// The zero of a continuous function between two points where its sign differs, to the last digit.
-template <class Function>
-double zero_between(Function function, double low, double high) {
-  const bool rises = function(high) > 0.0;
-  for (;;) {
-    const double middle = 0.5 * (low + high);
-    if (middle == low || middle == high) return middle;
-    ((function(middle) > 0.0) == rises ? high : low) = middle;
-  }
-}
 
 // a cot a with cos a = x.
 double angle_times_cotangent(double x) {
@@ -49,7 +40,7 @@ double small_damping_factor(double e) {
     return sum;
   };
   const double near = 0.75 * (1.0 - e) * (1.0 + e);
-  return zero_between(divided, 0.5 * near, 2.0 * near);
+  return root_between(divided, 0.5 * near, 2.0 * near);
 }
 
 }  // namespace
@@ -74,7 +65,7 @@ double damping_ratio_of_clamped_contact(double restitution) {
   if (restitution == 1.0) return 0.0;
   const double wanted = -0.5 * std::log(restitution);
   // For large x, e = 1/(4 x^2).
-  return zero_between([wanted](double x) { return angle_times_cotangent(x) - wanted; }, 0.0,
+  return root_between([wanted](double x) { return angle_times_cotangent(x) - wanted; }, 0.0,
                       1.0 / std::sqrt(restitution));
 }
 
@@ -86,7 +77,7 @@ double restitution_of_viscous_hertz(double damping_factor) {
     const double left = p < 0.1 ? excess_over_logarithm(std::expm1(-p)) : p + std::expm1(-p);
     return left - wanted;
   };
-  const double p = zero_between(missing, 0.0, wanted + 2.0);
+  const double p = root_between(missing, 0.0, wanted + 2.0);
   return -std::expm1(-p) / damping_factor;
 }
 
@@ -102,7 +93,7 @@ double damping_factor_of_viscous_hertz(double restitution) {
   const double deepest = std::log1p(1.0 / e) - (1.0 + e) / e - 1.0;
   // 3/4 (1 - e^2) delivers more than e.
   const double too_elastic = std::log1p(-0.75 * e * (1.0 - e) * (1.0 + e));
-  return -std::expm1(zero_between(missing, deepest, too_elastic)) / e;
+  return -std::expm1(root_between(missing, deepest, too_elastic)) / e;
 }
 
 double elastic_hertz_duration(double stiffness, double effective_mass, double approach_speed) {

@@ -9,18 +9,17 @@
 #include <vector>
 
 #include "base/parameter.hpp"
-#include "materials/contact_damping.hpp"
 #include "materials/contact_state.hpp"
 #include "materials/response.hpp"
 
 namespace moat {
 
 /// F = k d + c d' for indentation d > 0, compression positive. Linear elastic, Kelvin and their relatives
-/// differ in c and in when it acts (ContactDamping); each has a header of its own that makes one of these.
+/// differ in c and in when it acts; each has a header of its own that makes one of these.
 ///
-/// At touch the force jumps to c v0. With damping on approach only, F = k d + c max(d', 0) is continuous
-/// where the motion turns and only its slope changes; no instant is located for that.
-/// Restitution in terms of x = c/(2 sqrt(k m)): restitution_formulas.hpp.
+/// The contact never pulls unless it separates at_opening. At touch the force jumps to c v0. With damping on approach
+/// only, F = k d + c max(d', 0) is continuous where the motion turns and only its slope changes; no instant is located
+/// for that. Restitution in terms of x = c/(2 sqrt(k m)): restitution_formulas.hpp.
 ///
 /// While loaded the law continues to d < 0, so that a step that overshoots the separation is still smooth;
 /// the separation itself is located. Stored is k d^2/2 until the gap opens; a released contact turns what is
@@ -28,20 +27,18 @@ namespace moat {
 struct ViscousLinearContact {
   static constexpr std::string_view name = "ViscousLinearContact";
 
-  double stiffness = 0.0;  ///< k > 0, N/m
-  double damping = 0.0;    ///< c >= 0, N s/m
-  ContactDamping acts = ContactDamping::throughout;
+  double stiffness = 0.0;      ///< k > 0, N/m
+  double damping = 0.0;        ///< c >= 0, N s/m
+  bool approach_only = false;  ///< whether the dashpot acts only while the bodies approach
+  Separation separation = Separation::at_zero_force;
 
   using State = ContactState;
-
-  /// A released contact pushes again only where d + (c/k) d' exceeds this, m.
-  static constexpr double reload_threshold = 1e-10;
 
   [[nodiscard]] std::vector<Parameter> parameters() const {
     return {{"stiffness", stiffness, "N/m"},
             {"damping", damping, "N s/m"},
-            {"approach_only", acts == ContactDamping::approach_only ? 1.0 : 0.0, "1"},
-            {"may_pull", acts == ContactDamping::may_pull ? 1.0 : 0.0, "1"}};
+            {"approach_only", approach_only ? 1.0 : 0.0, "1"},
+            {"may_pull", separation == Separation::at_opening ? 1.0 : 0.0, "1"}};
   }
 
   Response evaluate(const State& committed, double indentation, double rate, State& trial) const {
@@ -61,9 +58,7 @@ struct ViscousLinearContact {
   double linear_stiffness(StiffnessStage) const { return 0.0; }
 
   double regime_margin(const State& committed, double indentation, double rate) const {
-    const double push = acts == ContactDamping::throughout ? indentation + damping / stiffness * rate
-                                                           : std::numeric_limits<double>::infinity();
-    return contact_margin(committed, indentation, push, reload_threshold);
+    return contact_margin(committed, indentation, push(indentation, rate));
   }
   State next_regime(const State& committed, double indentation, double rate) const {
     return next_contact_state(committed, indentation, rate);
@@ -77,9 +72,12 @@ struct ViscousLinearContact {
   }
 
  private:
-  [[nodiscard]] double acting_damping(double rate) const {
-    return acts == ContactDamping::approach_only && rate < 0.0 ? 0.0 : damping;
+  // F/k = d + (c/k) d', m.
+  [[nodiscard]] double push(double indentation, double rate) const {
+    if (approach_only || separation == Separation::at_opening) return std::numeric_limits<double>::infinity();
+    return indentation + damping / stiffness * rate;
   }
+  [[nodiscard]] double acting_damping(double rate) const { return approach_only && rate < 0.0 ? 0.0 : damping; }
 };
 
 }  // namespace moat

@@ -78,8 +78,8 @@ void show(Exhibit& exhibit) {
     error_of_tabulated.push_back(std::abs(columns[0].restitution(e) / e - 1.0));
 
     const double approach = delivered(ModifiedHertzDampPrinted{.stiffness = stiffness, .restitution = e});
-    const double throughout = delivered(
-        ModifiedHertzDampPrinted{.stiffness = stiffness, .restitution = e, .acts = ContactDamping::throughout});
+    const double throughout =
+        delivered(ModifiedHertzDampPrinted{.stiffness = stiffness, .restitution = e, .approach_only = false});
     const double jankowski = delivered(NonlinearViscoelastic{.stiffness = stiffness, .restitution = e});
     error_of_printed.push_back(std::abs(approach / e - 1.0));
     error_of_jankowski.push_back(std::abs(jankowski / e - 1.0));

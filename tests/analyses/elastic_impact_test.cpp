@@ -9,7 +9,7 @@
 #include "analyses/case_run.hpp"
 #include "analysis_testing.hpp"
 #include "elements/gap.hpp"
-#include "materials/hertz_damp.hpp"
+#include "materials/impact/hertz_damp.hpp"
 
 namespace moat {
 namespace {

@@ -8,7 +8,7 @@
 #include "analyses/case_run.hpp"
 #include "analysis_testing.hpp"
 #include "elements/spring.hpp"
-#include "materials/exact_hertz_damp.hpp"
+#include "materials/impact/exact_hertz_damp.hpp"
 #include "materials/linear.hpp"
 #include "materials/viscous.hpp"
 #include "paper_building.hpp"

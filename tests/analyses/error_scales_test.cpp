@@ -15,7 +15,7 @@
 #include "analysis_testing.hpp"
 #include "elements/gap.hpp"
 #include "elements/shear_spring.hpp"
-#include "materials/linear_elastic.hpp"
+#include "materials/impact/linear_elastic.hpp"
 #include "random_draws.hpp"
 #include "random_motion.hpp"
 #include "structures/moat.hpp"

@@ -9,8 +9,8 @@
 #include "analyses/case_run.hpp"
 #include "analysis_testing.hpp"
 #include "elements/gap.hpp"
-#include "materials/exact_kelvin.hpp"
-#include "materials/linear_elastic.hpp"
+#include "materials/impact/exact_kelvin.hpp"
+#include "materials/impact/linear_elastic.hpp"
 #include "message_of.hpp"
 #include "structures/moat.hpp"
 

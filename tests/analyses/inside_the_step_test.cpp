@@ -10,7 +10,7 @@
 #include "analyses/case_run.hpp"
 #include "analysis_testing.hpp"
 #include "elements/gap.hpp"
-#include "materials/kelvin_by_damping_ratio.hpp"
+#include "materials/impact/kelvin_by_damping_ratio.hpp"
 #include "paper_building.hpp"
 
 namespace moat {

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "base/units.hpp"
-#include "materials/hertz_damp.hpp"
+#include "materials/impact/hertz_damp.hpp"
 #include "structures/moat.hpp"
 #include "structures/shear_building.hpp"
 

@@ -7,8 +7,8 @@
 #include "base/units.hpp"
 #include "elements/gap.hpp"
 #include "elements/shear_spring.hpp"
-#include "materials/exact_kelvin.hpp"
-#include "materials/linear_elastic.hpp"
+#include "materials/impact/exact_kelvin.hpp"
+#include "materials/impact/linear_elastic.hpp"
 #include "message_of.hpp"
 
 namespace moat {

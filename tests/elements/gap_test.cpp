@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "materials/impact_law_named.hpp"
+#include "materials/named_impact_law.hpp"
 #include "materials/impact_laws.hpp"
 #include "message_of.hpp"
 #include "two_nodes.hpp"
@@ -85,7 +85,7 @@ TEST(Gap, TellsTheTrueApproachSpeedWhereTheLawCountsMore) {
     add(nodes.model, gap_between(nodes.a, nodes.b, hertz_damp));
     nodes.start();
     commit_at(nodes, 0.1 + 1e-9, 0.0, speed, 0.0);
-    const auto& block = nodes.model.block<LinkBlock<ViscousHertz>>();
+    const auto& block = nodes.model.block<LinkBlock<ViscousHertzContact>>();
     EXPECT_TRUE(block.contact(0).touching);
     EXPECT_EQ(block.contact(0).approach_speed, speed);
     EXPECT_EQ(block.committed(0).approach_speed, 1e-4);
@@ -125,7 +125,7 @@ TEST(Gap, HasExactTangentsAndRollsBackWithEveryFormOfContact) {
   expect_sound_gap(elastic);
   expect_sound_gap(Kelvin{.stiffness = 1e8 * N / m, .restitution = 0.65});
   expect_sound_gap(NonlinearViscoelastic{.stiffness = 1e9 * N / m_3_2, .restitution = 0.65});
-  expect_sound_gap(ImpactLawNamed{.name = "exact_hertz_damp", .hertz_stiffness = 1e9 * N / m_3_2, .restitution = 0.4});
+  expect_sound_gap(NamedImpactLaw{.name = "exact_hertz_damp", .hertz_stiffness = 1e9 * N / m_3_2, .restitution = 0.4});
 }
 
 TEST(Gap, TellsWhatIsWrong) {

@@ -21,10 +21,10 @@ class EveryImpactLaw : public ::testing::TestWithParam<ImpactCase> {
 
 TEST_P(EveryImpactLaw, PassesTheBattery) {
   for (const double restitution : {1.0, 0.65, 0.45, 0.1, 0.02}) {
-    if (restitution < GetParam().least) continue;
+    if (!GetParam().accepts(restitution)) continue;
     SCOPED_TRACE(restitution);
     with_law(restitution, [&](const auto& law) {
-      // The approach speed is 0.3 times the range; ViscousHertz has a corner at a hundred times that.
+      // The approach speed is 0.3 times the range; ViscousHertzContact has a corner at a hundred times that.
       expect_sound_contact(law, {.deformation = 0.05, .rate = 1.0, .rate_corners = {-30.0, 0.0, 30.0}},
                            GetParam().may_pull);
       expect_sound_contact(law, {.deformation = 1e-6, .rate = 1e-3, .rate_corners = {-0.03, 0.0, 0.03}},
@@ -60,12 +60,12 @@ TEST_P(EveryImpactLaw, StaysFiniteWhereABodyOnlyGrazesOrLeans) {
   });
 }
 
-INSTANTIATE_TEST_SUITE_P(ImpactLaws, EveryImpactLaw, ::testing::ValuesIn(all_impact_laws()),
+INSTANTIATE_TEST_SUITE_P(ImpactLaws, EveryImpactLaw, ::testing::ValuesIn(all_impact_cases()),
                          [](const auto& test) { return test.param.name; });
 
-TEST(RootDampedHertz, HasExactTangentsBelowTheStraightLine) {
-  const RootDampedHertz law{.stiffness = 1e9, .damping = 1e7};
-  constexpr double least = RootDampedHertz::least_root_indentation;
+TEST(RootDampedHertzContact, HasExactTangentsBelowTheStraightLine) {
+  const RootDampedHertzContact law{.stiffness = 1e9, .damping = 1e7};
+  constexpr double least = RootDampedHertzContact::least_root_indentation;
   const ContactState loaded{ContactPhase::loaded, 0.3};
   expect_exact_tangents(law, loaded, {.deformation = 4.0 * least, .rate = 1.0, .deformation_corners = {0.0, least}});
   ContactState trial;
@@ -74,8 +74,45 @@ TEST(RootDampedHertz, HasExactTangentsBelowTheStraightLine) {
   EXPECT_NEAR(below, above, 1e-8 * above);
 }
 
+// A margin is a length: in other units of length it is another number, and the same length. m = `unit` new units.
+template <class Contact>
+void expect_margin_is_a_length(const Contact& in_metres, const Contact& in_new_units, double unit) {
+  for (const ContactPhase phase : {ContactPhase::open, ContactPhase::loaded, ContactPhase::released})
+    for (const double d : {-1e-3, 2e-4, 0.05})
+      for (const double v : {-0.6, -0.2, 0.4}) {
+        const double margin = in_metres.regime_margin({phase, 0.3}, d, v);
+        const double same = in_new_units.regime_margin({phase, 0.3 * unit}, d * unit, v * unit);
+        EXPECT_NEAR(same, margin * unit, 2e-12 + 2.0 * unit * reload_threshold) << d << " m, " << v << " m/s";
+      }
+}
+
+TEST(RegimeMargin, OfEveryContactIsALength) {
+  const double unit = 1000.0;  // millimetres
+  expect_margin_is_a_length(ViscousLinearContact{1e9, 2e7}, ViscousLinearContact{1e9, 2e7}, unit);
+  // k in N/mm^1.5 and c in N s/mm^1.25, with N for N.
+  const double k = 1e9 * std::pow(unit, -1.5), c = 2e7 * std::pow(unit, -1.25);
+  expect_margin_is_a_length(ViscousHertzContact{1e9, 0.8}, ViscousHertzContact{k, 0.8}, unit);
+  expect_margin_is_a_length(RootDampedHertzContact{1e9, 2e7}, RootDampedHertzContact{k, c}, unit);
+}
+
+TEST(RegimeMargin, HasTheSignOfTheForceAndTheSizeOfTheIndentation) {
+  const ContactState loaded{ContactPhase::loaded, 0.3};
+  const auto expect = [&](const auto& law) {
+    for (const double v : {-0.6, -0.35, -0.2, -0.01}) {
+      const double d = 0.02, margin = law.regime_margin(loaded, d, v);
+      ContactState trial;
+      EXPECT_EQ(margin > 0.0, law.evaluate(loaded, d, v, trial).force > 0.0) << v;
+      EXPECT_LT(margin, 1.0001 * d);
+      EXPECT_GT(margin, -10.0 * d);
+    }
+  };
+  expect(ViscousLinearContact{1e9, 1e8});
+  expect(ViscousHertzContact{1e9, 0.8});
+  expect(RootDampedHertzContact{1e9, 2e7});
+}
+
 TEST(ContactState, FreezesTheApproachSpeedUntilTheGapOpens) {
-  const ViscousHertz law{.stiffness = 1e9, .damping_factor = 1.0};
+  const ViscousHertzContact law{.stiffness = 1e9, .damping_factor = 1.0};
   const ContactState touched = law.next_regime({}, 1e-13, 0.5);
   EXPECT_EQ(touched.approach_speed, 0.5);
   // Drawn apart faster than v0/z the law ends, pushed together again it goes on with the same speed.

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "base/units.hpp"
+#include "impact_cases.hpp"
 #include "materials/bilinear.hpp"
 #include "materials/impact_laws.hpp"
 #include "message_of.hpp"
@@ -25,40 +26,47 @@ std::string message(const Law& law) {
   return message_of([&] { law.check(check); });
 }
 
-template <class Law, class Unit>
-void expect_checked(Unit unit, const std::string& symbol, const std::string& range = restitution_range) {
-  EXPECT_EQ(message(Law{1e9 * unit, 1.0}), "nothing was thrown");
-  EXPECT_EQ(message(Law{1e9 * unit, 0.42}), "nothing was thrown");
-  EXPECT_EQ(message(Law{-3.0 * unit, 0.65}), "Gap \"moat left\": stiffness = -3 " + symbol +
-                                                 " is not allowed; it must be > 0 " + symbol + " and finite.");
-  EXPECT_EQ(message(Law{1e9 * unit, 0.0}), "Gap \"moat left\": restitution = 0" + range);
-  EXPECT_EQ(message(Law{1e9 * unit, 1.1}), "Gap \"moat left\": restitution = 1.1" + range);
-  EXPECT_EQ(message(Law{1e9 * unit, 0.001}), "nothing was thrown");
-  EXPECT_EQ(message(Law{1e9 * unit, 0.0009}),
-            range == divisor_range ? "Gap \"moat left\": restitution = 0.0009" + range : "nothing was thrown");
+TEST(ImpactLawCheck, NamesTheStiffnessAndItsUnit) {
+  AllImpactLaws::for_each([]<class Law>() {
+    SCOPED_TRACE(Law::name);
+    const std::string unit = unit_symbol<StiffnessOf<Law>>();
+    for (const double e : {1.0, 0.65, 0.42}) EXPECT_EQ(message(impact_law<Law>(1e9, e)), "nothing was thrown");
+    for (const std::string wrong : {"-3", "0"})
+      EXPECT_EQ(message(impact_law<Law>(std::stod(wrong), 0.65)), "Gap \"moat left\": stiffness = " + wrong + " " +
+                                                                      unit + " is not allowed; it must be > 0 " + unit +
+                                                                      " and finite.");
+  });
 }
 
-TEST(ImpactLawCheck, NamesTheParameterItsRangeAndWhatToDo) {
-  const Stiffness linear = 1 * N / m;
-  const HertzStiffness hertz = 1 * N / m_3_2;
-  expect_checked<Kelvin>(linear, "N/m");
-  expect_checked<Anagnostopoulos>(linear, "N/m");
-  expect_checked<ExactKelvin>(linear, "N/m");
-  expect_checked<ModifiedLinearViscoelastic>(linear, "N/m", divisor_range);
-  expect_checked<HertzDamp>(hertz, "N/m^1.5");
-  expect_checked<LankaraniNikravesh>(hertz, "N/m^1.5");
-  expect_checked<HuntCrossley>(hertz, "N/m^1.5");
-  expect_checked<Ye2009>(hertz, "N/m^1.5", divisor_range);
-  expect_checked<HuGuo>(hertz, "N/m^1.5", divisor_range);
-  expect_checked<Gonthier>(hertz, "N/m^1.5", divisor_range);
-  expect_checked<ModifiedHertzDamp>(hertz, "N/m^1.5", divisor_range);
-  expect_checked<ModifiedHertzDampPrinted>(hertz, "N/m^1.5", divisor_range);
-  expect_checked<NonlinearViscoelastic>(hertz, "N/m^1.5", divisor_range);
-  expect_checked<ExactHertzDamp>(hertz, "N/m^1.5", divisor_range);
-  EXPECT_EQ(message(Hertz{0 * hertz}),
-            "Gap \"moat left\": stiffness = 0 N/m^1.5 is not allowed; it must be > 0 N/m^1.5 and finite.");
-  EXPECT_EQ(message(LinearElastic{0 * linear}),
-            "Gap \"moat left\": stiffness = 0 N/m is not allowed; it must be > 0 N/m and finite.");
+TEST(ImpactLawCheck, NamesTheRestitutionItsRangeAndWhatToDo) {
+  AllImpactLaws::for_each([]<class Law>() {
+    if constexpr (requires(Law law) { law.restitution; }) {
+      SCOPED_TRACE(Law::name);
+      const auto refusal = [](double e) { return message(impact_law<Law>(1e9, e)); };
+      const bool divides = refusal(0.0009) != "nothing was thrown";
+      const std::string range = divides ? divisor_range : restitution_range;
+      EXPECT_EQ(refusal(0.0), "Gap \"moat left\": restitution = 0" + range);
+      EXPECT_EQ(refusal(1.1), "Gap \"moat left\": restitution = 1.1" + range);
+      EXPECT_EQ(refusal(0.001), "nothing was thrown");
+      if (divides) {
+        EXPECT_EQ(refusal(0.0009), "Gap \"moat left\": restitution = 0.0009" + range);
+      }
+    }
+  });
+}
+
+TEST(ImpactLawCheck, RefusesSmallRestitutionsWhereTheDampingGrowsAsTheirInverse) {
+  AllImpactLaws::for_each([]<class Law>() {
+    if constexpr (requires(Law law) { law.restitution; }) {
+      SCOPED_TRACE(Law::name);
+      const auto first_force = [](double e) {
+        ContactState trial;
+        return impact_law<Law>(1e9, e).between(1e3).evaluate({ContactPhase::loaded, 0.3}, 1e-3, 0.3, trial).force;
+      };
+      const bool grows = first_force(1e-6) > 100.0 * first_force(1e-3);
+      EXPECT_EQ(message(impact_law<Law>(1e9, 1e-6)) != "nothing was thrown", grows);
+    }
+  });
 }
 
 TEST(ImpactLawCheck, RefusesAContactThatWouldNeverEnd) {
@@ -69,9 +77,15 @@ TEST(ImpactLawCheck, RefusesAContactThatWouldNeverEnd) {
             "Gap \"moat left\": damping_ratio = 1 is not allowed; it must be < 1 where may_pull is true. "
             "A contact that pulls and is damped critically never ends.");
   EXPECT_EQ(message(ModifiedHertzDampPrinted{
-                .stiffness = 1e9 * N / m_3_2, .restitution = 0.4, .acts = ContactDamping::may_pull}),
+                .stiffness = 1e9 * N / m_3_2, .restitution = 0.4, .approach_only = false, .may_pull = true}),
             "Gap \"moat left\": restitution = 0.4 is not allowed; it must be >= 0.409 where the contact may pull. "
             "A contact that pulls and is damped critically never ends.");
+}
+
+TEST(ImpactLawCheck, RefusesToPullWithADashpotThatNeverPulls) {
+  EXPECT_EQ(message(ModifiedHertzDampPrinted{.stiffness = 1e9 * N / m_3_2, .restitution = 0.6, .may_pull = true}),
+            "Gap \"moat left\": may_pull = 1 is not allowed; it must be false where "
+            "approach_only is true. A dashpot that acts on approach only never pulls.");
 }
 
 TEST(BilinearCheck, NamesTheParameterItsRangeAndWhatToDo) {

@@ -12,7 +12,7 @@
 #include "elements/lead_rubber_bearing.hpp"
 #include "elements/shear_spring.hpp"
 #include "elements/viscous_damper.hpp"
-#include "materials/hertz_damp.hpp"
+#include "materials/impact/hertz_damp.hpp"
 #include "model/model.hpp"
 
 namespace moat {

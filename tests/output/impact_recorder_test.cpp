@@ -8,10 +8,10 @@
 
 #include "analyses/transient.hpp"
 #include "elements/gap.hpp"
-#include "materials/exact_hertz_damp.hpp"
-#include "materials/exact_kelvin.hpp"
-#include "materials/hertz_damp.hpp"
-#include "materials/linear_elastic.hpp"
+#include "materials/impact/exact_hertz_damp.hpp"
+#include "materials/impact/exact_kelvin.hpp"
+#include "materials/impact/hertz_damp.hpp"
+#include "materials/impact/linear_elastic.hpp"
 
 namespace moat {
 namespace {

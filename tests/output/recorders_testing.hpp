@@ -9,7 +9,7 @@
 #include "elements/lead_rubber_bearing.hpp"
 #include "elements/shear_spring.hpp"
 #include "elements/viscous_damper.hpp"
-#include "materials/hertz_damp.hpp"
+#include "materials/impact/hertz_damp.hpp"
 #include "output/step_observer.hpp"
 #include "structures/moat.hpp"
 

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "materials/hertz_damp.hpp"
+#include "materials/impact/hertz_damp.hpp"
 #include "message_of.hpp"
 
 namespace moat {

@@ -57,10 +57,8 @@ void with_law(const PlainLaw& law, const AddGap& add_gap) {
     case PlainLawKind::modified_hertz_damp_printed:
       return add_gap(ModifiedHertzDampPrinted{.stiffness = hertz,
                                               .restitution = e,
-                                              .acts = pulls ? ContactDamping::may_pull
-                                                      : law.acts == PlainDamping::approach_only
-                                                          ? ContactDamping::approach_only
-                                                          : ContactDamping::throughout});
+                                              .approach_only = law.acts == PlainDamping::approach_only,
+                                              .may_pull = pulls});
   }
   throw std::logic_error{"moat_model: a law without a case"};
 }

@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "base/parameter.hpp"
-#include "materials/contact_damping.hpp"
 #include "materials/contact_state.hpp"
 #include "materials/response.hpp"
 #include "materials/restitution_formulas.hpp"
@@ -16,10 +15,11 @@
 namespace moat {
 
 /// F = k d^1.5 + c d^0.25 d' for indentation d > 0, compression positive; c = 2 xi sqrt(k m) with the
-/// effective mass m (Jankowski 2006). ContactDamping says when the second term acts.
+/// effective mass m (Jankowski 2006). The dashpot may act on approach only.
 ///
-/// In terms of y = d^1.25 a free impact is that of a linear spring and dashpot with the damping ratio
-/// x = 2 xi / sqrt(5): restitution_formulas.hpp holds exactly, whatever k, m and the approach speed.
+/// The contact never pulls unless it separates at_opening. In terms of y = d^1.25 a free impact is that of a linear
+/// spring and dashpot with the damping ratio x = 2 xi / sqrt(5): restitution_formulas.hpp holds exactly, whatever k, m
+/// and the approach speed.
 ///
 /// The slope of d^0.25 is infinite at d = 0. Below `least_root_indentation`, a thousandth of what touch is
 /// located to, the fourth root is replaced by a straight line, so that Newton's method sees finite tangents.
@@ -27,25 +27,24 @@ namespace moat {
 /// no instant is located for that.
 ///
 /// Stored is 0.4 k d^2.5 until the gap opens; a released contact turns what is left of it into heat.
-struct RootDampedHertz {
-  static constexpr std::string_view name = "RootDampedHertz";
+struct RootDampedHertzContact {
+  static constexpr std::string_view name = "RootDampedHertzContact";
 
-  double stiffness = 0.0;  ///< k > 0, N/m^1.5
-  double damping = 0.0;    ///< c >= 0, N s/m^1.25
-  ContactDamping acts = ContactDamping::throughout;
+  double stiffness = 0.0;      ///< k > 0, N/m^1.5
+  double damping = 0.0;        ///< c >= 0, N s/m^1.25
+  bool approach_only = false;  ///< whether the dashpot acts only while the bodies approach
+  Separation separation = Separation::at_zero_force;
 
   using State = ContactState;
 
   /// m
   static constexpr double least_root_indentation = 1e-15;
-  /// A released contact pushes again only where d^1.25 + (c/k) d' exceeds this, m^1.25.
-  static constexpr double reload_threshold = 1e-12;
 
   [[nodiscard]] std::vector<Parameter> parameters() const {
     return {{"stiffness", stiffness, "N/m^1.5"},
             {"damping", damping, "N s/m^1.25"},
-            {"approach_only", acts == ContactDamping::approach_only ? 1.0 : 0.0, "1"},
-            {"may_pull", acts == ContactDamping::may_pull ? 1.0 : 0.0, "1"}};
+            {"approach_only", approach_only ? 1.0 : 0.0, "1"},
+            {"may_pull", separation == Separation::at_opening ? 1.0 : 0.0, "1"}};
   }
 
   Response evaluate(const State& committed, double indentation, double rate, State& trial) const {
@@ -70,7 +69,7 @@ struct RootDampedHertz {
   double linear_stiffness(StiffnessStage) const { return 0.0; }
 
   double regime_margin(const State& committed, double indentation, double rate) const {
-    return contact_margin(committed, indentation, push(indentation, rate), reload_threshold);
+    return contact_margin(committed, indentation, push(committed, indentation, rate));
   }
   State next_regime(const State& committed, double indentation, double rate) const {
     return next_contact_state(committed, indentation, rate);
@@ -95,15 +94,17 @@ struct RootDampedHertz {
     const double value = std::sqrt(std::sqrt(indentation));
     return {value, 0.25 * value / indentation};
   }
-  [[nodiscard]] double acting_damping(double rate) const {
-    return acts == ContactDamping::approach_only && rate < 0.0 ? 0.0 : damping;
-  }
-  // The force over k times the fourth root, so that it crosses zero with a finite slope.
-  [[nodiscard]] double push(double indentation, double rate) const {
-    if (acts != ContactDamping::throughout) return std::numeric_limits<double>::infinity();
+  [[nodiscard]] double acting_damping(double rate) const { return approach_only && rate < 0.0 ? 0.0 : damping; }
+  // The force over k d^0.25, so that it crosses zero with a finite slope, and over L^0.25 with L = (c v0/k)^0.8, the
+  // depth at which the dashpot at v0 pushes as hard as the spring: m.
+  [[nodiscard]] double push(const State& committed, double indentation, double rate) const {
+    if (approach_only || separation == Separation::at_opening || damping == 0.0 ||
+        committed.phase == ContactPhase::open)
+      return std::numeric_limits<double>::infinity();
     const double depth = std::max(indentation, 0.0);
     const double elastic = depth > 0.0 ? depth * std::sqrt(depth) / fourth_root(depth).value : 0.0;
-    return elastic + damping / stiffness * rate;
+    const double by_rate = damping / stiffness;
+    return (elastic + by_rate * rate) / std::pow(by_rate * committed.approach_speed, 0.2);
   }
 };
 

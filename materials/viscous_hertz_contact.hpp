@@ -19,32 +19,29 @@ namespace moat {
 /// differ in how z follows from the coefficient of restitution, and each has a header of its own that makes one of
 /// these.
 ///
-/// The contact never pulls unless may_pull is set: it ends where the force reaches zero, that is where
+/// The contact never pulls unless it separates at_opening: it ends where the force reaches zero, that is where
 /// d' = -v0/z, or where the gap opens. A free impact of two bodies always ends with the gap opening, at a
 /// restitution e that satisfies ln((1 + z)/(1 - z e)) = z (1 + e), whatever k, the masses and the speed
-/// from 1e-4 m/s up: there may_pull changes nothing. An impact at a lower speed v is that of the factor z v/1e-4 m/s.
+/// from 1e-4 m/s up: there Separation changes nothing. An impact at a lower speed v is that of the factor z v/1e-4 m/s.
 /// Only bodies that are drawn apart faster than v0/z feel the difference.
 ///
 /// Stored is 0.4 k d^2.5 until the gap opens; a released contact turns what is left of it into heat.
-struct ViscousHertz {
-  static constexpr std::string_view name = "ViscousHertz";
+struct ViscousHertzContact {
+  static constexpr std::string_view name = "ViscousHertzContact";
 
   double stiffness = 0.0;       ///< k > 0, N/m^1.5
   double damping_factor = 0.0;  ///< z >= 0, dimensionless
-  bool may_pull = false;
+  Separation separation = Separation::at_zero_force;
 
   using State = ContactState;
 
-  /// d'/v0 counts at most this much, to both sides: a contact that was touched slowly and is then driven hard
-  /// would otherwise be as stiff as the slowness of its touch makes it.
+  /// |d'/v0| is limited to this. Without the limit a very small v0 makes the damping force arbitrarily large.
   static constexpr double largest_speed_ratio = 100.0;
-  /// A released contact pushes again only where 1 + z d'/v0 exceeds this.
-  static constexpr double reload_threshold = 1e-9;
 
   [[nodiscard]] std::vector<Parameter> parameters() const {
     return {{"stiffness", stiffness, "N/m^1.5"},
             {"damping_factor", damping_factor, "1"},
-            {"may_pull", may_pull ? 1.0 : 0.0, "1"}};
+            {"may_pull", separation == Separation::at_opening ? 1.0 : 0.0, "1"}};
   }
 
   Response evaluate(const State& committed, double indentation, double rate, State& trial) const {
@@ -70,10 +67,7 @@ struct ViscousHertz {
   double linear_stiffness(StiffnessStage) const { return 0.0; }
 
   double regime_margin(const State& committed, double indentation, double rate) const {
-    const double push = may_pull || committed.phase == ContactPhase::open
-                            ? std::numeric_limits<double>::infinity()
-                            : 1.0 + damping_factor * speed_ratio(committed, rate);
-    return contact_margin(committed, indentation, push, reload_threshold);
+    return contact_margin(committed, indentation, push(committed, indentation, rate));
   }
   State next_regime(const State& committed, double indentation, double rate) const {
     return next_contact_state(committed, indentation, rate);
@@ -85,6 +79,12 @@ struct ViscousHertz {
   }
 
  private:
+  // F/(k sqrt(d)) = d (1 + z d'/v0), m.
+  [[nodiscard]] double push(const State& committed, double indentation, double rate) const {
+    if (separation == Separation::at_opening || committed.phase == ContactPhase::open)
+      return std::numeric_limits<double>::infinity();
+    return std::max(indentation, 0.0) * (1.0 + damping_factor * speed_ratio(committed, rate));
+  }
   static double speed_ratio(const State& committed, double rate) {
     return std::clamp(rate / committed.approach_speed, -largest_speed_ratio, largest_speed_ratio);
   }

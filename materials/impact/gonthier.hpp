@@ -1,4 +1,4 @@
-// Impact law of Ye, Li and Zhu.
+// Impact law of Gonthier et al.
 #pragma once
 
 #include <string_view>
@@ -9,21 +9,21 @@
 #include "base/quantity.hpp"
 #include "base/required.hpp"
 #include "materials/impact_checks.hpp"
-#include "materials/viscous_hertz.hpp"
+#include "materials/viscous_hertz_contact.hpp"
 
 namespace moat {
 
-/// Corrected Hertz-damp model: F = k d^1.5 (1 + z d'/v0) with z = 8 (1 - e)/(5 e).
+/// Gonthier model: F = k d^1.5 (1 + z d'/v0) with z = (1 - e^2)/e.
 ///
-/// Source: Ye, Li & Zhu (2009), A note on the Hertz contact model with nonlinear damping for pounding simulation;
-/// the same factor is due to Flores et al. (2011). The column "non-linear viscoelastic model" of Zhao, Liu & Li
-/// (2017), Table 1, was computed with it. The restitution e' it delivers, ln((1 + z)/(1 - z e')) = z (1 + e'), is
-/// somewhat below what is asked for: e' = 0.789, 0.630, 0.363 for e = 0.80, 0.65, 0.40.
+/// Source: Gonthier, McPhee, Lange & Piedboeuf (2004), A regularized contact model with asymmetric damping and
+/// dwell-time dependent friction: an approximation of the exact factor over the whole range of e. The restitution
+/// e' it delivers, ln((1 + z)/(1 - z e')) = z (1 + e'), is e' = 0.768, 0.623, 0.398 for e = 0.80, 0.65, 0.40.
 ///
 /// Indentation and compression positive. The contact ends where the force reaches zero or the gap opens,
 /// in free impact always the latter.
-struct Ye2009 {
-  static constexpr std::string_view name = "Ye2009";
+struct Gonthier {
+  static constexpr std::string_view name = "Gonthier";
+  static constexpr std::string_view formula = "z = (1 - e^2)/e";
 
   /// k > 0 N/m^1.5.
   Required<HertzStiffness> stiffness;
@@ -44,8 +44,8 @@ struct Ye2009 {
             {"may_pull", may_pull ? 1.0 : 0.0, "1"}};
   }
   /// The law between two bodies; this one does not depend on their effective mass (kg).
-  [[nodiscard]] ViscousHertz between(double /*effective_mass*/) const {
-    return {stiffness.si(), 1.6 * (1.0 - restitution) / restitution, may_pull};
+  [[nodiscard]] ViscousHertzContact between(double /*effective_mass*/) const {
+    return {stiffness.si(), (1.0 - restitution * restitution) / restitution, separation(may_pull)};
   }
 };
 

@@ -1,4 +1,4 @@
-// Impact law of Hu and Guo.
+// Impact law of Hu and Guo, also called the modified Hertz-damp law.
 #pragma once
 
 #include <string_view>
@@ -9,20 +9,25 @@
 #include "base/quantity.hpp"
 #include "base/required.hpp"
 #include "materials/impact_checks.hpp"
-#include "materials/viscous_hertz.hpp"
+#include "materials/viscous_hertz_contact.hpp"
 
 namespace moat {
 
 /// Hu-Guo model: F = k d^1.5 (1 + z d'/v0) with z = 3 (1 - e)/(2 e).
 ///
-/// Source: Hu & Guo (2015), A dissipative contact force model for impact analysis in multibody dynamics. The same
-/// force as ModifiedHertzDamp. The restitution e' it delivers, ln((1 + z)/(1 - z e')) = z (1 + e'), is close to
-/// what is asked for: e' = 0.799, 0.646, 0.380 for e = 0.80, 0.65, 0.40.
+/// Source: Hu & Guo (2015), A dissipative contact force model for impact analysis in multibody dynamics.
+///
+/// The modified Hertz-damp model of Zhao, Liu & Li (2017) is the same law: it gives all ten cells of their Table 1,
+/// column "model of this paper", within 0.0024. The text of that paper derives another force (Eq. 10 with Eq. 27:
+/// ModifiedHertzDampPrinted), which cannot have produced the table. The restitution e' it delivers, ln((1 + z)/(1 - z
+/// e')) = z (1 + e'), is close to what is asked for: e' = 0.799, 0.646, 0.380 for e = 0.80, 0.65, 0.40.
 ///
 /// Indentation and compression positive. The contact ends where the force reaches zero or the gap opens,
 /// in free impact always the latter.
 struct HuGuo {
   static constexpr std::string_view name = "HuGuo";
+  static constexpr std::string_view alias = "ModifiedHertzDamp";
+  static constexpr std::string_view formula = "z = 3 (1 - e)/(2 e)";
 
   /// k > 0 N/m^1.5.
   Required<HertzStiffness> stiffness;
@@ -43,9 +48,12 @@ struct HuGuo {
             {"may_pull", may_pull ? 1.0 : 0.0, "1"}};
   }
   /// The law between two bodies; this one does not depend on their effective mass (kg).
-  [[nodiscard]] ViscousHertz between(double /*effective_mass*/) const {
-    return {stiffness.si(), 1.5 * (1.0 - restitution) / restitution, may_pull};
+  [[nodiscard]] ViscousHertzContact between(double /*effective_mass*/) const {
+    return {stiffness.si(), 1.5 * (1.0 - restitution) / restitution, separation(may_pull)};
   }
 };
+
+/// The name of the same law in studies of pounding.
+using ModifiedHertzDamp = HuGuo;
 
 }  // namespace moat

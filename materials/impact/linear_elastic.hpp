@@ -18,6 +18,7 @@ namespace moat {
 /// opens. Deepest indentation v0 sqrt(m/k), duration pi sqrt(m/k). Indentation and compression positive.
 struct LinearElastic {
   static constexpr std::string_view name = "LinearElastic";
+  static constexpr std::string_view formula = "k d";
 
   /// k > 0 N/m.
   Required<Stiffness> stiffness;

@@ -8,7 +8,7 @@
 #include "base/parameter.hpp"
 #include "base/quantity.hpp"
 #include "base/required.hpp"
-#include "materials/viscous_hertz.hpp"
+#include "materials/viscous_hertz_contact.hpp"
 
 namespace moat {
 
@@ -19,6 +19,7 @@ namespace moat {
 /// compression positive.
 struct Hertz {
   static constexpr std::string_view name = "Hertz";
+  static constexpr std::string_view formula = "k d^1.5";
 
   /// k > 0 N/m^1.5.
   Required<HertzStiffness> stiffness;
@@ -28,7 +29,7 @@ struct Hertz {
   /// As given.
   [[nodiscard]] std::vector<Parameter> parameters() const { return {{"stiffness", stiffness.si(), "N/m^1.5"}}; }
   /// The law between two bodies; this one does not depend on their effective mass (kg).
-  [[nodiscard]] ViscousHertz between(double /*effective_mass*/) const { return {stiffness.si(), 0.0}; }
+  [[nodiscard]] ViscousHertzContact between(double /*effective_mass*/) const { return {stiffness.si(), 0.0}; }
 };
 
 }  // namespace moat

@@ -24,6 +24,7 @@ namespace moat {
 /// compression positive.
 struct ExactKelvin {
   static constexpr std::string_view name = "ExactKelvin";
+  static constexpr std::string_view formula = "xi solves e = exp(-2 a cot a), cos a = xi";
 
   /// k > 0 N/m.
   Required<Stiffness> stiffness;
@@ -47,8 +48,9 @@ struct ExactKelvin {
   [[nodiscard]] ViscousLinearContact between(double effective_mass) const {
     const double damping_ratio =
         may_pull ? damping_ratio_of_pulling_contact(restitution) : damping_ratio_of_clamped_contact(restitution);
-    return {stiffness.si(), 2.0 * damping_ratio * std::sqrt(stiffness.si() * effective_mass),
-            may_pull ? ContactDamping::may_pull : ContactDamping::throughout};
+    return {.stiffness = stiffness.si(),
+            .damping = 2.0 * damping_ratio * std::sqrt(stiffness.si() * effective_mass),
+            .separation = separation(may_pull)};
   }
 };
 

@@ -11,7 +11,7 @@
 #include "base/quantity.hpp"
 #include "base/required.hpp"
 #include "materials/impact_checks.hpp"
-#include "materials/root_damped_hertz.hpp"
+#include "materials/root_damped_hertz_contact.hpp"
 
 namespace moat {
 
@@ -24,6 +24,8 @@ namespace moat {
 /// was computed with Ye2009.) Indentation and compression positive.
 struct NonlinearViscoelastic {
   static constexpr std::string_view name = "NonlinearViscoelastic";
+  static constexpr std::string_view formula =
+      "damping on approach only; xi = 9 sqrt(5) (1 - e^2)/(2 e (e (9 pi - 16) + 16))";
 
   /// k > 0 N/m^1.5.
   Required<HertzStiffness> stiffness;
@@ -40,12 +42,13 @@ struct NonlinearViscoelastic {
     return {{"stiffness", stiffness.si(), "N/m^1.5"}, {"restitution", restitution, "1"}};
   }
   /// The law between two bodies of the given effective mass m1 m2/(m1 + m2) > 0 kg; a fixed wall is infinite.
-  [[nodiscard]] RootDampedHertz between(double effective_mass) const {
+  [[nodiscard]] RootDampedHertzContact between(double effective_mass) const {
     const double e = restitution;
     const double damping_ratio =
         4.5 * std::sqrt(5.0) * (1.0 - e * e) / (e * (e * (9.0 * std::numbers::pi - 16.0) + 16.0));
-    return {stiffness.si(), 2.0 * damping_ratio * std::sqrt(stiffness.si() * effective_mass),
-            ContactDamping::approach_only};
+    return {.stiffness = stiffness.si(),
+            .damping = 2.0 * damping_ratio * std::sqrt(stiffness.si() * effective_mass),
+            .approach_only = true};
   }
 };
 

@@ -1,4 +1,4 @@
-// Impact law of Gonthier et al.
+// Hertz-damp impact law that delivers the restitution asked for.
 #pragma once
 
 #include <string_view>
@@ -9,20 +9,23 @@
 #include "base/quantity.hpp"
 #include "base/required.hpp"
 #include "materials/impact_checks.hpp"
-#include "materials/viscous_hertz.hpp"
+#include "materials/restitution_formulas.hpp"
+#include "materials/viscous_hertz_contact.hpp"
 
 namespace moat {
 
-/// Gonthier model: F = k d^1.5 (1 + z d'/v0) with z = (1 - e^2)/e.
+/// Exact Hertz-damp model: F = k d^1.5 (1 + z d'/v0) with the root z of ln((1 + z)/(1 - z e)) = z (1 + e).
 ///
-/// Source: Gonthier, McPhee, Lange & Piedboeuf (2004), A regularized contact model with asymmetric damping and
-/// dwell-time dependent friction: an approximation of the exact factor over the whole range of e. The restitution
-/// e' it delivers, ln((1 + z)/(1 - z e')) = z (1 + e'), is e' = 0.768, 0.623, 0.398 for e = 0.80, 0.65, 0.40.
+/// Source: the equation follows from integrating the impact m d'' = -F once, exactly; Hunt & Crossley (1975) and
+/// their successors approximate its root. The restitution of a free impact is e itself, for any k, masses and
+/// approach speed from 1e-4 m/s up (least_approach_speed); slower impacts are more elastic: z = 0.37315,
+/// 0.79310, 2.08250 for e = 0.80, 0.65, 0.40.
 ///
 /// Indentation and compression positive. The contact ends where the force reaches zero or the gap opens,
 /// in free impact always the latter.
-struct Gonthier {
-  static constexpr std::string_view name = "Gonthier";
+struct ExactHertzDamp {
+  static constexpr std::string_view name = "ExactHertzDamp";
+  static constexpr std::string_view formula = "z solves ln((1 + z)/(1 - z e)) = z (1 + e)";
 
   /// k > 0 N/m^1.5.
   Required<HertzStiffness> stiffness;
@@ -43,8 +46,8 @@ struct Gonthier {
             {"may_pull", may_pull ? 1.0 : 0.0, "1"}};
   }
   /// The law between two bodies; this one does not depend on their effective mass (kg).
-  [[nodiscard]] ViscousHertz between(double /*effective_mass*/) const {
-    return {stiffness.si(), (1.0 - restitution * restitution) / restitution, may_pull};
+  [[nodiscard]] ViscousHertzContact between(double /*effective_mass*/) const {
+    return {stiffness.si(), damping_factor_of_viscous_hertz(restitution), separation(may_pull)};
   }
 };
 

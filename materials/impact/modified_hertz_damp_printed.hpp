@@ -10,7 +10,7 @@
 #include "base/quantity.hpp"
 #include "base/required.hpp"
 #include "materials/impact_checks.hpp"
-#include "materials/root_damped_hertz.hpp"
+#include "materials/root_damped_hertz_contact.hpp"
 
 namespace moat {
 
@@ -25,40 +25,50 @@ namespace moat {
 /// only, from d = 0 to the deepest point (Eqs. 14, 23): approach only, the default here. The restitution
 /// delivered, with cos a = 2 xi/sqrt(5), for e = 0.80, 0.65, 0.40:
 ///
-///     approach_only   exp(-a cot a)               0.848, 0.692, 0.356
-///     throughout      exp(-2 a cot a)             0.719, 0.479, 0.127
-///     may_pull        exp(-pi x/sqrt(1 - x^2))    0.701, 0.409, none: x = cos a must be below 1, e above 0.409
+///     approach_only              exp(-a cot a)               0.848, 0.692, 0.356
+///     throughout                 exp(-2 a cot a)             0.719, 0.479, 0.127
+///     throughout and may_pull    exp(-pi x/sqrt(1 - x^2))    0.701, 0.409, none: x = cos a must be below 1, e above
+///                                                            0.409
 ///
 /// Indentation and compression positive.
 struct ModifiedHertzDampPrinted {
   static constexpr std::string_view name = "ModifiedHertzDampPrinted";
+  static constexpr std::string_view formula =
+      "damping on approach only, unless `.approach_only = false`; xi = sqrt(5) (1 - e^2)/(10 e^2)";
 
   /// k > 0 N/m^1.5.
   Required<HertzStiffness> stiffness;
   /// e, the coefficient of restitution asked for: 0.001 <= e <= 1, because the damping grows as 1/e^2.
   Required<double> restitution;
-  /// When the dashpot acts.
-  ContactDamping acts = ContactDamping::approach_only;
+  /// Whether the dashpot acts only while the bodies approach; else throughout.
+  bool approach_only = true;
+  /// Whether the contact lasts until the gap opens, pulling before it does. Only if the dashpot acts throughout.
+  bool may_pull = false;
 
   /// Throws InputError for a parameter outside its range.
   void check(const Check& check) const {
     check.positive("stiffness", stiffness);
     check_restitution_in_divisor(check, restitution);
-    check.that(acts != ContactDamping::may_pull || restitution >= 0.409, "restitution", restitution, "1",
+    check.that(!(may_pull && approach_only), "may_pull", may_pull, "1", "false where approach_only is true",
+               "A dashpot that acts on approach only never pulls.");
+    check.that(!may_pull || restitution >= 0.409, "restitution", restitution, "1",
                ">= 0.409 where the contact may pull", "A contact that pulls and is damped critically never ends.");
   }
   /// As given.
   [[nodiscard]] std::vector<Parameter> parameters() const {
     return {{"stiffness", stiffness.si(), "N/m^1.5"},
             {"restitution", restitution, "1"},
-            {"approach_only", acts == ContactDamping::approach_only ? 1.0 : 0.0, "1"},
-            {"may_pull", acts == ContactDamping::may_pull ? 1.0 : 0.0, "1"}};
+            {"approach_only", approach_only ? 1.0 : 0.0, "1"},
+            {"may_pull", may_pull ? 1.0 : 0.0, "1"}};
   }
   /// The law between two bodies of the given effective mass m1 m2/(m1 + m2) > 0 kg; a fixed wall is infinite.
-  [[nodiscard]] RootDampedHertz between(double effective_mass) const {
+  [[nodiscard]] RootDampedHertzContact between(double effective_mass) const {
     const double e = restitution;
     const double damping_ratio = std::sqrt(5.0) * (1.0 - e * e) / (10.0 * e * e);
-    return {stiffness.si(), 2.0 * damping_ratio * std::sqrt(stiffness.si() * effective_mass), acts};
+    return {.stiffness = stiffness.si(),
+            .damping = 2.0 * damping_ratio * std::sqrt(stiffness.si() * effective_mass),
+            .approach_only = approach_only,
+            .separation = separation(may_pull)};
   }
 };
 

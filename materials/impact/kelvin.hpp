@@ -1,4 +1,4 @@
-// Kelvin impact law.
+// Kelvin impact law, due to Anagnostopoulos.
 #pragma once
 
 #include <cmath>
@@ -18,12 +18,15 @@ namespace moat {
 /// Kelvin model (Kelvin-Voigt): F = k d + c d', c = 2 xi sqrt(k m), with the damping ratio xi from the
 /// restitution: xi = -ln e/sqrt(pi^2 + ln^2 e). KelvinByDampingRatio takes xi itself.
 ///
-/// Source: Zhao, Liu & Li (2017), Eqs. 2-4; m is the effective mass of the two bodies. The formula for xi holds
+/// Source: Anagnostopoulos (1988), Pounding of buildings in series during earthquakes, as the linear viscoelastic
+/// model; Zhao, Liu & Li (2017), Eqs. 2-4; m is the effective mass of the two bodies. The formula for xi holds
 /// if the contact may pull until the gap opens: then e is delivered exactly. By default the contact ends where
 /// the force reaches zero, and delivers more: e' = 0.808, 0.675, 0.472 for e = 0.80, 0.65, 0.40; ExactKelvin
 /// delivers e without pulling. The force jumps to c v0 at touch. Indentation and compression positive.
 struct Kelvin {
   static constexpr std::string_view name = "Kelvin";
+  static constexpr std::string_view alias = "Anagnostopoulos";
+  static constexpr std::string_view formula = "xi = -ln e/sqrt(pi^2 + ln^2 e)";
 
   /// k > 0 N/m.
   Required<Stiffness> stiffness;
@@ -46,9 +49,13 @@ struct Kelvin {
   /// The law between two bodies of the given effective mass m1 m2/(m1 + m2) > 0 kg; a fixed wall is infinite.
   [[nodiscard]] ViscousLinearContact between(double effective_mass) const {
     const double damping_ratio = damping_ratio_of_pulling_contact(restitution);
-    return {stiffness.si(), 2.0 * damping_ratio * std::sqrt(stiffness.si() * effective_mass),
-            may_pull ? ContactDamping::may_pull : ContactDamping::throughout};
+    return {.stiffness = stiffness.si(),
+            .damping = 2.0 * damping_ratio * std::sqrt(stiffness.si() * effective_mass),
+            .separation = separation(may_pull)};
   }
 };
+
+/// The name of the same law after its author.
+using Anagnostopoulos = Kelvin;
 
 }  // namespace moat

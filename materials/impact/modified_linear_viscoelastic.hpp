@@ -24,6 +24,7 @@ namespace moat {
 /// to c v0 at touch. Indentation and compression positive.
 struct ModifiedLinearViscoelastic {
   static constexpr std::string_view name = "ModifiedLinearViscoelastic";
+  static constexpr std::string_view formula = "damping on approach only; xi = (1 - e^2)/(e (e (pi - 2) + 2))";
 
   /// k > 0 N/m.
   Required<Stiffness> stiffness;
@@ -43,8 +44,9 @@ struct ModifiedLinearViscoelastic {
   [[nodiscard]] ViscousLinearContact between(double effective_mass) const {
     const double e = restitution;
     const double damping_ratio = (1.0 - e * e) / (e * (e * (std::numbers::pi - 2.0) + 2.0));
-    return {stiffness.si(), 2.0 * damping_ratio * std::sqrt(stiffness.si() * effective_mass),
-            ContactDamping::approach_only};
+    return {.stiffness = stiffness.si(),
+            .damping = 2.0 * damping_ratio * std::sqrt(stiffness.si() * effective_mass),
+            .approach_only = true};
   }
 };
 

@@ -9,7 +9,7 @@
 #include "base/quantity.hpp"
 #include "base/required.hpp"
 #include "materials/impact_checks.hpp"
-#include "materials/viscous_hertz.hpp"
+#include "materials/viscous_hertz_contact.hpp"
 
 namespace moat {
 
@@ -24,6 +24,7 @@ namespace moat {
 /// in free impact always the latter.
 struct HuntCrossley {
   static constexpr std::string_view name = "HuntCrossley";
+  static constexpr std::string_view formula = "z = 3/2 (1 - e)";
 
   /// k > 0 N/m^1.5.
   Required<HertzStiffness> stiffness;
@@ -44,8 +45,8 @@ struct HuntCrossley {
             {"may_pull", may_pull ? 1.0 : 0.0, "1"}};
   }
   /// The law between two bodies; this one does not depend on their effective mass (kg).
-  [[nodiscard]] ViscousHertz between(double /*effective_mass*/) const {
-    return {stiffness.si(), 1.5 * (1.0 - restitution), may_pull};
+  [[nodiscard]] ViscousHertzContact between(double /*effective_mass*/) const {
+    return {stiffness.si(), 1.5 * (1.0 - restitution), separation(may_pull)};
   }
 };
 

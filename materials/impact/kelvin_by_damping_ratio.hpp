@@ -22,6 +22,7 @@ namespace moat {
 /// jumps to c v0 at touch. Indentation and compression positive.
 struct KelvinByDampingRatio {
   static constexpr std::string_view name = "KelvinByDampingRatio";
+  static constexpr std::string_view formula = "xi itself";
 
   /// k > 0 N/m.
   Required<Stiffness> stiffness;
@@ -45,8 +46,9 @@ struct KelvinByDampingRatio {
   }
   /// The law between two bodies of the given effective mass m1 m2/(m1 + m2) > 0 kg; a fixed wall is infinite.
   [[nodiscard]] ViscousLinearContact between(double effective_mass) const {
-    return {stiffness.si(), 2.0 * damping_ratio * std::sqrt(stiffness.si() * effective_mass),
-            may_pull ? ContactDamping::may_pull : ContactDamping::throughout};
+    return {.stiffness = stiffness.si(),
+            .damping = 2.0 * damping_ratio * std::sqrt(stiffness.si() * effective_mass),
+            .separation = separation(may_pull)};
   }
 };
 

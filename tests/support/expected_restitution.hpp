@@ -1,0 +1,60 @@
+// The restitution that every impact law must deliver: one function per law.
+#pragma once
+
+#include <cmath>
+#include <numbers>
+
+#include "materials/impact_laws.hpp"
+#include "materials/restitution_formulas.hpp"
+
+namespace moat::testing {
+
+// Exact forms of the damping, written from the sources of the laws and not from their headers.
+
+// F = k d^1.5 (1 + z d'/v0).
+inline double by_factor(double z) { return restitution_of_viscous_hertz(z); }
+// c = 2 xi sqrt(k m) beside a linear spring.
+inline double by_ratio(double xi, bool may_pull) {
+  return may_pull ? restitution_of_pulling_contact(xi) : restitution_of_clamped_contact(xi);
+}
+inline double ratio_of_equation_4(double e) { return -std::log(e) / std::hypot(std::numbers::pi, std::log(e)); }
+
+/// The restitution that a law delivers in a free impact, as an exact function of its parameters. The tests of all laws
+/// do not compile for a law of AllImpactLaws that has none here.
+inline double expected_restitution(const Hertz&) { return 1.0; }
+inline double expected_restitution(const HertzDamp& law) {
+  return by_factor(3.0 / 4.0 * (1.0 - std::pow(law.restitution, 2)));
+}
+inline double expected_restitution(const HuntCrossley& law) { return by_factor(3.0 / 2.0 * (1.0 - law.restitution)); }
+inline double expected_restitution(const Gonthier& law) {
+  return by_factor((1.0 - std::pow(law.restitution, 2)) / law.restitution);
+}
+inline double expected_restitution(const Ye2009& law) {
+  return by_factor(8.0 * (1.0 - law.restitution) / (5.0 * law.restitution));
+}
+inline double expected_restitution(const HuGuo& law) {
+  return by_factor(3.0 * (1.0 - law.restitution) / (2.0 * law.restitution));
+}
+inline double expected_restitution(const ExactHertzDamp& law) { return law.restitution; }
+inline double expected_restitution(const NonlinearViscoelastic& law) {
+  const double e = law.restitution;
+  return restitution_of_approach_damping(9.0 * (1.0 - e * e) / (e * (e * (9.0 * std::numbers::pi - 16.0) + 16.0)));
+}
+inline double expected_restitution(const ModifiedHertzDampPrinted& law) {
+  const double x = (1.0 - std::pow(law.restitution, 2)) / (5.0 * std::pow(law.restitution, 2));  // 2 xi/sqrt(5)
+  return law.approach_only ? restitution_of_approach_damping(x) : by_ratio(x, law.may_pull);
+}
+inline double expected_restitution(const LinearElastic&) { return 1.0; }
+inline double expected_restitution(const Kelvin& law) {
+  return by_ratio(ratio_of_equation_4(law.restitution), law.may_pull);
+}
+inline double expected_restitution(const KelvinByDampingRatio& law) {
+  return by_ratio(law.damping_ratio, law.may_pull);
+}
+inline double expected_restitution(const ModifiedLinearViscoelastic& law) {
+  const double e = law.restitution;
+  return restitution_of_approach_damping((1.0 - e * e) / (e * (e * (std::numbers::pi - 2.0) + 2.0)));
+}
+inline double expected_restitution(const ExactKelvin& law) { return law.restitution; }
+
+}  // namespace moat::testing
