@@ -24,6 +24,10 @@ namespace moat {
 /// not a number, or a number of values that differs from the header's.
 GroundMotion read_peer_at2(const std::filesystem::path& path);
 
+struct TextFile;
+/// The same from a file in memory.
+GroundMotion parse_peer_at2(const TextFile& file);
+
 /// True if the text begins with a PEER AT2 header, whatever its units are.
 bool has_peer_at2_header(std::string_view text);
 

@@ -11,7 +11,7 @@ namespace {
 namespace fs = std::filesystem;
 using testing_output::message_of;
 
-class ResultsFolder : public testing_output::InFolder {
+class ResultsFolderTest : public testing_output::InFolder {
  protected:
   static void put(const fs::path& path) {
     fs::create_directories(path.parent_path());
@@ -24,7 +24,7 @@ class ResultsFolder : public testing_output::InFolder {
   }
 };
 
-TEST_F(ResultsFolder, IsCreatedWithTheFoldersAbove) {
+TEST_F(ResultsFolderTest, IsCreatedWithTheFoldersAbove) {
   const fs::path wanted = folder / "results" / "suite" / "x";
   for (const auto when : {WhenFolderExists::use_new_number, WhenFolderExists::overwrite, WhenFolderExists::refuse}) {
     fs::remove_all(folder / "results");
@@ -34,7 +34,7 @@ TEST_F(ResultsFolder, IsCreatedWithTheFoldersAbove) {
   }
 }
 
-TEST_F(ResultsFolder, TakesTheNextFreeNumber) {
+TEST_F(ResultsFolderTest, TakesTheNextFreeNumber) {
   put(folder / "x" / "summary.json");
   EXPECT_EQ(make_results_folder(folder / "x", WhenFolderExists::use_new_number), folder / "x_2");
   EXPECT_EQ(make_results_folder(folder / "x", WhenFolderExists::use_new_number), folder / "x_3");
@@ -42,7 +42,7 @@ TEST_F(ResultsFolder, TakesTheNextFreeNumber) {
   EXPECT_EQ(make_results_folder(folder / "x/", WhenFolderExists::use_new_number), folder / "x_5");
 }
 
-TEST_F(ResultsFolder, OverwritingKeepsWhatMoatDidNotWrite) {
+TEST_F(ResultsFolderTest, OverwritingKeepsWhatMoatDidNotWrite) {
   const fs::path x = folder / "x";
   for (const char* name : {"summary.json", "histories.csv", "histories.vtt", "impacts.csv", "frames.pvd", "report.html",
                            "frames/frame_000000.vtu", "frames/frame_1234567.vtu"}) {
@@ -69,13 +69,13 @@ TEST_F(ResultsFolder, OverwritingKeepsWhatMoatDidNotWrite) {
   for (const fs::path& name : foreign) EXPECT_TRUE(fs::exists(x / name)) << name;
 }
 
-TEST_F(ResultsFolder, OverwritingRemovesTheEmptyFramesFolder) {
+TEST_F(ResultsFolderTest, OverwritingRemovesTheEmptyFramesFolder) {
   put(folder / "x" / "frames" / "frame_000000.vtu");
   make_results_folder(folder / "x", WhenFolderExists::overwrite);
   EXPECT_TRUE(fs::is_empty(folder / "x"));
 }
 
-TEST_F(ResultsFolder, OverwritingDoesNotFollowLinks) {
+TEST_F(ResultsFolderTest, OverwritingDoesNotFollowLinks) {
   put(folder / "elsewhere" / "frame_000000.vtu");
   put(folder / "x" / "notes.txt");
   fs::create_directory_symlink(folder / "elsewhere", folder / "x" / "frames");
@@ -83,7 +83,7 @@ TEST_F(ResultsFolder, OverwritingDoesNotFollowLinks) {
   EXPECT_TRUE(fs::exists(folder / "elsewhere" / "frame_000000.vtu"));
 }
 
-TEST_F(ResultsFolder, OverwritingUnlinksTheNamesOfItsFiles) {
+TEST_F(ResultsFolderTest, OverwritingUnlinksTheNamesOfItsFiles) {
   // What is written to a link lands elsewhere.
   const fs::path x = folder / "x";
   put_summary(x);
@@ -101,7 +101,7 @@ TEST_F(ResultsFolder, OverwritingUnlinksTheNamesOfItsFiles) {
   EXPECT_TRUE(fs::exists(folder / "elsewhere" / "mine.txt"));
 }
 
-TEST_F(ResultsFolder, OverwritingRefusesFilesThatMoatDidNotWrite) {
+TEST_F(ResultsFolderTest, OverwritingRefusesFilesThatMoatDidNotWrite) {
   const fs::path x = folder / "x";
   put(x / "report.html");
   put(x / "histories.csv");
@@ -118,7 +118,7 @@ TEST_F(ResultsFolder, OverwritingRefusesFilesThatMoatDidNotWrite) {
   EXPECT_FALSE(fs::exists(x / "report.html"));
 }
 
-TEST_F(ResultsFolder, GivesDotsTheNameOfTheirFolder) {
+TEST_F(ResultsFolderTest, GivesDotsTheNameOfTheirFolder) {
   const fs::path real = fs::canonical(folder);
   put(folder / "x" / "notes.txt");
   fs::create_directory(folder / "x" / "empty");
@@ -131,7 +131,7 @@ TEST_F(ResultsFolder, GivesDotsTheNameOfTheirFolder) {
             "results folder /: this is the root of all folders. Give a folder in it, for example results/run.");
 }
 
-TEST_F(ResultsFolder, RefusesAndSaysWhatToDo) {
+TEST_F(ResultsFolderTest, RefusesAndSaysWhatToDo) {
   put(folder / "x" / "notes.txt");
   EXPECT_EQ(message_of<InputError>([&] { make_results_folder(folder / "x", WhenFolderExists::refuse); }),
             "results folder " + (folder / "x").string() +
@@ -141,7 +141,7 @@ TEST_F(ResultsFolder, RefusesAndSaysWhatToDo) {
   EXPECT_THROW(make_results_folder("", WhenFolderExists::overwrite), InputError);
 }
 
-TEST_F(ResultsFolder, ReportsAFileInTheWay) {
+TEST_F(ResultsFolderTest, ReportsAFileInTheWay) {
   put(folder / "x");
   for (const auto when : {WhenFolderExists::use_new_number, WhenFolderExists::overwrite, WhenFolderExists::refuse}) {
     EXPECT_NE(message_of<FileError>([&] { make_results_folder(folder / "x", when); }).find((folder / "x").string()),
