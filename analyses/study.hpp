@@ -84,7 +84,7 @@ struct StudyOptions {
 /// A result that a case does not have, or that failed, is NaN.
 class StudyResult {
  public:
-  /// What an axis must stand at: its name and a position on it.
+  /// An axis that is held: its name and a position on it.
   using Fixed = std::vector<std::pair<std::string, std::size_t>>;
 
   StudyResult(std::vector<StudyAxis> axes, Table table) : axes_{std::move(axes)}, table_{std::move(table)} {}
@@ -130,7 +130,7 @@ class StudyError : public Error {
 ///           return study;
 ///         });
 ///
-/// The function is called from several threads at once: what it shares it may only read. The order of the table is
+/// The function is called from several threads at once: data that it shares it may only read. The order of the table is
 /// that of the cases, and every number is the same whatever the number of threads.
 ///
 /// Throws InputError for an axis without values or a name that appears twice; StudyError after the last case if any

@@ -42,16 +42,17 @@ constexpr int exit_error = 1, exit_usage = 2, exit_no_convergence = 3;
 }  // namespace
 
 struct Script::Parts {
+  Parts(int argc, char** argv, std::string title) : line{argc, argv, std::move(title)} {}
+
   CommandLine line;
-  Provenance origin;
+  // Found at once, so that a source that is edited during the run is not taken for the one that runs.
+  Provenance origin = origin_of_script(line.arguments());
   std::vector<StepObserver*> observers{};
 };
 
 Script::Script(int argc, char** argv, std::string title)
-    : parts_{std::make_unique<Parts>(Parts{CommandLine{argc, argv, std::move(title)}, {}})} {
+    : parts_{std::make_unique<Parts>(argc, argv, std::move(title))} {
   std::set_terminate(report_and_exit);
-  // Now, so that a source that is edited during the run is not taken for the one that runs.
-  parts_->origin = origin_of_script(parts_->line.arguments());
 }
 
 Script::~Script() = default;

@@ -12,7 +12,7 @@ namespace {
 namespace fs = std::filesystem;
 
 // So that a shell reads it as one word.
-std::string quoted(const std::string& word) {
+std::string shell_word(const std::string& word) {
   constexpr std::string_view plain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-+=.,:/@%";
   if (!word.empty() && word.find_first_not_of(plain) == std::string::npos) return word;
   std::string text = "'";
@@ -30,12 +30,12 @@ Provenance origin_of_script(const std::vector<std::string>& arguments) {
     const fs::path path = fs::absolute(source, error);
     origin.script = path.string();
     origin.script_sha256 = sha256_of_file(path).value_or("");
-    origin.command_line = "moat run " + quoted(origin.script);
+    origin.command_line = "moat run " + shell_word(origin.script);
   } else {
     origin.script = fs::read_symlink("/proc/self/exe", error).string();
-    origin.command_line = quoted(origin.script);
+    origin.command_line = shell_word(origin.script);
   }
-  for (const std::string& argument : arguments) origin.command_line += " " + quoted(argument);
+  for (const std::string& argument : arguments) origin.command_line += " " + shell_word(argument);
   return origin;
 }
 

@@ -36,7 +36,7 @@ class GroundMotion {
   [[nodiscard]] const std::string& name() const { return name_; }
   [[nodiscard]] const std::vector<std::string>& notes() const { return notes_; }
   [[nodiscard]] const MotionFile& file() const { return file_; }
-  /// What the accelerations were multiplied by since the motion was read or made.
+  /// The factor of all accelerations since the motion was read or made.
   [[nodiscard]] double scale_factor() const { return scale_factor_; }
   /// s
   [[nodiscard]] double time_step() const { return time_step_; }

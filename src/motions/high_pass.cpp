@@ -13,7 +13,7 @@ struct Section {
   double b0, b1, b2, a1, a2;
 
   void run(std::vector<double>& signal) const {
-    double first = 0.0, second = 0.0;  // what past samples add to this one and to the next
+    double first = 0.0, second = 0.0;  // contributions of past samples to this one and to the next
     for (double& value : signal) {
       const double in = value;
       value = b0 * in + first;

@@ -74,7 +74,7 @@ struct EnergyBalance {
   /// kinetic + work of all elements - input. Average acceleration: zero but for round-off and the force tolerance.
   /// Fourth-order steps: of fourth order. Exact steps: of sixth order. Newmark's method with another beta: of second.
   double equation_residual = 0.0;
-  /// Work of all elements less what they stored and dissipated: the error of the time integration.
+  /// Work of all elements less the energy they stored and dissipated: the error of the time integration.
   double integration_error = 0.0;
   double largest_input = 0.0;    ///< over time
   double largest_kinetic = 0.0;  ///< over time; errors are judged against the larger of these two
@@ -85,7 +85,7 @@ struct EnergyBalance {
   std::vector<DissipatedEnergy> gaps{};      ///< impact, by gap
 };
 
-/// What the solution cost.
+/// The cost of the solution.
 struct SolverStatistics {
   long accepted_steps = 0;
   long rejected_steps = 0;  ///< cut because Newton did not converge
@@ -133,7 +133,7 @@ struct BuildingParts {
   std::vector<std::string> isolators{};  ///< elements
 };
 
-/// A period with the name of what vibrates.
+/// A period with the name of the part that vibrates.
 struct NamedPeriod {
   std::string name;
   double value = 0.0;  ///< s

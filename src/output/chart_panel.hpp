@@ -24,7 +24,7 @@ struct LegendEntry {
   int row = 0;     ///< 0: beside the title
 };
 
-/// One panel: the VTK chart and what is drawn by hand above it.
+/// One panel: the VTK chart, and title and legend drawn by hand above it.
 struct Panel {
   std::shared_ptr<vtkChartXY> chart;  // made by build_panel
   std::string title, y_label;

@@ -1,4 +1,4 @@
-// A model as results tell it: plain values that outlive it.
+// A model as results list it: plain values that outlive it.
 #pragma once
 
 #include <string>

@@ -28,7 +28,7 @@ class PeakRecorder final : public StepObserver {
 
   const Model* model_;
   Channels channels_;
-  std::set<std::string> gaps_;  // names
+  std::set<std::string> gaps_;         // names
   std::vector<PeakTracker> trackers_;  // one for each channel
   std::vector<double> values_, rates_;
 };

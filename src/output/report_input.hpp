@@ -1,4 +1,4 @@
-// The sections of the report that say what was computed.
+// The sections of the report about the input: origin, motion, model.
 #pragma once
 
 #include <string>

@@ -81,7 +81,7 @@ std::vector<Chart> history_charts(const CaseResult& result) {
         static_cast<std::ptrdiff_t>(i))
       continue;  // in the chart of the first one
     std::vector<const Column*> columns = columns_of(table, quantity);
-    // A script may offer what has no value at times; such a curve cannot be drawn.
+    // A curve with a value that is not finite cannot be drawn.
     std::erase_if(columns, [](const Column* column) {
       return !std::ranges::all_of(column->values, [](double value) { return std::isfinite(value); });
     });

@@ -22,7 +22,7 @@ inline constexpr const char* frames_folder = "frames";
 inline constexpr std::array all_at_top{summary, histories_csv, histories_vtt, impacts, report, charts, frames};
 }  // namespace results_file
 
-/// What to do when the wanted folder already holds something.
+/// How a folder is treated that already holds something.
 enum class WhenFolderExists {
   use_new_number,  ///< write to the next free of results_2, results_3 ...
   /// Replace the files moat itself wrote there, and links that have their names; everything else stays. Throws

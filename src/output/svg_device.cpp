@@ -5,8 +5,10 @@
 #include <vtkContext2D.h>
 #include <vtkMatrix3x3.h>
 #include <vtkNew.h>
+#include <vtkObjectFactory.h>
 #include <vtkPen.h>
 #include <vtkSVGContextDevice2D.h>
+#include <vtkStdString.h>
 #include <vtkTextProperty.h>
 #include <vtkViewport.h>
 #include <vtkWindow.h>
@@ -156,7 +158,7 @@ class PixelSvgDevice : public vtkSVGContextDevice2D {
   std::vector<std::array<double, 9>> stack_;
 };
 
-/// Puts the SVG header around what the device draws into `page`.
+/// The drawing in `page` with an SVG header around it.
 std::string document(vtkXMLDataElement* page, int width, int height) {
   const std::string w = std::to_string(width);
   const std::string h = std::to_string(height);

@@ -1,4 +1,4 @@
-// What VTK draws with, written as SVG.
+// The device by which VTK draws SVG.
 #pragma once
 
 #include <memory>
@@ -11,7 +11,7 @@ namespace moat {
 /// "#0072b2" of three bytes.
 std::string hex_colour(const unsigned char* rgb);
 
-/// A sheet of paper: what is painted on it becomes SVG.
+/// A sheet of paper whose drawing becomes SVG.
 class SvgSheet {
  public:
   SvgSheet(int width, int height);
