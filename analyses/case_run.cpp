@@ -55,21 +55,6 @@ std::optional<Model> copy_for_companion(const Model& model, const GroundMotion& 
   return model;
 }
 
-// Whether the run ends in a human lifetime.
-void require_feasible(const CaseOptions& options, const GroundMotion& motion) {
-  constexpr double most_steps = 1e9;
-  const TransientOptions& transient = options.transient;
-  const double end = transient.end.si() > 0.0 ? transient.end.si() : motion.duration();
-  const double step =
-      transient.step.si() > 0.0 ? std::min(transient.step.si(), motion.time_step()) : motion.time_step();
-  Check{"TransientOptions", options.title}.that(
-      end / step <= most_steps, "number of steps (end / step)", end / step, "1", "<= 1e9",
-      "Take a longer step (now " + to_text(step) + " s) or an earlier end (now " + to_text(end) + " s).");
-  Check{"CaseOptions", options.title}.that(
-      end / history_interval(options, motion) <= most_steps, "rows of the histories (end / history_interval)",
-      end / history_interval(options, motion), "1", "<= 1e9", "Take a longer history_interval.");
-}
-
 MotionFacts facts_of(const GroundMotion& motion) {
   return {.name = motion.name(),
           .peak_acceleration = motion.peak_acceleration().si(),
@@ -94,18 +79,18 @@ CaseRun::CaseRun(Model& model, const GroundMotion& motion, CaseOptions options)
       histories_{
           model, history_interval(options_, motion), &energy_,
           !rows_at_steps(history_interval(options_, motion),
-                         options_.transient.step.si() > 0.0 ? options_.transient.step.si() : motion.time_step())} {
-  require_feasible(options_, motion);
-}
+                         options_.transient.step.si() > 0.0 ? options_.transient.step.si() : motion.time_step())} {}
 
 void CaseRun::attach(StepObserver& observer) {
   transient_.attach(observer);
-  if (const auto* recorder = dynamic_cast<const QuantityRecorder*>(&observer)) offered_.add(*recorder);
+  const auto* recorder = dynamic_cast<const QuantityRecorder*>(&observer);
+  if (recorder == nullptr) return;
+  offered_.add(*recorder);
+  histories_.add(offered_);
 }
 
 void CaseRun::run() {
   // After the observers of the script: a quantity that one of them offers is up to date when it is sampled.
-  histories_.add(offered_);
   for (StepObserver* own :
        std::initializer_list<StepObserver*>{&energy_, &peaks_, &impacts_, &clearances_, &histories_})
     transient_.attach(*own);

@@ -41,10 +41,10 @@ std::vector<std::string> motion_warnings(const GroundMotion& motion) {
 std::vector<std::string> model_warnings(const Model& model) {
   std::vector<std::string> warnings;
   for (const auto& block : model.blocks())
-    for (std::size_t e = 0; e < block->size(); ++e) {
+    for (std::size_t e = 0; has_gaps(*block) && e < block->size(); ++e) {
       const ElementInfo& info = block->info(e);
       // The right side of a gap is its first node.
-      if (!is_gap(*block, e) || info.first == ground || info.second == ground) continue;
+      if (info.first == ground || info.second == ground) continue;
       const Node &right = model.node(info.first), &left = model.node(info.second);
       if (left.x <= right.x) continue;
       warnings.push_back("Gap \"" + info.name + "\": its left side \"" + left.name +

@@ -9,9 +9,10 @@ namespace moat {
 
 ClearanceRecorder::ClearanceRecorder(const Model& model) : model_{&model} {
   constexpr double none = -std::numeric_limits<double>::infinity();
-  for (std::size_t b = 0; b < model.blocks().size(); ++b)
-    for (std::size_t e = 0; e < model.blocks()[b]->size(); ++e)
-      if (is_gap(*model.blocks()[b], e)) gaps_.push_back({b, e, none, 0.0, none, 0.0});
+  for (std::size_t b = 0; b < model.blocks().size(); ++b) {
+    if (!has_gaps(*model.blocks()[b])) continue;
+    for (std::size_t e = 0; e < model.blocks()[b]->size(); ++e) gaps_.push_back({b, e, none, 0.0, none, 0.0});
+  }
 }
 
 void ClearanceRecorder::step(const StepView& view) {

@@ -14,7 +14,6 @@ class ClearanceRecorder final : public StepObserver {
  public:
   explicit ClearanceRecorder(const Model& model);
 
-  [[nodiscard]] Observed observed() const override { return Observed::elements; }
   void start(const StepView& view) override { step(view); }
   void step(const StepView& view) override;
 

@@ -1,13 +1,11 @@
-// The gaps among the elements of a model.
+// The gaps of a model.
 #pragma once
 
 #include "model/model.hpp"
 
 namespace moat {
 
-/// Whether an element is a gap, whose deformation is its indentation and whose offset is its clearance.
-inline bool is_gap(const ElementBlock& block, std::size_t element) {
-  return block.info(element).kind == ElementKind::gap;
-}
+/// Whether the elements of a block are gaps: their deformation is the indentation, their offset the clearance.
+inline bool has_gaps(const ElementBlock& block) { return block.contacts() != nullptr; }
 
 }  // namespace moat

@@ -15,12 +15,13 @@ HistoryRecorder::HistoryRecorder(const Model& model, double interval, const Ener
   heads_.push_back({"time", "", "s", {}});
   heads_.push_back({"ground_acceleration", "ground", "m/s^2", {}});
   for (const Channel& channel : channels_.list()) heads_.push_back({channel.quantity, channel.where, channel.unit, {}});
-  for (std::size_t b = 0; b < model.blocks().size(); ++b)
+  for (std::size_t b = 0; b < model.blocks().size(); ++b) {
+    if (!has_gaps(*model.blocks()[b])) continue;
     for (std::size_t e = 0; e < model.blocks()[b]->size(); ++e) {
-      if (!is_gap(*model.blocks()[b], e)) continue;
       gaps_.push_back({b, e});
       heads_.push_back({"opening", model.blocks()[b]->info(e).name, "m", {}});
     }
+  }
   if (ledger_ != nullptr)
     for (const EnergyColumn& column : energy_columns)
       heads_.push_back({std::string{column.name} + "_energy", "structure", "J", {}});
@@ -28,7 +29,8 @@ HistoryRecorder::HistoryRecorder(const Model& model, double interval, const Ener
 
 void HistoryRecorder::add(const OfferedQuantities& quantities) {
   offered_ = &quantities;
-  for (const OfferedQuantity& each : quantities.list()) {
+  for (; offered_columns_ < quantities.list().size(); ++offered_columns_) {
+    const OfferedQuantity& each = quantities.list()[offered_columns_];
     const bool is_new = std::ranges::none_of(
         heads_, [&](const Column& head) { return head.quantity == each.quantity && head.where == each.where; });
     Check{"QuantityRecorder", each.quantity}.that(

@@ -26,8 +26,8 @@ class HistoryRecorder final : public StepObserver {
   void step(const StepView& view) override;
   void event(const StepView& view, std::span<const RegimeChange> changes) override;
 
-  /// Before the start: adds columns for these quantities, which must outlive the recorder. Throws InputError for one
-  /// that has a column already.
+  /// Before the start: adds columns for these quantities, which must outlive the recorder; called again, for those
+  /// listed since. Throws InputError for one that has a column already.
   void add(const OfferedQuantities& quantities);
 
   [[nodiscard]] Table table() const;
@@ -50,6 +50,7 @@ class HistoryRecorder final : public StepObserver {
   const EnergyLedger* ledger_;
   bool inside_steps_;
   const OfferedQuantities* offered_ = nullptr;
+  std::size_t offered_columns_ = 0;
   long next_ = 0;  // multiple of the interval
   Sample before_, now_, inside_;
   std::vector<Column> heads_;  // without values

@@ -8,8 +8,7 @@ namespace moat {
 
 PeakRecorder::PeakRecorder(const Model& model) : model_{&model}, channels_{model}, trackers_(channels_.list().size()) {
   for (const auto& block : model.blocks())
-    for (std::size_t e = 0; e < block->size(); ++e)
-      if (is_gap(*block, e)) gaps_.insert(block->info(e).name);
+    for (std::size_t e = 0; has_gaps(*block) && e < block->size(); ++e) gaps_.insert(block->info(e).name);
 }
 
 void PeakRecorder::start(const StepView& view) { step(view); }

@@ -18,13 +18,21 @@ TEST(ModelFacts, HoldNodesAndElementsInTheirOrder) {
   EXPECT_EQ(facts.elements[0].name, "storey 1");
   EXPECT_EQ(facts.elements[0].first, "base");
   EXPECT_EQ(facts.elements[0].second, "floor 1");
+  EXPECT_EQ(facts.elements[0].law, "Linear");
+  ASSERT_FALSE(facts.elements[0].parameters.empty());
+  EXPECT_EQ(facts.elements[0].parameters[0].name, "stiffness");
+  EXPECT_EQ(facts.elements[0].parameters[0].value, 100.0);
+  EXPECT_EQ(facts.elements[0].parameters[0].unit, "N/m");
 }
 
 TEST(ModelFacts, HaveTheClearanceOfEveryGap) {
   const testing_output::HandMovedBuilding building;
   for (const ElementFacts& element : facts_of(building.model).elements) {
     if (element.name != "moat left") continue;
-    ASSERT_FALSE(element.parameters.empty());
+    EXPECT_EQ(element.law, "HertzDamp");
+    ASSERT_EQ(element.parameters.size(), 4u);
+    EXPECT_EQ(element.parameters[2].name, "restitution");
+    EXPECT_EQ(element.parameters[2].value, 1.0);
     EXPECT_EQ(element.parameters.front().name, "clearance");
     EXPECT_EQ(element.parameters.front().value, 0.1);
     EXPECT_EQ(element.parameters.front().unit, "m");
