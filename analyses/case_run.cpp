@@ -55,6 +55,18 @@ std::optional<Model> copy_for_companion(const Model& model, const GroundMotion& 
   return model;
 }
 
+MotionFacts facts_of(const GroundMotion& motion) {
+  return {.name = motion.name(),
+          .peak_acceleration = motion.peak_acceleration().si(),
+          .peak_velocity = motion.peak_velocity().si(),
+          .time_step = motion.time_step(),
+          .duration = motion.duration(),
+          .file = motion.file().path,
+          .sha256 = motion.file().sha256,
+          .scale_factor = motion.scale_factor(),
+          .notes = motion.notes()};
+}
+
 }  // namespace
 
 CaseRun::CaseRun(Model& model, const GroundMotion& motion, CaseOptions options)
@@ -63,17 +75,26 @@ CaseRun::CaseRun(Model& model, const GroundMotion& motion, CaseOptions options)
       untouched_{copy_for_companion(model, motion, options_)},
       transient_{model, motion, options_.transient},
       peaks_{model},
+      clearances_{model},
       histories_{
           model, history_interval(options_, motion), &energy_,
           !rows_at_steps(history_interval(options_, motion),
-                         options_.transient.step.si() > 0.0 ? options_.transient.step.si() : motion.time_step())} {
-  attach(energy_);
-  attach(peaks_);
-  attach(impacts_);
-  attach(histories_);
+                         options_.transient.step.si() > 0.0 ? options_.transient.step.si() : motion.time_step())} {}
+
+void CaseRun::attach(StepObserver& observer) {
+  transient_.attach(observer);
+  const auto* recorder = dynamic_cast<const QuantityRecorder*>(&observer);
+  if (recorder == nullptr) return;
+  offered_.add(*recorder);
+  histories_.add(offered_);
 }
 
 void CaseRun::run() {
+  // After the observers of the script: a quantity that one of them offers is up to date when it is sampled.
+  for (StepObserver* own :
+       std::initializer_list<StepObserver*>{&energy_, &peaks_, &impacts_, &clearances_, &histories_})
+    transient_.attach(*own);
+  if (!offered_.list().empty()) transient_.attach(offered_peaks_);
   transient_.run();
   run_companion();
 }
@@ -104,41 +125,57 @@ void CaseRun::run_companion() {
 CaseResult CaseRun::result() const {
   const GroundMotion& motion = transient_.motion();
   CaseResult result{.title = options_.title,
-                    .motion = {.name = motion.name(),
-                               .peak_acceleration = motion.peak_acceleration().si(),
-                               .peak_velocity = motion.peak_velocity().si(),
-                               .time_step = motion.time_step(),
-                               .duration = motion.duration()},
+                    .provenance = provenance_of_library(),
+                    .motion = facts_of(motion),
+                    .model = facts_of(transient_.model()),
                     .buildings = parts_of_buildings(transient_.model()),
                     .periods = periods_,
                     .peaks = peaks_.peaks(),
+                    .clearances = clearances_.clearances(),
                     .impacts = impacts_.impacts(),
                     .histories = histories_.table(),
+                    .offered = offered_.list(),
                     .energy = energy_.balance(transient_.model()),
                     .solver = transient_.statistics(),
                     .error_bars = {},
                     .warnings = transient_.warnings(),
                     .assumptions = transient_.assumptions()};
-  for (std::string& warning : energy_warnings(result.energy, options_.warn_above_energy_error, options_.transient))
-    result.warnings.push_back(std::move(warning));
-  if (companion_)
-    result.error_bars = estimate_errors(result.peaks, result.impacts.size(), *companion_,
-                                        least_share_of_errors(transient_.model(), options_.transient));
+  for (const auto& warnings : {motion_warnings(motion), model_warnings(transient_.model()),
+                               energy_warnings(result.energy, options_.warn_above_energy_error, options_.transient)})
+    result.warnings.insert(result.warnings.end(), warnings.begin(), warnings.end());
+  add_errors(result);
+  // Behind the errors: the companion does not know these peaks.
+  for (Peak& peak : offered_peaks_.peaks()) result.peaks.push_back(std::move(peak));
+  result.assumptions.insert(
+      result.assumptions.end(),
+      {"Displacements and velocities are relative to the ground, accelerations absolute; positive to the right.",
+       "A peak is the value of largest magnitude over continuous time, with its sign, also between steps and on both "
+       "sides of an event. Forces and deformations of springs are positive where the upper end moves to the right, "
+       "those "
+       "of gaps where they are compressed.",
+       "clearance_left is the smallest opening of a gap over continuous time; negative: the two sides indented each "
+       "other by so much.",
+       "total_base_shear is the force of isolators and impacts together; sum_of_floor_inertia_maxima adds the "
+       "maxima of mass times absolute acceleration of base and floors, which are not simultaneous.",
+       "Energies are in the frame of the ground: input is the work of the ground's inertia forces on relative motion.",
+       "storey_shear is the elastic force of the columns, without that of the storey's damping."});
+  return result;
+}
+
+void CaseRun::add_errors(CaseResult& result) const {
+  if (companion_) {
+    const double least_share = least_share_of_errors(transient_.model(), options_.transient);
+    result.error_bars = estimate_errors(result.peaks, result.impacts.size(), *companion_, least_share);
+    PeaksAndImpacts main{result.peaks, result.impacts.size(), result.solver, result.clearances};
+    estimate_clearance_errors(main, *companion_, least_share);
+    result.clearances = std::move(main.clearances);
+  }
   result.error_bars.companion = about_companion_;
   if (result.error_bars.sensitive)
     result.warnings.push_back(sensitivity_warning(result.error_bars, result.impacts.size(), options_.transient));
   if (!companion_failure_.empty())
     result.warnings.push_back("There are no error bars, because the second run with finer steps failed: " +
                               companion_failure_);
-  result.assumptions.insert(
-      result.assumptions.end(),
-      {"Displacements and velocities are relative to the ground, accelerations absolute; positive to the right.",
-       "A peak is the largest magnitude over continuous time, also between steps and on both sides of an event.",
-       "total_base_shear is the force of isolators and impacts together; sum_of_floor_inertia_maxima adds the "
-       "maxima of mass times absolute acceleration of base and floors, which are not simultaneous.",
-       "Energies are in the frame of the ground: input is the work of the ground's inertia forces on relative motion.",
-       "storey_shear is the elastic force of the columns, without that of the storey's damping."});
-  return result;
 }
 
 CaseResult run_case(Model& model, const GroundMotion& motion, CaseOptions options) {

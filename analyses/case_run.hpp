@@ -7,9 +7,11 @@
 #include "analyses/error_bars.hpp"
 #include "analyses/transient.hpp"
 #include "output/case_result.hpp"
+#include "output/clearance_recorder.hpp"
 #include "output/energy_ledger.hpp"
 #include "output/history_recorder.hpp"
 #include "output/impact_recorder.hpp"
+#include "output/offered_quantities.hpp"
 #include "output/peak_recorder.hpp"
 
 namespace moat {
@@ -32,7 +34,7 @@ struct CaseOptions {
   ErrorBarMode error_bars = ErrorBarMode::automatic;
 };
 
-/// A time history with peaks and their errors, impacts, histories, periods and solver statistics.
+/// A time history with peaks, clearances and their errors, impacts, histories, periods and solver statistics.
 ///
 ///     CaseRun run{model, motion, {.title = "..."}};
 ///     run.run();                                  // may throw ConvergenceError ...
@@ -47,8 +49,9 @@ class CaseRun {
   CaseRun(const CaseRun&) = delete;
   CaseRun& operator=(const CaseRun&) = delete;
 
-  /// Calls the observer too; it must outlive the run.
-  void attach(StepObserver& observer) { transient_.attach(observer); }
+  /// Before run(): calls the observer too; it must outlive the run. Quantities of a QuantityRecorder appear in
+  /// histories, peaks and report. Throws InputError for a quantity that is there already.
+  void attach(StepObserver& observer);
   /// Calls the observer for the steps of the companion, if there is one; it must outlive the run.
   void attach_to_companion(StepObserver& observer) { companion_observer_ = &observer; }
   /// The main run, then the companion. Throws as Transient::run does in the main run.
@@ -59,6 +62,7 @@ class CaseRun {
 
  private:
   void run_companion();
+  void add_errors(CaseResult& result) const;
 
   CaseOptions options_;
   std::vector<NamedPeriod> periods_;
@@ -67,7 +71,10 @@ class CaseRun {
   EnergyLedger energy_;
   PeakRecorder peaks_;
   ImpactRecorder impacts_;
+  ClearanceRecorder clearances_;
   HistoryRecorder histories_;
+  OfferedQuantities offered_;
+  OfferedPeaks offered_peaks_{offered_};
   StepObserver* companion_observer_ = nullptr;
   std::optional<PeaksAndImpacts> companion_;
   std::string about_companion_ = "No error bars: the run did not reach its end.";

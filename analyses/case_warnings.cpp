@@ -4,6 +4,8 @@
 #include <cmath>
 
 #include "base/check.hpp"
+#include "base/units.hpp"
+#include "output/gaps_of.hpp"
 
 namespace moat {
 namespace {
@@ -27,12 +29,36 @@ bool all_finite(const EnergyBalance& energy) {
 
 }  // namespace
 
+std::vector<std::string> motion_warnings(const GroundMotion& motion) {
+  constexpr double strongest = 5.0 * standard_gravity;  // the strongest records reach about 4 g
+  const double peak = motion.peak_acceleration().si();
+  if (peak <= strongest) return {};
+  return {"The peak acceleration of the ground is " + to_text(peak / standard_gravity) +
+          " g; no record is as strong as 5 g. Check the unit of the record and its scale factor (" +
+          to_text(motion.scale_factor()) + ")."};
+}
+
+std::vector<std::string> model_warnings(const Model& model) {
+  std::vector<std::string> warnings;
+  for (const auto& block : model.blocks())
+    for (std::size_t e = 0; has_gaps(*block) && e < block->size(); ++e) {
+      const ElementInfo& info = block->info(e);
+      // The right side of a gap is its first node.
+      if (info.first == ground || info.second == ground) continue;
+      const Node &right = model.node(info.first), &left = model.node(info.second);
+      if (left.x <= right.x) continue;
+      warnings.push_back("Gap \"" + info.name + "\": its left side \"" + left.name +
+                         "\" has x = " + to_text(left.x.si()) + " m and its right side \"" + right.name + "\" x = " +
+                         to_text(right.x.si()) + " m. Exchange .left and .right, or correct the positions.");
+    }
+  return warnings;
+}
+
 std::vector<std::string> energy_warnings(const EnergyBalance& energy, double bound, const TransientOptions& options) {
   if (!all_finite(energy))
     return {
         "An energy is not a finite number, so that the balance says nothing of the results. Look for a motion, a mass "
-        "or "
-        "a stiffness of a wrong unit; peaks may be wrong."};
+        "or a stiffness of a wrong unit; peaks may be wrong."};
   std::vector<std::string> warnings;
   const double scale = std::max(energy.largest_input, energy.largest_kinetic);
   const auto share = [&](double error) { return scale > 0.0 ? std::abs(error) / scale : 0.0; };

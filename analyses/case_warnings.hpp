@@ -9,6 +9,12 @@
 
 namespace moat {
 
+/// An acceleration of the ground beyond all records.
+std::vector<std::string> motion_warnings(const GroundMotion& motion);
+
+/// Gaps whose left side is drawn to the right of their right side.
+std::vector<std::string> model_warnings(const Model& model);
+
 /// An energy that is not finite, and an integration error or a residual of the equations above `bound` times the
 /// largest input or kinetic energy. Empty if all is well.
 std::vector<std::string> energy_warnings(const EnergyBalance& energy, double bound, const TransientOptions& options);

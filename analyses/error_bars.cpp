@@ -7,6 +7,7 @@
 
 #include "base/check.hpp"
 #include "base/units.hpp"
+#include "output/clearance_recorder.hpp"
 #include "output/engineering_unit.hpp"
 #include "output/impact_recorder.hpp"
 #include "output/peak_recorder.hpp"
@@ -50,18 +51,18 @@ std::map<std::string, double> largest_of_each(std::string Peak::*kind, const std
   std::map<std::string, double> largest;
   for (const Peak& peak : peaks) {
     double& known = largest[peak.*kind];
-    known = std::max(known, peak.value);
+    known = std::max(known, peak.magnitude());
   }
   return largest;
 }
 
-// |value - value of the companion| for every peak; NaN where the companion has none. Two runs of one model list the
-// same peaks in the same order.
+// How far the magnitudes of the two runs differ, for every peak; NaN where the companion has none. Two runs of one
+// model list the same peaks in the same order.
 std::vector<double> differences(const std::vector<Peak>& peaks, const std::vector<Peak>& companion) {
   std::vector<double> list(peaks.size(), std::numeric_limits<double>::quiet_NaN());
   for (std::size_t i = 0; i < std::min(peaks.size(), companion.size()); ++i)
     if (peaks[i].quantity == companion[i].quantity && peaks[i].where == companion[i].where)
-      list[i] = std::abs(peaks[i].value - companion[i].value);
+      list[i] = std::abs(peaks[i].magnitude() - companion[i].magnitude());
   return list;
 }
 
@@ -71,8 +72,8 @@ void set_errors(std::vector<Peak>& peaks, const std::vector<Peak>& companion, do
   std::map<std::string, std::vector<double>> relative_of_unit;
   std::vector<double> relative_of_all;
   for (std::size_t i = 0; i < peaks.size(); ++i) {
-    const double relative = difference[i] / peaks[i].value;
-    if (!std::isfinite(relative) || peaks[i].value < negligible * largest.at(peaks[i].unit)) continue;
+    const double relative = difference[i] / peaks[i].magnitude();
+    if (!std::isfinite(relative) || peaks[i].magnitude() < negligible * largest.at(peaks[i].unit)) continue;
     relative_of_unit[peaks[i].unit].push_back(relative);
     relative_of_all.push_back(relative);
   }
@@ -81,20 +82,30 @@ void set_errors(std::vector<Peak>& peaks, const std::vector<Peak>& companion, do
     typical[unit] =
         std::max(caution::share_of_unit * median(relative), caution::share_of_all * median(relative_of_all));
   for (std::size_t i = 0; i < peaks.size(); ++i) {
-    const double least = typical[peaks[i].unit] * peaks[i].value;
+    const double least = typical[peaks[i].unit] * peaks[i].magnitude();
     // std::max returns its first argument where that is not a number.
     const double shown = std::max(difference[i], least);
-    const double estimate = std::max(factor * richardson * shown, least_share * peaks[i].value);
+    const double estimate = std::max(factor * richardson * shown, least_share * peaks[i].magnitude());
     peaks[i].error =
-        estimate + caution::round_off_of_peak * peaks[i].value + caution::round_off * largest.at(peaks[i].unit);
+        estimate + caution::round_off_of_peak * peaks[i].magnitude() + caution::round_off * largest.at(peaks[i].unit);
     if (!std::isfinite(peaks[i].error)) peaks[i].error = std::numeric_limits<double>::quiet_NaN();
     // A force that neither run has is exact.
     if (peaks[i].value == 0.0 && difference[i] == 0.0) peaks[i].error = 0.0;
   }
 }
 
+// The peaks, and behind them how far the two sides of every gap came nearer: a displacement like others.
+std::vector<Peak> with_approaches(const PeaksAndImpacts& run) {
+  std::vector<Peak> peaks = run.peaks;
+  for (const GapClearance& gap : run.clearances)
+    peaks.push_back({"approach", gap.where, gap.clearance - gap.left, "m", gap.time});
+  return peaks;
+}
+
+double factor_of(bool same_impacts) { return same_impacts ? caution::factor : caution::factor_of_different_impacts; }
+
 double relative_error(const Peak& peak) {
-  return peak.value > 0.0 ? peak.error / peak.value : std::numeric_limits<double>::infinity();
+  return peak.magnitude() > 0.0 ? peak.error / peak.magnitude() : std::numeric_limits<double>::infinity();
 }
 
 // The worst first. An error that is not known is not settled either.
@@ -102,7 +113,7 @@ std::vector<Peak> unsettled_of(const std::vector<Peak>& peaks) {
   std::map<std::string, double> largest = largest_of_each(&Peak::quantity, peaks);
   std::vector<Peak> unsettled;
   for (const Peak& peak : peaks)
-    if (!(peak.error <= settled_within * std::max(peak.value, negligible * largest[peak.quantity])))
+    if (!(peak.error <= settled_within * std::max(peak.magnitude(), negligible * largest[peak.quantity])))
       unsettled.push_back(peak);
   std::ranges::stable_sort(unsettled, std::ranges::greater{}, [](const Peak& peak) {
     const double relative = relative_error(peak);
@@ -160,18 +171,19 @@ PeaksAndImpacts compute_peaks(Model& model, const GroundMotion& motion, const Tr
   Transient transient{model, motion, options};
   PeakRecorder peaks{model};
   ImpactRecorder impacts;
+  ClearanceRecorder clearances{model};
   transient.attach(peaks);
   transient.attach(impacts);
+  transient.attach(clearances);
   if (observer != nullptr) transient.attach(*observer);
   transient.run();
-  return {peaks.peaks(), impacts.impacts().size(), transient.statistics()};
+  return {peaks.peaks(), impacts.impacts().size(), transient.statistics(), clearances.clearances()};
 }
 
 ErrorBars estimate_errors(std::vector<Peak>& peaks, std::size_t impacts, const PeaksAndImpacts& companion,
                           double least_share) {
   const bool same_impacts = impacts == companion.impacts;
-  set_errors(peaks, companion.peaks, same_impacts ? caution::factor : caution::factor_of_different_impacts,
-             least_share);
+  set_errors(peaks, companion.peaks, factor_of(same_impacts), least_share);
   ErrorBars bars;
   bars.checked = true;
   bars.companion_impacts = companion.impacts;
@@ -180,6 +192,13 @@ ErrorBars estimate_errors(std::vector<Peak>& peaks, std::size_t impacts, const P
   bars.sensitive = !same_impacts || !bars.unsettled.empty();
   bars.reason = reason_of(impacts, companion.impacts, bars.unsettled, peaks.size());
   return bars;
+}
+
+void estimate_clearance_errors(PeaksAndImpacts& main, const PeaksAndImpacts& companion, double least_share) {
+  std::vector<Peak> approaches = with_approaches(main);
+  set_errors(approaches, with_approaches(companion), factor_of(main.impacts == companion.impacts), least_share);
+  for (std::size_t i = 0; i < main.clearances.size(); ++i)
+    main.clearances[i].error = approaches[main.peaks.size() + i].error;
 }
 
 double least_share_of_errors(const Model& model, const TransientOptions& options) {

@@ -24,11 +24,12 @@ TransientOptions companion_options(const TransientOptions& options, double longe
 /// The companion in one sentence, for reports.
 std::string companion_description(const TransientOptions& companion);
 
-/// Peaks and number of impacts of one run, and its cost.
+/// Peaks, clearances and number of impacts of one run, and its cost.
 struct PeaksAndImpacts {
   std::vector<Peak> peaks;
   std::size_t impacts = 0;
   SolverStatistics solver;
+  std::vector<GapClearance> clearances{};
 };
 
 /// Runs the model and returns its peaks and impacts. The observer, if any, gets every step.
@@ -39,7 +40,7 @@ PeaksAndImpacts compute_peaks(Model& model, const GroundMotion& motion, const Tr
 /// Gives every peak of the main run its error: Richardson's estimate from the companion's peak, whose own error is at
 /// most a quarter,
 ///
-///     error = caution * 4/3 |value - value of the companion|
+///     error = caution * 4/3 |magnitude - magnitude of the companion|
 ///
 /// and at least a share of the differences that are typical of this run, because two runs also agree by accident, and
 /// at least `least_share` >= 0 of the value. A peak that the companion does not have, or that is not finite, has the
@@ -49,6 +50,10 @@ PeaksAndImpacts compute_peaks(Model& model, const GroundMotion& motion, const Tr
 /// or any error is not within 1 % of its peak.
 ErrorBars estimate_errors(std::vector<Peak>& peaks, std::size_t impacts, const PeaksAndImpacts& companion,
                           double least_share = 0.0);
+
+/// Gives every clearance of the main run its error: that of the distance by which the two sides came nearer, estimated
+/// as if it were one of the peaks. These keep their errors.
+void estimate_clearance_errors(PeaksAndImpacts& main, const PeaksAndImpacts& companion, double least_share = 0.0);
 
 /// The least_share of a run. A law that bends where no event is located (a bearing without locate_yield, a law of one's
 /// own) makes errors that leap when a step happens to see one bend more, and a companion may miss the same bend: an

@@ -64,8 +64,11 @@ Table table_of(const std::vector<StudyAxis>& axes, const std::vector<Outcome>& o
   Table table;
   for (std::size_t axis = 0; axis < axes.size(); ++axis) {
     table.columns.push_back({axes[axis].name, "", axes[axis].unit.empty() ? "1" : axes[axis].unit, {}});
-    for (std::size_t number = 0; number < outcomes.size(); ++number)
-      table.columns.back().values.push_back(axes[axis].values[position_on(axes, axis, number)]);
+    for (std::size_t number = 0; number < outcomes.size(); ++number) {
+      const std::size_t position = position_on(axes, axis, number);
+      table.columns.back().values.push_back(axes[axis].values[position]);
+      if (!axes[axis].labels.empty()) table.columns.back().labels.push_back(axes[axis].labels[position]);
+    }
   }
   // Cases may have different results (buildings of different height): a column for each that any case has.
   std::map<std::pair<std::string, std::string>, std::size_t> column_of;
@@ -209,14 +212,19 @@ StudyRecord peaks_of(Model& model, const GroundMotion& motion, const TransientOp
           compute_peaks(*untouched, motion, companion_options(options, main.solver.longest_step));
       const double least_share = least_share_of_errors(model, options);
       sensitive = estimate_errors(main.peaks, main.impacts, companion, least_share).sensitive ? 1.0 : 0.0;
+      estimate_clearance_errors(main, companion, least_share);
     } catch (const Error&) {
       // The case itself is computed; its errors stay unknown.
     }
   }
   StudyRecord record;
   for (const Peak& peak : main.peaks) {
-    record.push_back({peak.quantity, peak.where, peak.unit, peak.value});
+    record.push_back({peak.quantity, peak.where, peak.unit, peak.magnitude()});
     if (error_bars) record.push_back({peak.quantity + "_error", peak.where, peak.unit, peak.error});
+  }
+  for (const GapClearance& gap : main.clearances) {
+    record.push_back({"clearance_left", gap.where, "m", gap.left});
+    if (error_bars) record.push_back({"clearance_left_error", gap.where, "m", gap.error});
   }
   record.push_back({"impacts", "", "1", static_cast<double>(main.impacts)});
   if (error_bars) record.push_back({"sensitive", "", "1", sensitive});

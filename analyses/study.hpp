@@ -21,7 +21,7 @@ struct StudyAxis {
   std::string name;            ///< "gap", "isolation period", "record"
   std::string unit;            ///< of the values, as tables and messages write it: "cm"; empty for names and counts
   std::vector<double> values;  ///< at least one, all finite
-  /// How messages call the values; empty, or one for each value.
+  /// How messages and tables call the values; empty, or one for each value.
   std::vector<std::string> labels{};
 
   /// An axis of names, for example of records: its values are the positions 0, 1, 2 ...
@@ -84,7 +84,7 @@ struct StudyOptions {
 /// A result that a case does not have, or that failed, is NaN.
 class StudyResult {
  public:
-  /// What an axis must stand at: its name and a position on it.
+  /// An axis that is held: its name and a position on it.
   using Fixed = std::vector<std::pair<std::string, std::size_t>>;
 
   StudyResult(std::vector<StudyAxis> axes, Table table) : axes_{std::move(axes)}, table_{std::move(table)} {}
@@ -138,19 +138,21 @@ class StudyError : public Error {
 StudyResult run_study(const std::vector<StudyAxis>& axes, const std::function<StudyRecord(const StudyCase&)>& compute,
                       const StudyOptions& options = {});
 
-/// The same for models: the results are all peaks, as PeakRecorder names them, and the number of `impacts`; with
-/// StudyOptions::error_bars also their errors:
+/// The same for models: the results are the magnitudes of all peaks, as PeakRecorder names them, the `clearance_left`
+/// of every gap (negative: indented by so much) and the number of `impacts`; with StudyOptions::error_bars also their
+/// errors:
 ///
-///     result.values("impact_force", "moat");         // N
-///     result.values("impact_force_error", "moat");   // N, the first holds to +- this
-///     result.values("sensitive", "");                // 0 or 1
+///     result.values("impact_force", "moat");           // N
+///     result.values("impact_force_error", "moat");     // N, the first holds to +- this
+///     result.values("clearance_left", "moat right");   // m
+///     result.values("sensitive", "");                  // 0 or 1
 ///
 /// No histories are kept.
 StudyResult run_study(const std::vector<StudyAxis>& axes, const std::function<StudyModel(const StudyCase&)>& make,
                       const StudyOptions& options = {});
 
-/// Peaks of one model under one motion, and the number of impacts: the record of one case of a study. With error_bars
-/// also "..._error" of every peak, and "sensitive" (StudyOptions::error_bars).
+/// The results of one case of a study: magnitudes of the peaks of one model under one motion, clearances left, and the
+/// number of impacts. With error_bars also "..._error" of peaks and clearances, and "sensitive" (StudyOptions).
 StudyRecord peaks_of(Model& model, const GroundMotion& motion, const TransientOptions& options = {},
                      bool error_bars = false);
 

@@ -43,7 +43,7 @@ StepControl::Options control_options(const TransientOptions& options, const Grou
 Transient::Transient(Model& model, GroundMotion motion, TransientOptions options)
     : model_{&model},
       motion_{std::move(motion)},
-      options_{checked(options)},
+      options_{checked(options, motion)},
       grid_{motion_, model.state().time, end_of(options_, model, motion_)},
       implicit_{model, options_, control_options(options_, motion_)},
       step_{model, options_, grid_, implicit_, statistics_},

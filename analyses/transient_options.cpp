@@ -1,10 +1,12 @@
 #include "analyses/transient_options.hpp"
 
+#include <algorithm>
+
 #include "base/check.hpp"
 
 namespace moat {
 
-const TransientOptions& checked(const TransientOptions& options) {
+const TransientOptions& checked(const TransientOptions& options, const GroundMotion& motion) {
   const Check check{"TransientOptions", ""};
   std::visit([&](const auto& integrator) { integrator.check(check); }, options.integrator);
   check.not_negative("step", options.step);
@@ -22,6 +24,11 @@ const TransientOptions& checked(const TransientOptions& options) {
   check.that(options.max_cuts >= 0, "max_cuts", options.max_cuts, "1", ">= 0");
   check.positive("location_tolerance", options.location_tolerance);
   check.that(options.max_events_per_second >= 1, "max_events_per_second", options.max_events_per_second, "1", ">= 1");
+  constexpr double most_steps = 1e9;  // a day or so; longer analyses are slips of the pen
+  const double end = options.end.si() > 0.0 ? options.end.si() : motion.duration();
+  const double step = options.step.si() > 0.0 ? std::min(options.step.si(), motion.time_step()) : motion.time_step();
+  check.that(end / step <= most_steps, "number of steps (end / step)", end / step, "1", "<= 1e9",
+             "Take a longer step (now " + to_text(step) + " s) or an earlier end (now " + to_text(end) + " s).");
   return options;
 }
 

@@ -4,6 +4,7 @@
 #include "analyses/integrators.hpp"
 #include "base/quantity.hpp"
 #include "base/units.hpp"
+#include "motions/ground_motion.hpp"
 
 namespace moat {
 
@@ -73,7 +74,7 @@ struct TransientOptions {
 /// motion's samples, > 0 s.
 double longest_step(const TransientOptions& options, double sample_interval);
 
-/// The options themselves. Throws InputError for one outside its range.
-const TransientOptions& checked(const TransientOptions& options);
+/// The options themselves. Throws InputError for one outside its range, and for more than 1e9 steps.
+const TransientOptions& checked(const TransientOptions& options, const GroundMotion& motion);
 
 }  // namespace moat

@@ -66,6 +66,11 @@ void add(Model& model, const Gap<Law>& gap) {
                    .offset = gap.clearance.si(),
                    .deformation_quantity = "indentation",
                    .force_quantity = "impact_force"};
+  // Reports show the law as the script gave it, with its restitution, and not the contact made of it.
+  if constexpr (requires { gap.law.parameters(); }) {
+    info.law = name_of(gap.law);
+    info.parameters = gap.law.parameters();
+  }
   if (left.is_node() && right.is_node())
     model.block<LinkBlock<Contact>>().add(std::move(info), law, mass);
   else

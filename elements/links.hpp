@@ -65,18 +65,8 @@ class Links : public ElementBlock {
   std::unique_ptr<ElementBlock> clone() const override { return std::make_unique<Links>(*this); }
   std::size_t size() const override { return ends_.size(); }
   const ElementInfo& info(std::size_t element) const override { return infos_[element]; }
-  std::string law_name(std::size_t element) const override {
-    if constexpr (requires { std::string{Law::name}; })
-      return std::string{Law::name};
-    else
-      return ElementBlock::law_name(element);
-  }
-  std::vector<Parameter> parameters(std::size_t element) const override {
-    if constexpr (requires(const Law& law) { law.parameters(); })
-      return laws_[element].parameters();
-    else
-      return {};
-  }
+  std::string law_name(std::size_t element) const override { return std::string{name_of(laws_[element])}; }
+  std::vector<Parameter> parameters(std::size_t element) const override { return parameters_of(laws_[element]); }
 
   void add_couplings(PatternBuilder& pattern) const override {
     for (std::size_t i = 0; i < size(); ++i) ends_[i].add_couplings(infos_[i], pattern);

@@ -38,6 +38,7 @@
 #include "output/case_result.hpp"
 #include "output/chart.hpp"
 #include "output/csv_writer.hpp"
+#include "output/quantity_recorder.hpp"
 #include "output/step_observer.hpp"
 #include "structures/isolation.hpp"
 #include "structures/moat.hpp"

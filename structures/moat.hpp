@@ -31,9 +31,9 @@ enum class Sides { left, right, both };
 ///
 ///     wall |<- clearance ->[ around ]<- clearance ->| wall
 ///
-/// Gaps "<name> left" and "<name> right", whose impact forces share the place <name>. The walls are fixed to the
-/// ground, or nodes "<name> left wall", "<name> right wall" on springs where `wall` is given; then `wall_force` [N]
-/// and `wall_deformation` [m] are reported too.
+/// Gaps "<name> left" and "<name> right", whose impact forces share the place <name>; a moat on one side alone is one
+/// gap "<name>". The walls are fixed to the ground, or nodes "<name> left wall", "<name> right wall" or "<name> wall"
+/// on springs where `wall` is given; then `wall_force` [N] and `wall_deformation` [m] are reported too.
 template <ImpactLaw Law>
 struct Moat {
   std::string name = "moat";
@@ -58,7 +58,7 @@ void add(Model& model, const Moat<Law>& moat) {
                      : ground;
   };
   if (moat.sides != Sides::right) {
-    const std::string name = moat.name + " left";
+    const std::string name = moat.name + (moat.sides == Sides::both ? " left" : "");
     add(model, Gap<Law>{.name = name,
                         .place = moat.name,
                         .left = face(name, -1.0),
@@ -67,7 +67,7 @@ void add(Model& model, const Moat<Law>& moat) {
                         .law = moat.law});
   }
   if (moat.sides != Sides::left) {
-    const std::string name = moat.name + " right";
+    const std::string name = moat.name + (moat.sides == Sides::both ? " right" : "");
     add(model, Gap<Law>{.name = name,
                         .place = moat.name,
                         .left = moat.around.value(),

@@ -73,7 +73,7 @@ Peaks peaks_of(const CaseResult& result) {
   Peaks peaks{};
   for (std::size_t i = 0; i < wanted.size(); ++i)
     for (const Peak& peak : result.peaks)
-      if (peak.quantity == wanted[i][0] && peak.where == wanted[i][1]) peaks[i] = peak.value;
+      if (peak.quantity == wanted[i][0] && peak.where == wanted[i][1]) peaks[i] = peak.magnitude();
   return peaks;
 }
 

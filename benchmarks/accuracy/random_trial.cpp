@@ -52,7 +52,7 @@ Trial run_trial(const testing::PlainModel& plain, const testing::CheckedReferenc
       const std::string name = peak.quantity + " " + peak.where;
       const Peak& of_moat = *found.at(name);
       trial.peaks.push_back(
-          {name, of_moat.value, peak.value, checked.peak_changes[i] * peak.value, counts[i], of_moat.error});
+          {name, of_moat.magnitude(), peak.value, checked.peak_changes[i] * peak.value, counts[i], of_moat.error});
     }
   } catch (const Error& error) {
     trial.refused = error.what();

@@ -29,7 +29,7 @@ double peak(const CaseResult& result, const std::string& quantity, const std::st
   const auto found = std::ranges::find_if(
       result.peaks, [&](const Peak& each) { return each.quantity == quantity && each.where == where; });
   if (found == result.peaks.end()) throw InputError{"There is no peak of " + quantity + " at " + where + "."};
-  return found->value;
+  return found->magnitude();
 }
 
 CaseResult run(const std::string& title, const GroundMotion& motion, const std::function<void(Model&)>& build) {

@@ -10,7 +10,7 @@ namespace {
 
 double peak_of(const std::vector<Peak>& peaks, std::string_view quantity, std::string_view where) {
   for (const Peak& peak : peaks)
-    if (peak.quantity == quantity && peak.where == where) return peak.value;
+    if (peak.quantity == quantity && peak.where == where) return peak.magnitude();
   throw InputError{"There is no peak " + std::string{quantity} + " of " + std::string{where} + "."};
 }
 

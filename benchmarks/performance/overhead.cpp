@@ -181,7 +181,7 @@ double largest_difference(const Prepared& history, const BareHistory& bare) {
     for (std::size_t i = 0; i < channels.list().size(); ++i)
       if (channels.list()[i].quantity == peak.quantity && channels.list()[i].place == peak.where)
         value = std::max(value, bare.peaks[i]);
-    if (value > 0.0) largest = std::max(largest, std::abs(peak.value / value - 1.0));
+    if (value > 0.0) largest = std::max(largest, std::abs(peak.magnitude() / value - 1.0));
   }
   return largest;
 }

@@ -12,7 +12,7 @@ namespace moat {
 /// Throws FileError where a file cannot be written.
 void write_results(const CaseResult& result, const std::filesystem::path& folder);
 
-/// Periods, peaks, number of impacts and cost, for the terminal.
+/// Periods, peaks, clearances, energy, number of impacts and cost, for the terminal.
 std::string terminal_summary(const CaseResult& result);
 
 }  // namespace moat

@@ -1,26 +1,23 @@
 #include "app/script.hpp"
 
-#include <CLI/CLI.hpp>
-#include <algorithm>
-#include <cctype>
 #include <charconv>
 #include <cstdio>
+#include <cstdlib>
 #include <exception>
-#include <filesystem>
 #include <iostream>
-#include <list>
-#include <optional>
+#include <vector>
 
 #include "analyses/case_run.hpp"
+#include "app/command_line.hpp"
 #include "app/progress_bar.hpp"
 #include "app/results.hpp"
+#include "app/script_origin.hpp"
 #include "base/check.hpp"
 #include "base/error.hpp"
 #include "base/parse_quantity.hpp"
 #include "motions/read_motion.hpp"
 #include "output/model_scene.hpp"
 #include "output/results_folder.hpp"
-#include "output/summary.hpp"
 
 namespace moat {
 namespace {
@@ -44,69 +41,17 @@ constexpr int exit_error = 1, exit_usage = 2, exit_no_convergence = 3;
 
 }  // namespace
 
-// CLI11 parses a whole line at once, but a script asks for one value after the other. Each is looked up by a parser
-// that knows this one option and ignores the rest; at the end a parser that knows all options checks the line.
-struct Script::CommandLine {
-  CommandLine(int argc, char** argv, std::string title) : app{std::move(title)} {
-    if (argc > 0) {
-      program = std::filesystem::path{argv[0]}.stem().string();
-      app.name(argv[0]);
-    }
-    for (int i = 1; i < argc; ++i) arguments.emplace_back(argv[i]);
-    for (const std::string& argument : arguments) help_wanted = help_wanted || argument == "-h" || argument == "--help";
-    app.get_formatter()->column_width(34);
-    app.footer(
-        "Write quantities with their unit: \"12 cm\", 0.4g, \"2.5 ms\".\n"
-        "Exit code: 0 done, 1 bad input, 2 wrong usage, 3 a step did not converge.");
-  }
+struct Script::Parts {
+  Parts(int argc, char** argv, std::string title) : line{argc, argv, std::move(title)} {}
 
-  // Throws InputError for a name that no command line can hold, or that is taken.
-  void require_new(const std::string& name) const {
-    const auto allowed = [](unsigned char c) { return std::isalnum(c) != 0 || c == '-' || c == '_'; };
-    if (name.empty() || name.front() == '-' || !std::ranges::all_of(name, allowed))
-      throw InputError{"Script: \"" + name + "\" cannot be the name of an option. Use letters, digits, - and _."};
-    if (app.get_option_no_throw("--" + name) != nullptr)
-      throw InputError{
-          "--" + name + ": there is an option of this name. Name each once; help, record and record-unit, " +
-          "out, force, step, tolerance, integrator, end, frame-interval, check and quiet are those of Script itself."};
-  }
-
-  void add_flag(const std::string& name, bool& value, const std::string& help) {
-    require_new(name);
-    app.add_flag("--" + name, value, help);
-  }
-
-  // The text given for an option, if any.
-  std::optional<std::string> look_up(const std::string& name, const std::string& preset, const std::string& help,
-                                     const std::string& type) {
-    require_new(name);
-    values.emplace_back();
-    CLI::Option* option = app.add_option("--" + name, values.back(), help)->type_name(type);
-    if (!preset.empty()) option->default_str(preset);
-    CLI::App alone;
-    alone.set_help_flag();
-    alone.allow_extras();
-    std::string value;
-    const CLI::Option* found = alone.add_option("--" + name, value);
-    try {
-      // CLI11 takes arguments from the back.
-      alone.parse(std::vector<std::string>{arguments.rbegin(), arguments.rend()});
-    } catch (const CLI::ParseError&) {
-      return std::nullopt;  // run() parses the whole line again and tells what is wrong
-    }
-    if (found->count() == 0 || help_wanted) return std::nullopt;
-    return value;
-  }
-
-  CLI::App app;
-  std::string program = "script";
-  std::vector<std::string> arguments;
-  std::list<std::string> values;  // CLI11 keeps references to them
-  bool help_wanted = false;
+  CommandLine line;
+  // Found at once, so that a source that is edited during the run is not taken for the one that runs.
+  Provenance origin = origin_of_script(line.arguments());
+  std::vector<StepObserver*> observers{};
 };
 
 Script::Script(int argc, char** argv, std::string title)
-    : command_line_{std::make_unique<CommandLine>(argc, argv, std::move(title))} {
+    : parts_{std::make_unique<Parts>(argc, argv, std::move(title))} {
   std::set_terminate(report_and_exit);
 }
 
@@ -116,7 +61,7 @@ template <class Q>
 Q Script::quantity(const std::string& name, Q preset, const std::string& help) {
   const std::string unit = unit_symbol<Q>();
   const std::string preset_text = to_text(preset.si()) + (unit == "1" ? "" : " " + unit);
-  const auto text = command_line_->look_up(name, preset_text, help, unit == "1" ? "NUMBER" : "[" + unit + "]");
+  const auto text = parts_->line.look_up(name, preset_text, help, unit == "1" ? "NUMBER" : "[" + unit + "]");
   return text ? parse<Q>(*text, "--" + name) : preset;
 }
 
@@ -148,7 +93,7 @@ double Script::number(const std::string& name, double preset, const std::string&
   return quantity(name, Dimensionless{preset}, help);
 }
 int Script::integer(const std::string& name, int preset, const std::string& help) {
-  const auto text = command_line_->look_up(name, std::to_string(preset), help, "INTEGER");
+  const auto text = parts_->line.look_up(name, std::to_string(preset), help, "INTEGER");
   if (!text) return preset;
   int value = 0;
   const auto [end, error] = std::from_chars(text->data(), text->data() + text->size(), value);
@@ -157,99 +102,127 @@ int Script::integer(const std::string& name, int preset, const std::string& help
   return value;
 }
 std::string Script::text(const std::string& name, const std::string& preset, const std::string& help) {
-  return command_line_->look_up(name, preset, help, "TEXT").value_or(preset);
+  return parts_->line.look_up(name, preset, help, "TEXT").value_or(preset);
 }
 
 GroundMotion Script::motion(const GroundMotion& preset) {
-  const auto file = command_line_->look_up(
-      "record", "", "accelerogram: PEER AT2, or two columns of time in s and acceleration", "FILE");
-  const auto unit = command_line_->look_up("record-unit", "", "unit of a two-column record: g, cm/s^2 ...", "UNIT");
+  const auto file = parts_->line.look_up("record", "", "accelerogram: " + motion_formats(), "FILE");
+  const auto unit = parts_->line.look_up("record-unit", "", "unit of a two-column record: g, cm/s^2 ...", "UNIT");
   if (!file) {
     if (unit) throw InputError{"--record-unit: give it together with --record FILE."};
     return preset;
   }
-  if (!unit) {
-    try {
-      return read_motion(*file);
-    } catch (const InputError& error) {
-      throw InputError{std::string{error.what()} + " Here: --record-unit g"};
-    }
+  if (unit) return read_motion(*file, parse<Acceleration>("1 " + *unit, "--record-unit"));
+  try {
+    return read_motion(*file);
+  } catch (const MissingUnit& error) {
+    throw InputError{std::string{error.what()} + " Here: --record-unit g"};
   }
-  return read_motion(*file, parse<Acceleration>("1 " + *unit, "--record-unit"));
 }
 
-int Script::run(Model& model, const GroundMotion& motion) {
-  CommandLine& line = *command_line_;
-  const std::filesystem::path default_folder = std::filesystem::path{"results"} / line.program;
-  const std::string wanted = text("out", default_folder.string(), "results folder; an existing one gets a new number");
-  bool force = false, quiet = false, check = false;
-  line.add_flag("force", force, "overwrite an existing results folder");
-  const Time step = time("step", 0 * units::s, "fixed time step; 0 s adapts it");
-  const double tolerance = number("tolerance", TransientOptions{}.tolerance, "error per step of an adapted step");
-  const std::string integrator = text("integrator", "newmark", integrator_names() + "; the last for small models");
-  const Time end = time("end", motion.duration() * units::s, "end of the analysis");
-  const Time frame_interval = time("frame-interval", 50 * units::ms, "between VTK frames; 0 s writes none");
-  line.add_flag("check", check, "error bars also where the second run they need costs more than about 20 ms");
-  line.add_flag("quiet", quiet, "print errors only");
-  // Asked for anywhere, also where an option would take it for its value.
-  if (line.help_wanted) {
-    std::cout << line.app.help();
-    return 0;
-  }
-  try {
-    line.app.parse(std::vector<std::string>{line.arguments.rbegin(), line.arguments.rend()});
-  } catch (const CLI::ParseError& error) {
-    line.app.exit(error);
-    return exit_usage;
-  }
+void Script::attach(StepObserver& observer) { parts_->observers.push_back(&observer); }
 
-  // Before the results folder is made.
-  Check{"Script", ""}.not_negative("--frame-interval", frame_interval);
+// The options of run().
+struct Script::RunOptions {
+  std::filesystem::path folder;
+  bool force = false, quiet = false, check = false;
+  TransientOptions transient{};
+  Time frame_interval{};
+};
+
+// Result and end of a run.
+struct Script::Outcome {
+  CaseResult result{};
+  std::string failure{};  // empty if it reached its end
+  int exit_code = 0;
+};
+
+int Script::run(Model& model, const GroundMotion& motion, std::initializer_list<StepObserver*> observers) {
+  parts_->observers.insert(parts_->observers.end(), observers);
+  RunOptions options;
+  if (const auto exit_code = read_options(motion, options)) return *exit_code;
   CaseRun run{model,
               motion,
-              {.title = line.app.get_description(),
-               .transient = {.integrator = integrator_named(integrator, "--integrator"),
-                             .step = step,
-                             .tolerance = tolerance,
-                             .end = end},
-               .error_bars = check ? ErrorBarMode::always : ErrorBarMode::automatic}};
-  const std::filesystem::path folder =
-      make_results_folder(wanted, force ? WhenFolderExists::overwrite : WhenFolderExists::use_new_number);
+              {.title = parts_->line.title(),
+               .transient = options.transient,
+               .error_bars = options.check ? ErrorBarMode::always : ErrorBarMode::automatic}};
+  for (StepObserver* observer : parts_->observers) run.attach(*observer);
+  ResultsFolder folder{options.folder, options.force ? WhenFolderExists::overwrite : WhenFolderExists::use_new_number};
+  const Outcome outcome = compute(run, model, options, folder);
+  write_results(outcome.result, folder.path());
+  folder.finish();
+  return print(outcome, options, folder.final_path());
+}
+
+std::optional<int> Script::read_options(const GroundMotion& motion, RunOptions& options) {
+  CommandLine& line = parts_->line;
+  const std::filesystem::path default_folder = std::filesystem::path{"results"} / line.program();
+  options.folder = text("out", default_folder.string(), "results folder; an existing one gets a new number");
+  line.add_flag("force", options.force, "replace the results in an existing folder");
+  options.transient.step = time("step", 0 * units::s, "fixed time step; 0 s adapts it");
+  options.transient.tolerance = number("tolerance", options.transient.tolerance, "error per step of an adapted step");
+  const std::string integrator = text("integrator", "newmark", integrator_names() + "; the last for small models");
+  options.transient.end = time("end", motion.duration() * units::s, "end of the analysis");
+  options.frame_interval = time("frame-interval", 50 * units::ms, "between VTK frames; 0 s writes none");
+  line.add_flag("check", options.check, "error bars also where the second run they need costs more than about 20 ms");
+  line.add_flag("quiet", options.quiet, "print warnings and errors only");
+  if (line.help_wanted()) {
+    std::cout << line.help();
+    return 0;
+  }
+  if (!line.parse()) return exit_usage;
+  // Before the results folder is made.
+  options.transient.integrator = integrator_named(integrator, "--integrator");
+  Check{"Script", ""}.not_negative("--frame-interval", options.frame_interval);
+  parts_->origin.options = line.values();
+  return std::nullopt;
+}
+
+Script::Outcome Script::compute(CaseRun& run, const Model& model, const RunOptions& options,
+                                const ResultsFolder& folder) {
   std::optional<FrameRecorder> frames;
-  if (frame_interval.si() != 0.0) run.attach(frames.emplace(model, folder, frame_interval.si()));
+  if (options.frame_interval.si() != 0.0) run.attach(frames.emplace(model, folder.path(), options.frame_interval.si()));
   std::optional<ProgressObserver> progress, progress_of_check;
-  if (!quiet) {
-    std::cout << line.app.get_description() << "\n" << motion.description() << "\n" << std::flush;
+  if (!options.quiet) {
+    std::cout << parts_->line.title() << "\n" << run.transient().motion().description() << "\n" << std::flush;
     run.attach(progress.emplace(run.transient().end_time()));
     // Without --check the second run is over at once.
-    if (check) run.attach_to_companion(progress_of_check.emplace(run.transient().end_time(), "check"));
+    if (options.check) run.attach_to_companion(progress_of_check.emplace(run.transient().end_time(), "check"));
   }
-
-  std::string failure;
-  int exit_code = 0;
+  Outcome outcome;
   try {
     run.run();
   } catch (const ConvergenceError& error) {
-    failure = error.what();
-    exit_code = exit_no_convergence;
+    outcome.failure = error.what();
+    outcome.exit_code = exit_no_convergence;
   } catch (const Error& error) {
-    failure = error.what();
-    exit_code = exit_error;
+    outcome.failure = error.what();
+    outcome.exit_code = exit_error;
   }
-  CaseResult result = run.result();
-  // Whoever opens the files later must not take them for those of a whole run.
-  if (!failure.empty())
-    result.warnings.insert(result.warnings.begin(), "The analysis stopped at " +
-                                                        to_text(run.transient().model().state().time) + " s of " +
-                                                        to_text(run.transient().end_time()) + " s: " + failure);
-  write_results(result, folder);
-  if (!quiet)
-    std::cout << terminal_summary(result) << "Results: " << folder.string()
-              << "/  (report.html, frames.pvd for ParaView)\n";
-  for (std::size_t i = failure.empty() ? 0 : 1; i < result.warnings.size(); ++i)
-    std::cerr << "moat: warning: " << result.warnings[i] << "\n";
-  if (!failure.empty()) std::cerr << "moat: error: " << failure << "\n";
-  return exit_code;
+  outcome.result = run.result();
+  outcome.result.provenance = parts_->origin;
+  // Readers of the files must not take them for those of a whole run.
+  if (!outcome.failure.empty())
+    outcome.result.warnings.insert(outcome.result.warnings.begin(),
+                                   "The analysis stopped at " + to_text(run.transient().model().state().time) +
+                                       " s of " + to_text(run.transient().end_time()) + " s: " + outcome.failure);
+  return outcome;
+}
+
+int Script::print(const Outcome& outcome, const RunOptions& options, const std::filesystem::path& folder) {
+  if (!options.quiet)
+    std::cout << terminal_summary(outcome.result) << "Results: " << folder.string()
+              << "/  (report.html, frames.pvd for ParaView)\n"
+              << std::flush;
+  const auto& warnings = outcome.result.warnings;
+  for (std::size_t i = outcome.failure.empty() ? 0 : 1; i < warnings.size(); ++i)
+    std::cerr << "moat: warning: " << warnings[i] << "\n";
+  if (!outcome.failure.empty()) std::cerr << "moat: error: " << outcome.failure << "\n";
+  if (outcome.exit_code == 0 && !std::cout) {
+    std::cerr << "moat: error: standard output cannot be written; the results are in " << folder.string() << "\n";
+    return exit_error;
+  }
+  return outcome.exit_code;
 }
 
 }  // namespace moat

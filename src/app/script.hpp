@@ -1,14 +1,21 @@
 // The command line of an input script.
 #pragma once
 
+#include <filesystem>
+#include <initializer_list>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "base/quantity.hpp"
 #include "model/model.hpp"
 #include "motions/ground_motion.hpp"
+#include "output/step_observer.hpp"
 
 namespace moat {
+
+class CaseRun;
+class ResultsFolder;
 
 /// Turns a main() into a program with options, help, progress, results folder and exit codes.
 ///
@@ -21,12 +28,12 @@ namespace moat {
 ///       return script.run(model, motion);
 ///     }
 ///
-/// Every function that takes a name adds an option --name and returns its value at once: the default, or what the
-/// command line says, with its unit. run() knows all options, answers --help, and refuses what it does not know.
+/// Every function that takes a name adds an option --name and returns its value at once: the default, or the text on
+/// the command line, with its unit. run() knows all options, answers --help, and refuses unknown ones.
 ///
 /// Errors: once a Script exists, an exception that leaves main() is printed as one message to standard error and
 /// ends the program with exit code 1. Exit codes: 0 done; 1 bad input or another error; 2 wrong usage of the command
-/// line; 3 a step did not converge (what was computed before is in the results folder).
+/// line; 3 a step did not converge (the results up to that step are in the results folder).
 class Script {
  public:
   Script(int argc, char** argv, std::string title);
@@ -51,15 +58,26 @@ class Script {
   /// Adds --record FILE (PEER AT2, or two columns with --record-unit g) and returns that motion, else the preset.
   GroundMotion motion(const GroundMotion& preset);
 
+  /// Before run(): calls the observer too, at every step; it must outlive the run. The quantities of a QuantityRecorder
+  /// appear in histories, peaks and report.
+  void attach(StepObserver& observer);
+
   /// Computes the model under the motion, shows progress and peaks, writes the results folder, and returns the exit
-  /// code. Adds --out, --force, --step, --tolerance, --integrator, --end, --frame-interval, --check, --quiet.
-  int run(Model& model, const GroundMotion& motion);
+  /// code. Adds --out, --force, --step, --tolerance, --integrator, --end, --frame-interval, --check, --quiet. The
+  /// observers are attached before; none may be null.
+  int run(Model& model, const GroundMotion& motion, std::initializer_list<StepObserver*> observers = {});
 
  private:
-  struct CommandLine;
+  struct Parts;
+  struct RunOptions;
+  struct Outcome;
+  // The exit code, if there is nothing to compute.
+  std::optional<int> read_options(const GroundMotion& motion, RunOptions& options);
+  Outcome compute(CaseRun& run, const Model& model, const RunOptions& options, const ResultsFolder& folder);
+  static int print(const Outcome& outcome, const RunOptions& options, const std::filesystem::path& folder);
   template <class Q>
   Q quantity(const std::string& name, Q preset, const std::string& help);
-  std::unique_ptr<CommandLine> command_line_;
+  std::unique_ptr<Parts> parts_;
 };
 
 }  // namespace moat

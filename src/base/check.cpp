@@ -1,9 +1,9 @@
 #include "base/check.hpp"
 
 #include <cmath>
-#include <cstdio>
 
 #include "base/error.hpp"
+#include "base/number_format.hpp"
 
 namespace moat {
 namespace {
@@ -16,18 +16,14 @@ std::string with_unit(double value, std::string_view unit) {
 
 }  // namespace
 
-std::string to_text(double value) {
-  char buffer[32];
-  std::snprintf(buffer, sizeof buffer, "%.6g", value);
-  return buffer;
-}
+std::string to_text(double value) { return to_significant(value, 6); }
 
 Check::Check(std::string_view kind, std::string_view name) : object_{kind} {
   if (!name.empty()) object_.append(" \"").append(name).append("\"");
 }
 
-void Check::that(bool allowed, std::string_view parameter, double value, std::string_view unit,
-                 std::string_view range, std::string_view advice) const {
+void Check::that(bool allowed, std::string_view parameter, double value, std::string_view unit, std::string_view range,
+                 std::string_view advice) const {
   if (allowed) return;
   std::string message = object_ + ": ";
   message.append(parameter).append(" = ").append(with_unit(value, unit)).append(" is not allowed; it must be ");
@@ -45,7 +41,8 @@ void Check::that(bool allowed, std::string_view problem, std::string_view advice
 }
 
 void Check::positive(std::string_view parameter, double value, std::string_view unit, std::string_view advice) const {
-  that(std::isfinite(value) && value > 0.0, parameter, value, unit, "> " + with_unit(0.0, unit) + " and finite", advice);
+  that(std::isfinite(value) && value > 0.0, parameter, value, unit, "> " + with_unit(0.0, unit) + " and finite",
+       advice);
 }
 
 void Check::not_negative(std::string_view parameter, double value, std::string_view unit,
@@ -58,8 +55,8 @@ void Check::finite(std::string_view parameter, double value, std::string_view un
   that(std::isfinite(value), parameter, value, unit, "a finite number", advice);
 }
 
-void Check::above_up_to(std::string_view parameter, double value, double lowest, double highest,
-                        std::string_view unit, std::string_view advice) const {
+void Check::above_up_to(std::string_view parameter, double value, double lowest, double highest, std::string_view unit,
+                        std::string_view advice) const {
   that(value > lowest && value <= highest, parameter, value, unit,
        "> " + with_unit(lowest, unit) + " and <= " + with_unit(highest, unit), advice);
 }

@@ -117,8 +117,13 @@ double parse_si(std::string_view text, std::string_view what, int mass, int half
     refuse(what, text, large ? "is too large." : "is too small; zero is 0.");
   }
   if (error != std::errc{} || !std::isfinite(number))
-    refuse(what, text, "does not start with a number. Write a number with its unit, in " + wanted + " for example.");
+    refuse(what, text,
+           wanted == "1"
+               ? "is not a number. Write a plain number, 0.5 for example."
+               : "does not start with a number. Write a number with its unit, in " + wanted + " for example.");
   const std::string_view unit_text = text.substr(static_cast<std::size_t>(end - text.data()));
+  if (unit_text.size() > 1 && unit_text[0] == ',' && unit_text[1] >= '0' && unit_text[1] <= '9')
+    refuse(what, text, "has a decimal comma. Write decimals with a point: 1.5.");
   const bool has_unit = unit_text.find_first_not_of(" \t") != std::string_view::npos;
   if (!has_unit && wanted != "1")
     refuse(what, text, "has no unit. Write the unit behind the number, in " + wanted + " for example.");

@@ -33,6 +33,9 @@ struct ElementInfo {
   double offset = 0.0;  ///< m
   /// Names under which deformation and force are reported; not reported where empty.
   Label deformation_quantity{}, force_quantity{};
+  /// Name and parameters of the law as the script gave it, for reports; empty where they are those of the block's law.
+  std::string law{};
+  std::vector<Parameter> parameters{};
   /// Whether it carries a building on the ground and lets it move: characteristic periods hold the floor above it.
   bool isolates = false;
   DrawnAs drawn_as = DrawnAs::other;

@@ -6,12 +6,14 @@
 
 #include "base/check.hpp"
 #include "base/error.hpp"
+#include "base/utf8_text.hpp"
 
 namespace moat {
 
 NodeId Model::add_node(Node node) {
   const Check check{"Node", node.name};
   check.that(!node.name.empty(), "a node has no name.", "Give .name: results are listed under it.");
+  check.that(is_utf8(node.name), "the name is not UTF-8.", "Save the script in UTF-8.");
   check.that(node.name != "ground", "this name is taken.", "`ground` is always there; choose another name.");
   check.positive("mass", node.mass, "Every degree of freedom needs mass.");
   check.finite("initial_displacement", node.initial_displacement);
@@ -59,6 +61,7 @@ bool Model::has_element(const std::string& name) const {
 void Model::register_element(std::string_view kind, const std::string& name) {
   const Check check{kind, name};
   check.that(!name.empty(), "an element has no name.", "Give .name: results are listed under it.");
+  check.that(is_utf8(name), "the name is not UTF-8.", "Save the script in UTF-8.");
   check.that(!has_element(name), "an element of this name exists.", "Give every element its own name.");
   element_names_.add(name);
 }

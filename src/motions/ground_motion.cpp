@@ -2,10 +2,10 @@
 
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <utility>
 
 #include "base/check.hpp"
+#include "base/number_format.hpp"
 #include "base/units.hpp"
 
 namespace moat {
@@ -38,31 +38,28 @@ std::array<double, 2> standstill_times(double velocity, double acceleration, dou
   return times;
 }
 
-std::string formatted(const char* format, double value) {
-  std::array<char, 64> buffer;
-  std::snprintf(buffer.data(), buffer.size(), format, value);
-  return buffer.data();
-}
-
 }  // namespace
 
 GroundMotion::GroundMotion(std::string name, double time_step, std::vector<double> samples,
-                           std::vector<std::string> notes)
+                           std::vector<std::string> notes, MotionFile file)
     : name_{std::move(name)},
       time_step_{time_step},
       samples_per_second_{1.0 / time_step},
       duration_{samples.empty() ? 0.0 : static_cast<double>(samples.size() - 1) * time_step},
       samples_{std::move(samples)},
-      notes_{std::move(notes)} {
+      notes_{std::move(notes)},
+      file_{std::move(file)} {
+  constexpr double shortest = 1e-9, longest = 1e6;  // s
+  constexpr double largest = 1e6;                   // m/s^2
   const Check check{"GroundMotion", name_};
-  check.positive("time step", time_step_, "s", "Give the interval between two samples.");
+  check.between("time step", time_step_, shortest, longest, "s", "Give the interval between two samples.");
   check.that(samples_.size() >= 2, "number of samples", static_cast<double>(samples_.size()), "1", ">= 2",
              "Give the acceleration at the beginning and at the end of at least one time step.");
   for (std::size_t i = 0; i < samples_.size(); ++i) {
-    if (!std::isfinite(samples_[i])) {
-      check.finite("sample " + std::to_string(i) + " (counted from 0)", samples_[i], "m/s^2",
-                   "Repair the record before using it.");
-    }
+    if (std::abs(samples_[i]) <= largest) continue;
+    const std::string sample = "sample " + std::to_string(i) + " (counted from 0)";
+    check.finite(sample, samples_[i], "m/s^2", "Repair the record before using it.");
+    check.between(sample, samples_[i], -largest, largest, "m/s^2", "Check the unit of the record.");
   }
 }
 
@@ -123,9 +120,17 @@ GroundMotion GroundMotion::scaled_by(double factor) const {
   Check{"GroundMotion", name_}.finite("scale factor", factor, "1");
   std::vector<double> scaled = samples_;
   for (double& sample : scaled) sample *= factor;
+  GroundMotion motion = with_samples(std::move(scaled), "accelerations multiplied by " + to_text(factor));
+  motion.scale_factor_ *= factor;
+  return motion;
+}
+
+GroundMotion GroundMotion::with_samples(std::vector<double> samples, std::string note) const {
   std::vector<std::string> notes = notes_;
-  notes.push_back("accelerations multiplied by " + to_text(factor));
-  return GroundMotion{name_, time_step_, std::move(scaled), std::move(notes)};
+  notes.push_back(std::move(note));
+  GroundMotion motion{name_, time_step_, std::move(samples), std::move(notes), file_};
+  motion.scale_factor_ = scale_factor_;
+  return motion;
 }
 
 GroundMotion GroundMotion::scaled_to_pga(Acceleration target) const {
@@ -140,9 +145,9 @@ GroundMotion GroundMotion::scaled_to_pga(Acceleration target) const {
 std::string GroundMotion::description() const {
   const double acceleration = peak_acceleration().si();
   const double speed = peak_velocity().si();
-  std::string text = name_ + ": PGA " + formatted("%.4f", acceleration / standard_gravity) + " g, PGV " +
-                     formatted("%.2f", 100.0 * speed) + " cm/s, PGV/PGA ";
-  text += acceleration > 0.0 ? formatted("%.4f", speed / acceleration) + " s" : "undefined";
+  std::string text = name_ + ": PGA " + to_fixed(acceleration / standard_gravity, 4) + " g, PGV " +
+                     to_fixed(100.0 * speed, 2) + " cm/s, PGV/PGA ";
+  text += acceleration > 0.0 ? to_fixed(speed / acceleration, 4) + " s" : "undefined";
   text += ", time step " + to_text(time_step_) + " s, duration " + to_text(duration_) + " s, ";
   return text + std::to_string(samples_.size()) + " samples";
 }

@@ -11,6 +11,12 @@
 
 namespace moat {
 
+/// The file a motion was read from.
+struct MotionFile {
+  std::string path{};    ///< absolute; empty for a motion made in the program
+  std::string sha256{};  ///< of its content: 64 hexadecimal digits
+};
+
 /// The horizontal acceleration of the ground, sampled at a constant time step.
 ///
 /// The acceleration is linear between samples. The ground is at rest before the first sample, which stands at
@@ -21,13 +27,17 @@ namespace moat {
 ///     const GroundMotion motion = read_peer_at2("RSN1108_KOBE_KBU000.AT2").scaled_to_pga(0.4 * g);
 class GroundMotion {
  public:
-  /// name: how outputs and messages call the motion. time_step: s, > 0. samples: m/s^2, at least two, all finite.
-  /// notes: lines worth repeating in a report, for example the header of the file.
-  /// Throws InputError naming the first sample that is not finite.
-  GroundMotion(std::string name, double time_step, std::vector<double> samples, std::vector<std::string> notes = {});
+  /// name: how outputs and messages call the motion. time_step: from 1e-9 to 1e6 s. samples: at least two, all finite,
+  /// of at most 1e6 m/s^2. notes: lines worth repeating in a report, for example the header of the file.
+  /// Throws InputError naming the first sample outside that range.
+  GroundMotion(std::string name, double time_step, std::vector<double> samples, std::vector<std::string> notes = {},
+               MotionFile file = {});
 
   [[nodiscard]] const std::string& name() const { return name_; }
   [[nodiscard]] const std::vector<std::string>& notes() const { return notes_; }
+  [[nodiscard]] const MotionFile& file() const { return file_; }
+  /// The factor of all accelerations since the motion was read or made.
+  [[nodiscard]] double scale_factor() const { return scale_factor_; }
   /// s
   [[nodiscard]] double time_step() const { return time_step_; }
   /// Time of the last sample, (number of samples - 1) * time_step, s.
@@ -58,6 +68,8 @@ class GroundMotion {
   [[nodiscard]] GroundMotion scaled_by(double factor) const;
   /// The same motion with its peak acceleration scaled to target > 0. Throws InputError if the motion is zero.
   [[nodiscard]] GroundMotion scaled_to_pga(Acceleration target) const;
+  /// The same motion with other samples, for example filtered ones; `note` says how they were made.
+  [[nodiscard]] GroundMotion with_samples(std::vector<double> samples, std::string note) const;
 
   /// One line: name, PGA, PGV, PGV/PGA, time step, duration, number of samples.
   [[nodiscard]] std::string description() const;
@@ -69,6 +81,8 @@ class GroundMotion {
   double duration_;
   std::vector<double> samples_;
   std::vector<std::string> notes_;
+  MotionFile file_;
+  double scale_factor_ = 1.0;
 };
 
 }  // namespace moat

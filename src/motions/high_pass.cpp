@@ -13,7 +13,7 @@ struct Section {
   double b0, b1, b2, a1, a2;
 
   void run(std::vector<double>& signal) const {
-    double first = 0.0, second = 0.0;  // what past samples add to this one and to the next
+    double first = 0.0, second = 0.0;  // contributions of past samples to this one and to the next
     for (double& value : signal) {
       const double in = value;
       value = b0 * in + first;
@@ -50,10 +50,8 @@ GroundMotion high_passed(const GroundMotion& motion, Frequency corner, int order
     second_order(k, 2.0 * std::sin((2 * pair + 1) * std::numbers::pi / (2 * order))).run(samples);
   if (order % 2 == 1) first_order(k).run(samples);
 
-  std::vector<std::string> notes = motion.notes();
-  notes.push_back("Causal Butterworth high-pass, order " + std::to_string(order) + ", corner " + to_text(corner.si()) +
-                  " Hz.");
-  return GroundMotion{motion.name(), motion.time_step(), std::move(samples), std::move(notes)};
+  return motion.with_samples(std::move(samples), "Causal Butterworth high-pass, order " + std::to_string(order) +
+                                                     ", corner " + to_text(corner.si()) + " Hz.");
 }
 
 }  // namespace moat

@@ -6,7 +6,7 @@
 
 namespace moat {
 
-/// What scan_number found at the beginning of a text.
+/// A number at the beginning of a text.
 struct ScannedNumber {
   double value = 0.0;
   std::size_t length = 0;         ///< characters read

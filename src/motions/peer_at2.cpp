@@ -166,9 +166,11 @@ bool has_peer_at2_header(std::string_view text) {
   return false;
 }
 
-GroundMotion read_peer_at2(const std::filesystem::path& path) {
-  const std::string content = read_text_file(path);
-  LineReader lines{content};
+GroundMotion read_peer_at2(const std::filesystem::path& path) { return parse_peer_at2(read_text_file(path)); }
+
+GroundMotion parse_peer_at2(const TextFile& file) {
+  const std::filesystem::path& path = file.path;
+  LineReader lines{file.text};
   std::string_view line;
   std::vector<std::string> header;
   while (header.size() < header_lines && lines.next(line)) header.emplace_back(trimmed(line));
@@ -181,13 +183,13 @@ GroundMotion read_peer_at2(const std::filesystem::path& path) {
 
   std::vector<double> values;
   // A wrong count in the header must not reserve more than the file can hold.
-  values.reserve(std::min(sampling.count, content.size() / 2));
+  values.reserve(std::min(sampling.count, file.text.size() / 2));
   while (lines.next(line)) append_values(path, lines.line_number(), line, values);
   if (values.size() != sampling.count) {
     refuse_file(path, "the header announces NPTS = " + std::to_string(sampling.count) + " values, but the file holds " +
                           std::to_string(values.size()) + ". The file is damaged or was cut; fetch it again.");
   }
-  return GroundMotion{path.stem().string(), sampling.time_step, std::move(values), std::move(header)};
+  return GroundMotion{path.stem().string(), sampling.time_step, std::move(values), std::move(header), file_of(file)};
 }
 
 }  // namespace moat

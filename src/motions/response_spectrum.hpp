@@ -1,6 +1,7 @@
 // Elastic response spectra.
 #pragma once
 
+#include <initializer_list>
 #include <span>
 #include <vector>
 
@@ -29,5 +30,10 @@ struct ResponseSpectrum {
 /// periods: each either 0 (a rigid oscillator: both accelerations are the PGA) or from time_step/100 to 1000 s.
 /// damping_ratio: >= 0 and < 1. Throws InputError otherwise.
 ResponseSpectrum response_spectrum(const GroundMotion& motion, std::span<const Time> periods, double damping_ratio);
+/// response_spectrum(motion, {0.5 * s, 1 * s}, 0.05)
+inline ResponseSpectrum response_spectrum(const GroundMotion& motion, std::initializer_list<Time> periods,
+                                          double damping_ratio) {
+  return response_spectrum(motion, std::span<const Time>{periods.begin(), periods.size()}, damping_ratio);
+}
 
 }  // namespace moat

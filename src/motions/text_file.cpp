@@ -1,26 +1,48 @@
 #include "motions/text_file.hpp"
 
+#include <algorithm>
+#include <cstdint>
 #include <fstream>
 #include <ios>
-#include <iterator>
 #include <system_error>
 
 #include "base/error.hpp"
+#include "base/sha256.hpp"
 
 namespace moat {
 
-std::string read_text_file(const std::filesystem::path& path) {
+TextFile read_text_file(const std::filesystem::path& path) {
+  constexpr std::uintmax_t most_bytes = 1'000'000'000;
   std::error_code failure;
   const std::filesystem::file_status status = std::filesystem::status(path, failure);
   if (!std::filesystem::exists(status)) refuse_file(path, "there is no such file. Check the path.");
   if (std::filesystem::is_directory(status)) refuse_file(path, "this is a folder. Give one file in it.");
+  // A device or a pipe may never end.
+  if (!std::filesystem::is_regular_file(status))
+    refuse_file(path, "this is a device or a pipe, not a regular file. Save the record as a file.");
+  const std::uintmax_t size = std::filesystem::file_size(path, failure);
+  if (!failure && size > most_bytes)
+    refuse_file(path, "the file has more than 1 GB. Give one record of one component.");
   std::ifstream file{path, std::ios::binary};
   if (!file) refuse_file(path, "the file cannot be opened. Check that you may read it.");
-  std::string content{std::istreambuf_iterator<char>{file}, std::istreambuf_iterator<char>{}};
-  if (file.bad()) refuse_file(path, "the file cannot be read to its end.");
+  TextFile read{path, {}, {}};
+  read.text.resize(failure ? 0 : size);
+  file.read(read.text.data(), static_cast<std::streamsize>(read.text.size()));
+  // Files in /proc say that they are empty.
+  read.text.resize(static_cast<std::size_t>(file.gcount()));
+  if (file.bad() || read.text.size() != size) refuse_file(path, "the file cannot be read to its end.");
+  read.sha256 = sha256_of(read.text);
   constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
-  if (content.starts_with(byte_order_mark)) content.erase(0, byte_order_mark.size());
-  return content;
+  if (read.text.starts_with(byte_order_mark)) read.text.erase(0, byte_order_mark.size());
+  // Old Macintosh programs end lines with a carriage return alone.
+  if (read.text.find('\n') == std::string::npos) std::ranges::replace(read.text, '\r', '\n');
+  return read;
+}
+
+MotionFile file_of(const TextFile& file) {
+  std::error_code failure;
+  const std::filesystem::path absolute = std::filesystem::absolute(file.path, failure);
+  return {(failure ? file.path : absolute.lexically_normal()).string(), file.sha256};
 }
 
 bool LineReader::next(std::string_view& line) {

@@ -6,10 +6,22 @@
 #include <string>
 #include <string_view>
 
+#include "motions/ground_motion.hpp"
+
 namespace moat {
 
-/// The whole content of a file, without a UTF-8 byte order mark. Throws FileError if it cannot be read.
-std::string read_text_file(const std::filesystem::path& path);
+/// The whole content of a file.
+struct TextFile {
+  std::filesystem::path path;
+  std::string text;    ///< without a UTF-8 byte order mark; lines end with \n or \r\n
+  std::string sha256;  ///< of the file as it is
+};
+
+/// Throws FileError if the file cannot be read, is no regular file, or has more than 1 GB.
+TextFile read_text_file(const std::filesystem::path& path);
+
+/// As a GroundMotion remembers it.
+MotionFile file_of(const TextFile& file);
 
 /// Walks through the lines of a text. A line ends with \n or \r\n; neither is part of it.
 class LineReader {

@@ -141,10 +141,14 @@ bool begins_with_two_columns(std::string_view text) {
 }
 
 GroundMotion read_two_columns(const std::filesystem::path& path, Acceleration unit) {
+  return parse_two_columns(read_text_file(path), unit);
+}
+
+GroundMotion parse_two_columns(const TextFile& file, Acceleration unit) {
+  const std::filesystem::path& path = file.path;
   Check{"read_two_columns", path.string()}.positive(
       "unit", unit, "Give the unit of the acceleration column: 1 * g, or 1 * m / s / s.");
-  const std::string content = read_text_file(path);
-  Columns columns = parse_columns(path, content);
+  Columns columns = parse_columns(path, file.text);
   if (columns.times.size() < 2) {
     refuse_file(path, "expected at least two lines with a time in s and an acceleration, but found " +
                           std::to_string(columns.times.size()) + ".");
@@ -152,7 +156,7 @@ GroundMotion read_two_columns(const std::filesystem::path& path, Acceleration un
   const double time_step = checked_time_step(path, columns);
   for (double& value : columns.values) value *= unit.si();
   std::vector<std::string> notes = notes_of(columns, unit, time_step);
-  return GroundMotion{path.stem().string(), time_step, std::move(columns.values), std::move(notes)};
+  return GroundMotion{path.stem().string(), time_step, std::move(columns.values), std::move(notes), file_of(file)};
 }
 
 }  // namespace moat

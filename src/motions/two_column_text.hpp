@@ -21,6 +21,10 @@ namespace moat {
 /// Throws InputError for a unit that is not positive, FileError naming file and line for everything else.
 GroundMotion read_two_columns(const std::filesystem::path& path, Acceleration unit);
 
+struct TextFile;
+/// The same from a file in memory.
+GroundMotion parse_two_columns(const TextFile& file, Acceleration unit);
+
 /// True if the first line of the text that is neither empty nor a comment holds two numbers.
 bool begins_with_two_columns(std::string_view text);
 

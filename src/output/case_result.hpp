@@ -1,23 +1,43 @@
 // Everything one run of one model under one motion produced, in SI units.
 #pragma once
 
+#include <cmath>
 #include <cstddef>
 #include <limits>
 #include <string>
 #include <vector>
 
+#include "output/model_facts.hpp"
+#include "output/offered_quantity.hpp"
+#include "output/provenance.hpp"
 #include "output/table.hpp"
 
 namespace moat {
 
-/// The largest magnitude a quantity reached over continuous time.
+/// The value of largest magnitude that a quantity reached over continuous time.
 struct Peak {
   std::string quantity;  ///< "displacement", "absolute_acceleration", "drift", "impact_force", ...
   std::string where;     ///< "base", "floor 1", "storey 1", "bearings", "moat", ...
-  double value = 0.0;    ///< magnitude, >= 0
+  double value = 0.0;    ///< with its sign: positive to the right, compression of gaps positive
   std::string unit;      ///< SI: "m", "m/s^2", "N"
   double time = 0.0;     ///< s; when it was reached
   /// >= 0, in `unit`. Estimated numerical error of the value: value +- error. NaN: not known (see ErrorBars).
+  double error = std::numeric_limits<double>::quiet_NaN();
+  /// "left" or "right" by the sign; where several elements share the place, the one that reached it: "moat right".
+  /// Empty for sums and for a gap by itself.
+  std::string side{};
+
+  [[nodiscard]] double magnitude() const { return std::abs(value); }
+};
+
+/// How near the two sides of a gap came.
+struct GapClearance {
+  std::string where;       ///< the gap: "moat left"
+  double clearance = 0.0;  ///< m, at rest
+  /// m, the smallest opening over continuous time; negative: indented by so much.
+  double left = 0.0;
+  double time = 0.0;  ///< s; when it was reached
+  /// m, >= 0. Estimated numerical error of `left`; NaN: not known.
   double error = std::numeric_limits<double>::quiet_NaN();
 };
 
@@ -54,7 +74,7 @@ struct EnergyBalance {
   /// kinetic + work of all elements - input. Average acceleration: zero but for round-off and the force tolerance.
   /// Fourth-order steps: of fourth order. Exact steps: of sixth order. Newmark's method with another beta: of second.
   double equation_residual = 0.0;
-  /// Work of all elements less what they stored and dissipated: the error of the time integration.
+  /// Work of all elements less the energy they stored and dissipated: the error of the time integration.
   double integration_error = 0.0;
   double largest_input = 0.0;    ///< over time
   double largest_kinetic = 0.0;  ///< over time; errors are judged against the larger of these two
@@ -65,7 +85,7 @@ struct EnergyBalance {
   std::vector<DissipatedEnergy> gaps{};      ///< impact, by gap
 };
 
-/// What the solution cost.
+/// The cost of the solution.
 struct SolverStatistics {
   long accepted_steps = 0;
   long rejected_steps = 0;  ///< cut because Newton did not converge
@@ -95,10 +115,14 @@ struct ErrorBars {
 /// The motion as it was applied.
 struct MotionFacts {
   std::string name;
-  double peak_acceleration = 0.0;  ///< m/s^2
-  double peak_velocity = 0.0;      ///< m/s
-  double time_step = 0.0;          ///< s
-  double duration = 0.0;           ///< s
+  double peak_acceleration = 0.0;    ///< m/s^2
+  double peak_velocity = 0.0;        ///< m/s
+  double time_step = 0.0;            ///< s
+  double duration = 0.0;             ///< s
+  std::string file{};                ///< absolute path of the record; empty for a motion made in the program
+  std::string sha256{};              ///< of that file
+  double scale_factor = 1.0;         ///< of all accelerations, since the motion was read or made
+  std::vector<std::string> notes{};  ///< header of the file, how it was scaled and filtered
 };
 
 /// A building and the names of its parts.
@@ -109,7 +133,7 @@ struct BuildingParts {
   std::vector<std::string> isolators{};  ///< elements
 };
 
-/// A period with the name of what vibrates.
+/// A period with the name of the part that vibrates.
 struct NamedPeriod {
   std::string name;
   double value = 0.0;  ///< s
@@ -118,17 +142,21 @@ struct NamedPeriod {
 /// The method behind Peak::error, for reports.
 inline constexpr const char* error_bar_method =
     "Every peak is computed again by a second run with finer steps; the error is estimated from the difference of the "
-    "two "
-    "by Richardson's rule, with caution. It is that of the numerical solution, not of the model.";
+    "two by Richardson's rule, with caution. It is that of the numerical solution, not of the model.";
 
 struct CaseResult {
   std::string title;
+  Provenance provenance{};
   MotionFacts motion;
+  ModelFacts model{};
   std::vector<BuildingParts> buildings;
   std::vector<NamedPeriod> periods;
   std::vector<Peak> peaks;
+  std::vector<GapClearance> clearances{};  ///< one for every gap
   std::vector<Impact> impacts;
   Table histories;
+  /// Quantities in `histories` that recorders of the script offered (output/quantity_recorder.hpp).
+  std::vector<OfferedQuantity> offered{};
   EnergyBalance energy;
   SolverStatistics solver;
   ErrorBars error_bars{};

@@ -40,13 +40,16 @@ void write_csv(const Table& table, const std::filesystem::path& path) {
   const char* separator = "";
   for (const Column& column : table.columns) {
     out += separator;
-    append_text(out, column_name(column));
+    append_text(out, column.labels.empty() ? column_name(column) : column.quantity);
     separator = ",";
   }
   out += '\n';
   for (std::size_t row = 0; row < table.rows(); ++row) {
     for (const Column& column : table.columns) {
-      append_number(out, column.values[row]);
+      if (column.labels.empty())
+        append_number(out, column.values[row]);
+      else
+        append_text(out, column.labels[row]);
       out += ',';
     }
     out.back() = '\n';

@@ -10,9 +10,10 @@ namespace moat {
 
 /// Writes one header row (`time [s],displacement [m] base,...`) and one row per time.
 ///
-/// Every number has the fewest digits that read back to the same double; a missing value is `nan`. A name that
-/// contains a comma or a quote is quoted as in RFC 4180. Throws InputError where columns differ in length, FileError
-/// where the file cannot be written.
+/// A column with labels is called by its quantity alone and holds them instead of its numbers. Every number has the
+/// fewest digits that read back to the same double; a missing value is `nan`. A name that contains a comma or a quote
+/// is quoted as in RFC 4180. Throws InputError where columns differ in length, FileError where the file cannot be
+/// written.
 void write_csv(const Table& table, const std::filesystem::path& path);
 
 /// One row per impact: `where,start [s],duration [s],approach_speed [m/s],largest_indentation [m],largest_force [N],

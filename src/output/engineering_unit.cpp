@@ -1,9 +1,9 @@
 #include "output/engineering_unit.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdio>
+
+#include "base/number_format.hpp"
 
 namespace moat {
 
@@ -39,9 +39,8 @@ int decimals_for(double largest) {
 
 std::string with_decimals(double value, int decimals) {
   if (!std::isfinite(value)) return "-";
-  std::array<char, 352> text;  // the largest double has 309 digits before the point
-  std::snprintf(text.data(), text.size(), "%.*f", decimals, value);
-  return text.data();
+  constexpr double longest = 1e12;
+  return std::abs(value) < longest ? to_fixed(value, decimals) : to_significant(value, 4);
 }
 
 }  // namespace moat

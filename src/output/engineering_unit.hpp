@@ -26,7 +26,7 @@ std::string capitalised(std::string text);
 /// How many decimals show a column whose largest magnitude is `largest` with 4 significant digits: 0 to 6.
 int decimals_for(double largest);
 
-/// `value` with so many decimals; "-" for a value that is not finite.
+/// `value` with so many decimals, 1e12 and above with an exponent; "-" for a value that is not finite.
 std::string with_decimals(double value, int decimals);
 
 }  // namespace moat

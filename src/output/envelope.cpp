@@ -41,7 +41,7 @@ std::vector<char> keep_envelope(const Curve& curve, int width) {
   return keep;
 }
 
-/// Marks what is needed between two kept points; distances in pixels.
+/// Marks the points that are needed between two kept ones; distances in pixels.
 void keep_shape(const Curve& pixels, std::size_t first, std::size_t last, double tolerance, std::vector<char>& keep) {
   std::vector<std::pair<std::size_t, std::size_t>> open{{first, last}};
   while (!open.empty()) {

@@ -1,4 +1,4 @@
-// Thinning a curve for drawing without losing what the eye sees.
+// Thinning a curve for drawing without a visible change.
 #pragma once
 
 #include <vector>

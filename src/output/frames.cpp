@@ -27,6 +27,7 @@
 
 #include "base/check.hpp"
 #include "base/error.hpp"
+#include "output/classic_locale.hpp"
 #include "output/file_io.hpp"
 #include "output/results_folder.hpp"
 
@@ -238,6 +239,7 @@ FrameWriter::FrameWriter(FrameWriter&&) noexcept = default;
 FrameWriter& FrameWriter::operator=(FrameWriter&&) noexcept = default;
 
 void FrameWriter::write(double time, const FrameData& data) {
+  const ClassicLocale classic;
   Files& files = *files_;
   if (!files.collection) throw InputError{"FrameWriter: write() after finish(). Make a new FrameWriter."};
   Check{"FrameWriter", ""}.that(std::isfinite(time) && time > files.last_time, "time", time, "s",

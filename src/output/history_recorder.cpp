@@ -1,36 +1,42 @@
 #include "output/history_recorder.hpp"
 
-#include <array>
+#include <algorithm>
 #include <cmath>
 
 #include "base/check.hpp"
 #include "base/hermite.hpp"
+#include "output/energy_columns.hpp"
+#include "output/gaps_of.hpp"
 
 namespace moat {
-namespace {
-
-struct EnergyColumn {
-  const char* quantity;
-  double EnergyBalance::*value;
-};
-
-constexpr std::array energy_columns{EnergyColumn{"input_energy", &EnergyBalance::input},
-                                    EnergyColumn{"kinetic_energy", &EnergyBalance::kinetic},
-                                    EnergyColumn{"strain_energy", &EnergyBalance::strain},
-                                    EnergyColumn{"viscous_energy", &EnergyBalance::viscous},
-                                    EnergyColumn{"hysteretic_energy", &EnergyBalance::hysteretic},
-                                    EnergyColumn{"impact_energy", &EnergyBalance::impact}};
-
-}  // namespace
-
 HistoryRecorder::HistoryRecorder(const Model& model, double interval, const EnergyLedger* ledger, bool inside_steps)
     : channels_{model}, interval_{interval}, ledger_{ledger}, inside_steps_{inside_steps} {
   Check{"HistoryRecorder", ""}.positive("interval", interval, "s");
   heads_.push_back({"time", "", "s", {}});
   heads_.push_back({"ground_acceleration", "ground", "m/s^2", {}});
   for (const Channel& channel : channels_.list()) heads_.push_back({channel.quantity, channel.where, channel.unit, {}});
+  for (std::size_t b = 0; b < model.blocks().size(); ++b) {
+    if (!has_gaps(*model.blocks()[b])) continue;
+    for (std::size_t e = 0; e < model.blocks()[b]->size(); ++e) {
+      gaps_.push_back({b, e});
+      heads_.push_back({"opening", model.blocks()[b]->info(e).name, "m", {}});
+    }
+  }
   if (ledger_ != nullptr)
-    for (const EnergyColumn& column : energy_columns) heads_.push_back({column.quantity, "structure", "J", {}});
+    for (const EnergyColumn& column : energy_columns)
+      heads_.push_back({std::string{column.name} + "_energy", "structure", "J", {}});
+}
+
+void HistoryRecorder::add(const OfferedQuantities& quantities) {
+  offered_ = &quantities;
+  for (; offered_columns_ < quantities.list().size(); ++offered_columns_) {
+    const OfferedQuantity& each = quantities.list()[offered_columns_];
+    const bool is_new = std::ranges::none_of(
+        heads_, [&](const Column& head) { return head.quantity == each.quantity && head.where == each.where; });
+    Check{"QuantityRecorder", each.quantity}.that(
+        is_new, "moat records a quantity of this name at \"" + each.where + "\" itself.", "Choose another name.");
+    heads_.push_back({each.quantity, each.where, each.unit, {}});
+  }
 }
 
 void HistoryRecorder::start(const StepView& view) {
@@ -49,6 +55,7 @@ void HistoryRecorder::step(const StepView& view) {
   before_.values.swap(now_.values);
   before_.rates.swap(now_.rates);
   before_.energies.swap(now_.energies);
+  before_.offered.swap(now_.offered);
   before_.time = now_.time;
   before_.ground_acceleration = now_.ground_acceleration;
   take(view, due || inside_steps_);
@@ -64,6 +71,12 @@ void HistoryRecorder::take(const StepView& view, bool with_energies) {
   now_.time = view.model.state().time;
   now_.ground_acceleration = view.ground_acceleration;
   channels_.sample(view, now_.values, now_.rates);
+  for (const auto& [b, e] : gaps_) {
+    const ElementBlock& block = *view.model.blocks()[b];
+    now_.values.push_back(-block.deformations()[e]);
+    now_.rates.push_back(-block.rates()[e]);
+  }
+  if (offered_ != nullptr) offered_->sample(view, now_.offered);
   if (ledger_ == nullptr || !with_energies) return;
   const EnergyBalance balance = ledger_->totals(view.model);
   now_.energies.clear();
@@ -85,6 +98,9 @@ const HistoryRecorder::Sample& HistoryRecorder::between(const Model& model, doub
   if (before_.energies.size() == now_.energies.size())
     for (std::size_t i = 0; i < now_.energies.size(); ++i)
       inside_.energies[i] = linear(before_.energies[i], now_.energies[i]);
+  inside_.offered = now_.offered;
+  for (std::size_t i = 0; i < now_.offered.size(); ++i)
+    inside_.offered[i] = linear(before_.offered[i], now_.offered[i]);
   return inside_;
 }
 
@@ -98,6 +114,7 @@ void HistoryRecorder::add_row(const Sample& sample) {
   piece.push_back(sample.ground_acceleration);
   piece.insert(piece.end(), sample.values.begin(), sample.values.end());
   if (ledger_ != nullptr) piece.insert(piece.end(), sample.energies.begin(), sample.energies.end());
+  piece.insert(piece.end(), sample.offered.begin(), sample.offered.end());
 }
 
 Table HistoryRecorder::table() const {

@@ -1,16 +1,21 @@
 // Histories of all channels.
 #pragma once
 
+#include <utility>
+#include <vector>
+
 #include "output/channels.hpp"
 #include "output/energy_ledger.hpp"
+#include "output/offered_quantities.hpp"
 #include "output/table.hpp"
 
 namespace moat {
 
-/// Keeps time, ground acceleration and every channel at the multiples of a constant interval, from the first at or
-/// after the start on. A row that falls inside a step is interpolated: channels by the cubic through value and rate at
-/// both ends (forces of laws that bend by the law itself), energies linearly. With a ledger the energies too, at place
-/// "structure". At an event a row has the values before it.
+/// Keeps time, ground acceleration, every channel and the opening of every gap (negative while indented) at the
+/// multiples of a constant interval, from the first at or after the start on. A row that falls inside a step is
+/// interpolated: channels by the cubic through value and rate at both ends (forces of laws that bend by the law
+/// itself), everything else linearly. With a ledger the energies too, at place "structure", then the quantities that
+/// recorders offer. At an event a row has the values before it.
 class HistoryRecorder final : public StepObserver {
  public:
   /// interval: s, > 0. ledger: must outlive the recorder and be attached before it; may be null. inside_steps: rows may
@@ -20,15 +25,18 @@ class HistoryRecorder final : public StepObserver {
   void start(const StepView& view) override;
   void step(const StepView& view) override;
   void event(const StepView& view, std::span<const RegimeChange> changes) override;
-  void finish(const StepView&) override {}
+
+  /// Before the start: adds columns for these quantities, which must outlive the recorder; called again, for those
+  /// listed since. Throws InputError for one that has a column already.
+  void add(const OfferedQuantities& quantities);
 
   [[nodiscard]] Table table() const;
 
  private:
-  // All there is to know at one instant.
+  // Everything at one instant.
   struct Sample {
     double time = 0.0, ground_acceleration = 0.0;
-    std::vector<double> values, rates, energies;
+    std::vector<double> values, rates, energies, offered;
   };
 
   void take(const StepView& view, bool with_energies);
@@ -37,9 +45,12 @@ class HistoryRecorder final : public StepObserver {
   [[nodiscard]] double next_time() const { return static_cast<double>(next_) * interval_; }
 
   Channels channels_;
+  std::vector<std::pair<std::size_t, std::size_t>> gaps_;  // block and element
   double interval_;
   const EnergyLedger* ledger_;
   bool inside_steps_;
+  const OfferedQuantities* offered_ = nullptr;
+  std::size_t offered_columns_ = 0;
   long next_ = 0;  // multiple of the interval
   Sample before_, now_, inside_;
   std::vector<Column> heads_;  // without values

@@ -11,10 +11,11 @@ struct ImpactColumn {
   const char* name;
   const char* unit;  ///< SI symbol
   double Impact::*value;
+  int least_decimals = 0;  ///< in the report
 };
 
 inline constexpr std::array impact_columns{
-    ImpactColumn{"start", "s", &Impact::start},
+    ImpactColumn{"start", "s", &Impact::start, 4},
     ImpactColumn{"duration", "s", &Impact::duration},
     ImpactColumn{"approach_speed", "m/s", &Impact::approach_speed},
     ImpactColumn{"largest_indentation", "m", &Impact::largest_indentation},

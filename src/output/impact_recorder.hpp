@@ -10,7 +10,7 @@
 namespace moat {
 
 /// Lists every contact from touch until the gap opens, with the true rate of the indentation at touch as approach
-/// speed. What the law alone would have done is filled in at finish().
+/// speed. The restitution of the law alone is filled in at finish().
 ///
 /// The rebound ratio is NaN where there is nothing to compare: for a contact that still lasts at the end, which is
 /// listed with its duration so far; for one without approach, closed when the model starts (time 0) or touched at a

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <string_view>
 
+#include "base/number_format.hpp"
 #include "output/engineering_unit.hpp"
 #include "output/rounded_error.hpp"
 
@@ -49,12 +50,23 @@ std::vector<PeakGroup> group_peaks(const std::vector<Peak>& peaks) {
                             with_decimals(rounded_to(unit.per_si * peak->value, decimals), std::max(decimals, 0)),
                             {},
                             error.text,
-                            with_decimals(peak->time, 3)});
+                            with_decimals(peak->time, 3),
+                            peak->side});
     }
     align_points(group.rows);
     groups.push_back(std::move(group));
   }
   return groups;
+}
+
+PeakGroup clearance_group(const std::vector<GapClearance>& clearances) {
+  std::vector<Peak> peaks;
+  for (const GapClearance& gap : clearances) {
+    const EngineeringUnit unit = engineering_unit("m");
+    peaks.push_back({"clearance_left", gap.where, gap.left, "m", gap.time, gap.error,
+                     "of " + to_significant(unit.per_si * gap.clearance, 4) + " " + unit.symbol});
+  }
+  return peaks.empty() ? PeakGroup{} : group_peaks(peaks).front();
 }
 
 }  // namespace moat

@@ -2,9 +2,14 @@
 
 #include <map>
 
+#include "output/gaps_of.hpp"
+
 namespace moat {
 
-PeakRecorder::PeakRecorder(const Model& model) : model_{&model}, channels_{model}, trackers_(channels_.list().size()) {}
+PeakRecorder::PeakRecorder(const Model& model) : model_{&model}, channels_{model}, trackers_(channels_.list().size()) {
+  for (const auto& block : model.blocks())
+    for (std::size_t e = 0; has_gaps(*block) && e < block->size(); ++e) gaps_.insert(block->info(e).name);
+}
 
 void PeakRecorder::start(const StepView& view) { step(view); }
 
@@ -30,17 +35,23 @@ void PeakRecorder::event(const StepView& view, std::span<const RegimeChange> cha
 
 std::vector<Peak> PeakRecorder::peaks() const {
   std::vector<Peak> peaks;
+  std::vector<std::size_t> channel_of_peak;
   std::map<std::pair<std::string, std::string>, std::size_t> index;
   for (std::size_t i = 0; i < trackers_.size(); ++i) {
     const Channel& channel = channels_.list()[i];
     const auto [found, inserted] = index.try_emplace({channel.quantity, channel.place}, peaks.size());
-    if (inserted) peaks.push_back({channel.quantity, channel.place, 0.0, channel.unit, 0.0});
+    if (inserted) {
+      peaks.push_back({channel.quantity, channel.place, 0.0, channel.unit, 0.0});
+      channel_of_peak.push_back(i);
+    }
     Peak& peak = peaks[found->second];
-    if (trackers_[i].magnitude() > peak.value) {
-      peak.value = trackers_[i].magnitude();
+    if (trackers_[i].magnitude() > peak.magnitude()) {
+      peak.value = trackers_[i].value();
       peak.time = trackers_[i].time();
+      channel_of_peak[found->second] = i;
     }
   }
+  for (std::size_t i = 0; i < peaks.size(); ++i) peaks[i].side = side_of(channel_of_peak[i], peaks[i]);
   for (const Building& building : model_->buildings()) {
     Peak sum{"sum_of_floor_inertia_maxima", building.base_name(), 0.0, "N", 0.0};
     for (const NodeId node : building.nodes()) {
@@ -52,6 +63,14 @@ std::vector<Peak> PeakRecorder::peaks() const {
     peaks.push_back(sum);
   }
   return peaks;
+}
+
+std::string PeakRecorder::side_of(std::size_t channel, const Peak& peak) const {
+  const Channel& of_peak = channels_.list()[channel];
+  if (peak.value == 0.0) return "";
+  if (of_peak.where != of_peak.place) return of_peak.where;
+  if (gaps_.contains(of_peak.where)) return "";
+  return peak.value > 0.0 ? "right" : "left";
 }
 
 }  // namespace moat

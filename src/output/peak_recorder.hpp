@@ -1,6 +1,8 @@
 // Peaks of all channels over continuous time.
 #pragma once
 
+#include <set>
+#include <string>
 #include <vector>
 
 #include "output/case_result.hpp"
@@ -9,7 +11,7 @@
 
 namespace moat {
 
-/// Follows every channel and lists its peak; channels of one quantity and place share one. Adds the
+/// Follows every channel and lists its peak with its sign; channels of one quantity and place share one. Adds the
 /// `sum_of_floor_inertia_maxima` of every building: the sum of mass times peak absolute acceleration.
 class PeakRecorder final : public StepObserver {
  public:
@@ -18,13 +20,15 @@ class PeakRecorder final : public StepObserver {
   void start(const StepView& view) override;
   void step(const StepView& view) override;
   void event(const StepView& view, std::span<const RegimeChange> changes) override;
-  void finish(const StepView&) override {}
 
   [[nodiscard]] std::vector<Peak> peaks() const;
 
  private:
+  [[nodiscard]] std::string side_of(std::size_t channel, const Peak& peak) const;
+
   const Model* model_;
   Channels channels_;
+  std::set<std::string> gaps_;         // names
   std::vector<PeakTracker> trackers_;  // one for each channel
   std::vector<double> values_, rates_;
 };

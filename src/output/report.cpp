@@ -6,10 +6,13 @@
 #include <string_view>
 
 #include "output/chart.hpp"
+#include "output/energy_columns.hpp"
 #include "output/engineering_unit.hpp"
 #include "output/file_io.hpp"
 #include "output/impact_columns.hpp"
 #include "output/peak_groups.hpp"
+#include "output/report_html.hpp"
+#include "output/report_input.hpp"
 #include "output/result_charts.hpp"
 #include "output/results_folder.hpp"
 
@@ -26,6 +29,8 @@ th, td { padding: .2em .9em; text-align: left; border-bottom: 1px solid #e4e4e4;
 th { background: #f3f5f7; }
 tr.group th { background: none; padding-top: .9em; border-bottom: 1px solid #888; }
 td:first-child { white-space: nowrap; }
+td.text { overflow-wrap: anywhere; }
+summary { cursor: pointer; }
 td.number, th.number { text-align: right; font-variant-numeric: tabular-nums; }
 td.error { padding-left: 0; white-space: nowrap; font-variant-numeric: tabular-nums; }
 tr.group th:nth-child(3):empty { padding: 0; }
@@ -35,50 +40,14 @@ tr.unsettled td { background: #fdf0e0; }
 svg { max-width: 100%; height: auto; display: block; }
 )";
 
-std::string escaped(std::string_view text) {
-  std::string html;
-  for (const char c : text) {
-    switch (c) {
-      case '&':
-        html += "&amp;";
-        break;
-      case '<':
-        html += "&lt;";
-        break;
-      case '>':
-        html += "&gt;";
-        break;
-      case '"':
-        html += "&quot;";
-        break;
-      default:
-        html += c;
-    }
-  }
-  return html;
-}
+using html::escaped;
+using html::number_row;
+using html::number_with_unit;
 
-std::string row(std::string_view name, std::string_view value) {
-  return "<tr><td>" + escaped(name) + "</td><td class=\"number\">" + escaped(value) + "</td></tr>\n";
-}
-
-std::string number_with_unit(double value_in_si, std::string_view si_symbol) {
-  const EngineeringUnit unit = engineering_unit(si_symbol);
-  const double value = unit.per_si * value_in_si;
-  return with_decimals(value, decimals_for(std::abs(value))) + " " + with_raised_digits(unit.symbol);
-}
-
-std::string motion_section(const CaseResult& result) {
-  std::string html = "<h2>Ground motion</h2>\n<table>\n";
-  html += row("Name", result.motion.name);
-  html += row("Peak acceleration", number_with_unit(result.motion.peak_acceleration, "m/s^2"));
-  html += row("Peak velocity", number_with_unit(result.motion.peak_velocity, "m/s"));
-  html += row("Time step", number_with_unit(result.motion.time_step, "s"));
-  html += row("Duration", number_with_unit(result.motion.duration, "s"));
-  html += "</table>\n";
-  if (result.periods.empty()) return html;
-  html += "<h2>Periods</h2>\n<table>\n";
-  for (const NamedPeriod& period : result.periods) html += row(period.name, number_with_unit(period.value, "s"));
+std::string period_section(const CaseResult& result) {
+  if (result.periods.empty()) return "";
+  std::string html = "<h2>Periods</h2>\n<table>\n";
+  for (const NamedPeriod& period : result.periods) html += number_row(period.name, number_with_unit(period.value, "s"));
   return html + "</table>\n";
 }
 
@@ -101,25 +70,38 @@ std::string error_bar_note(const CaseResult& result) {
   return html;
 }
 
-std::string peak_section(const CaseResult& result) {
-  std::string html = "<h2>Peaks</h2>\n" + error_bar_note(result) + "<table>\n";
-  const bool with_errors = result.error_bars.checked;
-  for (const PeakGroup& group : group_peaks(result.peaks)) {
-    html += "<tr class=\"group\"><th>" + escaped(capitalised(group.quantity)) + "</th><th class=\"number\">" +
-            escaped(with_raised_digits(group.unit)) + "</th>";
-    if (with_errors) html += "<th></th>";
-    html += "<th class=\"number\">at s</th></tr>\n";
-    for (const PeakRow& peak : group.rows) {
-      const bool unsettled = std::ranges::any_of(result.error_bars.unsettled, [&](const Peak& each) {
-        return in_words(each.quantity) == group.quantity && each.where == peak.where;
-      });
-      html += std::string{unsettled ? "<tr class=\"unsettled\">" : "<tr>"} + "<td>" + escaped(peak.where) +
-              "</td><td class=\"number\">" + peak_value(peak) + "</td>";
-      if (with_errors) html += "<td class=\"error\">" + (peak.error.empty() ? "" : "&plusmn; " + peak.error) + "</td>";
-      html += "<td class=\"number\">" + peak.time + "</td></tr>\n";
-    }
+// A table of peaks or clearances; `last` heads the column behind the times.
+std::string group_rows(const PeakGroup& group, bool with_errors, std::string_view last, const ErrorBars& bars) {
+  std::string html = "<tr class=\"group\"><th>" + escaped(capitalised(group.quantity)) + "</th><th class=\"number\">" +
+                     escaped(with_raised_digits(group.unit)) + "</th>";
+  if (with_errors) html += "<th></th>";
+  html += "<th class=\"number\">at s</th><th>" + std::string{last} + "</th></tr>\n";
+  for (const PeakRow& peak : group.rows) {
+    const bool unsettled = std::ranges::any_of(bars.unsettled, [&](const Peak& each) {
+      return in_words(each.quantity) == group.quantity && each.where == peak.where;
+    });
+    html += std::string{unsettled ? "<tr class=\"unsettled\">" : "<tr>"} + "<td>" + escaped(peak.where) +
+            "</td><td class=\"number\">" + peak_value(peak) + "</td>";
+    if (with_errors) html += "<td class=\"error\">" + (peak.error.empty() ? "" : "&plusmn; " + peak.error) + "</td>";
+    html += "<td class=\"number\">" + peak.time + "</td><td>" + escaped(peak.side) + "</td></tr>\n";
   }
+  return html;
+}
+
+std::string peak_section(const CaseResult& result) {
+  std::string html =
+      "<h2>Peaks</h2>\n" + error_bar_note(result) +
+      "<p>Positive to the right; forces and deformations of gaps are positive in compression.</p>\n<table>\n";
+  for (const PeakGroup& group : group_peaks(result.peaks))
+    html += group_rows(group, result.error_bars.checked, "side", result.error_bars);
   return html + "</table>\n";
+}
+
+std::string clearance_section(const CaseResult& result) {
+  if (result.clearances.empty()) return "";
+  return "<h2>Clearances</h2>\n<p>The smallest opening of every gap. Negative: the two sides indented each other by so "
+         "much.</p>\n<table>\n" +
+         group_rows(clearance_group(result.clearances), result.error_bars.checked, "at rest", {}) + "</table>\n";
 }
 
 std::string impact_section(const CaseResult& result) {
@@ -135,7 +117,7 @@ std::string impact_section(const CaseResult& result) {
     double largest = 0.0;
     for (const Impact& impact : result.impacts)
       largest = std::max(largest, std::abs(unit.per_si * (impact.*column.value)));
-    decimals.push_back(decimals_for(largest));
+    decimals.push_back(std::max(decimals_for(largest), column.least_decimals));
   }
   html += "</tr>\n";
   for (const Impact& impact : result.impacts) {
@@ -147,24 +129,27 @@ std::string impact_section(const CaseResult& result) {
               "</td>";
     html += "</tr>\n";
   }
-  return html + "</table>\n";
+  return html +
+         "</table>\n<p>Rebound ratio: speed of separation over speed of approach as it happened, with the building "
+         "pushing; "
+         "it may exceed 1. Restitution: the same ratio of the law alone, in free flight.</p>\n";
 }
 
 std::string energy_section(const CaseResult& result) {
+  static const std::vector<DissipatedEnergy> no_parts;
   const EnergyBalance& energy = result.energy;
   const auto kilojoule = [](double joule) { return number_with_unit(joule, "J"); };
   std::string html = "<h2>Energy</h2>\n<table>\n";
-  html += row("Input by the ground", kilojoule(energy.input));
-  html += row("Kinetic, at the end", kilojoule(energy.kinetic));
-  html += row("Strain, at the end", kilojoule(energy.strain));
-  html += row("Dissipated by viscous damping", kilojoule(energy.viscous));
-  for (const DissipatedEnergy& group : energy.bearings)
-    html += row("Dissipated by hysteresis, " + group.where, kilojoule(group.value));
-  for (const DissipatedEnergy& gap : energy.gaps) html += row("Lost in impacts, " + gap.where, kilojoule(gap.value));
-  html += row("Residual of the equations", kilojoule(energy.equation_residual));
-  html += row("Error of the integration", kilojoule(energy.integration_error));
+  for (const EnergyColumn& column : energy_columns) {
+    html += number_row(column.words, kilojoule(energy.*column.value));
+    const bool by_bearing = column.value == &EnergyBalance::hysteretic, by_gap = column.value == &EnergyBalance::impact;
+    for (const DissipatedEnergy& part : by_bearing ? energy.bearings : by_gap ? energy.gaps : no_parts)
+      html += number_row("of this, " + part.where, kilojoule(part.value));
+  }
+  for (const EnergyColumn& column : energy_errors) html += number_row(column.words, kilojoule(energy.*column.value));
   if (!energy.worst_element.empty())
-    html += row("of this, largest at " + energy.worst_element, kilojoule(energy.worst_element_error));
+    html += number_row("Error of the integration, largest at " + energy.worst_element,
+                       kilojoule(energy.worst_element_error));
   return html + "</table>\n";
 }
 
@@ -178,14 +163,14 @@ std::string warning_section(const CaseResult& result) {
 std::string solver_section(const CaseResult& result) {
   const SolverStatistics& solver = result.solver;
   std::string html = "<h2>Solver</h2>\n<table>\n";
-  html += row("Accepted steps", std::to_string(solver.accepted_steps));
-  html += row("Rejected steps", std::to_string(solver.rejected_steps));
-  html += row("Steps repeated shorter", std::to_string(solver.repeated_steps));
-  html += row("Events", std::to_string(solver.events));
-  html += row("Solves to land on an event", std::to_string(solver.event_solves));
-  html += row("Newton iterations", std::to_string(solver.newton_iterations));
-  html += row("Factorisations", std::to_string(solver.factorisations));
-  html += row("Processor time", number_with_unit(solver.cpu_seconds, "s"));
+  html += number_row("Accepted steps", std::to_string(solver.accepted_steps));
+  html += number_row("Rejected steps", std::to_string(solver.rejected_steps));
+  html += number_row("Steps repeated shorter", std::to_string(solver.repeated_steps));
+  html += number_row("Events", std::to_string(solver.events));
+  html += number_row("Solves to land on an event", std::to_string(solver.event_solves));
+  html += number_row("Newton iterations", std::to_string(solver.newton_iterations));
+  html += number_row("Factorisations", std::to_string(solver.factorisations));
+  html += number_row("Processor time", number_with_unit(solver.cpu_seconds, "s"));
   html += "</table>\n<h2>Assumptions</h2>\n<ul>\n";
   for (const std::string& assumption : result.assumptions) html += "<li>" + escaped(assumption) + "</li>\n";
   return html + "</ul>\n";
@@ -202,18 +187,22 @@ std::string chart_section(const CaseResult& result) {
 }  // namespace
 
 void write_report_html(const CaseResult& result, const std::filesystem::path& folder) {
-  std::string html = "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<title>" +
+  std::string page = "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<title>" +
                      escaped(result.title) + "</title>\n<style>" + std::string{style} + "</style>\n</head>\n<body>\n";
-  html += "<h1>" + escaped(result.title) + "</h1>\n";
-  html += warning_section(result);
-  html += motion_section(result);
-  html += peak_section(result);
-  html += impact_section(result);
-  html += chart_section(result);
-  html += energy_section(result);
-  html += solver_section(result);
-  html += "</body>\n</html>\n";
-  write_file(folder / results_file::report, html);
+  page += "<h1>" + escaped(result.title) + "</h1>\n";
+  page += warning_section(result);
+  page += html::motion_section(result.motion);
+  page += period_section(result);
+  page += peak_section(result);
+  page += clearance_section(result);
+  page += impact_section(result);
+  page += chart_section(result);
+  page += energy_section(result);
+  page += html::model_section(result.model);
+  page += html::provenance_section(result.provenance);
+  page += solver_section(result);
+  page += "</body>\n</html>\n";
+  write_file(folder / results_file::report, page);
 }
 
 }  // namespace moat

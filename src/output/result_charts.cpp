@@ -1,6 +1,7 @@
 #include "output/result_charts.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -73,6 +74,19 @@ std::vector<Chart> history_charts(const CaseResult& result) {
   for (const auto& columns : {bases_and_tops(result, "displacement"), bases_and_tops(result, "absolute_acceleration"),
                               columns_of(table, "impact_force")})
     if (!columns.empty()) charts.push_back(history_chart(*times.front(), columns));
+  for (std::size_t i = 0; i < result.offered.size(); ++i) {
+    const std::string& quantity = result.offered[i].quantity;
+    const auto same = [&](const OfferedQuantity& each) { return each.quantity == quantity; };
+    if (std::find_if(result.offered.begin(), result.offered.end(), same) - result.offered.begin() !=
+        static_cast<std::ptrdiff_t>(i))
+      continue;  // in the chart of the first one
+    std::vector<const Column*> columns = columns_of(table, quantity);
+    // A curve with a value that is not finite cannot be drawn.
+    std::erase_if(columns, [](const Column* column) {
+      return !std::ranges::all_of(column->values, [](double value) { return std::isfinite(value); });
+    });
+    if (!columns.empty()) charts.push_back(history_chart(*times.front(), columns));
+  }
   return charts;
 }
 

@@ -10,8 +10,8 @@
 namespace moat {
 
 /// Displacement and absolute acceleration of base and top of up to three buildings, and all impact forces, over time:
-/// those of them whose columns `result.histories` holds. The last node where the model has no building. Throws
-/// InputError where columns differ in length.
+/// those of them whose columns `result.histories` holds. The last node where the model has no building. Then a chart
+/// for every quantity that recorders offered. Throws InputError where columns differ in length.
 std::vector<Chart> history_charts(const CaseResult& result);
 
 /// The isolator force of the first isolated building over the displacement of its base; none where a column is

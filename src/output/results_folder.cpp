@@ -1,7 +1,12 @@
 #include "output/results_folder.hpp"
 
+#include <fcntl.h>
+#include <sys/file.h>
+#include <unistd.h>
+
 #include <algorithm>
-#include <array>
+#include <cerrno>
+#include <cstring>
 #include <fstream>
 #include <iterator>
 #include <string>
@@ -16,10 +21,6 @@ namespace moat {
 namespace {
 
 namespace fs = std::filesystem;
-
-constexpr std::array files_at_top{results_file::summary, results_file::histories_csv, results_file::histories_vtt,
-                                  results_file::impacts, results_file::charts,        results_file::report,
-                                  results_file::frames};
 
 bool is_frame_name(const std::string& name) {
   const std::string front = "frame_";
@@ -67,7 +68,7 @@ bool is_summary_of_moat(const fs::path& path) {
   return text.find("\"moat_version\"") != std::string::npos;
 }
 
-/// Throws InputError if files have the names of results and moat may not have written them. Frames tell nothing: they
+/// Throws InputError if files have the names of results and moat may not have written them. Frames do not count: they
 /// are written during a run, the summary at its end.
 void require_results_of_moat(const fs::path& folder) {
   const auto is_file = [&](const char* name) {
@@ -75,7 +76,7 @@ void require_results_of_moat(const fs::path& folder) {
     return std::string_view{name} != results_file::frames &&
            fs::is_regular_file(fs::symlink_status(folder / name, error));
   };
-  if (std::ranges::none_of(files_at_top, is_file)) return;
+  if (std::ranges::none_of(results_file::all_at_top, is_file)) return;
   if (is_file(results_file::summary) && is_summary_of_moat(folder / results_file::summary)) return;
   throw InputError{"results folder " + folder.string() +
                    " has files with the names of results, but no summary.json of moat beside them: they may not be "
@@ -120,32 +121,76 @@ void remove_results(const fs::path& folder, const fs::path& inside = {}) {
 bool is_results_file(const fs::path& relative_path) {
   if (relative_path.parent_path() == results_file::frames_folder)
     return is_frame_name(relative_path.filename().string());
-  return std::any_of(files_at_top.begin(), files_at_top.end(),
+  return std::any_of(results_file::all_at_top.begin(), results_file::all_at_top.end(),
                      [&relative_path](const char* name) { return relative_path == name; });
 }
 
-fs::path make_results_folder(fs::path wanted, WhenFolderExists when_exists) {
-  wanted = with_name(std::move(wanted));
-  if (create(wanted) || holds_nothing(wanted)) return wanted;
-  switch (when_exists) {
-    case WhenFolderExists::overwrite:
-      require_results_of_moat(wanted);
-      remove_results(wanted);
-      return wanted;
-    case WhenFolderExists::refuse:
-      throw InputError{"results folder " + wanted.string() +
-                       " exists and is not empty. Choose another folder, remove this one, or allow overwriting or a "
-                       "new number."};
-    case WhenFolderExists::use_new_number:
-      break;
+ResultsFolder::ResultsFolder(const fs::path& wanted, WhenFolderExists when_exists) : final_{with_name(wanted)} {
+  if (create(final_) || holds_nothing(final_)) return;
+  if (when_exists == WhenFolderExists::overwrite) {
+    require_results_of_moat(final_);
+    make_folder_beside();
+    return;
   }
+  if (when_exists == WhenFolderExists::refuse)
+    throw InputError{"results folder " + final_.string() +
+                     " exists and is not empty. Choose another folder, remove this one, or allow overwriting or a "
+                     "new number."};
   for (int number = 2;; ++number) {
-    fs::path numbered = wanted;
-    numbered += "_";
-    numbered += std::to_string(number);
+    fs::path numbered = final_;
+    numbered += "_" + std::to_string(number);
     std::error_code error;
-    if (!fs::exists(fs::symlink_status(numbered, error)) && create(numbered)) return numbered;
+    if (fs::exists(fs::symlink_status(numbered, error)) || !create(numbered)) continue;
+    final_ = numbered;
+    return;
   }
+}
+
+void ResultsFolder::make_folder_beside() {
+  for (int number = 1;; ++number) {
+    fs::path beside = final_;
+    beside += number == 1 ? ".new" : ".new_" + std::to_string(number);
+    const bool is_new = create(beside);
+    lock_ = open(beside.c_str(), O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC);
+    if (lock_ < 0) fail(beside, "cannot be opened", std::strerror(errno));
+    // The kernel gives up the lock of a program that was killed; its folder is taken over.
+    if (flock(lock_, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK) {
+      if (!is_new) remove_results(beside);
+      beside_ = beside;
+      return;
+    }
+    close(std::exchange(lock_, -1));
+  }
+}
+
+void ResultsFolder::finish() {
+  if (!beside_) return;
+  const fs::path from = *beside_;
+  // First the old results go, with the summary by which the folder is known; the new summary comes last.
+  remove_results(final_);
+  std::vector<fs::path> names;
+  for (const fs::path& path : entries(from))
+    if (path.filename() != results_file::frames_folder && path.filename() != results_file::summary)
+      names.push_back(path.filename());
+  std::error_code error;
+  if (fs::exists(from / results_file::frames_folder, error)) {
+    create(final_ / results_file::frames_folder);
+    for (const fs::path& path : entries(from / results_file::frames_folder))
+      names.push_back(fs::path{results_file::frames_folder} / path.filename());
+  }
+  if (fs::exists(from / results_file::summary, error)) names.emplace_back(results_file::summary);
+  for (const fs::path& name : names) {
+    fs::rename(from / name, final_ / name, error);
+    if (error) fail(final_ / name, "cannot be put in its place", error.message());
+  }
+  fs::remove(from / results_file::frames_folder, error);
+  fs::remove(from, error);
+  close(std::exchange(lock_, -1));
+  beside_.reset();
+}
+
+ResultsFolder::~ResultsFolder() {
+  if (lock_ >= 0) close(lock_);
 }
 
 }  // namespace moat

@@ -1,12 +1,13 @@
 // The folder a run writes into, and the names of the files in it.
 #pragma once
 
+#include <array>
 #include <filesystem>
+#include <optional>
 
 namespace moat {
 
-/// What moat writes into a results folder. Overwriting deletes these and nothing else, so a new kind of file belongs
-/// in this list.
+/// The files that moat writes into a results folder.
 namespace results_file {
 inline constexpr const char* summary = "summary.json";
 inline constexpr const char* histories_csv = "histories.csv";
@@ -17,21 +18,51 @@ inline constexpr const char* charts = "charts.svg";
 inline constexpr const char* frames = "frames.pvd";
 /// Sub-folder of the frames frame_000000.vtu, frame_000001.vtu ...
 inline constexpr const char* frames_folder = "frames";
+/// Overwriting replaces these and the frames, and nothing else.
+inline constexpr std::array all_at_top{summary, histories_csv, histories_vtt, impacts, report, charts, frames};
 }  // namespace results_file
 
-/// What to do when the wanted folder already holds something.
+/// How a folder is treated that already holds something.
 enum class WhenFolderExists {
   use_new_number,  ///< write to the next free of results_2, results_3 ...
-  /// Delete the files moat itself wrote there, and links that have their names; everything else stays. Throws
+  /// Replace the files moat itself wrote there, and links that have their names; everything else stays. Throws
   /// InputError where files have the names of results and there is no summary.json of moat.
   overwrite,
   refuse  ///< throw InputError
 };
 
-/// Creates the folder (and those above it) and returns where to write. A folder that exists but is empty is taken as
-/// it is; one given as . or .. has its own name. Throws InputError for an empty path, the root and for `refuse`,
-/// FileError where a folder cannot be created or emptied (among others because a file of that name exists).
-std::filesystem::path make_results_folder(std::filesystem::path wanted, WhenFolderExists when_exists);
+/// The folder of one run. Results that are to be overwritten stay until the new ones are complete: these are written to
+/// the folder "<name>.new" beside, and finish() exchanges them. A run that is stopped before leaves the old results as
+/// they were.
+///
+///     ResultsFolder folder{"results/tower", WhenFolderExists::overwrite};
+///     write_results(result, folder.path());
+///     folder.finish();
+class ResultsFolder {
+ public:
+  /// Creates the folder and those above it. A folder that exists but is empty is taken as it is; one given as . or ..
+  /// has its own name. Throws InputError for an empty path, the root and for `refuse`, FileError where a folder cannot
+  /// be created (among others because a file of that name exists).
+  ResultsFolder(const std::filesystem::path& wanted, WhenFolderExists when_exists);
+  ~ResultsFolder();
+  ResultsFolder(const ResultsFolder&) = delete;
+  ResultsFolder& operator=(const ResultsFolder&) = delete;
+
+  /// Where to write until finish().
+  [[nodiscard]] const std::filesystem::path& path() const { return beside_ ? *beside_ : final_; }
+  /// Where the results are after finish().
+  [[nodiscard]] const std::filesystem::path& final_path() const { return final_; }
+
+  /// Puts all files in their place; calling it again does nothing. Throws FileError where a file cannot be moved.
+  void finish();
+
+ private:
+  void make_folder_beside();
+
+  std::filesystem::path final_;
+  std::optional<std::filesystem::path> beside_;  // while there are old results
+  int lock_ = -1;                                // held on the folder beside, so that no other run takes it
+};
 
 /// Whether a file was, by its name relative to a results folder, written by moat.
 bool is_results_file(const std::filesystem::path& relative_path);

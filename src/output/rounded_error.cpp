@@ -1,9 +1,9 @@
 #include "output/rounded_error.hpp"
 
 #include <cmath>
-#include <cstdio>
 #include <limits>
 
+#include "base/number_format.hpp"
 #include "output/engineering_unit.hpp"
 
 namespace moat {
@@ -25,9 +25,7 @@ RoundedError rounded_error(double error) {
   }
   const double rounded = digits * std::pow(10.0, -decimals);
   if (decimals <= most_decimals_as_number) return {with_decimals(rounded, decimals < 0 ? 0 : decimals), decimals};
-  char text[32];
-  std::snprintf(text, sizeof text, "%.2g", rounded);
-  return {text, decimals};
+  return {to_significant(rounded, 2), decimals};
 }
 
 double rounded_to(double value, int decimals) {

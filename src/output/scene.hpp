@@ -1,4 +1,4 @@
-// What ParaView draws of a model: points that move with nodes, and cells between them.
+// A model as ParaView draws it: points that move with nodes, and cells between them.
 #pragma once
 
 #include <string>

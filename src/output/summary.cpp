@@ -1,25 +1,73 @@
 #include "output/summary.hpp"
 
-#include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "output/energy_columns.hpp"
 #include "output/file_io.hpp"
 #include "output/impact_columns.hpp"
-#include "output/peak_groups.hpp"
 
 namespace moat {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
-std::size_t letters(const std::string& text) {
-  // Continuation bytes of UTF-8 take no room on the screen.
-  return static_cast<std::size_t>(
-      std::count_if(text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }));
+Json text_or_null(const std::string& text) { return text.empty() ? Json{} : Json(text); }
+
+Json json_of(const Provenance& provenance) {
+  Json options = Json::object();
+  for (const auto& [name, value] : provenance.options) options[name] = value;
+  return {{"command_line", text_or_null(provenance.command_line)},
+          {"script", text_or_null(provenance.script)},
+          {"script_sha256", text_or_null(provenance.script_sha256)},
+          {"options", std::move(options)},
+          {"moat_version", provenance.moat_version},
+          {"git_commit", text_or_null(provenance.git_commit)},
+          {"date", text_or_null(provenance.date)}};
 }
 
-std::string padding(std::size_t width, const std::string& text) {
-  return std::string(width - std::min(width, letters(text)), ' ');
+Json json_of(const MotionFacts& motion) {
+  return {{"name", motion.name},
+          {"peak_acceleration", motion.peak_acceleration},
+          {"peak_velocity", motion.peak_velocity},
+          {"time_step", motion.time_step},
+          {"duration", motion.duration},
+          {"file", text_or_null(motion.file)},
+          {"sha256", text_or_null(motion.sha256)},
+          {"scale_factor", motion.scale_factor},
+          {"notes", motion.notes}};
+}
+
+Json json_of(const ModelFacts& model) {
+  Json json{{"nodes", Json::array()}, {"elements", Json::array()}};
+  for (const NodeFacts& node : model.nodes)
+    json["nodes"].push_back(Json{{"name", node.name}, {"mass", node.mass}, {"x", node.x}, {"height", node.height}});
+  for (const ElementFacts& element : model.elements) {
+    Json parameters = Json::object();
+    for (const ParameterFacts& parameter : element.parameters)
+      parameters[parameter.name] = {{"value", parameter.value}, {"unit", parameter.unit}};
+    json["elements"].push_back(Json{{"name", element.name},
+                                    {"law", text_or_null(element.law)},
+                                    {"first", element.first},
+                                    {"second", element.second},
+                                    {"parameters", std::move(parameters)}});
+  }
+  return json;
+}
+
+Json json_of(const EnergyBalance& energy) {
+  const auto by_place = [](const std::vector<DissipatedEnergy>& list) {
+    Json entries = Json::array();
+    for (const DissipatedEnergy& entry : list) entries.push_back(Json{{"where", entry.where}, {"value", entry.value}});
+    return entries;
+  };
+  Json json{{"unit", "J"}};
+  for (const EnergyColumn& column : energy_columns) json[column.name] = energy.*column.value;
+  for (const EnergyColumn& column : energy_errors) json[column.name] = energy.*column.value;
+  json["worst_element"] = energy.worst_element;
+  json["worst_element_error"] = energy.worst_element_error;
+  json["bearings"] = by_place(energy.bearings);
+  json["gaps"] = by_place(energy.gaps);
+  return json;
 }
 
 Json json_of(const SolverStatistics& solver) {
@@ -54,12 +102,10 @@ Json json_of(const ErrorBars& bars) {
 void write_summary_json(const CaseResult& result, const std::filesystem::path& path) {
   Json json;
   json["title"] = result.title;
-  json["moat_version"] = MOAT_VERSION;
-  json["motion"] = {{"name", result.motion.name},
-                    {"peak_acceleration", result.motion.peak_acceleration},
-                    {"peak_velocity", result.motion.peak_velocity},
-                    {"time_step", result.motion.time_step},
-                    {"duration", result.motion.duration}};
+  json["moat_version"] = result.provenance.moat_version;
+  json["provenance"] = json_of(result.provenance);
+  json["motion"] = json_of(result.motion);
+  json["model"] = json_of(result.model);
   json["periods"] = Json::array();
   for (const NamedPeriod& period : result.periods)
     json["periods"].push_back(Json{{"name", period.name}, {"value", period.value}});
@@ -71,7 +117,15 @@ void write_summary_json(const CaseResult& result, const std::filesystem::path& p
                                  {"value", peak.value},
                                  {"unit", peak.unit},
                                  {"time", peak.time},
-                                 {"error", peak.error}});
+                                 {"error", peak.error},
+                                 {"side", peak.side}});
+  json["clearances"] = Json::array();
+  for (const GapClearance& gap : result.clearances)
+    json["clearances"].push_back(Json{{"where", gap.where},
+                                      {"clearance", gap.clearance},
+                                      {"clearance_left", gap.left},
+                                      {"time", gap.time},
+                                      {"error", gap.error}});
   json["error_bars"] = json_of(result.error_bars);
   json["impacts"] = result.impacts.size();
   json["impact_table"] = Json::array();
@@ -80,57 +134,11 @@ void write_summary_json(const CaseResult& result, const std::filesystem::path& p
     for (const ImpactColumn& column : impact_columns) row[column.name] = impact.*column.value;
     json["impact_table"].push_back(std::move(row));
   }
-  const EnergyBalance& energy = result.energy;
-  const auto by_place = [](const std::vector<DissipatedEnergy>& list) {
-    Json entries = Json::array();
-    for (const DissipatedEnergy& entry : list) entries.push_back(Json{{"where", entry.where}, {"value", entry.value}});
-    return entries;
-  };
-  json["energy"] = {{"unit", "J"},
-                    {"input", energy.input},
-                    {"kinetic", energy.kinetic},
-                    {"strain", energy.strain},
-                    {"viscous", energy.viscous},
-                    {"hysteretic", energy.hysteretic},
-                    {"impact", energy.impact},
-                    {"equation_residual", energy.equation_residual},
-                    {"integration_error", energy.integration_error},
-                    {"largest_input", energy.largest_input},
-                    {"largest_kinetic", energy.largest_kinetic},
-                    {"worst_element", energy.worst_element},
-                    {"worst_element_error", energy.worst_element_error},
-                    {"bearings", by_place(energy.bearings)},
-                    {"gaps", by_place(energy.gaps)}};
+  json["energy"] = json_of(result.energy);
   json["warnings"] = result.warnings;
   json["solver"] = json_of(result.solver);
   // A title in another encoding must not cost the results of a run.
   write_file(path, json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
-}
-
-std::string peak_table(const CaseResult& result) {
-  const std::vector<PeakGroup> groups = group_peaks(result.peaks);
-  std::size_t where_width = 0, value_width = 0, error_width = 0, time_width = 0;
-  for (const PeakGroup& group : groups) {
-    for (const PeakRow& row : group.rows) {
-      where_width = std::max(where_width, letters(row.where));
-      value_width = std::max(value_width, row.value.size() + row.missing.size());
-      error_width = std::max(error_width, row.error.size());
-      time_width = std::max(time_width, row.time.size());
-    }
-  }
-  const auto error_column = [&](const PeakRow& row) {
-    if (error_width == 0) return std::string{};
-    return (row.error.empty() ? "    " : " +- ") + row.error + padding(error_width, row.error);
-  };
-  std::string text;
-  for (const PeakGroup& group : groups) {
-    text += "peak " + group.quantity + " [" + group.unit + "]\n";
-    for (const PeakRow& row : group.rows)
-      text += "  " + row.where + padding(where_width + 2, row.where) + padding(value_width, row.value + row.missing) +
-              row.value + std::string(row.missing.size(), ' ') + error_column(row) + "   at " +
-              padding(time_width, row.time) + row.time + " s\n";
-  }
-  return text;
 }
 
 }  // namespace moat

@@ -1,20 +1,27 @@
-// The result of a run in short: for programs (JSON) and for the terminal.
+// The result of a run for programs.
 #pragma once
 
 #include <filesystem>
-#include <string>
 
 #include "output/case_result.hpp"
 
 namespace moat {
 
-/// Writes summary.json, all numbers in SI units, a value that is not finite as null:
+/// Writes summary.json, all numbers in SI units, a value that is not finite and a text that is not known as null:
 ///
 ///     { "title", "moat_version",
-///       "motion": { "name", "peak_acceleration", "peak_velocity", "time_step", "duration" },
+///       "provenance": { "command_line", "script", "script_sha256", "options": { name: value as text }, "moat_version",
+///                       "git_commit", "date" },
+///       "motion": { "name", "peak_acceleration", "peak_velocity", "time_step", "duration",
+///                   "file", "sha256", "scale_factor", "notes": [ ... ] },
+///       "model": { "nodes": [ { "name", "mass", "x", "height" } ],
+///                  "elements": [ { "name", "law", "first", "second",
+///                                  "parameters": { name: { "value", "unit" } } } ] },
 ///       "periods": [ { "name", "value" } ], "assumptions": [ ... ],
-///       "peaks": [ { "quantity", "where", "value", "unit", "time", "error": estimated, same unit, null if not known }
-///       ], "error_bars": { "checked", "method", "companion", "companion_impacts",
+///       "peaks": [ { "quantity", "where", "value": with its sign, "unit", "time", "error": estimated, same unit, null
+///                    if not known, "side" } ],
+///       "clearances": [ { "where", "clearance", "clearance_left": negative while indented, "time", "error" } ],
+///       "error_bars": { "checked", "method", "companion", "companion_impacts",
 ///                       "companion_solver": { the fields of SolverStatistics }, "sensitive", "reason",
 ///                       "unsettled": [ { "quantity", "where" } ] }, three of them null if not checked,
 ///       "impacts": number of impacts,
@@ -25,9 +32,5 @@ namespace moat {
 ///
 /// Throws FileError where the file cannot be written.
 void write_summary_json(const CaseResult& result, const std::filesystem::path& path);
-
-/// The peaks as a table of text, grouped by quantity in engineering units, each with its unit, its error where that is
-/// known ("53.28 +- 0.02") and the time it was reached. Empty without peaks.
-std::string peak_table(const CaseResult& result);
 
 }  // namespace moat

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace moat {
@@ -12,6 +13,8 @@ struct Column {
   std::string where;     ///< "base", "storey 1", ...; empty for time
   std::string unit;      ///< SI symbol
   std::vector<double> values;
+  /// Names of the values, for example of records; empty, or one for each value. CSV files hold them instead of numbers.
+  std::vector<std::string> labels{};
 };
 
 /// Columns of equal length.
@@ -19,6 +22,8 @@ struct Table {
   std::vector<Column> columns;
 
   [[nodiscard]] std::size_t rows() const { return columns.empty() ? 0 : columns.front().values.size(); }
+  /// The values of one column. Throws InputError for an unknown one, with the places that the quantity has.
+  [[nodiscard]] const std::vector<double>& values(std::string_view quantity, std::string_view where = "") const;
 };
 
 }  // namespace moat

@@ -10,12 +10,14 @@
 #include <string>
 
 #include "base/error.hpp"
+#include "output/classic_locale.hpp"
 #include "output/file_io.hpp"
 #include "output/table_columns.hpp"
 
 namespace moat {
 
 void write_vtt(const Table& table, const std::filesystem::path& path) {
+  const ClassicLocale classic;
   require_equal_lengths(table);
   vtkNew<vtkTable> vtk_table;
   std::set<std::string> names;

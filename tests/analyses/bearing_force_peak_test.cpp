@@ -45,7 +45,7 @@ CaseResult run(const Bearing& bearing, double period, const TransientOptions& op
 
 double peak(const CaseResult& result, const std::string& quantity) {
   for (const Peak& each : result.peaks)
-    if (each.quantity == quantity) return each.value;
+    if (each.quantity == quantity) return each.magnitude();
   ADD_FAILURE() << "no " << quantity;
   return 0.0;
 }

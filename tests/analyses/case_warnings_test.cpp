@@ -8,7 +8,9 @@
 
 #include "analyses/case_run.hpp"
 #include "analysis_testing.hpp"
+#include "elements/gap.hpp"
 #include "elements/shear_spring.hpp"
+#include "materials/hertz.hpp"
 
 namespace moat {
 namespace {
@@ -42,13 +44,50 @@ TEST(EnergyWarnings, ANumberThatIsNotFiniteIsNoGoodBalance) {
 
 TEST(EnergyWarnings, ARunIntoInfinityWarns) {
   Model model;
-  const NodeId body = add(model, Node{.name = "body", .mass = 1 * kg});
+  const NodeId body = add(model, Node{.name = "body", .mass = 1e303 * kg});
   add(model, ShearSpring{.name = "spring", .lower = ground, .upper = body, .stiffness = 100 * N / m});
-  // The squares of such velocities are beyond the largest number.
-  const GroundMotion motion{"far too strong", 0.01, std::vector<double>(101, 1e200)};
+  // The kinetic energy of such a mass at such velocities is beyond the largest number.
+  const GroundMotion motion{"far too strong", 0.01, std::vector<double>(101, 1e5)};
   const CaseResult result = run_case(model, motion, {.transient = fixed, .error_bars = ErrorBarMode::never});
-  ASSERT_EQ(result.warnings.size(), 1u);
-  EXPECT_NE(result.warnings[0].find("An energy is not a finite number"), std::string::npos);
+  ASSERT_EQ(result.warnings.size(), 2u);
+  EXPECT_NE(result.warnings[0].find("The peak acceleration of the ground is 10197.2 g"), std::string::npos);
+  EXPECT_NE(result.warnings[1].find("An energy is not a finite number"), std::string::npos);
+}
+
+TEST(MotionWarnings, DoubtAccelerationsBeyondAllRecords) {
+  const GroundMotion motion{"strong", 0.01, {0.0, 9.80665, 0.0}};
+  EXPECT_TRUE(motion_warnings(motion.scaled_by(4.9)).empty());
+  EXPECT_EQ(motion_warnings(motion.scaled_by(980.665)),
+            (std::vector<std::string>{"The peak acceleration of the ground is 980.665 g; no record is as strong as 5 g. "
+                                      "Check the unit of the record and its scale factor (980.665)."}));
+}
+
+TEST(ModelWarnings, NameAGapWhoseSidesAreExchanged) {
+  for (const bool exchanged : {false, true}) {
+    Model model;
+    const NodeId west = add(model, Node{.name = "west", .mass = 1 * kg, .x = -3 * m});
+    const NodeId east = add(model, Node{.name = "east", .mass = 1 * kg, .x = 4 * m});
+    add(model, Gap<Hertz>{.name = "between",
+                          .left = exchanged ? east : west,
+                          .right = exchanged ? west : east,
+                          .clearance = 10 * cm,
+                          .law = {.stiffness = 1000 * N / m_3_2}});
+    const std::vector<std::string> warnings = model_warnings(model);
+    ASSERT_EQ(warnings.size(), exchanged ? 1u : 0u);
+    if (exchanged)
+      EXPECT_EQ(warnings[0],
+                "Gap \"between\": its left side \"east\" has x = 4 m and its right side \"west\" x = -3 m. Exchange .left "
+                "and .right, or correct the positions.");
+  }
+}
+
+TEST(ModelWarnings, SayNothingOfNodesWithoutPositions) {
+  Model model;
+  const NodeId one = add(model, Node{.name = "one", .mass = 1 * kg});
+  const NodeId other = add(model, Node{.name = "other", .mass = 1 * kg});
+  add(model, Gap<Hertz>{
+                 .name = "gap", .left = one, .right = other, .clearance = 1 * cm, .law = {.stiffness = 1 * N / m_3_2}});
+  EXPECT_TRUE(model_warnings(model).empty());
 }
 
 TEST(EnergyWarnings, EquationsThatDoNotBalanceWarn) {

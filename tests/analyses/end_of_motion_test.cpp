@@ -32,7 +32,7 @@ double error(Time sample_interval, TransientOptions options) {
   const CaseResult result = run_case(model, constant_acceleration(ground_acceleration, pushed * s, sample_interval),
                                      {.transient = options, .error_bars = ErrorBarMode::never});
   EXPECT_EQ(result.peaks.at(0).quantity, "displacement");
-  return result.peaks.at(0).value / amplitude - 1.0;
+  return result.peaks.at(0).magnitude() / amplitude - 1.0;
 }
 
 TEST(EndOfMotion, AdaptedStepsKeepTheirAccuracy) {

@@ -70,9 +70,9 @@ Peaks peaks(const Case& drawn, double body_mass, const TransientOptions& options
   Peaks values;
   for (const Peak& peak : result.peaks) {
     if (!peak.where.starts_with("body"))
-      values[peak.quantity + " " + peak.where] = peak.value;
+      values[peak.quantity + " " + peak.where] = peak.magnitude();
     else if (spike != nullptr && peak.quantity == "absolute_acceleration")
-      *spike = peak.value;
+      *spike = peak.magnitude();
   }
   return values;
 }

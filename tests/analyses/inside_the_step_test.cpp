@@ -78,7 +78,7 @@ void expect_alike(const CaseResult& inside, const CaseResult& located) {
   }
   ASSERT_EQ(inside.peaks.size(), located.peaks.size());
   for (std::size_t i = 0; i < located.peaks.size(); ++i) {
-    EXPECT_NEAR(inside.peaks[i].value, located.peaks[i].value, alike * located.peaks[i].value)
+    EXPECT_NEAR(inside.peaks[i].magnitude(), located.peaks[i].magnitude(), alike * located.peaks[i].magnitude())
         << located.peaks[i].quantity << " " << located.peaks[i].where;
   }
 }

@@ -37,7 +37,7 @@ CaseResult run(const PlainModel& plain, TransientOptions options, LocateYield lo
 
 double worst_error(const CaseResult& result, const ReferenceResult& reference) {
   std::map<std::string, double> values;
-  for (const Peak& peak : result.peaks) values[peak.quantity + " " + peak.where] = peak.value;
+  for (const Peak& peak : result.peaks) values[peak.quantity + " " + peak.where] = peak.magnitude();
   const std::vector<bool> counts = counting_peaks(reference.peaks);
   double worst = 0.0;
   for (std::size_t i = 0; i < reference.peaks.size(); ++i) {

@@ -49,7 +49,7 @@ inline Row reference_row(const std::string& record, const std::string& row_name)
 
 inline double peak(const CaseResult& result, const std::string& quantity, const std::string& where) {
   for (const Peak& found : result.peaks)
-    if (found.quantity == quantity && found.where == where) return found.value;
+    if (found.quantity == quantity && found.where == where) return found.magnitude();
   ADD_FAILURE() << "no peak of " << quantity << " at " << where;
   return std::nan("");
 }
@@ -57,7 +57,7 @@ inline double peak(const CaseResult& result, const std::string& quantity, const 
 inline double largest(const CaseResult& result, const std::string& quantity) {
   double value = 0.0;
   for (const Peak& found : result.peaks)
-    if (found.quantity == quantity) value = std::max(value, found.value);
+    if (found.quantity == quantity) value = std::max(value, found.magnitude());
   return value;
 }
 

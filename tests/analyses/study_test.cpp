@@ -212,13 +212,36 @@ TEST(Study, GivesEveryPeakItsErrorIfAsked) {
   EXPECT_EQ((peak + 1)->unit, "N");
 }
 
+TEST(Study, TablesHaveTheNamesOfAnAxis) {
+  const StudyResult result = run_study({StudyAxis::of_names("record", {"KJM000", "TAK000"}),
+                                        {.name = "gap", .unit = "cm", .values = {1.0, 2.0}}},
+                                       std::function<StudyRecord(const StudyCase&)>{sum});
+  EXPECT_EQ(result.table().columns[0].labels, (std::vector<std::string>{"KJM000", "KJM000", "TAK000", "TAK000"}));
+  EXPECT_EQ(result.table().columns[0].values, (std::vector<double>{0.0, 0.0, 1.0, 1.0}));
+  EXPECT_TRUE(result.table().columns[1].labels.empty());
+}
+
+TEST(Study, HasTheClearanceLeftOfEveryGap) {
+  StudyModel study = pounding_building(StudyCase{gaps, 3});
+  Model copy = study.model;
+  const StudyRecord record = peaks_of(study.model, study.motion, {}, true);
+  const CaseResult result = run_case(copy, study.motion, {.error_bars = ErrorBarMode::always});
+  ASSERT_EQ(result.clearances.size(), 2u);
+  for (const GapClearance& gap : result.clearances) {
+    EXPECT_EQ(value_of(record, "clearance_left", gap.where), gap.left) << gap.where;
+    EXPECT_EQ(value_of(record, "clearance_left_error", gap.where), gap.error) << gap.where;
+    EXPECT_GT(gap.error, 0.0) << gap.where;
+    EXPECT_LT(gap.error, 0.01 * gap.clearance) << gap.where;
+  }
+}
+
 TEST(Study, HasTheErrorsOfASingleRun) {
   StudyModel study = pounding_building(StudyCase{gaps, 3});
   Model copy = study.model;
   const StudyRecord record = peaks_of(study.model, study.motion, {}, true);
   const CaseResult result = run_case(copy, study.motion, {.error_bars = ErrorBarMode::always});
   for (const Peak& peak : result.peaks) {
-    EXPECT_EQ(value_of(record, peak.quantity, peak.where), peak.value) << peak.quantity << " " << peak.where;
+    EXPECT_EQ(value_of(record, peak.quantity, peak.where), peak.magnitude()) << peak.quantity << " " << peak.where;
     EXPECT_EQ(value_of(record, peak.quantity + "_error", peak.where), peak.error) << peak.quantity << " " << peak.where;
   }
   EXPECT_EQ(value_of(record, "sensitive", ""), result.error_bars.sensitive ? 1.0 : 0.0);

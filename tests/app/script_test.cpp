@@ -4,8 +4,10 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <fstream>
 #include <map>
 #include <set>
 #include <sstream>
@@ -58,15 +60,19 @@ TEST_F(ScriptRun, SummaryHasItsPeaksAndTheirSchema) {
   std::map<std::string, std::set<std::string>> places;
   std::map<std::string, std::string> units;
   for (const json& peak : summary.at("peaks")) {
-    ASSERT_EQ(peak.size(), 6u) << peak;
+    ASSERT_EQ(peak.size(), 7u) << peak;
     const std::string quantity = peak.at("quantity").get<std::string>();
     EXPECT_TRUE(places[quantity].insert(peak.at("where").get<std::string>()).second) << "listed twice: " << peak;
     units[quantity] = peak.at("unit").get<std::string>();
-    EXPECT_GT(peak.at("value").get<double>(), 0.0) << peak;
+    const double value = peak.at("value").get<double>();
+    EXPECT_NE(value, 0.0) << peak;
+    if (quantity == "displacement") {
+      EXPECT_EQ(peak.at("side"), value > 0.0 ? "right" : "left") << peak;
+    }
     EXPECT_GE(peak.at("time").get<double>(), 0.0) << peak;
     EXPECT_LE(peak.at("time").get<double>(), 6.0) << peak;
     EXPECT_GT(peak.at("error").get<double>(), 0.0) << peak;
-    EXPECT_LT(peak.at("error").get<double>(), 0.01 * peak.at("value").get<double>()) << peak;
+    EXPECT_LT(peak.at("error").get<double>(), 0.01 * std::abs(value)) << peak;
   }
   const std::set<std::string> nodes{"base", "floor 1", "floor 2", "floor 3", "floor 4", "floor 5"};
   const std::set<std::string> storeys{"storey 1", "storey 2", "storey 3", "storey 4", "storey 5"};
@@ -128,6 +134,62 @@ TEST_F(ScriptRun, AnExistingFolderGetsANumberUnlessForced) {
   EXPECT_TRUE(exists("a/b_2/summary.json"));
   run({"--out=a/b", "--force"});
   EXPECT_FALSE(exists("a/b_3"));
+}
+
+TEST_F(ScriptRun, AForcedRunThatIsStoppedLeavesTheOldResults) {
+  const std::vector<std::string> common{"--frame-interval", "0 s", "--quiet", "--out", "out"};
+  std::vector<std::string> arguments = common;
+  arguments.insert(arguments.end(), {"--end", "0.1 s"});
+  ASSERT_EQ(tour(arguments).exit_code, 0);
+  const std::string old = text_of(folder / "out/summary.json");
+  // The folder beside cannot be made, as if the disk were full.
+  std::ofstream{folder / "out.new"} << "in the way";
+  arguments.push_back("--force");
+  EXPECT_EQ(tour(arguments).exit_code, 1);
+  EXPECT_EQ(text_of(folder / "out/summary.json"), old);
+  std::filesystem::remove(folder / "out.new");
+  EXPECT_EQ(tour(arguments).exit_code, 0);
+  EXPECT_NE(text_of(folder / "out/summary.json"), old);
+  EXPECT_FALSE(exists("out.new"));
+}
+
+TEST_F(ScriptRun, ObserversOfTheScriptAreInHistoriesAndReport) {
+  const ProgramResult result = testing::run_program(OBSERVER_SCRIPT, {"--out", "out"}, folder);
+  ASSERT_EQ(result.exit_code, 0) << result.errors;
+  EXPECT_NE(result.output.find("peak momentum [kg m/s]\n  body"), std::string::npos) << result.output;
+  const json summary = json::parse(text_of(folder / "out/summary.json"));
+  EXPECT_NE(result.output.find(std::to_string(summary.at("solver").at("accepted_steps").get<int>()) + " steps\n"),
+            std::string::npos)
+      << result.output;
+  const std::string heading = lines_of(text_of(folder / "out/histories.csv")).front();
+  EXPECT_TRUE(heading.ends_with(",momentum [kg m/s] body")) << heading;
+  // m = 2 kg, w^2 = 40 / s^2: the body swings with m a / w = 0.316 kg m/s.
+  const auto peak =
+      std::ranges::find_if(summary.at("peaks"), [](const json& each) { return each.at("quantity") == "momentum"; });
+  ASSERT_NE(peak, summary.at("peaks").end());
+  EXPECT_NEAR(std::abs(peak->at("value").get<double>()), 2.0 / std::sqrt(40.0), 1e-3);
+  EXPECT_NE(text_of(folder / "out/report.html").find(">Momentum<"), std::string::npos);
+}
+
+TEST_F(ScriptRun, AnEndlessAnalysisIsRefused) {
+  for (const std::vector<std::string>& arguments :
+       {std::vector<std::string>{"--step", "1e-30 s"}, {"--end", "1e9 s"}}) {
+    const ProgramResult result = tour(arguments);
+    EXPECT_EQ(result.exit_code, 1) << arguments[0];
+    EXPECT_NE(result.errors.find("number of steps (end / step) = "), std::string::npos) << result.errors;
+    EXPECT_FALSE(exists("results")) << arguments[0];
+  }
+}
+
+TEST_F(ScriptRun, AFullStandardOutputIsAnError) {
+  const ProgramResult result = testing::run_program(
+      "/bin/sh", {"-c", std::string{"exec "} + FIRST_TOUR + " --end '0.1 s' --frame-interval '0 s' > /dev/full"},
+      folder);
+  EXPECT_EQ(result.exit_code, 1);
+  EXPECT_NE(result.errors.find("moat: error: standard output cannot be written; the results are in "),
+            std::string::npos)
+      << result.errors;
+  EXPECT_TRUE(exists("results/01_moat_wall/summary.json"));
 }
 
 TEST_F(ScriptRun, ProgressIsALineForEveryTenPercentWithoutATerminal) {
@@ -219,6 +281,11 @@ TEST_F(ScriptRun, RefusesARecordItCannotUnderstand) {
   const ProgramResult without_unit = tour({"--record", "synthetic.txt"});
   EXPECT_EQ(without_unit.exit_code, 1);
   EXPECT_NE(without_unit.errors.find("--record-unit g"), std::string::npos) << without_unit.errors;
+  // A unit would not help here.
+  std::ofstream{folder / "huge.AT2"} << "A\nB\nACCELERATION TIME SERIES IN UNITS OF G\nNPTS= 2, DT= .02 SEC\n0 1e308\n";
+  const ProgramResult huge = tour({"--record", "huge.AT2"});
+  EXPECT_EQ(huge.exit_code, 1);
+  EXPECT_EQ(huge.errors.find("--record-unit"), std::string::npos) << huge.errors;
   const ProgramResult missing = tour({"--record", "missing.AT2"});
   EXPECT_EQ(missing.exit_code, 1);
   EXPECT_NE(missing.errors.find("missing.AT2"), std::string::npos) << missing.errors;

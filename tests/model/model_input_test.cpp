@@ -34,7 +34,10 @@ TEST(ModelInput, RefusesANodeWithoutOrWithATakenName) {
             "Node: a node has no name. Give .name: results are listed under it.");
   EXPECT_EQ(message_of([&] { add(model, Node{.name = "ground", .mass = 1 * kg}); }),
             "Node \"ground\": this name is taken. `ground` is always there; choose another name.");
+  EXPECT_EQ(message_of([&] { add(model, Node{.name = "T\xFCr", .mass = 1 * kg}); }),
+            "Node \"T\xFCr\": the name is not UTF-8. Save the script in UTF-8.");
   EXPECT_EQ(model.node_count(), 1);
+  add(model, Node{.name = "T\xC3\xBCr", .mass = 1 * kg});
 }
 
 TEST(ModelInput, RefusesAMassThatIsNotPositive) {

@@ -122,7 +122,7 @@ TEST(GroundMotion, RefusesSamplesThatAreNoMotion) {
   EXPECT_EQ(message_of<InputError>([] {
               GroundMotion("m", 0.0, {0.0, 1.0});
             }),
-            "GroundMotion \"m\": time step = 0 s is not allowed; it must be > 0 s and finite. "
+            "GroundMotion \"m\": time step = 0 s is not allowed; it must be from 1e-09 s to 1e+06 s. "
             "Give the interval between two samples.");
   EXPECT_EQ(message_of<InputError>([] { GroundMotion("m", 0.01, {1.0}); }),
             "GroundMotion \"m\": number of samples = 1 is not allowed; it must be >= 2. "
@@ -133,6 +133,26 @@ TEST(GroundMotion, RefusesSamplesThatAreNoMotion) {
             }),
             "GroundMotion \"m\": sample 2 (counted from 0) = nan m/s^2 is not allowed; it must be a finite number. "
             "Repair the record before using it.");
+}
+
+TEST(GroundMotion, KnowsItsFileAndScaleFactorThroughEveryChange) {
+  const GroundMotion read{"record", 0.01, {0.0, 1.0, -2.0}, {"header"}, {"/records/a.AT2", "abc"}};
+  EXPECT_EQ(read.scale_factor(), 1.0);
+  const GroundMotion changed = read.scaled_by(3.0).with_samples({0.0, 1.0}, "filtered").scaled_by(0.5);
+  EXPECT_EQ(changed.file().path, "/records/a.AT2");
+  EXPECT_EQ(changed.file().sha256, "abc");
+  EXPECT_EQ(changed.scale_factor(), 1.5);
+  EXPECT_EQ(changed.notes(), (std::vector<std::string>{"header", "accelerations multiplied by 3", "filtered",
+                                                       "accelerations multiplied by 0.5"}));
+}
+
+TEST(GroundMotion, RefusesNumbersBeyondAllGrounds) {
+  for (const double time_step : {1e-300, 1e-10, 1e7, 1e300})
+    EXPECT_THROW((GroundMotion{"record", time_step, {0.0, 1.0}}), InputError) << time_step;
+  EXPECT_NE(message_of<InputError>([] {
+              GroundMotion("record", 0.01, {0.0, 1e300});
+            }).find("sample 1 (counted from 0) = 1e+300 m/s^2 is not allowed"),
+            std::string::npos);
 }
 
 TEST(GroundMotion, DescribesItselfInOneLine) {

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "base/error.hpp"
+#include "base/sha256.hpp"
 #include "base/units.hpp"
 #include "motion_files.hpp"
 
@@ -35,10 +36,22 @@ TEST_F(ReadMotion, ReadsTwoColumnsWithAUnitUnderAnyName) {
   EXPECT_EQ(read_motion(write("commented.txt", talks_of_units), 1 * g).samples().size(), 2u);
 }
 
+TEST_F(ReadMotion, RemembersTheFile) {
+  const std::string columns = "0 0.5\n0.02 1\n";
+  EXPECT_EQ(read_motion(write("a.AT2", synthetic_at2)).file().sha256, sha256_of(synthetic_at2));
+  const GroundMotion motion = read_motion(write("a.txt", columns), 1 * g);
+  EXPECT_EQ(motion.file().sha256, sha256_of(columns));
+  EXPECT_EQ(motion.file().path, path("a.txt").string());
+}
+
+TEST_F(ReadMotion, SaysItsFormats) {
+  EXPECT_EQ(motion_formats(), "PEER AT2, or two columns of time in s and acceleration");
+}
+
 TEST_F(ReadMotion, AsksForTheUnitOfTwoColumns) {
   for (const char* name : {"a.csv", "a.AT2"}) {
     const auto file = write(name, "0 0.5\n0.02 1\n");
-    EXPECT_EQ(message_of<InputError>([&] { (void)read_motion(file); }),
+    EXPECT_EQ(message_of<MissingUnit>([&] { (void)read_motion(file); }),
               "read_motion \"" + file.string() +
                   "\": this is not a PEER AT2 file; as two columns of text it does not say the unit of its "
                   "accelerations. Give the unit: read_motion(file, 1 * g), or 1 * m / s / s.");

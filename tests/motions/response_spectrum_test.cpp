@@ -41,6 +41,13 @@ TEST(ResponseSpectrum, IsExactForAStep) {
   }
 }
 
+TEST(ResponseSpectrum, TakesAListOfPeriods) {
+  const GroundMotion step{"step", 0.01, std::vector<double>(201, 2.0)};
+  const ResponseSpectrum spectrum = response_spectrum(step, {0.1 * s, 1 * s}, 0.05);
+  EXPECT_EQ(spectrum.period, (std::vector<double>{0.1, 1.0}));
+  EXPECT_EQ(spectrum.displacement[1], single(step, 1.0, 0.05).displacement[0]);
+}
+
 // Under a ramp r t, undamped: u = -r/w^2 (t - sin(w t)/w). What is in it at the end swings on for ever.
 TEST(ResponseSpectrum, CountsTheFreeVibrationAfterARamp) {
   const double rate = 3.0;

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <locale>
 #include <set>
 #include <sstream>
 
@@ -33,6 +34,11 @@ std::set<std::string> texts_of(vtkXMLDataElement* root) {
   });
   return texts;
 }
+
+/// Numbers as in Germany, for streams that do not choose their locale.
+struct Comma : std::numpunct<char> {
+  char do_decimal_point() const override { return ','; }
+};
 
 /// The pixels of the curve drawn with a stroke colour, the one with most points if there are several.
 std::vector<std::pair<double, double>> curve_of(vtkXMLDataElement* root, const std::string& colour) {
@@ -211,6 +217,15 @@ TEST_F(ChartToSvg, RefusesWhatCannotBeDrawn) {
   chart.x_range = std::pair{2.0, 1.0};
   EXPECT_THROW(svg_text({chart}), InputError);
   EXPECT_THROW(write_svg(sine(), folder / "missing" / "chart.svg"), FileError);
+}
+
+TEST_F(ChartToSvg, DoesNotFollowTheLocaleOfTheProgram) {
+  const std::string expected = svg_text({sine()});
+  const std::locale before = std::locale::global(std::locale{std::locale::classic(), new Comma});
+  const std::string text = svg_text({sine()});
+  EXPECT_EQ(std::locale{}.name(), "*") << "the program keeps its locale";
+  std::locale::global(before);
+  EXPECT_EQ(text, expected);
 }
 
 }  // namespace

@@ -26,6 +26,13 @@ std::vector<std::string> split(const std::string& text, char separator) {
   return parts;
 }
 
+TEST_F(CsvWriter, LabelsStandInPlaceOfTheirNumbers) {
+  const Table table{{{"record", "", "1", {0.0, 1.0}, {"KJM000", "Erzincan, NS"}}, {"peak", "base", "m", {0.5, 0.25}}}};
+  write_csv(table, folder / "study.csv");
+  EXPECT_EQ(read_file(folder / "study.csv"), "record,peak [m] base\nKJM000,0.5\n\"Erzincan, NS\",0.25\n");
+  EXPECT_THROW(write_csv(Table{{{"record", "", "1", {0.0, 1.0}, {"KJM000"}}}}, folder / "bad.csv"), InputError);
+}
+
 TEST_F(CsvWriter, NumbersReadBackToTheSameBits) {
   std::mt19937_64 random{2024};
   Table table;

@@ -52,6 +52,15 @@ TEST(HistoryRecorder, InterpolatesByValueAndRate) {
   }
 }
 
+TEST(HistoryRecorder, HasTheOpeningOfEveryGap) {
+  HandMovedBuilding building;
+  HistoryRecorder recorder{building.model, 0.5};
+  recorder.start(building.move(0.0, 0.0, 0.0));
+  recorder.step(building.move(0.5, 0.12, 0.0));
+  EXPECT_NEAR(recorder.table().values("opening", "moat left")[1], 0.22, 1e-15);
+  EXPECT_NEAR(recorder.table().values("opening", "moat right")[1], -0.02, 1e-15) << "indented";
+}
+
 TEST(HistoryRecorder, RoundOffOfTimesDoesNotMatter) {
   std::vector<double> times, expected;
   for (int i = 0; i <= 30000; ++i) times.push_back(i * 0.001);

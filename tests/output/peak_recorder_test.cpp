@@ -46,6 +46,10 @@ TEST(PeakRecorder, ElementsOfOnePlaceShareAPeak) {
   // 7 cm and a little on the left, 3 cm on the right.
   EXPECT_GE(peak(recorder, "indentation", "moat").value, 0.07);
   EXPECT_LT(peak(recorder, "indentation", "moat").value, 0.09);
+  EXPECT_EQ(peak(recorder, "indentation", "moat").side, "moat left");
+  EXPECT_EQ(peak(recorder, "impact_force", "moat").side, "moat left");
+  EXPECT_LT(peak(recorder, "displacement", "base").value, 0.0);
+  EXPECT_EQ(peak(recorder, "displacement", "base").side, "left");
   for (const Peak& found : recorder.peaks()) {
     EXPECT_NE(found.where, "moat left");
     EXPECT_NE(found.where, "moat right");
@@ -61,7 +65,8 @@ TEST(PeakRecorder, BothValuesOfAnEventCount) {
     recorder.event(building.move(1.0, 0.0, 0.0, before_is_larger ? -1.0 : -9.0), {});
     recorder.step(building.move(2.0, 0.0, 0.0, -0.5));
     const Peak found = peak(recorder, "absolute_acceleration", "base");
-    EXPECT_EQ(found.value, 9.0);
+    EXPECT_EQ(found.value, before_is_larger ? 9.0 : -9.0);
+    EXPECT_EQ(found.side, before_is_larger ? "right" : "left");
     EXPECT_EQ(found.time, 1.0);
   }
 }
@@ -78,7 +83,8 @@ TEST(PeakRecorder, AddsUpTheMaximaOfFloorInertia) {
   EXPECT_EQ(sum.time, 2.0);
   EXPECT_EQ(sum.unit, "N");
   // The total base shear is that of one instant: |2 * 1 - 3 * 5| = 13 N.
-  EXPECT_DOUBLE_EQ(peak(recorder, "total_base_shear", "base").value, 13.0);
+  EXPECT_DOUBLE_EQ(peak(recorder, "total_base_shear", "base").magnitude(), 13.0);
+  EXPECT_EQ(sum.side, "");
 }
 
 }  // namespace

@@ -64,6 +64,78 @@ TEST_F(Report, HoldsEverythingItPromises) {
   EXPECT_EQ(count(html, "<table>"), count(html, "</table>"));
 }
 
+TEST_F(Report, SaysWhatWasComputed) {
+  CaseResult result = example();
+  result.provenance = {"moat run tower.cpp --gap '20 cm'",
+                       "/home/me/tower.cpp",
+                       "c0ffee",
+                       {{"gap", "20 cm"}},
+                       "0.1.0",
+                       "0123456789",
+                       "2026-01-31T12:00:00Z"};
+  result.motion.file = "/records/a.AT2";
+  result.motion.sha256 = "beef";
+  result.motion.scale_factor = 1.25;
+  result.motion.notes = {"PEER <header>"};
+  result.model = {
+      {{"base", 550e3, 0.0, 0.0}},
+      {{"moat left", "HertzDamp", "base", "ground", {{"clearance", 0.1, "m"}, {"restitution", 0.65, "1"}}}}};
+  result.clearances = {{"moat left", 0.1, -0.01, 3.25}};
+  const std::string html = written(result);
+  for (const char* part :
+       {"moat run tower.cpp --gap '20 cm'", "/home/me/tower.cpp", "c0ffee", "--gap</td><td class=\"text\">20 cm",
+        "0.1.0, commit 0123456789", "2026-01-31T12:00:00Z", "/records/a.AT2", "beef", "1.25", "PEER &lt;header&gt;",
+        "550000", "HertzDamp", "clearance 0.1 m, restitution 0.65", "Clearance left", "-1.000", "of 10 cm"})
+    EXPECT_NE(html.find(part), std::string::npos) << part;
+}
+
+TEST_F(Report, ShowsTheBeginningOfALongModel) {
+  CaseResult result = example();
+  for (int i = 0; i < 2000; ++i) result.model.nodes.push_back({"node " + std::to_string(i), 1.0, 0.0, 0.0});
+  const std::string html = written(result);
+  EXPECT_NE(html.find("2000 nodes"), std::string::npos);
+  EXPECT_NE(html.find("... and 1900 more in summary.json"), std::string::npos);
+  EXPECT_EQ(html.find("node 100<"), std::string::npos);
+}
+
+TEST_F(Report, TellsImpactsWithinMillisecondsApart) {
+  CaseResult result = example();
+  result.impacts = {{"a", 12.5512, 0.001, 0.5, 0.01, 2.5e7, 1.787}, {"a", 12.5538, 0.001, 0.5, 0.01, 2.5e7, 0.75}};
+  const std::string html = written(result);
+  EXPECT_NE(html.find("12.5512"), std::string::npos);
+  EXPECT_NE(html.find("12.5538"), std::string::npos);
+  EXPECT_NE(html.find("Rebound ratio: speed of separation over speed of approach"), std::string::npos);
+}
+
+TEST_F(Report, ShowsSmallErrorsOfTheEnergyAsTheyAre) {
+  CaseResult result = example();
+  result.energy.equation_residual = 1.234e-9;
+  EXPECT_NE(written(result).find("Residual of the equations</td><td class=\"number\">1.2e-12 kJ"), std::string::npos);
+}
+
+TEST_F(Report, IsUtf8WhateverTheNames) {
+  CaseResult result = example();
+  result.title = "T\xFCr";
+  EXPECT_NE(written(result).find("T\xEF\xBF\xBDr"), std::string::npos);
+}
+
+TEST_F(Report, DrawsOfferedQuantities) {
+  CaseResult result = example();
+  result.offered = {{"roof_tilt", "tower", "m"}, {"roof_tilt", "annex", "m"}, {"hole", "tower", "1"}};
+  Column tilt = result.histories.columns[1];
+  for (const char* where : {"tower", "annex"}) {
+    tilt.quantity = "roof_tilt";
+    tilt.where = where;
+    result.histories.columns.push_back(tilt);
+  }
+  tilt.quantity = "hole";
+  tilt.values[7] = NAN;
+  result.histories.columns.push_back(tilt);
+  const std::string html = written(result);
+  EXPECT_EQ(count(html, ">Roof tilt<"), 1u) << "one chart of both places";
+  EXPECT_EQ(html.find(">Hole<"), std::string::npos) << "a curve with a hole cannot be drawn";
+}
+
 TEST_F(Report, NeedsNothingElse) {
   std::string html = written(example());
   // The name of the SVG language is not an address that is fetched.

@@ -11,7 +11,7 @@ namespace {
 namespace fs = std::filesystem;
 using testing_output::message_of;
 
-class ResultsFolder : public testing_output::InFolder {
+class ResultsFolderTest : public testing_output::InFolder {
  protected:
   static void put(const fs::path& path) {
     fs::create_directories(path.parent_path());
@@ -22,27 +22,71 @@ class ResultsFolder : public testing_output::InFolder {
     put(results / "summary.json");
     write_summary_json({}, results / "summary.json");
   }
+  // As a run does that leaves nothing.
+  static void overwrite(const fs::path& results) { ResultsFolder{results, WhenFolderExists::overwrite}.finish(); }
 };
 
-TEST_F(ResultsFolder, IsCreatedWithTheFoldersAbove) {
+TEST_F(ResultsFolderTest, IsCreatedWithTheFoldersAbove) {
   const fs::path wanted = folder / "results" / "suite" / "x";
   for (const auto when : {WhenFolderExists::use_new_number, WhenFolderExists::overwrite, WhenFolderExists::refuse}) {
     fs::remove_all(folder / "results");
-    EXPECT_EQ(make_results_folder(wanted, when), wanted);
+    EXPECT_EQ(ResultsFolder(wanted, when).path(), wanted);
     EXPECT_TRUE(fs::is_directory(wanted));
-    EXPECT_EQ(make_results_folder(wanted, when), wanted) << "an empty folder is taken as it is";
+    EXPECT_EQ(ResultsFolder(wanted, when).path(), wanted) << "an empty folder is taken as it is";
   }
 }
 
-TEST_F(ResultsFolder, TakesTheNextFreeNumber) {
+TEST_F(ResultsFolderTest, TakesTheNextFreeNumber) {
   put(folder / "x" / "summary.json");
-  EXPECT_EQ(make_results_folder(folder / "x", WhenFolderExists::use_new_number), folder / "x_2");
-  EXPECT_EQ(make_results_folder(folder / "x", WhenFolderExists::use_new_number), folder / "x_3");
+  EXPECT_EQ(ResultsFolder(folder / "x", WhenFolderExists::use_new_number).path(), folder / "x_2");
+  EXPECT_EQ(ResultsFolder(folder / "x", WhenFolderExists::use_new_number).path(), folder / "x_3");
   put(folder / "x_4");
-  EXPECT_EQ(make_results_folder(folder / "x/", WhenFolderExists::use_new_number), folder / "x_5");
+  ResultsFolder fifth{folder / "x/", WhenFolderExists::use_new_number};
+  EXPECT_EQ(fifth.path(), folder / "x_5");
+  fifth.finish();
+  EXPECT_EQ(fifth.final_path(), folder / "x_5");
 }
 
-TEST_F(ResultsFolder, OverwritingKeepsWhatMoatDidNotWrite) {
+TEST_F(ResultsFolderTest, OldResultsStayUntilNewOnesAreComplete) {
+  const fs::path x = folder / "x";
+  put(x / "report.html");
+  put(x / "charts.svg");
+  put(x / "frames" / "frame_000000.vtu");
+  put_summary(x);
+  const std::string old = testing_output::read_file(x / "summary.json");
+  {
+    const ResultsFolder stopped{x, WhenFolderExists::overwrite};
+    put(stopped.path() / "frames" / "frame_000000.vtu");
+    put(stopped.path() / "report.html");
+  }
+  EXPECT_EQ(testing_output::read_file(x / "summary.json"), old);
+  for (const char* name : {"report.html", "charts.svg", "frames/frame_000000.vtu"}) EXPECT_TRUE(fs::exists(x / name));
+
+  ResultsFolder complete{x, WhenFolderExists::overwrite};
+  EXPECT_EQ(complete.path(), folder / "x.new") << "the folder of the stopped run is taken over";
+  EXPECT_TRUE(fs::is_empty(complete.path()));
+  std::ofstream{complete.path() / "summary.json"} << "new";
+  std::ofstream{complete.path() / "report.html"} << "new";
+  fs::create_directory(complete.path() / "frames");
+  std::ofstream{complete.path() / "frames" / "frame_000001.vtu"} << "new";
+  complete.finish();
+  complete.finish();
+  EXPECT_EQ(complete.path(), x);
+  for (const char* name : {"summary.json", "report.html", "frames/frame_000001.vtu"})
+    EXPECT_EQ(testing_output::read_file(x / name), "new") << name;
+  for (const char* name : {"charts.svg", "frames/frame_000000.vtu"}) EXPECT_FALSE(fs::exists(x / name)) << name;
+  EXPECT_FALSE(fs::exists(folder / "x.new"));
+}
+
+TEST_F(ResultsFolderTest, TwoRunsThatOverwriteHaveFoldersOfTheirOwn) {
+  put_summary(folder / "x");
+  const ResultsFolder first{folder / "x", WhenFolderExists::overwrite};
+  const ResultsFolder second{folder / "x", WhenFolderExists::overwrite};
+  EXPECT_EQ(first.path(), folder / "x.new");
+  EXPECT_EQ(second.path(), folder / "x.new_2");
+}
+
+TEST_F(ResultsFolderTest, OverwritingKeepsWhatMoatDidNotWrite) {
   const fs::path x = folder / "x";
   for (const char* name : {"summary.json", "histories.csv", "histories.vtt", "impacts.csv", "frames.pvd", "report.html",
                            "frames/frame_000000.vtu", "frames/frame_1234567.vtu"}) {
@@ -62,28 +106,28 @@ TEST_F(ResultsFolder, OverwritingKeepsWhatMoatDidNotWrite) {
     EXPECT_FALSE(is_results_file(name)) << name;
     put(x / name);
   }
-  EXPECT_EQ(make_results_folder(x, WhenFolderExists::overwrite), x);
+  overwrite(x);
   std::size_t left = 0;
   for (const auto& entry : fs::recursive_directory_iterator{x}) left += entry.is_regular_file() ? 1 : 0;
   EXPECT_EQ(left, foreign.size());
   for (const fs::path& name : foreign) EXPECT_TRUE(fs::exists(x / name)) << name;
 }
 
-TEST_F(ResultsFolder, OverwritingRemovesTheEmptyFramesFolder) {
+TEST_F(ResultsFolderTest, OverwritingRemovesTheEmptyFramesFolder) {
   put(folder / "x" / "frames" / "frame_000000.vtu");
-  make_results_folder(folder / "x", WhenFolderExists::overwrite);
+  overwrite(folder / "x");
   EXPECT_TRUE(fs::is_empty(folder / "x"));
 }
 
-TEST_F(ResultsFolder, OverwritingDoesNotFollowLinks) {
+TEST_F(ResultsFolderTest, OverwritingDoesNotFollowLinks) {
   put(folder / "elsewhere" / "frame_000000.vtu");
   put(folder / "x" / "notes.txt");
   fs::create_directory_symlink(folder / "elsewhere", folder / "x" / "frames");
-  make_results_folder(folder / "x", WhenFolderExists::overwrite);
+  overwrite(folder / "x");
   EXPECT_TRUE(fs::exists(folder / "elsewhere" / "frame_000000.vtu"));
 }
 
-TEST_F(ResultsFolder, OverwritingUnlinksTheNamesOfItsFiles) {
+TEST_F(ResultsFolderTest, OverwritingUnlinksTheNamesOfItsFiles) {
   // What is written to a link lands elsewhere.
   const fs::path x = folder / "x";
   put_summary(x);
@@ -93,7 +137,7 @@ TEST_F(ResultsFolder, OverwritingUnlinksTheNamesOfItsFiles) {
   fs::create_symlink("../nothing", x / "charts.svg");
   fs::create_symlink("../victim.txt", x / "notes.txt");
   fs::create_directory_symlink("../elsewhere", x / "frames");
-  EXPECT_EQ(make_results_folder(x, WhenFolderExists::overwrite), x);
+  overwrite(x);
   for (const char* name : {"report.html", "charts.svg", "frames"})
     EXPECT_EQ(fs::symlink_status(x / name).type(), fs::file_type::not_found) << name;
   EXPECT_TRUE(fs::is_symlink(x / "notes.txt"));
@@ -101,52 +145,54 @@ TEST_F(ResultsFolder, OverwritingUnlinksTheNamesOfItsFiles) {
   EXPECT_TRUE(fs::exists(folder / "elsewhere" / "mine.txt"));
 }
 
-TEST_F(ResultsFolder, OverwritingRefusesFilesThatMoatDidNotWrite) {
+TEST_F(ResultsFolderTest, OverwritingRefusesFilesThatMoatDidNotWrite) {
   const fs::path x = folder / "x";
   put(x / "report.html");
   put(x / "histories.csv");
-  const auto overwrite = [&] { make_results_folder(x, WhenFolderExists::overwrite); };
   const std::string refusal = "results folder " + x.string() +
                               " has files with the names of results, but no summary.json of moat beside them: they may "
                               "not be results. Choose another folder, or remove them.";
-  EXPECT_EQ(message_of<InputError>(overwrite), refusal);
+  EXPECT_EQ(message_of<InputError>([&] { overwrite(x); }), refusal);
   put(x / "summary.json");
-  EXPECT_EQ(message_of<InputError>(overwrite), refusal) << "of another program";
+  EXPECT_EQ(message_of<InputError>([&] { overwrite(x); }), refusal) << "of another program";
   EXPECT_EQ(testing_output::read_file(x / "report.html"), "something");
   put_summary(x);
-  EXPECT_EQ(make_results_folder(x, WhenFolderExists::overwrite), x);
+  overwrite(x);
   EXPECT_FALSE(fs::exists(x / "report.html"));
 }
 
-TEST_F(ResultsFolder, GivesDotsTheNameOfTheirFolder) {
+TEST_F(ResultsFolderTest, GivesDotsTheNameOfTheirFolder) {
   const fs::path real = fs::canonical(folder);
+  const auto numbered = [](const fs::path& wanted) {
+    return ResultsFolder{wanted, WhenFolderExists::use_new_number}.path();
+  };
   put(folder / "x" / "notes.txt");
   fs::create_directory(folder / "x" / "empty");
-  EXPECT_EQ(make_results_folder(folder / "x" / ".", WhenFolderExists::use_new_number), real / "x_2");
-  EXPECT_EQ(make_results_folder(folder / "x" / "./", WhenFolderExists::use_new_number), real / "x_3");
-  EXPECT_EQ(make_results_folder(folder / "x" / "empty" / "..", WhenFolderExists::use_new_number), real / "x_4");
-  EXPECT_EQ(make_results_folder(folder / "x" / ".", WhenFolderExists::overwrite), real / "x");
+  EXPECT_EQ(numbered(folder / "x" / "."), real / "x_2");
+  EXPECT_EQ(numbered(folder / "x" / "./"), real / "x_3");
+  EXPECT_EQ(numbered(folder / "x" / "empty" / ".."), real / "x_4");
+  EXPECT_EQ(ResultsFolder(folder / "x" / ".", WhenFolderExists::overwrite).final_path(), real / "x");
   EXPECT_FALSE(fs::exists(folder / "x" / "._2"));
-  EXPECT_EQ(message_of<InputError>([] { make_results_folder("/", WhenFolderExists::use_new_number); }),
+  EXPECT_EQ(message_of<InputError>([&] { (void)numbered("/"); }),
             "results folder /: this is the root of all folders. Give a folder in it, for example results/run.");
 }
 
-TEST_F(ResultsFolder, RefusesAndSaysWhatToDo) {
+TEST_F(ResultsFolderTest, RefusesAndSaysTheRemedy) {
   put(folder / "x" / "notes.txt");
-  EXPECT_EQ(message_of<InputError>([&] { make_results_folder(folder / "x", WhenFolderExists::refuse); }),
+  EXPECT_EQ(message_of<InputError>([&] { ResultsFolder(folder / "x", WhenFolderExists::refuse); }),
             "results folder " + (folder / "x").string() +
                 " exists and is not empty. Choose another folder, remove this one, or allow overwriting or a new "
                 "number.");
   EXPECT_TRUE(fs::exists(folder / "x" / "notes.txt"));
-  EXPECT_THROW(make_results_folder("", WhenFolderExists::overwrite), InputError);
+  EXPECT_THROW(ResultsFolder("", WhenFolderExists::overwrite), InputError);
 }
 
-TEST_F(ResultsFolder, ReportsAFileInTheWay) {
+TEST_F(ResultsFolderTest, ReportsAFileInTheWay) {
   put(folder / "x");
   for (const auto when : {WhenFolderExists::use_new_number, WhenFolderExists::overwrite, WhenFolderExists::refuse}) {
-    EXPECT_NE(message_of<FileError>([&] { make_results_folder(folder / "x", when); }).find((folder / "x").string()),
+    EXPECT_NE(message_of<FileError>([&] { ResultsFolder(folder / "x", when); }).find((folder / "x").string()),
               std::string::npos);
-    EXPECT_THROW(make_results_folder(folder / "x" / "inside", when), FileError);
+    EXPECT_THROW(ResultsFolder(folder / "x" / "inside", when), FileError);
   }
   EXPECT_TRUE(fs::is_regular_file(folder / "x"));
 }

@@ -15,11 +15,15 @@ class Summary : public testing_output::InFolder {};
 CaseResult example() {
   CaseResult result;
   result.title = "Five storeys \"in\" a moat";
-  result.motion = {"record", 3.92266, 0.45, 0.005, 28.0};
+  result.provenance = {"moat run a.cpp --gap '20 cm'", "/a.cpp", "def", {{"gap", "20 cm"}}, "1.2.3", "0123",
+                       "2026-01-31T12:00:00Z"};
+  result.motion = {"record", 3.92266, 0.45, 0.005, 28.0, "/records/a.AT2", "abc", 1.5, {"header", "scaled"}};
+  result.model = {{{"base", 5.0, 1.0, 0.5}}, {{"storey 1", "Linear", "base", "floor 1", {{"stiffness", 2e9, "N/m"}}}}};
+  result.clearances = {{"moat left", 0.5, 0.2, 3.5}};
   result.periods = {{"isolated", 2.1}, {"fixed base", 1.0 / 3.0}};
   result.peaks = {{"displacement", "base", 0.1234567, "m", 4.5},
                   {"absolute_acceleration", "floor 5", 12.5, "m/s^2", 12.25},
-                  {"displacement", "floor 5", 0.05, "m", 14.5},
+                  {"displacement", "floor 5", -0.05, "m", 14.5, std::numeric_limits<double>::quiet_NaN(), "left"},
                   {"impact_force", "moat left", 25.65e6, "N", 4.25}};
   result.impacts = {{"moat left", 3.25, 0.125, 0.5, 0.01, 2.5e7, 0.75, 0.7, 1e5},
                     {"moat right", 5.0, 0.25, 1.5, 0.02, 3e7, 0.5, 0.6, 2e5}};
@@ -40,16 +44,29 @@ TEST_F(Summary, ReadsBackWithEveryField) {
   write_summary_json(example(), folder / "summary.json");
   const Json json = Json::parse(testing_output::read_file(folder / "summary.json"));
   EXPECT_EQ(json["title"], "Five storeys \"in\" a moat");
-  EXPECT_TRUE(json["moat_version"].is_string());
+  EXPECT_EQ(json["moat_version"], "1.2.3");
   EXPECT_EQ(json["motion"],
             Json::parse(R"({"name": "record", "peak_acceleration": 3.92266, "peak_velocity": 0.45, "time_step": 0.005,
-                            "duration": 28.0})"));
+                            "duration": 28.0, "file": "/records/a.AT2", "sha256": "abc", "scale_factor": 1.5,
+                            "notes": ["header", "scaled"]})"));
+  EXPECT_EQ(json["provenance"],
+            Json::parse(R"({"command_line": "moat run a.cpp --gap '20 cm'", "script": "/a.cpp", "script_sha256": "def",
+                            "options": {"gap": "20 cm"}, "moat_version": "1.2.3", "git_commit": "0123",
+                            "date": "2026-01-31T12:00:00Z"})"));
+  EXPECT_EQ(json["model"], Json::parse(R"({"nodes": [{"name": "base", "mass": 5.0, "x": 1.0, "height": 0.5}],
+                            "elements": [{"name": "storey 1", "law": "Linear", "first": "base", "second": "floor 1",
+                                          "parameters": {"stiffness": {"value": 2e9, "unit": "N/m"}}}]})"));
+  EXPECT_EQ(json["clearances"], Json::parse(R"([{"where": "moat left", "clearance": 0.5, "clearance_left": 0.2,
+                                                 "time": 3.5, "error": null}])"));
   EXPECT_EQ(json["periods"][1]["name"], "fixed base");
   EXPECT_EQ(json["periods"][1]["value"].get<double>(), 1.0 / 3.0);
   EXPECT_EQ(json["assumptions"], Json::parse(R"(["Average acceleration.", "Signs: tension positive."])"));
   ASSERT_EQ(json["peaks"].size(), 4u);
   EXPECT_EQ(json["peaks"][0], Json::parse(R"({"quantity": "displacement", "where": "base", "value": 0.1234567,
-                                              "unit": "m", "time": 4.5, "error": null})"));
+                                              "unit": "m", "time": 4.5, "error": null,
+                                              "side": ""})"));
+  EXPECT_EQ(json["peaks"][2]["value"], -0.05);
+  EXPECT_EQ(json["peaks"][2]["side"], "left");
   ASSERT_TRUE(json["impacts"].is_number_integer());
   EXPECT_EQ(json["impacts"], 2);
   ASSERT_EQ(json["impact_table"].size(), 2u);
@@ -65,7 +82,7 @@ TEST_F(Summary, ReadsBackWithEveryField) {
 
 TEST_F(Summary, HasTheErrorsOfPeaks) {
   CaseResult result = example();
-  for (Peak& peak : result.peaks) peak.error = 0.001 * peak.value;
+  for (Peak& peak : result.peaks) peak.error = 0.001 * peak.magnitude();
   result.peaks[1].error = std::numeric_limits<double>::infinity();
   result.error_bars = {.checked = true,
                        .companion = "Finer.",
@@ -104,6 +121,15 @@ TEST_F(Summary, SaysWhyThereAreNoErrors) {
   EXPECT_EQ(bars["unsettled"], Json::array());
 }
 
+TEST_F(Summary, WritesNullForWhatIsNotKnown) {
+  write_summary_json({}, folder / "summary.json");
+  const Json json = Json::parse(testing_output::read_file(folder / "summary.json"));
+  for (const char* field : {"command_line", "script", "script_sha256", "git_commit", "date"})
+    EXPECT_TRUE(json["provenance"].at(field).is_null()) << field;
+  EXPECT_TRUE(json["motion"]["file"].is_null());
+  EXPECT_EQ(json["clearances"], Json::array());
+}
+
 TEST_F(Summary, StaysValidWithoutResultsOrFiniteNumbers) {
   CaseResult result;
   result.title = "broken \xff text";
@@ -114,37 +140,6 @@ TEST_F(Summary, StaysValidWithoutResultsOrFiniteNumbers) {
   EXPECT_EQ(json["impacts"], 0);
   EXPECT_TRUE(json["impact_table"].is_array());
   EXPECT_TRUE(json["periods"].is_array());
-}
-
-TEST(PeakTable, GroupsByQuantityInEngineeringUnits) {
-  EXPECT_EQ(peak_table(example()),
-            "peak displacement [cm]\n"
-            "  base       12.35   at  4.500 s\n"
-            "  floor 5     5.00   at 14.500 s\n"
-            "peak absolute acceleration [m/s^2]\n"
-            "  floor 5    12.50   at 12.250 s\n"
-            "peak impact force [kN]\n"
-            "  moat left  25650   at  4.250 s\n");
-  EXPECT_EQ(peak_table(CaseResult{}), "");
-}
-
-TEST(PeakTable, GivesEveryValueTheDigitsThatItsErrorLeaves) {
-  CaseResult result;
-  result.peaks = {{"displacement", "base", 0.532812, "m", 4.5, 0.000151},
-                  {"displacement", "floor 1", 0.532812, "m", 14.5, 0.0031},
-                  {"displacement", "floor 2", 0.532812, "m", 14.5, 0.0000036},
-                  {"displacement", "floor 3", 0.532812, "m", 4.5},
-                  {"impact_force", "moat left", 25.6512e6, "N", 4.25, 33e3},
-                  {"impact_force", "moat right", 0.0, "N", 0.0, 0.0}};
-  EXPECT_EQ(peak_table(result),
-            "peak displacement [cm]\n"
-            "  base        53.28 +- 0.016    at  4.500 s\n"
-            "  floor 1     53.3  +- 0.4      at 14.500 s\n"
-            "  floor 2     53.28 +- 0.0004   at 14.500 s\n"
-            "  floor 3     53.28             at  4.500 s\n"
-            "peak impact force [kN]\n"
-            "  moat left   25650 +- 40       at  4.250 s\n"
-            "  moat right      0 +- 0        at  0.000 s\n");
 }
 
 }  // namespace

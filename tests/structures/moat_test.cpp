@@ -67,7 +67,16 @@ TEST(Moat, MayHaveOneSideOnly) {
     const NodeId base = add(model, Node{.name = "base", .mass = 550 * tonne});
     add(model, Moat<HertzDamp>{.around = base, .clearance = 10 * cm, .law = law, .sides = side});
     ASSERT_EQ(model.blocks().front()->size(), 1u);
-    EXPECT_EQ(model.blocks().front()->info(0).name, side == Sides::left ? "moat left" : "moat right");
+    EXPECT_EQ(model.blocks().front()->info(0).name, "moat") << "there is no other side to tell it from";
+    EXPECT_EQ(model.blocks().front()->info(0).first == ground, side == Sides::right);
+    Model with_wall;
+    add(with_wall, Moat<HertzDamp>{.name = "quay",
+                                   .around = add(with_wall, Node{.name = "base", .mass = 550 * tonne}),
+                                   .clearance = 10 * cm,
+                                   .law = law,
+                                   .sides = side,
+                                   .wall = FlexibleWall{.mass = 20 * tonne, .stiffness = 2 * GN / m}});
+    EXPECT_EQ(with_wall.nodes()[1].name, "quay wall");
   }
 }
 

@@ -1,0 +1,74 @@
+#include "app/command_line.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
+
+#include "base/error.hpp"
+
+namespace moat {
+
+CommandLine::CommandLine(int argc, char** argv, std::string title) : app_{std::move(title)} {
+  if (argc > 0) {
+    program_ = std::filesystem::path{argv[0]}.stem().string();
+    app_.name(argv[0]);
+  }
+  for (int i = 1; i < argc; ++i) arguments_.emplace_back(argv[i]);
+  for (const std::string& each : arguments_) help_wanted_ = help_wanted_ || each == "-h" || each == "--help";
+  app_.get_formatter()->column_width(34);
+  app_.footer(
+      "Write quantities with their unit: \"12 cm\", 0.4g, \"2.5 ms\".\n"
+      "Exit code: 0 done, 1 bad input, 2 wrong usage, 3 a step did not converge.");
+}
+
+void CommandLine::require_new(const std::string& name) const {
+  const auto allowed = [](unsigned char c) { return std::isalnum(c) != 0 || c == '-' || c == '_'; };
+  if (name.empty() || name.front() == '-' || !std::ranges::all_of(name, allowed))
+    throw InputError{"Script: \"" + name + "\" cannot be the name of an option. Use letters, digits, - and _."};
+  if (app_.get_option_no_throw("--" + name) != nullptr)
+    throw InputError{
+        "--" + name + ": there is an option of this name. Name each once; help, record and record-unit, " +
+        "out, force, step, tolerance, integrator, end, frame-interval, check and quiet are those of Script itself."};
+}
+
+void CommandLine::add_flag(const std::string& name, bool& value, const std::string& help) {
+  require_new(name);
+  app_.add_flag("--" + name, value, help);
+  flags_.emplace_back(name, &value);
+}
+
+std::optional<std::string> CommandLine::look_up(const std::string& name, const std::string& preset,
+                                                const std::string& help, const std::string& type) {
+  require_new(name);
+  texts_.emplace_back();
+  CLI::Option* option = app_.add_option("--" + name, texts_.back(), help)->type_name(type);
+  if (!preset.empty()) option->default_str(preset);
+  CLI::App alone;
+  alone.set_help_flag();
+  alone.allow_extras();
+  std::string value;
+  const CLI::Option* found = alone.add_option("--" + name, value);
+  try {
+    // CLI11 takes arguments from the back.
+    alone.parse(std::vector<std::string>{arguments_.rbegin(), arguments_.rend()});
+  } catch (const CLI::ParseError&) {
+    return std::nullopt;  // parse() reads the whole line again and prints the mistake
+  }
+  const bool given = found->count() > 0 && !help_wanted_;
+  if (given || !preset.empty()) known_.emplace_back(name, given ? value : preset);
+  return given ? std::optional{value} : std::nullopt;
+}
+
+bool CommandLine::parse() {
+  try {
+    app_.parse(std::vector<std::string>{arguments_.rbegin(), arguments_.rend()});
+  } catch (const CLI::ParseError& error) {
+    app_.exit(error);
+    return false;
+  }
+  for (const auto& [name, value] : flags_)
+    if (*value) known_.emplace_back(name, "yes");
+  return true;
+}
+
+}  // namespace moat

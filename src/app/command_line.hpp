@@ -1,0 +1,51 @@
+// The options of a script and the line that sets them.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <list>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace moat {
+
+/// CLI11 parses a whole line at once, but a script asks for one value after the other. Each is looked up by a parser
+/// that knows this one option and ignores the rest; at the end a parser that knows all options checks the line.
+class CommandLine {
+ public:
+  CommandLine(int argc, char** argv, std::string title);
+
+  /// The text given for an option, if any. Throws InputError for a name that no command line can hold, or that is
+  /// taken.
+  std::optional<std::string> look_up(const std::string& name, const std::string& preset, const std::string& help,
+                                     const std::string& type);
+  void add_flag(const std::string& name, bool& value, const std::string& help);
+
+  /// Whether -h or --help stands anywhere, also where an option would take it for its value.
+  [[nodiscard]] bool help_wanted() const { return help_wanted_; }
+  [[nodiscard]] std::string help() const { return app_.help(); }
+  [[nodiscard]] std::string title() const { return app_.get_description(); }
+  /// Name of the program, without folder and extension.
+  [[nodiscard]] const std::string& program() const { return program_; }
+  /// As given to main().
+  [[nodiscard]] const std::vector<std::string>& arguments() const { return arguments_; }
+  /// Every option looked up so far and every flag that was given, with its value.
+  [[nodiscard]] const std::vector<std::pair<std::string, std::string>>& values() const { return known_; }
+
+  /// Checks the whole line and sets the flags; prints the mistake to standard error and returns false if there is one.
+  [[nodiscard]] bool parse();
+
+ private:
+  void require_new(const std::string& name) const;
+
+  CLI::App app_;
+  std::string program_ = "script";
+  std::vector<std::string> arguments_;
+  std::list<std::string> texts_;  // CLI11 keeps references to them
+  std::vector<std::pair<std::string, bool*>> flags_;
+  std::vector<std::pair<std::string, std::string>> known_;
+  bool help_wanted_ = false;
+};
+
+}  // namespace moat

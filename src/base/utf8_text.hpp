@@ -1,0 +1,14 @@
+// Text in UTF-8, the encoding of all files that moat writes.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace moat {
+
+bool is_utf8(std::string_view text);
+
+/// With a replacement character for every sequence of bytes that is not UTF-8.
+std::string as_utf8(std::string_view text);
+
+}  // namespace moat

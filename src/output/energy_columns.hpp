@@ -1,0 +1,34 @@
+// The energies of a balance, with name and words: the one list behind summary.json, report, terminal and histories.
+#pragma once
+
+#include <array>
+
+#include "output/case_result.hpp"
+
+namespace moat {
+
+struct EnergyColumn {
+  const char* name;   ///< in files
+  const char* words;  ///< in the report
+  double EnergyBalance::*value;
+};
+
+/// Where the input went: input = the sum of the others, but for errors.
+inline constexpr std::array energy_columns{
+    EnergyColumn{"input", "Input by the ground", &EnergyBalance::input},
+    EnergyColumn{"kinetic", "Kinetic, at the end", &EnergyBalance::kinetic},
+    EnergyColumn{"strain", "Strain, at the end", &EnergyBalance::strain},
+    EnergyColumn{"viscous", "Dissipated by viscous damping", &EnergyBalance::viscous},
+    EnergyColumn{"hysteretic", "Dissipated by hysteresis", &EnergyBalance::hysteretic},
+    EnergyColumn{"impact", "Lost in impacts", &EnergyBalance::impact},
+};
+
+/// Errors, and the energies against which they are judged.
+inline constexpr std::array energy_errors{
+    EnergyColumn{"equation_residual", "Residual of the equations", &EnergyBalance::equation_residual},
+    EnergyColumn{"integration_error", "Error of the integration", &EnergyBalance::integration_error},
+    EnergyColumn{"largest_input", "Largest input", &EnergyBalance::largest_input},
+    EnergyColumn{"largest_kinetic", "Largest kinetic", &EnergyBalance::largest_kinetic},
+};
+
+}  // namespace moat

@@ -1,0 +1,48 @@
+// The quantities of all recorders that offer some, and their peaks.
+#pragma once
+
+#include <vector>
+
+#include "output/case_result.hpp"
+#include "output/quantity_recorder.hpp"
+
+namespace moat {
+
+/// A list that several recorders share.
+class OfferedQuantities {
+ public:
+  /// The recorder must outlive the list. Throws InputError for an empty name, unit, or a quantity that is listed.
+  void add(const QuantityRecorder& recorder);
+
+  [[nodiscard]] const std::vector<OfferedQuantity>& list() const { return list_; }
+  /// values := all quantities at the committed state.
+  void sample(const StepView& view, std::vector<double>& values) const;
+
+ private:
+  struct Source {
+    const QuantityRecorder* recorder;
+    std::size_t first, count;
+  };
+
+  std::vector<Source> sources_;
+  std::vector<OfferedQuantity> list_;
+};
+
+/// Keeps the value of largest magnitude of every offered quantity at the ends of steps, on both sides of events.
+class OfferedPeaks final : public StepObserver {
+ public:
+  /// The list must outlive the recorder and be complete when the analysis starts.
+  explicit OfferedPeaks(const OfferedQuantities& quantities) : quantities_{&quantities} {}
+
+  void start(const StepView& view) override { step(view); }
+  void step(const StepView& view) override;
+  void event(const StepView& view, std::span<const RegimeChange>) override { step(view); }
+
+  [[nodiscard]] std::vector<Peak> peaks() const;
+
+ private:
+  const OfferedQuantities* quantities_;
+  std::vector<double> values_, largest_, times_;
+};
+
+}  // namespace moat

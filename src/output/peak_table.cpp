@@ -1,0 +1,58 @@
+#include "output/peak_table.hpp"
+
+#include <algorithm>
+
+#include "output/peak_groups.hpp"
+
+namespace moat {
+namespace {
+
+std::size_t letters(const std::string& text) {
+  // Continuation bytes of UTF-8 take no room on the screen.
+  return static_cast<std::size_t>(
+      std::count_if(text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }));
+}
+
+std::string padding(std::size_t width, const std::string& text) {
+  return std::string(width - std::min(width, letters(text)), ' ');
+}
+
+// The sign says left or right; only the element among several is worth a word.
+std::string remark(const PeakRow& row) {
+  return row.side.empty() || row.side == "left" || row.side == "right" ? "" : "   " + row.side;
+}
+
+std::string table_of(const std::vector<PeakGroup>& groups, const std::string& heading) {
+  std::size_t where_width = 0, value_width = 0, error_width = 0, time_width = 0;
+  for (const PeakGroup& group : groups) {
+    for (const PeakRow& row : group.rows) {
+      where_width = std::max(where_width, letters(row.where));
+      value_width = std::max(value_width, row.value.size() + row.missing.size());
+      error_width = std::max(error_width, row.error.size());
+      time_width = std::max(time_width, row.time.size());
+    }
+  }
+  const auto error_column = [&](const PeakRow& row) {
+    if (error_width == 0) return std::string{};
+    return (row.error.empty() ? "    " : " +- ") + row.error + padding(error_width, row.error);
+  };
+  std::string text;
+  for (const PeakGroup& group : groups) {
+    text += heading + group.quantity + " [" + group.unit + "]\n";
+    for (const PeakRow& row : group.rows)
+      text += "  " + row.where + padding(where_width + 2, row.where) + padding(value_width, row.value + row.missing) +
+              row.value + std::string(row.missing.size(), ' ') + error_column(row) + "   at " +
+              padding(time_width, row.time) + row.time + " s" + remark(row) + "\n";
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string peak_table(const CaseResult& result) { return table_of(group_peaks(result.peaks), "peak "); }
+
+std::string clearance_table(const CaseResult& result) {
+  return result.clearances.empty() ? "" : table_of({clearance_group(result.clearances)}, "");
+}
+
+}  // namespace moat

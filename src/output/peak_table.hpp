@@ -1,0 +1,17 @@
+// Peaks and clearances as tables of text.
+#pragma once
+
+#include <string>
+
+#include "output/case_result.hpp"
+
+namespace moat {
+
+/// The peaks, grouped by quantity in engineering units, each with its unit, its error where that is known
+/// ("-53.28 +- 0.02") and the time it was reached. Empty without peaks.
+std::string peak_table(const CaseResult& result);
+
+/// The smallest opening of every gap in the same form, with the clearance at rest. Empty without gaps.
+std::string clearance_table(const CaseResult& result);
+
+}  // namespace moat

@@ -1,0 +1,54 @@
+#include "output/report_html.hpp"
+
+#include <cmath>
+
+#include "base/number_format.hpp"
+#include "base/utf8_text.hpp"
+#include "output/engineering_unit.hpp"
+
+namespace moat::html {
+namespace {
+
+std::string row(std::string_view name, std::string_view value, std::string_view kind) {
+  return "<tr><td>" + escaped(name) + "</td><td class=\"" + std::string{kind} + "\">" + escaped(value) + "</td></tr>\n";
+}
+
+}  // namespace
+
+std::string escaped(std::string_view text) {
+  std::string html;
+  for (const char c : as_utf8(text)) {
+    switch (c) {
+      case '&':
+        html += "&amp;";
+        break;
+      case '<':
+        html += "&lt;";
+        break;
+      case '>':
+        html += "&gt;";
+        break;
+      case '"':
+        html += "&quot;";
+        break;
+      default:
+        html += c;
+    }
+  }
+  return html;
+}
+
+std::string number_row(std::string_view name, std::string_view value) { return row(name, value, "number"); }
+
+std::string text_row(std::string_view name, std::string_view value) { return row(name, value, "text"); }
+
+std::string number_with_unit(double value_in_si, std::string_view si_symbol) {
+  constexpr double very_small = 1e-3;
+  const EngineeringUnit unit = engineering_unit(si_symbol);
+  const double value = unit.per_si * value_in_si, magnitude = std::abs(value);
+  const std::string number = magnitude > 0.0 && magnitude < very_small ? to_significant(value, 2)
+                                                                       : with_decimals(value, decimals_for(magnitude));
+  return number + " " + with_raised_digits(unit.symbol);
+}
+
+}  // namespace moat::html

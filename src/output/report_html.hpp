@@ -1,0 +1,19 @@
+// Pieces of HTML for the report.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace moat::html {
+
+/// Text as HTML, in UTF-8.
+std::string escaped(std::string_view text);
+
+/// A row of a table with a name and a number, or a name and a text; both are escaped.
+std::string number_row(std::string_view name, std::string_view value);
+std::string text_row(std::string_view name, std::string_view value);
+
+/// In the engineering unit with 4 significant digits, 2 if it is very small: "12.35 cm", "1.2e-09 kJ".
+std::string number_with_unit(double value_in_si, std::string_view si_symbol);
+
+}  // namespace moat::html

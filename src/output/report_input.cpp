@@ -1,0 +1,95 @@
+#include "output/report_input.hpp"
+
+#include <algorithm>
+
+#include "base/number_format.hpp"
+#include "output/engineering_unit.hpp"
+#include "output/report_html.hpp"
+
+namespace moat::html {
+namespace {
+
+// Rows of a table that the report shows; summary.json has all of them.
+constexpr std::size_t most_rows = 100;
+// A table with more rows is closed until the reader opens it.
+constexpr std::size_t rows_at_a_glance = 20;
+
+std::string row_if_known(std::string_view name, const std::string& text) {
+  return text.empty() ? "" : text_row(name, text);
+}
+
+template <class Facts, class Row>
+std::string list_of(const std::vector<Facts>& all, const std::string& what, const std::string& head, const Row& row) {
+  std::string html = "<details" + std::string{all.size() <= rows_at_a_glance ? " open" : ""} + "><summary>" +
+                     std::to_string(all.size()) + " " + what + "</summary>\n<table>\n" + head;
+  for (std::size_t i = 0; i < std::min(all.size(), most_rows); ++i) html += row(all[i]);
+  html += "</table>\n";
+  if (all.size() > most_rows)
+    html += "<p>... and " + std::to_string(all.size() - most_rows) + " more in summary.json.</p>\n";
+  return html + "</details>\n";
+}
+
+std::string cell(std::string_view text) { return "<td>" + escaped(text) + "</td>"; }
+std::string number_cell(double value) { return "<td class=\"number\">" + to_significant(value, 6) + "</td>"; }
+
+std::string text_of(const std::vector<ParameterFacts>& parameters) {
+  std::string text;
+  for (const ParameterFacts& each : parameters) {
+    text += (text.empty() ? "" : ", ") + in_words(each.name) + " " + to_significant(each.value, 6);
+    if (each.unit != "1") text += " " + with_raised_digits(each.unit);
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string provenance_section(const Provenance& provenance) {
+  std::string version = provenance.moat_version;
+  if (!provenance.git_commit.empty()) version += ", commit " + provenance.git_commit;
+  std::string html = "<h2>Origin</h2>\n<table>\n";
+  html += row_if_known("Command line", provenance.command_line);
+  html += row_if_known("Script", provenance.script);
+  html += row_if_known("SHA-256 of the script", provenance.script_sha256);
+  for (const auto& [name, value] : provenance.options) html += text_row("--" + name, value);
+  html += row_if_known("Version of moat", version);
+  html += row_if_known("Date", provenance.date);
+  return html + "</table>\n";
+}
+
+std::string motion_section(const MotionFacts& motion) {
+  std::string html = "<h2>Ground motion</h2>\n<table>\n";
+  html += number_row("Name", motion.name);
+  html += number_row("Peak acceleration", number_with_unit(motion.peak_acceleration, "m/s^2"));
+  html += number_row("Peak velocity", number_with_unit(motion.peak_velocity, "m/s"));
+  html += number_row("Time step", number_with_unit(motion.time_step, "s"));
+  html += number_row("Duration", number_with_unit(motion.duration, "s"));
+  html += number_row("Scale factor", to_significant(motion.scale_factor, 6));
+  html += "</table>\n";
+  if (!motion.file.empty())
+    html += "<table>\n" + text_row("File", motion.file) + text_row("SHA-256", motion.sha256) + "</table>\n";
+  if (motion.notes.empty()) return html;
+  html += "<ul>\n";
+  for (const std::string& note : motion.notes) html += "<li>" + escaped(note) + "</li>\n";
+  return html + "</ul>\n";
+}
+
+std::string model_section(const ModelFacts& model) {
+  if (model.nodes.empty()) return "";
+  std::string html = "<h2>Model</h2>\n";
+  html += list_of(model.nodes, "nodes",
+                  "<tr><th>Node</th><th class=\"number\">Mass [kg]</th><th class=\"number\">x [m]</th>"
+                  "<th class=\"number\">Height [m]</th></tr>\n",
+                  [](const NodeFacts& node) {
+                    return "<tr>" + cell(node.name) + number_cell(node.mass) + number_cell(node.x) +
+                           number_cell(node.height) + "</tr>\n";
+                  });
+  html += list_of(model.elements, "elements",
+                  "<tr><th>Element</th><th>Law</th><th>From</th><th>To</th><th>Parameters</th></tr>\n",
+                  [](const ElementFacts& element) {
+                    return "<tr>" + cell(element.name) + cell(element.law) + cell(element.first) +
+                           cell(element.second) + cell(text_of(element.parameters)) + "</tr>\n";
+                  });
+  return html;
+}
+
+}  // namespace moat::html

@@ -1,0 +1,17 @@
+// The sections of the report about the input: origin, motion, model.
+#pragma once
+
+#include <string>
+
+#include "output/case_result.hpp"
+
+namespace moat::html {
+
+/// Command line, script, version, commit and date.
+std::string provenance_section(const Provenance& provenance);
+/// The motion with its file, scale factor and notes.
+std::string motion_section(const MotionFacts& motion);
+/// Nodes and elements with their parameters; of a long list the beginning.
+std::string model_section(const ModelFacts& model);
+
+}  // namespace moat::html

@@ -1,0 +1,34 @@
+// Attaches two observers: one that offers a quantity, and one that counts steps.
+#include <moat.hpp>
+
+#include <cstdio>
+
+using namespace moat;
+using namespace moat::units;
+
+struct Momentum final : QuantityRecorder {
+  std::vector<OfferedQuantity> quantities() const override { return {{"momentum", "body", "kg m/s"}}; }
+  void sample(const StepView& view, std::span<double> values) const override {
+    values[0] = 2.0 * view.model.state().velocity[0];
+  }
+};
+
+struct StepCount final : StepObserver {
+  void start(const StepView&) override {}
+  void step(const StepView&) override { ++steps; }
+  int steps = 0;
+};
+
+int main(int argc, char** argv) {
+  Script script{argc, argv, "Observers"};
+  Model model;
+  const NodeId body = add(model, Node{.name = "body", .mass = 2 * kg});
+  add(model, ShearSpring{.name = "spring", .lower = ground, .upper = body, .stiffness = 80 * N / m});
+  const GroundMotion push{"push", 0.01, std::vector<double>(101, 1.0)};
+  Momentum momentum;
+  StepCount count;
+  script.attach(count);
+  const int exit_code = script.run(model, push, {&momentum});
+  std::printf("%d steps\n", count.steps);
+  return exit_code;
+}

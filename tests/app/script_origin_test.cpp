@@ -1,0 +1,82 @@
+// What a results folder says about its own origin.
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "base/sha256.hpp"
+#include "run_program.hpp"
+
+namespace moat {
+namespace {
+
+using nlohmann::json;
+using testing::ProgramResult;
+using testing::text_of;
+
+class ScriptOrigin : public testing::InTemporaryFolder {
+ protected:
+  ScriptOrigin() { unsetenv("MOAT_SCRIPT"); }
+  ~ScriptOrigin() override { unsetenv("MOAT_SCRIPT"); }
+
+  json summary_of(std::vector<std::string> arguments, const std::string& out) {
+    arguments.insert(arguments.end(), {"--out", out, "--end", "1 s", "--frame-interval", "0 s"});
+    const ProgramResult result = testing::run_program(FIRST_TOUR, arguments, folder);
+    EXPECT_EQ(result.exit_code, 0) << result.errors;
+    return json::parse(text_of(folder / out / "summary.json"));
+  }
+};
+
+TEST_F(ScriptOrigin, TwoRunsThatDifferInAnOptionDifferInTheirSummary) {
+  const json first = summary_of({"--gap", "10 cm"}, "a"), second = summary_of({"--gap", "20 cm"}, "b");
+  EXPECT_EQ(first.at("provenance").at("options").at("gap"), "10 cm");
+  EXPECT_EQ(second.at("provenance").at("options").at("gap"), "20 cm");
+  EXPECT_EQ(second.at("provenance").at("options").at("step"), "0 s") << "also those left at their defaults";
+  EXPECT_NE(first.at("provenance").at("command_line"), second.at("provenance").at("command_line"));
+  EXPECT_NE(first.at("model"), second.at("model"));
+  EXPECT_NEAR(first.at("clearances").at(0).at("clearance").get<double>(), 0.1, 1e-15);
+  EXPECT_NEAR(second.at("clearances").at(0).at("clearance").get<double>(), 0.2, 1e-15);
+}
+
+TEST_F(ScriptOrigin, WithoutTheLauncherItIsTheProgram) {
+  const json provenance = summary_of({"--gap", "12 cm", "--quiet"}, "a").at("provenance");
+  EXPECT_EQ(provenance.at("script"), std::filesystem::canonical(FIRST_TOUR).string());
+  EXPECT_TRUE(provenance.at("script_sha256").is_null());
+  EXPECT_EQ(provenance.at("command_line"), std::filesystem::canonical(FIRST_TOUR).string() +
+                                               " --gap '12 cm' --quiet --out a --end '1 s' --frame-interval '0 s'");
+  EXPECT_EQ(provenance.at("options").at("quiet"), "yes");
+}
+
+TEST_F(ScriptOrigin, TheLauncherNamesTheScript) {
+  const std::filesystem::path script = folder / "my tower's.cpp";
+  std::ofstream{script} << "int main() {}\n";
+  setenv("MOAT_SCRIPT", script.c_str(), 1);
+  const json provenance = summary_of({}, "a").at("provenance");
+  EXPECT_EQ(provenance.at("script"), script.string());
+  EXPECT_EQ(provenance.at("script_sha256"), sha256_of("int main() {}\n"));
+  EXPECT_EQ(provenance.at("command_line"),
+            "moat run '" + folder.string() + "/my tower'\\''s.cpp' --out a --end '1 s' --frame-interval '0 s'");
+}
+
+TEST_F(ScriptOrigin, TheRecordIsKnownByPathHashAndScale) {
+  std::ofstream{folder / "record.txt"} << "0 0.1\n0.02 0.2\n0.04 -0.4\n0.06 0.1\n";
+  const json motion = summary_of({"--record", "record.txt", "--record-unit", "g", "--pga", "0.2 g"}, "a").at("motion");
+  EXPECT_EQ(motion.at("file"), (folder / "record.txt").string());
+  EXPECT_EQ(motion.at("sha256"), sha256_of(text_of(folder / "record.txt")));
+  EXPECT_NEAR(motion.at("scale_factor").get<double>(), 0.5, 1e-15);
+  EXPECT_EQ(motion.at("notes").back(), "accelerations multiplied by 0.5");
+}
+
+TEST_F(ScriptOrigin, TheReportSaysItToo) {
+  summary_of({"--gap", "20 cm"}, "a");
+  const std::string report = text_of(folder / "a/report.html");
+  for (const char* part : {"--gap '20 cm'", "Clearance left", "of 20 cm", "storey 5", "Scale factor"})
+    EXPECT_NE(report.find(part), std::string::npos) << part;
+}
+
+}  // namespace
+}  // namespace moat

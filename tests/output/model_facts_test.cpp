@@ -1,0 +1,46 @@
+#include "output/model_facts.hpp"
+
+#include <gtest/gtest.h>
+
+#include "recorders_testing.hpp"
+
+namespace moat {
+namespace {
+
+TEST(ModelFacts, HoldNodesAndElementsInTheirOrder) {
+  const testing_output::HandMovedBuilding building;
+  const ModelFacts facts = facts_of(building.model);
+  ASSERT_EQ(facts.nodes.size(), 2u);
+  EXPECT_EQ(facts.nodes[1].name, "floor 1");
+  EXPECT_EQ(facts.nodes[1].mass, 3.0);
+  EXPECT_EQ(facts.nodes[1].height, 3.5);
+  ASSERT_EQ(facts.elements.size(), 5u);
+  EXPECT_EQ(facts.elements[0].name, "storey 1");
+  EXPECT_EQ(facts.elements[0].first, "base");
+  EXPECT_EQ(facts.elements[0].second, "floor 1");
+  EXPECT_EQ(facts.elements[0].law, "Linear");
+  ASSERT_FALSE(facts.elements[0].parameters.empty());
+  EXPECT_EQ(facts.elements[0].parameters[0].name, "stiffness");
+  EXPECT_EQ(facts.elements[0].parameters[0].value, 100.0);
+  EXPECT_EQ(facts.elements[0].parameters[0].unit, "N/m");
+}
+
+TEST(ModelFacts, HaveTheClearanceOfEveryGap) {
+  const testing_output::HandMovedBuilding building;
+  for (const ElementFacts& element : facts_of(building.model).elements) {
+    if (element.name != "moat left") continue;
+    EXPECT_EQ(element.law, "HertzDamp");
+    ASSERT_EQ(element.parameters.size(), 4u);
+    EXPECT_EQ(element.parameters[2].name, "restitution");
+    EXPECT_EQ(element.parameters[2].value, 1.0);
+    EXPECT_EQ(element.parameters.front().name, "clearance");
+    EXPECT_EQ(element.parameters.front().value, 0.1);
+    EXPECT_EQ(element.parameters.front().unit, "m");
+    EXPECT_EQ(element.second, "ground");
+    return;
+  }
+  FAIL() << "there is no moat left";
+}
+
+}  // namespace
+}  // namespace moat
