@@ -1,4 +1,4 @@
-// What this building costs without any library of structures: two methods in one loop.
+// The building without any library of structures: two methods in one loop.
 #pragma once
 
 #include "motions/ground_motion.hpp"

@@ -16,17 +16,17 @@ using SharedModel = std::shared_ptr<const Model>;
 /// One way to run moat with options of an analysis.
 using MoatRun = std::function<Peaks(const TransientOptions&)>;
 
-constexpr double default_tolerance = 1.2e-4;
-constexpr int default_steps_per_contact = 32, fewest_steps_per_contact = 4;
-
 // Contacts are divided in step with the tolerance: the error of both falls with the square of the step.
+constexpr double middle_tolerance = 1.2e-4;
+constexpr int middle_steps_per_contact = 32, fewest_steps_per_contact = 4;
+
 int steps_for(double tolerance) {
-  const double steps = default_steps_per_contact * std::sqrt(default_tolerance / tolerance);
+  const double steps = middle_steps_per_contact * std::sqrt(middle_tolerance / tolerance);
   return std::max(fewest_steps_per_contact, static_cast<int>(std::lround(steps)));
 }
 double tolerance_for(int steps_per_contact) {
-  const double ratio = static_cast<double>(default_steps_per_contact) / steps_per_contact;
-  return std::min(default_tolerance * ratio * ratio, 0.5);
+  const double ratio = static_cast<double>(middle_steps_per_contact) / steps_per_contact;
+  return std::min(middle_tolerance * ratio * ratio, 0.5);
 }
 
 Ladder moat_adaptive(const MoatRun& run) {

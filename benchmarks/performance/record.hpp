@@ -1,4 +1,4 @@
-// What was measured, for people and for programs.
+// The figures of a run, for people and for programs.
 #pragma once
 
 #include <filesystem>
