@@ -1,11 +1,24 @@
-// What another program prints.
+// The output of another program.
 #pragma once
 
+#include <array>
+#include <cstdio>
 #include <string>
+
+#include "base/error.hpp"
 
 namespace moat::performance {
 
-/// Standard output of a command of the shell, whether it succeeds or not. Throws Error if there is no shell.
-std::string output_of(const std::string& command);
+/// The standard output of a shell command. Throws Error where it cannot be run or does not exit with 0.
+inline std::string output_of(const std::string& command) {
+  std::FILE* stream = popen(command.c_str(), "r");
+  if (stream == nullptr) throw Error{"This command cannot be run: " + command};
+  std::string output;
+  std::array<char, 4096> buffer;
+  for (std::size_t count; (count = std::fread(buffer.data(), 1, buffer.size(), stream)) > 0;)
+    output.append(buffer.data(), count);
+  if (pclose(stream) != 0) throw Error{"This command failed: " + command};
+  return output;
+}
 
 }  // namespace moat::performance

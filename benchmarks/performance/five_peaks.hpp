@@ -1,12 +1,9 @@
-// The peaks by which everyone is judged.
+// The peaks by which all methods are judged.
 #pragma once
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstddef>
-
-#include "performance/parabola_peak.hpp"
 
 namespace moat::performance {
 
@@ -19,24 +16,42 @@ inline double largest_error(const Peaks& peaks, const Peaks& reference) {
   return std::isfinite(worst) ? worst : 1e9;
 }
 
-/// Follows the five over continuous time by samples alone: for the peers, who have no rates.
+/// Follows the five through instants at unequal distances by samples alone, for methods that have no rates, and keeps
+/// their largest magnitudes over continuous time: where neighbouring samples turn, the vertex of the parabola through
+/// three of them counts.
 class FivePeaks {
  public:
   void add(double time, const Peaks& now) {
-    for (std::size_t i = 0; i < now.size(); ++i) trackers_[i].add(time, now[i]);
+    for (std::size_t i = 0; i < now.size(); ++i) {
+      peaks_[i] = std::max(peaks_[i], std::abs(now[i]));
+      if (count_ >= 2 && (last_[i] - before_[i]) * (now[i] - last_[i]) < 0.0) keep_vertex(i, time, now[i]);
+    }
+    before_ = last_;
+    time_before_ = last_time_;
+    last_ = now;
+    last_time_ = time;
+    ++count_;
   }
-  /// Just after an event.
+  /// Just after an event, where quantities may jump: no parabola reaches across it.
   void restart(double time, const Peaks& now) {
-    for (std::size_t i = 0; i < now.size(); ++i) trackers_[i].restart(time, now[i]);
+    count_ = 0;
+    add(time, now);
   }
-  [[nodiscard]] Peaks values() const {
-    Peaks peaks{};
-    for (std::size_t i = 0; i < peaks.size(); ++i) peaks[i] = trackers_[i].magnitude();
-    return peaks;
-  }
+  [[nodiscard]] const Peaks& values() const { return peaks_; }
 
  private:
-  std::array<ParabolaPeak, 5> trackers_;
+  void keep_vertex(std::size_t i, double time, double value) {
+    const double before = last_time_ - time_before_, after = time - last_time_;
+    if (before <= 0.0 || after <= 0.0) return;
+    const double slope_before = (last_[i] - before_[i]) / before, slope_after = (value - last_[i]) / after;
+    const double curvature = (slope_after - slope_before) / (before + after);
+    const double slope = (slope_before * after + slope_after * before) / (before + after);
+    peaks_[i] = std::max(peaks_[i], std::abs(last_[i] - 0.25 * slope * slope / curvature));
+  }
+
+  Peaks peaks_{}, last_{}, before_{};
+  double last_time_ = 0.0, time_before_ = 0.0;
+  int count_ = 0;
 };
 
 }  // namespace moat::performance

@@ -1,4 +1,5 @@
-// The five-storey building in its moat, in plain SI and without moat: what everything moat is compared with computes.
+// The five-storey building in its moat, in plain SI and without moat: the equations of everything moat is compared
+// with.
 //
 // It is the building of benchmarks/paper/paper_building.hpp: base 0 and floors 1 to 5, displacements u relative to the
 // ground. With the floors' mass m, storey stiffness k and Rayleigh factors alpha (1/s) and beta (s):
@@ -8,14 +9,18 @@
 //     a_0  = (m s_1 + m alpha sum (v_i - v_0) - F_bearing - F_wall) / m_0 - a_g
 #pragma once
 
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
 
-#include "performance/pairs.hpp"
-
 namespace moat::performance {
+
+inline constexpr int floors = 5, unknowns = floors + 1;
+
+/// One number for the base (0) and for each floor (1 to 5).
+using Values = Eigen::Matrix<double, unknowns, 1>;
 
 struct FiveStoreys {
   double base_mass = 550e3, floor_mass = 500e3;  // kg
@@ -43,7 +48,7 @@ struct FiveStoreys {
   }
 };
 
-/// What the bearing and the wall are doing.
+/// The state of bearing and wall.
 struct Regimes {
   int sliding = 0;              ///< direction in which the bearing yields; 0: elastic about its slip
   double slip = 0.0;            ///< m
@@ -59,12 +64,18 @@ inline double speed_ratio(const Regimes& regimes, double base_velocity) {
   return std::clamp(regimes.side * base_velocity / regimes.approach_speed, -largest_speed_ratio, largest_speed_ratio);
 }
 
-/// Force on the wall, N, >= 0.
-inline double wall_force(const FiveStoreys& building, const Regimes& regimes, double base, double base_velocity) {
+/// Force of the wall, N, >= 0, and its derivatives by indentation (N/m) and its rate (N s/m).
+struct WallForce {
+  double force = 0.0, stiffness = 0.0, damping = 0.0;
+};
+inline WallForce wall_force(const FiveStoreys& building, const Regimes& regimes, double base, double base_velocity) {
   const double indentation = regimes.side * base - building.gap;
-  if (regimes.side == 0 || regimes.released || indentation <= 0.0) return 0.0;
-  return building.impact_stiffness * indentation * std::sqrt(indentation) *
-         (1.0 + building.impact_damping * speed_ratio(regimes, base_velocity));
+  if (regimes.side == 0 || regimes.released || indentation <= 0.0) return {};
+  const double root = building.impact_stiffness * std::sqrt(indentation);
+  const double ratio = speed_ratio(regimes, base_velocity), factor = 1.0 + building.impact_damping * ratio;
+  const bool capped = std::abs(ratio) >= largest_speed_ratio;
+  return {root * indentation * factor, 1.5 * root * factor,
+          capped ? 0.0 : root * indentation * building.impact_damping / regimes.approach_speed};
 }
 
 /// F = stiffness * u + constant, N, while the bearing stays in its regime.
@@ -81,17 +92,16 @@ inline Line bearing_line(const FiveStoreys& building, const Regimes& regimes) {
 /// `base_force`: of bearing and wall on the base, N, against positive displacement.
 inline Values accelerations(const FiveStoreys& building, const Values& u, const Values& v, double base_force,
                             double ground) {
-  using Pair = Values::Pair;
   const Values w = building.square_frequency * (u + building.stiffness_factor * v);
-  // The shears of storeys (1, 4) and (2, 5), and that of 3 as seen from below and from above; there is no sixth.
-  const Pair s14 = w.pairs[1] - w.pairs[0], s25 = w.pairs[2] - w.pairs[1];
-  const double s3 = w[3] - w[2];
-  const Pair from_base = building.mass_factor * (v.pairs[0] - v[0]),
-             drag_1 = building.mass_factor * (v.pairs[1] - v[0]), drag_2 = building.mass_factor * (v.pairs[2] - v[0]);
-  const Pair drags = drag_1 + drag_2 + from_base;
-  Values a{
-      {s14 - Pair{0.0, s3} - from_base - ground, s25 - s14 - drag_1 - ground, Pair{s3, 0.0} - s25 - drag_2 - ground}};
-  a.set(0, building.mass_ratio * (s14[0] + (drags[0] + drags[1])) - building.inverse_base_mass * base_force - ground);
+  const Values drag = building.mass_factor * (v.array() - v[0]).matrix();
+  double below = w[1] - w[0];
+  Values a;
+  a[0] = building.mass_ratio * (below + drag.sum()) - building.inverse_base_mass * base_force - ground;
+  for (int i = 1; i <= floors; ++i) {
+    const double above = i < floors ? w[i + 1] - w[i] : 0.0;
+    a[i] = above - below - drag[i] - ground;
+    below = above;
+  }
   return a;
 }
 

@@ -1,5 +1,6 @@
 #include "performance/moat_five_storeys.hpp"
 
+#include <cmath>
 #include <moat.hpp>
 
 #include "output/peak_recorder.hpp"
@@ -12,6 +13,12 @@ double peak_of(const std::vector<Peak>& peaks, std::string_view quantity, std::s
   for (const Peak& peak : peaks)
     if (peak.quantity == quantity && peak.where == where) return peak.magnitude();
   throw InputError{"There is no peak " + std::string{quantity} + " of " + std::string{where} + "."};
+}
+
+Peaks five_of(const std::vector<Peak>& peaks) {
+  return {peak_of(peaks, "displacement", "base"), peak_of(peaks, "displacement", "floor 5"),
+          peak_of(peaks, "absolute_acceleration", "base"), peak_of(peaks, "absolute_acceleration", "floor 5"),
+          peak_of(peaks, "impact_force", "moat")};
 }
 
 }  // namespace
@@ -41,10 +48,13 @@ Peaks moat_peaks(const Model& model, const GroundMotion& motion, const Transient
   PeakRecorder recorder{copy};
   analysis.attach(recorder);
   analysis.run();
-  const std::vector<Peak> peaks = recorder.peaks();
-  return {peak_of(peaks, "displacement", "base"), peak_of(peaks, "displacement", "floor 5"),
-          peak_of(peaks, "absolute_acceleration", "base"), peak_of(peaks, "absolute_acceleration", "floor 5"),
-          peak_of(peaks, "impact_force", "moat")};
+  return five_of(recorder.peaks());
+}
+
+Peaks moat_case(const Model& model, const GroundMotion& motion, const TransientOptions& options,
+                ErrorBarMode error_bars) {
+  Model copy = model;
+  return five_of(run_case(copy, motion, {.transient = options, .error_bars = error_bars}).peaks);
 }
 
 }  // namespace moat::performance

@@ -1,15 +1,20 @@
 // The five-storey building computed by moat.
 #pragma once
 
-#include "analyses/transient.hpp"
+#include "analyses/case_run.hpp"
 #include "performance/five_peaks.hpp"
 
 namespace moat::performance {
 
 /// The building in its moat; `locate_yield` as in LeadRubberBearing.
-Model five_storey_model(bool locate_yield);
+Model five_storey_model(bool locate_yield = true);
 
-/// Analyses a copy of the model, followed by a PeakRecorder: peaks of all channels of the model.
+/// Analyses a copy of the model, followed by a PeakRecorder alone: peaks of all channels of the model.
 Peaks moat_peaks(const Model& model, const GroundMotion& motion, const TransientOptions& options);
+
+/// The same as a script does it, up to its results in memory: CaseRun with peaks, energy ledger, impacts, histories,
+/// periods and, if asked for, the second run for error bars.
+Peaks moat_case(const Model& model, const GroundMotion& motion, const TransientOptions& options,
+                ErrorBarMode error_bars = ErrorBarMode::never);
 
 }  // namespace moat::performance

@@ -8,16 +8,11 @@
 #include <vector>
 
 #include "base/error.hpp"
-#include "performance/equal_accuracy.hpp"
+#include "performance/compare.hpp"
 #include "performance/measure.hpp"
-#include "performance/options.hpp"
-#include "performance/overhead.hpp"
-#include "performance/profile.hpp"
 #include "performance/record.hpp"
-#include "performance/scale.hpp"
+#include "performance/sections.hpp"
 #include "performance/street_run.hpp"
-#include "performance/suite.hpp"
-#include "performance/vector_code.hpp"
 
 namespace {
 
@@ -30,13 +25,11 @@ struct Section {
 
 const std::vector<Section>& sections() {
   static const std::vector<Section> list{
-      {"equal-accuracy", equal_accuracy}, {"overhead", overhead}, {"scale", scale}, {"suite", suite},
-      {"vector-code", vector_code},       {"profile", profile},
-  };
+      {"equal-accuracy", equal_accuracy}, {"overhead", overhead}, {"scale", scale}, {"suite", suite}};
   return list;
 }
 
-int run(const Options& options, const std::string& only, bool write_docs) {
+void measure(const Options& options, const std::string& only, bool write_docs) {
   Record record;
   for (const Section& section : sections()) {
     if (!only.empty() && section.name != only) continue;
@@ -48,18 +41,16 @@ int run(const Options& options, const std::string& only, bool write_docs) {
   if (write_docs) record.write_documentation(MOAT_PERFORMANCE_DOCUMENT);
   std::printf("\nNumbers and charts: %s\n%d targets, %d held, %d missed\n", options.folder.c_str(), record.targets(),
               record.targets() - record.missed(), record.missed());
-  return 0;
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  if (const auto exit_code = street_process(argc, argv)) return *exit_code;
   constexpr int exit_usage = 2;
   CLI::App app{"How fast moat is, as ratios measured in one run"};
   app.name("./moat bench performance");
   Options options;
-  std::string only, profiled;
+  std::string only;
   bool write_docs = false;
   std::vector<std::string> names;
   for (const Section& section : sections()) names.push_back(section.name);
@@ -69,22 +60,39 @@ int main(int argc, char** argv) {
   app.add_option("--rounds", options.rounds, "interleaved rounds whose median counts")
       ->capture_default_str()
       ->check(CLI::Range(5, 1000));
-  app.add_option("--profile", profiled, "one hot loop alone, to be watched by a profiler; measures nothing")
-      ->check(CLI::IsMember({"building", "exact", "street"}));
   app.add_flag("--quick", options.quick, "less of everything, to try the program");
+
+  Comparison comparison;
+  CLI::App* comparing = app.add_subcommand("compare", "another build (A) and this one (B) in turns A B A B");
+  comparing->add_option("program", comparison.other, "the other build's program")->required()->check(CLI::ExistingFile);
+  comparing->add_option("--section", comparison.section, "the section that is run")
+      ->capture_default_str()
+      ->check(CLI::IsMember(names));
+  comparing->add_option("--out", comparison.folder, "folder for the figures of all turns")->capture_default_str();
+  comparing->add_option("--turns", comparison.turns, "2: A B A B")->capture_default_str()->check(CLI::Range(1, 100));
+  comparing->add_option("--bound", comparison.bound, "ratio beyond which a row counts as slower")
+      ->capture_default_str();
+
+  StreetSetting street;
+  CLI::App* on_street = app.add_subcommand("street", "steps of a street in this process; prints JSON");
+  on_street->add_option("--buildings", street.buildings, "of six degrees of freedom each")->capture_default_str();
+  on_street->add_option("--steps-before", street.steps_before, "not measured")->capture_default_str();
+  on_street->add_option("--steps", street.steps, "measured")->capture_default_str();
+  on_street->add_flag("--parts", street.parts, "also the parts of an iteration");
+
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? 0 : exit_usage;
   }
   try {
+    if (*comparing) return compare(comparison) == 0 ? 0 : 1;
+    if (*on_street) return std::printf("%s\n", nlohmann::json(measure_street(street)).dump().c_str()), 0;
     if (const char* records = std::getenv("MOAT_RECORDS")) options.records = records;
     if (write_docs && (options.quick || options.records.empty()))
       throw moat::InputError{"--write-docs needs the recorded motions (MOAT_RECORDS), and not --quick."};
-    if (profiled == "building") return profile_building(options), 0;
-    if (profiled == "exact") return profile_exact(options), 0;
-    if (profiled == "street") return profile_street(), 0;
-    return run(options, only, write_docs);
+    measure(options, only, write_docs);
+    return 0;
   } catch (const std::exception& error) {
     std::fprintf(stderr, "moat: error: %s\n", error.what());
     return 1;

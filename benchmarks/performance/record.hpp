@@ -1,12 +1,10 @@
-// What was measured, for people and for programs.
+// The figures of a run, for people and for programs.
 #pragma once
 
 #include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
-
-#include "output/chart.hpp"
 
 namespace moat::performance {
 
@@ -19,6 +17,10 @@ struct Spread {
 /// Of something that was measured or counted once.
 inline Spread single(double value) { return {value, value, value, 1}; }
 
+inline Spread scaled(Spread value, double factor) {
+  return {value.median * factor, value.low * factor, value.high * factor, value.count};
+}
+
 struct Target {
   double bound = 0.0;
   bool at_most = true;  ///< or at least
@@ -27,50 +29,59 @@ struct Target {
 struct Figure {
   std::string name;  ///< "equal accuracy, GBZ000, moat adaptive at 0.1 %"
   Spread value;
-  std::string unit;  ///< empty for a ratio
+  std::string unit = {};  ///< empty for a ratio
   std::optional<Target> target = {};
-  std::string detail = {};  ///< what else a reader may want to know, in brackets
+  std::string detail = {};  ///< in brackets behind the value
 
   /// Whether the median keeps to the target, if there is one.
   [[nodiscard]] bool held() const;
 };
 
-/// Prints every line at once and keeps it, section by section.
+/// Three digits.
+std::string short_text(double value);
+/// Without its unit; "**missed**" behind it where a target is.
+std::string cell(const Figure& figure);
+/// "at most 3"
+std::string text(const Target& target);
+
+/// A table of docs/performance.md.
+class Table {
+ public:
+  explicit Table(std::vector<std::string> header) : header_{std::move(header)} {}
+  /// Into the row that begins with `row`, made when first named.
+  void put(const std::string& row, const std::string& column, const std::string& text);
+  [[nodiscard]] std::string markdown() const;
+
+ private:
+  std::vector<std::string> header_;
+  std::vector<std::vector<std::string>> rows_;
+};
+
+/// Prints every figure at once and keeps it, section by section. All figures go into performance.json; the document
+/// gets tables and notes.
 class Record {
  public:
-  /// What follows belongs to this section. `name` is what --only and the markers in docs/performance.md call it.
-  void section(const std::string& name, const std::string& title);
+  /// The following belongs to this section. `name` stands in --only and in the markers of docs/performance.md.
+  void section(const std::string& name);
   /// Prints `name  value  unit  (spread)` and whether the target was held.
-  void add(Figure figure);
-  /// What a reader has to know: "Octave is not installed: left out."
+  const Figure& add(Figure figure);
+  /// Something a reader has to know: "Octave is not installed: left out."
   void note(const std::string& sentence);
-  /// An SVG that write() puts beside the figures.
-  void chart(const std::string& file_name, const std::string& svg);
-  /// Draws charts as svg_text does and keeps their points beside the figures as well.
-  void chart(const std::string& file_name, const std::vector<Chart>& charts, int width = 1000, int height = 420,
-             int columns = 1);
+  void table(const Table& table);
 
   [[nodiscard]] int targets() const;
   [[nodiscard]] int missed() const;
-  /// FOLDER/performance.json and the charts. Throws FileError.
+  /// FOLDER/performance.json. Throws FileError.
   void write(const std::filesystem::path& folder) const;
-  /// Brings the sections that were run up to date in a Markdown file, and the charts in `images` beside it.
-  /// Throws FileError.
+  /// Brings the sections that were run up to date in a Markdown file. Throws FileError.
   void write_documentation(const std::filesystem::path& document) const;
 
  private:
-  struct Drawing {
-    std::string file_name, svg;
-    std::vector<Chart> charts;
-  };
   struct Section {
-    std::string name, title;
+    std::string name;
     std::vector<Figure> figures;
-    std::vector<std::string> notes;
-    std::vector<Drawing> drawings;
+    std::vector<std::string> tables, notes;
   };
-
-  [[nodiscard]] static std::string markdown(const Section& section);
 
   std::vector<Section> sections_;
 };

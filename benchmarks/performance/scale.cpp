@@ -1,22 +1,13 @@
-#include "performance/scale.hpp"
-
-#include <algorithm>
 #include <cmath>
 
-#include "output/chart.hpp"
 #include "performance/measure.hpp"
+#include "performance/sections.hpp"
 #include "performance/street_run.hpp"
 
 namespace moat::performance {
 namespace {
 
-/// Longer than a base can move in one step: touches are then taken at the end of the step that sees them. Located to
-/// 1e-12 m one by one, each of them would end a step of its own, and the number of steps grow with that of buildings.
-
-constexpr int steps_before = 24, steps = 40;
-
-/// Target of the peak memory per degree of freedom of the largest street.
-constexpr double largest_bytes = 1500.0;
+constexpr Target largest_bytes{1500.0};
 
 struct Size {
   double degrees_of_freedom = 0.0;
@@ -32,6 +23,7 @@ std::string count_text(double value) {
 
 std::string named(double degrees_of_freedom) { return "street of " + count_text(degrees_of_freedom) + " DOF, "; }
 
+/// Of log y over log x.
 double slope(const std::vector<double>& x, const std::vector<double>& y) {
   double mean_x = 0.0, mean_y = 0.0, xx = 0.0, xy = 0.0;
   const auto count = static_cast<double>(x.size());
@@ -56,151 +48,114 @@ void add_steps(Size& size, const StreetReport& report) {
   }
 }
 
-Spread scaled(Spread value, double factor) {
-  return {value.median * factor, value.low * factor, value.high * factor, value.count};
-}
+class Report {
+ public:
+  explicit Report(Record& record) : record_{&record} {}
 
-void show_window(Record& record, const StreetReport& report) {
-  const std::string name = named(report.degrees_of_freedom);
-  record.add(
-      {name + "motion covered by " + std::to_string(steps) + " steps", single(1e3 * report.motion_seconds), "ms"});
-  record.add({name + "touches and separations in them", single(report.changes), ""});
-  record.add({name + "contacts closed at their end", single(report.contacts_at_end), ""});
-  record.add({name + "solves per step", single(report.solves / steps), ""});
-  double iterations = 0.0;
-  for (const double each : report.step_iterations) iterations += each;
-  record.add({name + "Newton iterations per step", single(iterations / steps), ""});
-  record.add({name + "factorisations per iteration", single(report.factorisations / iterations), ""});
-  record.add({name + "time to build the model", single(report.build_seconds), "s"});
-  record.add({name + "time to start the analysis", single(report.start_seconds), "s"});
-}
-
-// An iteration and its parts beside the time in which a copy moves as many bytes.
-void show_parts(Record& record, const StreetReport& report) {
-  const std::string name = named(report.degrees_of_freedom);
-  std::vector<double> speeds;
-  for (const double each : report.seconds_per_byte) speeds.push_back(1e-9 / each);
-  record.add({"memory, copied on one thread, read + written", spread_of(speeds), "GB/s"});
-  const auto beside_streaming = [&](const std::vector<double>& taken, double bytes) {
-    std::vector<double> streaming;
-    for (const double each : report.seconds_per_byte) streaming.push_back(each * bytes);
-    return ratio_of(taken, streaming);
-  };
-  for (const StreetPart& part : report.parts) {
-    record.add(
-        {name + part.name + ", bytes it must touch per DOF", single(part.bytes / report.degrees_of_freedom), "B"});
-    record.add({name + part.name, scaled(spread_of(part.seconds), 1e3), "ms"});
-    std::optional<Target> target;
-    if (part.name == "iteration") target = Target{8.0};
-    record.add(
-        {name + part.name + " over streaming its bytes", beside_streaming(part.seconds, part.bytes), "", target});
+  void run(bool quick) {
+    grow(quick);
+    show_sizes();
+    show_parts();
+    record_->table(sizes_table_);
+    record_->table(parts_table_);
+    record_->table(targets_);
   }
-  std::vector<double> both;
-  for (std::size_t i = 0; i < report.parts[0].seconds.size(); ++i)
-    both.push_back(report.parts[0].seconds[i] + report.parts[1].seconds[i]);
-  record.add({name + "evaluation + assembly over streaming their bytes",
-              beside_streaming(both, report.parts[0].bytes + report.parts[1].bytes), "", Target{2.0}});
-}
 
-void show_charts(Record& record, const std::vector<Size>& sizes) {
-  Series step{.name = "step", .x = {}, .y = {}}, iteration{.name = "Newton iteration", .x = {}, .y = {}};
-  Series memory{.name = "whole process", .x = {}, .y = {}};
-  for (const Size& size : sizes) {
-    for (Series* series : {&step, &iteration, &memory}) series->x.push_back(size.degrees_of_freedom);
-    step.y.push_back(1e3 * spread_of(size.per_step).median);
-    iteration.y.push_back(1e3 * spread_of(size.per_iteration).median);
-    memory.y.push_back(size.bytes_per_degree_of_freedom);
+ private:
+  const Figure& judge(const std::string& name, const Spread& value, Target target, const std::string& unit = {}) {
+    const Figure& figure = record_->add({name, value, unit, target});
+    targets_.put(name + (unit.empty() ? "" : " [" + unit + "]"), "Measured", cell(figure));
+    targets_.put(name + (unit.empty() ? "" : " [" + unit + "]"), "Target", text(target));
+    return figure;
   }
-  Series linear{.name = "in proportion", .x = {step.x.front(), step.x.back()}, .y = {}, .style = Series::Style::dashed};
-  linear.y = {step.y.back() * step.x.front() / step.x.back(), step.y.back()};
-  const Series target{.name = "target at 1e6",
-                      .x = {memory.x.front(), memory.x.back()},
-                      .y = {largest_bytes, largest_bytes},
-                      .style = Series::Style::dashed};
-  record.chart("scale.svg",
-               {{.title = "Time on one thread",
-                 .x_label = "degrees of freedom",
-                 .y_label = "time [ms]",
-                 .series = {step, iteration, linear},
-                 .logarithmic_x = true,
-                 .logarithmic_y = true},
-                {.title = "Memory",
-                 .x_label = "degrees of freedom",
-                 .y_label = "peak per degree of freedom [B]",
-                 .series = {memory, target},
-                 .logarithmic_x = true,
-                 .logarithmic_y = true}},
-               1000, 360, 2);
-}
 
-void grow(Record& record, const Options& options) {
-  std::vector<int> buildings{167, 527, 1667, 5270, 16667, 52705};
-  if (!options.quick) buildings.push_back(166667);
-  std::vector<Size> sizes(buildings.size());
-  StreetReport largest;
   // Small streets take turns, three times; the large ones run once: they take long enough.
-  constexpr int passes = 3, repeated_up_to = 20000;
-  for (int pass = 0; pass < passes; ++pass) {
-    for (std::size_t i = 0; i < buildings.size(); ++i) {
-      if (pass > 0 && buildings[i] > repeated_up_to) continue;
-      const bool last = i + 1 == buildings.size();
-      const StreetReport report = run_street({.buildings = buildings[i],
-                                              .location_tolerance = street_location_tolerance,
-                                              .steps_before = steps_before,
-                                              .steps = steps,
-                                              .parts = last});
-      add_steps(sizes[i], report);
-      if (last) largest = report;
-    }
+  void grow(bool quick) {
+    std::vector<int> buildings{167, 527, 1667, 5270, 16667, 52705};
+    if (!quick) buildings.push_back(166667);
+    sizes_.resize(buildings.size());
+    constexpr int passes = 3, repeated_up_to = 20000;
+    for (int pass = 0; pass < passes; ++pass)
+      for (std::size_t i = 0; i < buildings.size(); ++i) {
+        if (pass > 0 && buildings[i] > repeated_up_to) continue;
+        const bool last = i + 1 == buildings.size();
+        const StreetReport report = run_street({.buildings = buildings[i], .parts = last});
+        add_steps(sizes_[i], report);
+        if (last) largest_ = report;
+      }
   }
-  std::vector<double> n, per_step, per_iteration;
-  for (const Size& size : sizes) {
-    const std::string name = named(size.degrees_of_freedom);
-    record.add({name + "time per step", scaled(spread_of(size.per_step), 1e3), "ms"});
-    record.add({name + "time per step over Newton iterations", scaled(spread_of(size.per_iteration), 1e3), "ms"});
-    record.add({name + "peak memory of the process per DOF", single(size.bytes_per_degree_of_freedom), "B",
-                &size == &sizes.back() ? std::optional{Target{largest_bytes}} : std::nullopt});
-    n.push_back(size.degrees_of_freedom);
-    per_step.push_back(spread_of(size.per_step).median);
-    per_iteration.push_back(spread_of(size.per_iteration).median);
-  }
-  record.add({"street, slope of log time per step over log DOF", single(slope(n, per_step)), "", Target{1.05}});
-  record.add(
-      {"street, slope of log time per iteration over log DOF", single(slope(n, per_iteration)), "", Target{1.05}});
-  // Small streets fit into a cache that is faster than memory; what follows does not.
-  const std::size_t beyond_caches = 4;
-  if (n.size() > beyond_caches + 1)
-    record.add({"street, slope of log time per step over log DOF, from 1e5 DOF on",
-                single(slope({n.begin() + beyond_caches, n.end()}, {per_step.begin() + beyond_caches, per_step.end()})),
-                ""});
-  show_window(record, largest);
-  show_parts(record, largest);
-  show_charts(record, sizes);
-}
 
-// What locating every touch does to a street: the same number of steps covers less and less motion.
-void show_located(Record& record) {
-  for (const int buildings : {167, 1667, 16667}) {
-    const StreetReport report = run_street({.buildings = buildings, .steps_before = steps_before, .steps = steps});
-    const std::string name = named(report.degrees_of_freedom) + "touches located to 1e-12 m, ";
-    record.add({name + "motion covered per step", single(1e6 * report.motion_seconds / steps), "us"});
-    Size size;
-    add_steps(size, report);
-    record.add({name + "solves per step", single(report.solves / steps), ""});
-    record.add({name + "time per step over Newton iterations", scaled(spread_of(size.per_iteration), 1e3), "ms"});
+  void show_sizes() {
+    std::vector<double> n, per_step, per_iteration;
+    for (const Size& size : sizes_) {
+      const std::string name = named(size.degrees_of_freedom), row = count_text(size.degrees_of_freedom);
+      const Spread step = scaled(spread_of(size.per_step), 1e3), iteration = scaled(spread_of(size.per_iteration), 1e3);
+      const std::string memory = name + "peak memory of the process per DOF";
+      const Spread bytes = single(size.bytes_per_degree_of_freedom);
+      sizes_table_.put(row, "step [ms]", cell(record_->add({name + "time per step", step, "ms"})));
+      sizes_table_.put(row, "Newton iteration [ms]",
+                       cell(record_->add({name + "time per step over Newton iterations", iteration, "ms"})));
+      sizes_table_.put(row, "peak memory of the process per DOF [B]",
+                       cell(&size == &sizes_.back() ? judge(memory, bytes, largest_bytes, "B")
+                                                    : record_->add({memory, bytes, "B"})));
+      n.push_back(size.degrees_of_freedom);
+      per_step.push_back(step.median);
+      per_iteration.push_back(iteration.median);
+    }
+    const std::string largest = named(largest_.degrees_of_freedom);
+    record_->add({largest + "time to build the model", single(largest_.build_seconds), "s"});
+    judge("street, slope of log time per step over log DOF", single(slope(n, per_step)), Target{1.05});
+    judge("street, slope of log time per iteration over log DOF", single(slope(n, per_iteration)), Target{1.05});
   }
-}
+
+  // An iteration and its parts beside the time in which a copy moves as many bytes.
+  void show_parts() {
+    const std::string name = named(largest_.degrees_of_freedom);
+    std::vector<double> speeds;
+    for (const double each : largest_.seconds_per_byte) speeds.push_back(1e-9 / each);
+    record_->add({"memory, copied on one thread, read + written", spread_of(speeds), "GB/s"});
+    const auto beside_streaming = [&](const std::vector<double>& taken, double bytes) {
+      std::vector<double> streaming;
+      for (const double each : largest_.seconds_per_byte) streaming.push_back(each * bytes);
+      return ratio_of(taken, streaming);
+    };
+    for (const StreetPart& part : largest_.parts) {
+      const double bytes = part.bytes / largest_.degrees_of_freedom;
+      const std::string over = name + part.name + " over streaming its bytes";
+      const Spread ratio = beside_streaming(part.seconds, part.bytes);
+      record_->add({name + part.name + ", bytes it must touch per DOF", single(bytes), "B"});
+      parts_table_.put(part.name, "bytes it must touch per DOF", short_text(bytes));
+      parts_table_.put(part.name, "time [ms]",
+                       cell(record_->add({name + part.name, scaled(spread_of(part.seconds), 1e3), "ms"})));
+      parts_table_.put(part.name, "time over streaming the bytes",
+                       cell(part.name == "iteration" ? judge(over, ratio, Target{8.0}) : record_->add({over, ratio})));
+    }
+    const StreetPart &evaluation = largest_.parts[0], &assembly = largest_.parts[1];
+    std::vector<double> both;
+    for (std::size_t i = 0; i < evaluation.seconds.size(); ++i)
+      both.push_back(evaluation.seconds[i] + assembly.seconds[i]);
+    judge(name + "evaluation + assembly over streaming their bytes",
+          beside_streaming(both, evaluation.bytes + assembly.bytes), Target{2.0});
+  }
+
+  Record* record_;
+  std::vector<Size> sizes_;
+  StreetReport largest_;
+  Table sizes_table_{{"DOF", "step [ms]", "Newton iteration [ms]", "peak memory of the process per DOF [B]"}};
+  Table parts_table_{{"Largest street", "bytes it must touch per DOF", "time [ms]", "time over streaming the bytes"}};
+  Table targets_{{"", "Measured", "Target"}};
+};
 
 }  // namespace
 
 void scale(Record& record, const Options& options) {
-  record.section("scale", "Scale: a street of isolated buildings that pound each other");
-  record.note("Fixed steps of 2.5 ms from the start of a pulse in which contacts begin and end everywhere; steps " +
-              std::to_string(steps_before + 1) + " to " + std::to_string(steps_before + steps) +
-              " are measured, on the wall clock, with the energy ledger attached. Each street runs in a process of its "
-              "own, whose whole peak counts as memory: code, model with all names, matrix, factors, states.");
-  grow(record, options);
-  show_located(record);
+  record.section("scale");
+  Report{record}.run(options.quick);
+  const StreetSetting setting;
+  record.note("Fixed steps of 2.5 ms; steps " + std::to_string(setting.steps_before + 1) + " to " +
+              std::to_string(setting.steps_before + setting.steps) +
+              " are measured, on the wall clock, with the energy ledger attached. The memory is that of a whole "
+              "process: code, model with all names, matrix, factors, states.");
 }
 
 }  // namespace moat::performance

@@ -1,13 +1,11 @@
-#include "performance/suite.hpp"
-
-#include <moat.hpp>
-
 #include <cmath>
 #include <ctime>
+#include <moat.hpp>
 
 #include "paper/paper_building.hpp"
 #include "paper/records.hpp"
 #include "performance/measure.hpp"
+#include "performance/sections.hpp"
 
 namespace moat::performance {
 
@@ -15,25 +13,11 @@ using namespace units;
 
 namespace {
 
-struct Motions {
-  std::vector<std::string> names;
-  std::vector<GroundMotion> motions;
-};
-
-Motions four_pulses() {
-  Motions list;
-  for (const double period : {0.9, 1.3, 1.7, 2.1}) {
-    list.names.push_back("pulse of " + to_text(period) + " s");
-    list.motions.push_back(near_fault_pulse({.pulse_period = period * s}).scaled_to_pga(0.4 * g));
-  }
-  return list;
-}
-
-StudyResult study(const Motions& list, int gaps, int threads) {
+StudyResult study(const std::vector<GroundMotion>& motions, int gaps, int threads) {
   return run_study({{.name = "gap", .unit = "cm", .values = linearly_spaced(10, 50, gaps)},
-                    StudyAxis::of_names("record", list.names)},
+                    StudyAxis::of_names("record", paper::record_labels())},
                    [&](const StudyCase& each) {
-                     StudyModel one{Model{}, list.motions[each.position("record")]};
+                     StudyModel one{Model{}, motions[each.position("record")]};
                      paper::add_pounding(one.model, {}, each.value("gap") * cm);
                      return one;
                    },
@@ -56,27 +40,23 @@ bool equal(const StudyResult& a, const StudyResult& b) {
 }  // namespace
 
 void suite(Record& record, const Options& options) {
-  record.section("suite", "A suite: the study of the gap, 41 gaps x 4 motions");
-  const std::string missing = paper::missing_records();
-  const Motions list = missing.empty() ? Motions{paper::record_labels(), paper::scaled_records()} : four_pulses();
-  if (!missing.empty())
-    record.note("Four pulses of 0.9, 1.3, 1.7 and 2.1 s, about 20 s long each, stand in for the records. " + missing);
-
+  record.section("suite");
+  if (const std::string missing = paper::missing_records(); !missing.empty()) return record.note(missing);
+  const std::vector<GroundMotion> motions = paper::scaled_records();
   const int gaps = options.quick ? 6 : 41;
   const auto histories = static_cast<double>(gaps * 4);
   std::vector<double> one, two, per_second, work_on_one, work_on_two;
   bool same = true;
-  // Wall clock: what a second core brings is a matter of waiting, too. CPU time tells how much of a loss is work that
-  // two threads make slower, and how much that something else ran on the machine.
+  // Wall clock: waiting counts for the gain of a second core, too. CPU time separates work that two threads make slower
+  // from other programs on the machine.
   for (int round = -1; round < options.rounds; ++round) {
     double start = seconds(Clock::wall), work = process_seconds();
-    const StudyResult on_one = study(list, gaps, 1);
+    const StudyResult on_one = study(motions, gaps, 1);
     const double taken_by_one = seconds(Clock::wall) - start, work_by_one = process_seconds() - work;
     start = seconds(Clock::wall);
     work = process_seconds();
-    const StudyResult on_two = study(list, gaps, 2);
-    const double taken_by_two = seconds(Clock::wall) - start;
-    const double work_by_two = process_seconds() - work;
+    const StudyResult on_two = study(motions, gaps, 2);
+    const double taken_by_two = seconds(Clock::wall) - start, work_by_two = process_seconds() - work;
     same = same && equal(on_one, on_two);
     if (round < 0) continue;
     one.push_back(taken_by_one);
@@ -85,12 +65,16 @@ void suite(Record& record, const Options& options) {
     work_on_two.push_back(work_by_two);
     per_second.push_back(histories / work_by_one);
   }
-  record.add({"suite, histories", single(histories), ""});
-  record.add({"suite, histories per second on one core", spread_of(per_second), "1/s"});
-  record.add({"suite, time on 1 thread over 2 x time on 2 threads", ratio_of(one, two), "", Target{0.9, false}});
-  record.add({"suite, CPU time on 1 thread over CPU time on 2 threads", ratio_of(work_on_one, work_on_two), ""});
-  record.add({"suite, results of 1 and 2 threads equal in every bit (1 = yes)", single(same ? 1.0 : 0.0), "",
-              Target{1.0, false}});
+  Table table{{"Study of " + std::to_string(gaps) + " gaps x 4 motions", "Measured", "Target"}};
+  const auto show = [&](const std::string& name, const Spread& value, std::optional<Target> target = {}) {
+    table.put(name, "Measured", cell(record.add({"suite, " + name, value, "", target})));
+    if (target) table.put(name, "Target", text(*target));
+  };
+  show("histories per second on one core", spread_of(per_second));
+  show("time on 1 thread over 2 x time on 2 threads", ratio_of(one, two), Target{0.9, false});
+  show("CPU time on 1 thread over CPU time on 2 threads", ratio_of(work_on_one, work_on_two));
+  show("results of 1 and 2 threads equal in every bit (1 = yes)", single(same ? 1.0 : 0.0), Target{1.0, false});
+  record.table(table);
 }
 
 }  // namespace moat::performance

@@ -1,4 +1,4 @@
-// What the figures of ./moat bench performance are read off from.
+// How the figures of ./moat bench performance are read off.
 
 #include "performance/error_curve.hpp"
 
@@ -11,22 +11,6 @@
 
 namespace moat::performance {
 namespace {
-
-TEST(LowerEnvelope, LeavesOutWhatAnotherSettingBeatsInBoth) {
-  const auto envelope = lower_envelope({{0, 0.1, 3.0}, {1, 0.2, 1.0}, {2, 0.3, 2.0}, {3, 0.01, 9.0}, {4, 0.1, 4.0}});
-  ASSERT_EQ(envelope.size(), 3u);
-  EXPECT_EQ(envelope[0].setting, 1u);
-  EXPECT_EQ(envelope[1].setting, 0u);
-  EXPECT_EQ(envelope[2].setting, 3u);
-}
-
-TEST(LastingErrors, AreTheLargestOfAllTighterSettings) {
-  const auto points = with_lasting_errors({{0, 0.5, 1.0}, {1, 0.01, 2.0}, {2, 0.2, 3.0}, {3, 0.05, 4.0}});
-  EXPECT_EQ(points[0].error, 0.5);
-  EXPECT_EQ(points[1].error, 0.2);
-  EXPECT_EQ(points[2].error, 0.2);
-  EXPECT_EQ(points[3].error, 0.05);
-}
 
 /// Where the error falls with the square of the time, any error is read off exactly.
 TEST(ReadOff, IsExactForAPowerLaw) {

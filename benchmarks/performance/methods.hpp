@@ -24,13 +24,15 @@ struct Method {
 };
 
 namespace method_names {
-inline constexpr const char *moat_adaptive = "moat adaptive", *moat_fixed = "moat fixed step",
-                            *moat_exact = "moat exact between events", *cvode_bdf = "CVODE BDF",
-                            *cvode_adams = "CVODE Adams", *arkode = "ARKODE",
+inline constexpr const char *moat_adaptive = "moat adaptive",
+                            *moat_recorded = "moat adaptive, everything a script records",
+                            *moat_checked = "moat adaptive, everything and error bars", *moat_fixed = "moat fixed step",
+                            *moat_exact = "moat exact between events",
+                            *moat_exact_recorded = "moat exact between events, everything a script records",
+                            *cvode_bdf = "CVODE BDF", *cvode_adams = "CVODE Adams", *arkode = "ARKODE",
                             *cvode_on_model = "CVODE on moat's elements",
-                            *arkode_on_model = "ARKODE on moat's elements",
-                            *bare_newmark = "bare Newmark, fast for this building",
-                            *plain_newmark = "bare Newmark, plain", *bare_runge_kutta = "bare Runge-Kutta";
+                            *arkode_on_model = "ARKODE on moat's elements", *bare_newmark = "bare Newmark, fixed step",
+                            *bare_runge_kutta = "bare Runge-Kutta";
 }
 
 /// All of them for one motion, which must outlive them. `quick`: every third setting of a ladder.
