@@ -34,4 +34,19 @@ double effective_mass(const Model& model, const Check& check, const MemberPoint&
   return 1.0 / mobility;
 }
 
+template class LinkBlock<AnyContact, NodePair>;
+template class LinkBlock<AnyContact, PointPair>;
+template class LinkBlock<RootDampedHertz, NodePair>;
+template class LinkBlock<RootDampedHertz, PointPair>;
+template class LinkBlock<ViscousHertz, NodePair>;
+template class LinkBlock<ViscousHertz, PointPair>;
+template class LinkBlock<ViscousLinearContact, NodePair>;
+template class LinkBlock<ViscousLinearContact, PointPair>;
+
+template void add_contact(Model&, ElementInfo, const AnyContact&, double, const MemberPoint&, const MemberPoint&);
+template void add_contact(Model&, ElementInfo, const RootDampedHertz&, double, const MemberPoint&, const MemberPoint&);
+template void add_contact(Model&, ElementInfo, const ViscousHertz&, double, const MemberPoint&, const MemberPoint&);
+template void add_contact(Model&, ElementInfo, const ViscousLinearContact&, double, const MemberPoint&,
+                          const MemberPoint&);
+
 }  // namespace moat
