@@ -100,4 +100,5 @@ extern template void add_contact(Model&, ElementInfo, const ViscousHertz&, doubl
                                  const MemberPoint&);
 extern template void add_contact(Model&, ElementInfo, const ViscousLinearContact&, double, const MemberPoint&,
                                  const MemberPoint&);
+
 }  // namespace moat

@@ -1,5 +1,7 @@
 #include "launcher/compile_errors.hpp"
 
+#include <algorithm>
+#include <cctype>
 #include <optional>
 #include <regex>
 
@@ -13,21 +15,44 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// A sentence, and the diagnostic whose line of the source shows the place.
+// A sentence, and the line of the source that it is about.
 struct Explanation {
-  std::string sentence;
-  const Diagnostic* place;
+  std::string sentence, file;
+  int line;
+  std::string snippet;
 };
+
+std::string snippet_of(const Diagnostic& place) {
+  constexpr std::size_t source_and_marks = 2;
+  std::string text;
+  for (std::size_t i = 0; i < std::min(source_and_marks, place.snippet.size()); ++i) text += place.snippet[i] + "\n";
+  return text;
+}
+
+Explanation at(const Diagnostic& place, const std::string& sentence) {
+  return {.sentence = sentence, .file = place.file, .line = place.line, .snippet = snippet_of(place)};
+}
+
+// The compiler points at the end of the braces; this, at the field, where the source names it.
+Explanation at_field(const Diagnostic& place, const std::string& field, const std::string& sentence) {
+  const std::vector<std::string> source = lines_of(text_of(place.file));
+  for (std::size_t line = std::min(source.size(), static_cast<std::size_t>(place.line)); line > 0; --line) {
+    const std::size_t column = source[line - 1].find("." + field);
+    if (column == std::string::npos) continue;
+    const std::string number = std::to_string(line), bar = " | ";
+    return {.sentence = sentence,
+            .file = place.file,
+            .line = static_cast<int>(line),
+            .snippet = "   " + number + bar + source[line - 1] + "\n   " + std::string(number.size(), ' ') + bar +
+                       std::string(column, ' ') + std::string(field.size() + 1, '^') + "\n"};
+  }
+  return at(place, sentence);
+}
 
 // "moat::Moat<moat::HertzDamp>" -> "Moat"
 std::string plain_name(const std::string& type) {
   const std::string name = with_dimension_names(type);
   return name.substr(0, name.find('<'));
-}
-
-std::string fields_in_order(const std::string& type, const fs::path& root) {
-  const std::vector<std::string> fields = fields_of(type, root);
-  return fields.empty() ? "" : ": " + joined(fields, ", ");
 }
 
 std::string wrong_type(const Diagnostic& diagnostic, const std::string& is, const std::string& needed) {
@@ -45,44 +70,53 @@ std::string concept_words(const std::string& name) {
   return described(name);
 }
 
-using Rule = std::optional<std::string> (*)(const std::smatch&, const Diagnostic&, const fs::path& root);
+using Rule = Explanation (*)(const std::smatch&, const Diagnostic&, const fs::path& root);
 struct Pattern {
   std::regex text;
-  Rule sentence;
+  Rule explain;
 };
 
 // The first that fits any diagnostic of a group explains it.
 const std::vector<Pattern>& patterns() {
   static const std::vector<Pattern> all{
       {std::regex{R"(designator order for field '(.*)::(\w+)' does not match declaration order.*)"},
-       [](const std::smatch& match, const Diagnostic&, const fs::path& root) -> std::optional<std::string> {
-         const std::string type = plain_name(match[1]);
-         return "field " + match[2].str() + " of " + type + " stands in the wrong place; the order is" +
-                (fields_in_order(type, root).empty() ? " that of the struct" : fields_in_order(type, root));
+       [](const std::smatch& match, const Diagnostic& place, const fs::path& root) {
+         const std::string type = plain_name(match[1]), fields = joined(fields_of(type, root), ", ");
+         return at_field(place, match[2],
+                         "field " + match[2].str() + " of " + type + " stands in the wrong place; the order is " +
+                             (fields.empty() ? "that of the struct" : fields));
        }},
       {std::regex{R"('(.*)' has no non-static data member named '(\w+)')"},
-       [](const std::smatch& match, const Diagnostic&, const fs::path& root) -> std::optional<std::string> {
+       [](const std::smatch& match, const Diagnostic& place, const fs::path& root) {
          const std::string type = plain_name(match[1]);
          const std::vector<std::string> fields = fields_of(type, root);
          const std::string nearest = nearest_field(fields, match[2]);
-         return type + " has no field " + match[2].str() +
-                (nearest.empty() ? fields.empty() ? "" : "; it has " + joined(fields, ", ")
-                                 : "; did you mean " + nearest + "?");
+         std::string hint;
+         if (!nearest.empty())
+           hint = "; did you mean " + nearest + "?";
+         else if (!fields.empty())
+           hint = "; it has " + joined(fields, ", ");
+         return at_field(place, match[2], type + " has no field " + match[2].str() + hint);
        }},
       {std::regex{R"(missing initializer for member '(.*)::(\w+)'.*)"},
-       [](const std::smatch& match, const Diagnostic&, const fs::path&) -> std::optional<std::string> {
-         return "field " + match[2].str() + " of " + plain_name(match[1]) + " is missing";
+       [](const std::smatch& match, const Diagnostic& place, const fs::path&) {
+         return at(place, "field " + match[2].str() + " of " + plain_name(match[1]) + " is missing");
        }},
       {std::regex{R"(\s*cannot convert '.*' \(type '(.*)'\) to type '(.*)')"},
-       [](const std::smatch& match, const Diagnostic& diagnostic, const fs::path&) -> std::optional<std::string> {
-         return wrong_type(diagnostic, match[1], match[2]);
+       [](const std::smatch& match, const Diagnostic& place, const fs::path&) {
+         return at(place, wrong_type(place, match[1], match[2]));
        }},
       {std::regex{R"(could not convert '.*' from '(.*)' to '(.*)')"},
-       [](const std::smatch& match, const Diagnostic& diagnostic, const fs::path&) -> std::optional<std::string> {
-         return wrong_type(diagnostic, match[1], match[2]);
+       [](const std::smatch& match, const Diagnostic& place, const fs::path&) {
+         return at(place, wrong_type(place, match[1], match[2]));
        }},
   };
   return all;
+}
+
+std::string lower_case(std::string word) {
+  std::transform(word.begin(), word.end(), word.begin(), [](unsigned char c) { return std::tolower(c); });
+  return word;
 }
 
 // `Moat{...}` without a law, or with something else in its place.
@@ -95,13 +129,10 @@ std::optional<Explanation> failed_deduction(const ErrorGroup& group) {
     std::smatch match;
     if (std::regex_match(each.text, match, call)) type = match[1];
     if (std::regex_match(each.text, match, missing) && !type.empty())
-      return Explanation{"field " + std::string(1, static_cast<char>(std::tolower(match[1].str().front()))) +
-                             match[1].str().substr(1) + " of " + type + " is missing",
-                         &group.front()};
+      return at(group.front(), "field " + lower_case(match[1]) + " of " + type + " is missing");
     for (const std::string& line : each.before)
       if (std::regex_match(line, match, concepts) && !type.empty())
-        return Explanation{type + " needs " + concept_words(match[1]) + "; " + plain_name(match[2]) + " is none",
-                           &group.front()};
+        return at(group.front(), type + " needs " + concept_words(match[1]) + "; " + plain_name(match[2]) + " is none");
   }
   return {};
 }
@@ -110,17 +141,9 @@ std::optional<Explanation> explanation_of(const ErrorGroup& group, const fs::pat
   for (const Pattern& pattern : patterns())
     for (const Diagnostic& each : group) {
       std::smatch match;
-      if (!std::regex_match(each.text, match, pattern.text)) continue;
-      if (const auto sentence = pattern.sentence(match, each, root)) return Explanation{*sentence, &each};
+      if (std::regex_match(each.text, match, pattern.text)) return pattern.explain(match, each, root);
     }
   return failed_deduction(group);
-}
-
-std::string snippet_of(const Diagnostic& place) {
-  constexpr std::size_t source_and_marks = 2;
-  std::string text;
-  for (std::size_t i = 0; i < std::min(source_and_marks, place.snippet.size()); ++i) text += place.snippet[i] + "\n";
-  return text;
 }
 
 // In the compiler's words. An error inside a header says by "required from here" which line of the script it is about.
@@ -140,10 +163,8 @@ std::string explained(const std::string& output, const std::string& script, cons
   if (groups.empty()) return output;  // from the linker, for example
   std::string text;
   for (std::size_t i = 0; i < std::min(most_errors, groups.size()); ++i) {
-    const auto explanation = explanation_of(groups[i], root);
-    if (explanation)
-      text += explanation->place->file + ":" + std::to_string(explanation->place->line) + ": " + explanation->sentence +
-              "\n" + snippet_of(*explanation->place);
+    if (const auto known = explanation_of(groups[i], root))
+      text += known->file + ":" + std::to_string(known->line) + ": " + known->sentence + "\n" + known->snippet;
     else
       text += quoted(groups[i].front(), script);
   }

@@ -1,5 +1,6 @@
 #include "launcher/compiler_output.hpp"
 
+#include <algorithm>
 #include <regex>
 
 #include "launcher/text.hpp"
@@ -12,7 +13,7 @@ std::vector<Diagnostic> diagnostics_in(const std::string& output) {
   static const std::regex source{R"(^ *\d* \|.*)"};
   std::vector<Diagnostic> all;
   std::vector<std::string> before;
-  for (const std::string& line : lines_of(output)) {
+  for (const std::string& line : lines_of(replaced(replaced(output, "‘", "'"), "’", "'"))) {
     std::smatch match;
     if (std::regex_match(line, source) && !all.empty()) {
       all.back().snippet.push_back(line);
@@ -47,6 +48,8 @@ bool continues(const ErrorGroup& group, const Diagnostic& error, const std::stri
 std::string Diagnostic::underlined() const {
   if (snippet.size() < 2) return {};
   const std::string &source = snippet[0], &marks = snippet[1];
+  const auto ascii = [](unsigned char c) { return c < 128; };
+  if (!std::all_of(source.begin(), source.end(), ascii)) return {};  // columns are not bytes there
   const std::size_t bar = marks.find('|'), begin = marks.find_first_of("~^", bar);
   if (bar == std::string::npos || begin == std::string::npos || begin >= source.size()) return {};
   return source.substr(begin, marks.find_last_of("~^") + 1 - begin);
