@@ -52,7 +52,8 @@ Explanation at_field(const Diagnostic& place, const std::string& field, const st
 // "moat::Moat<moat::HertzDamp>" -> "Moat"
 std::string plain_name(const std::string& type) {
   const std::string name = with_dimension_names(type);
-  return name.substr(0, name.find('<'));
+  const std::size_t begin = name.starts_with("const ") ? 6 : 0;
+  return name.substr(begin, name.find('<') - begin);
 }
 
 std::string wrong_type(const Diagnostic& diagnostic, const std::string& is, const std::string& needed) {
@@ -109,6 +110,14 @@ const std::vector<Pattern>& patterns() {
       {std::regex{R"(could not convert '.*' from '(.*)' to '(.*)')"},
        [](const std::smatch& match, const Diagnostic& place, const fs::path&) {
          return at(place, wrong_type(place, match[1], match[2]));
+       }},
+      {std::regex{R"(conversion from '(.*)' to non-scalar type '([^']*)'.* requested)"},
+       [](const std::smatch& match, const Diagnostic& place, const fs::path&) {
+         return at(place, wrong_type(place, match[1], match[2]));
+       }},
+      {std::regex{R"(use of deleted function '.*Required<T>::Required\(\) \[with T = (.*)\]')"},
+       [](const std::smatch& match, const Diagnostic& place, const fs::path&) {
+         return at(place, "a required field is missing: " + described(match[1]));
        }},
   };
   return all;

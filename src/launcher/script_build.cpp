@@ -18,14 +18,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string ninja_path(const fs::path& path) {
-  return replaced(replaced(replaced(path.string(), "$", "$$"), " ", "$ "), ":", "$:");
-}
+// In the value of a variable nothing else has a meaning.
+std::string ninja_value(const std::string& text) { return replaced(text, "$", "$$"); }
 
 std::string ninja_words(const std::vector<std::string>& words) {
   std::vector<std::string> quoted;
   for (const std::string& word : words) quoted.push_back(shell_quoted(word));
-  return replaced(joined(quoted), "$", "$$");
+  return ninja_value(joined(quoted));
 }
 
 // Time of the last change of a file's contents or name. Unlike the time of writing it cannot be set back: a file that
@@ -53,17 +52,20 @@ void remove_unused(const fs::path& scripts) {
 }  // namespace
 
 std::string ninja_file(const ScriptRule& rule) {
-  std::string inputs;
-  for (const fs::path& input : rule.inputs) inputs += " " + ninja_path(input);
-  // The program reaches the disk before Ninja writes down that it is done, so that a power cut leaves no empty one.
   return "rule script\n"
-         "  command = " +
+         "  command = LC_ALL=C.UTF-8 " +
          ninja_words(rule.compile) + " $in -o $out -MMD -MF $out.d " + ninja_words(rule.link) +
-         " 2> diagnostics && sync $out\n"
+         " 2> diagnostics\n"
          "  depfile = $out.d\n"
          "  deps = gcc\n"
-         "build program: script " +
-         ninja_path(rule.script) + " |" + inputs + "\n";
+         "source = " +
+         ninja_value(rule.script) +
+         "\n"
+         "header = " +
+         ninja_value(rule.precompiled_header) +
+         "\n"
+         "build program: script $source" +
+         (rule.precompiled_header.empty() ? "" : " | $header") + "\n";
 }
 
 ScriptBuild::ScriptBuild(const Places& places, const fs::path& typed)
@@ -94,9 +96,8 @@ void ScriptBuild::bring_up_to_date() const {
   ScriptRule rule{.compile = lines_of(text_of(places_.build / "script_compile.txt")),
                   .link = lines_of(text_of(places_.build / "script_link.txt")),
                   .script = script_,
-                  .inputs = {}};
-  for (const char* input : {"script_header/moat.hpp.gch"})  // other compilers than GCC have none
-    if (fs::exists(places_.build / input)) rule.inputs.push_back(places_.build / input);
+                  .precompiled_header = places_.build / "script_header" / "moat.hpp.gch"};
+  if (!fs::exists(rule.precompiled_header)) rule.precompiled_header.clear();  // other compilers than GCC have none
   fs::create_directories(folder_);
   write_text(folder_ / "build.ninja", ninja_file(rule));
   drop_if_older_than_its_files();

@@ -17,8 +17,8 @@ struct ScriptRule {
   /// The compiler with its options, and what follows the name of the script.
   std::vector<std::string> compile, link;
   std::filesystem::path script;
-  /// A newer one makes the program out of date.
-  std::vector<std::filesystem::path> inputs;
+  /// A newer one makes the program out of date. Empty: there is none.
+  std::filesystem::path precompiled_header;
 };
 std::string ninja_file(const ScriptRule& rule);
 

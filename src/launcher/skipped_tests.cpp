@@ -28,9 +28,11 @@ std::vector<SkippedTest> skipped_tests(const std::filesystem::path& report) {
   boost::property_tree::ptree tree;
   boost::property_tree::read_xml(report.string(), tree);
   for (const auto& [kind, test] : tree.get_child("testsuite")) {
-    if (kind != "testcase" || !test.get_child_optional("skipped")) continue;
+    if (kind != "testcase") continue;
+    const std::string status = test.get<std::string>("<xmlattr>.status");
+    if (status != "notrun" && status != "disabled") continue;
     std::string reason = reason_in(test.get("system-out", ""));
-    if (reason.empty()) reason = test.get("skipped.<xmlattr>.message", "not run");
+    if (reason.empty()) reason = status;
     skipped.push_back({.name = test.get<std::string>("<xmlattr>.name"), .reason = reason});
   }
   return skipped;

@@ -9,7 +9,7 @@ namespace moat::launcher {
 
 struct SkippedTest {
   std::string name;
-  /// The text of GTEST_SKIP(), or CTest's word for it ("Disabled").
+  /// The text of GTEST_SKIP(), or CTest's word for it: "notrun", "disabled".
   std::string reason;
 };
 
