@@ -34,14 +34,14 @@ double effective_mass(const Model& model, const Check& check, const MemberPoint&
   return 1.0 / mobility;
 }
 
-template class LinkBlock<AnyContact, NodePair>;
-template class LinkBlock<AnyContact, PointPair>;
-template class LinkBlock<RootDampedHertz, NodePair>;
-template class LinkBlock<RootDampedHertz, PointPair>;
-template class LinkBlock<ViscousHertz, NodePair>;
-template class LinkBlock<ViscousHertz, PointPair>;
-template class LinkBlock<ViscousLinearContact, NodePair>;
-template class LinkBlock<ViscousLinearContact, PointPair>;
+template class ContactLinks<AnyContact, NodePair>;
+template class ContactLinks<AnyContact, PointPair>;
+template class ContactLinks<RootDampedHertz, NodePair>;
+template class ContactLinks<RootDampedHertz, PointPair>;
+template class ContactLinks<ViscousHertz, NodePair>;
+template class ContactLinks<ViscousHertz, PointPair>;
+template class ContactLinks<ViscousLinearContact, NodePair>;
+template class ContactLinks<ViscousLinearContact, PointPair>;
 
 template void add_contact(Model&, ElementInfo, const AnyContact&, double, const MemberPoint&, const MemberPoint&);
 template void add_contact(Model&, ElementInfo, const RootDampedHertz&, double, const MemberPoint&, const MemberPoint&);

@@ -83,14 +83,14 @@ void add(Model& model, const Gap<Law>& gap) {
 }
 
 // For moat's impact laws these are compiled in the library, so that a script compiles in a third of the time.
-extern template class LinkBlock<AnyContact, NodePair>;
-extern template class LinkBlock<AnyContact, PointPair>;
-extern template class LinkBlock<RootDampedHertz, NodePair>;
-extern template class LinkBlock<RootDampedHertz, PointPair>;
-extern template class LinkBlock<ViscousHertz, NodePair>;
-extern template class LinkBlock<ViscousHertz, PointPair>;
-extern template class LinkBlock<ViscousLinearContact, NodePair>;
-extern template class LinkBlock<ViscousLinearContact, PointPair>;
+extern template class ContactLinks<AnyContact, NodePair>;
+extern template class ContactLinks<AnyContact, PointPair>;
+extern template class ContactLinks<RootDampedHertz, NodePair>;
+extern template class ContactLinks<RootDampedHertz, PointPair>;
+extern template class ContactLinks<ViscousHertz, NodePair>;
+extern template class ContactLinks<ViscousHertz, PointPair>;
+extern template class ContactLinks<ViscousLinearContact, NodePair>;
+extern template class ContactLinks<ViscousLinearContact, PointPair>;
 
 extern template void add_contact(Model&, ElementInfo, const AnyContact&, double, const MemberPoint&,
                                  const MemberPoint&);

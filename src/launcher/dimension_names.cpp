@@ -45,7 +45,7 @@ std::string name_of(int mass, int half_length, int time) {
 
 std::string with_dimension_names(const std::string& text) {
   static const std::regex quantity{R"((?:moat::)?Quantity<(-?\d+), ?(-?\d+), ?(-?\d+)>)"};
-  static const std::regex required{R"((?:moat::)?Required<([^<>]*?) ?>)"};
+  static const std::regex required{R"((?:moat::)?Required<([^<>]*?(?:<[^<>]*>)?) ?>)"};
   static const std::regex space{R"(\bmoat::)"};
   std::string named;
   auto rest = text.cbegin();
@@ -64,6 +64,10 @@ std::string described(const std::string& type) {
       std::regex_replace(with_dimension_names(type), leading, "", std::regex_constants::format_first_only);
   for (const DimensionName& each : names)
     if (each.type == name) return std::string{each.words};
+  static const std::regex per_storey{R"(PerStorey<(.*?) ?>)"};
+  std::smatch match;
+  if (std::regex_match(name, match, per_storey)) return described(match[1]) + ", or one per storey,";
+  if (name == "Isolation") return "a bearing, such as LeadRubberBearing,";
   if (name == "int") return "a number without unit";
   if (name == "<brace-enclosed initializer list>") return "a list in braces";
   return (std::string{"AEIO"}.find(name.front()) != std::string::npos ? "an " : "a ") + name;

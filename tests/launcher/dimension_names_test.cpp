@@ -10,6 +10,7 @@ TEST(DimensionNames, ReplaceExponents) {
             "from 'Force' to 'Mass'");
   EXPECT_EQ(with_dimension_names("'Quantity<1,-1,-2>' and moat::Moat<moat::HertzDamp>"),
             "'HertzStiffness' and Moat<HertzDamp>");
+  EXPECT_EQ(with_dimension_names("'moat::Required<moat::PerStorey<moat::Quantity<1, 0, 0> > >'"), "'PerStorey<Mass >'");
   EXPECT_EQ(with_dimension_names("moat::Quantity<2, 2, 0>"), "quantity in kg^2 m");
 }
 
@@ -20,6 +21,7 @@ TEST(DimensionNames, DescribeATypeInASentence) {
   EXPECT_EQ(described("int"), "a number without unit");
   EXPECT_EQ(described("moat::NodeId"), "a NodeId");
   EXPECT_EQ(described("moat::ImpactLawNamed"), "an ImpactLawNamed");
+  EXPECT_EQ(described("moat::Required<moat::PerStorey<moat::Quantity<1, 0, 0> > >"), "a mass [kg], or one per storey,");
   EXPECT_EQ(described("<brace-enclosed initializer list>"), "a list in braces");
 }
 

@@ -36,6 +36,9 @@ done
 
 export PKG_CONFIG_PATH
 PKG_CONFIG_PATH=$(dirname "$(find "$folder/installed tree" -name moat.pc)")
+arguments=()
 eval "arguments=($(pkg-config --cflags --libs moat))"
 "$compiler" "$consumer/own_program.cpp" "${arguments[@]}" -o by_pkg_config
-LD_LIBRARY_PATH=$(pkg-config --variable=libdir moat) runs ./by_pkg_config
+LD_LIBRARY_PATH=$(dirname "$(find "$folder/installed tree" -name libmoat.so)")
+export LD_LIBRARY_PATH
+runs ./by_pkg_config
