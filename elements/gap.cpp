@@ -34,4 +34,21 @@ double effective_mass(const Model& model, const Check& check, const MemberPoint&
   return 1.0 / mobility;
 }
 
+template class ContactLinks<AnyContact, NodePair>;
+template class ContactLinks<AnyContact, PointPair>;
+template class ContactLinks<RootDampedHertzContact, NodePair>;
+template class ContactLinks<RootDampedHertzContact, PointPair>;
+template class ContactLinks<ViscousHertzContact, NodePair>;
+template class ContactLinks<ViscousHertzContact, PointPair>;
+template class ContactLinks<ViscousLinearContact, NodePair>;
+template class ContactLinks<ViscousLinearContact, PointPair>;
+
+template void add_contact(Model&, ElementInfo, const AnyContact&, double, const MemberPoint&, const MemberPoint&);
+template void add_contact(Model&, ElementInfo, const RootDampedHertzContact&, double, const MemberPoint&,
+                          const MemberPoint&);
+template void add_contact(Model&, ElementInfo, const ViscousHertzContact&, double, const MemberPoint&,
+                          const MemberPoint&);
+template void add_contact(Model&, ElementInfo, const ViscousLinearContact&, double, const MemberPoint&,
+                          const MemberPoint&);
+
 }  // namespace moat

@@ -1,0 +1,184 @@
+#include "launcher/compile_errors.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <optional>
+#include <regex>
+
+#include "launcher/compiler_output.hpp"
+#include "launcher/dimension_names.hpp"
+#include "launcher/struct_fields.hpp"
+#include "launcher/text.hpp"
+
+namespace moat::launcher {
+namespace {
+
+namespace fs = std::filesystem;
+
+// A sentence, and the line of the source that it is about.
+struct Explanation {
+  std::string sentence, file;
+  int line;
+  std::string snippet;
+};
+
+std::string snippet_of(const Diagnostic& place) {
+  constexpr std::size_t source_and_marks = 2;
+  std::string text;
+  for (std::size_t i = 0; i < std::min(source_and_marks, place.snippet.size()); ++i) text += place.snippet[i] + "\n";
+  return text;
+}
+
+Explanation at(const Diagnostic& place, const std::string& sentence) {
+  return {.sentence = sentence, .file = place.file, .line = place.line, .snippet = snippet_of(place)};
+}
+
+// The compiler points at the end of the braces; this, at the field, where the source names it.
+Explanation at_field(const Diagnostic& place, const std::string& field, const std::string& sentence) {
+  const std::vector<std::string> source = lines_of(text_of(place.file));
+  for (std::size_t line = std::min(source.size(), static_cast<std::size_t>(place.line)); line > 0; --line) {
+    const std::size_t column = source[line - 1].find("." + field);
+    if (column == std::string::npos) continue;
+    const std::string number = std::to_string(line), bar = " | ";
+    return {.sentence = sentence,
+            .file = place.file,
+            .line = static_cast<int>(line),
+            .snippet = "   " + number + bar + source[line - 1] + "\n   " + std::string(number.size(), ' ') + bar +
+                       std::string(column, ' ') + std::string(field.size() + 1, '^') + "\n"};
+  }
+  return at(place, sentence);
+}
+
+// "moat::Moat<moat::HertzDamp>" -> "Moat"
+std::string plain_name(const std::string& type) {
+  const std::string name = with_dimension_names(type);
+  const std::size_t begin = name.starts_with("const ") ? 6 : 0;
+  return name.substr(begin, name.find('<') - begin);
+}
+
+std::string wrong_type(const Diagnostic& diagnostic, const std::string& is, const std::string& needed) {
+  static const std::regex standard{R"(std::optional<(.*)>)"};
+  const std::string expression = diagnostic.underlined();
+  const std::string wanted = described(std::regex_replace(needed, standard, "$1"));
+  const bool unit_missing = described(is) == "a number without unit" && wanted.find('[') != std::string::npos;
+  return (expression.size() < 2 || expression.size() > 50 ? "this" : expression) + " is " + described(is) + ", but " +
+         wanted + " is needed here" + (unit_missing ? "; give it a unit, as in 10 * cm" : "");
+}
+
+std::string concept_words(const std::string& name) {
+  if (name == "ImpactLaw") return "an impact law, such as HertzDamp";
+  if (name == "ForceLaw") return "a force law (docs/guide.md, \"Laws and elements of your own\")";
+  return described(name);
+}
+
+using Rule = Explanation (*)(const std::smatch&, const Diagnostic&, const fs::path& root);
+struct Pattern {
+  std::regex text;
+  Rule explain;
+};
+
+// The first that fits any diagnostic of a group explains it.
+const std::vector<Pattern>& patterns() {
+  static const std::vector<Pattern> all{
+      {std::regex{R"(designator order for field '(.*)::(\w+)' does not match declaration order.*)"},
+       [](const std::smatch& match, const Diagnostic& place, const fs::path& root) {
+         const std::string type = plain_name(match[1]), fields = joined(fields_of(type, root), ", ");
+         return at_field(place, match[2],
+                         "field " + match[2].str() + " of " + type + " stands in the wrong place; the order is " +
+                             (fields.empty() ? "that of the struct" : fields));
+       }},
+      {std::regex{R"('(.*)' has no non-static data member named '(\w+)')"},
+       [](const std::smatch& match, const Diagnostic& place, const fs::path& root) {
+         const std::string type = plain_name(match[1]);
+         const std::vector<std::string> fields = fields_of(type, root);
+         const std::string nearest = nearest_field(fields, match[2]);
+         std::string hint;
+         if (!nearest.empty())
+           hint = "; did you mean " + nearest + "?";
+         else if (!fields.empty())
+           hint = "; it has " + joined(fields, ", ");
+         return at_field(place, match[2], type + " has no field " + match[2].str() + hint);
+       }},
+      {std::regex{R"(missing initializer for member '(.*)::(\w+)'.*)"},
+       [](const std::smatch& match, const Diagnostic& place, const fs::path&) {
+         return at(place, "field " + match[2].str() + " of " + plain_name(match[1]) + " is missing");
+       }},
+      {std::regex{R"(\s*cannot convert '.*' \(type '(.*)'\) to type '(.*)')"},
+       [](const std::smatch& match, const Diagnostic& place, const fs::path&) {
+         return at(place, wrong_type(place, match[1], match[2]));
+       }},
+      {std::regex{R"(could not convert '.*' from '(.*)' to '(.*)')"},
+       [](const std::smatch& match, const Diagnostic& place, const fs::path&) {
+         return at(place, wrong_type(place, match[1], match[2]));
+       }},
+      {std::regex{R"(conversion from '(.*)' to non-scalar type '([^']*)'.* requested)"},
+       [](const std::smatch& match, const Diagnostic& place, const fs::path&) {
+         return at(place, wrong_type(place, match[1], match[2]));
+       }},
+      {std::regex{R"(use of deleted function '.*Required<T>::Required\(\) \[with T = (.*)\]')"},
+       [](const std::smatch& match, const Diagnostic& place, const fs::path&) {
+         return at(place, "a required field is missing: " + described(match[1]));
+       }},
+  };
+  return all;
+}
+
+std::string lower_case(std::string word) {
+  std::transform(word.begin(), word.end(), word.begin(), [](unsigned char c) { return std::tolower(c); });
+  return word;
+}
+
+// `Moat{...}` without a law, or with something else in its place.
+std::optional<Explanation> failed_deduction(const ErrorGroup& group) {
+  static const std::regex call{R"(no matching function for call to '(\w+)\(.*)"};
+  static const std::regex missing{R"(\s*couldn't deduce template parameter '(\w+)')"};
+  static const std::regex concepts{R"(.*required for the satisfaction of '(\w+)<\w+>' \[with \w+ = (.*)\])"};
+  std::string type;
+  for (const Diagnostic& each : group) {
+    std::smatch match;
+    if (std::regex_match(each.text, match, call)) type = match[1];
+    if (std::regex_match(each.text, match, missing) && !type.empty())
+      return at(group.front(), "field " + lower_case(match[1]) + " of " + type + " is missing");
+    for (const std::string& line : each.before)
+      if (std::regex_match(line, match, concepts) && !type.empty())
+        return at(group.front(), type + " needs " + concept_words(match[1]) + "; " + plain_name(match[2]) + " is none");
+  }
+  return {};
+}
+
+std::optional<Explanation> explanation_of(const ErrorGroup& group, const fs::path& root) {
+  for (const Pattern& pattern : patterns())
+    for (const Diagnostic& each : group) {
+      std::smatch match;
+      if (std::regex_match(each.text, match, pattern.text)) return pattern.explain(match, each, root);
+    }
+  return failed_deduction(group);
+}
+
+// In the compiler's words. An error inside a header says by "required from here" which line of the script it is about.
+std::string quoted(const Diagnostic& error, const std::string& script) {
+  std::string text;
+  if (error.file != script)
+    for (const std::string& line : error.before) text += with_dimension_names(line) + "\n";
+  return text + error.file + ":" + std::to_string(error.line) + ": " + with_dimension_names(error.text) + "\n" +
+         snippet_of(error);
+}
+
+}  // namespace
+
+std::string explained(const std::string& output, const std::string& script, const fs::path& root) {
+  constexpr std::size_t most_errors = 5;
+  const std::vector<ErrorGroup> groups = error_groups(output, script);
+  if (groups.empty()) return output;  // from the linker, for example
+  std::string text;
+  for (std::size_t i = 0; i < std::min(most_errors, groups.size()); ++i) {
+    if (const auto known = explanation_of(groups[i], root))
+      text += known->file + ":" + std::to_string(known->line) + ": " + known->sentence + "\n" + known->snippet;
+    else
+      text += quoted(groups[i].front(), script);
+  }
+  if (groups.size() > most_errors) text += "... and " + std::to_string(groups.size() - most_errors) + " more errors\n";
+  return text;
+}
+
+}  // namespace moat::launcher

@@ -1,0 +1,112 @@
+// The texts of the help: one sentence for each command, and examples and explanations after its options.
+#pragma once
+
+namespace moat::launcher::help {
+
+inline constexpr char moat[] =
+    "moat computes how base-isolated buildings move in an earthquake and what happens when they hit their moat wall.";
+inline constexpr char after_moat[] = R"(
+Start here:
+  ./moat run examples/01_moat_wall.cpp            the first tour; it ends by naming the folder of its results
+  ./moat run examples/01_moat_wall.cpp --help     the options of that script
+
+Every command explains itself: ./moat run --help. Progress goes to standard error. Compiled scripts and logs are kept
+in build/, or in ~/.cache/moat (XDG_CACHE_HOME) where the checkout cannot be written; ./moat doctor shows where.)";
+
+inline constexpr char run[] = "Compile and run an input script";
+inline constexpr char after_run[] = R"(
+./moat run SCRIPT.cpp [options of the script]
+
+Compiles an input script, which is a C++ program that includes <moat.hpp>, and runs it. The first time it also
+installs the Debian packages that are missing and builds the library; an unchanged script starts at once.
+
+  ./moat run examples/01_moat_wall.cpp                  run the first tour
+  ./moat run examples/01_moat_wall.cpp --help           the options of the script, not of moat
+  ./moat run examples/01_moat_wall.cpp --gap "15 cm"    everything after the script's name goes to the script
+  cd ~/study && ~/moat/moat run tower.cpp               a script may lie anywhere; results land where you are
+
+A script may include files beside it: #include "my_law.hpp". It is compiled again when it, such a file or the
+library has changed. The compiled programs in build/scripts/ may be deleted at any time.
+
+Exit code: that of the script; 1 when building fails, 2 for wrong usage, 3 when packages cannot be installed.)";
+
+inline constexpr char create[] = "Start a script of your own";
+inline constexpr char after_new[] = R"(
+Writes a short script for you to change. An existing file is never overwritten.
+
+  ./moat new ~/study/tower.cpp && ./moat run ~/study/tower.cpp)";
+
+inline constexpr char test[] = "Build and run the tests";
+inline constexpr char after_test[] = R"(
+./moat test [--all] [options of ctest]
+
+Installs what is missing, builds the library with its tests, runs them, and lists the tests that were skipped
+with the reason. Exit code: that of ctest.
+
+  ./moat test                                     all tests
+  ./moat test -R Gap                              those whose name matches Gap
+  ./moat test -N                                  list them
+  MOAT_RECORDS=~/records ./moat test              with recorded ground motions
+
+Recorded accelerograms may not be redistributed and are not part of moat: tests that need them look for the files
+in the folder that the environment variable MOAT_RECORDS names, and are skipped when it is not set.
+
+With --all nothing may be skipped: it installs the programs that some tests need (cmake/packages/all.txt), demands
+MOAT_RECORDS, and fails when a test was skipped.)";
+
+inline constexpr char bench[] = "Compute the benchmarks: the source paper, accuracy, performance";
+inline constexpr char after_bench[] = R"(
+./moat bench paper [--out FOLDER] [--write-docs] [--coarse]
+./moat bench accuracy [--out FOLDER] [--write-docs] [--only-random] [--models N] [--seed N] [--threads N] [--csv FILE]
+./moat bench performance [--out FOLDER] [--write-docs] [--only SECTION] [--rounds N] [--quick]
+
+paper: computes every table and figure of Zhao, Liu & Li (2017) beside the printed numbers, and puts them on one page,
+results/paper/index.html, to open from disk. Everything that can be checked is asserted, the rest is reported.
+
+  MOAT_RECORDS=~/records ./moat bench paper       everything; the four near-fault records are looked for there
+  ./moat bench paper                              without records: Table 1 and a synthetic pulse; says what it skips
+
+  --out FOLDER         where the page, figures (SVG) and tables of numbers (CSV) go
+  --write-docs         brings docs/verification.md up to date; needs the records
+  --coarse             five points per curve, to try the page
+
+accuracy: the error of the peaks against the number of steps, fixed and adaptive, as table and figure; then the
+distribution of errors over random models, against an independent reference, with default, tight and exact settings.
+
+  --models N           how many random models; 200, which take about two minutes of processor time. 0: none
+  --seed N             of the first random model; 1. The others follow it
+  --threads N          for the random models; 2
+  --csv FILE           a row per random model and setting
+  --only-random        random models alone
+
+performance: measures how fast moat is, as ratios taken in one run, each line with its spread and, where there is one,
+its target. Installs what moat is compared with (cmake/packages/bench.txt); GNU Octave takes part when it is installed.
+A machine that does something else meanwhile spoils times more than ratios.
+
+  MOAT_RECORDS=~/records ./moat bench performance  everything, under ten minutes
+  ./moat bench performance                         without records: the synthetic pulse only where a motion is needed
+
+  --only SECTION       one section alone; a wrong name lists them
+  --rounds N           how often each is timed, in turns with the others; the median counts. 5 or more
+  --quick              less of everything, to try the program
+
+Exit code: of paper 0 if all that is asserted holds, else 1; of the others 0 when they ran. 1 when building fails, 2 for
+wrong usage, 3 when packages cannot be installed.)";
+
+inline constexpr char check[] = "Check the code: format, warnings, sanitizers and more";
+inline constexpr char after_check[] = R"(
+For those who change moat. Runs checks one after the other, goes on when one fails, and exits with 1 if one did.
+
+  format       clang-format finds nothing to change
+  shell        shellcheck finds nothing in the shell scripts
+  package      a program builds and runs with the installed package
+  warnings     everything compiles with warnings as errors (build/dev)
+  tidy         clang-tidy finds nothing in the library (.clang-tidy)
+  sanitizers   all tests pass with the address and undefined-behaviour sanitizers (build/asan)
+
+  ./moat check format shell                       two of them, in a minute
+  ./moat check                                    all)";
+
+inline constexpr char doctor[] = "Show what is installed and what is missing";
+
+}  // namespace moat::launcher::help

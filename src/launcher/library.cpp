@@ -1,0 +1,52 @@
+#include "launcher/library.hpp"
+
+#include "launcher/lock.hpp"
+#include "launcher/phase.hpp"
+#include "launcher/stop.hpp"
+#include "launcher/text.hpp"
+
+namespace moat::launcher {
+namespace {
+
+namespace fs = std::filesystem;
+
+// The package database changes with every upgrade and removal, which may take away a library.
+bool packages_changed(const fs::path& stamp) {
+  const fs::path database = "/var/lib/dpkg/status";
+  return fs::exists(database) && (!fs::exists(stamp) || fs::last_write_time(database) > fs::last_write_time(stamp));
+}
+
+// Tests live in the same build folder. Switching them on adds targets and leaves the library's commands as they are:
+// run after test and test after run rebuild nothing.
+void switch_on(const Places& places, const std::string& option) {
+  const std::string cache = text_of(places.build / "CMakeCache.txt");
+  if (option.empty() || cache.find("\n" + option + ":BOOL=ON\n") != std::string::npos) return;
+  required_phase(places.logs(), "configure", "with CMake",
+                 {"cmake", "-S", places.root, "-B", places.build, "--preset", "release", "-D" + option + "=ON"});
+}
+
+}  // namespace
+
+void install_packages(const Places& places, const std::vector<std::string>& lists) {
+  Command command{places.root / "moat", "--install"};
+  command.insert(command.end(), lists.begin(), lists.end());
+  if (const int code = run(command); code != 0) throw Stop{code, ""};
+}
+
+void bring_up_to_date(const Places& places, const Part& part) {
+  if (!places.build_is_ours()) return;
+  const Lock lock{places.work / ".lock"};
+  const fs::path stamp = places.build / "packages_are_installed";
+  if (!part.package_lists.empty() || packages_changed(stamp)) {
+    std::vector<std::string> lists{"run"};
+    lists.insert(lists.end(), part.package_lists.begin(), part.package_lists.end());
+    install_packages(places, lists);
+    write_text(stamp, "");
+  }
+  switch_on(places, part.cmake_option);
+  Command build{MOAT_NINJA, "-C", places.build};
+  build.insert(build.end(), part.targets.begin(), part.targets.end());
+  required_phase(places.logs(), "build", part.what, build);
+}
+
+}  // namespace moat::launcher

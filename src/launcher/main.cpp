@@ -1,0 +1,91 @@
+// The program `moat`, which the bootstrap script of that name builds and calls with three folders (places.hpp) before
+// the user's words.
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <string_view>
+
+#include "launcher/bench.hpp"
+#include "launcher/checks.hpp"
+#include "launcher/doctor.hpp"
+#include "launcher/help.hpp"
+#include "launcher/new_script.hpp"
+#include "launcher/phase.hpp"
+#include "launcher/run_script.hpp"
+#include "launcher/stop.hpp"
+#include "launcher/tests.hpp"
+#include "launcher/text.hpp"
+
+namespace moat::launcher {
+namespace {
+
+int run_command_line(const Places& places, int count, char** words) {
+  CLI::App app{help::moat, "./moat"};
+  app.require_subcommand(1);
+  app.footer(help::after_moat);
+
+  int code = 0;
+  CLI::App* const run = app.add_subcommand("run", help::run)->prefix_command()->footer(help::after_run);
+  run->callback([&] { run_script(places, run->remaining()); });
+
+  CLI::App* const create = app.add_subcommand("new", help::create)->footer(help::after_new);
+  std::string file;
+  create->add_option("SCRIPT.cpp", file, "the file to write")->required();
+  create->callback([&] { new_script(places, file); });
+
+  CLI::App* const test = app.add_subcommand("test", help::test)->allow_extras()->footer(help::after_test);
+  TestOptions test_options;
+  test->add_flag("--all", test_options.all, "nothing may be skipped; see below");
+  test->callback([&] {
+    test_options.words = test->remaining();
+    code = run_tests(places, test_options);
+  });
+
+  CLI::App* const bench = app.add_subcommand("bench", help::bench)->prefix_command()->footer(help::after_bench);
+  bench->callback([&] {
+    const std::vector<std::string> rest = bench->remaining();
+    for (const std::string& word : rest)
+      if (word == "-h" || word == "--help") throw CLI::CallForHelp{};
+    run_benchmark(places, rest);
+  });
+
+  CLI::App* const check = app.add_subcommand("check", help::check)->footer(help::after_check);
+  std::vector<std::string> names;
+  check->add_option("NAME", names, "one or more of " + joined(check_names(), ", ") + "; all if none is given");
+  check->callback([&] { code = run_checks(places, names); });
+
+  app.add_subcommand("doctor", help::doctor)->callback([&] { code = launcher::doctor(places); });
+
+  if (count == 1) {
+    std::fputs(app.help().c_str(), stderr);
+    return exit_usage;
+  }
+  static char help_option[] = "--help";
+  if (std::string_view{words[1]} == "help") words[1] = help_option;
+  try {
+    app.parse(count, words);
+  } catch (const CLI::CallForHelp&) {
+    std::fputs(app.help().c_str(), stdout);
+  } catch (const CLI::ParseError& error) {
+    throw Stop{exit_usage, std::string{error.what()} + "\nSee ./moat --help."};
+  }
+  return code;
+}
+
+}  // namespace
+}  // namespace moat::launcher
+
+int main(int count, char** words) {
+  using namespace moat::launcher;
+  constexpr int folders = 3;
+  try {
+    if (count <= folders) throw Stop{exit_usage, "This program is called by the script moat."};
+    return run_command_line({.root = words[1], .build = words[2], .work = words[3]}, count - folders, words + folders);
+  } catch (const Stop& stop) {
+    for (const std::string& line : lines_of(stop.what())) say(line);
+    return stop.exit_code;
+  } catch (const std::exception& error) {
+    say(std::string{"error: "} + error.what());
+    return exit_failed;
+  }
+}

@@ -1,0 +1,128 @@
+#include "launcher/script_build.hpp"
+
+#include <sys/stat.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <functional>
+
+#include "launcher/compile_errors.hpp"
+#include "launcher/phase.hpp"
+#include "launcher/process.hpp"
+#include "launcher/stop.hpp"
+#include "launcher/text.hpp"
+
+namespace moat::launcher {
+namespace {
+
+namespace fs = std::filesystem;
+
+// In the value of a variable nothing else has a meaning.
+std::string ninja_value(const std::string& text) { return replaced(text, "$", "$$"); }
+
+std::string ninja_words(const std::vector<std::string>& words) {
+  std::vector<std::string> quoted;
+  for (const std::string& word : words) quoted.push_back(shell_quoted(word));
+  return ninja_value(joined(quoted));
+}
+
+// Time of the last change of a file's contents or name. Unlike the time of writing it cannot be set back: a file that
+// was copied or moved here with an old date counts as new.
+timespec time_of_change(const fs::path& file) {
+  struct stat status {};
+  return ::stat(file.c_str(), &status) == 0 ? status.st_ctim : timespec{};
+}
+
+bool later(const timespec& a, const timespec& b) {
+  return a.tv_sec != b.tv_sec ? a.tv_sec > b.tv_sec : a.tv_nsec > b.tv_nsec;
+}
+
+// Folders of scripts that were not run for two weeks.
+void remove_unused(const fs::path& scripts) {
+  const auto oldest = fs::file_time_type::clock::now() - std::chrono::hours{14 * 24};
+  std::error_code ignored;
+  std::vector<fs::path> unused;
+  for (const auto& entry : fs::directory_iterator{scripts, ignored})
+    if (const fs::path used = entry.path() / "build.ninja"; !fs::exists(used) || fs::last_write_time(used) < oldest)
+      unused.push_back(entry.path());
+  for (const fs::path& folder : unused) fs::remove_all(folder, ignored);
+}
+
+}  // namespace
+
+std::string ninja_file(const ScriptRule& rule) {
+  return "rule script\n"
+         "  command = LC_ALL=C.UTF-8 " +
+         ninja_words(rule.compile) + " $in -o $out -MMD -MF $out.d " + ninja_words(rule.link) +
+         " 2> diagnostics\n"
+         "  depfile = $out.d\n"
+         "  deps = gcc\n"
+         "source = " +
+         ninja_value(rule.script) +
+         "\n"
+         "header = " +
+         ninja_value(rule.precompiled_header) +
+         "\n"
+         "build program: script $source" +
+         (rule.precompiled_header.empty() ? "" : " | $header") + "\n";
+}
+
+ScriptBuild::ScriptBuild(const Places& places, const fs::path& typed)
+    : places_{places}, typed_{typed}, script_{fs::canonical(typed)} {
+  const std::string path = script_.string();
+  if (std::any_of(path.begin(), path.end(), [](unsigned char c) { return c < ' ' || c == 127; }))
+    throw Stop{exit_usage,
+               "The name of a script and of its folders must not hold line breaks, tabs or other control characters.\n"
+               "Rename it: " +
+                   replaced(replaced(path, "\n", "\\n"), "\t", "\\t")};
+  char hash[17];
+  std::snprintf(hash, sizeof hash, "%016zx", std::hash<std::string>{}(path));
+  folder_ = places_.scripts() / (script_.stem().string() + "-" + hash);
+}
+
+void ScriptBuild::drop_if_older_than_its_files() const {
+  std::error_code ignored;
+  const timespec built = time_of_change(program());
+  std::vector<fs::path> files{script_};
+  for (const std::string& line : lines_of(output_of({MOAT_NINJA, "-C", folder_, "-t", "deps", "program"}).text))
+    if (line.starts_with("    ")) files.emplace_back(line.substr(4));
+  const bool changed =
+      std::any_of(files.begin(), files.end(), [&](const fs::path& file) { return later(time_of_change(file), built); });
+  if (changed || (fs::exists(program()) && fs::file_size(program()) == 0)) fs::remove(program(), ignored);
+}
+
+void ScriptBuild::bring_up_to_date() const {
+  ScriptRule rule{.compile = lines_of(text_of(places_.build / "script_compile.txt")),
+                  .link = lines_of(text_of(places_.build / "script_link.txt")),
+                  .script = script_,
+                  .precompiled_header = places_.build / "script_header" / "moat.hpp.gch"};
+  if (!fs::exists(rule.precompiled_header)) rule.precompiled_header.clear();  // other compilers than GCC have none
+  fs::create_directories(folder_);
+  write_text(folder_ / "build.ninja", ninja_file(rule));
+  drop_if_older_than_its_files();
+  fs::remove(folder_ / "diagnostics");
+  const int code = phase(places_.logs(), "compile", typed_.filename().string(), {MOAT_NINJA, "-C", folder_, "program"});
+  if (code != 0) fail();
+  if (!fs::exists(folder_ / "diagnostics")) return;
+  std::fputs(replaced(text_of(folder_ / "diagnostics"), script_.string(), typed_.string()).c_str(),
+             stderr);  // warnings
+  remove_unused(places_.scripts());
+}
+
+void ScriptBuild::rebuild() const {
+  fs::remove(program());
+  bring_up_to_date();
+}
+
+void ScriptBuild::fail() const {
+  const fs::path log = places_.logs() / "compile.log";
+  const std::string diagnostics = text_of(folder_ / "diagnostics");
+  if (diagnostics.empty()) throw Stop{exit_failed, text_of(log) + "The whole log: " + log.string()};
+  write_text(log, diagnostics);
+  std::fputs(explained(replaced(diagnostics, script_.string(), typed_.string()), typed_.string(), places_.root).c_str(),
+             stderr);
+  throw Stop{exit_failed, "All that the compiler said: " + log.string()};
+}
+
+}  // namespace moat::launcher

@@ -1,0 +1,70 @@
+#include "launcher/struct_fields.hpp"
+
+#include <algorithm>
+#include <numeric>
+#include <regex>
+
+#include "launcher/text.hpp"
+
+namespace moat::launcher {
+namespace {
+
+namespace fs = std::filesystem;
+
+// How many letters must be put in, taken out or exchanged (Levenshtein).
+std::size_t distance(const std::string& a, const std::string& b) {
+  std::vector<std::size_t> row(b.size() + 1);
+  std::iota(row.begin(), row.end(), std::size_t{0});
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    std::size_t diagonal = row[0];
+    row[0] = i + 1;
+    for (std::size_t j = 0; j < b.size(); ++j) {
+      const std::size_t exchanged = diagonal + (a[i] == b[j] ? 0 : 1);
+      diagonal = row[j + 1];
+      row[j + 1] = std::min({exchanged, row[j] + 1, row[j + 1] + 1});
+    }
+  }
+  return row.back();
+}
+
+// Declarations of data members stand alone on their line, indented by two.
+std::vector<std::string> fields_in(const std::string& header, const std::string& name) {
+  static const std::regex field{R"(^  [A-Za-z][\w:<>, ]* (\w+)(\{.*\}| = .*)?;.*$)"};
+  static const std::regex no_field{R"(^  (using|return|friend|static|typedef) .*)"};
+  std::vector<std::string> fields;
+  bool inside = false;
+  for (const std::string& line : lines_of(header)) {
+    std::smatch match;
+    if (line.starts_with("struct " + name + " {")) inside = true;
+    if (inside && line.starts_with("}")) break;
+    if (inside && !std::regex_match(line, no_field) && std::regex_match(line, match, field)) fields.push_back(match[1]);
+  }
+  return fields;
+}
+
+}  // namespace
+
+std::vector<std::string> fields_of(const std::string& name, const fs::path& root) {
+  for (const char* folder : {"structures", "elements", "materials", "src", "analyses"}) {
+    if (!fs::is_directory(root / folder)) continue;
+    for (const auto& entry : fs::recursive_directory_iterator{root / folder}) {
+      if (entry.path().extension() != ".hpp") continue;
+      if (std::vector<std::string> fields = fields_in(text_of(entry.path()), name); !fields.empty()) return fields;
+    }
+  }
+  return {};
+}
+
+std::string nearest_field(const std::vector<std::string>& fields, const std::string& misspelt) {
+  std::string nearest;
+  std::size_t least = 1 + misspelt.size() / 3;
+  for (const std::string& field : fields)
+    if (const std::size_t letters = distance(field, misspelt); letters <= least) {
+      nearest = field;
+      least = letters - 1;
+      if (letters == 0) break;
+    }
+  return nearest;
+}
+
+}  // namespace moat::launcher

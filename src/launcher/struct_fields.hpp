@@ -1,0 +1,16 @@
+// The fields of a struct, read from moat's headers.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace moat::launcher {
+
+/// Names of the fields of `name` in their order; empty if no header under the checkout declares such a struct.
+std::vector<std::string> fields_of(const std::string& name, const std::filesystem::path& root);
+
+/// The field that differs in the fewest letters from a misspelt one; empty if none is near.
+std::string nearest_field(const std::vector<std::string>& fields, const std::string& misspelt);
+
+}  // namespace moat::launcher

@@ -1,0 +1,92 @@
+// The program as the bootstrap script calls it, with this build as a library that is not ours to change.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "launcher/text.hpp"
+#include "run_program.hpp"
+
+namespace moat::launcher {
+namespace {
+
+class CommandLine : public moat::testing::InTemporaryFolder {
+ protected:
+  moat::testing::ProgramResult launch(const std::vector<std::string>& words) const {
+    std::vector<std::string> all{"-u", "MOAT_RECORDS", LAUNCHER, MOAT_SOURCE_DIR, BUILD_FOLDER, folder / "cache"};
+    all.insert(all.end(), words.begin(), words.end());
+    return moat::testing::run_program("/usr/bin/env", all, folder);
+  }
+};
+
+TEST_F(CommandLine, ExplainsEveryCommand) {
+  for (const std::vector<std::string>& words : {std::vector<std::string>{"--help"},
+                                                {"help"},
+                                                {"run", "--help"},
+                                                {"new", "--help"},
+                                                {"test", "--help"},
+                                                {"bench", "--help"},
+                                                {"bench", "paper", "--help"},
+                                                {"check", "--help"},
+                                                {"doctor", "--help"}}) {
+    const auto result = launch(words);
+    EXPECT_EQ(result.exit_code, 0) << joined(words);
+    EXPECT_EQ(result.errors, "") << joined(words);
+    EXPECT_NE(result.output.find("./moat"), std::string::npos) << joined(words);
+  }
+}
+
+TEST_F(CommandLine, RefusesWrongUsageWithAHint) {
+  write_text(folder / "exists.cpp", "");
+  write_text(folder / "notes.txt", "");
+  for (const std::vector<std::string>& words : {std::vector<std::string>{},
+                                                {"frobnicate"},
+                                                {"--fast"},
+                                                {"run"},
+                                                {"run", "--fast"},
+                                                {"run", "no.cpp"},
+                                                {"run", "notes.txt"},
+                                                {"run", "."},
+                                                {"new"},
+                                                {"new", "exists.cpp"},
+                                                {"new", "-x.cpp"},
+                                                {"doctor", "now"},
+                                                {"bench"},
+                                                {"bench", "tower"},
+                                                {"check", "everything"},
+                                                {"test", "--all"}}) {
+    const auto result = launch(words);
+    EXPECT_EQ(result.exit_code, 2) << joined(words);
+    EXPECT_EQ(result.output, "") << joined(words);
+    const bool explains = words.empty() ? result.errors.find("./moat") != std::string::npos
+                                        : std::count(result.errors.begin(), result.errors.end(), '\n') >= 2;
+    EXPECT_TRUE(explains) << joined(words) << ": " << result.errors;
+  }
+}
+
+TEST_F(CommandLine, NewScriptRunsUnderItsOwnNameAndTheSecondTimeInSilence) {
+  ASSERT_EQ(launch({"new", "my tower.cpp"}).exit_code, 0);
+  const auto first = launch({"run", "my tower.cpp", "--help"});
+  EXPECT_EQ(first.exit_code, 0) << first.errors;
+  EXPECT_EQ(first.output.substr(0, first.output.find('\n')), "my tower");
+  EXPECT_NE(first.output.find("--gap"), std::string::npos);
+  EXPECT_TRUE(std::filesystem::exists(folder / "cache" / "scripts"));
+  const auto second = launch({"run", "my tower.cpp", "--gap", "50 cm", "--end", "0.1 s", "--out", "there"});
+  EXPECT_EQ(second.exit_code, 0) << second.errors;
+  EXPECT_EQ(second.errors.find("compile"), std::string::npos) << second.errors;
+  EXPECT_TRUE(std::filesystem::exists(folder / "there" / "summary.json"));
+}
+
+TEST_F(CommandLine, PassesOnTheExitCodeOfTheScript) {
+  write_text(folder / "seven.cpp", "int main() { return 7; }\n");
+  EXPECT_EQ(launch({"run", "seven.cpp"}).exit_code, 7);
+}
+
+TEST_F(CommandLine, DoctorShowsPlacesAndVersions) {
+  const auto result = launch({"doctor"});
+  EXPECT_NE(result.output.find((folder / "cache").string()), std::string::npos);
+  EXPECT_NE(result.output.find("compiler"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace moat::launcher

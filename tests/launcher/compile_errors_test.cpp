@@ -1,0 +1,107 @@
+// Mistakes in a script, compiled as the launcher does, and the sentence that must come first.
+
+#include "launcher/compile_errors.hpp"
+
+#include <gtest/gtest.h>
+
+#include "launcher/process.hpp"
+#include "launcher_testing.hpp"
+
+namespace moat::launcher {
+namespace {
+
+class CompileErrors : public moat::testing::InTemporaryFolder {
+ protected:
+  // What the user reads about a script with this text in main(), which begins at line 4.
+  std::string explained_for(const std::string& text) const {
+    const std::filesystem::path script = folder / "tower.cpp", log = folder / "log";
+    write_text(script, "#include <moat.hpp>\nusing namespace moat;\nusing namespace moat::units;\n" + text + "\n");
+    Command compile = lines_of(text_of(std::filesystem::path{BUILD_FOLDER} / "script_compile.txt"));
+    compile.insert(compile.end(), {"-fsyntax-only", script});
+    EXPECT_NE(run_into(log, compile), 0) << "compiles: " << text;
+    const std::string sentence = explained(text_of(log), script, MOAT_SOURCE_DIR);
+    return replaced(sentence, folder.string() + "/", "");
+  }
+
+  void expect_first(const std::string& text, const std::string& sentence) const {
+    const std::string all = explained_for(text);
+    EXPECT_TRUE(all.starts_with(sentence)) << text << "\ngives:\n" << all << "instead of:\n" << sentence;
+  }
+};
+
+const std::string wall = "Model model;\nconst NodeId base = add(model, Node{.name = \"base\", .mass = 1 * kg});\n";
+
+TEST_F(CompileErrors, NameTheDimensionThatIsNeeded) {
+  expect_first("const Node node{.name = \"base\",\n.mass = 500 * kN};",
+               "tower.cpp:5: 500 * kN is a force [N], but a mass [kg] is needed here\n");
+  expect_first("const Length gap = 0.10;",
+               "tower.cpp:4: 0.10 is a number without unit, but a length [m] is needed here; give it a unit");
+  expect_first("const HertzDamp law{.stiffness = 2.95e9 * N / m, .restitution = 0.65};",
+               "tower.cpp:4: 2.95e9 * N / m is a stiffness [N/m], but a Hertz stiffness [N/m^1.5] is needed here");
+  expect_first("const Node node{.name = \"base\", .mass = {500 * tonne, 400 * tonne}};",
+               "tower.cpp:4: this is a list in braces, but a mass [kg] is needed here");
+}
+
+TEST_F(CompileErrors, NameTheMissingField) {
+  expect_first("const Node node{.name = \"base\"};", "tower.cpp:4: field mass of Node is missing");
+  expect_first("int main() {" + wall + "add(model, Moat{.around = base, .law = Hertz{.stiffness = 1 * N / m_3_2}}); }",
+               "tower.cpp:6: field clearance of Moat is missing");
+  expect_first("int main() {" + wall + "add(model, Moat{.around = base, .clearance = 1 * m}); }",
+               "tower.cpp:6: field law of Moat is missing");
+}
+
+TEST_F(CompileErrors, NameTheDimensionOfAMissingFieldWithoutName) {
+  expect_first("const Viscous law{};", "tower.cpp:4: a required field is missing: a damping coefficient [N s/m]");
+}
+
+TEST_F(CompileErrors, PointAtAFieldInTheWrongPlaceAndGiveTheOrder) {
+  const std::string text = explained_for("const Node node{.mass = 1 * kg,\n.name = \"base\"};");
+  EXPECT_TRUE(text.starts_with("tower.cpp:5: field name of Node stands in the wrong place; the order is name, mass"))
+      << text;
+  EXPECT_NE(text.find("   5 | .name = \"base\"};\n     | ^^^^^\n"), std::string::npos) << text;
+}
+
+TEST_F(CompileErrors, SuggestTheNearestField) {
+  expect_first("const Node node{.name = \"base\",\n.masses = 1 * kg};",
+               "tower.cpp:5: Node has no field masses; did you mean mass?");
+  expect_first("const Node node{.colour_of_paint = 1 * kg};",
+               "tower.cpp:4: Node has no field colour_of_paint; it has name");
+}
+
+TEST_F(CompileErrors, SayWhatIsNoImpactLaw) {
+  expect_first(
+      "int main() {" + wall + "add(model, Moat{.around = base, .clearance = 1 * m, .law = Viscous{1 * N * s / m}}); }",
+      "tower.cpp:6: Moat needs an impact law, such as HertzDamp; Viscous is none");
+}
+
+TEST_F(CompileErrors, SayWhichFieldOfATemplateHasTheWrongType) {
+  expect_first("int main() {" + wall +
+                   "add(model, Moat{.around = 7,\n.clearance = 1 * m,\n.law = Hertz{.stiffness = 1 * N / m_3_2}}); }",
+               "tower.cpp:6: this is a number without unit, but a NodeId is needed here");
+  expect_first("int main() {" + wall +
+                   "add(model, Moat{.around = base,\n.clearance = 0.10,\n.law = Hertz{.stiffness = 1 * N / m_3_2}}); }",
+               "tower.cpp:7: 0.10 is a number without unit, but a length [m] is needed here; give it a unit");
+}
+
+TEST_F(CompileErrors, KeepTheCompilersWordsOtherwise) {
+  expect_first("int main() { modl.add(); }", "tower.cpp:4: 'modl' was not declared in this scope");
+  EXPECT_NE(explained_for("int main() { Model model; model.add(1 * kN); }").find("has no member named 'add'"),
+            std::string::npos);
+}
+
+TEST_F(CompileErrors, AreFiveAtMost) {
+  std::string text;
+  for (int i = 0; i < 8; ++i) text += "int a" + std::to_string(i) + " = b" + std::to_string(i) + ";\n";
+  const std::string all = explained_for(text);
+  EXPECT_NE(all.find("'b4' was not declared"), std::string::npos);
+  EXPECT_EQ(all.find("'b5' was not declared"), std::string::npos);
+  EXPECT_TRUE(all.ends_with("... and 3 more errors\n")) << all;
+}
+
+TEST(CompilerOutput, ThatHoldsNoErrorIsShownAsItIs) {
+  EXPECT_EQ(explained("undefined reference to `moat::add'\n", "tower.cpp", "."),
+            "undefined reference to `moat::add'\n");
+}
+
+}  // namespace
+}  // namespace moat::launcher

@@ -1,0 +1,35 @@
+#include "launcher/struct_fields.hpp"
+
+#include <gtest/gtest.h>
+
+#include "launcher/text.hpp"
+#include "run_program.hpp"
+
+namespace moat::launcher {
+namespace {
+
+using StructFields = moat::testing::InTemporaryFolder;
+
+TEST_F(StructFields, AreReadFromTheHeaders) {
+  std::filesystem::create_directories(folder / "elements");
+  write_text(
+      folder / "elements" / "gap.hpp",
+      "struct Other {\n  int no_field = 0;\n};\n"
+      "template <ImpactLaw Law>\nstruct Gap {\n  static constexpr int no_field = 1;\n  /// Its name;\n"
+      "  std::string name;\n  Required<MemberPoint> left;\n  std::optional<Wall> wall{};\n  bool pulls = false;\n"
+      "  Law law;\n  using State = int;\n  void check(const Check& check) const { check.that(law); }\n};\n"
+      "struct After {\n  int no_field;\n};\n");
+  EXPECT_EQ(fields_of("Gap", folder), (std::vector<std::string>{"name", "left", "wall", "pulls", "law"}));
+  EXPECT_TRUE(fields_of("Nothing", folder).empty());
+}
+
+TEST(NearestField, DiffersInFewLetters) {
+  const std::vector<std::string> fields{"name", "floor_mass", "floors", "base_mass"};
+  EXPECT_EQ(nearest_field(fields, "floor_masses"), "floor_mass");
+  EXPECT_EQ(nearest_field(fields, "flor_mass"), "floor_mass");
+  EXPECT_EQ(nearest_field(fields, "nam"), "name");
+  EXPECT_EQ(nearest_field(fields, "height"), "");
+}
+
+}  // namespace
+}  // namespace moat::launcher
