@@ -90,6 +90,8 @@ A machine that does something else meanwhile spoils times more than ratios.
   --rounds N           how often each is timed, in turns with the others; the median counts. 5 or more
   --quick              less of everything, to try the program
 
+  ./moat bench performance compare PROGRAM         the program of another build and this one, in turns A B A B
+
 Exit code: of paper 0 if all that is asserted holds, else 1; of the others 0 when they ran. 1 when building fails, 2 for
 wrong usage, 3 when packages cannot be installed.)";
 

@@ -10,7 +10,7 @@
 #include "analysis_testing.hpp"
 #include "elements/gap.hpp"
 #include "elements/shear_spring.hpp"
-#include "materials/hertz.hpp"
+#include "materials/impact/hertz.hpp"
 
 namespace moat {
 namespace {

@@ -177,7 +177,7 @@ TEST(Integrators, AreFoundByName) {
 
 TEST(Integrators, RefuseParametersOutsideTheirRange) {
   const auto refusal = [](const Integrator& integrator) {
-    return message_of([&] { checked(TransientOptions{.integrator = integrator}); });
+    return message_of([&] { checked(TransientOptions{.integrator = integrator}, still_ground(1 * s)); });
   };
   EXPECT_EQ(
       refusal(HilberHughesTaylor{.alpha = 0.1}),

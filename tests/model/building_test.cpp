@@ -9,7 +9,7 @@
 #include "elements/gap.hpp"
 #include "elements/isolator.hpp"
 #include "elements/shear_spring.hpp"
-#include "materials/hertz_damp.hpp"
+#include "materials/impact/hertz_damp.hpp"
 #include "materials/linear.hpp"
 #include "message_of.hpp"
 
