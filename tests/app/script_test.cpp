@@ -168,7 +168,7 @@ TEST_F(ScriptRun, ObserversOfTheScriptAreInHistoriesAndReport) {
       std::ranges::find_if(summary.at("peaks"), [](const json& each) { return each.at("quantity") == "momentum"; });
   ASSERT_NE(peak, summary.at("peaks").end());
   EXPECT_NEAR(std::abs(peak->at("value").get<double>()), 2.0 / std::sqrt(40.0), 1e-3);
-  EXPECT_NE(text_of(folder / "out/report.html").find(">Momentum<"), std::string::npos);
+  EXPECT_NE(text_of(folder / "out/report.html").find("momentum [kg m/s]"), std::string::npos);
 }
 
 TEST_F(ScriptRun, AnEndlessAnalysisIsRefused) {

@@ -47,9 +47,9 @@ TEST(PeakTable, NamesTheElementThatReachedThePeakOfSeveral) {
                   {"impact_force", "moat", 25.65e6, "N", 4.25, 0.0, "moat right"}};
   EXPECT_EQ(peak_table(result),
             "peak displacement [cm]\n"
-            "  base  -50.00 +- 0   at  4.500 s\n"
+            "  base  -50.00 +- 0   at 4.500 s\n"
             "peak impact force [kN]\n"
-            "  moat   25650 +- 0   at  4.250 s   moat right\n");
+            "  moat   25650 +- 0   at 4.250 s   moat right\n");
 }
 
 TEST(ClearanceTable, SaysHowMuchWasLeft) {
@@ -58,8 +58,8 @@ TEST(ClearanceTable, SaysHowMuchWasLeft) {
   result.clearances = {{"moat left", 0.5, 0.20187, 3.25, 0.0021}, {"moat right", 0.1, -0.0123, 4.5, 0.00004}};
   EXPECT_EQ(clearance_table(result),
             "clearance left [cm]\n"
-            "  moat left   20.2  +- 0.3     at  3.250 s   of 50 cm\n"
-            "  moat right  -1.23 +- 0.004   at  4.500 s   of 10 cm\n");
+            "  moat left   20.2  +- 0.3     at 3.250 s   of 50 cm\n"
+            "  moat right  -1.23 +- 0.004   at 4.500 s   of 10 cm\n");
 }
 
 }  // namespace
