@@ -39,7 +39,9 @@ touch "$world/installed" "$calls" "$world/tower.cpp"
         mkdir "$WORLD/building" || { echo "two build at the same time"; exit 1; }
         sleep 0.2; rmdir "$WORLD/building" # long enough for another one to come along
         mkdir -p "$2/bin"; cp "$WORLD/program" "$2/bin/moat" ;;
-      -S) mkdir -p "$4"; touch "$4/build.ninja" ;;
+      -S)
+        mkdir -p "$4"; touch "$4/build.ninja"
+        echo "CMAKE_HOME_DIRECTORY:INTERNAL=$2" >"$4/CMakeCache.txt" ;;
     esac'
   program sudo_without_password <<<'#!/bin/bash
     [[ $1 != --non-interactive ]] || exit 0
@@ -121,6 +123,16 @@ case $case in
     launch run "$world/tower.cpp"
     handed_over "$root/build"
     called "cmake -S .*--fresh"
+    ;;
+  configured_by_hand)
+    # As `cmake --preset release` leaves it, with other options than the launcher's.
+    mkdir -p "$root/build/release"
+    touch "$root/build/release/build.ninja"
+    echo "CMAKE_HOME_DIRECTORY:INTERNAL=$root" >"$root/build/release/CMakeCache.txt"
+    launch run "$world/tower.cpp"
+    handed_over "$root/build"
+    not_called "cmake -S"
+    called "cmake --build"
     ;;
   keeps_arguments)
     launch run "$world/tower.cpp" --gap 'two words' '' '*'
