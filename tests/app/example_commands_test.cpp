@@ -44,9 +44,9 @@ class ExampleCommands : public testing::InTemporaryFolder {
 TEST_F(ExampleCommands, OfTheLaunchersHelpRun) {
   std::size_t found = 0;
   for (const char* command : {"", "run", "new", "test", "bench", "doctor"}) {
-    std::vector<std::string> arguments{MOAT_SOURCE_DIR "/moat", command, "--help"};
-    if (*command == '\0') arguments.erase(arguments.begin() + 1);
-    const testing::ProgramResult help = testing::run_program("/bin/bash", arguments, folder);
+    std::vector<std::string> arguments{MOAT_SOURCE_DIR, folder / "build", folder, command, "--help"};
+    if (*command == '\0') arguments.erase(arguments.begin() + 3);
+    const testing::ProgramResult help = testing::run_program(LAUNCHER, arguments, folder);
     ASSERT_EQ(help.exit_code, 0) << help.errors;
     for (const ExampleCommand& example : commands_in(help.output, "  ")) {
       expect_runs(example);
