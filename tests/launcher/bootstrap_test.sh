@@ -46,7 +46,8 @@ touch "$world/installed" "$calls" "$world/tower.cpp"
   program sudo_without_password <<<'#!/bin/bash
     [[ $1 != --non-interactive ]] || exit 0
     echo "sudo $*" >>"$WORLD/calls"; exec "$@"'
-  printf '%s\n' '#!/bin/bash' 'printf "[%s]" "$@"; echo; exit 7' >"$world/program"
+  printf '%s\n' '#!/bin/bash' '[[ ! -e $3/.lock ]] || flock --timeout 5 "$3/.lock" true || echo "The lock is still held."' \
+    'printf "[%s]" "$@"; echo; exit 7' >"$world/program"
   chmod +x "$world/program"
 }
 
@@ -143,7 +144,8 @@ case $case in
     launch run "$world/tower.cpp"
     handed_over "$root/build"
     wait $! || true
-    ! grep -q "FAILED" "$world/second" || fail "two built at the same time"
+    grep -q "^\[.*tower.cpp\]$" "$world/second" || fail "the other one said: $(<"$world/second")"
+    ! grep -q "still held" "$world/second" || fail "the other one kept the lock"
     ;;
   without_root)
     printf '%s\n' '#!/bin/bash' 'exit 1' >"$world/bin/sudo"
