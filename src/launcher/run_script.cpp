@@ -2,6 +2,7 @@
 
 #include <unistd.h>
 
+#include <cstdlib>
 #include <cstring>
 
 #include "launcher/library.hpp"
@@ -37,6 +38,8 @@ void run_script(const Places& places, const std::vector<std::string>& words) {
   bring_up_to_date(places, {.what = "the library", .targets = {"moat_for_scripts"}});
   const Lock lock{script.lock_file()};  // until the program has started
   script.bring_up_to_date();
+  // For the results, which name the script and its hash.
+  ::setenv("MOAT_SCRIPT", fs::absolute(typed).lexically_normal().c_str(), 1);
   // The script is called by its own name, so that its messages and its results are.
   const std::vector<std::string> options{words.begin() + 1, words.end()};
   if (become(script.program(), typed, options) == ENOEXEC) {  // damaged, by a power cut for example

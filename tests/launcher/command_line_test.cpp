@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "base/sha256.hpp"
 #include "launcher/text.hpp"
 #include "run_program.hpp"
 
@@ -74,7 +75,11 @@ TEST_F(CommandLine, NewScriptRunsUnderItsOwnNameAndTheSecondTimeInSilence) {
   const auto second = launch({"run", "my tower.cpp", "--gap", "50 cm", "--end", "0.1 s", "--out", "there"});
   EXPECT_EQ(second.exit_code, 0) << second.errors;
   EXPECT_EQ(second.errors.find("compile"), std::string::npos) << second.errors;
-  EXPECT_TRUE(std::filesystem::exists(folder / "there" / "summary.json"));
+  // The results name the script that the launcher compiled.
+  const std::string summary = moat::testing::text_of(folder / "there" / "summary.json");
+  const std::string script = folder / "my tower.cpp";
+  EXPECT_NE(summary.find("\"script\": \"" + script + "\""), std::string::npos) << summary;
+  EXPECT_NE(summary.find(sha256_of(moat::testing::text_of(script))), std::string::npos);
 }
 
 TEST_F(CommandLine, PassesOnTheExitCodeOfTheScript) {
