@@ -77,6 +77,8 @@ class Model {
   [[nodiscard]] double displacement(NodeId node) const { return state_.displacement[entry(node)]; }
   [[nodiscard]] double velocity(NodeId node) const { return state_.velocity[entry(node)]; }
   [[nodiscard]] double acceleration(NodeId node) const { return state_.acceleration[entry(node)]; }
+  /// kg; the model must be prepared. Not for the ground.
+  [[nodiscard]] double mass(NodeId node) const { return masses_[node.index]; }
   /// Rate of the node's absolute acceleration.
   [[nodiscard]] double jerk(NodeId node) const { return state_.jerk[entry(node)]; }
 

@@ -84,13 +84,12 @@ void Channels::sample(const StepView& view, std::vector<double>& values, std::ve
       ++rate;
     }
   }
-  const Vector& mass = view.model.masses();
   for (const std::vector<NodeId>& building : building_nodes_) {
     // The force from outside is minus the inertia of base and floors.
     double inertia = 0.0, inertia_rate = 0.0;
     for (const NodeId node : building) {
-      inertia += mass[node.index] * view.absolute_acceleration(node);
-      inertia_rate += mass[node.index] * view.model.jerk(node);
+      inertia += view.model.mass(node) * view.absolute_acceleration(node);
+      inertia_rate += view.model.mass(node) * view.model.jerk(node);
     }
     *value++ = -inertia;
     *rate++ = -inertia_rate;

@@ -56,7 +56,7 @@ std::vector<Peak> PeakRecorder::peaks() const {
     Peak sum{"sum_of_floor_inertia_maxima", building.base_name(), 0.0, "N", 0.0};
     for (const NodeId node : building.nodes()) {
       const std::size_t acceleration = Channels::of_node(node) + 2;
-      sum.value += model_->masses()[node.index] * trackers_[acceleration].magnitude();
+      sum.value += model_->mass(node) * trackers_[acceleration].magnitude();
       // The maxima are not simultaneous; the last of them completes the sum.
       sum.time = std::max(sum.time, trackers_[acceleration].time());
     }
