@@ -17,18 +17,20 @@ using namespace moat::units;
 int main(int argc, char** argv) {
   Script script{argc, argv, "Five-storey isolated building inside a moat"};
   const Length gap = script.length("gap", 10 * cm, "clearance on each side");
-  const GroundMotion motion = script.motion(near_fault_pulse({.pulse_period = 1.3 * s}))  // --record FILE
+  const GroundMotion motion = script
+                                  .motion(near_fault_pulse({.pulse_period = 1.3 * s}))  // --record FILE
                                   .scaled_to_pga(script.acceleration("pga", 0.4 * g, "peak ground acceleration"));
 
   Model model;
-  const auto building = add(model, ShearBuilding{.storeys = 5,
-                                                 .floor_mass = 500 * tonne,
-                                                 .storey_stiffness = 1 * GN / m,
-                                                 .damping = RayleighDamping{.ratio = 0.05},
-                                                 .base_mass = 550 * tonne,
-                                                 .isolation = LeadRubberBearing{.yield_force = 1.93 * MN,
-                                                                                .yield_displacement = 1 * cm,
-                                                                                .post_yield_stiffness = 19.3 * MN / m}});
+  const auto building =
+      add(model, ShearBuilding{.storeys = 5,
+                               .floor_mass = 500 * tonne,
+                               .storey_stiffness = 1 * GN / m,
+                               .damping = RayleighDamping{.ratio = 0.05},
+                               .base_mass = 550 * tonne,
+                               .isolation = LeadRubberBearing{.yield_force = 1.93 * MN,
+                                                              .yield_displacement = 1 * cm,
+                                                              .post_yield_stiffness = 19.3 * MN / m}});
   add(model, Moat{.around = building.base,
                   .clearance = gap,
                   .law = HertzDamp{.stiffness = 2.95e9 * N / m_3_2, .restitution = 0.65}});

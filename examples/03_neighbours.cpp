@@ -21,8 +21,8 @@ int main(int argc, char** argv) {
                            .linear_stiffness = 5.8e8 * N / m,
                            .hertz_stiffness = 2.95e9 * N / m_3_2,
                            .restitution = script.number("restitution", 0.65, "coefficient of restitution")};
-  const GroundMotion motion = script.motion(near_fault_pulse()).scaled_to_pga(
-      script.acceleration("pga", 0.4 * g, "peak ground acceleration"));
+  const GroundMotion motion =
+      script.motion(near_fault_pulse()).scaled_to_pga(script.acceleration("pga", 0.4 * g, "peak ground acceleration"));
 
   Model model;
   const auto low = add(model, ShearBuilding{.name = "low",

@@ -11,11 +11,9 @@ NodeId add_wall(Model& model, const FlexibleWall& wall, const std::string& name,
   // For drawings only: a wall half a metre thick whose face is the clearance away from the floor's edge.
   const Length half_width = 0.25 * units::m;
   const Length distance = offset * units::m + (offset < 0.0 ? -1.0 : 1.0) * (base.half_width + half_width);
-  const NodeId node = add(model, Node{.name = name,
-                                      .mass = wall.mass,
-                                      .x = base.x + distance,
-                                      .height = base.height,
-                                      .half_width = half_width});
+  const NodeId node = add(
+      model,
+      Node{.name = name, .mass = wall.mass, .x = base.x + distance, .height = base.height, .half_width = half_width});
   add(model, Spring<Linear>{.name = name,
                             .lower = ground,
                             .upper = node,

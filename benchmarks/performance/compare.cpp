@@ -28,9 +28,7 @@ void keep_shorter(Times& times, const std::filesystem::path& file) {
 }
 
 // SUNDIALS, Octave and bare loops show how much the machine alone changes.
-bool is_of_moat(const std::string& name) {
-  return name.find(", moat") != name.npos || name.starts_with("street");
-}
+bool is_of_moat(const std::string& name) { return name.find(", moat") != name.npos || name.starts_with("street"); }
 
 }  // namespace
 

@@ -29,8 +29,7 @@ class FileError : public Error {
 /// What was computed before `time` has been recorded.
 class ConvergenceError : public Error {
  public:
-  ConvergenceError(const std::string& message, double time_s, double step_s, double residual_ratio,
-                   std::string worst)
+  ConvergenceError(const std::string& message, double time_s, double step_s, double residual_ratio, std::string worst)
       : Error{message},
         time{time_s},
         step{step_s},

@@ -19,17 +19,15 @@ class Required {
   Required() = delete;
 
   template <class Source>
-    requires(std::convertible_to<Source, T> && !std::same_as<std::remove_cvref_t<Source>, Required>)
-  constexpr Required(Source&& value) : value_(std::forward<Source>(value)) {}
+  requires(std::convertible_to<Source, T> &&
+           !std::same_as<std::remove_cvref_t<Source>, Required>) constexpr Required(Source&& value)
+      : value_(std::forward<Source>(value)) {}
 
   constexpr operator const T&() const { return value_; }
   [[nodiscard]] constexpr const T& value() const { return value_; }
 
-  [[nodiscard]] constexpr double si() const
-    requires requires(const T& quantity) { quantity.si(); }
-  {
-    return value_.si();
-  }
+  [[nodiscard]] constexpr double si() const requires requires(const T& quantity) { quantity.si(); }
+  { return value_.si(); }
 
  private:
   T value_;

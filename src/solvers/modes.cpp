@@ -1,7 +1,7 @@
 #include "solvers/modes.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <Spectra/SymEigsShiftSolver.h>
+#include <Eigen/Eigenvalues>
 
 #include <algorithm>
 #include <cmath>

@@ -57,9 +57,10 @@ TEST(EnergyWarnings, ARunIntoInfinityWarns) {
 TEST(MotionWarnings, DoubtAccelerationsBeyondAllRecords) {
   const GroundMotion motion{"strong", 0.01, {0.0, 9.80665, 0.0}};
   EXPECT_TRUE(motion_warnings(motion.scaled_by(4.9)).empty());
-  EXPECT_EQ(motion_warnings(motion.scaled_by(980.665)),
-            (std::vector<std::string>{"The peak acceleration of the ground is 980.665 g; no record is as strong as 5 g. "
-                                      "Check the unit of the record and its scale factor (980.665)."}));
+  EXPECT_EQ(
+      motion_warnings(motion.scaled_by(980.665)),
+      (std::vector<std::string>{"The peak acceleration of the ground is 980.665 g; no record is as strong as 5 g. "
+                                "Check the unit of the record and its scale factor (980.665)."}));
 }
 
 TEST(ModelWarnings, NameAGapWhoseSidesAreExchanged) {
@@ -75,9 +76,10 @@ TEST(ModelWarnings, NameAGapWhoseSidesAreExchanged) {
     const std::vector<std::string> warnings = model_warnings(model);
     ASSERT_EQ(warnings.size(), exchanged ? 1u : 0u);
     if (exchanged)
-      EXPECT_EQ(warnings[0],
-                "Gap \"between\": its left side \"east\" has x = 4 m and its right side \"west\" x = -3 m. Exchange .left "
-                "and .right, or correct the positions.");
+      EXPECT_EQ(
+          warnings[0],
+          "Gap \"between\": its left side \"east\" has x = 4 m and its right side \"west\" x = -3 m. Exchange .left "
+          "and .right, or correct the positions.");
   }
 }
 
@@ -85,8 +87,8 @@ TEST(ModelWarnings, SayNothingOfNodesWithoutPositions) {
   Model model;
   const NodeId one = add(model, Node{.name = "one", .mass = 1 * kg});
   const NodeId other = add(model, Node{.name = "other", .mass = 1 * kg});
-  add(model, Gap<Hertz>{
-                 .name = "gap", .left = one, .right = other, .clearance = 1 * cm, .law = {.stiffness = 1 * N / m_3_2}});
+  add(model,
+      Gap<Hertz>{.name = "gap", .left = one, .right = other, .clearance = 1 * cm, .law = {.stiffness = 1 * N / m_3_2}});
   EXPECT_TRUE(model_warnings(model).empty());
 }
 

@@ -118,7 +118,8 @@ TEST(EnergyBalance, LocatingYieldDoesNotChangeThePhysics) {
   }
   ASSERT_EQ(results[0].peaks.size(), results[1].peaks.size());
   for (std::size_t i = 0; i < results[0].peaks.size(); ++i)
-    EXPECT_NEAR(results[1].peaks[i].magnitude(), results[0].peaks[i].magnitude(), 2e-4 * results[0].peaks[i].magnitude())
+    EXPECT_NEAR(results[1].peaks[i].magnitude(), results[0].peaks[i].magnitude(),
+                2e-4 * results[0].peaks[i].magnitude())
         << results[0].peaks[i].quantity << " " << results[0].peaks[i].where;
   EXPECT_GT(results[1].solver.events, 4);
   EXPECT_EQ(results[0].solver.events, 0);

@@ -113,7 +113,8 @@ const Peak& peak_of(const CaseResult& result, std::string_view quantity) {
 
 void expect_within_bar(const CaseResult& result, std::string_view quantity, double exact, double largest_share) {
   const Peak& peak = peak_of(result, quantity);
-  EXPECT_LE(std::abs(peak.magnitude() - exact), peak.error) << quantity << ": " << peak.value << " instead of " << exact;
+  EXPECT_LE(std::abs(peak.magnitude() - exact), peak.error)
+      << quantity << ": " << peak.value << " instead of " << exact;
   EXPECT_LE(peak.error, largest_share * exact) << quantity << ": a bar this wide says nothing";
 }
 
@@ -169,7 +170,8 @@ TEST(ErrorBars, AreUnsettledWhereTheStepIsFarTooLong) {
   ASSERT_FALSE(result.error_bars.unsettled.empty());
   const Peak& worst = result.error_bars.unsettled.front();
   EXPECT_GT(worst.error, 0.01 * worst.value);
-  for (const Peak& peak : result.error_bars.unsettled) EXPECT_LE(peak.error / peak.magnitude(), worst.error / worst.magnitude());
+  for (const Peak& peak : result.error_bars.unsettled)
+    EXPECT_LE(peak.error / peak.magnitude(), worst.error / worst.magnitude());
   const std::string warning = result.warnings.back();
   EXPECT_TRUE(warning.starts_with("The case is sensitive: ")) << warning;
   EXPECT_NE(warning.find(worst.where), std::string::npos) << warning;

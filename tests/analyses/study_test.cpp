@@ -213,9 +213,9 @@ TEST(Study, GivesEveryPeakItsErrorIfAsked) {
 }
 
 TEST(Study, TablesHaveTheNamesOfAnAxis) {
-  const StudyResult result = run_study({StudyAxis::of_names("record", {"KJM000", "TAK000"}),
-                                        {.name = "gap", .unit = "cm", .values = {1.0, 2.0}}},
-                                       std::function<StudyRecord(const StudyCase&)>{sum});
+  const StudyResult result = run_study(
+      {StudyAxis::of_names("record", {"KJM000", "TAK000"}), {.name = "gap", .unit = "cm", .values = {1.0, 2.0}}},
+      std::function<StudyRecord(const StudyCase&)>{sum});
   EXPECT_EQ(result.table().columns[0].labels, (std::vector<std::string>{"KJM000", "KJM000", "TAK000", "TAK000"}));
   EXPECT_EQ(result.table().columns[0].values, (std::vector<double>{0.0, 0.0, 1.0, 1.0}));
   EXPECT_TRUE(result.table().columns[1].labels.empty());

@@ -28,7 +28,9 @@ TEST(MotionFormatRecipe, RefusesWhatIsNotOfTheFormat) {
   EXPECT_FALSE(is_esm_text({.path = "columns.txt", .text = "0.0 0.1\n"}));
   EXPECT_EQ(message_of<FileError>([] { parse_esm_text(synthetic("g", "0.0\n0.1\n")); }),
             "synthetic.asc: the header must say \"UNITS: cm/s^2\". Convert the file.");
-  EXPECT_TRUE(message_of<FileError>([] { parse_esm_text(synthetic("cm/s^2", "0.0\nx\n")); }).starts_with("synthetic.asc, line 5: \"x\""));
+  EXPECT_TRUE(message_of<FileError>([] {
+                parse_esm_text(synthetic("cm/s^2", "0.0\nx\n"));
+              }).starts_with("synthetic.asc, line 5: \"x\""));
 }
 
 }  // namespace

@@ -4,8 +4,8 @@
 
 #include <cmath>
 
-#include "materials/named_impact_law.hpp"
 #include "materials/impact_laws.hpp"
+#include "materials/named_impact_law.hpp"
 #include "message_of.hpp"
 #include "two_nodes.hpp"
 

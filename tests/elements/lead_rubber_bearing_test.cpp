@@ -14,10 +14,8 @@ namespace {
 using namespace units;
 using testing::message_of;
 
-const BearingDesign design{.weight = 30 * MN,
-                           .characteristic_strength = 1.5 * MN,
-                           .isolation_period = 2.5 * s,
-                           .yield_displacement = 1 * cm};
+const BearingDesign design{
+    .weight = 30 * MN, .characteristic_strength = 1.5 * MN, .isolation_period = 2.5 * s, .yield_displacement = 1 * cm};
 
 TEST(LeadRubberBearing, OfADesignHasItsPeriodAndItsStrength) {
   const LeadRubberBearing bearing = LeadRubberBearing::from_design(design);

@@ -19,15 +19,12 @@ namespace {
 using namespace units;
 using testing::message_of;
 
-NodeId add_floor(Model& model, const std::string& name) {
-  return add(model, Node{.name = name, .mass = 1 * tonne});
-}
+NodeId add_floor(Model& model, const std::string& name) { return add(model, Node{.name = name, .mass = 1 * tonne}); }
 
 void join(Model& model, NodeId lower, NodeId upper) {
-  add(model, ShearSpring{.name = "spring " + std::to_string(upper.index),
-                         .lower = lower,
-                         .upper = upper,
-                         .stiffness = 1 * MN / m});
+  add(model,
+      ShearSpring{
+          .name = "spring " + std::to_string(upper.index), .lower = lower, .upper = upper, .stiffness = 1 * MN / m});
 }
 
 TEST(Building, RefusesNodesThatDoNotFit) {
@@ -40,9 +37,7 @@ TEST(Building, RefusesNodesThatDoNotFit) {
 TEST(Building, RefusesAFloorThatIsTheGround) {
   Model model;
   const NodeId node = add_floor(model, "base");
-  EXPECT_EQ(message_of([&] {
-              add(model, Building{.name = "house", .base = node, .floors = {ground}});
-            }),
+  EXPECT_EQ(message_of([&] { add(model, Building{.name = "house", .base = node, .floors = {ground}}); }),
             "Building \"house\": the ground is among the floors. List only nodes with mass.");
 }
 
@@ -52,9 +47,7 @@ TEST(Building, RefusesAnUnknownNode) {
   EXPECT_EQ(message_of([&] { add(model, Building{.name = "house", .base = NodeId{1}}); }),
             "Building \"house\": base is not a node of this model. Use the NodeId that add(model, Node{...}) "
             "returned.");
-  EXPECT_EQ(message_of([&] {
-              add(model, Building{.base = node, .floors = {NodeId{}}});
-            }),
+  EXPECT_EQ(message_of([&] { add(model, Building{.base = node, .floors = {NodeId{}}}); }),
             "Building: a floor is not given. Set it to a node of this model or to `ground`.");
 }
 
@@ -66,9 +59,7 @@ TEST(Building, RefusesANodeOrANameTwice) {
             "Building \"house\": a building of this name exists. Give every building its own .name.");
   EXPECT_EQ(message_of([&] { add(model, Building{.name = "shed", .base = a}); }),
             "Building \"shed\": the node \"a\" is in a building already. Its inertia would count twice.");
-  EXPECT_EQ(message_of([&] {
-              add(model, Building{.name = "barn", .base = b, .floors = {b}});
-            }),
+  EXPECT_EQ(message_of([&] { add(model, Building{.name = "barn", .base = b, .floors = {b}}); }),
             "Building \"barn\": the node \"b\" is in a building already. Its inertia would count twice.");
 }
 
