@@ -19,7 +19,8 @@ using Times = std::map<std::string, double>;  // the shortest of each figure
 void keep_shorter(Times& times, const std::filesystem::path& file) {
   static const std::set<std::string> units{"s", "ms", "us", "ns"};
   std::ifstream stream{file};
-  for (const auto& section : nlohmann::json::parse(stream).at("sections"))
+  const auto json = nlohmann::json::parse(stream);
+  for (const auto& section : json.at("sections"))
     for (const auto& figure : section.at("figures"))
       if (const auto unit = figure.at("unit").get<std::string>(); units.contains(unit)) {
         double& time = times.try_emplace(figure.at("name").get<std::string>() + " [" + unit + "]", 1e300).first->second;
