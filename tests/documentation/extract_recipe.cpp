@@ -17,6 +17,7 @@ int main(int argc, char** argv) {
   const std::filesystem::path folder = argv[3];
   try {
     const auto code = moat::testing::code_of_recipes(argv[1]);
+    std::filesystem::remove_all(folder);  // files that the recipe no longer has must not be found by #include
     for (int i = 4; i < argc; ++i) {
       const auto found = code.find(recipe + "/" + argv[i]);
       if (found == code.end()) {

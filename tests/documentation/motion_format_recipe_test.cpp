@@ -11,7 +11,8 @@ namespace {
 
 TextFile synthetic(const std::string& units, const std::string& values) {
   return {.path = "synthetic.asc",
-          .text = "EVENT_NAME: none\nSAMPLING_INTERVAL_S: 0.005\nUNITS: " + units + "\n" + values};
+          .text = "EVENT_NAME: none\nSAMPLING_INTERVAL_S: 0.005\nUNITS: " + units + "\n" + values,
+          .sha256 = {}};
 }
 
 TEST(MotionFormatRecipe, ReadsAFileOfTheFormat) {
@@ -25,7 +26,7 @@ TEST(MotionFormatRecipe, ReadsAFileOfTheFormat) {
 }
 
 TEST(MotionFormatRecipe, RefusesWhatIsNotOfTheFormat) {
-  EXPECT_FALSE(is_esm_text({.path = "columns.txt", .text = "0.0 0.1\n"}));
+  EXPECT_FALSE(is_esm_text({.path = "columns.txt", .text = "0.0 0.1\n", .sha256 = {}}));
   EXPECT_EQ(message_of<FileError>([] { parse_esm_text(synthetic("g", "0.0\n0.1\n")); }),
             "synthetic.asc: the header must say \"UNITS: cm/s^2\". Convert the file.");
   EXPECT_TRUE(message_of<FileError>([] {
