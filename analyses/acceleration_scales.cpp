@@ -12,7 +12,7 @@ namespace {
 constexpr double seconds_to_fade = 1.0;  // by a factor e
 constexpr double share_of_building = 0.25;
 // Of nodes that touch, whose acceleration rises like t^1.5 or faster: steps_per_contact resolves that.
-constexpr double lenience_in_contact = 16.0;
+constexpr double lenience_in_contact = 4.0;
 
 }  // namespace
 

@@ -12,7 +12,7 @@ namespace moat {
 /// least a quarter of the largest in its building: an impact below reaches a floor that has not moved yet.
 ///
 /// A light body that pounds somewhere else does not loosen the tolerance of a building. While a building is in contact
-/// its nodes count as they are, and the nodes that touch (ElementInfo::first and second) with at least sixteen times
+/// its nodes count as they are, and the nodes that touch (ElementInfo::first and second) with at least four times
 /// the acceleration to be expected of the impact. All that is forgotten when the building's last contact ends: an
 /// impact is no measure of the motion that follows. A building is here all that elements other than gaps hold together.
 class AccelerationScales {
