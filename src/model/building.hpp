@@ -12,8 +12,8 @@ namespace moat {
 
 class Model;
 
-/// A building: floors above each other, on a base or on the ground. Periods, charts and reports ask for it; it changes
-/// no force. A ShearBuilding adds one itself; add one when you build from nodes and elements:
+/// A building: floors above each other, on a base or on the ground. Periods, charts and reports use it; it has no
+/// effect on forces. A ShearBuilding adds one itself; add one when you build from nodes and elements:
 ///
 ///     add(model, Building{.base = base, .floors = {floor_1, floor_2}});
 ///

@@ -8,7 +8,7 @@
 
 namespace moat {
 
-/// A contact as its element sees it.
+/// The state of one contact.
 struct ContactView {
   bool touching = false;        ///< from touch until the gap opens, also while the force is zero
   double approach_speed = 0.0;  ///< m/s, at the last touch; <= 0 if the bodies did not approach

@@ -130,6 +130,7 @@ void Model::prepare() {
     state_.velocity[i] = node.initial_velocity.si();
   }
   trial_ = state_;
+  // Evaluate and commit once, so that forces and states of all elements belong to the current state.
   prepared_ = true;
   internal_forces_.resize(count + 1);
   evaluate();

@@ -19,7 +19,8 @@ namespace {
 class NoxVector final : public NOX::Abstract::Vector {
  public:
   explicit NoxVector(int size) : values{moat::Vector::Zero(size)} {}
-  // The one that copies is NOX's virtual assignment; the implicit one would call NOX's, which does not exist.
+  // Copies are made by NOX's virtual assignment below. The implicit one would call that of NOX's class, which does not
+  // exist.
   NoxVector& operator=(const NoxVector&) = delete;
 
   moat::Vector values;
