@@ -1,6 +1,6 @@
 // The building of section 4.2 of Zhao, Liu & Li (2017), in the plain reading of its numbers.
 //
-// The paper's text contradicts itself in places. The plain reading takes what makes its own periods come out:
+// The paper's text contradicts itself in places. The plain reading takes the values that give the periods of the paper:
 //   - post-yield stiffness of the bearings 1.93e7 N/m (printed 1.93e6, but the stated 2.5 s of 3.05e6 kg need ten
 //     times that), yield force 1.93e6 N (printed "1.93e6 kN"), yield displacement 1 cm;
 //   - linear storeys: their printed post-yield stiffness comes without a yield force;

@@ -38,7 +38,7 @@ struct KelvinByDampingRatio {
     check.that(!may_pull || damping_ratio < 1.0, "damping_ratio", damping_ratio, "1", "< 1 where may_pull is true",
                "A contact that pulls and is damped critically never ends.");
   }
-  /// As given.
+  /// The parameters as given.
   [[nodiscard]] std::vector<Parameter> parameters() const {
     return {{"stiffness", stiffness.si(), "N/m"},
             {"damping_ratio", damping_ratio, "1"},

@@ -1,4 +1,4 @@
-// One of us at a time.
+// A lock, so that one moat works on a build folder at a time.
 #pragma once
 
 #include <filesystem>

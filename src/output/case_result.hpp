@@ -160,7 +160,7 @@ struct CaseResult {
   EnergyBalance energy;
   SolverStatistics solver;
   ErrorBars error_bars{};
-  std::vector<std::string> warnings;     ///< what may spoil the numbers, with what to do about it
+  std::vector<std::string> warnings;     ///< problems of accuracy or input, with the remedy
   std::vector<std::string> assumptions;  ///< one sentence each: scheme, step, damping, sign conventions ...
 };
 

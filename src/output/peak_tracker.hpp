@@ -14,8 +14,8 @@ namespace moat {
 /// Times are in s, rates per second.
 class PeakTracker {
  public:
-  /// `inside(fraction, value)` is asked for the value that counts at a fraction of the last step, where the cubic turns
-  /// with the given value.
+  /// `inside(fraction, value)` returns the value of the quantity at a fraction of the last step where the cubic has an
+  /// extremum with the given value.
   template <class Inside>
   void add(double time, double value, double rate, const Inside& inside) {
     keep(time, value);
