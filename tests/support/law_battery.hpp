@@ -116,8 +116,8 @@ void expect_pure(const Law& law, const typename Law::State& committed, const Law
   }
 }
 
-/// d(stored)/dt + dissipation rate = F d', and the dissipation rate is not negative. `reachable` tells which
-/// arguments can follow from the committed state; of some states (an elastic contact that was released) none can.
+/// d(stored)/dt + dissipation rate = F d', and the dissipation rate is not negative. `reachable` selects the arguments
+/// that can follow from the committed state; of some states (an elastic contact that was released) none can.
 template <ForceLaw Law, class Reachable>
 void expect_energy_identity(const Law& law, const typename Law::State& committed, const LawRange& range,
                             Reachable reachable) {
