@@ -39,7 +39,7 @@ StepControl::StepControl(const Model& model, Options options)
   restart(model, false);
 }
 
-// Longest step inside the bound of stability of the fourth-order scheme, with a contact of this duration going on.
+// Longest step inside the bound of stability of the fourth-order scheme, during a contact of this duration.
 double StepControl::stable_step(double contact) const {
   // h w <= 1.8 and h c/m <= 4 together leave room below the limit of stability. The frequency of the contact is
   // doubled, because a contact under load is stiffer than in a free impact.

@@ -133,9 +133,9 @@ class ContactLinks final : public LinksWithRegimes<Law, Ends>, public Contacts {
     return this->laws_[i].evaluate(state, indentation, rate, after).force;
   }
 
-  std::vector<double> effective_masses_, durations_;  // kg; s, of the contact going on
+  std::vector<double> effective_masses_, durations_;  // kg; s, of the contact in progress
   std::vector<double> approach_speeds_;               // m/s, at the last touch; that of the law's state has a floor
-  int touching_ = 0;                                  // number of contacts going on
+  int touching_ = 0;                                  // number of contacts in progress
 };
 
 }  // namespace moat

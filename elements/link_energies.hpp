@@ -75,7 +75,7 @@ class LinkEnergies {
     }
   }
 
-  /// A change of regime gave up stored energy, J.
+  /// A change of regime released stored energy, J.
   void release(std::size_t link, double energy) {
     if (kept_) accounts_[link].dissipated += energy;
   }

@@ -77,7 +77,7 @@ concept LawWithRegimes = ForceLaw<Law> && requires(const Law& law, const typenam
 };
 
 /// A law whose force is linear in deformation and rate within each of its regimes; one without regimes is linear
-/// altogether. It says so with `static constexpr bool linear_within_regimes = true`.
+/// altogether. It declares this with `static constexpr bool linear_within_regimes = true`.
 template <class Law>
 concept LinearWithinRegimes = ForceLaw<Law> && Law::linear_within_regimes;
 

@@ -32,7 +32,7 @@ struct Kelvin {
   Required<Stiffness> stiffness;
   /// e, the intended coefficient of restitution: 0 < e <= 1.
   Required<double> restitution;
-  /// Whether the contact lasts until the gap opens, pulling before it does, as the equations of the paper say.
+  /// Whether the contact lasts until the gap opens, pulling before it does, as in the equations of the paper.
   bool may_pull = false;
 
   /// Throws InputError for a parameter outside its range.

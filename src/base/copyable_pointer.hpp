@@ -1,4 +1,4 @@
-// A pointer whose copies own copies.
+// A pointer that copies the object it owns.
 #pragma once
 
 #include <memory>

@@ -45,7 +45,7 @@ struct ElementId {
 std::vector<std::vector<ElementId>> isolators_of(const Model& model, std::span<const Building> buildings);
 
 /// The number of a part for every node: two nodes have the same one if elements other than contacts lead from one to
-/// the other, not by way of the ground.
+/// the other, without passing the ground.
 std::vector<int> connected_parts(const Model& model);
 
 /// The buildings of a model, and every connected part in which there is none, as a building with the name of its first

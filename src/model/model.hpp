@@ -26,7 +26,7 @@ struct MotionState {
   Vector displacement;  ///< m
   Vector velocity;      ///< m/s
   Vector acceleration;  ///< m/s^2
-  Vector jerk;          ///< m/s^3, rate of the absolute acceleration: it jumps where forces bend, not with the ground
+  Vector jerk;          ///< m/s^3, rate of the absolute acceleration: jumps with force rates, not with the ground
 };
 
 /// A structure: nodes joined by elements, and all state of both.
@@ -130,7 +130,7 @@ class Model {
   void open_gaps(std::vector<RegimeChange>& changes);
   /// Number of gaps that are closed.
   [[nodiscard]] int contacts_going_on() const;
-  /// Duration of the shortest contact going on, s; infinite if there is none.
+  /// Duration of the shortest contact in progress, s; infinite if there is none.
   [[nodiscard]] double shortest_contact() const;
 
  private:

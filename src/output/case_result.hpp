@@ -41,7 +41,7 @@ struct GapClearance {
   double error = std::numeric_limits<double>::quiet_NaN();
 };
 
-/// One contact from touch until the gap opens again. ImpactRecorder says where the two ratios are NaN.
+/// One contact from touch until the gap opens again. ImpactRecorder documents where the two ratios are NaN.
 struct Impact {
   std::string where;                 ///< the gap, for example "moat left"
   double start = 0.0;                ///< s

@@ -35,7 +35,7 @@ class Channels {
   /// capacity.
   [[nodiscard]] double value_inside(const Model& model, std::size_t channel, double fraction, double of_cubic) const;
 
-  /// The channels whose curves bend where an element changes its regime: accelerations of its nodes, base shears.
+  /// The channels whose rates jump where an element changes its regime: accelerations of its nodes, base shears.
   [[nodiscard]] std::vector<std::size_t> bent_by(const Model& model, const RegimeChange& change) const;
 
   /// Index of the first of a node's channels: displacement, then velocity, then absolute acceleration.
