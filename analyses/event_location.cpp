@@ -52,8 +52,9 @@ double locate_change(StepSolver& step, double h, RegimeScan seen) {
   double next = seen.fraction * h;
   constexpr int most_solves = 100, solves_by_secant = 8;
   for (int count = 0; count < most_solves; ++count) {
-    // Every iterate solves the step again with a new length. The length comes from the secant; bisection replaces it
-    // outside the bracket, and in every second solve after the eighth. A bracket of round-off width ends the search.
+    // Every iterate solves the step again with a new length. The length comes from the interpolated margin or from the
+    // secant; bisection replaces it outside the bracket, and in every second solve after the eighth. A bracket of
+    // round-off width ends the search.
     const double width = bracket.width();
     const bool slow = count > solves_by_secant && count % 2 == 0;
     if (!bracket.contains(next) || slow) next = bracket.before + 0.5 * width;

@@ -24,17 +24,17 @@ namespace moat {
 ///
 /// divided by the scale of the acceleration of the node (acceleration_scales.hpp). The largest of all nodes is compared
 /// with the tolerance. The factor 8 is there because (w h)^2/12 is itself the error of period of average acceleration.
-/// Where the stiffness of a law without located regimes jumps inside a step, the fourth-order scheme takes h/12 |j1 -
-/// j0| too. A step with more than twice the tolerance is repeated. Differences that are round-off of forces do not
-/// count.
+/// Where the stiffness of a law without located regimes jumps inside a step, the error of the fourth-order scheme is at
+/// least h/12 |j1 - j0|. A step with more than twice the tolerance is repeated. Differences that are round-off of
+/// forces do not count.
 ///
 /// In contact, the duration of the contact divided by steps_per_contact. After four such durations without an event the
 /// contact is sustained; from then on the error of acceleration alone sets the step. The first steps after a located
 /// touch are shorter, double from one to the next, and are not judged; the first of them takes average acceleration:
 /// some laws' forces rise with infinite slope there (like d^1/4).
 ///
-/// The scheme is that of fourth order where a step is inside its bound of stability. A model that is too stiff for this
-/// bound takes average acceleration.
+/// The scheme is that of fourth order where a step is inside its bound of stability. A model that needs more than six
+/// halvings for this bound takes average acceleration.
 ///
 /// Adaptive steps are the grid interval divided by powers of two, so that they end on the samples of the motion and
 /// the tangent takes few values.
