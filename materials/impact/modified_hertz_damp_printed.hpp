@@ -21,9 +21,9 @@ namespace moat {
 /// computed with another force, which is ModifiedHertzDamp.
 ///
 /// The paper does not say when the dashpot acts. It writes the force once, without Jankowski's distinction (Eq. 15),
-/// and criticises that his force history is not smooth: this means throughout. It balances the energy over one phase
-/// only, from d = 0 to the deepest point (Eqs. 14, 23): this means approach only, the default here. The restitution
-/// delivered, with cos a = 2 xi/sqrt(5), for e = 0.80, 0.65, 0.40:
+/// and criticises that his force history is not smooth: this suggests damping throughout. It balances the energy over
+/// one phase only, from d = 0 to the deepest point (Eqs. 14, 23): this suggests damping on approach only, the default
+/// here. The restitution delivered, with cos a = 2 xi/sqrt(5), for e = 0.80, 0.65, 0.40:
 ///
 ///     approach_only              exp(-a cot a)               0.848, 0.692, 0.356
 ///     throughout                 exp(-2 a cot a)             0.719, 0.479, 0.127

@@ -1,4 +1,4 @@
-// A pointer that copies the object it owns.
+// A pointer whose copy owns a copy of the object.
 #pragma once
 
 #include <memory>

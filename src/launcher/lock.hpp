@@ -1,4 +1,4 @@
-// A lock, so that one moat works on a build folder at a time.
+// A lock against other programs `moat` that run at the same time.
 #pragma once
 
 #include <filesystem>
