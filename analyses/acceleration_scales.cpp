@@ -11,7 +11,8 @@ namespace {
 
 constexpr double seconds_to_fade = 1.0;  // by a factor e
 constexpr double share_of_building = 0.25;
-// Of nodes that touch, whose acceleration rises like t^1.5 or faster: steps_per_contact resolves that.
+// For nodes in contact, whose acceleration rises like t^1.5 or faster. There steps_per_contact controls the step, and
+// the error of acceleration counts less.
 constexpr double lenience_in_contact = 4.0;
 
 }  // namespace
@@ -51,6 +52,7 @@ void AccelerationScales::regimes_changed(const Model& model) {
     any_touching_ = true;
     touching_[building_of(node)] = 1;
   });
+  // The last contact of a building has ended: its scales return to those without contact.
   for (int i = 0; i < static_cast<int>(building_.size()); ++i)
     if (touched_before_[building_of(i)] != 0 && touching_[building_of(i)] == 0) own_[i] = outside_contact_[i];
   for_each_contact([&](int node, const ContactView& contact) {
@@ -65,7 +67,7 @@ const Vector& AccelerationScales::values() {
   return values_;
 }
 
-// values_ from the scales of the nodes alone.
+// Each value is the node's own scale, or a share of the largest scale in its building if that is larger.
 void AccelerationScales::raise_to_building() {
   const int count = static_cast<int>(own_.size());
   const int* building = building_.data();
@@ -94,6 +96,7 @@ void AccelerationScales::accepted(const Model& model, double h, double ground_ac
     for (int i = 0; i < count; ++i) outside[i] = values[i];
     return;
   }
+  // `outside` excludes accelerations of impacts: while a building is in contact it only decays.
   for (int i = 0; i < count; ++i) {
     const bool touching = touching_[static_cast<std::size_t>(building_[static_cast<std::size_t>(i)])] != 0;
     outside[i] = touching ? std::max(outside[i] * fade, lowest_) : values[i];

@@ -1,4 +1,4 @@
-// How large the acceleration of each place is, for errors to be judged against.
+// Scales of acceleration, by which errors of a step are divided.
 #pragma once
 
 #include <vector>
@@ -8,13 +8,15 @@
 
 namespace moat {
 
-/// The scale of every node's absolute acceleration, m/s^2: its largest so far, fading by a factor e in a second, and at
-/// least a quarter of the largest in its building: an impact below reaches a floor that has not moved yet.
+/// The scale of every node's absolute acceleration, m/s^2: its largest magnitude so far, which decays by a factor e in
+/// one second. It is at least a quarter of the largest scale in its building, because an impact at the base soon
+/// reaches a floor that has not moved yet.
 ///
-/// A light body that pounds somewhere else does not loosen the tolerance of a building. While a building is in contact
-/// its nodes count as they are, and the nodes that touch (ElementInfo::first and second) with at least four times
-/// the acceleration to be expected of the impact. All that is forgotten when the building's last contact ends: an
-/// impact is no measure of the motion that follows. A building is here all that elements other than gaps hold together.
+/// A building here is a set of nodes that elements other than gaps connect: a light body that pounds elsewhere does not
+/// loosen the tolerance of a building. While a building is in contact, accelerations of the impact enter the scales of
+/// its nodes, and the nodes of a closed gap (ElementInfo::first and second) have at least four times the expected
+/// acceleration of the impact. When the last contact of the building ends, its scales return to those without contact,
+/// because an impact is no measure of the motion that follows.
 class AccelerationScales {
  public:
   /// lowest >= 0: no scale is below this, m/s^2.
@@ -25,7 +27,7 @@ class AccelerationScales {
   /// A step of h s was committed.
   void accepted(const Model& model, double h, double ground_acceleration);
 
-  /// Of every node, > 0.
+  /// The scale of every node, m/s^2, > 0.
   [[nodiscard]] const Vector& values();
 
  private:

@@ -44,7 +44,7 @@ bool rows_at_steps(double interval, double step) {
   return std::abs(ratio - std::round(ratio)) < 1e-9 * ratio && ratio > 0.5;
 }
 
-// A companion needs the model as it was, and a copy of a large one that is never used would be a waste.
+// The companion starts from the model before the first step. A large model is not copied where no companion will run.
 std::optional<Model> copy_for_companion(const Model& model, const GroundMotion& motion, const CaseOptions& options) {
   if (options.error_bars == ErrorBarMode::never) return std::nullopt;
   if (options.error_bars == ErrorBarMode::always) return model;

@@ -13,7 +13,7 @@ bool ChangesInside::wanted(int crossings) const {
 }
 
 // Puts elements that change inside the trial step into their next regimes. False if one of them cannot be crossed, or a
-// contact asks for shorter steps.
+// contact needs shorter steps.
 bool ChangesInside::enter(double h, std::vector<RegimeChange>& changes) {
   Model& model = step_->model();
   return model.change_regimes_inside(h, step_->aim(), changes) &&

@@ -13,12 +13,12 @@ class ChangesInside {
  public:
   ChangesInside(StepSolver& step, EventTreatment treatment) : step_{&step}, treatment_{treatment} {}
 
-  /// Whether a step with this number of crossings goes on instead of ending at the first: where it is asked for, or
-  /// changes are many.
+  /// Whether a step with this number of crossings keeps its end instead of ending at the first change: by
+  /// EventTreatment::inside_the_step, or where changes are many.
   [[nodiscard]] bool wanted(int crossings) const;
 
-  /// Enters the regimes that the predicted motion of the whole step leads to, so that it needs no second solution.
-  /// Lists them in `changes`.
+  /// Enters the regimes that follow from the predicted motion of the whole step and lists them in `changes`. The step
+  /// then needs no second solution for them.
   void foresee(std::vector<RegimeChange>& changes);
   /// Solves the trial step of length h again with the regimes that elements enter inside it, until no other change is
   /// seen. False if a change cannot be crossed: the regimes are as before, and the trial state must be solved again.

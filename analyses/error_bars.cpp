@@ -15,18 +15,18 @@
 namespace moat {
 namespace {
 
-// The caution of the bars. Chosen on the random models of ./moat bench accuracy, whose tables in docs/verification.md
-// show how many true errors lie within the bars and how wide these are.
+// Constants of the bars. They were chosen on the random models of ./moat bench accuracy, whose tables in
+// docs/verification.md show how many true errors lie within the bars and how wide these are.
 namespace caution {
 /// Times Richardson's estimate: not all errors shrink to a quarter.
 constexpr double factor = 4.0;
-/// The same where the numbers of impacts differ: then the difference of the two runs shows how far apart two motions
-/// may end, not how an error shrinks.
+/// The same where the numbers of impacts differ. The difference of the runs is then the distance of two different
+/// motions and does not show the convergence of an error.
 constexpr double factor_of_different_impacts = 8.0;
 /// The relative difference of a peak counts as at least this share of the median of the peaks of its unit, and of all
 /// peaks.
 constexpr double share_of_unit = 0.5, share_of_all = 0.2;
-/// Of the tolerance, where bends are not located.
+/// Share of the tolerance, where changes of stiffness are not located.
 constexpr double share_of_tolerance = 0.25;
 /// Of the peak itself, and of the largest peak of the unit: round-off, force tolerance and location.
 constexpr double round_off_of_peak = 1e-8, round_off = 1e-10;
@@ -36,8 +36,8 @@ constexpr double richardson = 4.0 / 3.0;
 
 /// A settled peak is known to this share of its value.
 constexpr double settled_within = 0.01;
-/// A peak that is this much smaller than the largest of its kind is round-off: that of a node that stands still by
-/// symmetry. It is judged by this share of the largest, and no other peak is judged by it.
+/// A peak below this share of the largest of its kind is round-off, for example at a node that symmetry keeps at rest.
+/// It is judged relative to this share of the largest, and no other peak is judged by it.
 constexpr double negligible = 1e-6;
 
 double median(std::vector<double> values) {
@@ -56,7 +56,7 @@ std::map<std::string, double> largest_of_each(std::string Peak::*kind, const std
   return largest;
 }
 
-// How far the magnitudes of the two runs differ, for every peak; NaN where the companion has none. Two runs of one
+// The difference of the magnitudes in the two runs, for every peak; NaN where the companion has none. Two runs of one
 // model list the same peaks in the same order.
 std::vector<double> differences(const std::vector<Peak>& peaks, const std::vector<Peak>& companion) {
   std::vector<double> list(peaks.size(), std::numeric_limits<double>::quiet_NaN());
@@ -94,7 +94,7 @@ void set_errors(std::vector<Peak>& peaks, const std::vector<Peak>& companion, do
   }
 }
 
-// The peaks, and behind them how far the two sides of every gap came nearer: a displacement like others.
+// The peaks, followed by the largest approach of the two sides of every gap, which is a displacement like others.
 std::vector<Peak> with_approaches(const PeaksAndImpacts& run) {
   std::vector<Peak> peaks = run.peaks;
   for (const GapClearance& gap : run.clearances)

@@ -17,8 +17,8 @@ namespace moat {
 /// (SolverStatistics::longest_step): everything that has an error is finer. A fixed step is halved. An adapted one has
 /// 1/16 of the tolerance, twice the steps per contact, and at most half the longest step; exact steps have the same.
 ///
-/// A coarser companion would not do: where the sampling interval of the motion limits the steps, it would take the same
-/// ones and show no error.
+/// A coarser companion is not sufficient: where the sampling interval of the motion limits the steps, both runs would
+/// take the same steps and show no error.
 TransientOptions companion_options(const TransientOptions& options, double longest_step);
 
 /// The companion in one sentence, for reports.
@@ -42,7 +42,7 @@ PeaksAndImpacts compute_peaks(Model& model, const GroundMotion& motion, const Tr
 ///
 ///     error = caution * 4/3 |magnitude - magnitude of the companion|
 ///
-/// and at least a share of the differences that are typical of this run, because two runs also agree by accident, and
+/// and at least a share of the differences that are typical of this run, because two runs may also agree by chance, and
 /// at least `least_share` >= 0 of the value. A peak that the companion does not have, or that is not finite, has the
 /// error NaN.
 ///
@@ -51,17 +51,18 @@ PeaksAndImpacts compute_peaks(Model& model, const GroundMotion& motion, const Tr
 ErrorBars estimate_errors(std::vector<Peak>& peaks, std::size_t impacts, const PeaksAndImpacts& companion,
                           double least_share = 0.0);
 
-/// Gives every clearance of the main run its error: that of the distance by which the two sides came nearer, estimated
-/// as if it were one of the peaks. These keep their errors.
+/// Gives every clearance of the main run its error: that of the largest approach of the two sides, estimated like the
+/// error of a peak. The errors of the peaks do not change.
 void estimate_clearance_errors(PeaksAndImpacts& main, const PeaksAndImpacts& companion, double least_share = 0.0);
 
-/// The least_share of a run. A law that bends where no event is located (a bearing without locate_yield, a law of one's
-/// own) makes errors that leap when a step happens to see one bend more, and a companion may miss the same bend: an
-/// adapted step then promises no more than its tolerance, of which this is a share. Otherwise zero.
+/// The least_share of a run. Zero where all changes of stiffness are located. The stiffness of other laws (a bearing
+/// without locate_yield, a law of the script) may change inside a step, and both runs may step over the same change.
+/// The bars of an adapted run are then at least this share of the peak, in proportion to the tolerance.
 double least_share_of_errors(const Model& model, const TransientOptions& options);
 
 /// Whether the companion of a run of this model that takes `solves` steps or Newton iterations, whichever are more, is
-/// expected to cost less than about 20 ms of processor time. Counted, not measured: the same run has the same answer.
+/// expected to cost less than about 20 ms of processor time. The cost is counted and not measured, so that equal runs
+/// get equal results.
 bool companion_is_cheap(const Model& model, double solves);
 
 }  // namespace moat

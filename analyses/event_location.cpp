@@ -17,7 +17,7 @@ struct Bracket {
 
   [[nodiscard]] double width() const { return beyond - before; }
   [[nodiscard]] bool contains(double length) const { return length > before && length < beyond; }
-  // Where a straight line through both margins reaches the aim.
+  // The length at which the straight line through both margins reaches the aim.
   [[nodiscard]] double by_secant(double aim) const {
     return margin_beyond < 0.0 ? before + width() * (margin_before - aim) / (margin_before - margin_beyond) : beyond;
   }
@@ -52,13 +52,16 @@ double locate_change(StepSolver& step, double h, RegimeScan seen) {
   double next = seen.fraction * h;
   constexpr int most_solves = 100, solves_by_secant = 8;
   for (int count = 0; count < most_solves; ++count) {
+    // Every iterate solves the step again with a new length. The length comes from the interpolated margin or from the
+    // secant; bisection replaces it outside the bracket, and in every second solve after the eighth. A bracket of
+    // round-off width ends the search.
     const double width = bracket.width();
     const bool slow = count > solves_by_secant && count % 2 == 0;
     if (!bracket.contains(next) || slow) next = bracket.before + 0.5 * width;
     if (width <= shortest) next = bracket.beyond;
     ++step.statistics().event_solves;
     if (!step.solve(next)) {
-      // A shorter step may end before the change, or beyond it by any amount.
+      // The cut step may end before the change, or far beyond it: scan it again.
       const double shorter = step.solve_cutting(0.5 * next);
       seen = step.scan(shorter);
       return seen.crossed ? locate_change(step, shorter, seen) : shorter;
@@ -72,8 +75,8 @@ double locate_change(StepSolver& step, double h, RegimeScan seen) {
       next = seen.fraction * next;
       continue;
     }
-    // The interpolant of the longer step crossed a change and came back; this step does neither. The rest of the step
-    // is looked at again from its end on.
+    // This step has no change. If the longer step crossed a margin and came back, the change lies in the rest of it,
+    // which the next step scans again.
     if (width <= shortest || bracket.margin_beyond >= 0.0) return next;
     bracket.before = next;
     bracket.margin_before = seen.margin;

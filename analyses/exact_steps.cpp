@@ -15,7 +15,8 @@ namespace {
 
 constexpr int most_terms = 60;
 constexpr int most_halvings = 12;
-// Combinations of sliding and elastic bearings in one history are few; a street of them should not fill the memory.
+// One building has few combinations of sliding and elastic bearings. Many buildings have many; this limit bounds the
+// memory.
 constexpr std::size_t most_systems = 256;
 
 // Rows of a transition are filled up to a multiple of this.
@@ -23,8 +24,9 @@ constexpr Eigen::Index rows_at_once = 8;
 
 using FourRows = double __attribute__((vector_size(32), aligned(8), may_alias));
 
-// y = A x for a matrix in columns whose number of rows is a multiple of rows_at_once. This is where steps between
-// events spend their time, so that it is compiled for newer processors as well and chosen when the program starts.
+// y = A x for a matrix in columns whose number of rows is a multiple of rows_at_once. Steps between events spend most
+// of their time here. The function is therefore compiled for newer processors as well, and the version is chosen when
+// the program starts.
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__)
 __attribute__((target_clones("default", "arch=x86-64-v3")))
 #endif
@@ -66,7 +68,7 @@ ExactSteps::ExactSteps(Model& model, double grid_interval) : model_{&model}, gri
   end_.setZero(filled_up(3 * count));
   series_.setZero(count, most_terms);
   restart();
-  // What is too fast should be told before the first step.
+  // A model with too large an eigenvalue is refused before the first step.
   if (!touching_) linearise();
 }
 
@@ -99,6 +101,7 @@ double ExactSteps::next_length() {
 
 void ExactSteps::linearise() {
   MotionState& trial = model_->trial();
+  // At zero displacement and velocity the internal forces are f0. The tangents are those of the current regimes.
   trial.displacement.setZero();
   trial.velocity.setZero();
   model_->evaluate();
@@ -115,6 +118,7 @@ void ExactSteps::linearise() {
     current_ = systems_.size();
     systems_.push_back(make_system());
   }
+  // K and C determine the matrix, except the column of the constant 1, which depends on f0.
   LinearSystem& system = systems_[current_];
   system.transition.col(2 * offset_.size()).head(3 * offset_.size()).noalias() = system.from_constant * offset_;
   linearised_ = true;
@@ -141,8 +145,8 @@ ExactSteps::LinearSystem ExactSteps::make_system() const {
   while (system.step * fastest > longest_against_fastest) system.step *= 0.5;
 
   // States u, u', the constant acceleration w of every degree of freedom, and the slope s of the ground's:
-  // u'' = -M^-1 (K u + C u') + w, w' = -iota s, s' = 0. Scaled to (u, h u', h^2 w, h^3 s) over a step of 1, where
-  // all entries are below 1 and the exponential keeps its digits.
+  // u'' = -M^-1 (K u + C u') + w, w' = -iota s, s' = 0. The states are scaled to (u, h u', h^2 w, h^3 s) over a step of
+  // 1. All entries are then of order 1, and the exponential loses no digits.
   const double h = system.step;
   Matrix generator = Matrix::Zero(3 * n + 1, 3 * n + 1);
   generator.block(0, n, n, n).setIdentity();
@@ -151,7 +155,7 @@ ExactSteps::LinearSystem ExactSteps::make_system() const {
   generator.block(n, 2 * n, n, n).setIdentity();
   generator.block(2 * n, 3 * n, n, 1).setConstant(-1.0);
   const Matrix exponential = generator.exp();
-  // (u, h u', h^2 u'') at the end; then back to plain units.
+  // The rows of (u, h u', h^2 u'') at the end; then the scaling is removed.
   Matrix after(3 * n, 3 * n + 1);
   after.topRows(2 * n) = exponential.topRows(2 * n);
   after.bottomRows(n).noalias() = generator.middleRows(n, n) * exponential;
@@ -203,8 +207,8 @@ bool ExactSteps::solve(const StepTask& part) {
   return true;
 }
 
-// With U_k the coefficients of t^k in u, those of u' are (k + 1) U_{k+1}, and the differential equation gives U_{k+2}
-// from U_k and U_{k+1}. Scaled by powers of the longest step they fall like 1 / (2^k k!).
+// The Taylor series of u with coefficients U_k of t^k; the coefficients of u' are (k + 1) U_{k+1}. The differential
+// equation gives U_{k+2} from U_k and U_{k+1}. Scaled by powers of the longest step they decrease like 1 / (2^k k!).
 void ExactSteps::expand() {
   const Eigen::Index n = offset_.size();
   const LinearSystem& system = systems_[current_];
@@ -222,6 +226,7 @@ void ExactSteps::expand() {
     if (terms_ == 3) next.array() -= longest_ * longest_ * longest_ * ground_slope_;
     next /= (k + 1.0) * (k + 2.0);
     const double size = next.lpNorm<Eigen::Infinity>();
+    // The series ends after two negligible terms in a row, because a single term may vanish.
     const bool small = size <= round_off * largest && (k + 2.0) * size <= round_off * largest_rate;
     small_in_a_row = small ? small_in_a_row + 1 : 0;
     largest = std::max(largest, size);
@@ -236,6 +241,7 @@ void ExactSteps::evaluate_series(double h) {
   auto rate = end_.segment(n, n);
   displacement = series_.col(terms_ - 1);
   rate.setZero();
+  // Horner's scheme for the series and its derivative. The acceleration follows from the differential equation.
   for (int k = terms_ - 2; k >= 0; --k) {
     rate = x * rate + displacement;
     displacement = x * displacement + series_.col(k);

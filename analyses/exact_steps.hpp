@@ -34,7 +34,7 @@ class ExactSteps final : public Stepper {
 
   /// The model must be prepared and outlive this object. grid_interval > 0 s is the longest step.
   /// Throws InputError for a model with too many degrees of freedom, an element that is not linear between events, or
-  /// an eigenvalue that asks for thousands of steps from sample to sample.
+  /// an eigenvalue that needs thousands of steps from sample to sample.
   ExactSteps(Model& model, double grid_interval);
 
   /// Whether the model is linear now: no gap is closed.

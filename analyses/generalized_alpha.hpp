@@ -17,7 +17,8 @@ namespace moat {
 ///
 /// Second order in displacement and velocity, unconditionally stable; of all such methods it damps slow vibrations
 /// least for its damping of fast ones. The acceleration belongs to an instant that lies (af - am) h beside the end of
-/// the step: it is of first order. moat's default needs no such damping; take this to compare with other programs.
+/// the step: it is of first order. moat's default needs no such damping; use this method to compare with other
+/// programs.
 struct GeneralizedAlpha {
   static constexpr std::string_view name = "generalized-alpha";
 

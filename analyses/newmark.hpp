@@ -10,14 +10,14 @@
 
 namespace moat {
 
-/// Newmark's method (Newmark 1959) with gamma = 1/2, in which nothing is damped: others damp or grow artificially.
-/// Second-order accurate, or of fourth order with beta = 1/12 and corrects_velocity.
+/// Newmark's method (Newmark 1959) with gamma = 1/2, which has no numerical damping. Other values of gamma damp or
+/// amplify the motion. Second-order accurate, or of fourth order with beta = 1/12 and corrects_velocity.
 ///
-/// With beta = 1/12 (Fox and Goodwin) the period of an undamped vibration is right to fourth order, but the method's
-/// velocity is not that of the motion: v' = v + h^2/12 j, with j the rate of acceleration. It is an error of second
-/// order wherever a step begins with another velocity or another length: at the start, after an impact, when the step
-/// adapts itself. corrects_velocity mends that (analyses/step_scheme.hpp). Source: the correction is the end correction
-/// of the trapezoidal rule (Euler and Maclaurin) for v.
+/// With beta = 1/12 (Fox and Goodwin) the period of an undamped vibration has an error of fourth order, but the
+/// velocity of the method is v' = v + h^2/12 j, with j the rate of acceleration. To use v in its place is an error of
+/// second order where a step begins with another velocity or another length: at the start, after an impact, where the
+/// step length changes. corrects_velocity removes this error (analyses/step_scheme.hpp). Source: the correction is the
+/// end correction of the trapezoidal rule (Euler and Maclaurin) for v.
 struct Newmark {
   static constexpr std::string_view name = "newmark";
 

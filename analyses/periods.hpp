@@ -1,4 +1,4 @@
-// The periods an engineer asks of an isolated building.
+// Characteristic periods of isolated buildings.
 #pragma once
 
 #include <vector>
@@ -17,7 +17,7 @@ namespace moat {
 /// - "first mode" alone for a building without isolators.
 ///
 /// With several buildings each name starts with that of the building. Free bodies have no period and are
-/// left out. Only the first `most_buildings` are looked at.
+/// left out. Only the first `most_buildings` are computed.
 std::vector<NamedPeriod> characteristic_periods(Model& model, std::size_t most_buildings = 8);
 
 }  // namespace moat

@@ -19,7 +19,7 @@ Vector row_sums(const SparseMatrix& matrix, const Vector& masses) {
 // Further halvings of the first step after a touch.
 constexpr int at_touch = 6;
 
-// Of a step's error, for one halving or doubling.
+// The factor of a step's error when its length doubles.
 double change_by_doubling(StepScheme scheme) { return scheme.order() == 4 ? 8.0 : 4.0; }
 
 }  // namespace
@@ -39,9 +39,10 @@ StepControl::StepControl(const Model& model, Options options)
   restart(model, false);
 }
 
-// Longest step inside the bound of stability of the fourth-order scheme, with a contact of this duration going on.
+// Longest step inside the bound of stability of the fourth-order scheme, during a contact of this duration.
 double StepControl::stable_step(double contact) const {
-  // h w <= 1.8 and h c/m <= 4 hold together with some room; a contact driven hard is stiffer than a free one.
+  // h w <= 1.8 and h c/m <= 4 together leave room below the limit of stability. The frequency of the contact is
+  // doubled, because a contact under load is stiffer than in a free impact.
   constexpr double of_frequency = 1.8, of_damping = 4.0, pi = 3.141592653589793, harder = 2.0;
   const double of_contact = std::isfinite(contact) ? harder * pi / contact : 0.0;
   const double frequency = std::sqrt(stiffest_squared_ + of_contact * of_contact);
@@ -57,6 +58,7 @@ StepControl::Step StepControl::next_step(const Model& model) {
   }
   constexpr double durations_until_leaning = 4.0;
   const bool pounding = since_event_ < durations_until_leaning * contact && std::isfinite(contact);
+  // The nominal step is halved further for the contact, for stability, and for the first steps after a touch.
   int halvings = halvings_;
   if (pounding)
     while (halvings < options_.max_halvings && step_at(halvings) * options_.steps_per_contact > contact) ++halvings;
@@ -64,7 +66,7 @@ StepControl::Step StepControl::next_step(const Model& model) {
   if (options_.scheme) {
     scheme = *options_.scheme;
   } else if (ramp_ < at_touch) {
-    // Halved this often for stability, the fourth-order scheme is still the cheaper one.
+    // Up to this many halvings for stability, the fourth-order scheme costs less than average acceleration.
     constexpr int worth_halving = 6;
     const double stable = stable_step(contact);
     int stable_halvings = halvings;
@@ -81,10 +83,10 @@ StepControl::Step StepControl::next_step(const Model& model) {
   return {step, scheme};
 }
 
-// Largest error of all places over the tolerance.
+// Largest error of all nodes, divided by the tolerance.
 double StepControl::error_of(const Model& model, const StepTask& step, StepScheme scheme,
                              const Vector& scales_of_nodes) const {
-  // Average acceleration errs by more for an equal estimate: its error of period is the estimate itself.
+  // For an equal estimate the error of average acceleration is larger: its error of period equals the estimate.
   constexpr double stricter_at_second_order = 8.0;
   const int count = model.degrees_of_freedom();
   const MotionState &start = model.state(), &end = model.trial();
@@ -93,8 +95,8 @@ double StepControl::error_of(const Model& model, const StepTask& step, StepSchem
                *round_off_per_displacement = round_off_per_displacement_.data();
   const double h = step.length, rise_of_ground = h * step.ground_jerk;
   const bool fourth_order = scheme.order() == 4;
-  // The parabola and the cubic may agree by chance where a corner lies between their ends; the jump of the jerk does
-  // not.
+  // The parabola and the cubic may agree by chance where a force has a corner inside the step. The jump of the jerk
+  // still shows the corner.
   const double of_jump = !fourth_order || model.has_corner() ? h : 0.0, of_curve = fourth_order ? 1.0 : 0.0;
   double largest = 0.0;
   for (int i = 0; i < count; ++i) {
@@ -107,7 +109,7 @@ double StepControl::error_of(const Model& model, const StepTask& step, StepSchem
   return (fourth_order ? 1.0 : stricter_at_second_order) * largest / options_.tolerance;
 }
 
-// The scales of all nodes; of those at elements that change inside the step, infinite ones.
+// The scales of all nodes. They are infinite for nodes of elements that change inside the step: these are not judged.
 const Vector& StepControl::scales_without(const Model& model, std::span<const RegimeChange> inside) {
   if (inside.empty()) return scales_.values();
   scales_without_bends_ = scales_.values();
@@ -126,15 +128,17 @@ bool StepControl::accepts(const Model& model, const StepTask& step, StepScheme s
   const double error = error_of(model, step, scheme, scales_without(model, inside));
   constexpr double repeat_above = 2.0;
   if (error > repeat_above && step_at(options_.max_halvings) < 0.5 * h) {
-    // Steps may be shorter than halvings_ says, in contact or for stability.
+    // The repeated step must be shorter than h. In contact or for stability h may be shorter than the nominal step.
     constexpr double shorter = 0.75;
     while (halvings_ < options_.max_halvings && step_at(halvings_) > shorter * h) ++halvings_;
     return false;
   }
-  // A step cut to a small part says nothing of the nominal one.
+  // The error of a much shorter step cannot be extrapolated to the nominal step.
   const double nominal = step_at(halvings_);
   constexpr double shortest_that_tells = 0.3;
   if (h < shortest_that_tells * nominal) return true;
+  // Halve above 1.2 times the tolerance; double only where the doubled step stays below 0.9 times. The distance of the
+  // two limits keeps the length from alternating.
   const double of_doubling = change_by_doubling(scheme);
   const double nominal_error = error * std::pow(nominal / h, scheme.order() == 4 ? 3 : 2);
   if (nominal_error > 1.2 && halvings_ < options_.max_halvings)
@@ -149,7 +153,7 @@ void StepControl::accepted(const Model& model, double h, double ground_accelerat
   since_event_ += h;
   scales_.accepted(model, h, ground_acceleration);
   watch_round_off(model);
-  // A step cut to nearly nothing does not count.
+  // The ramp after a touch does not count very short steps.
   constexpr double negligible = 1e-6;
   if (h >= negligible * step_at(std::min(halvings_ + ramp_, options_.max_halvings))) ramp_ = std::max(ramp_ - 1, 0);
 }
@@ -158,6 +162,7 @@ void StepControl::watch_round_off(const Model& model) {
   constexpr double harmless_squared_frequency = 1e10;  // 1/s^2
   if (stiffest_squared_ < harmless_squared_frequency) return;
   for (int i = 0; i < model.degrees_of_freedom(); ++i) {
+    // A displacement has a relative error of about epsilon; times stiffness over mass this is an error of acceleration.
     const double share = round_off_per_displacement_[i] * std::abs(model.state().displacement[i]) / scales_.values()[i];
     if (share <= largest_round_off_) continue;
     largest_round_off_ = share;

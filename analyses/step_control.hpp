@@ -13,27 +13,28 @@
 
 namespace moat {
 
-/// Chooses steps: fixed, or so that two things are resolved.
+/// Chooses the length of steps: fixed, or by two criteria.
 ///
-/// Outside contact, the acceleration. With jerks j at both ends of a step two schemes can be compared, one with the
-/// acceleration a parabola through a0, j0 and a1, the other with the cubic through j1 as well. Their difference is the
-/// error
+/// Outside contact, an error of acceleration. With jerks j at both ends of a step two schemes can be compared, one with
+/// the acceleration a parabola through a0, j0 and a1, the other with the cubic through j1 as well. Their difference is
+/// the error
 ///
 ///     fourth order:          h/12 |2 (a1 - a0)/h - j0 - j1|  =  (w h)^3/72 of a vibration of frequency w
 ///     average acceleration:  8 h/12 |j1 - j0|                =  8 (w h)^2/12
 ///
-/// over the scale of the place's acceleration (acceleration_scales.hpp), and the largest of all places counts. The 8 is
-/// there because (w h)^2/12 is itself the error of period of average acceleration. Where the stiffness of a law without
-/// located regimes jumps inside a step, the fourth-order scheme takes h/12 |j1 - j0| too. A step with more than twice
-/// the tolerance is repeated. Differences that are round-off of forces do not count.
+/// divided by the scale of the acceleration of the node (acceleration_scales.hpp). The largest of all nodes is compared
+/// with the tolerance. The factor 8 is there because (w h)^2/12 is itself the error of period of average acceleration.
+/// Where the stiffness of a law without located regimes jumps inside a step, the error of the fourth-order scheme is at
+/// least h/12 |j1 - j0|. A step with more than twice the tolerance is repeated. Differences that are round-off of
+/// forces do not count.
 ///
-/// In contact, the contact's own duration, divided into steps_per_contact. A contact that goes on for four times that
-/// after the last event is a body leaning on another, and the error of acceleration is enough. The first steps after a
-/// located touch are shorter, double from one to the next, and are not judged; the first of them takes average
-/// acceleration: some laws' forces rise with infinite slope there (like d^1/4).
+/// In contact, the duration of the contact divided by steps_per_contact. After four such durations without an event the
+/// contact is sustained; from then on the error of acceleration alone sets the step. The first steps after a located
+/// touch are shorter, double from one to the next, and are not judged; the first of them takes average acceleration:
+/// some laws' forces rise with infinite slope there (like d^1/4).
 ///
-/// The scheme is that of fourth order where a step is inside its bound of stability. A model that is too stiff for that
-/// at any reasonable length takes average acceleration.
+/// The scheme is that of fourth order where a step is inside its bound of stability. A model that needs more than six
+/// halvings for this bound takes average acceleration.
 ///
 /// Adaptive steps are the grid interval divided by powers of two, so that they end on the samples of the motion and
 /// the tangent takes few values.
@@ -59,8 +60,8 @@ class StepControl {
   /// The step to try next from the committed state.
   [[nodiscard]] Step next_step(const Model& model);
   /// Judges the trial state that a step of this scheme led to, but not the nodes (ElementInfo::first and second) of
-  /// elements that change their regime inside it: their accelerations bend. False: repeat with next_step(), which is
-  /// shorter.
+  /// elements that change their regime inside it, because the rates of their accelerations jump there. False: repeat
+  /// with next_step(), which is shorter.
   [[nodiscard]] bool accepts(const Model& model, const StepTask& step, StepScheme scheme,
                              std::span<const RegimeChange> inside = {});
   /// The trial state was committed.

@@ -156,12 +156,12 @@ bool StepEquations::compute_direction(const Vector& residual, Vector& direction)
 }
 
 double StepEquations::round_off(int row) const {
-  // A displacement is known to its last digit; stiffness times that is the force no iteration can balance. It shows
-  // where net forces have died away but displacements have not: in the tail of a motion, beside very stiff links.
+  // A displacement has a round-off of its last digit. Stiffness times this is a force that no iteration can balance. It
+  // matters where net forces are small but displacements are not: at the end of a motion, and beside very stiff links.
   constexpr double last_digits = 8.0 * std::numeric_limits<double>::epsilon();
   const double weight = scheme_.displacement_weight(task_.length);
   double sum = 0.0;
-  // The pattern is symmetric, and so are nearly all tangents: the column serves for the row.
+  // The pattern is symmetric, and so are nearly all tangents: the column is used in place of the row.
   for (int k = tangent_.column_starts[static_cast<std::size_t>(row)];
        k < tangent_.column_starts[static_cast<std::size_t>(row) + 1]; ++k) {
     const int other = tangent_.row_indices[static_cast<std::size_t>(k)];

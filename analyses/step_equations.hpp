@@ -21,8 +21,8 @@ struct StepTask {
 /// M a + f(u(a), v(a)) = -M iota a_g at the end of a step, or averaged over it (StepScheme); the unknown is the
 /// acceleration a at the end.
 ///
-/// The acceleration and not the displacement, because a = (u - prediction) / (beta h^2) loses all digits
-/// after a very short step, and steps that end at a located event can be very short.
+/// The unknown is not the displacement, because a = (u - prediction) / (beta h^2) loses all digits after a very short
+/// step, and steps that end at a located event can be very short.
 class StepEquations final : public NonlinearSystem {
  public:
   explicit StepEquations(Model& model);
@@ -57,10 +57,10 @@ class StepEquations final : public NonlinearSystem {
   StepTask task_;
   Vector predicted_displacement_, predicted_velocity_;
   Vector of_start_;  // the share of the start in averaged equations
-  // Largest force of every row: of the iterate, and of the last balanced step. All of a row's terms may be zero at
-  // once: half of the latter is the least.
+  // Largest force of every row: of the iterate, and of the last balanced step. All terms of a row may be zero at the
+  // same instant; its scale is therefore at least half of the latter.
   Vector scales_, balanced_scales_, lowest_scales_;
-  // What the factors were made for.
+  // The tangent that the current factors belong to.
   bool factorised_ = false;
   double factorised_velocity_weight_ = 0.0, factorised_displacement_weight_ = 0.0, factorised_mass_share_ = 0.0;
   long factorised_version_ = 0;

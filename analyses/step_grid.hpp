@@ -28,8 +28,8 @@ class StepGrid {
 
   /// Whether the last sample is reached and end_motion() was not called yet.
   [[nodiscard]] bool reaches_end_of_motion(double time) const;
-  /// After its last sample the ground rests; its acceleration drops to zero and does not go there linearly. False if
-  /// it is zero already.
+  /// After its last sample the ground is at rest. Its acceleration jumps to zero; it does not decrease linearly. False
+  /// if it is zero already.
   bool end_motion();
 
  private:

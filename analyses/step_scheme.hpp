@@ -14,8 +14,8 @@ namespace moat {
 ///
 /// The unknown is a1. An integrator (analyses/integrators.hpp) is a choice of these numbers.
 ///
-/// With corrects_velocity, which beta = 1/12 needs (analyses/newmark.hpp), the step goes on with v' = v + h^2/12 j,
-/// where j is the rate of acceleration (the jerk), and gives back the velocity of the motion at its end:
+/// With corrects_velocity, which beta = 1/12 needs (analyses/newmark.hpp), the step uses v' = v + h^2/12 j, where j is
+/// the rate of acceleration (the jerk), and returns the velocity of the motion at its end:
 ///
 ///     v'0 = v0 + h^2/12 j0        v'1 = v'0 + h/2 (a0 + a1)        v1 = v'1 - h^2/12 j1
 ///

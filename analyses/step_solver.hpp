@@ -28,8 +28,8 @@ class StepSolver {
   /// The same, cut in half until it converges; returns the length that did. Throws ConvergenceError that names time,
   /// step, residual and the worst node after `max_cuts` cuts.
   double solve_cutting(double h);
-  /// Changes of regime in the trial step of length h. The middle of the band in which a located step may end is the
-  /// aim: beyond the change, not before it.
+  /// Changes of regime in the trial step of length h. The aim is the middle of the band of margins in which a located
+  /// step may end, beyond the change and not before it.
   [[nodiscard]] RegimeScan scan(double h) const { return model_->scan_regimes(h, aim()); }
   /// m, < 0.
   [[nodiscard]] double aim() const { return -0.5 * location_tolerance_; }

@@ -1,4 +1,4 @@
-// What takes a model from its committed state to a trial state.
+// The interface of methods that compute a trial state from the committed state.
 #pragma once
 
 #include <span>
@@ -8,9 +8,9 @@
 
 namespace moat {
 
-/// Solves time steps. Implicit steps (analyses/implicit_steps.hpp) serve every model, exact ones
-/// (analyses/exact_steps.hpp) some. A stepper knows no observers, no files and no location of events; these shorten
-/// its steps.
+/// Solves time steps. Implicit steps (analyses/implicit_steps.hpp) can be used for every model, exact ones
+/// (analyses/exact_steps.hpp) for models that are linear between events. A stepper does not depend on observers, files
+/// or the location of events, which may shorten its steps.
 class Stepper {
  public:
   virtual ~Stepper() = default;

@@ -61,7 +61,7 @@ struct NamedNumber {
 };
 using StudyRecord = std::vector<NamedNumber>;
 
-/// A case whose peaks are wanted.
+/// The model and the motion of one case.
 struct StudyModel {
   Model model;
   GroundMotion motion;
@@ -130,8 +130,8 @@ class StudyError : public Error {
 ///           return study;
 ///         });
 ///
-/// The function is called from several threads at once: it may only read shared data. The order of the table is
-/// that of the cases, and every number is the same whatever the number of threads.
+/// The function is called from several threads at once: it may only read shared data. The order of the table is that of
+/// the cases. No number depends on the number of threads.
 ///
 /// Throws InputError for an axis without values or a name that appears twice; StudyError after the last case if any
 /// case threw.

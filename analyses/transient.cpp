@@ -24,7 +24,7 @@ double end_of(const TransientOptions& options, const Model& model, const GroundM
 }
 
 StepControl::Options control_options(const TransientOptions& options, const GroundMotion& motion) {
-  // Errors of acceleration are judged on at least this share of the peak ground acceleration: a place that feels less
+  // Scales of acceleration are at least this share of the peak ground acceleration. A node with a smaller acceleration
   // is at rest, or free.
   constexpr double least_share_of_ground = 0.02;
   StepControl::Options control;
@@ -82,8 +82,8 @@ void Transient::advance() {
   inside_.accepted(changes_.size());
 }
 
-// Solves a step of the length that the stepper wants, shorter where it does not converge or errs too much. Returns the
-// length of the trial step.
+// Solves a step of the length that the stepper proposes, or a shorter one if it does not converge or its error is too
+// large. Returns the length of the trial step.
 double Transient::take_step() {
   Stepper& stepper = exact_ && exact_->applies() ? static_cast<Stepper&>(*exact_) : implicit_;
   for (bool foresee = true;; ++statistics_.repeated_steps) {
@@ -126,7 +126,7 @@ void Transient::commit(const StepTask& step) {
   implicit_.control().accepted(*model_, step.length, grid_.ground_acceleration());
 }
 
-// The force may jump at the committed state: a stale acceleration would cost the order of the scheme.
+// The force may jump at the committed state. With the acceleration before the jump the scheme would lose its order.
 void Transient::balance() {
   implicit_.balance_committed_state(grid_.ground_acceleration());
   if (exact_) exact_->restart();

@@ -62,7 +62,7 @@ class Transient {
   [[nodiscard]] double end_time() const { return grid_.end(); }
   /// One sentence each: scheme, step, tolerances.
   [[nodiscard]] std::vector<std::string> assumptions() const;
-  /// What may spoil the numbers, with advice.
+  /// Settings that can make the results inaccurate, with advice.
   [[nodiscard]] std::vector<std::string> warnings() const;
 
  private:

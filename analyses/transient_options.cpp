@@ -24,7 +24,7 @@ const TransientOptions& checked(const TransientOptions& options, const GroundMot
   check.that(options.max_cuts >= 0, "max_cuts", options.max_cuts, "1", ">= 0");
   check.positive("location_tolerance", options.location_tolerance);
   check.that(options.max_events_per_second >= 1, "max_events_per_second", options.max_events_per_second, "1", ">= 1");
-  constexpr double most_steps = 1e9;  // a day or so; longer analyses are slips of the pen
+  constexpr double most_steps = 1e9;  // about a day of computing; more is a mistake in the input
   const double end = options.end.si() > 0.0 ? options.end.si() : motion.duration();
   const double step = options.step.si() > 0.0 ? std::min(options.step.si(), motion.time_step()) : motion.time_step();
   check.that(end / step <= most_steps, "number of steps (end / step)", end / step, "1", "<= 1e9",

@@ -8,17 +8,19 @@
 
 namespace moat {
 
-/// What happens to the step in which an element changes its regime.
+/// The treatment of a step in which an element changes its regime.
 enum class EventTreatment {
   /// `inside_the_step` where about a third of the last sixteen steps had a change, or eight elements change in one
   /// step, as in a long street; else `located`. Exact steps are always `located`.
   automatic,
-  /// The step ends at the instant of the change, located to location_tolerance: exact, and a step for every change.
+  /// The step ends at the instant of the change, located to location_tolerance. This is exact and costs a step for
+  /// every change.
   located,
-  /// Instant and approach speed come from the interpolated motion, the step is solved again with the new regime from
-  /// there on and goes on to its planned end. Steps do not multiply with the number of gaps. A contact that begins and
-  /// ends within one step is not felt. A touch whose force jumps (linear dashpots), or whose contact asks for shorter
-  /// adapted steps, and changes that do not settle in a few solutions, are located all the same.
+  /// Instant and approach speed come from the interpolated motion. The step is solved again with the new regime from
+  /// that instant on and keeps its planned end. The number of steps then does not grow with the number of gaps. A
+  /// contact that begins and ends within one step is missed. Three kinds of changes are still located: a touch whose
+  /// force jumps (linear dashpots), a touch whose contact needs shorter adapted steps, and changes that do not settle
+  /// in a few solutions.
   inside_the_step,
 };
 

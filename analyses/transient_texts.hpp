@@ -16,7 +16,7 @@ namespace moat {
 std::vector<std::string> assumptions_of(const TransientOptions& options, const StepControl& control,
                                         double longest_step, const SolverStatistics& statistics);
 
-/// Settings that may spoil the numbers, with advice.
+/// Settings that can make the results inaccurate, with advice.
 std::vector<std::string> warnings_of(const TransientOptions& options, const StepControl& control,
                                      const GroundMotion& motion, const Model& model);
 

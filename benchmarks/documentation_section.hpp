@@ -10,7 +10,7 @@
 
 namespace moat {
 
-/// Replaces what stands in a Markdown file between the lines
+/// Replaces the text of a Markdown file between the lines
 ///
 ///     <!-- NAME: begin, written by COMMAND -->  and  <!-- NAME: end -->
 ///

@@ -17,8 +17,8 @@
 
 namespace moat {
 
-/// Links with a contact law. Besides the regimes they keep the speed at which every contact was touched, and how long
-/// it would last as a free impact, from which steps take their length.
+/// Links with a contact law. Besides the regimes they keep the approach speed of every contact, and its duration as a
+/// free impact, from which the length of steps follows.
 template <ContactLaw Law, class Ends = NodePair>
 class ContactLinks final : public LinksWithRegimes<Law, Ends>, public Contacts {
   using Base = LinksWithRegimes<Law, Ends>;
@@ -26,8 +26,8 @@ class ContactLinks final : public LinksWithRegimes<Law, Ends>, public Contacts {
  public:
   using State = ContactState;
 
-  /// Appends an element. effective_mass > 0 kg serves to estimate how long a contact lasts, and for the approach speed
-  /// that the law of a gap counts which starts closed.
+  /// Appends an element. effective_mass > 0 kg is used to estimate the duration of a contact, and the approach speed of
+  /// a gap that is closed at the start.
   std::size_t add(ElementInfo info, const Law& law,
                   double effective_mass) requires std::constructible_from<Ends, const ElementInfo&> {
     const Ends ends{info};
@@ -97,8 +97,8 @@ class ContactLinks final : public LinksWithRegimes<Law, Ends>, public Contacts {
     if (touches && !touched_before) {
       change.touched = true;
       approach_speeds_[i] = rate;
-      // A gap that starts closed has no approach: its law counts the speed at which an elastic impact reaches this
-      // depth. A located touch is so shallow that the speed is nothing.
+      // A gap that is closed at the start has no approach. Its law uses the speed of an elastic impact that reaches
+      // this depth. At a located touch the depth is so small that this speed is negligible.
       double& counted = this->committed_[i].approach_speed;
       counted = std::max(counted, std::sqrt(2.0 * this->stored(i) / effective_masses_[i]));
     }
@@ -133,9 +133,9 @@ class ContactLinks final : public LinksWithRegimes<Law, Ends>, public Contacts {
     return this->laws_[i].evaluate(state, indentation, rate, after).force;
   }
 
-  std::vector<double> effective_masses_, durations_;  // kg; s, of the contact going on
+  std::vector<double> effective_masses_, durations_;  // kg; s, of the contact in progress
   std::vector<double> approach_speeds_;               // m/s, at the last touch; that of the law's state has a floor
-  int touching_ = 0;                                  // number of contacts going on
+  int touching_ = 0;                                  // number of contacts in progress
 };
 
 }  // namespace moat

@@ -14,7 +14,7 @@ namespace moat {
 /// Both ends at nodes: difference = value(second) - value(first).
 ///
 /// Global arrays have one entry more than there are degrees of freedom, the last for the ground, and matrices one
-/// value more than nonzeros: nothing here asks whether a node is the ground.
+/// value more than nonzeros: no test for the ground is needed here.
 class NodePair {
  public:
   NodePair() = default;
@@ -33,7 +33,7 @@ class NodePair {
     forces[first_] -= force;
   }
 
-  /// Where in the values of the matrix an element's stiffness goes.
+  /// The positions of an element's stiffness in the values of the matrix.
   class Slots {
    public:
     void find(const NodePair&, const ElementInfo& info, const SparseMatrix& matrix) {
@@ -62,7 +62,7 @@ class NodePair {
 ///
 ///     u(point) = (1 - share) u(node) + share u(other)
 ///
-/// A node alone is such a point with share 0. Points convert from NodeId, so that both can be written.
+/// A node alone is such a point with share 0. NodeId converts to a point, so that either can be given.
 struct MemberPoint {
   NodeId node{};
   NodeId other{};

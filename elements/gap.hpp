@@ -11,7 +11,7 @@
 
 namespace moat {
 
-/// What can stand in a Gap: parameters that check themselves and make the law between two bodies.
+/// A law for a Gap: parameters that check themselves and make the contact between two bodies.
 template <class Law>
 concept ImpactLaw = requires(const Law& law, const Check& check, double effective_mass) {
   law.check(check);

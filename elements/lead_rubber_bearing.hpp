@@ -28,7 +28,7 @@ struct BearingDesign {
 struct LeadRubberBearing {
   std::string name = "bearings";
   NodeId lower = ground;
-  /// What it carries. A ShearBuilding sets it; give it when you add a bearing yourself.
+  /// The node above. A ShearBuilding sets it; give it when you add a bearing yourself.
   NodeId upper{};
   /// F_y > 0 N.
   Required<Force> yield_force;

@@ -1,4 +1,4 @@
-// What every element between two nodes checks when it is added.
+// Checks of every element between two nodes when it is added.
 #pragma once
 
 #include <string>

@@ -26,7 +26,7 @@ class LinkEnergies {
  public:
   using State = typename Law::State;
 
-  /// Whether the law knows its dissipation from its states: it slides, at any speed.
+  /// Whether the law computes its dissipation from its states: it slides, independent of the rate.
   static constexpr bool hysteretic = requires(const Law& law, const State& state) {
     law.dissipated_energy(state, state);
   };
@@ -75,7 +75,7 @@ class LinkEnergies {
     }
   }
 
-  /// A change of regime gave up stored energy, J.
+  /// A change of regime released stored energy, J.
   void release(std::size_t link, double energy) {
     if (kept_) accounts_[link].dissipated += energy;
   }

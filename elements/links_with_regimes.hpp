@@ -33,7 +33,8 @@ class LinksWithRegimes : public Links<Law, Ends>, public Regimes {
   void change(std::size_t block_index, std::vector<RegimeChange>& changes) override {
     for (std::size_t i = 0; i < this->size(); ++i) {
       const double deformation = this->start_.deformations[i], rate = this->start_.rates[i];
-      // One change may lead straight into another (a touch that is already separating); three visit every phase.
+      // One change may be followed at once by another (a touch that is already separating). Three changes cover every
+      // phase.
       for (int count = 0; count < 3; ++count) {
         if (this->laws_[i].regime_margin(this->committed_[i], deformation, rate) >= 0.0) break;
         const double stored_before = this->stored(i);
@@ -98,7 +99,7 @@ class LinksWithRegimes : public Links<Law, Ends>, public Regimes {
     scan.margin = std::min(scan.margin, end_margin);
     double beyond = 1.0;
     if (end_margin >= 0.0) {
-      // Beyond the margin and back within the step: only where the deformation turns inside it.
+      // A crossing that returns within the step is possible only where the deformation turns inside it.
       beyond = turning_point(this->start_.rates[i], this->now_.rates[i]);
       if (beyond <= 0.0 || margin_path(i, step)(beyond) >= 0.0) return;
       scan.crossed_back = true;

@@ -7,8 +7,8 @@
 
 namespace moat {
 
-/// Where a function of 0 to `beyond` falls to `aim`, on the far side of it. `beyond` itself if it never falls that far,
-/// 0 if it is there from the start.
+/// The point from 0 to `beyond` at which a function falls to `aim`, taken on the far side of the root. `beyond` if the
+/// function stays above `aim`, 0 if it starts at or below `aim`.
 template <class Function>
 double first_fall(const Function& function, double beyond, double aim) {
   constexpr double close = 1e-15;

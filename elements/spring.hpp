@@ -1,4 +1,4 @@
-// A law of one's own between two nodes.
+// Any force-deformation law between two nodes.
 #pragma once
 
 #include "elements/link_block.hpp"

@@ -59,7 +59,7 @@ int main(int argc, char** argv) {
   add(model,
       Gap{.name = "moat right", .place = "moat", .left = base, .right = ground, .clearance = gap, .law = concrete});
 
-  // Periods, charts and the base shear ask for the building.
+  // Periods, charts and the base shear need the building.
   add(model, Building{.base = base, .floors = floors});
 
   return script.run(model, motion);

@@ -45,7 +45,7 @@ struct HardeningSpring {
     return 0.5 * stiffness.si() * deformation * deformation * (1.0 + 0.5 * ratio * ratio);
   }
   double dissipation_rate(const State&, double, double rate) const { return damping.si() * rate * rate; }
-  // What counts for periods.
+  // The stiffness for periods.
   double linear_stiffness(StiffnessStage) const { return stiffness.si(); }
 };
 

@@ -21,12 +21,11 @@ enum class Separation : std::uint8_t {
   at_opening,     ///< where the gap opens; a dashpot may pull before that
 };
 
-/// Of laws that leave the choice to their user.
+/// For laws with a field `may_pull`.
 inline Separation separation(bool may_pull) { return may_pull ? Separation::at_opening : Separation::at_zero_force; }
 
-/// History of a contact: its phase, and the approach speed at the instant of first touch, which
-/// belongs to the touch and stays until the gap opens. Laws divide by this speed, so it has a floor; elements keep the
-/// true one (ContactView).
+/// History of a contact: its phase, and the approach speed at the instant of first touch, which stays the same until
+/// the gap opens. Laws divide by this speed, so it has a lower bound; elements keep the true speed (ContactView).
 ///
 ///             touch                  force reaches zero
 ///     open ----------> loaded  ----------------------------> released
@@ -41,8 +40,8 @@ struct ContactState {
   friend bool operator==(const ContactState&, const ContactState&) = default;
 };
 
-/// Laws count at least this as approach speed, m/s, because they divide by it: a grazing touch has none. A law with
-/// d'/v0 that is touched more slowly is less damped than asked for, by the factor v0/least_approach_speed.
+/// Lower bound of the approach speed in laws, m/s. Laws divide by the approach speed, which is zero for a grazing
+/// touch. At a lower speed v0 the damping of a law with d'/v0 is smaller by the factor v0/least_approach_speed.
 inline constexpr double least_approach_speed = 1e-4;
 
 /// A released contact is loaded again only where it would push by more than this, m, so that round-off does not switch
@@ -65,7 +64,7 @@ inline double contact_margin(const ContactState& committed, double indentation, 
   return std::min(indentation, reload_threshold - push);
 }
 
-/// The state beyond the margin: touch freezes the approach speed, opening forgets it.
+/// The state beyond the margin: a touch stores the approach speed, an opening clears it.
 inline ContactState next_contact_state(const ContactState& committed, double indentation, double rate) {
   if (committed.phase == ContactPhase::open) return {ContactPhase::loaded, std::max(rate, least_approach_speed)};
   if (indentation <= 0.0) return {};

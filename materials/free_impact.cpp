@@ -31,7 +31,7 @@ double delivered_restitution(const FreeImpact& impact) {
   auto stepper = odeint::make_controlled(tolerance, 0.0, odeint::runge_kutta_dopri5<Motion>{});
   Motion motion{0.0, 1.0};
   double time = 0.0;
-  // Laws with damping that grows from nothing have no bounded slope at touch: begin with a short step.
+  // Laws whose damping grows from zero may have an infinite slope at touch: begin with a short step.
   double step = 1e-6;
   for (int count = 0; count < most_steps; ++count) {
     const Motion start = motion;

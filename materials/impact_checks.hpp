@@ -11,7 +11,8 @@ inline void check_restitution(const Check& check, double restitution) {
                     "It is the speed after the impact over the speed before; 1 is elastic.");
 }
 
-/// Below this, laws whose damping grows as 1/e or faster brake so hard at touch that no step of an analysis follows.
+/// Below this restitution, laws whose damping grows as 1/e or faster have a damping at touch that no step of an
+/// analysis can resolve.
 inline constexpr double least_restitution_in_divisor = 1e-3;
 
 /// Of such laws. Throws InputError unless least_restitution_in_divisor <= restitution <= 1.

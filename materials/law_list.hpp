@@ -3,8 +3,7 @@
 
 namespace moat {
 
-/// Laws of one family. Everything that is said of every law of a family goes through its list: names, tests and the
-/// tables of the guide.
+/// Laws of one family. Names, tests and the tables of the guide are made from this list.
 template <class... Laws>
 struct LawList {
   static constexpr int size = sizeof...(Laws);

@@ -27,8 +27,8 @@ struct LocatedBilinear {
 
   static constexpr bool linear_within_regimes = true;
 
-  /// A rate counts in the regime margin as the way in this time, s: the order of 1/omega of an isolated building. While
-  /// sliding the margin is the way that the bearing would still slide in it.
+  /// A rate enters the regime margin as the distance in this time, s, which is of the order of 1/omega of an isolated
+  /// building. While the bearing slides, the margin is its rate of sliding times this time.
   static constexpr double time_of_rate = 1.0;
 
   /// Yield is noticed this much beyond d_y, relative: the end of unloading must not switch it by round-off.

@@ -13,7 +13,7 @@ namespace {
 template <class Law>
 constexpr bool is_linear = std::same_as<decltype(Law::stiffness), Required<Stiffness>>;
 
-// The law with the given parameters that it has. Laws that ask for others are not offered by name.
+// The law with those of the given parameters that it has. Laws that need other parameters are not offered by name.
 template <class Law, class K>
 concept GivenByStiffness = requires(K stiffness) {
   Law{.stiffness = stiffness};

@@ -31,7 +31,7 @@ struct NamedImpactLaw {
   HertzStiffness hertz_stiffness{};
   /// 0 < e <= 1, and at least 0.001 for laws that divide by it; elastic laws ignore it.
   double restitution = 1.0;
-  /// Whether the contact may pull, for laws that leave it open; the others ignore it.
+  /// Whether the contact may pull, for laws with this field; the others ignore it.
   bool may_pull = false;
 
   /// Throws InputError for an unknown name, with a list of the known ones, for a missing stiffness, and for a parameter

@@ -1,4 +1,4 @@
-// What a force-deformation law answers, and what every law offers.
+// The interface of force-deformation laws, and their force with its tangents.
 #pragma once
 
 #include <concepts>
@@ -23,16 +23,15 @@ struct NoState {
   friend bool operator==(NoState, NoState) = default;
 };
 
-/// A force-deformation law: a value without base class that knows nothing of nodes, time steps or
-/// integrators. Deformation in m, rate in m/s, force in N; springs count tension positive, contacts
-/// indentation and compression.
+/// A force-deformation law: a value without base class that does not depend on nodes, time steps or integrators.
+/// Deformation in m, rate in m/s, force in N; springs count tension positive, contacts indentation and compression.
 ///
 ///     Response evaluate(State const& committed, double deformation, double rate, State& trial) const
 ///
-/// is pure: the same arguments give the same answer, and the committed state is never written.
-/// stored_energy() is the recoverable part, J; dissipation_rate() is the power turned into heat, W, >= 0. A
-/// rate-independent law may offer dissipated_energy(from, to), the heat between two of its states, J: its rate jumps
-/// where it yields, which no quadrature over a step resolves.
+/// is pure: the same arguments give the same result, and the committed state is never written. stored_energy() is the
+/// recoverable part, J; dissipation_rate() is the power turned into heat, W, >= 0. A rate-independent law may offer
+/// dissipated_energy(from, to), the heat between two of its states, J: its rate jumps where it yields, which no
+/// quadrature over a step resolves.
 template <class Law>
 concept ForceLaw = std::is_trivially_copyable_v<typename Law::State> &&
     std::default_initializable<typename Law::State> &&
@@ -43,8 +42,8 @@ concept ForceLaw = std::is_trivially_copyable_v<typename Law::State> &&
   { law.linear_stiffness(StiffnessStage::initial) } -> std::same_as<double>;
 };
 
-/// For reports, a law says what it is: the name of its type and its parameters. All laws of moat do; a law of a
-/// script's own that does not is listed as "law", without parameters.
+/// For reports a law may offer the name of its type and its parameters. All laws of moat do; a law of a script without
+/// them is listed as "law", without parameters.
 ///
 ///     static constexpr std::string_view name = "Friction";
 ///     std::vector<Parameter> parameters() const { return {{"force", force.si(), "N"}}; }
@@ -70,7 +69,7 @@ std::vector<Parameter> parameters_of(const Law& law) {
 /// regime_margin(), m, is positive while the committed regime lasts and reaches zero where the next one begins; within
 /// a regime evaluate() is smooth. It is a length for all laws, because changes are located until it is zero to
 /// TransientOptions::location_tolerance: a gap is its own length, a force counts as a deformation of the law's spring,
-/// a rate as the way in a time of the law. next_regime() gives the state on the other side.
+/// a rate as the distance in a time constant of the law. next_regime() gives the state on the other side.
 template <class Law>
 concept LawWithRegimes = ForceLaw<Law> && requires(const Law& law, const typename Law::State& committed, double x) {
   { law.regime_margin(committed, x, x) } -> std::same_as<double>;
@@ -78,7 +77,7 @@ concept LawWithRegimes = ForceLaw<Law> && requires(const Law& law, const typenam
 };
 
 /// A law whose force is linear in deformation and rate within each of its regimes; one without regimes is linear
-/// altogether. It says so with `static constexpr bool linear_within_regimes = true`.
+/// altogether. It declares this with `static constexpr bool linear_within_regimes = true`.
 template <class Law>
 concept LinearWithinRegimes = ForceLaw<Law> && Law::linear_within_regimes;
 

@@ -26,8 +26,7 @@ double excess_over_logarithm(double y) {
   return sum;
 }
 
-// z of the equation divided by z^2, a power series. For e near 1, where the equation itself is nothing but
-// round-off.
+// z of the equation divided by z^2, a power series. For e near 1, where the equation itself loses all digits.
 double small_damping_factor(double e) {
   const auto divided = [e](double z) {
     double sum = 0.0, z_power = 1.0, e_power = e * e, sign = -1.0;

@@ -1,4 +1,4 @@
-// What restitution a contact delivers in free impact, and what damping a restitution needs: exact formulas.
+// Exact formulas for the restitution of a contact in free impact, and for the damping that a restitution needs.
 #pragma once
 
 namespace moat {

@@ -18,15 +18,15 @@ namespace moat {
 /// effective mass m (Jankowski 2006). The dashpot may act on approach only.
 ///
 /// The contact never pulls unless it separates at_opening. In terms of y = d^1.25 a free impact is that of a linear
-/// spring and dashpot with the damping ratio x = 2 xi / sqrt(5): restitution_formulas.hpp holds exactly, whatever k, m
-/// and the approach speed.
+/// spring and dashpot with the damping ratio x = 2 xi / sqrt(5): the formulas of restitution_formulas.hpp are exact for
+/// any k, m and approach speed.
 ///
-/// The slope of d^0.25 is infinite at d = 0. Below `least_root_indentation`, a thousandth of what touch is
-/// located to, the fourth root is replaced by a straight line, so that Newton's method sees finite tangents.
-/// With damping on approach only the force is continuous where the motion turns and only its slope changes;
-/// no instant is located for that.
+/// The slope of d^0.25 is infinite at d = 0. Below `least_root_indentation`, a thousandth of the location tolerance of
+/// a touch, the fourth root is replaced by a straight line, so that Newton's method sees finite tangents. With damping
+/// on approach only the force is continuous where the motion turns and only its slope changes; no instant is located
+/// for that.
 ///
-/// Stored is 0.4 k d^2.5 until the gap opens; a released contact turns what is left of it into heat.
+/// The stored energy is 0.4 k d^2.5 until the gap opens; a released contact dissipates the rest of it.
 struct RootDampedHertzContact {
   static constexpr std::string_view name = "RootDampedHertzContact";
 
@@ -75,8 +75,8 @@ struct RootDampedHertzContact {
     return next_contact_state(committed, indentation, rate);
   }
   /// Duration of a free elastic impact, s, 2.94328 (5 m v0^2/(4 k))^0.4 / v0; m is the effective mass. Damping
-  /// makes a contact longer, but beyond half of critical (2 x > 1) its dashpot is what changes the motion fastest:
-  /// then 1/(2 x) of that.
+  /// makes a contact longer, but beyond half of critical (2 x > 1) the time constant of its dashpot is shorter: then
+  /// 1/(2 x) of that.
   double contact_duration(double effective_mass, double approach_speed) const {
     const double twice_ratio = 2.0 * damping / std::sqrt(5.0 * stiffness * effective_mass);
     return elastic_hertz_duration(stiffness, effective_mass, approach_speed) / std::max(twice_ratio, 1.0);

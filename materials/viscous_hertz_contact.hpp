@@ -21,11 +21,11 @@ namespace moat {
 ///
 /// The contact never pulls unless it separates at_opening: it ends where the force reaches zero, that is where
 /// d' = -v0/z, or where the gap opens. A free impact of two bodies always ends with the gap opening, at a
-/// restitution e that satisfies ln((1 + z)/(1 - z e)) = z (1 + e), whatever k, the masses and the speed
-/// from 1e-4 m/s up: there Separation changes nothing. An impact at a lower speed v is that of the factor z v/1e-4 m/s.
-/// Only bodies that are drawn apart faster than v0/z feel the difference.
+/// restitution e that satisfies ln((1 + z)/(1 - z e)) = z (1 + e), for any k, masses and speed from 1e-4 m/s up: there
+/// Separation changes nothing. An impact at a lower speed v is that of the factor z v/1e-4 m/s. Separation matters only
+/// where bodies are drawn apart faster than v0/z.
 ///
-/// Stored is 0.4 k d^2.5 until the gap opens; a released contact turns what is left of it into heat.
+/// The stored energy is 0.4 k d^2.5 until the gap opens; a released contact dissipates the rest of it.
 struct ViscousHertzContact {
   static constexpr std::string_view name = "ViscousHertzContact";
 

@@ -22,8 +22,8 @@ namespace moat {
 /// for that. Restitution in terms of x = c/(2 sqrt(k m)): restitution_formulas.hpp.
 ///
 /// While loaded the law continues to d < 0, so that a step that overshoots the separation is still smooth;
-/// the separation itself is located. Stored is k d^2/2 until the gap opens; a released contact turns what is
-/// left of it into heat.
+/// the separation itself is located. The stored energy is k d^2/2 until the gap opens; a released contact dissipates
+/// the rest of it.
 struct ViscousLinearContact {
   static constexpr std::string_view name = "ViscousLinearContact";
 
@@ -64,7 +64,7 @@ struct ViscousLinearContact {
     return next_contact_state(committed, indentation, rate);
   }
   /// Duration of a free elastic impact, s, pi sqrt(m/k); m is the effective mass. Damping makes a contact longer,
-  /// but beyond half of critical its dashpot is what changes the motion fastest: then pi m/c.
+  /// but beyond half of critical the time constant of its dashpot is shorter: then pi m/c.
   double contact_duration(double effective_mass, double /*approach_speed*/) const {
     const double elastic = std::numbers::pi * std::sqrt(effective_mass / stiffness);
     return damping * elastic > std::numbers::pi * effective_mass ? std::numbers::pi * effective_mass / damping

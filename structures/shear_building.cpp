@@ -28,7 +28,8 @@ void check_parameters(const ShearBuilding& building) {
   }
 }
 
-// Two buildings without names are a likely slip; a message about a node that the script never made would puzzle.
+// Two buildings without names are a likely mistake. A message about a repeated node alone would not help: the script
+// did not add the node itself.
 void require_new_name(const Model& model, const ShearBuilding& building) {
   const std::string floor = building.name.empty() ? "floor 1" : building.name + " floor 1";
   if (!model.has_node(floor)) return;

@@ -34,7 +34,7 @@ struct Motion {
   Peaks reference;
 };
 
-/// One run: what it cost and how far off it was.
+/// One run: its cost and its error.
 struct Point {
   std::string setting;
   double steps = 0.0;

@@ -36,7 +36,7 @@ ErrorBarCheck check_error_bars(const std::vector<const TrialModel*>& models, std
       if (!peak.counts || std::isnan(peak.error_bar)) continue;
       const double error = std::abs(peak.value - peak.reference);
       ++peaks;
-      // What the reference does not know of itself is not held against a bar.
+      // The error of the reference itself does not count against a bar.
       covered += static_cast<std::size_t>(error <= peak.error_bar + peak.reference_change);
       if (error > peak.reference_change) widths.push_back(peak.error_bar / error);
     }

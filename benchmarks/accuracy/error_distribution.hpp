@@ -8,7 +8,7 @@
 
 namespace moat {
 
-/// What a run should not miss without a warning, relative.
+/// The relative error above which a run should warn.
 inline constexpr double large_error = 5e-3;
 
 /// How good moat's own error bars are, over the peaks that count of the models of one setting.

@@ -13,7 +13,7 @@
 namespace moat {
 namespace {
 
-/// What the reference's peaks may change by with half the steps, relative, for its model to be compared.
+/// Largest relative change of the reference's peaks with half the steps for which a model is compared.
 constexpr double settled_reference = 1e-5;
 
 std::vector<TrialSetting> trial_settings() {
@@ -52,7 +52,7 @@ std::string seeds_of(const std::string& name, const std::vector<TrialModel>& mod
   return seeds.empty() ? "" : name + ": seeds " + seeds + ". ";
 }
 
-/// What the models were, and how good the reference is.
+/// The models, and the accuracy of the reference.
 std::string facts_of(const std::vector<TrialModel>& models, const std::vector<TrialSetting>& settings) {
   std::vector<double> touches, changes;
   for (const TrialModel& model : models) {

@@ -13,8 +13,8 @@ struct RandomModelsOptions {
   std::string csv;  ///< file with a row per model and setting; none if empty
 };
 
-/// Runs them with default, tight and exact settings, and returns what was found as Markdown. Nothing is left out in
-/// silence: models whose reference did not settle, and models that moat refused, are named by their seeds.
+/// Runs them with default, tight and exact settings, and returns the results as Markdown. No model is left out without
+/// notice: models whose reference did not settle, and models that moat refused, are named by their seeds.
 std::string run_random_models(const RandomModelsOptions& options);
 
 }  // namespace moat

@@ -1,4 +1,4 @@
-// What a script of the benchmark shows: text, tables, figures, checks and findings, for the page and the docs.
+// The output of a script of the benchmark: text, tables, figures, checks and findings, for the page and the docs.
 #pragma once
 
 #include <moat.hpp>
@@ -25,7 +25,7 @@ enum class Verdict { holds, partly, fails };
 struct Finding {
   std::string source;     ///< "4.3.1", "conclusion 2"
   std::string claim;      ///< in short, as the paper puts it
-  std::string criterion;  ///< what was computed to decide
+  std::string criterion;  ///< the computed number that decides
   std::string found;      ///< numbers
   Verdict verdict;
 };
@@ -38,7 +38,7 @@ struct ShownFigure {
   int columns = 1;
 };
 
-/// Collects what a script shows and writes it to <folder>/<id>.json, beside the figures and tables of numbers.
+/// Collects the output of a script and writes it to <folder>/<id>.json, beside the figures and tables of numbers.
 class Exhibit {
  public:
   Exhibit(std::filesystem::path folder, std::string id, std::string title, bool coarse);
@@ -75,7 +75,7 @@ class Exhibit {
 };
 
 /// The main() of a script: reads --out FOLDER and --coarse, shows, writes. Exit code 0 if all that was asserted held,
-/// 1 if not or after an error, which is told on standard error; 2 for wrong usage.
+/// 1 if not or after an error, which is printed on standard error; 2 for wrong usage.
 int run_exhibit(int argc, char** argv, const std::string& id, const std::string& title,
                 const std::function<void(Exhibit&)>& show);
 

@@ -1,6 +1,6 @@
 // Fig. 10 of Zhao, Liu & Li (2017): the number of storeys, 1 to 10.
 //
-// The paper does not say what happens to the bearings under a heavier building. Two readings:
+// The paper does not specify the bearings under a heavier building. Two readings:
 //   kept      the same bearings; the isolation period grows from 1.5 s (one storey) to 3.4 s (ten);
 //   designed  T_b = 2.5 s for every building, yield force in proportion to its weight, d_y = 1 cm.
 #include "paper/paper_building.hpp"

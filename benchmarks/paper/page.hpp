@@ -1,4 +1,4 @@
-// What all scripts showed, as one page for a browser and one for the documentation.
+// The output of all scripts, as one page for a browser and one for the documentation.
 #pragma once
 
 #include <filesystem>
@@ -7,7 +7,7 @@
 
 namespace moat::paper {
 
-/// A script of the benchmark and what came of it.
+/// A script of the benchmark and its outcome.
 struct ScriptRun {
   std::string id;       ///< its results are in <folder>/<id>.json
   std::string program;  ///< name of the program, and of its source without ending

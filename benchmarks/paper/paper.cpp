@@ -1,4 +1,4 @@
-// Runs all scripts of this folder and puts what they show on one page. Called by ./moat bench paper.
+// Runs all scripts of this folder and puts their output on one page. Called by ./moat bench paper.
 #include <spawn.h>
 #include <sys/wait.h>
 
@@ -35,7 +35,7 @@ constexpr std::array<std::array<const char*, 2>, 11> scripts{{{"table1", "table1
                                                               {"fig11_impact_stiffness", "fig11"},
                                                               {"pulse", "pulse"}}};
 
-/// Runs a program to its end; returns what went wrong in words, or nothing if it ended by itself.
+/// Runs a program to its end; returns a description of the failure, or nothing if it ended by itself.
 std::string run_program(const std::filesystem::path& program, const std::vector<std::string>& arguments) {
   std::vector<std::string> words{program.string()};
   words.insert(words.end(), arguments.begin(), arguments.end());

@@ -1,6 +1,6 @@
 // The building of section 4.2 of Zhao, Liu & Li (2017), in the plain reading of its numbers.
 //
-// The paper's text contradicts itself in places. The plain reading takes what makes its own periods come out:
+// The paper's text contradicts itself in places. The plain reading takes the values that give the periods of the paper:
 //   - post-yield stiffness of the bearings 1.93e7 N/m (printed 1.93e6, but the stated 2.5 s of 3.05e6 kg need ten
 //     times that), yield force 1.93e6 N (printed "1.93e6 kN"), yield displacement 1 cm;
 //   - linear storeys: their printed post-yield stiffness comes without a yield force;
@@ -40,13 +40,13 @@ inline constexpr double restitution = 0.65;
 /// Mass of base and floors.
 inline Mass total_mass(int storeys) { return base_mass + storeys * floor_mass; }
 
-/// Eq. 33 turned round: the post-yield stiffness that gives the isolation period T_b.
+/// The inverse of Eq. 33: the post-yield stiffness that gives the isolation period T_b.
 inline Stiffness stiffness_for_period(Time period, int storeys) {
   const Frequency w = 2.0 * std::numbers::pi / period;
   return total_mass(storeys) * w * w;
 }
 
-/// Eq. 34 turned round: a dashpot of this damping ratio at the isolation period T_b.
+/// The inverse of Eq. 34: a dashpot of this damping ratio at the isolation period T_b.
 inline DampingCoefficient isolator_damping(double ratio, Time period, int storeys) {
   return 2.0 * ratio * total_mass(storeys) * (2.0 * std::numbers::pi / period);
 }

@@ -1,4 +1,4 @@
-// The paper's building under a synthetic near-fault pulse: what can be shown without any record. Not in the paper.
+// The paper's building under a synthetic near-fault pulse, which needs no record. Not in the paper.
 #include "paper/paper_building.hpp"
 #include "paper/records.hpp"
 #include "paper/sweep.hpp"

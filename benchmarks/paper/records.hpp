@@ -27,7 +27,7 @@ inline constexpr std::array<PaperRecord, 4> paper_records{{
 }};
 inline constexpr std::size_t gebze = 0;
 
-/// Empty if all records are at hand, else what is missing and where to get it.
+/// Empty if all records are there, else the missing ones and their source.
 inline std::string missing_records() {
   const std::string where =
       " Download RSN 1161, 1108, 982 and 803 (components GBZ000, KBU000, JEN022, WVC270) from PEER NGA-West2, "

@@ -1,4 +1,4 @@
-// One parameter of the building varied under several ground motions: what Figs. 7 to 11 have in common.
+// One parameter of the building varied under several ground motions, as in Figs. 7 to 11.
 #pragma once
 
 #include <moat.hpp>
@@ -50,7 +50,7 @@ SweepResult run_sweep(Exhibit& exhibit, const Sweep& sweep, const std::vector<Gr
 /// `count` values, or five of them where the exhibit is coarse.
 int points(const Exhibit& exhibit, int count);
 
-// What statements about curves are decided by.
+// The numbers that decide statements about curves.
 
 /// Spearman's rank correlation of two sequences: 1 if y always grows with x, -1 if it always falls.
 double rank_correlation(const std::vector<double>& x, const std::vector<double>& y);
@@ -60,7 +60,7 @@ double spread(const std::vector<double>& y);
 std::size_t position_of_minimum(const std::vector<double>& y);
 std::size_t position_of_maximum(const std::vector<double>& y);
 
-/// One motion's answer to a claim: whether it holds, and the number that decides.
+/// The result of a claim for one motion: whether it holds, and the number that decides.
 struct Answer {
   bool holds;
   std::string number;

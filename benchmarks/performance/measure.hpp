@@ -23,7 +23,8 @@ struct Candidate {
 };
 
 /// Runs A B C A B C ..., `rounds` >= 1 rounds after one to warm up, and returns for each candidate the times of its
-/// rounds, s. A change of the machine's speed then affects all candidates, and ratios within a round hardly feel it.
+/// rounds, s. A change of the machine's speed then affects all candidates, and has little effect on ratios within a
+/// round.
 std::vector<std::vector<double>> interleaved_times(const std::vector<Candidate>& candidates, int rounds,
                                                    Clock clock = Clock::thread);
 

@@ -13,7 +13,7 @@ Model five_storey_model(bool locate_yield = true);
 Peaks moat_peaks(const Model& model, const GroundMotion& motion, const TransientOptions& options);
 
 /// The same as a script does it, up to its results in memory: CaseRun with peaks, energy ledger, impacts, histories,
-/// periods and, if asked for, the second run for error bars.
+/// periods and, as an option, the second run for error bars.
 Peaks moat_case(const Model& model, const GroundMotion& motion, const TransientOptions& options,
                 ErrorBarMode error_bars = ErrorBarMode::never);
 

@@ -16,9 +16,9 @@ enum class SundialsMethod {
 /// "Zonneveld"
 const char* name_of(SundialsMethod method);
 
-/// Peaks over the whole motion. The bends of the ground's acceleration at its samples are left to the error control, in
-/// steps of at most twenty intervals, so that none leaps over a motion that begins slowly. Throws Error where SUNDIALS
-/// fails.
+/// Peaks over the whole motion. The error control handles the changes of slope of the ground's acceleration at its
+/// samples. Steps are at most twenty intervals, so that no step passes over a motion that begins slowly. Throws Error
+/// where SUNDIALS fails.
 Peaks sundials_peaks(SundialsProblem& problem, SundialsMethod method, double relative_tolerance);
 
 }  // namespace moat::performance

@@ -1,4 +1,4 @@
-// Kelvin impact law that delivers the restitution asked for.
+// Kelvin impact law that delivers the intended restitution exactly.
 #pragma once
 
 #include <cmath>
@@ -28,7 +28,7 @@ struct ExactKelvin {
 
   /// k > 0 N/m.
   Required<Stiffness> stiffness;
-  /// e, the coefficient of restitution asked for: 0 < e <= 1.
+  /// e, the intended coefficient of restitution: 0 < e <= 1.
   Required<double> restitution;
   /// Whether the contact lasts until the gap opens, pulling before it does. e is delivered either way.
   bool may_pull = false;
@@ -38,7 +38,7 @@ struct ExactKelvin {
     check.positive("stiffness", stiffness);
     check_restitution(check, restitution);
   }
-  /// As given.
+  /// The parameters as given.
   [[nodiscard]] std::vector<Parameter> parameters() const {
     return {{"stiffness", stiffness.si(), "N/m"},
             {"restitution", restitution, "1"},

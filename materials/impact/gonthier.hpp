@@ -27,7 +27,7 @@ struct Gonthier {
 
   /// k > 0 N/m^1.5.
   Required<HertzStiffness> stiffness;
-  /// e, the coefficient of restitution asked for: 0.001 <= e <= 1, because the damping grows as 1/e.
+  /// e, the intended coefficient of restitution: 0.001 <= e <= 1, because the damping grows as 1/e.
   Required<double> restitution;
   /// Whether the force may turn negative while bodies in contact are drawn apart. Changes nothing in free impact.
   bool may_pull = false;
@@ -37,7 +37,7 @@ struct Gonthier {
     check.positive("stiffness", stiffness);
     check_restitution_in_divisor(check, restitution);
   }
-  /// As given.
+  /// The parameters as given.
   [[nodiscard]] std::vector<Parameter> parameters() const {
     return {{"stiffness", stiffness.si(), "N/m^1.5"},
             {"restitution", restitution, "1"},

@@ -26,7 +26,7 @@ struct Hertz {
 
   /// Throws InputError for a parameter outside its range.
   void check(const Check& check) const { check.positive("stiffness", stiffness); }
-  /// As given.
+  /// The parameters as given.
   [[nodiscard]] std::vector<Parameter> parameters() const { return {{"stiffness", stiffness.si(), "N/m^1.5"}}; }
   /// The law between two bodies; this one does not depend on their effective mass (kg).
   [[nodiscard]] ViscousHertzContact between(double /*effective_mass*/) const { return {stiffness.si(), 0.0}; }

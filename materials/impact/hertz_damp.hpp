@@ -18,7 +18,7 @@ namespace moat {
 /// Source: Lankarani & Nikravesh (1990), A contact force model with hysteresis damping for impact analysis of
 /// multibody systems, Eq. 31; under the name Hertz-damp in Muthukumar & DesRoches (2006) and Zhao, Liu & Li (2017),
 /// Eqs. 6-8. It was derived for e near 1: the restitution e' it delivers, ln((1 + z)/(1 - z e')) =
-/// z (1 + e'), is above what is asked for: e' = 0.847, 0.775, 0.702 for e = 0.80, 0.65, 0.40.
+/// z (1 + e'), is above e: e' = 0.847, 0.775, 0.702 for e = 0.80, 0.65, 0.40.
 ///
 /// Indentation and compression positive. The contact ends where the force reaches zero or the gap opens,
 /// in free impact always the latter.
@@ -29,7 +29,7 @@ struct HertzDamp {
 
   /// k > 0 N/m^1.5.
   Required<HertzStiffness> stiffness;
-  /// e, the coefficient of restitution asked for: 0 < e <= 1.
+  /// e, the intended coefficient of restitution: 0 < e <= 1.
   Required<double> restitution;
   /// Whether the force may turn negative while bodies in contact are drawn apart. Changes nothing in free impact.
   bool may_pull = false;
@@ -39,7 +39,7 @@ struct HertzDamp {
     check.positive("stiffness", stiffness);
     check_restitution(check, restitution);
   }
-  /// As given.
+  /// The parameters as given.
   [[nodiscard]] std::vector<Parameter> parameters() const {
     return {{"stiffness", stiffness.si(), "N/m^1.5"},
             {"restitution", restitution, "1"},

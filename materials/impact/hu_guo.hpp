@@ -20,7 +20,7 @@ namespace moat {
 /// The modified Hertz-damp model of Zhao, Liu & Li (2017) is the same law: it gives all ten cells of their Table 1,
 /// column "model of this paper", within 0.0024. The text of that paper derives another force (Eq. 10 with Eq. 27:
 /// ModifiedHertzDampPrinted), which cannot have produced the table. The restitution e' it delivers, ln((1 + z)/(1 - z
-/// e')) = z (1 + e'), is close to what is asked for: e' = 0.799, 0.646, 0.380 for e = 0.80, 0.65, 0.40.
+/// e')) = z (1 + e'), is close to e: e' = 0.799, 0.646, 0.380 for e = 0.80, 0.65, 0.40.
 ///
 /// Indentation and compression positive. The contact ends where the force reaches zero or the gap opens,
 /// in free impact always the latter.
@@ -31,7 +31,7 @@ struct HuGuo {
 
   /// k > 0 N/m^1.5.
   Required<HertzStiffness> stiffness;
-  /// e, the coefficient of restitution asked for: 0.001 <= e <= 1, because the damping grows as 1/e.
+  /// e, the intended coefficient of restitution: 0.001 <= e <= 1, because the damping grows as 1/e.
   Required<double> restitution;
   /// Whether the force may turn negative while bodies in contact are drawn apart. Changes nothing in free impact.
   bool may_pull = false;
@@ -41,7 +41,7 @@ struct HuGuo {
     check.positive("stiffness", stiffness);
     check_restitution_in_divisor(check, restitution);
   }
-  /// As given.
+  /// The parameters as given.
   [[nodiscard]] std::vector<Parameter> parameters() const {
     return {{"stiffness", stiffness.si(), "N/m^1.5"},
             {"restitution", restitution, "1"},

@@ -17,7 +17,7 @@ namespace moat {
 ///
 /// Source: Hunt & Crossley (1975), Coefficient of restitution interpreted as damping in vibroimpact: lambda =
 /// 3/2 alpha k with e = 1 - alpha v0. It was derived for e near 1: the restitution e' it delivers,
-/// ln((1 + z)/(1 - z e')) = z (1 + e'), is above what is asked for: e' = 0.833, 0.739, 0.620 for e = 0.80,
+/// ln((1 + z)/(1 - z e')) = z (1 + e'), is above e: e' = 0.833, 0.739, 0.620 for e = 0.80,
 /// 0.65, 0.40.
 ///
 /// Indentation and compression positive. The contact ends where the force reaches zero or the gap opens,
@@ -28,7 +28,7 @@ struct HuntCrossley {
 
   /// k > 0 N/m^1.5.
   Required<HertzStiffness> stiffness;
-  /// e, the coefficient of restitution asked for: 0 < e <= 1.
+  /// e, the intended coefficient of restitution: 0 < e <= 1.
   Required<double> restitution;
   /// Whether the force may turn negative while bodies in contact are drawn apart. Changes nothing in free impact.
   bool may_pull = false;
@@ -38,7 +38,7 @@ struct HuntCrossley {
     check.positive("stiffness", stiffness);
     check_restitution(check, restitution);
   }
-  /// As given.
+  /// The parameters as given.
   [[nodiscard]] std::vector<Parameter> parameters() const {
     return {{"stiffness", stiffness.si(), "N/m^1.5"},
             {"restitution", restitution, "1"},

@@ -30,9 +30,9 @@ struct Kelvin {
 
   /// k > 0 N/m.
   Required<Stiffness> stiffness;
-  /// e, the coefficient of restitution asked for: 0 < e <= 1.
+  /// e, the intended coefficient of restitution: 0 < e <= 1.
   Required<double> restitution;
-  /// Whether the contact lasts until the gap opens, pulling before it does, as the equations of the paper say.
+  /// Whether the contact lasts until the gap opens, pulling before it does, as in the equations of the paper.
   bool may_pull = false;
 
   /// Throws InputError for a parameter outside its range.
@@ -40,7 +40,7 @@ struct Kelvin {
     check.positive("stiffness", stiffness);
     check_restitution(check, restitution);
   }
-  /// As given.
+  /// The parameters as given.
   [[nodiscard]] std::vector<Parameter> parameters() const {
     return {{"stiffness", stiffness.si(), "N/m"},
             {"restitution", restitution, "1"},

@@ -28,7 +28,7 @@ struct KelvinByDampingRatio {
   Required<Stiffness> stiffness;
   /// xi >= 0, and < 1 if the contact may pull: beyond, it would never end.
   Required<double> damping_ratio;
-  /// Whether the contact lasts until the gap opens, pulling before it does, as the equations of the paper say.
+  /// Whether the contact lasts until the gap opens, pulling before it does, as in the equations of the paper.
   bool may_pull = false;
 
   /// Throws InputError for a parameter outside its range.
@@ -38,7 +38,7 @@ struct KelvinByDampingRatio {
     check.that(!may_pull || damping_ratio < 1.0, "damping_ratio", damping_ratio, "1", "< 1 where may_pull is true",
                "A contact that pulls and is damped critically never ends.");
   }
-  /// As given.
+  /// The parameters as given.
   [[nodiscard]] std::vector<Parameter> parameters() const {
     return {{"stiffness", stiffness.si(), "N/m"},
             {"damping_ratio", damping_ratio, "1"},

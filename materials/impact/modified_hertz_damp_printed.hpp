@@ -17,13 +17,13 @@ namespace moat {
 /// Modified Hertz-damp model as its paper prints it: F = k d^1.5 + c d', c = 2 xi sqrt(k sqrt(d) m),
 /// xi = sqrt(5) (1 - e^2)/(10 e^2).
 ///
-/// Source: Zhao, Liu & Li (2017), Eq. 10 with Eq. 27; m is the effective mass of the two bodies. Not the force
-/// its Table 1 was computed with, which is ModifiedHertzDamp.
+/// Source: Zhao, Liu & Li (2017), Eq. 10 with Eq. 27; m is the effective mass of the two bodies. Its Table 1 was
+/// computed with another force, which is ModifiedHertzDamp.
 ///
-/// When the dashpot acts the paper leaves open. It writes the force once, without Jankowski's distinction
-/// (Eq. 15), and complains that his history is not smooth: throughout. It balances the energy over one phase
-/// only, from d = 0 to the deepest point (Eqs. 14, 23): approach only, the default here. The restitution
-/// delivered, with cos a = 2 xi/sqrt(5), for e = 0.80, 0.65, 0.40:
+/// The paper does not say when the dashpot acts. It writes the force once, without Jankowski's distinction (Eq. 15),
+/// and criticises that his force history is not smooth: this suggests damping throughout. It balances the energy over
+/// one phase only, from d = 0 to the deepest point (Eqs. 14, 23): this suggests damping on approach only, the default
+/// here. The restitution delivered, with cos a = 2 xi/sqrt(5), for e = 0.80, 0.65, 0.40:
 ///
 ///     approach_only              exp(-a cot a)               0.848, 0.692, 0.356
 ///     throughout                 exp(-2 a cot a)             0.719, 0.479, 0.127
@@ -38,7 +38,7 @@ struct ModifiedHertzDampPrinted {
 
   /// k > 0 N/m^1.5.
   Required<HertzStiffness> stiffness;
-  /// e, the coefficient of restitution asked for: 0.001 <= e <= 1, because the damping grows as 1/e^2.
+  /// e, the intended coefficient of restitution: 0.001 <= e <= 1, because the damping grows as 1/e^2.
   Required<double> restitution;
   /// Whether the dashpot acts only while the bodies approach; else throughout.
   bool approach_only = true;
@@ -54,7 +54,7 @@ struct ModifiedHertzDampPrinted {
     check.that(!may_pull || restitution >= 0.409, "restitution", restitution, "1",
                ">= 0.409 where the contact may pull", "A contact that pulls and is damped critically never ends.");
   }
-  /// As given.
+  /// The parameters as given.
   [[nodiscard]] std::vector<Parameter> parameters() const {
     return {{"stiffness", stiffness.si(), "N/m^1.5"},
             {"restitution", restitution, "1"},

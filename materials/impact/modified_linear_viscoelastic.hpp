@@ -28,7 +28,7 @@ struct ModifiedLinearViscoelastic {
 
   /// k > 0 N/m.
   Required<Stiffness> stiffness;
-  /// e, the coefficient of restitution asked for: 0.001 <= e <= 1, because the damping grows as 1/e.
+  /// e, the intended coefficient of restitution: 0.001 <= e <= 1, because the damping grows as 1/e.
   Required<double> restitution;
 
   /// Throws InputError for a parameter outside its range.
@@ -36,7 +36,7 @@ struct ModifiedLinearViscoelastic {
     check.positive("stiffness", stiffness);
     check_restitution_in_divisor(check, restitution);
   }
-  /// As given.
+  /// The parameters as given.
   [[nodiscard]] std::vector<Parameter> parameters() const {
     return {{"stiffness", stiffness.si(), "N/m"}, {"restitution", restitution, "1"}};
   }

@@ -29,7 +29,7 @@ struct NonlinearViscoelastic {
 
   /// k > 0 N/m^1.5.
   Required<HertzStiffness> stiffness;
-  /// e, the coefficient of restitution asked for: 0.001 <= e <= 1, because the damping grows as 1/e.
+  /// e, the intended coefficient of restitution: 0.001 <= e <= 1, because the damping grows as 1/e.
   Required<double> restitution;
 
   /// Throws InputError for a parameter outside its range.
@@ -37,7 +37,7 @@ struct NonlinearViscoelastic {
     check.positive("stiffness", stiffness);
     check_restitution_in_divisor(check, restitution);
   }
-  /// As given.
+  /// The parameters as given.
   [[nodiscard]] std::vector<Parameter> parameters() const {
     return {{"stiffness", stiffness.si(), "N/m^1.5"}, {"restitution", restitution, "1"}};
   }

@@ -18,7 +18,7 @@ namespace moat {
 /// Source: Ye, Li & Zhu (2009), A note on the Hertz contact model with nonlinear damping for pounding simulation;
 /// the same factor is due to Flores et al. (2011). The column "non-linear viscoelastic model" of Zhao, Liu & Li
 /// (2017), Table 1, was computed with it. The restitution e' it delivers, ln((1 + z)/(1 - z e')) = z (1 + e'), is
-/// somewhat below what is asked for: e' = 0.789, 0.630, 0.363 for e = 0.80, 0.65, 0.40.
+/// somewhat below e: e' = 0.789, 0.630, 0.363 for e = 0.80, 0.65, 0.40.
 ///
 /// Indentation and compression positive. The contact ends where the force reaches zero or the gap opens,
 /// in free impact always the latter.
@@ -28,7 +28,7 @@ struct Ye2009 {
 
   /// k > 0 N/m^1.5.
   Required<HertzStiffness> stiffness;
-  /// e, the coefficient of restitution asked for: 0.001 <= e <= 1, because the damping grows as 1/e.
+  /// e, the intended coefficient of restitution: 0.001 <= e <= 1, because the damping grows as 1/e.
   Required<double> restitution;
   /// Whether the force may turn negative while bodies in contact are drawn apart. Changes nothing in free impact.
   bool may_pull = false;
@@ -38,7 +38,7 @@ struct Ye2009 {
     check.positive("stiffness", stiffness);
     check_restitution_in_divisor(check, restitution);
   }
-  /// As given.
+  /// The parameters as given.
   [[nodiscard]] std::vector<Parameter> parameters() const {
     return {{"stiffness", stiffness.si(), "N/m^1.5"},
             {"restitution", restitution, "1"},

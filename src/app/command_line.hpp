@@ -10,8 +10,8 @@
 
 namespace moat {
 
-/// CLI11 parses a whole line at once, but a script asks for one value after the other. Each is looked up by a parser
-/// that knows this one option and ignores the rest; at the end a parser that knows all options checks the line.
+/// CLI11 parses a whole line at once, but a script reads one value after the other. Each value is read by a parser with
+/// this one option, which ignores the rest; at the end a parser with all options checks the line.
 class CommandLine {
  public:
   CommandLine(int argc, char** argv, std::string title);

@@ -24,7 +24,7 @@ namespace {
 
 constexpr int exit_error = 1, exit_usage = 2, exit_no_convergence = 3;
 
-// An exception that leaves main() ends here, and its message is all the user should see.
+// An exception that leaves main() ends here. The user sees only its message.
 [[noreturn]] void report_and_exit() {
   std::cout.flush();
   try {

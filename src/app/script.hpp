@@ -29,7 +29,7 @@ class ResultsFolder;
 ///     }
 ///
 /// Every function that takes a name adds an option --name and returns its value at once: the default, or the text on
-/// the command line, with its unit. run() knows all options, answers --help, and refuses unknown ones.
+/// the command line, with its unit. run() checks all options, prints the text of --help, and refuses unknown options.
 ///
 /// Errors: once a Script exists, an exception that leaves main() is printed as one message to standard error and
 /// ends the program with exit code 1. Exit codes: 0 done; 1 bad input or another error; 2 wrong usage of the command

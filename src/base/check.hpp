@@ -1,4 +1,4 @@
-// Checks of parameters, with messages that say what to do.
+// Checks of parameters, with messages that give the remedy.
 #pragma once
 
 #include <string>
@@ -64,7 +64,7 @@ class Check {
   std::string object_;
 };
 
-/// A number as messages print it: shortest form that tells it apart, up to 6 digits.
+/// A number as messages print it: the shortest form with up to 6 digits.
 std::string to_text(double value);
 
 }  // namespace moat

@@ -1,4 +1,4 @@
-// A pointer whose copies own copies.
+// A pointer whose copy owns a copy of the object.
 #pragma once
 
 #include <memory>

@@ -1,4 +1,4 @@
-// What moat throws.
+// The exceptions of moat.
 #pragma once
 
 #include <stdexcept>
@@ -13,7 +13,7 @@ class Error : public std::runtime_error {
 };
 
 /// A parameter, option or model that cannot be right. The message names the object, the parameter,
-/// its value, the allowed range with its unit, and what to do.
+/// its value, the allowed range with its unit, and the remedy.
 class InputError : public Error {
  public:
   using Error::Error;
@@ -26,7 +26,7 @@ class FileError : public Error {
 };
 
 /// A time step that did not converge although it was cut down to the smallest length.
-/// What was computed before `time` has been recorded.
+/// All results before `time` have been recorded.
 class ConvergenceError : public Error {
  public:
   ConvergenceError(const std::string& message, double time_s, double step_s, double residual_ratio, std::string worst)

@@ -17,7 +17,7 @@ class HermiteCubic {
         right_{(value1 - value0) - h * rate1},
         h_{h} {}
 
-  /// False where the rate at one end is far beyond all that the other end and the rise bear out: the quantity has an
+  /// False where the rate at one end is much larger than the other rate and the rise allow: the quantity has an
   /// infinite slope there, like d^1/4 at d = 0, and the cubic overshoots. For a parabola |h rate0| <= 2 |rise| + |h
   /// rate1|.
   [[nodiscard]] bool is_smooth() const {

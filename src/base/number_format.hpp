@@ -5,7 +5,7 @@
 
 namespace moat {
 
-/// With so many digits after the decimal point, >= 0; "nan" and "inf" for what is not finite.
+/// With so many digits after the decimal point, >= 0; "nan" and "inf" for values that are not finite.
 std::string to_fixed(double value, int decimals);
 
 /// With at most so many significant digits, >= 1, and an exponent where that is shorter: "0.0125", "1.2e-09".

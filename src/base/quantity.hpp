@@ -11,7 +11,7 @@ namespace moat {
 ///
 /// The value is kept in SI units. Lengths count in halves because the stiffness of a Hertz contact
 /// is measured in N/m^1.5. Adding, comparing or passing quantities of different dimension does not
-/// compile; multiplying and dividing them gives the dimension one expects:
+/// compile; products and quotients have the product and quotient of the dimensions:
 ///
 ///     const Stiffness k = 1.93 * MN / cm;
 ///     const Time period = 2 * pi * sqrt(mass / k);   // pi is in base/units.hpp

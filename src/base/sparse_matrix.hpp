@@ -11,7 +11,7 @@ namespace moat {
 inline constexpr int ground_index = -1;
 
 /// Compressed columns. `values` has one entry more than there are nonzeros: the slot of everything
-/// that couples to the ground, so that elements scatter without asking where they stand.
+/// that couples to the ground, so that elements scatter without a test for the ground.
 struct SparseMatrix {
   int size = 0;
   std::vector<int> column_starts;  ///< size + 1

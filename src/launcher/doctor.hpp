@@ -5,7 +5,7 @@
 
 namespace moat::launcher {
 
-/// Prints what is installed and what is missing. Returns 1 if a package is missing that moat cannot do without.
+/// Prints installed and missing packages. Returns 1 if a package is missing that moat needs.
 int doctor(const Places& places);
 
 }  // namespace moat::launcher

@@ -16,7 +16,7 @@ bool packages_changed(const fs::path& stamp) {
   return fs::exists(database) && (!fs::exists(stamp) || fs::last_write_time(database) > fs::last_write_time(stamp));
 }
 
-// Asked without the lock: a script need not wait for another moat that builds the tests.
+// Checked without the lock: a script need not wait for another moat that builds the tests.
 bool is_current(const Places& places, const Part& part) {
   Command ask{MOAT_NINJA, "-C", places.build, "-n"};
   ask.insert(ask.end(), part.targets.begin(), part.targets.end());

@@ -1,4 +1,4 @@
-// One of us at a time.
+// A lock against other programs `moat` that run at the same time.
 #pragma once
 
 #include <filesystem>

@@ -12,7 +12,7 @@ namespace moat::launcher {
 void say(const std::string& line);
 
 /// Runs a command with its output in <logs>/<name>.log, and returns its exit code. A command that takes longer than
-/// 0.3 s is told as a line of progress, "moat: build     the library ... 12.3 s"; a shorter one passes in silence.
+/// 0.3 s is shown as a line of progress, "moat: build     the library ... 12.3 s"; a shorter one passes in silence.
 int phase(const std::filesystem::path& logs, const std::string& name, const std::string& detail,
           const Command& command);
 

@@ -14,7 +14,7 @@ namespace moat::launcher {
 /// The compiler reports the files that the script includes, and Ninja compares their dates. A change of the compiler's
 /// words counts as a change as well. Diagnostics go to the file `diagnostics`.
 struct ScriptRule {
-  /// The compiler with its options, and what follows the name of the script.
+  /// The compiler with its options, and the arguments behind the name of the script.
   std::vector<std::string> compile, link;
   std::filesystem::path script;
   /// A newer one makes the program out of date. Empty: there is none.

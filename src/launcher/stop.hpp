@@ -9,7 +9,7 @@ namespace moat::launcher {
 inline constexpr int exit_failed = 1;
 inline constexpr int exit_usage = 2;
 
-/// Ends the launcher with a message (one or more lines, each told with "moat: " before it) and an exit code.
+/// Ends the launcher with a message (one or more lines, each printed with "moat: " before it) and an exit code.
 class Stop : public std::runtime_error {
  public:
   Stop(int code, const std::string& message) : std::runtime_error{message}, exit_code{code} {}

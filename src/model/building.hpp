@@ -12,8 +12,8 @@ namespace moat {
 
 class Model;
 
-/// A building: floors above each other, on a base or on the ground. Periods, charts and reports ask for it; it changes
-/// no force. A ShearBuilding adds one itself; add one when you build from nodes and elements:
+/// A building: floors above each other, on a base or on the ground. Periods, charts and reports use it; it has no
+/// effect on forces. A ShearBuilding adds one itself; add one when you build from nodes and elements:
 ///
 ///     add(model, Building{.base = base, .floors = {floor_1, floor_2}});
 ///
@@ -45,7 +45,7 @@ struct ElementId {
 std::vector<std::vector<ElementId>> isolators_of(const Model& model, std::span<const Building> buildings);
 
 /// The number of a part for every node: two nodes have the same one if elements other than contacts lead from one to
-/// the other, not by way of the ground.
+/// the other, without passing the ground.
 std::vector<int> connected_parts(const Model& model);
 
 /// The buildings of a model, and every connected part in which there is none, as a building with the name of its first

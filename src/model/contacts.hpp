@@ -8,7 +8,7 @@
 
 namespace moat {
 
-/// A contact as its element sees it.
+/// The state of one contact.
 struct ContactView {
   bool touching = false;        ///< from touch until the gap opens, also while the force is zero
   double approach_speed = 0.0;  ///< m/s, at the last touch; <= 0 if the bodies did not approach
@@ -19,9 +19,9 @@ struct ContactView {
 class Contacts {
  public:
   [[nodiscard]] virtual ContactView contact(std::size_t element) const = 0;
-  /// Number of contacts going on.
+  /// Number of contacts in progress.
   [[nodiscard]] virtual int touching() const = 0;
-  /// How long one cycle of the fastest contact going on lasts, s; infinite if there is none.
+  /// Duration of the shortest contact in progress, as a free impact, s; infinite if there is none.
   [[nodiscard]] virtual double shortest_contact() const = 0;
   /// Restitution that the element's law delivers in a free impact at this approach speed, m/s. NaN if the speed is not
   /// positive, and for a law whose contact never ends.

@@ -47,8 +47,8 @@ struct ElementInfo {
 /// serves a whole block.
 ///
 /// A block holds two vectors of states. evaluate() computes the trial states from the committed ones and the given
-/// displacements, never the other way round; commit() makes the trial states the committed ones. Dropping a trial step
-/// therefore needs no call at all, unless regimes were changed inside it (Regimes::undo_changes_inside).
+/// displacements, and never changes the committed ones; commit() makes the trial states the committed ones. Dropping a
+/// trial step therefore needs no call at all, unless regimes were changed inside it (Regimes::undo_changes_inside).
 ///
 /// Arrays of displacements, velocities and forces have one entry per degree of freedom and one more, the last, for the
 /// ground.
@@ -81,9 +81,9 @@ class ElementBlock {
   virtual void add_tangent(double displacement_weight, double velocity_weight, double* values) const = 0;
   /// Adds the constant stiffness of a linear analysis.
   virtual void add_linear_stiffness(StiffnessStage stage, double* values) const = 0;
-  /// Whether df/du and df/dv never change: the block adds its tangent to a sum that is kept, not to every new one.
+  /// Whether df/du and df/dv never change. The tangent of the block is then added up once and kept.
   [[nodiscard]] virtual bool constant_tangent() const { return false; }
-  /// Whether df/du or df/dv of any element has changed since this was last asked.
+  /// Whether df/du or df/dv of any element has changed since the last call.
   virtual bool take_tangent_change() { return true; }
   /// Whether the stiffness of an element without located regimes jumped between the last commit and the last
   /// evaluate(), by more than a fifth: its force has a corner inside the step.

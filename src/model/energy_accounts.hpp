@@ -1,4 +1,4 @@
-// Where the work done on elements went.
+// The work done on elements, and the energy that they stored and dissipated.
 #pragma once
 
 #include <cstddef>

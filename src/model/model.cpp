@@ -99,6 +99,7 @@ void Model::prepare() {
     if (blocks_[i]->regimes() != nullptr) blocks_with_regimes_.push_back(i);
     if (blocks_[i]->contacts() != nullptr) blocks_with_contacts_.push_back(i);
   }
+  // Tangents that never change are added up once; assemble_tangent() starts from these sums.
   constant_stiffness_.assign(pattern_.values.size(), 0.0);
   constant_damping_.assign(pattern_.values.size(), 0.0);
   changing_blocks_.clear();
@@ -115,7 +116,7 @@ void Model::prepare() {
   for (int i = 0; i < count; ++i) diagonal_slots_.push_back(pattern_.slot(i, i));
 
   masses_.resize(count);
-  // What was added since the last analysis starts from its initial values; the rest goes on from where it is.
+  // Nodes added since the last analysis start from their initial values; all others keep their state.
   const Eigen::Index known = std::max<Eigen::Index>(state_.displacement.size() - 1, 0);
   for (Vector* vector : {&state_.displacement, &state_.velocity, &state_.acceleration, &state_.jerk}) {
     vector->conservativeResize(count + 1);
@@ -129,6 +130,7 @@ void Model::prepare() {
     state_.velocity[i] = node.initial_velocity.si();
   }
   trial_ = state_;
+  // Evaluate and commit once, so that forces and states of all elements belong to the current state.
   prepared_ = true;
   internal_forces_.resize(count + 1);
   evaluate();

@@ -19,14 +19,14 @@
 
 namespace moat {
 
-/// Where all degrees of freedom are at one instant, relative to the ground. Every vector has one
-/// entry more than there are degrees of freedom: the last belongs to the ground and stays zero.
+/// The motion of all degrees of freedom at one instant, relative to the ground. Every vector has one entry more than
+/// there are degrees of freedom: the last belongs to the ground and stays zero.
 struct MotionState {
   double time = 0.0;    ///< s
   Vector displacement;  ///< m
   Vector velocity;      ///< m/s
   Vector acceleration;  ///< m/s^2
-  Vector jerk;          ///< m/s^3, rate of the absolute acceleration: it jumps where forces bend, not with the ground
+  Vector jerk;          ///< m/s^3, rate of the absolute acceleration: jumps with force rates, not with the ground
 };
 
 /// A structure: nodes joined by elements, and all state of both.
@@ -50,7 +50,7 @@ class Model {
   /// Throws InputError if the name is empty or taken by another element.
   void register_element(std::string_view kind, const std::string& name);
 
-  /// The block that holds elements of type Block, made when first asked for.
+  /// The block that holds elements of type Block; the first call makes it.
   template <class Block>
   Block& block();
 
@@ -84,7 +84,7 @@ class Model {
 
   /// The committed state.
   [[nodiscard]] const MotionState& state() const { return state_; }
-  /// The state that evaluate() looks at, for analyses to fill.
+  /// The state that evaluate() uses; analyses fill it.
   [[nodiscard]] MotionState& trial() { return trial_; }
   [[nodiscard]] const MotionState& trial() const { return trial_; }
 
@@ -110,7 +110,7 @@ class Model {
   /// matrix := stiffness of a linear analysis.
   void assemble_linear_stiffness(StiffnessStage stage, SparseMatrix& matrix) const;
   /// The trial state of nodes and elements becomes the committed one; energy accounts grow by the step between them,
-  /// whose work is formed by `rule`. What trial() holds afterwards is not specified: the next step fills it.
+  /// whose work is formed by `rule`. The contents of trial() are unspecified afterwards: the next step fills it.
   void commit(WorkRule rule = WorkRule::mean_force);
   /// Starts the energy accounts of all elements at the committed state; they are kept from then on.
   void start_energy_accounts();
@@ -130,7 +130,7 @@ class Model {
   void open_gaps(std::vector<RegimeChange>& changes);
   /// Number of gaps that are closed.
   [[nodiscard]] int contacts_going_on() const;
-  /// Duration of the shortest contact going on, s; infinite if there is none.
+  /// Duration of the shortest contact in progress, s; infinite if there is none.
   [[nodiscard]] double shortest_contact() const;
 
  private:

@@ -20,7 +20,7 @@ struct NodeId {
   friend constexpr auto operator<=>(NodeId, NodeId) = default;
 };
 
-/// What everything stands on. It moves with the ground motion; displacements are relative to it.
+/// The ground below the structure. It moves with the ground motion; displacements are relative to it.
 inline constexpr NodeId ground{ground_index};
 
 /// A node: one horizontal degree of freedom with mass.

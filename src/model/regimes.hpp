@@ -58,7 +58,7 @@ class Regimes {
   /// changed until undo_changes_inside().
   virtual bool change_inside(double step, double aim, std::size_t block_index, std::vector<RegimeChange>& changes) = 0;
 
-  /// Takes the changes inside the step being tried back.
+  /// Undoes the changes inside the step being tried.
   virtual void undo_changes_inside() = 0;
 
  protected:

@@ -36,9 +36,9 @@ struct NearFaultPulse {
 ///     const GroundMotion motion = near_fault_pulse({.pulse_period = 1.3 * s}).scaled_to_pga(0.4 * g);
 ///
 /// Sampling changes velocity and displacement by errors of second order in the time step. The ground velocity left
-/// after the pulse is zero to round-off, whatever the time step, if oscillation_ratio is a whole number and the pulse
-/// starts and ends on samples, as with the defaults; otherwise it is such an error too.
-/// Throws InputError naming the parameter that is out of range, or if there would be more than ten million samples.
+/// after the pulse is zero to round-off for any time step, if oscillation_ratio is a whole number and the pulse starts
+/// and ends on samples, as with the defaults; otherwise it is such an error too. Throws InputError naming the parameter
+/// that is out of range, or if there would be more than ten million samples.
 GroundMotion near_fault_pulse(const NearFaultPulse& parameters = {});
 
 }  // namespace moat

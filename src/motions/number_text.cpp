@@ -45,7 +45,7 @@ ScannedNumber scan_number(std::string_view text) {
     if (position - exponent > 3) return refused("has more than three digits in its exponent");
   }
 
-  // std::from_chars knows neither a leading plus nor the D of Fortran's double precision.
+  // std::from_chars reads neither a leading plus nor the exponent D of Fortran's double precision.
   std::string plain{text.substr(mantissa, position - mantissa)};
   if (exponent_mark != std::string_view::npos) plain[exponent_mark - mantissa] = 'e';
   ScannedNumber result;

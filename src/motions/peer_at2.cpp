@@ -157,7 +157,7 @@ bool has_peer_at2_header(std::string_view text) {
   LineReader lines{text};
   std::string_view line;
   while (lines.line_number() < header_lines && lines.next(line)) {
-    // A comment of a two-column file may well speak of units.
+    // A comment of a two-column file may mention units.
     if (line.starts_with('#') || line.starts_with('%')) return false;
     const std::string capitals = upper_case(line);
     if (lines.line_number() == units_line && capitals.find("UNITS OF") != std::string::npos) return true;

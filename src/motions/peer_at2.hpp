@@ -28,7 +28,7 @@ struct TextFile;
 /// The same from a file in memory.
 GroundMotion parse_peer_at2(const TextFile& file);
 
-/// True if the text begins with a PEER AT2 header, whatever its units are.
+/// True if the text begins with a PEER AT2 header, in any unit.
 bool has_peer_at2_header(std::string_view text);
 
 }  // namespace moat

@@ -11,10 +11,10 @@ namespace moat {
 
 /// Reads a text file of two columns, time in s and acceleration in `unit` (1 * g, 1 * m / s / s; must be > 0).
 ///
-/// Columns are separated by blanks, tabs, one comma or one semicolon; the decimal sign is a point. Empty lines and
-/// whatever follows '#' or '%' are skipped; one line of words before the first data is taken as the heading of the
-/// columns. Times must be evenly spaced: every interval within 1e-4 of the first one, relative to it. The first time
-/// is 0 or one interval; either way the first sample is the start of the motion.
+/// Columns are separated by blanks, tabs, one comma or one semicolon; the decimal sign is a point. Empty lines and all
+/// text behind '#' or '%' are skipped; one line of words before the first data is taken as the heading of the columns.
+/// Times must be evenly spaced: every interval within 1e-4 of the first one, relative to it. The first time is 0 or one
+/// interval; either way the first sample is the start of the motion.
 ///
 ///     const GroundMotion motion = read_two_columns("record.csv", 1 * g);
 ///

@@ -41,7 +41,7 @@ struct GapClearance {
   double error = std::numeric_limits<double>::quiet_NaN();
 };
 
-/// One contact from touch until the gap opens again. ImpactRecorder says where the two ratios are NaN.
+/// One contact from touch until the gap opens again. ImpactRecorder documents where the two ratios are NaN.
 struct Impact {
   std::string where;                 ///< the gap, for example "moat left"
   double start = 0.0;                ///< s
@@ -160,7 +160,7 @@ struct CaseResult {
   EnergyBalance energy;
   SolverStatistics solver;
   ErrorBars error_bars{};
-  std::vector<std::string> warnings;     ///< what may spoil the numbers, with what to do about it
+  std::vector<std::string> warnings;     ///< problems of accuracy or input, with the remedy
   std::vector<std::string> assumptions;  ///< one sentence each: scheme, step, damping, sign conventions ...
 };
 

@@ -31,10 +31,11 @@ class Channels {
   /// values := all channels at the committed state, rates := their rates, per second; as long as list().
   void sample(const StepView& view, std::vector<double>& values, std::vector<double>& rates) const;
   /// A channel at a fraction of the step that led to the committed state, where a cubic through its values and rates
-  /// has the given value. The force of a law that bends is asked of the law, so that none exceeds its capacity.
+  /// has the given value. The force of a law that is not linear comes from the law itself, so that no force exceeds its
+  /// capacity.
   [[nodiscard]] double value_inside(const Model& model, std::size_t channel, double fraction, double of_cubic) const;
 
-  /// The channels whose curves bend where an element changes its regime: accelerations of its nodes, base shears.
+  /// The channels whose rates jump where an element changes its regime: accelerations of its nodes, base shears.
   [[nodiscard]] std::vector<std::size_t> bent_by(const Model& model, const RegimeChange& change) const;
 
   /// Index of the first of a node's channels: displacement, then velocity, then absolute acceleration.

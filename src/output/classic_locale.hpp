@@ -5,7 +5,7 @@
 
 namespace moat {
 
-/// As long as it lives, new streams of the program write numbers as C++ does by default: VTK makes streams of its own,
+/// During its lifetime, new streams of the program write numbers as C++ does by default: VTK makes streams of its own,
 /// which would take over the decimal comma of a program that has called std::locale::global.
 class ClassicLocale {
  public:

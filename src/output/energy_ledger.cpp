@@ -27,10 +27,12 @@ void EnergyLedger::step(const StepView& view) {
   const auto displacement = end.displacement.head(count);
   const Vector& masses = view.model.masses();
   if (view.work_rule == WorkRule::mean_force) {
+    // The same rule as for the work of the elements, so that the residual is an identity.
     const double mean = 0.5 * (ground_acceleration_ + view.ground_acceleration);
     input_ -= mean * masses.dot(displacement - displacement_);
   } else {
-    // The integral of a_g v dt by parts, a_g being linear; that of u by the quintic through u, v and a at both ends.
+    // Integration by parts, with a_g linear in the step: integral of a_g v = a_g1 u1 - a_g0 u0 - slope * integral of u.
+    // The last integral is that of the quintic through u, v and a at both ends; `mean` is its sum over the masses.
     const double h = end.time - time_;
     if (h > 0.0) {
       const double slope = (view.ground_acceleration - ground_acceleration_) / h;
@@ -46,6 +48,7 @@ void EnergyLedger::step(const StepView& view) {
 }
 
 void EnergyLedger::event(const StepView& view, std::span<const RegimeChange> changes) {
+  // The next step starts with the accelerations after the jump.
   if (values_jump(changes)) remember(view);
 }
 

@@ -12,8 +12,8 @@ namespace moat {
 /// displacement exactly, so that `equation_residual` is an identity. For steps of higher order work and input are
 /// integrals along the motion inside the step, of order six, and the residual has the error of the integrated
 /// velocities: fourth order with Newmark's method. With exact steps it has the error of the integrals alone.
-/// `integration_error` is a check of its own: every element's work against its potential and its independently
-/// integrated dissipation.
+/// `integration_error` is a separate check: it compares the work on every element with its potential and its
+/// independently integrated dissipation.
 class EnergyLedger final : public StepObserver {
  public:
   bool needs_energy_accounts() const override { return true; }

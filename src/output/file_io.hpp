@@ -1,4 +1,4 @@
-// Writing whole files, with an error that says which file and why.
+// Writing whole files, with an error that names the file and the reason.
 #pragma once
 
 #include <filesystem>

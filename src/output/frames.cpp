@@ -206,7 +206,7 @@ struct FrameWriter::Files {
       in_contact->SetValue(id, has_element && data.in_contact[element] != 0.0 ? 1 : 0);
     }
     time_value->SetValue(0, time);
-    // The writer asks for ranges, which VTK caches by modification time.
+    // The writer computes ranges, which VTK caches by modification time.
     for (vtkDataArray* array : std::initializer_list<vtkDataArray*>{displacement, velocity, acceleration, deformation,
                                                                     force, opening, in_contact, time_value})
       array->Modified();

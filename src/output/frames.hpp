@@ -18,7 +18,7 @@ struct FrameData {
   std::span<const double> deformation;                 ///< m; of a gap its opening, negative while indented
   std::span<const double> force;                       ///< N
   std::span<const double> in_contact;                  ///< 1 in contact, 0 not
-  double ground_acceleration = 0.0;                    ///< m/s^2, what points fixed to the ground show
+  double ground_acceleration = 0.0;                    ///< m/s^2, of points fixed to the ground
 };
 
 /// Writes frames/frame_000000.vtu ... and frames.pvd, which lists them by time, into a results folder.

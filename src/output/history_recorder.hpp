@@ -13,9 +13,9 @@ namespace moat {
 
 /// Keeps time, ground acceleration, every channel and the opening of every gap (negative while indented) at the
 /// multiples of a constant interval, from the first at or after the start on. A row that falls inside a step is
-/// interpolated: channels by the cubic through value and rate at both ends (forces of laws that bend by the law
-/// itself), everything else linearly. With a ledger the energies too, at place "structure", then the quantities that
-/// recorders offer. At an event a row has the values before it.
+/// interpolated: channels by the cubic through value and rate at both ends (forces of laws that are not linear by the
+/// law itself), everything else linearly. With a ledger the energies too, at place "structure", then the quantities
+/// that recorders offer. At an event a row has the values before it.
 class HistoryRecorder final : public StepObserver {
  public:
   /// interval: s, > 0. ledger: must outlive the recorder and be attached before it; may be null. inside_steps: rows may

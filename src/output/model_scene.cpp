@@ -31,7 +31,7 @@ class SceneBuilder {
     int node;
   };
 
-  // The ground has no place of its own: it is drawn below, or beside, what stands on it.
+  // The ground has no position of its own: it is drawn below, or beside, the node on it.
   Place place(NodeId id, NodeId other) const {
     const Node& node = model_.node(id == ground ? other : id);
     return {node.x.si(), id == ground ? node.height.si() - bearing_height : node.height.si(), node.half_width.si(),

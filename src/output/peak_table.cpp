@@ -17,7 +17,7 @@ std::string padding(std::size_t width, const std::string& text) {
   return std::string(width - std::min(width, letters(text)), ' ');
 }
 
-// The sign says left or right; only the element among several is worth a word.
+// The sign gives left or right; only an element among several is named.
 std::string remark(const PeakRow& row) {
   return row.side.empty() || row.side == "left" || row.side == "right" ? "" : "   " + row.side;
 }

@@ -14,8 +14,8 @@ namespace moat {
 /// Times are in s, rates per second.
 class PeakTracker {
  public:
-  /// `inside(fraction, value)` is asked for the value that counts at a fraction of the last step, where the cubic turns
-  /// with the given value.
+  /// `inside(fraction, value)` returns the value of the quantity at a fraction of the last step where the cubic has an
+  /// extremum with the given value.
   template <class Inside>
   void add(double time, double value, double rate, const Inside& inside) {
     keep(time, value);
@@ -33,8 +33,8 @@ class PeakTracker {
     remember({time, value, rate});
   }
 
-  /// The quantity bends at a time inside the last step: its value there counts too. It is extrapolated from both ends
-  /// with the curvature of the step before, the nearer end with the larger weight.
+  /// The rate of the quantity jumps at a time inside the last step, and the value there may be a peak. It is
+  /// extrapolated from both ends with the curvature of the step before; the nearer end has the larger weight.
   void add_bend(double time) {
     const double from_start = time - start_.time, to_end = last_.time - time, step = last_.time - start_.time;
     if (from_start <= 0.0 || to_end <= 0.0) return;

@@ -28,7 +28,7 @@ class StepObserver {
  public:
   virtual ~StepObserver() = default;
 
-  /// Whether the elements' energy accounts must be kept (ElementBlock::energy); steps cost less without.
+  /// Whether the elements' energy accounts must be kept (ElementBlock::energy); steps cost less without them.
   [[nodiscard]] virtual bool needs_energy_accounts() const { return false; }
 
   /// The state at the start, before the first step.

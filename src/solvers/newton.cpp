@@ -15,11 +15,12 @@
 namespace moat {
 namespace {
 
-// NOX's view of a Vector. NOX asks for more operations than its line-search solver uses; all are there.
+// A Vector with NOX's interface. NOX's line-search solver needs only some of its operations; all are implemented.
 class NoxVector final : public NOX::Abstract::Vector {
  public:
   explicit NoxVector(int size) : values{moat::Vector::Zero(size)} {}
-  // The one that copies is NOX's virtual assignment; the implicit one would call NOX's, which does not exist.
+  // Copies are made by NOX's virtual assignment below. The implicit one would call that of NOX's class, which does not
+  // exist.
   NoxVector& operator=(const NoxVector&) = delete;
 
   moat::Vector values;
@@ -136,7 +137,7 @@ class NoxGroup final : public NOX::Abstract::Group {
   bool has_residual_ = false;
 };
 
-// Asks the system itself for the Newton direction: NOX's own looks up parameters by name at every iteration.
+// The system computes the Newton direction itself: NOX's own class looks up parameters by name at every iteration.
 class NewtonDirection final : public NOX::Direction::Generic {
  public:
   bool reset(const Teuchos::RCP<NOX::GlobalData>&, Teuchos::ParameterList&) override { return true; }
@@ -155,13 +156,14 @@ class NewtonDirectionFactory final : public NOX::Direction::UserDefinedFactory {
   }
 };
 
-// Converged when every residual is small against the forces of its own row; failed when one is not a number or the
-// iterations are used up.
+// Converged when every residual is small relative to the scale of its own row, or is round-off. Failed when a residual
+// is not a number, or after the largest number of iterations.
 class ForceBalanceTest final : public NOX::StatusTest::Generic {
  public:
   explicit ForceBalanceTest(NewtonOptions options) : options_{options} {}
 
-  // What counts as round-off is estimated with the tangent of the iterate before, which may have been far off.
+  // Limit for residuals that pass as round-off. The estimate of round-off uses the tangent of the previous iterate,
+  // which may be far from the solution.
   static constexpr double loosest_by_round_off = 1e-6;
 
   NewtonReport report;
@@ -174,7 +176,7 @@ class ForceBalanceTest final : public NOX::StatusTest::Generic {
     const double sum = residual.cwiseAbs().sum();
     report.residual =
         (residual.array().abs() / iterate.system().residual_scales().array()).maxCoeff(&report.worst_degree_of_freedom);
-    // The sum, because comparisons do not notice a NaN.
+    // The sum is NaN if any residual is; maxCoeff() compares, and a comparison with NaN is false.
     if (!iterate.isF() || !std::isfinite(sum)) {
       report_no_number(residual);
       status_ = NOX::StatusTest::Failed;
@@ -187,7 +189,7 @@ class ForceBalanceTest final : public NOX::StatusTest::Generic {
     }
     return status_;
   }
-  // Whether rows beyond the tolerance are there by round-off only.
+  // Whether every residual beyond the tolerance is within the round-off of its row.
   [[nodiscard]] bool is_round_off(const NoxGroup& iterate) const {
     const moat::Vector &residual = iterate.residual(), &scales = iterate.system().residual_scales();
     for (int i = 0; i < static_cast<int>(residual.size()); ++i)
@@ -215,7 +217,7 @@ class ForceBalanceTest final : public NOX::StatusTest::Generic {
 Teuchos::RCP<Teuchos::ParameterList> solver_parameters() {
   auto list = Teuchos::rcp(new Teuchos::ParameterList);
   list->set("Nonlinear Solver", "Line Search Based");
-  // NOX prints failures whatever its "Output Information" is; to us they are results. Both settings are needed:
+  // NOX prints failures for every value of "Output Information"; here a failure is a result. Both settings are needed:
   // formatting the progress of every iteration into a stream that drops it takes more time than the iteration.
   list->sublist("Printing").set("Output Information", static_cast<int>(NOX::Utils::Error));
   list->sublist("Printing")
@@ -266,13 +268,14 @@ NewtonReport NewtonSolver::solve(Vector& x) {
     while (nox.solver->step() == NOX::StatusTest::Unconverged) {
     }
   } catch (const char* nox_error) {
-    // NOX throws texts where a residual or direction could not be computed: to us a step that did not converge.
+    // NOX throws a text where a residual or direction could not be computed. The result is a step that did not
+    // converge.
     static_cast<void>(nox_error);
     nox.test->report.converged = false;
   }
   const auto& last = static_cast<const NoxGroup&>(nox.solver->getSolutionGroup());
   x = last.x();
-  // NOX asks no status test about an iterate without residual.
+  // NOX does not call the status test for an iterate without residual.
   if (!last.isF()) nox.test->report_no_number(last.residual());
   return nox.test->report;
 }

@@ -20,8 +20,8 @@ class NonlinearSystem {
   /// The sizes > 0 that the residuals are judged against, row by row, of the x last given to compute_residual().
   [[nodiscard]] virtual const Vector& residual_scales() const = 0;
 
-  /// A residual of this row up to this, in its unit, is round-off of the x last given to compute_residual(). Asked
-  /// after the first compute_direction() of a solve only.
+  /// A residual of this row up to this, in its unit, is round-off of the x last given to compute_residual(). Called
+  /// only after the first compute_direction() of a solve.
   [[nodiscard]] virtual double round_off(int /*row*/) const { return 0.0; }
 
   /// direction := -(dr/dx)^-1 residual at the x last given to compute_residual(). False if the tangent is singular.

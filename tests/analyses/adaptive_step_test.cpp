@@ -34,7 +34,7 @@ class AdaptiveStep : public ::testing::TestWithParam<const char*> {
   std::unique_ptr<GroundMotion> motion_;
 };
 
-// Half a thousandth is what moat claims; these are ten times better.
+// moat claims half a thousandth; these are ten times better.
 constexpr double claimed = 5e-4;
 
 TEST_P(AdaptiveStep, EveryLawIsWithinTheClaimWithDefaults) {

@@ -1,4 +1,4 @@
-// Memory that steps ask for.
+// Allocations in steps.
 
 #include <gtest/gtest.h>
 
@@ -40,7 +40,7 @@ TEST_P(Allocation, NoStepAsksForMemoryOnceEverythingHasHappened) {
     last_that_asks = steps;
     events_before = analysis.statistics().events;
   }
-  // The first steps, the first factors and the first change of every kind may ask.
+  // The first steps, the first factors and the first change of every kind may allocate.
   EXPECT_LE(steps_that_ask, 6);
   EXPECT_LT(last_that_asks, steps / 2);
   EXPECT_GE(analysis.statistics().events, events_before + 4) << "touches and separations came after the last request";

@@ -50,7 +50,7 @@ double peak(const CaseResult& result, const std::string& quantity) {
   return 0.0;
 }
 
-// What the law can carry at any deformation up to the largest: k2 u + (k1 - k2) d_y.
+// The capacity of the law at any deformation up to the largest: k2 u + (k1 - k2) d_y.
 double capacity(const Bearing& bearing, const CaseResult& result) {
   return bearing.post_yield_stiffness * (peak(result, "isolator_deformation") - yield_displacement) + yield_force;
 }

@@ -49,7 +49,7 @@ TEST(BilinearLoop, AreaOfSlowCyclesIsTheClosedForm) {
   Transient analysis{model, motion, {.step = 25 * ms}};
   analysis.attach(watch);
   analysis.run();
-  // What is left of inertia and free vibration is below 1 %.
+  // Inertia and free vibration change the force by less than 1 %.
   EXPECT_NEAR(largest, amplitude, 0.01 * amplitude);
   const double expected = 4.0 * sliding * yield_displacement * (amplitude - yield_displacement);
   EXPECT_NEAR(area, expected, 0.01 * expected);

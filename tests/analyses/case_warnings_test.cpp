@@ -1,4 +1,4 @@
-// Energies that are not numbers and equations that do not balance are told of, with advice that can be followed.
+// Warnings about energies that are not numbers and equations that do not balance, with useful advice.
 
 #include "analyses/case_warnings.hpp"
 

@@ -269,7 +269,7 @@ TEST(ContactEvents, AGrazingTouchDoesNotStall) {
 }
 
 TEST(ContactEvents, ABodyPressedAgainstItsWallComesToRestThere) {
-  // Dashpot and damped contact take its energy; what remains is k d^1.5 = m a.
+  // Dashpot and damped contact dissipate its energy; the equilibrium is k d^1.5 = m a.
   const double pull = -3.0, mass = 550e3;
   Model model;
   const NodeId body = add(model, Node{.name = "body", .mass = mass * kg});
@@ -333,7 +333,7 @@ TEST(ContactEvents, ABodyThatStartsBeyondItsWallTouchesAtOnce) {
 
 TEST(ContactEvents, ADampedContactThatStartsClosedAtRestIsTheWayBackOfAnImpact) {
   // v0 is the speed at which an elastic impact reaches the depth. With w = -d'/v0, m d'' = -k d^1.5 (1 + z d'/v0) from
-  // rest integrates to -w/z - ln(1 - z w)/z^2 = 1/2 at the end, whatever k, m and depth.
+  // rest integrates to -w/z - ln(1 - z w)/z^2 = 1/2 at the end, for any k, m and depth.
   const double mass = 1000.0, stiffness = 1e9;
   for (const double restitution : {0.3, 0.5, 0.9})
     for (const double depth : {1e-4, 1e-3, 1e-2}) {

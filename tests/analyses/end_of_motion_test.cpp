@@ -18,7 +18,7 @@ using namespace testing;
 constexpr double mass = 1e5, frequency = std::numbers::pi;  // T = 2 s
 constexpr double ground_acceleration = 3.0, pushed = 0.2;   // m/s^2, s
 
-// While the ground accelerates u = -(a/w^2) (1 - cos wt); what it has then goes on with the amplitude
+// While the ground accelerates u = -(a/w^2) (1 - cos wt); the free vibration then has the amplitude
 // 2 (a/w^2) sin(w t/2), first reached a quarter of a period or less later.
 const double amplitude = 2.0 * ground_acceleration / (frequency * frequency) * std::sin(0.5 * frequency * pushed);
 

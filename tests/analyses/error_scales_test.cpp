@@ -1,4 +1,4 @@
-// What one body suffers does not change how accurately another is computed, nor what comes after an impact.
+// An impact of one body does not change the accuracy of another body, nor of the motion after the impact.
 
 #include "analyses/acceleration_scales.hpp"
 
@@ -49,7 +49,8 @@ Case drawn(std::uint64_t seed) {
   return {building, GroundMotion{"drawn", interval, random_motion(draws).samples}};
 }
 
-// An oscillator of this mass that pounds walls on both sides; stiff walls, so that a lighter one suffers more.
+// An oscillator of this mass that pounds walls on both sides; stiff walls, so that a lighter one has larger
+// accelerations.
 void add_body(Model& model, double mass) {
   const NodeId body = add(model, Node{.name = "body", .mass = mass * kg});
   const double frequency = 2.0 * std::numbers::pi / 0.5;

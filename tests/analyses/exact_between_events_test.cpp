@@ -153,7 +153,7 @@ TEST(ExactBetweenEvents, AnElastoplasticMassStopsWhereItsEnergyIsSpent) {
   const double yield_speed = std::sqrt(speed * speed - std::pow(w * yield_displacement, 2));
   const double deceleration = yield_force / body;
   const double largest = yield_displacement + yield_speed * yield_speed / (2.0 * deceleration);
-  // Yield is noticed 1e-9 beyond the yield displacement. Then it unloads and vibrates about what it slid.
+  // Yield is noticed 1e-9 beyond the yield displacement. Then it unloads and vibrates about its slip.
   ASSERT_EQ(events.size(), 2u);
   EXPECT_NEAR(events[0].time, yield_time, 1e-10);
   EXPECT_NEAR(events[0].displacement[0], yield_displacement, 2e-11);

@@ -19,7 +19,7 @@ namespace {
 using namespace units;
 using testing::still_ground;
 
-// A linear spring whose force is, beyond a deformation, what `beyond` says.
+// A linear spring whose force has, above a deformation, the value `beyond`.
 struct Brittle {
   double stiffness = 1e6;
   double largest_deformation = 0.05;

@@ -77,7 +77,7 @@ GroundMotion ramped(double duration, double interval) {
   return {"ramp", interval, samples};
 }
 
-// Largest errors over all steps, and what the steps were.
+// Largest errors over all steps, and the lengths of the steps.
 struct Errors {
   double u = 0.0, v = 0.0, a = 0.0;
   long steps = 0;
@@ -127,7 +127,7 @@ TEST(FourthOrder, ConvergesInDisplacementVelocityAndAcceleration) {
 
 TEST(FourthOrder, AdaptedStepsKeepIt) {
   // The error of acceleration in a step is of third order in its length: a tolerance eight times smaller halves the
-  // steps, though not all of them at once, and what they add up to falls by sixteen.
+  // steps, though not all of them at once, and their sum falls by sixteen.
   const auto run = [](double tolerance) {
     const Errors of = errors(0.1, {.tolerance = tolerance, .force_tolerance = 1e-13});
     EXPECT_LT(of.shortest, 0.6 * of.longest) << "steps change";
@@ -158,7 +158,7 @@ double largest_displacement(double phase, int steps) {
   return largest;
 }
 
-// Without damping the scheme conserves an energy up to h w = sqrt(6) = 2.449: amplitudes stay what they were, but for
+// Without damping the scheme conserves an energy up to h w = sqrt(6) = 2.449: amplitudes stay constant, but for
 // round-off, and grow beyond it.
 TEST(FourthOrder, IsStableUpToItsBound) {
   EXPECT_NEAR(StepScheme::fourth_order().stability_limit(), std::sqrt(6.0), 1e-12);

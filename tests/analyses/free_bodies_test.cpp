@@ -1,4 +1,4 @@
-// Bodies without springs: few steps in flight, and only what chatters is called so.
+// Bodies without springs: few steps in flight, and no false report of chatter.
 
 #include <gtest/gtest.h>
 

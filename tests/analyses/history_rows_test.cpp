@@ -1,4 +1,4 @@
-// Histories have their rows where they were asked for, whatever the steps were.
+// Histories have their rows at the multiples of the interval for any steps.
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-// Free impacts of two bodies through the whole analysis: what is delivered is what the law promises.
+// Free impacts of two bodies through the whole analysis: the computed restitution is that of the law.
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-// Changes of regime inside steps give what located ones do.
+// Changes of regime inside steps give the same results as located ones.
 
 #include <gtest/gtest.h>
 

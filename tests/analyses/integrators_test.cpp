@@ -35,8 +35,8 @@ Model released_oscillator(double frequency = 2.0 * pi) {
   return model;
 }
 
-// What one step of an undamped oscillator makes of (u, h v, h^2 a), for angular frequency times step `wh`: the numbers
-// of the integrator, put into the equations of step_scheme.hpp by hand.
+// The amplification matrix of one step of an undamped oscillator for (u, h v, h^2 a), for angular frequency times step
+// `wh`: the numbers of the integrator, put into the equations of step_scheme.hpp by hand.
 Eigen::Matrix3d amplification(const Integrator& integrator, double wh) {
   const StepScheme scheme = scheme_of(integrator).value();
   const double w2 = wh * wh;

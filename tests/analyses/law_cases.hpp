@@ -1,4 +1,4 @@
-// Every impact law in the moat of the paper's building, and the peaks that tell whether an impact was resolved.
+// Every impact law in the moat of the paper's building, and the peaks that show whether an impact was resolved.
 #pragma once
 
 #include <algorithm>

@@ -22,8 +22,8 @@ constexpr std::uint64_t first_seed = 1, models = 12;
 
 // The reference's own change with half its steps; its error is about a thirtieth of that.
 constexpr double settled = 1e-6;
-// Of the worst peak of a model. What moat promises of default settings for nine models of ten, and of exact steps for
-// 99 of a hundred; of half of the models by default.
+// Of the worst peak of a model. The promised accuracy of default settings for nine models of ten, and of exact steps
+// for 99 of a hundred; of half of the models by default.
 constexpr double bound_with_default_settings = 1e-3, bound_of_exact_steps = 5e-4;
 constexpr double median_bound_with_default_settings = 2e-4;
 // Tight settings have no promise; errors are those of location and of the corners of bearings that are not located.

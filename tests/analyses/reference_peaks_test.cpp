@@ -21,7 +21,7 @@ namespace {
 using namespace units;
 using namespace testing;
 
-// What a step of 1.25 ms must reach; moat's default must stay within 1 %.
+// The accuracy required of a step of 1.25 ms; moat's default must stay within 1 %.
 struct Precision {
   Time step;
   double tolerance;

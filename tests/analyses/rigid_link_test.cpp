@@ -1,4 +1,4 @@
-// Links so stiff that round-off is felt are told of, others are not.
+// There is a warning for links so stiff that round-off changes accelerations, and none for others.
 
 #include <gtest/gtest.h>
 

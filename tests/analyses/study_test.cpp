@@ -1,4 +1,4 @@
-// Parameter studies: which cases there are, in which order, and what happens to those that fail.
+// Parameter studies: the cases, their order, and cases that fail.
 
 #include "analyses/study.hpp"
 

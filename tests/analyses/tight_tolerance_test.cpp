@@ -1,4 +1,4 @@
-// Tolerances at and beyond what numbers can give.
+// Tolerances at and below round-off.
 
 #include <gtest/gtest.h>
 
@@ -39,8 +39,8 @@ TEST(TightTolerance, TightWithBearingsThatAreNotLocatedEnds) {
   const CaseResult result = run_case(model, GroundMotion{"sine", 0.01, samples},
                                      {.transient = {.tolerance = 1e-7}, .error_bars = ErrorBarMode::never});
   EXPECT_EQ(result.histories.rows(), samples.size());
-  // An error of acceleration of (w h)^3/72 = 1e-7 in the fastest vibration, w^2 < 4 k/m, asks for 15,000 steps of 0.27
-  // ms. Corners must not cost more than that again.
+  // An error of acceleration of (w h)^3/72 = 1e-7 in the fastest vibration, w^2 < 4 k/m, needs 15,000 steps of 0.27 ms.
+  // Corners must not cost more than that again.
   EXPECT_LT(result.solver.accepted_steps, 30000);
 }
 

@@ -43,8 +43,9 @@ double error(double mass_ratio, const TransientOptions& options) {
 }
 
 TEST(UncoupledMasses, TheLightBodyIsAsAccurateAsAlone) {
-  // The error of the period, a fraction of the tolerance, does not reach a peak that is an amplitude; what is left is
-  // far below the tolerance. At the force tolerance of the whole model the light body would be off by 1e-8 mass_ratio.
+  // The error of the period, a fraction of the tolerance, does not reach a peak that is an amplitude; the remaining
+  // error is far below the tolerance. At the force tolerance of the whole model the light body would be off by 1e-8
+  // mass_ratio.
   for (const double mass_ratio : {1.0, 1e4, 1e6, 1e8, 1e9, 1e10}) {
     SCOPED_TRACE(mass_ratio);
     EXPECT_LT(std::abs(error(mass_ratio, {})), TransientOptions{}.tolerance);

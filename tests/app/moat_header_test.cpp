@@ -1,4 +1,4 @@
-// moat.hpp alone gives a script what the documentation of its parts names.
+// moat.hpp alone declares all functions that the documentation names.
 
 #include <moat.hpp>
 

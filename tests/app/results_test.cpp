@@ -1,4 +1,4 @@
-// What a run says on the terminal.
+// The lines of a run on the terminal.
 
 #include "app/results.hpp"
 

@@ -1,4 +1,4 @@
-// The command line of a script: what it takes, and what it refuses with which exit code.
+// The command line of a script: accepted options, refused options, and exit codes.
 
 #include <gtest/gtest.h>
 
@@ -22,7 +22,7 @@ class ScriptOptions : public testing::InTemporaryFolder {
     arguments.insert(arguments.end(), {"--frame-interval", "0 s"});
     return testing::run_program(OPTION_SCRIPT, std::move(arguments), folder);
   }
-  // What the script printed of one of its options.
+  // The value that the script printed for one of its options.
   std::string value(const std::string& name, std::vector<std::string> arguments) {
     const ProgramResult result = run(std::move(arguments));
     EXPECT_EQ(result.exit_code, 0) << result.errors;

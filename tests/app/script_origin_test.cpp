@@ -1,4 +1,4 @@
-// What a results folder says about its own origin.
+// The record of the origin in a results folder.
 
 #include <gtest/gtest.h>
 

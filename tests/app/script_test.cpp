@@ -1,4 +1,4 @@
-// What a script leaves behind: results folder, progress, exit codes.
+// The outputs of a script: results folder, progress, exit codes.
 
 #include <gtest/gtest.h>
 
@@ -303,7 +303,7 @@ TEST_F(ScriptRun, AStepThatDoesNotConvergeExitsWithThreeAndKeepsResults) {
   EXPECT_EQ(result.exit_code, 3);
   EXPECT_NE(result.errors.find("moat: error: The step from t = "), std::string::npos) << result.errors;
   EXPECT_NE(result.errors.find("worst at \"body\""), std::string::npos) << result.errors;
-  // What was computed is there: the body moves at 10 cm/s and breaks at 5 cm.
+  // The results up to the failure are there: the body moves at 10 cm/s and breaks at 5 cm.
   const json summary = json::parse(text_of(folder / "out/summary.json"));
   EXPECT_NEAR(summary.at("peaks").at(0).at("value").get<double>(), 0.05, 1e-3);
   // And it says that it is not the whole run.

@@ -16,7 +16,7 @@ namespace fs = std::filesystem;
 
 const std::vector<std::string> roots{"src", "materials", "elements", "structures", "analyses"};
 
-/// What a folder may include besides itself. src/app and src/moat.hpp ("the top") may include everything.
+/// The folders that a folder may include besides itself. src/app and src/moat.hpp ("the top") may include everything.
 const std::map<std::string, std::set<std::string>> allowed{
     {"src/base", {}},
     {"src/launcher", {"src/base"}},

@@ -16,7 +16,7 @@ using namespace units;
 static_assert(!std::is_default_constructible_v<Required<Mass>>);
 static_assert(!std::is_default_constructible_v<Required<double>>);
 static_assert(std::is_copy_constructible_v<Required<Mass>>);
-// What does not become a Mass does not become a Required<Mass>.
+// A value that does not convert to Mass does not convert to Required<Mass>.
 static_assert(!std::is_convertible_v<Stiffness, Required<Mass>>);
 static_assert(!std::is_convertible_v<double, Required<Mass>>);
 static_assert(std::is_convertible_v<Mass, Required<Mass>>);

@@ -1,4 +1,4 @@
-// What the scripts of the benchmark write, and how it is counted.
+// The output of the scripts of the benchmark, and its counts.
 
 #include "paper/exhibit.hpp"
 

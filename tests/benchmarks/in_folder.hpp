@@ -1,4 +1,4 @@
-// A folder for what a test writes.
+// A folder for the files of a test.
 #pragma once
 
 #include <gtest/gtest.h>

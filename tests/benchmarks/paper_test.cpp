@@ -1,4 +1,4 @@
-// The benchmark as it is run: what it asserts holds, and its page opens in a browser.
+// The benchmark as it is run: its assertions hold, and its page opens in a browser.
 
 #include <gtest/gtest.h>
 #include <sys/wait.h>
@@ -86,7 +86,7 @@ TEST_F(Paper, PageOpensInABrowserWithEveryFigure) {
       0)
       << text_of("err.txt");
 
-  // The browser complains about its own surroundings too; only what the page says to the console counts.
+  // The browser complains about its own surroundings too; only messages of the page on the console count.
   EXPECT_EQ(text_of("err.txt").find(":CONSOLE"), std::string::npos) << text_of("err.txt");
   const std::string seen = text_of("out.txt");
   EXPECT_NE(seen.find("images 0 broken"), std::string::npos);

@@ -1,4 +1,4 @@
-// What statements about curves are decided by.
+// The numbers that decide statements about curves.
 
 #include "paper/sweep.hpp"
 
@@ -33,7 +33,7 @@ TEST(Curves, FindTheirEnds) {
   EXPECT_EQ(position_of_maximum({3, 1, 2}), 0u);
 }
 
-/// The stated 2.5 s of the paper's building needs 1.93e7 N/m, ten times what is printed.
+/// The stated 2.5 s of the paper's building needs 1.93e7 N/m, ten times the printed value.
 TEST(PaperBuilding, HasTheStatedIsolationPeriod) {
   EXPECT_NEAR(stiffness_for_period(2.5 * s, 5).si(), 1.93e7, 0.005e7);
   EXPECT_NEAR(isolator_damping(0.05, 2.5 * s, 5).si(), 7.67e5, 0.005e5);

@@ -1,4 +1,4 @@
-// N/m is given where N/m^1.5, the unit of a Hertz contact, is asked for.
+// N/m is given in the place of N/m^1.5, the unit of a Hertz contact.
 #include "base/units.hpp"
 
 using namespace moat;

@@ -1,4 +1,4 @@
-// A number without a unit is given where a length is asked for.
+// A number without a unit is given in the place of a length.
 #include "base/units.hpp"
 
 using namespace moat;

@@ -1,4 +1,4 @@
-// A stiffness is given where a mass is asked for.
+// A stiffness is given in the place of a mass.
 #include "base/units.hpp"
 
 using namespace moat;

@@ -14,7 +14,7 @@ namespace {
 
 constexpr double mass = 1e5, approach_speed = 0.5;
 
-// What a free impact delivers for e = 0.80, 0.65, 0.40.
+// The restitution of a free impact for e = 0.80, 0.65, 0.40.
 template <class Law>
 std::string delivered(bool may_pull) {
   if constexpr (

@@ -36,7 +36,7 @@ struct TwoNodes {
   }
 };
 
-/// The sum over nodes and ground is zero: what one end gets, the other gives.
+/// The sum over nodes and ground is zero: the forces on the two ends are opposite.
 inline void expect_action_is_reaction(const TwoNodes& nodes) {
   const Eigen::Vector3d force = nodes.forces();
   EXPECT_NEAR(force.sum(), 0.0, 1e-12 * force.cwiseAbs().maxCoeff());

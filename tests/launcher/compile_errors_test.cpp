@@ -12,7 +12,7 @@ namespace {
 
 class CompileErrors : public moat::testing::InTemporaryFolder {
  protected:
-  // What the user reads about a script with this text in main(), which begins at line 4.
+  // The message to the user about a script with this text in main(), which begins at line 4.
   std::string explained_for(const std::string& text) const {
     const std::filesystem::path script = folder / "tower.cpp", log = folder / "log";
     write_text(script, "#include <moat.hpp>\nusing namespace moat;\nusing namespace moat::units;\n" + text + "\n");

@@ -64,7 +64,7 @@ TEST(BilinearSpring, PassesTheBattery) {
     const LawRange range{.deformation = 0.1, .rate = 0.5, .deformation_corners = {slip - yield, slip + yield}};
     expect_exact_tangents(bearing, committed, range);
     expect_pure(bearing, committed, range);
-    // Beyond the yield surface of the committed state lies only what slides on.
+    // Beyond the yield surface of the committed state a spring always slides.
     expect_energy_identity(bearing, committed, range,
                            [&](double d, double v) { return std::abs(d - slip) < yield || (d - slip) * v > 0.0; });
     expect_passive(bearing, range, 1e-5);
@@ -129,7 +129,7 @@ TEST(LocatedBilinearSpring, PassesTheBattery) {
       const LawRange range{.deformation = 0.1, .rate = 0.5};
       expect_exact_tangents(law, committed, range);
       expect_pure(law, committed, range);
-      // What slides goes on in its direction until its regime ends.
+      // A sliding spring keeps its direction until its regime ends.
       expect_energy_identity(law, committed, range,
                              [&](double, double v) { return direction == 0 || direction * v > 0.0; });
     }

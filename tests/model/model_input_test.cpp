@@ -1,4 +1,4 @@
-// What a model accepts, and what it tells those who give it something else.
+// The input that a model accepts, and its messages for wrong input.
 
 #include <gtest/gtest.h>
 

@@ -52,7 +52,7 @@ GroundMotion shaking() {
 
 const TransientOptions fixed_step{.step = 5 * ms};
 
-// Everything that later steps depend on: motion, and the elements' answer to one and the same trial motion.
+// All data that later steps depend on: the motion, and the forces of the elements at one and the same trial motion.
 struct Fingerprint {
   double time;
   Vector displacement, velocity, acceleration, forces;
@@ -149,7 +149,7 @@ TEST(ModelState, CopiesEvolveIndependently) {
   EXPECT_EQ(fingerprint(made.model), before);
   EXPECT_NE(fingerprint(copy), before);
 
-  // Assignment replaces everything; a copy outlives what it was made from.
+  // Assignment replaces everything; a copy outlives its original.
   Model assigned;
   {
     const Model temporary = made.model;

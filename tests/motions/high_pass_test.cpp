@@ -23,7 +23,7 @@ using namespace units;
 constexpr double time_step = 0.005;
 constexpr double corner = 2.0;
 
-/// The filter's answer to one sample of 1 at `at`, long enough to have died away.
+/// The filter's impulse response to one sample of 1 at `at`, until it has decayed.
 std::vector<double> impulse_response(int order, std::size_t at = 0) {
   std::vector<double> samples(8000, 0.0);
   samples[at] = 1.0;

@@ -38,7 +38,7 @@ class MotionFiles : public testing::Test {
   std::filesystem::path folder_;
 };
 
-/// What an action throws as Exception; another exception passes through and fails the test.
+/// The message of the Exception that an action throws; another exception passes through and fails the test.
 template <class Exception, class Action>
 std::string message_of(Action action) {
   try {

@@ -48,7 +48,7 @@ TEST(ResponseSpectrum, TakesAListOfPeriods) {
   EXPECT_EQ(spectrum.displacement[1], single(step, 1.0, 0.05).displacement[0]);
 }
 
-// Under a ramp r t, undamped: u = -r/w^2 (t - sin(w t)/w). What is in it at the end swings on for ever.
+// Under a ramp r t, undamped: u = -r/w^2 (t - sin(w t)/w). Its energy at the end stays in a free vibration.
 TEST(ResponseSpectrum, CountsTheFreeVibrationAfterARamp) {
   const double rate = 3.0;
   const double end = 0.4;

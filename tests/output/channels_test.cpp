@@ -55,7 +55,7 @@ TEST(Channels, SampleTheCommittedState) {
   std::vector<double> values, rates;
   // Base 12 cm to the right: 2 cm into the right wall, bearing yielded.
   channels.sample(building.move(1.0, 0.12, 0.15, 4.0, -2.0, 0.5), values, rates);
-  // What is tried afterwards does not count.
+  // Later trial states have no effect.
   building.model.trial().displacement.setConstant(9.0);
   const auto value = [&](const char* quantity, const char* where) {
     return values.at(static_cast<std::size_t>(channels.find(quantity, where)));

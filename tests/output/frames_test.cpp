@@ -123,7 +123,7 @@ TEST_F(Frames, CollectionIsCompleteAfterEveryFrame) {
   const Values values;
   FrameWriter writer{folder, small_scene()};
   for (int frame = 0; frame <= 12; ++frame) {
-    // Read while the writer is alive: what a run leaves that is killed now.
+    // Read while the writer exists: the same files remain if the run is killed now.
     const auto root = parse_xml(read_file(folder / "frames.pvd"));
     ASSERT_NE(root, nullptr) << frame;
     ASSERT_STREQ(root->GetName(), "VTKFile");

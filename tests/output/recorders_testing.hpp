@@ -1,4 +1,4 @@
-// A model moved by hand, to see what recorders make of it.
+// A model moved by hand, to test recorders.
 #pragma once
 
 #include <optional>

@@ -128,7 +128,7 @@ TEST_F(ResultsFolderTest, OverwritingDoesNotFollowLinks) {
 }
 
 TEST_F(ResultsFolderTest, OverwritingUnlinksTheNamesOfItsFiles) {
-  // What is written to a link lands elsewhere.
+  // A write to a link changes a file outside the folder.
   const fs::path x = folder / "x";
   put_summary(x);
   put(folder / "victim.txt");

@@ -236,7 +236,7 @@ TEST(NewtonSolver, FailuresAreReportedNotThrownAndNotPrinted) {
     EXPECT_EQ(::testing::internal::GetCapturedStdout(), "") << static_cast<int>(fault);
     EXPECT_EQ(::testing::internal::GetCapturedStderr(), "") << static_cast<int>(fault);
     EXPECT_FALSE(report.converged) << static_cast<int>(fault);
-    // A residual that cannot be told is not a small one.
+    // A residual that is not a number is not a small one.
     EXPECT_FALSE(report.residual <= 1e-10) << static_cast<int>(fault);
 
     // The solver is as good as new afterwards.

@@ -45,7 +45,7 @@ Vector forces_at(Model& model, const Vector& displacement, const Vector& velocit
 }
 
 struct Matrices {
-  Eigen::MatrixXd stiffness, damping;  // the last row is what reaches the ground
+  Eigen::MatrixXd stiffness, damping;  // the last row is the force on the ground
 };
 
 // By finite differences of the forces of the whole model around rest.
@@ -223,7 +223,7 @@ TEST(ShearBuilding, RefusesBadParameters) {
 }
 
 TEST(ShearBuilding, RefusesABearingThatIsTiedElsewhere) {
-  // The building sets both ends; what is given there would be ignored.
+  // The building sets both ends; given ends would be ignored.
   Model model;
   const NodeId other = add(model, Node{.name = "other", .mass = 1 * tonne});
   ShearBuilding building = isolated(1);

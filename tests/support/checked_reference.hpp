@@ -7,7 +7,7 @@
 
 namespace moat::testing {
 
-/// The reference with what it knows about its own error.
+/// The reference with the estimate of its own error.
 struct CheckedReference {
   ReferenceResult result;            ///< of the finer run
   std::vector<double> peak_changes;  ///< relative, from a run with twice the steps and 32 times the tolerance

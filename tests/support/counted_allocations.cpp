@@ -32,7 +32,7 @@ void operator delete[](void* memory, std::size_t) noexcept { std::free(memory); 
 
 #else
 
-// What the program defines takes the place of the C library's functions, in shared libraries too.
+// These definitions replace the functions of the C library, in shared libraries too.
 extern "C" {
 void* __libc_malloc(std::size_t size);
 void* __libc_calloc(std::size_t count, std::size_t size);

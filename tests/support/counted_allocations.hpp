@@ -1,4 +1,4 @@
-// How often this program has asked for memory.
+// The number of allocations of this program.
 #pragma once
 
 namespace moat::testing {

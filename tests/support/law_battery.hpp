@@ -1,4 +1,4 @@
-// What every force-deformation law must pass.
+// Tests that every force-deformation law must pass.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -95,7 +95,7 @@ void expect_exact_tangents(const Law& law, const typename Law::State& committed,
   }
 }
 
-/// The same arguments give the same bits, whatever stood in the trial state; the committed state is not written.
+/// The same arguments give the same bits for any contents of the trial state; the committed state is not written.
 template <ForceLaw Law>
 void expect_pure(const Law& law, const typename Law::State& committed, const LawRange& range) {
   using State = typename Law::State;
@@ -116,8 +116,8 @@ void expect_pure(const Law& law, const typename Law::State& committed, const Law
   }
 }
 
-/// d(stored)/dt + dissipation rate = F d', and the dissipation rate is not negative. `reachable` tells which
-/// arguments can follow from the committed state; of some states (an elastic contact that was released) none can.
+/// d(stored)/dt + dissipation rate = F d', and the dissipation rate is not negative. `reachable` selects the arguments
+/// that can follow from the committed state; of some states (an elastic contact that was released) none can.
 template <ForceLaw Law, class Reachable>
 void expect_energy_identity(const Law& law, const typename Law::State& committed, const LawRange& range,
                             Reachable reachable) {
@@ -230,7 +230,7 @@ CycleEnergy lead_along(const Law& law, typename Law::State& committed, const Clo
   return energy;
 }
 
-/// Over closed cycles a law gives back at most what it had stored, and what it takes is what it dissipates.
+/// Over closed cycles a law returns at most its stored energy, and the work on it equals its dissipation.
 template <ForceLaw Law>
 void expect_passive(const Law& law, const LawRange& range, double tolerance) {
   Arguments arguments{range};

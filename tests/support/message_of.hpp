@@ -1,4 +1,4 @@
-// The message of an exception, for tests of what bad input is told.
+// The message of an exception, for tests of bad input.
 #pragma once
 
 #include <string>
@@ -7,7 +7,7 @@
 
 namespace moat::testing {
 
-/// What the action throws as Exception, in words; another exception goes on to the test framework.
+/// The message of the Exception that the action throws; another exception goes on to the test framework.
 template <class Exception = InputError, class Action>
 std::string message_of(Action action) {
   try {

@@ -1,4 +1,4 @@
-// A pounding problem as plain numbers: what moat and the independent reference both read.
+// A pounding problem as plain numbers: the common input of moat and the independent reference.
 #pragma once
 
 #include <string>
@@ -73,7 +73,7 @@ enum class PlainDamping { throughout, may_pull, approach_only };
 struct PlainLaw {
   PlainLawKind kind = PlainLawKind::linear_elastic;
   double stiffness = 0.0;      ///< N/m or N/m^1.5
-  double restitution = 1.0;    ///< asked for; not used by elastic laws and kelvin_by_damping_ratio
+  double restitution = 1.0;    ///< intended; not used by elastic laws and kelvin_by_damping_ratio
   double damping_ratio = 0.0;  ///< of kelvin_by_damping_ratio
   PlainDamping acts = PlainDamping::throughout;
 };

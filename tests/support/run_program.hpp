@@ -1,4 +1,4 @@
-// Runs a program as a user does, and keeps what it says.
+// Runs a program as a user does, and keeps its output.
 #pragma once
 
 #include <fcntl.h>
