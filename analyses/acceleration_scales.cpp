@@ -13,7 +13,7 @@ constexpr double seconds_to_fade = 1.0;  // by a factor e
 constexpr double share_of_building = 0.25;
 // For nodes in contact, whose acceleration rises like t^1.5 or faster. There steps_per_contact controls the step, and
 // the error of acceleration counts less.
-constexpr double lenience_in_contact = 2.0;
+constexpr double lenience_in_contact = 16.0;
 
 }  // namespace
 

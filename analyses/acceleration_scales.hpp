@@ -14,7 +14,7 @@ namespace moat {
 ///
 /// A building here is a set of nodes that elements other than gaps connect: a light body that pounds elsewhere does not
 /// loosen the tolerance of a building. While a building is in contact, accelerations of the impact enter the scales of
-/// its nodes, and the nodes of a closed gap (ElementInfo::first and second) have at least twice the expected
+/// its nodes, and the nodes of a closed gap (ElementInfo::first and second) have at least sixteen times the expected
 /// acceleration of the impact. When the last contact of the building ends, its scales return to those without contact,
 /// because an impact is no measure of the motion that follows.
 class AccelerationScales {
