@@ -75,11 +75,12 @@ TEST(ModelWarnings, NameAGapWhoseSidesAreExchanged) {
                           .law = {.stiffness = 1000 * N / m_3_2}});
     const std::vector<std::string> warnings = model_warnings(model);
     ASSERT_EQ(warnings.size(), exchanged ? 1u : 0u);
-    if (exchanged)
+    if (exchanged) {
       EXPECT_EQ(
           warnings[0],
           "Gap \"between\": its left side \"east\" has x = 4 m and its right side \"west\" x = -3 m. Exchange .left "
           "and .right, or correct the positions.");
+    }
   }
 }
 

@@ -29,7 +29,7 @@ void join(Model& model, NodeId lower, NodeId upper) {
 
 TEST(Building, RefusesNodesThatDoNotFit) {
   Model model;
-  const NodeId node = add_floor(model, "base");
+  add_floor(model, "base");
   EXPECT_EQ(message_of([&] { add(model, Building{.name = "house"}); }),
             "Building \"house\": no floors are given. Give .base and .floors, from the lowest up.");
 }
