@@ -38,13 +38,13 @@ namespace {
 class PaperWindow : public vtkWindow {
  public:
   static PaperWindow* New() { VTK_STANDARD_NEW_BODY(PaperWindow); }
-  vtkTypeMacro(PaperWindow, vtkWindow);
+  vtkTypeMacro(PaperWindow, vtkWindow)
 };
 
 class Paper : public vtkViewport {
  public:
   static Paper* New() { VTK_STANDARD_NEW_BODY(Paper); }
-  vtkTypeMacro(Paper, vtkViewport);
+  vtkTypeMacro(Paper, vtkViewport)
 
   void resize(int width, int height) {
     window_->SetSize(width, height);
@@ -65,7 +65,7 @@ class Paper : public vtkViewport {
 class PixelSvgDevice : public vtkSVGContextDevice2D {
  public:
   static PixelSvgDevice* New() { VTK_STANDARD_NEW_BODY(PixelSvgDevice); }
-  vtkTypeMacro(PixelSvgDevice, vtkSVGContextDevice2D);
+  vtkTypeMacro(PixelSvgDevice, vtkSVGContextDevice2D)
 
   void SetMatrix(vtkMatrix3x3* matrix) override { matrix_->DeepCopy(matrix); }
   void GetMatrix(vtkMatrix3x3* matrix) override { matrix->DeepCopy(matrix_); }
