@@ -76,10 +76,9 @@ CaseRun::CaseRun(Model& model, const GroundMotion& motion, CaseOptions options)
       transient_{model, motion, options_.transient},
       peaks_{model},
       clearances_{model},
-      histories_{
-          model, history_interval(options_, motion), &energy_,
-          !rows_at_steps(history_interval(options_, motion),
-                         options_.transient.step.si() > 0.0 ? options_.transient.step.si() : motion.time_step())} {}
+      histories_{model, history_interval(options_, motion), &energy_,
+                 !rows_at_steps(history_interval(options_, motion),
+                                longest_step_of_any(options_.transient, motion.time_step()))} {}
 
 void CaseRun::attach(StepObserver& observer) {
   transient_.attach(observer);

@@ -26,7 +26,7 @@ double change_by_doubling(StepScheme scheme) { return scheme.order() == 4 ? 8.0 
 
 StepControl::StepControl(const Model& model, Options options)
     : options_{options}, scales_{model, options.lowest_acceleration} {
-  for (int halvings = 0; halvings <= options_.max_halvings; ++halvings)
+  for (int halvings = -options_.doublings; halvings <= options_.max_halvings; ++halvings)
     steps_.push_back(std::ldexp(options_.grid_interval, -halvings));
   SparseMatrix matrix = model.pattern();
   model.assemble_linear_stiffness(StiffnessStage::initial, matrix);
@@ -63,6 +63,7 @@ StepControl::Step StepControl::next_step(const Model& model) {
   if (pounding)
     while (halvings < options_.max_halvings && step_at(halvings) * options_.steps_per_contact > contact) ++halvings;
   StepScheme scheme = StepScheme::average_acceleration();
+  const int halvings_in_interval = std::max(halvings, 0);
   if (options_.scheme) {
     scheme = *options_.scheme;
   } else if (ramp_ < at_touch) {
@@ -70,7 +71,7 @@ StepControl::Step StepControl::next_step(const Model& model) {
     constexpr int worth_halving = 6;
     const double stable = stable_step(contact);
     int stable_halvings = halvings;
-    while (stable_halvings < std::min(halvings + worth_halving, options_.max_halvings) &&
+    while (stable_halvings < std::min(halvings_in_interval + worth_halving, options_.max_halvings) &&
            step_at(stable_halvings) > stable)
       ++stable_halvings;
     if (step_at(stable_halvings) <= stable) {
@@ -78,6 +79,7 @@ StepControl::Step StepControl::next_step(const Model& model) {
       scheme = StepScheme::fourth_order();
     }
   }
+  if (scheme.order() != 4) halvings = halvings_in_interval;
   const double step = step_at(std::min(halvings + ramp_, options_.max_halvings));
   if (pounding) fewest_steps_per_contact_ = std::min(fewest_steps_per_contact_, contact / step);
   return {step, scheme};
@@ -143,7 +145,7 @@ bool StepControl::accepts(const Model& model, const StepTask& step, StepScheme s
   const double nominal_error = error * std::pow(nominal / h, scheme.order() == 4 ? 3 : 2);
   if (nominal_error > 1.2 && halvings_ < options_.max_halvings)
     ++halvings_;
-  else if (nominal_error * of_doubling < 0.9 && halvings_ > 0)
+  else if (nominal_error * of_doubling < 0.9 && halvings_ > -options_.doublings)
     --halvings_;
   return true;
 }

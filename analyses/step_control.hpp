@@ -36,13 +36,15 @@ namespace moat {
 /// The scheme is that of fourth order where a step is inside its bound of stability. A model that needs more than six
 /// halvings for this bound takes average acceleration.
 ///
-/// Adaptive steps are the grid interval divided by powers of two, so that they end on the samples of the motion and
-/// the tangent takes few values.
+/// Adaptive steps are the grid interval times or divided by powers of two, so that they end on samples of the motion
+/// and the tangent takes few values. Only steps of fourth order are longer than the interval: the motion of the ground
+/// inside them is integrated exactly (motions/ground_span.hpp).
 class StepControl {
  public:
   struct Options {
     double fixed_step = 0.0;     ///< s; 0: adaptive
-    double grid_interval = 0.0;  ///< s; the largest adaptive step
+    double grid_interval = 0.0;  ///< s; the longest adaptive step of second order
+    int doublings = 0;           ///< of the grid interval, for the longest step of fourth order
     double tolerance = 3e-5;
     int steps_per_contact = 32;
     int max_halvings = 24;
@@ -87,7 +89,10 @@ class StepControl {
   [[nodiscard]] NodeId place_of_round_off() const { return place_of_round_off_; }
 
  private:
-  [[nodiscard]] double step_at(int halvings) const { return steps_[static_cast<std::size_t>(halvings)]; }
+  // Halvings of the grid interval; negative: doublings.
+  [[nodiscard]] double step_at(int halvings) const {
+    return steps_[static_cast<std::size_t>(halvings + options_.doublings)];
+  }
   [[nodiscard]] double stable_step(double contact) const;
   [[nodiscard]] double error_of(const Model& model, const StepTask& step, StepScheme scheme,
                                 const Vector& scales_of_nodes) const;
@@ -97,7 +102,7 @@ class StepControl {
   Options options_;
   AccelerationScales scales_;
   Vector scales_without_bends_;
-  std::vector<double> steps_;  // grid interval divided by 1, 2, 4, ...; s
+  std::vector<double> steps_;  // the longest, divided by 1, 2, 4, ...; s
   int halvings_ = 0;
   int ramp_ = 0;              // further halvings after a touch
   double since_event_ = 0.0;  // s

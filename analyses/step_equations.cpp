@@ -29,12 +29,14 @@ void StepEquations::begin(const StepTask& task, StepScheme scheme, Vector& guess
   double* __restrict first = guess.data();
   const double square = (0.5 - scheme.beta) * h * h;
   if (scheme.corrects_velocity) {
+    // Relative motion is absolute motion, which is smooth, minus that of the ground, which is known.
+    const GroundDeviation& deviation = task.ground_deviation;
     const double correction = h * h / 12.0;
     for (int i = 0; i < size(); ++i) {
       const double relative_jerk = jerk[i] - task.ground_jerk;
       const double shift = correction * relative_jerk;
-      displacement[i] = u[i] + h * (v[i] + shift) + square * a[i];
-      velocity[i] = v[i] + 2.0 * shift + (2.0 / 3.0) * h * a[i];
+      displacement[i] = u[i] + h * (v[i] + shift) + square * a[i] - deviation.displacement;
+      velocity[i] = v[i] + 2.0 * shift + (2.0 / 3.0) * h * a[i] - deviation.velocity;
       first[i] = a[i] + h * relative_jerk;
     }
   } else {
@@ -76,7 +78,8 @@ void StepEquations::complete() {
                *end_acceleration = end.acceleration.data(), *end_jerk = end.jerk.data();
   double* __restrict velocity = end.velocity.data();
   for (int i = 0; i < size(); ++i)
-    velocity[i] = v[i] + half * (a[i] + end_acceleration[i]) - correction * (end_jerk[i] - jerk[i]);
+    velocity[i] = v[i] + half * (a[i] + end_acceleration[i]) - correction * (end_jerk[i] - jerk[i]) -
+                  task_.ground_deviation.velocity;
 }
 
 void StepEquations::balance_committed_state(double ground_acceleration) {

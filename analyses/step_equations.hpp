@@ -3,6 +3,7 @@
 
 #include "analyses/step_scheme.hpp"
 #include "model/model.hpp"
+#include "motions/ground_span.hpp"
 #include "solvers/factorisation.hpp"
 #include "solvers/newton.hpp"
 
@@ -10,12 +11,13 @@ namespace moat {
 
 /// A step from the committed state.
 struct StepTask {
-  double length = 0.0;               ///< h > 0 s
-  double end_time = 0.0;             ///< s
-  double ground_acceleration = 0.0;  ///< m/s^2, at the end
-  double ground_jerk = 0.0;          ///< m/s^3, constant in the step; used by schemes that correct the velocity
+  double length = 0.0;                        ///< h > 0 s
+  double end_time = 0.0;                      ///< s
+  double ground_acceleration = 0.0;           ///< m/s^2, at the end
+  double ground_jerk = 0.0;                   ///< m/s^3, mean of the step; used by schemes that correct the velocity
   double ground_acceleration_at_start = 0.0;  ///< m/s^2
   double start_time = 0.0;                    ///< s
+  GroundDeviation ground_deviation{};         ///< of the whole step; used by schemes that correct the velocity
 };
 
 /// M a + f(u(a), v(a)) = -M iota a_g at the end of a step, or averaged over it (StepScheme); the unknown is the

@@ -25,14 +25,27 @@ StepTask StepGrid::next_step(double time, double length) const {
   if (!motion_ended_) target = std::min(target, motion_->duration());
   // Exactly the nominal length in the regular case, so that the tangent and its factors stay the same.
   const double exact = std::abs(target - time - length) < 1e-9 * length ? length : target - time;
-  const double at_end = motion_ended_ ? 0.0 : motion_->acceleration_at(target);
-  return {exact, target, at_end, (at_end - ground_) / exact, ground_, time};
+  return task(time, target, exact);
+}
+
+StepTask StepGrid::task(double start, double end, double length) const {
+  const double at_end = motion_ended_ ? 0.0 : motion_->acceleration_at(end);
+  StepTask step{length, end, at_end, (at_end - ground_) / length, ground_, start};
+  if (!motion_ended_) step.ground_deviation = GroundSpan{*motion_, start, end}.deviation();
+  return step;
+}
+
+void StepGrid::accepted(const StepTask& step) {
+  ground_ = step.ground_acceleration;
+  span_.reset();
+  if (motion_ended_) return;
+  span_.emplace(*motion_, step.start_time, step.end_time);
+  if (span_->is_straight()) span_.reset();
 }
 
 StepTask StepGrid::first_part(const StepTask& step, double h) const {
   if (h == step.length) return step;
-  const double end = step.start_time + h;
-  return {h, end, motion_ended_ ? 0.0 : motion_->acceleration_at(end), step.ground_jerk, ground_, step.start_time};
+  return task(step.start_time, step.start_time + h, h);
 }
 
 bool StepGrid::reaches_end_of_motion(double time) const {

@@ -1,6 +1,8 @@
 // Where steps end.
 #pragma once
 
+#include <optional>
+
 #include "analyses/step_equations.hpp"
 #include "motions/ground_motion.hpp"
 
@@ -24,7 +26,9 @@ class StepGrid {
   /// The first h seconds of a step that next_step() returned.
   [[nodiscard]] StepTask first_part(const StepTask& step, double h) const;
   /// The step was accepted.
-  void accepted(const StepTask& step) { ground_ = step.ground_acceleration; }
+  void accepted(const StepTask& step);
+  /// The ground's motion over the step accepted last, null where its acceleration is linear there.
+  [[nodiscard]] const GroundSpan* ground_span() const { return span_ ? &*span_ : nullptr; }
 
   /// Whether the last sample is reached and end_motion() was not called yet.
   [[nodiscard]] bool reaches_end_of_motion(double time) const;
@@ -33,10 +37,13 @@ class StepGrid {
   bool end_motion();
 
  private:
+  [[nodiscard]] StepTask task(double start, double end, double length) const;
+
   const GroundMotion* motion_;
   double end_;
   double ground_;
   bool motion_ended_ = false;
+  std::optional<GroundSpan> span_;
 };
 
 }  // namespace moat

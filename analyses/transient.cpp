@@ -30,6 +30,7 @@ StepControl::Options control_options(const TransientOptions& options, const Grou
   StepControl::Options control;
   control.fixed_step = options.step.si();
   control.grid_interval = longest_step(options, motion.time_step());
+  control.doublings = doublings_of_longest_step(options, motion.time_step());
   control.tolerance = options.tolerance;
   control.steps_per_contact = options.steps_per_contact;
   control.max_halvings = options.max_halvings;
@@ -62,7 +63,7 @@ void Transient::attach(StepObserver& observer) {
 }
 
 StepView Transient::view(bool on_grid) const {
-  return {*model_, grid_.ground_acceleration(), on_grid, step_.stepper().work_rule()};
+  return {*model_, grid_.ground_acceleration(), on_grid, step_.stepper().work_rule(), grid_.ground_span()};
 }
 
 void Transient::advance() {
@@ -182,7 +183,7 @@ void Transient::run() {
 }
 
 std::vector<std::string> Transient::assumptions() const {
-  return assumptions_of(options_, implicit_.control(), longest_step(options_, motion_.time_step()), statistics_);
+  return assumptions_of(options_, implicit_.control(), longest_step_of_any(options_, motion_.time_step()), statistics_);
 }
 
 std::vector<std::string> Transient::warnings() const {

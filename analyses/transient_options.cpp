@@ -1,6 +1,7 @@
 #include "analyses/transient_options.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "base/check.hpp"
 
@@ -40,6 +41,21 @@ double longest_step(const TransientOptions& options, double sample_interval) {
   for (int halvings = 0; halvings < most_halvings && step > options.largest_step.si() * (1.0 + 1e-9); ++halvings)
     step *= 0.5;
   return step;
+}
+
+double longest_step_of_any(const TransientOptions& options, double sample_interval) {
+  if (options.step.si() > 0.0) return options.step.si();
+  const bool chosen = is_exact(options.integrator) || scheme_of(options.integrator);
+  return std::ldexp(longest_step(options, sample_interval),
+                    chosen ? 0 : doublings_of_longest_step(options, sample_interval));
+}
+
+int doublings_of_longest_step(const TransientOptions& options, double sample_interval) {
+  constexpr double of_default = 0.04;  // s; structures that pound have slower vibrations than an eighth of it
+  const double longest = options.largest_step.si() > 0.0 ? options.largest_step.si() : of_default;
+  int doublings = 0;
+  for (double step = 2.0 * sample_interval; step <= longest * (1.0 + 1e-9); step *= 2.0) ++doublings;
+  return doublings;
 }
 
 }  // namespace moat

@@ -2,13 +2,31 @@
 
 #include <algorithm>
 
+#include "base/hermite.hpp"
+
 namespace moat {
+namespace {
+
+// The deviation of the ground's motion from cubics through values and rates at both ends of a step.
+struct Bump {
+  double displacement, velocity;  // m, m/s
+};
+
+Bump bump_of_ground(const GroundSpan& span, double fraction) {
+  const double step = span.length();
+  const GroundDeviation inside = span.deviation_at(span.start() + fraction * step), end = span.deviation();
+  return {inside.displacement - HermiteCubic{0.0, 0.0, end.displacement, end.velocity, step}.value(fraction),
+          inside.velocity - HermiteCubic{0.0, 0.0, end.velocity, 0.0, step}.value(fraction)};
+}
+
+}  // namespace
 
 Channels::Channels(const Model& model) {
   for (const Node& node : model.nodes()) {
     list_.push_back({"displacement", node.name, node.name, "m"});
     list_.push_back({"velocity", node.name, node.name, "m/s"});
     list_.push_back({"absolute_acceleration", node.name, node.name, "m/s^2"});
+    of_ground_.insert(of_ground_.end(), {OfGround::minus_displacement, OfGround::minus_velocity, OfGround::nothing});
   }
   for (std::size_t b = 0; b < model.blocks().size(); ++b) {
     const ElementBlock& block = *model.blocks()[b];
@@ -16,11 +34,15 @@ Channels::Channels(const Model& model) {
     for (std::size_t e = 0; e < block.size(); ++e) {
       const ElementInfo& info = block.info(e);
       if (!info.deformation_quantity.empty()) {
+        of_ground_.push_back(info.first == ground    ? OfGround::minus_displacement
+                             : info.second == ground ? OfGround::displacement
+                                                     : OfGround::nothing);
         list_.push_back({info.deformation_quantity.text(), info.name, info.listed_under(), "m"});
         of_block.elements.push_back({e, block.contacts() != nullptr ? Shown::indentation : Shown::deformation});
       }
       if (!info.force_quantity.empty()) {
         if (!block.constant_tangent()) of_laws_.push_back({list_.size(), b, e});
+        of_ground_.push_back(OfGround::nothing);
         list_.push_back({info.force_quantity.text(), info.name, info.listed_under(), "N"});
         of_block.elements.push_back({e, Shown::force});
       }
@@ -33,6 +55,7 @@ Channels::Channels(const Model& model) {
     for (const NodeId node : building_nodes_.back())
       base_shear_of_node_[static_cast<std::size_t>(node.index)] = static_cast<int>(list_.size());
     list_.push_back({"total_base_shear", building.base_name(), building.base_name(), "N"});
+    of_ground_.push_back(OfGround::nothing);
   }
 }
 
@@ -96,10 +119,15 @@ void Channels::sample(const StepView& view, std::vector<double>& values, std::ve
   }
 }
 
-double Channels::value_inside(const Model& model, std::size_t channel, double fraction, double of_cubic) const {
+double Channels::value_inside(const StepView& view, std::size_t channel, double fraction, double of_cubic) const {
+  if (view.ground_span != nullptr && of_ground_[channel] != OfGround::nothing) {
+    const Bump bump = bump_of_ground(*view.ground_span, fraction);
+    if (of_ground_[channel] == OfGround::minus_velocity) return of_cubic - bump.velocity;
+    return of_cubic + (of_ground_[channel] == OfGround::displacement ? bump.displacement : -bump.displacement);
+  }
   const auto found = std::ranges::lower_bound(of_laws_, channel, {}, &LawChannel::channel);
   if (found == of_laws_.end() || found->channel != channel) return of_cubic;
-  return model.blocks()[found->block]->force_inside(found->element, fraction);
+  return view.model.blocks()[found->block]->force_inside(found->element, fraction);
 }
 
 }  // namespace moat

@@ -32,8 +32,11 @@ class Channels {
   void sample(const StepView& view, std::vector<double>& values, std::vector<double>& rates) const;
   /// A channel at a fraction of the step that led to the committed state, where a cubic through its values and rates
   /// has the given value. The force of a law that is not linear comes from the law itself, so that no force exceeds its
-  /// capacity.
-  [[nodiscard]] double value_inside(const Model& model, std::size_t channel, double fraction, double of_cubic) const;
+  /// capacity. Displacements and velocities relative to the ground follow its motion inside the step.
+  [[nodiscard]] double value_inside(const StepView& view, std::size_t channel, double fraction, double of_cubic) const;
+
+  /// Whether a channel is relative to the ground.
+  [[nodiscard]] bool contains_ground(std::size_t channel) const { return of_ground_[channel] != OfGround::nothing; }
 
   /// The channels whose rates jump where an element changes its regime: accelerations of its nodes, base shears.
   [[nodiscard]] std::vector<std::size_t> bent_by(const Model& model, const RegimeChange& change) const;
@@ -60,6 +63,9 @@ class Channels {
   std::vector<Channel> list_;
   std::vector<BlockChannels> blocks_;
   std::vector<LawChannel> of_laws_;  // ascending
+  // How each channel contains the motion of the ground: minus its displacement, for example, for a node's displacement.
+  enum class OfGround { nothing, displacement, minus_displacement, minus_velocity };
+  std::vector<OfGround> of_ground_;
   std::vector<std::vector<NodeId>> building_nodes_;
   std::vector<int> base_shear_of_node_;  // channel; -1 if there is none
 };

@@ -28,6 +28,7 @@ class EnergyLedger final : public StepObserver {
 
  private:
   void remember(const StepView& view);
+  [[nodiscard]] double work_of_deviation(const StepView& view, double slope) const;
 
   double time_ = 0.0;  // of the last instant, s
   Vector displacement_, velocity_, acceleration_;

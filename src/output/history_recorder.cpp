@@ -60,7 +60,7 @@ void HistoryRecorder::step(const StepView& view) {
   before_.ground_acceleration = now_.ground_acceleration;
   take(view, due || inside_steps_);
   for (; time >= next_time() - coincident * interval_; ++next_)
-    add_row(std::abs(time - next_time()) <= coincident * interval_ ? now_ : between(view.model, next_time()));
+    add_row(std::abs(time - next_time()) <= coincident * interval_ ? now_ : between(view, next_time()));
 }
 
 void HistoryRecorder::event(const StepView& view, std::span<const RegimeChange> changes) {
@@ -83,16 +83,22 @@ void HistoryRecorder::take(const StepView& view, bool with_energies) {
   for (const EnergyColumn& column : energy_columns) now_.energies.push_back(balance.*column.value);
 }
 
-const HistoryRecorder::Sample& HistoryRecorder::between(const Model& model, double time) {
+const HistoryRecorder::Sample& HistoryRecorder::between(const StepView& view, double time) {
   const double step = now_.time - before_.time, x = (time - before_.time) / step;
   const auto linear = [x](double first, double last) { return first + x * (last - first); };
   inside_.time = time;
-  inside_.ground_acceleration = linear(before_.ground_acceleration, now_.ground_acceleration);
+  inside_.ground_acceleration = view.ground_span != nullptr
+                                    ? view.ground_span->acceleration_at(time)
+                                    : linear(before_.ground_acceleration, now_.ground_acceleration);
   inside_.values.resize(now_.values.size());
   for (std::size_t i = 0; i < now_.values.size(); ++i) {
     const HermiteCubic cubic{before_.values[i], before_.rates[i], now_.values[i], now_.rates[i], step};
-    inside_.values[i] = channels_.value_inside(
-        model, i, x, cubic.is_smooth() ? cubic.value(x) : linear(before_.values[i], now_.values[i]));
+    // The openings of gaps follow the channels.
+    const bool is_channel = i < channels_.list().size();
+    // Where the motion of the ground is part of a channel, the cubic alone need not look smooth.
+    const bool is_rough = is_channel && view.ground_span != nullptr && channels_.contains_ground(i);
+    const double value = cubic.is_smooth() || is_rough ? cubic.value(x) : linear(before_.values[i], now_.values[i]);
+    inside_.values[i] = is_channel ? channels_.value_inside(view, i, x, value) : value;
   }
   inside_.energies = now_.energies;
   if (before_.energies.size() == now_.energies.size())

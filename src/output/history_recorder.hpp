@@ -41,7 +41,7 @@ class HistoryRecorder final : public StepObserver {
 
   void take(const StepView& view, bool with_energies);
   void add_row(const Sample& sample);
-  [[nodiscard]] const Sample& between(const Model& model, double time);
+  [[nodiscard]] const Sample& between(const StepView& view, double time);
   [[nodiscard]] double next_time() const { return static_cast<double>(next_) * interval_; }
 
   Channels channels_;

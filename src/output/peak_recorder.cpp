@@ -17,9 +17,8 @@ void PeakRecorder::step(const StepView& view) {
   channels_.sample(view, values_, rates_);
   const double time = view.model.state().time;
   for (std::size_t i = 0; i < trackers_.size(); ++i)
-    trackers_[i].add(time, values_[i], rates_[i], [&](double fraction, double turned) {
-      return channels_.value_inside(view.model, i, fraction, turned);
-    });
+    trackers_[i].add(time, values_[i], rates_[i],
+                     [&](double fraction, double turned) { return channels_.value_inside(view, i, fraction, turned); });
 }
 
 void PeakRecorder::event(const StepView& view, std::span<const RegimeChange> changes) {

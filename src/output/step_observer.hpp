@@ -4,6 +4,7 @@
 #include <span>
 
 #include "model/model.hpp"
+#include "motions/ground_span.hpp"
 
 namespace moat {
 
@@ -13,6 +14,8 @@ struct StepView {
   double ground_acceleration = 0.0;  ///< m/s^2, at the state's time
   bool on_grid = true;               ///< false where the step was cut or ended at a located event, between grid times
   WorkRule work_rule = WorkRule::mean_force;  ///< of the step that led here
+  /// The motion of the ground over that step, where its acceleration is not linear in it; null elsewhere.
+  const GroundSpan* ground_span = nullptr;
 
   /// m/s^2.
   [[nodiscard]] double absolute_acceleration(NodeId node) const {

@@ -54,7 +54,7 @@ double error(const Table& table) {
 }
 
 TEST(HistoryRows, FinerThanAdaptiveStepsAreAtTheMultiples) {
-  const Table table = rows(5 * ms, 1 * ms, {});
+  const Table table = rows(5 * ms, 1 * ms, {.largest_step = 5 * ms});
   expect_rows_at_multiples(table, 1e-3);
   // A cubic through values and rates misses the middle of a step by (w h)^4/384; the steps' own error of period,
   // (w h)^4/480 of it, adds up over two cycles.

@@ -1,0 +1,39 @@
+#include "motions/ground_span.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace moat {
+
+GroundSpan::GroundSpan(const GroundMotion& motion, double start, double end)
+    : motion_{&motion}, start_{start}, end_{end} {
+  constexpr double round_off = 1e-6;  // of an interval
+  const double interval = motion.time_step();
+  first_sample_ = static_cast<long>(std::floor(start / interval + round_off)) + 1;
+  last_sample_ = static_cast<long>(std::ceil(end / interval - round_off)) - 1;
+}
+
+GroundDeviation GroundSpan::deviation_at(double time) const {
+  const double at_start = motion_->acceleration_at(start_);
+  const double slope = (motion_->acceleration_at(end_) - at_start) / (end_ - start_);
+  GroundDeviation sum;
+  double before = start_, d0 = 0.0;
+  const auto advance = [&](double after, double acceleration) {
+    const double h = after - before, d1 = acceleration - (at_start + slope * (after - start_));
+    sum.displacement_integral += h * (sum.displacement + h * (0.5 * sum.velocity + h * (d0 / 8.0 + d1 / 24.0)));
+    sum.displacement += h * (sum.velocity + h * (d0 / 3.0 + d1 / 6.0));
+    sum.velocity += 0.5 * h * (d0 + d1);
+    before = after;
+    d0 = d1;
+  };
+  const double interval = motion_->time_step();
+  for (long sample = first_sample_; sample <= last_sample_; ++sample) {
+    const double at_sample = static_cast<double>(sample) * interval;
+    if (at_sample >= time) break;
+    advance(at_sample, motion_->samples()[static_cast<std::size_t>(sample)]);
+  }
+  advance(time, motion_->acceleration_at(time));
+  return sum;
+}
+
+}  // namespace moat
