@@ -1,6 +1,7 @@
 #include "analyses/case_run.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "analyses/case_warnings.hpp"
@@ -11,6 +12,19 @@
 
 namespace moat {
 namespace {
+
+// Of every result.
+constexpr std::array general_assumptions{
+    "Displacements and velocities are relative to the ground, accelerations absolute; positive to the right.",
+    "A peak is the value of largest magnitude over continuous time, with its sign, also between steps and on both "
+    "sides of an event. Forces and deformations of springs are positive where the upper end moves to the right, "
+    "those of gaps where they are compressed.",
+    "clearance_left is the smallest opening of a gap over continuous time; negative: the two sides indented each "
+    "other by so much.",
+    "total_base_shear is the force of isolators and impacts together; sum_of_floor_inertia_maxima adds the "
+    "maxima of mass times absolute acceleration of base and floors, which are not simultaneous.",
+    "Energies are in the frame of the ground: input is the work of the ground's inertia forces on relative motion.",
+    "storey_shear is the elastic force of the columns, without that of the storey's damping."};
 
 CaseOptions checked(CaseOptions options) {
   const Check check{"CaseOptions", options.title};
@@ -145,19 +159,7 @@ CaseResult CaseRun::result() const {
   add_errors(result);
   // Behind the errors: the companion does not know these peaks.
   for (Peak& peak : offered_peaks_.peaks()) result.peaks.push_back(std::move(peak));
-  result.assumptions.insert(
-      result.assumptions.end(),
-      {"Displacements and velocities are relative to the ground, accelerations absolute; positive to the right.",
-       "A peak is the value of largest magnitude over continuous time, with its sign, also between steps and on both "
-       "sides of an event. Forces and deformations of springs are positive where the upper end moves to the right, "
-       "those "
-       "of gaps where they are compressed.",
-       "clearance_left is the smallest opening of a gap over continuous time; negative: the two sides indented each "
-       "other by so much.",
-       "total_base_shear is the force of isolators and impacts together; sum_of_floor_inertia_maxima adds the "
-       "maxima of mass times absolute acceleration of base and floors, which are not simultaneous.",
-       "Energies are in the frame of the ground: input is the work of the ground's inertia forces on relative motion.",
-       "storey_shear is the elastic force of the columns, without that of the storey's damping."});
+  result.assumptions.insert(result.assumptions.end(), general_assumptions.begin(), general_assumptions.end());
   return result;
 }
 

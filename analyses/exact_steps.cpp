@@ -60,7 +60,7 @@ double fastest_eigenvalue(const Eigen::MatrixXd& stiffness, const Eigen::MatrixX
 
 ExactSteps::ExactSteps(Model& model, double grid_interval) : model_{&model}, grid_interval_{grid_interval} {
   check();
-  const int count = model.degrees_of_freedom();
+  const Eigen::Index count = model.degrees_of_freedom();
   stiffness_ = model.pattern();
   damping_ = model.pattern();
   offset_.setZero(count);

@@ -28,8 +28,7 @@ class ContactLinks final : public LinksWithRegimes<Law, Ends>, public Contacts {
 
   /// Appends an element. effective_mass > 0 kg is used to estimate the duration of a contact, and the approach speed of
   /// a gap that is closed at the start.
-  std::size_t add(ElementInfo info, const Law& law,
-                  double effective_mass) requires std::constructible_from<Ends, const ElementInfo&> {
+  std::size_t add(ElementInfo info, const Law& law, double effective_mass) {
     const Ends ends{info};
     return add(std::move(info), law, effective_mass, ends);
   }

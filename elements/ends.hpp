@@ -82,6 +82,7 @@ class PointPair {
 
  public:
   PointPair() = default;
+  explicit PointPair(const ElementInfo& info) : PointPair{info.first, info.second} {}
   PointPair(const MemberPoint& first, const MemberPoint& second)
       : node_{first.node.index, first.other.index, second.node.index, second.other.index},
         weight_{first.share - 1.0, -first.share, 1.0 - second.share, second.share} {

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <concepts>
 #include <stdexcept>
 #include <string>
 #include <type_traits>
@@ -34,7 +33,7 @@ class Links : public ElementBlock {
   using State = typename Law::State;
 
   /// Appends an element and returns its index.
-  std::size_t add(ElementInfo info, const Law& law) requires std::constructible_from<Ends, const ElementInfo&> {
+  std::size_t add(ElementInfo info, const Law& law) {
     const Ends ends{info};
     return add(std::move(info), law, ends);
   }

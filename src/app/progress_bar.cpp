@@ -4,10 +4,11 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <utility>
 
 namespace moat {
 
-ProgressBar::ProgressBar(std::string title, std::string unit)
+ProgressBar::ProgressBar(const std::string& title, std::string unit)
     : title_{title.empty() ? "" : title + ": "}, unit_{std::move(unit)}, terminal_{isatty(STDERR_FILENO) != 0} {}
 
 void ProgressBar::operator()(double done, double all) {

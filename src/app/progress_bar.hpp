@@ -14,7 +14,7 @@ namespace moat {
 class ProgressBar {
  public:
   /// title: stands before everything shown, if not empty. unit: of the amounts that are counted.
-  explicit ProgressBar(std::string title = "", std::string unit = "cases");
+  explicit ProgressBar(const std::string& title = "", std::string unit = "cases");
 
   /// 0 <= done <= all, all > 0.
   void operator()(double done, double all);
@@ -31,7 +31,7 @@ class ProgressBar {
 class ProgressObserver final : public StepObserver {
  public:
   /// end: s, > 0, the time at which the analysis ends.
-  explicit ProgressObserver(double end, std::string title = "") : end_{end}, bar_{std::move(title), "s"} {}
+  explicit ProgressObserver(double end, const std::string& title = "") : end_{end}, bar_{title, "s"} {}
 
   void start(const StepView&) override {}
   void step(const StepView& view) override { bar_(view.model.state().time, end_); }

@@ -64,7 +64,9 @@ class Quantity {
   friend constexpr Quantity operator-(Quantity a, Quantity b) requires(!dimensionless) {
     return Quantity{a.si_ - b.si_};
   }
-  friend constexpr auto operator<=>(Quantity a, Quantity b) requires(!dimensionless) = default;
+  friend constexpr std::partial_ordering operator<=>(Quantity a, Quantity b) requires(!dimensionless) {
+    return a.si_ <=> b.si_;
+  }
   friend constexpr bool operator==(Quantity a, Quantity b) requires(!dimensionless) = default;
   friend constexpr Quantity operator*(double factor, Quantity q) { return Quantity{factor * q.si_}; }
   friend constexpr Quantity operator*(Quantity q, double factor) { return Quantity{q.si_ * factor}; }

@@ -17,7 +17,7 @@ Bracket bracket_root(const std::function<double(double)>& function, double low, 
   boost::math::tools::eps_tolerance<double> last_digits{std::numeric_limits<double>::digits};
   const auto close = [&](double a, double b) { return b - a <= width || last_digits(a, b); };
   // The method halves the interval in at most three evaluations, over all exponents of a double.
-  std::uintmax_t most_evaluations = 3 * 2100;
+  std::uintmax_t most_evaluations = std::uintmax_t{3} * 2100;
   const auto [a, b] = boost::math::tools::toms748_solve(function, low, high, at_low, at_high, close, most_evaluations);
   return {a, b};
 }

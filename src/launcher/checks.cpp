@@ -9,6 +9,7 @@
 #include "launcher/records.hpp"
 #include "launcher/stop.hpp"
 #include "launcher/text.hpp"
+#include "launcher/without_progress.hpp"
 
 namespace moat::launcher {
 namespace {
@@ -28,11 +29,12 @@ Command in_checkout(const Places& places, const std::string& shell_command) {
   return {"sh", "-c", "cd " + shell_quoted(places.root) + " && " + shell_command};
 }
 
-// A build folder of its own beside `release`, configured with the preset of its name.
+// A build folder of its own beside `release`, configured with the preset of its name. A build does not stop at the
+// first error, so that all of them are known at once.
 std::vector<Step> preset_steps(const Places& places, const std::string& preset, const std::string& detail) {
   const std::filesystem::path folder = places.work / preset;
   return {{detail + ": configure", {"cmake", "-S", places.root, "-B", folder, "--preset", preset}},
-          {detail + ": build", {"cmake", "--build", folder}}};
+          {detail + ": build", {"cmake", "--build", folder, "--", "-k", "0"}}};
 }
 
 Command ctest(const std::filesystem::path& folder, const std::string& only = "") {
@@ -62,9 +64,10 @@ std::vector<Step> warnings_steps(const Places& places) { return preset_steps(pla
 std::vector<Step> tidy_steps(const Places& places) {
   std::vector<Step> steps = preset_steps(places, "dev", "commands for clang-tidy");
   steps.pop_back();
-  steps.push_back({"clang-tidy", in_checkout(places, "run-clang-tidy -quiet -p " + shell_quoted(places.work / "dev") +
-                                                         " -extra-arg=-Wno-unknown-warning-option "
-                                                         "'/(src|materials|elements|structures|analyses)/.*\\.cpp$'")});
+  const std::string files = "^" + regex_quoted(places.root) + "/(src|materials|elements|structures|analyses)/.*\\.cpp$";
+  steps.push_back(
+      {"clang-tidy", in_checkout(places, "run-clang-tidy -quiet -p " + shell_quoted(places.work / "dev") +
+                                             " -extra-arg=-Wno-unknown-warning-option " + shell_quoted(files))});
   return steps;
 }
 
@@ -86,7 +89,7 @@ bool passes(const Places& places, const NamedCheck& check) {
   for (const Step& step : check.steps(places)) {
     if (phase(places.logs(), check.name, step.detail, step.command) == 0) continue;
     const std::string log = (places.logs() / (check.name + ".log")).string();
-    std::fputs(text_of(log).c_str(), stdout);
+    std::fputs(without_progress(text_of(log)).c_str(), stdout);
     say("The whole log: " + log);
     return false;
   }

@@ -8,6 +8,7 @@
 
 #include "launcher/stop.hpp"
 #include "launcher/text.hpp"
+#include "launcher/without_progress.hpp"
 
 namespace moat::launcher {
 namespace {
@@ -68,7 +69,7 @@ void required_phase(const std::filesystem::path& logs, const std::string& name, 
                     const Command& command) {
   if (phase(logs, name, detail, command) == 0) return;
   const std::filesystem::path log = logs / (name + ".log");
-  std::fputs(end_of(text_of(log)).c_str(), stderr);
+  std::fputs(end_of(without_progress(text_of(log))).c_str(), stderr);
   throw Stop{exit_failed, "The whole log: " + log.string()};
 }
 

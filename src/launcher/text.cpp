@@ -3,6 +3,7 @@
 #include <fstream>
 #include <iterator>
 #include <sstream>
+#include <string_view>
 
 #include "launcher/stop.hpp"
 
@@ -43,6 +44,15 @@ std::string shell_quoted(const std::string& word) {
                                           "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ"
                                           "0123456789_-+=.,/:@%") == std::string::npos;
   return plain ? word : "'" + replaced(word, "'", "'\\''") + "'";
+}
+
+std::string regex_quoted(const std::string& text) {
+  std::string quoted;
+  for (const char letter : text) {
+    if (std::string_view{R"(\^$.|?*+()[]{})"}.find(letter) != std::string_view::npos) quoted += '\\';
+    quoted += letter;
+  }
+  return quoted;
 }
 
 }  // namespace moat::launcher

@@ -22,4 +22,7 @@ std::string replaced(std::string text, const std::string& from, const std::strin
 /// As a word of a shell command: in quotes where it needs some.
 std::string shell_quoted(const std::string& word);
 
+/// As a regular expression that matches this text only.
+std::string regex_quoted(const std::string& text);
+
 }  // namespace moat::launcher

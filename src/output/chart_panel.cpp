@@ -244,7 +244,8 @@ void lay_out_heading(vtkContext2D* painter, const Chart& chart, Panel& panel) {
 }
 
 void draw_labels(vtkContext2D* painter, const Panel& panel) {
-  const float title_height = static_cast<float>(panel.bottom + panel.height - top_margin / 2 - 2);
+  const int middle_of_margin = panel.bottom + panel.height - top_margin / 2 - 2;
+  const float title_height = static_cast<float>(middle_of_margin);
   use_title_font(painter);
   painter->DrawString(static_cast<float>(panel.left + left_margin), title_height, panel.title);
   use_legend_font(painter);
@@ -270,8 +271,9 @@ void draw_labels(vtkContext2D* painter, const Panel& panel) {
   text->SetJustificationToCentered();
   text->SetVerticalJustificationToCentered();
   const int plot_height = panel.height - panel.heading - bottom_margin;
-  painter->DrawString(static_cast<float>(panel.left + y_label_middle),
-                      static_cast<float>(panel.bottom + bottom_margin + plot_height / 2), panel.y_label);
+  const int middle_of_plot = panel.bottom + bottom_margin + plot_height / 2;
+  painter->DrawString(static_cast<float>(panel.left + y_label_middle), static_cast<float>(middle_of_plot),
+                      panel.y_label);
 }
 
 }  // namespace moat
