@@ -1,7 +1,18 @@
 // A list of types of laws.
 #pragma once
 
+#include <string_view>
+
 namespace moat {
+
+/// The second name of a law, `Law::alias`; empty for laws that have one name only.
+template <class Law>
+constexpr std::string_view alias_of() {
+  if constexpr (requires { Law::alias; })
+    return Law::alias;
+  else
+    return {};
+}
 
 /// Laws of one family. Names, tests and the tables of the guide are made from this list.
 template <class... Laws>

@@ -74,7 +74,7 @@ std::vector<Entry> make_entries() {
              .parameters = [](const NamedImpactLaw& named) { return law_of<Law>(named).parameters(); }});
       };
       add(Law::name);
-      if constexpr (requires { Law::alias; }) add(Law::alias);
+      if (!alias_of<Law>().empty()) add(alias_of<Law>());
     }
   });
   std::ranges::sort(entries, {}, &Entry::name);

@@ -16,8 +16,7 @@ namespace moat {
 
 /// F = k d^1.5 (1 + z d'/v0) for indentation d > 0, compression positive; v0 is the approach speed at
 /// first touch, and 1e-4 m/s (least_approach_speed) for slower ones. A whole family of impact laws has this form; they
-/// differ in how z follows from the coefficient of restitution, and each has a header of its own that makes one of
-/// these.
+/// differ in how z follows from the coefficient of restitution: ViscousHertzLaw makes one of these from such a factor.
 ///
 /// The contact never pulls unless it separates at_opening: it ends where the force reaches zero, that is where
 /// d' = -v0/z, or where the gap opens. A free impact of two bodies always ends with the gap opening, at a

@@ -2,18 +2,21 @@
 #pragma once
 
 #include <string_view>
-#include <vector>
 
-#include "base/check.hpp"
-#include "base/parameter.hpp"
-#include "base/quantity.hpp"
-#include "base/required.hpp"
-#include "materials/impact_checks.hpp"
-#include "materials/viscous_hertz_contact.hpp"
+#include "materials/viscous_hertz_law.hpp"
 
 namespace moat {
 
-/// Hu-Guo model: F = k d^1.5 (1 + z d'/v0) with z = 3 (1 - e)/(2 e).
+struct HuGuoFactor {
+  static constexpr std::string_view name = "HuGuo";
+  static constexpr std::string_view alias = "ModifiedHertzDamp";
+  static constexpr std::string_view formula = "z = 3 (1 - e)/(2 e)";
+  static constexpr bool divides_by_restitution = true;
+
+  static double of(double e) { return 1.5 * (1.0 - e) / e; }
+};
+
+/// Hu-Guo model: F = k d^1.5 (1 + z d'/v0) with z = 3 (1 - e)/(2 e), 0.001 <= e <= 1.
 ///
 /// Source: Hu & Guo (2015), A dissipative contact force model for impact analysis in multibody dynamics.
 ///
@@ -21,37 +24,7 @@ namespace moat {
 /// column "model of this paper", within 0.0024. The text of that paper derives another force (Eq. 10 with Eq. 27:
 /// ModifiedHertzDampPrinted), which cannot have produced the table. The restitution e' it delivers, ln((1 + z)/(1 - z
 /// e')) = z (1 + e'), is close to e: e' = 0.799, 0.646, 0.380 for e = 0.80, 0.65, 0.40.
-///
-/// Indentation and compression positive. The contact ends where the force reaches zero or the gap opens,
-/// in free impact always the latter.
-struct HuGuo {
-  static constexpr std::string_view name = "HuGuo";
-  static constexpr std::string_view alias = "ModifiedHertzDamp";
-  static constexpr std::string_view formula = "z = 3 (1 - e)/(2 e)";
-
-  /// k > 0 N/m^1.5.
-  Required<HertzStiffness> stiffness;
-  /// e, the intended coefficient of restitution: 0.001 <= e <= 1, because the damping grows as 1/e.
-  Required<double> restitution;
-  /// Whether the force may turn negative while bodies in contact are drawn apart. Changes nothing in free impact.
-  bool may_pull = false;
-
-  /// Throws InputError for a parameter outside its range.
-  void check(const Check& check) const {
-    check.positive("stiffness", stiffness);
-    check_restitution_in_divisor(check, restitution);
-  }
-  /// The parameters as given.
-  [[nodiscard]] std::vector<Parameter> parameters() const {
-    return {{"stiffness", stiffness.si(), "N/m^1.5"},
-            {"restitution", restitution, "1"},
-            {"may_pull", may_pull ? 1.0 : 0.0, "1"}};
-  }
-  /// The law between two bodies; this one does not depend on their effective mass (kg).
-  [[nodiscard]] ViscousHertzContact between(double /*effective_mass*/) const {
-    return {stiffness.si(), 1.5 * (1.0 - restitution) / restitution, separation(may_pull)};
-  }
-};
+using HuGuo = ViscousHertzLaw<HuGuoFactor>;
 
 /// The name of the same law in studies of pounding.
 using ModifiedHertzDamp = HuGuo;

@@ -49,11 +49,16 @@ Explanation at_field(const Diagnostic& place, const std::string& field, const st
   return at(place, sentence);
 }
 
-// "moat::Moat<moat::HertzDamp>" -> "Moat"
-std::string plain_name(const std::string& type) {
+// "moat::Moat<moat::Hertz>" -> "Moat"
+std::string plain_name(const std::string& type, const fs::path& root) {
   const std::string name = with_dimension_names(type);
-  const std::size_t begin = name.starts_with("const ") ? 6 : 0;
-  return name.substr(begin, name.find('<') - begin);
+  return name_in_scripts(name.starts_with("const ") ? name.substr(6) : name, root);
+}
+
+// "'moat::Stiffness' {aka 'moat::Quantity<1, 0, -2>'}" -> "'moat::Stiffness'"
+std::string without_second_names(const std::string& text) {
+  static const std::regex second{R"( \{aka '[^']*'\})"};
+  return std::regex_replace(text, second, "");
 }
 
 std::string wrong_type(const Diagnostic& diagnostic, const std::string& is, const std::string& needed) {
@@ -82,14 +87,14 @@ const std::vector<Pattern>& patterns() {
   static const std::vector<Pattern> all{
       {std::regex{R"(designator order for field '(.*)::(\w+)' does not match declaration order.*)"},
        [](const std::smatch& match, const Diagnostic& place, const fs::path& root) {
-         const std::string type = plain_name(match[1]), fields = joined(fields_of(type, root), ", ");
+         const std::string type = plain_name(match[1], root), fields = joined(fields_of(type, root), ", ");
          return at_field(place, match[2],
                          "field " + match[2].str() + " of " + type + " stands in the wrong place; the order is " +
                              (fields.empty() ? "that of the struct" : fields));
        }},
       {std::regex{R"('(.*)' has no non-static data member named '(\w+)')"},
        [](const std::smatch& match, const Diagnostic& place, const fs::path& root) {
-         const std::string type = plain_name(match[1]);
+         const std::string type = plain_name(match[1], root);
          const std::vector<std::string> fields = fields_of(type, root);
          const std::string nearest = nearest_field(fields, match[2]);
          std::string hint;
@@ -100,8 +105,8 @@ const std::vector<Pattern>& patterns() {
          return at_field(place, match[2], type + " has no field " + match[2].str() + hint);
        }},
       {std::regex{R"(missing initializer for member '(.*)::(\w+)'.*)"},
-       [](const std::smatch& match, const Diagnostic& place, const fs::path&) {
-         return at(place, "field " + match[2].str() + " of " + plain_name(match[1]) + " is missing");
+       [](const std::smatch& match, const Diagnostic& place, const fs::path& root) {
+         return at(place, "field " + match[2].str() + " of " + plain_name(match[1], root) + " is missing");
        }},
       {std::regex{R"(\s*cannot convert '.*' \(type '(.*)'\) to type '(.*)')"},
        [](const std::smatch& match, const Diagnostic& place, const fs::path&) {
@@ -129,7 +134,7 @@ std::string lower_case(std::string word) {
 }
 
 // `Moat{...}` without a law, or with something else in its place.
-std::optional<Explanation> failed_deduction(const ErrorGroup& group) {
+std::optional<Explanation> failed_deduction(const ErrorGroup& group, const fs::path& root) {
   static const std::regex call{R"(no matching function for call to '(\w+)\(.*)"};
   static const std::regex missing{R"(\s*couldn't deduce template parameter '(\w+)')"};
   static const std::regex concepts{R"(.*required for the satisfaction of '(\w+)<\w+>' \[with \w+ = (.*)\])"};
@@ -141,7 +146,8 @@ std::optional<Explanation> failed_deduction(const ErrorGroup& group) {
       return at(group.front(), "field " + lower_case(match[1]) + " of " + type + " is missing");
     for (const std::string& line : each.before)
       if (std::regex_match(line, match, concepts) && !type.empty())
-        return at(group.front(), type + " needs " + concept_words(match[1]) + "; " + plain_name(match[2]) + " is none");
+        return at(group.front(),
+                  type + " needs " + concept_words(match[1]) + "; " + plain_name(match[2], root) + " is none");
   }
   return {};
 }
@@ -149,10 +155,11 @@ std::optional<Explanation> failed_deduction(const ErrorGroup& group) {
 std::optional<Explanation> explanation_of(const ErrorGroup& group, const fs::path& root) {
   for (const Pattern& pattern : patterns())
     for (const Diagnostic& each : group) {
+      const std::string text = without_second_names(each.text);
       std::smatch match;
-      if (std::regex_match(each.text, match, pattern.text)) return pattern.explain(match, each, root);
+      if (std::regex_match(text, match, pattern.text)) return pattern.explain(match, each, root);
     }
-  return failed_deduction(group);
+  return failed_deduction(group, root);
 }
 
 // In the compiler's words. An error inside a header says by "required from here" which line of the script it is about.

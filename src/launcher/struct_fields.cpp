@@ -42,17 +42,51 @@ std::vector<std::string> fields_in(const std::string& header, const std::string&
   return fields;
 }
 
+// The text of every header of the library.
+std::vector<std::string> headers_of(const fs::path& root) {
+  std::vector<std::string> headers;
+  for (const char* folder : {"structures", "elements", "materials", "src", "analyses"}) {
+    if (!fs::is_directory(root / folder)) continue;
+    for (const auto& entry : fs::recursive_directory_iterator{root / folder})
+      if (entry.path().extension() == ".hpp") headers.push_back(text_of(entry.path()));
+  }
+  return headers;
+}
+
+// `using NAME = TYPE;`, of a template with arguments for example.
+struct Alias {
+  std::string name, type;
+};
+
+std::vector<Alias> aliases_in(const std::vector<std::string>& headers) {
+  static const std::regex alias{R"(^using (\w+) = (\w+(<.*>)?);$)"};
+  std::vector<Alias> aliases;
+  for (const std::string& header : headers)
+    for (const std::string& line : lines_of(header))
+      if (std::smatch match; std::regex_match(line, match, alias)) aliases.push_back({match[1], match[2]});
+  return aliases;
+}
+
+std::string without_arguments(const std::string& type) { return type.substr(0, type.find('<')); }
+
 }  // namespace
 
 std::vector<std::string> fields_of(const std::string& name, const fs::path& root) {
-  for (const char* folder : {"structures", "elements", "materials", "src", "analyses"}) {
-    if (!fs::is_directory(root / folder)) continue;
-    for (const auto& entry : fs::recursive_directory_iterator{root / folder}) {
-      if (entry.path().extension() != ".hpp") continue;
-      if (std::vector<std::string> fields = fields_in(text_of(entry.path()), name); !fields.empty()) return fields;
-    }
-  }
+  const std::vector<std::string> headers = headers_of(root);
+  std::string type = name;
+  for (const Alias& alias : aliases_in(headers))
+    if (alias.name == name) type = without_arguments(alias.type);
+  for (const std::string& header : headers)
+    if (std::vector<std::string> fields = fields_in(header, type); !fields.empty()) return fields;
   return {};
+}
+
+std::string name_in_scripts(const std::string& type, const fs::path& root) {
+  const std::string plain = without_arguments(type);
+  if (plain == type) return type;
+  for (const Alias& alias : aliases_in(headers_of(root)))
+    if (alias.type == type) return alias.name;
+  return plain;
 }
 
 std::string nearest_field(const std::vector<std::string>& fields, const std::string& misspelt) {

@@ -34,7 +34,7 @@ template <class Law>
 std::string row() {
   std::ostringstream text;
   text << "| [`" << Law::name << "`](../materials/impact/" << option_name(Law::name) << ".hpp)";
-  if constexpr (requires { Law::alias; }) text << ", also `" << Law::alias << "`";
+  if (!alias_of<Law>().empty()) text << ", also `" << alias_of<Law>() << "`";
   text << " | ";
   const char* separator = "";
   for (const Parameter& parameter : impact_law<Law>(1e9, 0.65).parameters()) {

@@ -68,6 +68,23 @@ TEST_F(CompileErrors, SuggestTheNearestField) {
                "tower.cpp:4: Node has no field colour_of_paint; it has name");
 }
 
+TEST_F(CompileErrors, NameLawsThatAreMadeFromATemplate) {
+  expect_first("const HertzDamp law{.stiffness = 1 * N / m_3_2};",
+               "tower.cpp:4: field restitution of HertzDamp is missing");
+  expect_first("const auto law = HertzDamp{.stifness = 1 * N / m_3_2, .restitution = 0.65};",
+               "tower.cpp:4: HertzDamp has no field stifness; did you mean stiffness?");
+  expect_first("const HuGuo law{.restitution = 0.65, .stiffness = 1 * N / m_3_2};",
+               "tower.cpp:4: field stiffness of HuGuo stands in the wrong place; the order is stiffness, restitution, "
+               "may_pull");
+  expect_first("const HertzDamp law{.stiffness = 1 * N / m_3_2, .restitution = 0.65};\nconst Length gap = law;",
+               "tower.cpp:5: law is a HertzDamp, but a length [m] is needed here");
+}
+
+TEST_F(CompileErrors, NameTheDimensionOfAConstant) {
+  expect_first("const Stiffness k = 1 * N / m;\nconst HertzDamp law{.stiffness = k, .restitution = 0.65};",
+               "tower.cpp:5: this is a stiffness [N/m], but a Hertz stiffness [N/m^1.5] is needed here");
+}
+
 TEST_F(CompileErrors, SayWhatIsNoImpactLaw) {
   expect_first(
       "int main() {" + wall + "add(model, Moat{.around = base, .clearance = 1 * m, .law = Viscous{1 * N * s / m}}); }",

@@ -23,6 +23,18 @@ TEST_F(StructFields, AreReadFromTheHeaders) {
   EXPECT_TRUE(fields_of("Nothing", folder).empty());
 }
 
+TEST_F(StructFields, AreThoseOfTheTemplateBehindAName) {
+  std::filesystem::create_directories(folder / "materials");
+  write_text(folder / "materials" / "law.hpp",
+             "template <class Factor>\nstruct Law {\n  double stiffness;\n};\nstruct Plain {\n  double x;\n};\n");
+  write_text(folder / "materials" / "ye.hpp", "using Ye = Law<YeFactor>;\nusing SecondName = Plain;\n");
+  EXPECT_EQ(fields_of("Ye", folder), std::vector<std::string>{"stiffness"});
+  EXPECT_EQ(fields_of("SecondName", folder), std::vector<std::string>{"x"});
+  EXPECT_EQ(name_in_scripts("Law<YeFactor>", folder), "Ye");
+  EXPECT_EQ(name_in_scripts("Law<OtherFactor>", folder), "Law");
+  EXPECT_EQ(name_in_scripts("Plain", folder), "Plain");
+}
+
 TEST(NearestField, DiffersInFewLetters) {
   const std::vector<std::string> fields{"name", "floor_mass", "floors", "base_mass"};
   EXPECT_EQ(nearest_field(fields, "floor_masses"), "floor_mass");
