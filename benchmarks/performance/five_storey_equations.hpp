@@ -57,7 +57,7 @@ struct Regimes {
   double approach_speed = 0.0;  ///< m/s, at touch
 };
 
-// As materials/contact_state.hpp and viscous_hertz.hpp have them.
+// As materials/contact_state.hpp and materials/viscous_hertz_contact.hpp have them.
 inline constexpr double slowest_approach = 1e-4, largest_speed_ratio = 100.0;
 
 inline double speed_ratio(const Regimes& regimes, double base_velocity) {

@@ -20,7 +20,7 @@ TEST(DimensionNames, DescribeATypeInASentence) {
   EXPECT_EQ(described("double"), "a number without unit");
   EXPECT_EQ(described("int"), "a number without unit");
   EXPECT_EQ(described("moat::NodeId"), "a NodeId");
-  EXPECT_EQ(described("moat::ImpactLawNamed"), "an ImpactLawNamed");
+  EXPECT_EQ(described("moat::ImpactRecorder"), "an ImpactRecorder");
   EXPECT_EQ(described("moat::Required<moat::PerStorey<moat::Quantity<1, 0, 0> > >"), "a mass [kg], or one per storey,");
   EXPECT_EQ(described("<brace-enclosed initializer list>"), "a list in braces");
 }
