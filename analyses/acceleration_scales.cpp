@@ -26,6 +26,11 @@ AccelerationScales::AccelerationScales(const Model& model, double lowest)
   own_ = values_;
   outside_contact_ = values_;
   of_building_ = values_;
+  for (int i = 0; i < static_cast<int>(building_.size()); ++i) {
+    const int building = building_[static_cast<std::size_t>(i)];
+    if (runs_.empty() || runs_.back().building != building) runs_.push_back({i, i, building});
+    runs_.back().end = i + 1;
+  }
   regimes_changed(model);
 }
 
@@ -69,14 +74,18 @@ const Vector& AccelerationScales::values() {
 
 // Each value is the node's own scale, or a share of the largest scale in its building if that is larger.
 void AccelerationScales::raise_to_building() {
-  const int count = static_cast<int>(own_.size());
-  const int* building = building_.data();
   const double* own = own_.data();
-  double* __restrict largest = of_building_.data();
   double* __restrict values = values_.data();
-  for (int i = 0; i < count; ++i) largest[i] = 0.0;
-  for (int i = 0; i < count; ++i) largest[building[i]] = std::max(largest[building[i]], own[i]);
-  for (int i = 0; i < count; ++i) values[i] = std::max(own[i], share_of_building * largest[building[i]]);
+  for (const Run& run : runs_) of_building_[run.building] = 0.0;
+  for (const Run& run : runs_) {
+    double largest = of_building_[run.building];
+    for (int i = run.begin; i < run.end; ++i) largest = std::max(largest, own[i]);
+    of_building_[run.building] = largest;
+  }
+  for (const Run& run : runs_) {
+    const double least = share_of_building * of_building_[run.building];
+    for (int i = run.begin; i < run.end; ++i) values[i] = std::max(own[i], least);
+  }
 }
 
 void AccelerationScales::accepted(const Model& model, double h, double ground_acceleration) {

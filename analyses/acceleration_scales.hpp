@@ -43,6 +43,11 @@ class AccelerationScales {
   Vector own_;              // of each node alone
   Vector outside_contact_;  // the same, without contacts
   Vector of_building_;      // largest, at the index building_ names
+  // Nodes that follow each other in one building.
+  struct Run {
+    int begin, end, building;
+  };
+  std::vector<Run> runs_;
 };
 
 }  // namespace moat

@@ -25,8 +25,10 @@ void ImplicitSteps::predict(const StepTask& step) {
 
 bool ImplicitSteps::solve(const StepTask& part) {
   if (!std::exchange(is_set_up_, false)) equations_.begin(part, scheme_, acceleration_);
-  last_report_ = newton_.solve(acceleration_);
-  newton_iterations_ += last_report_.iterations;
+  // The first Newton step may have been taken already.
+  const int taken = equations_.has_extrapolated() ? 1 : 0;
+  last_report_ = newton_.solve(acceleration_, 1 - taken);
+  newton_iterations_ += last_report_.iterations + taken;
   if (last_report_.converged) equations_.complete();
   return last_report_.converged;
 }

@@ -50,6 +50,52 @@ void StepEquations::begin(const StepTask& task, StepScheme scheme, Vector& guess
   for (int i = 0; i < size(); ++i) lowest_scales[i] = std::max(0.5 * scales[i], std::numeric_limits<double>::min());
   if (!scheme.balances_at_end()) average_start();
   model_->trial().time = task.end_time;
+  has_extrapolated_ = scheme.balances_at_end() && factors_serve() && knows_velocity_of_forces();
+  if (has_extrapolated_) extrapolate(guess);
+}
+
+bool StepEquations::factors_serve() const {
+  return factorised_ && scheme_.force_share * scheme_.velocity_weight(task_.length) == factorised_velocity_weight_ &&
+         scheme_.force_share * scheme_.displacement_weight(task_.length) == factorised_displacement_weight_ &&
+         scheme_.mass_share == factorised_mass_share_ && model_->tangent_version() == factorised_version_;
+}
+
+// Whether the trial state of the last complete() was committed, or is tried again from the one before.
+bool StepEquations::knows_velocity_of_forces() {
+  const double now = model_->state().time;
+  if (of_trial_.time == now) std::swap(of_trial_, of_committed_);
+  return of_committed_.time == now;
+}
+
+// From the guess a0, with forces that follow the committed tangents K and C from the committed state (u, v, f) on:
+//
+//     a = a0 - T^-1 (M a0 + f + K (u(a0) - u) + C (v(a0) - v) + M iota a_g)
+void StepEquations::extrapolate(Vector& guess) {
+  if (linear_version_ != factorised_version_) {
+    if (stiffness_.size == 0) stiffness_ = damping_ = model_->pattern();
+    model_->assemble_tangent(0.0, 0.0, 1.0, stiffness_);
+    model_->assemble_tangent(0.0, 1.0, 0.0, damping_);
+    linear_version_ = factorised_version_;
+  }
+  const int count = size();
+  const double displacement_weight = factorised_displacement_weight_, velocity_weight = factorised_velocity_weight_;
+  const MotionState& start = model_->state();
+  const double *a = guess.data(), *u = start.displacement.data(), *v = of_committed_.velocity.data(),
+               *mass = model_->masses().data(), *force = model_->committed_forces().data(),
+               *predicted_displacement = predicted_displacement_.data(),
+               *predicted_velocity = predicted_velocity_.data();
+  unbalanced_.resize(count);
+  double* __restrict unbalanced = unbalanced_.data();
+  for (int i = 0; i < count; ++i) unbalanced[i] = -(mass[i] * (a[i] + task_.ground_acceleration) + force[i]);
+  const int *starts = stiffness_.column_starts.data(), *rows = stiffness_.row_indices.data();
+  const double *stiffness = stiffness_.values.data(), *damping = damping_.values.data();
+  for (int i = 0; i < count; ++i) {
+    const double du = predicted_displacement[i] + displacement_weight * a[i] - u[i],
+                 dv = predicted_velocity[i] + velocity_weight * a[i] - v[i];
+    for (int k = starts[i]; k < starts[i + 1]; ++k) unbalanced[rows[k]] -= stiffness[k] * du + damping[k] * dv;
+  }
+  factorisation_.solve(unbalanced_);
+  guess += unbalanced_;
 }
 
 void StepEquations::average_start() {
@@ -70,6 +116,10 @@ void StepEquations::predict(const StepTask& task, StepScheme scheme, Vector& gue
 void StepEquations::complete() {
   model_->evaluate_rates();
   balanced_scales_ = scales_;
+  if (factors_serve()) {
+    of_trial_.time = task_.end_time;
+    of_trial_.velocity = model_->trial().velocity;
+  }
   if (!scheme_.corrects_velocity) return;
   const double h = task_.length, correction = h * h / 12.0, half = scheme_.gamma * h;
   const MotionState& start = model_->state();
@@ -92,6 +142,8 @@ void StepEquations::balance_committed_state(double ground_acceleration) {
       (-force.head(count).array() / model_->masses().array() - ground_acceleration).matrix();
   model_->evaluate_rates();
   model_->commit();
+  of_committed_.time = model_->state().time;
+  of_committed_.velocity = model_->state().velocity;
 }
 
 // The trial state with these accelerations at its end.
@@ -142,9 +194,7 @@ bool StepEquations::compute_residual(const Vector& acceleration, Vector& residua
 bool StepEquations::compute_direction(const Vector& residual, Vector& direction) {
   const double velocity_weight = scheme_.force_share * scheme_.velocity_weight(task_.length),
                displacement_weight = scheme_.force_share * scheme_.displacement_weight(task_.length);
-  if (!factorised_ || velocity_weight != factorised_velocity_weight_ ||
-      displacement_weight != factorised_displacement_weight_ || scheme_.mass_share != factorised_mass_share_ ||
-      model_->tangent_version() != factorised_version_) {
+  if (!factors_serve()) {
     model_->assemble_tangent(scheme_.mass_share, velocity_weight, displacement_weight, tangent_);
     factorised_ = factorisation_.factorise(tangent_);
     if (!factorised_) return false;

@@ -1,6 +1,8 @@
 // The equations of one time step.
 #pragma once
 
+#include <limits>
+
 #include "analyses/step_scheme.hpp"
 #include "model/model.hpp"
 #include "motions/ground_span.hpp"
@@ -29,7 +31,9 @@ class StepEquations final : public NonlinearSystem {
  public:
   explicit StepEquations(Model& model);
 
-  /// Sets up a step from the model's committed state. `guess` := accelerations to start from.
+  /// Sets up a step from the model's committed state. `guess` := accelerations to start from. Where the factors of the
+  /// tangent still serve, they are those of a first Newton step with the committed forces and tangents, which is the
+  /// solution where nothing changes its stiffness.
   void begin(const StepTask& task, StepScheme scheme, Vector& guess);
   /// begin(), and the trial state that the guess leads to; only elements that can change their regime are evaluated.
   void predict(const StepTask& task, StepScheme scheme, Vector& guess);
@@ -46,9 +50,15 @@ class StepEquations final : public NonlinearSystem {
   double round_off(int row) const override;
   bool compute_direction(const Vector& residual, Vector& direction) override;
 
+  /// Whether the guess of begin() is the result of a Newton step.
+  [[nodiscard]] bool has_extrapolated() const { return has_extrapolated_; }
+
   [[nodiscard]] long factorisations() const { return factorisation_.count(); }
 
  private:
+  [[nodiscard]] bool factors_serve() const;
+  [[nodiscard]] bool knows_velocity_of_forces();
+  void extrapolate(Vector& guess);
   void move(const Vector& acceleration);
   void average_start();
 
@@ -66,6 +76,17 @@ class StepEquations final : public NonlinearSystem {
   bool factorised_ = false;
   double factorised_velocity_weight_ = 0.0, factorised_displacement_weight_ = 0.0, factorised_mass_share_ = 0.0;
   long factorised_version_ = 0;
+  // Tangents apart, of the model's tangent version `linear_version_`, for extrapolate().
+  SparseMatrix stiffness_, damping_;
+  long linear_version_ = -1;
+  Vector unbalanced_;
+  bool has_extrapolated_ = false;
+  // The velocities with which forces were evaluated; complete() corrects velocities after that.
+  struct EvaluatedVelocity {
+    double time = std::numeric_limits<double>::quiet_NaN();  // s
+    Vector velocity;
+  };
+  EvaluatedVelocity of_committed_, of_trial_;
 };
 
 }  // namespace moat

@@ -167,6 +167,7 @@ class ForceBalanceTest final : public NOX::StatusTest::Generic {
   static constexpr double loosest_by_round_off = 1e-6;
 
   NewtonReport report;
+  int least_iterations = 1;
 
   NOX::StatusTest::StatusType checkStatus(const NOX::Solver::Generic& solver, NOX::StatusTest::CheckType) override {
     const auto& iterate = static_cast<const NoxGroup&>(solver.getSolutionGroup());
@@ -180,8 +181,9 @@ class ForceBalanceTest final : public NOX::StatusTest::Generic {
     if (!iterate.isF() || !std::isfinite(sum)) {
       report_no_number(residual);
       status_ = NOX::StatusTest::Failed;
-    } else if (report.iterations >= 1 && (report.residual <= options_.tolerance ||
-                                          (report.residual <= loosest_by_round_off && is_round_off(iterate)))) {
+    } else if (report.iterations >= least_iterations &&
+               (report.residual <= options_.tolerance ||
+                (report.residual <= loosest_by_round_off && is_round_off(iterate)))) {
       report.converged = true;
       status_ = NOX::StatusTest::Converged;
     } else {
@@ -259,10 +261,11 @@ NewtonSolver::~NewtonSolver() = default;
 NewtonSolver::NewtonSolver(NewtonSolver&&) noexcept = default;
 NewtonSolver& NewtonSolver::operator=(NewtonSolver&&) noexcept = default;
 
-NewtonReport NewtonSolver::solve(Vector& x) {
+NewtonReport NewtonSolver::solve(Vector& x, int least_iterations) {
   Nox& nox = *nox_;
   nox.start.values = x;
   nox.test->report = {};
+  nox.test->least_iterations = least_iterations;
   try {
     nox.solver->reset(nox.start);
     while (nox.solver->step() == NOX::StatusTest::Unconverged) {

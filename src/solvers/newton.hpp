@@ -42,9 +42,9 @@ struct NewtonReport {
   int worst_degree_of_freedom = 0;  ///< where it is
 };
 
-/// Full Newton steps by Trilinos NOX, at least one: where some rows balance already, others may not, and a linear
-/// system is solved by the first step anyway. The solver object is made once for a size and reused: after the first
-/// call solve() allocates nothing. One per thread.
+/// Full Newton steps by Trilinos NOX, by default at least one: where some rows balance already, others may not, and a
+/// linear system is solved by the first step anyway. The solver object is made once for a size and reused: after the
+/// first call solve() allocates nothing. One per thread.
 class NewtonSolver {
  public:
   /// The system must outlive the solver.
@@ -53,8 +53,9 @@ class NewtonSolver {
   NewtonSolver(NewtonSolver&&) noexcept;
   NewtonSolver& operator=(NewtonSolver&&) noexcept;
 
-  /// Starts from x and leaves the last iterate there; the last call to compute_residual() was at that x.
-  NewtonReport solve(Vector& x);
+  /// Starts from x and leaves the last iterate there; the last call to compute_residual() was at that x. An x that is
+  /// already the result of a Newton step needs no other if it balances: `least_iterations` 0.
+  NewtonReport solve(Vector& x, int least_iterations = 1);
 
  private:
   struct Nox;
