@@ -1,55 +1,50 @@
 #include "output/chart.hpp"
 
-#include <vtkChartXY.h>
-#include <vtkContextScene.h>
-#include <vtkNew.h>
-
 #include <algorithm>
-#include <mutex>
 
 #include "base/check.hpp"
+#include "output/chart_description.hpp"
+#include "output/chart_legend.hpp"
 #include "output/chart_panel.hpp"
-#include "output/classic_locale.hpp"
 #include "output/file_io.hpp"
-#include "output/svg_device.hpp"
 
 namespace moat {
 namespace {
 
-std::string paint(const std::vector<Chart>& charts, int width, int height, std::size_t columns) {
-  SvgSheet sheet{width, height};
-  // Panels of a row have one height, so that their plot areas are aligned.
-  std::vector<Panel> panels(charts.size());
-  int total_height = 0;
-  for (std::size_t first = 0; first < charts.size(); first += columns) {
-    const std::size_t end = std::min(first + columns, charts.size());
-    int heading = 0;
-    for (std::size_t i = first; i < end; ++i) {
-      panels[i].width = width / static_cast<int>(columns);
-      panels[i].left = static_cast<int>(i - first) * panels[i].width;
-      lay_out_heading(sheet.painter(), charts[i], panels[i]);
-      heading = std::max(heading, panels[i].heading);
-    }
-    for (std::size_t i = first; i < end; ++i) {
-      panels[i].heading = heading;
-      panels[i].height = height + heading - top_margin;
-    }
-    total_height += panels[first].height;
+/// Places panels row by row. Those of a row have one height, and all have one width, so that plot areas are aligned.
+std::string draw(const std::vector<Chart>& charts, int width, int height, int columns) {
+  const int panel_width = width / columns;
+  const int plot_height = height - title_strip - bottom_margin;
+  std::vector<ChartPanel> panels;
+  double left_margin = 0.0;
+  for (const Chart& chart : charts) {
+    panels.push_back(panel_of(chart, panel_width - right_margin, plot_height));
+    left_margin = std::max(left_margin, panels.back().left_margin);
   }
-  sheet.resize(width, total_height);
+  for (ChartPanel& panel : panels) panel.left_margin = left_margin;
+  const double plot_width = panel_width - left_margin - right_margin;
 
-  vtkNew<vtkContextScene> scene;
-  scene->SetGeometry(width, total_height);
-  int top = total_height;
-  for (std::size_t i = 0; i < charts.size(); ++i) {
-    if (i % columns == 0) top -= panels[i].height;
-    panels[i].bottom = top;
-    build_panel(charts[i], panels[i]);
-    scene->AddItem(panels[i].chart.get());
+  std::vector<ChartHeading> headings;
+  for (const Chart& chart : charts) headings.push_back(lay_out_heading(chart, plot_width));
+  const auto per_row = static_cast<std::size_t>(columns);
+  std::vector<double> heading_heights;  // of every row
+  for (std::size_t i = 0; i < headings.size(); ++i) {
+    if (i % per_row == 0) heading_heights.push_back(0.0);
+    heading_heights.back() = std::max(heading_heights.back(), headings[i].height);
   }
-  scene->Paint(sheet.painter());
-  for (const Panel& panel : panels) draw_labels(sheet.painter(), panel);
-  return sheet.finish();
+  double total_height = 0.0;
+  for (const double heading : heading_heights) total_height += heading + plot_height + bottom_margin;
+
+  SvgWriter svg{width, static_cast<int>(total_height), titles_of(panels), description_of(panels)};
+  double top = 0.0;
+  for (std::size_t i = 0; i < panels.size(); ++i) {
+    const std::size_t row = i / per_row, column = i % per_row;
+    const double left = static_cast<double>(column) * panel_width + left_margin;
+    draw_heading(svg, headings[i], {left, top});
+    draw_panel(svg, panels[i], {left, top + heading_heights[row], plot_width, static_cast<double>(plot_height)});
+    if (column + 1 == per_row) top += heading_heights[row] + plot_height + bottom_margin;
+  }
+  return svg.finish();
 }
 
 }  // namespace
@@ -60,10 +55,7 @@ std::string svg_text(const std::vector<Chart>& charts, int width, int height, in
   check.that(columns >= 1, "columns", columns, "1", ">= 1");
   check.that(width / columns >= 200, "width", width, "pixels", ">= 200 pixels for every column");
   check.that(height >= 150, "height", height, "pixels", ">= 150 pixels");
-  static std::mutex fonts;
-  const std::lock_guard lock{fonts};
-  const ClassicLocale classic;
-  return paint(charts, width, height, static_cast<std::size_t>(columns));
+  return draw(charts, width, height, columns);
 }
 
 void write_svg(const Chart& chart, const std::filesystem::path& path, int width, int height) {

@@ -34,13 +34,13 @@ struct Chart {
 
 /// The chart as SVG text, `width` x `height` pixels; several charts fill `columns` columns, row by row, each
 /// `height` high, with their plot areas aligned. A legend that finds no room beside the title gets rows of its own,
-/// which make its panel higher. Long series are thinned to about two points per pixel and keep their peaks. The text
-/// has no prolog and no ids, so it may be placed inside an HTML page, several times.
+/// which make its panel higher; texts that are longer than the plot area are shortened. Long series are thinned to
+/// about two points per pixel and keep their peaks. Title and description say in words what is drawn. The text has no
+/// prolog and no ids, so it may be placed inside an HTML page, several times.
 ///
 /// Throws InputError for no chart or a size below 200 x 150 pixels for each, and where a chart has no point to draw, a
 /// series has x and y of different length or a value that is not finite, a logarithmic axis gets a value that is not
-/// positive, one from zero a negative one, or an x range ends before it starts. Safe to call from several threads:
-/// VTK's fonts are shared, so they wait for each other.
+/// positive, one from zero a negative one, or an x range ends before it starts.
 std::string svg_text(const std::vector<Chart>& charts, int width = 1000, int height = 420, int columns = 1);
 
 /// Writes one chart. Throws as svg_text does, and FileError.

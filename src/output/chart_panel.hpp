@@ -1,46 +1,39 @@
-// One panel of a chart: plot area, axes, title and legend.
+// One chart of a drawing: plot area, axes and curves.
 #pragma once
 
-#include <array>
-#include <memory>
-#include <string>
+#include <utility>
 #include <vector>
 
 #include "output/chart.hpp"
-
-class vtkChartXY;
-class vtkContext2D;
+#include "output/chart_axis.hpp"
+#include "output/chart_legend.hpp"
+#include "output/envelope.hpp"
+#include "output/svg_writer.hpp"
 
 namespace moat {
 
-/// Height of the strip above the plot area that holds the title, pixels.
-inline constexpr int top_margin = 40;
-
-struct LegendEntry {
-  std::string name;
-  Series::Style style;
-  std::array<unsigned char, 3> colour;
-  float x = 0.0f;  ///< left end of the line sample, pixels
-  int row = 0;     ///< 0: beside the title
+/// The rectangle of a plot area, pixels.
+struct PlotArea {
+  double left, top, width, height;
 };
 
-/// One panel: the VTK chart, and title and legend drawn by hand above it.
-struct Panel {
-  std::shared_ptr<vtkChartXY> chart;  // made by build_panel
-  std::string title, y_label;
-  std::vector<LegendEntry> legend;
-  int heading = top_margin;  // height of the strip above the plot area
-  int width = 0;             // of the whole panel
-  int height = 0;
-  int left = 0;    // pixels
-  int bottom = 0;  // pixels, upwards
+/// A chart ready to be drawn.
+struct ChartPanel {
+  const Chart* chart;
+  std::vector<Curve> curves;  ///< one per series
+  std::pair<double, double> x_range, y_range;
+  ChartAxis y_axis;
+  double left_margin;  ///< pixels that label and numbers of the y axis need
 };
 
-/// Places title and legend in the strip above the plot area, never on top of a curve; sets Panel::heading.
-void lay_out_heading(vtkContext2D* painter, const Chart& chart, Panel& panel);
-/// Makes Panel::chart. Throws as svg_text does.
-void build_panel(const Chart& chart, Panel& panel);
-/// Draws title, legend and the label of the y axis.
-void draw_labels(vtkContext2D* painter, const Panel& panel);
+// Pixels beside and below a plot area.
+inline constexpr int right_margin = 24;
+inline constexpr int bottom_margin = 58;
+
+/// The panel of a chart whose plot area is `height` pixels high and at most `width` wide. Throws as svg_text does.
+ChartPanel panel_of(const Chart& chart, int width, int height);
+
+/// Draws everything but the heading.
+void draw_panel(SvgWriter& svg, const ChartPanel& panel, const PlotArea& area);
 
 }  // namespace moat

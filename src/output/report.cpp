@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "output/chart.hpp"
+#include "output/chart_style.hpp"
 #include "output/energy_columns.hpp"
 #include "output/engineering_unit.hpp"
 #include "output/file_io.hpp"
@@ -20,6 +21,7 @@ namespace moat {
 namespace {
 
 constexpr std::string_view style = R"(
+:root { color-scheme: light dark; }
 body { font: 15px/1.5 Arial, Helvetica, "Liberation Sans", sans-serif; color: #222; max-width: 1040px;
        margin: 2em auto; padding: 0 1em; }
 h1 { font-size: 1.6em; margin-bottom: .2em; }
@@ -39,6 +41,21 @@ tr.unsettled td { background: #fdf0e0; }
 .sensitive { background: #fdf0e0; border-left: 4px solid #c55a11; padding: .5em .9em; }
 svg { max-width: 100%; height: auto; display: block; }
 )";
+
+constexpr std::string_view dark_style = R"(
+body { background: #16181b; color: #ddd; }
+h2 { border-color: #555; }
+th, td { border-color: #3a3d42; }
+th { background: #25282d; }
+tr.group th { border-color: #888; }
+tr.unsettled td, .sensitive { background: #45341f; }
+)";
+
+/// Dark where the reader's system is, and light on paper.
+std::string whole_style() {
+  return std::string{style} + "@media screen and (prefers-color-scheme: dark) {" + std::string{dark_style} +
+         std::string{chart_style::dark_rules} + "}\n";
+}
 
 using html::escaped;
 using html::number_row;
@@ -188,7 +205,7 @@ std::string chart_section(const CaseResult& result) {
 
 void write_report_html(const CaseResult& result, const std::filesystem::path& folder) {
   std::string page = "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<title>" +
-                     escaped(result.title) + "</title>\n<style>" + std::string{style} + "</style>\n</head>\n<body>\n";
+                     escaped(result.title) + "</title>\n<style>" + whole_style() + "</style>\n</head>\n<body>\n";
   page += "<h1>" + escaped(result.title) + "</h1>\n";
   page += warning_section(result);
   page += html::motion_section(result.motion);

@@ -81,6 +81,26 @@ TEST_F(ChartToSvg, IsWellFormedAndHoldsItsLabels) {
     EXPECT_TRUE(texts.contains(label)) << label;
 }
 
+TEST_F(ChartToSvg, IsDescribedForReadersWhoDoNotSeeIt) {
+  Chart chart{.title = "Drift", .x_label = "time [s]", .y_label = "drift [cm]", .series = {}};
+  chart.series = {{.name = "storey 1", .x = {0, 1}, .y = {-1.5, 2}}, {.name = "", .x = {0, 1}, .y = {3, 45231}}};
+  Chart other = chart;
+  other.title = "Other";
+  other.series.pop_back();
+  const auto root = parse_xml(svg_text({chart, other}));
+  ASSERT_NE(root, nullptr);
+  EXPECT_STREQ(root->GetAttribute("role"), "img");
+  EXPECT_STREQ(root->FindNestedElementWithName("title")->GetCharacterData(), "Drift; Other");
+  EXPECT_STREQ(root->FindNestedElementWithName("desc")->GetCharacterData(),
+               "Drift: drift [cm] over time [s]; storey 1 from -1.5 to 2, from 3 to 45231. "
+               "Other: drift [cm] over time [s]; storey 1 from -1.5 to 2.");
+}
+
+TEST_F(ChartToSvg, DrawsASinglePointOfALine) {
+  const Chart chart{.title = "a", .x_label = "x", .y_label = "y", .series = {{.name = "", .x = {1}, .y = {2}}}};
+  EXPECT_NE(svg_text({chart}).find("<circle"), std::string::npos);
+}
+
 TEST_F(ChartToSvg, PlacesChartsInColumnsWithAlignedPlotAreas) {
   const Chart line{.title = "a", .x_label = "x", .y_label = "y", .series = {{.name = "l", .x = {0, 1}, .y = {0, 1}}}};
   Chart with_long_legend = line;
@@ -195,8 +215,9 @@ TEST_F(ChartToSvg, LeavesOutWhatIsOutsideTheRange) {
     EXPECT_GE(x, 0.0);
     EXPECT_LE(x, 900.0);
   }
-  EXPECT_TRUE(texts_of(root).contains("10"));
-  EXPECT_FALSE(texts_of(root).contains("20"));
+  EXPECT_TRUE(texts_of(root).contains("5.0"));
+  EXPECT_TRUE(texts_of(root).contains("10.0"));
+  for (const char* outside : {"4.5", "10.5", "20", "20.0"}) EXPECT_FALSE(texts_of(root).contains(outside)) << outside;
 }
 
 TEST_F(ChartToSvg, RefusesWhatCannotBeDrawn) {

@@ -132,7 +132,7 @@ TEST_F(Report, DrawsOfferedQuantities) {
   tilt.values[7] = NAN;
   result.histories.columns.push_back(tilt);
   const std::string html = written(result);
-  EXPECT_EQ(count(html, "Roof tilt"), 1u) << "one chart of both places";
+  EXPECT_EQ(count(html, ">Roof tilt</text>"), 1u) << "one chart of both places";
   EXPECT_EQ(html.find("Hole"), std::string::npos) << "a curve with a hole cannot be drawn";
 }
 
