@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <span>
 #include <string_view>
 
 namespace moat {
@@ -10,5 +11,11 @@ namespace moat {
 /// end: a write that fails leaves the old file, and a link is replaced, not followed. Throws FileError naming the file
 /// and the reason.
 void write_file(const std::filesystem::path& path, std::string_view contents);
+/// The same; the contents are the pieces one after another.
+void write_file(const std::filesystem::path& path, std::span<const std::string_view> pieces);
+
+/// The same in half the time, for a file that nobody looks for before another file names it: it is written in its
+/// place, and what has its name there is removed first. A write that fails leaves nothing.
+void write_unlisted_file(const std::filesystem::path& path, std::span<const std::string_view> pieces);
 
 }  // namespace moat

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "output/chart_style.hpp"
-#include "output/report_html.hpp"
+#include "output/xml_text.hpp"
 
 namespace moat {
 namespace {
@@ -30,14 +30,6 @@ void append_pixels(std::string& out, double pixels) {
   out += '.';
   out += static_cast<char>('0' + rest / ten);
   if (rest % ten != 0) out += static_cast<char>('0' + rest % ten);
-}
-
-/// XML has no control characters except these three.
-std::string escaped_for_xml(std::string_view text) {
-  std::string clean{text};
-  for (char& c : clean)
-    if (static_cast<unsigned char>(c) < ' ' && c != '\t' && c != '\n' && c != '\r') c = '?';
-  return html::escaped(clean);
 }
 
 }  // namespace

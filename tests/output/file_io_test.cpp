@@ -1,5 +1,9 @@
 #include "output/file_io.hpp"
 
+#include <string>
+#include <string_view>
+#include <vector>
+
 #include "output_testing.hpp"
 
 namespace moat {
@@ -37,6 +41,36 @@ TEST_F(WriteFile, LeavesTheOldFileWhereTheNewOneFails) {
             std::string::npos);
   EXPECT_EQ(files(), 1u) << "nothing unfinished is left";
   EXPECT_NE(message_of<FileError>([&] { write_file(folder / "none" / "a.txt", "text"); }).find("cannot be created"),
+            std::string::npos);
+}
+
+TEST_F(WriteFile, PutsPiecesOneAfterAnother) {
+  // More than the kernel takes at once, and empty ones among them.
+  std::string expected;
+  std::vector<std::string> texts;
+  for (int i = 0; i < 5000; ++i)
+    texts.push_back(std::string(static_cast<std::size_t>(i % 7), static_cast<char>('a' + i % 26)));
+  std::vector<std::string_view> pieces;
+  for (const std::string& text : texts) {
+    pieces.push_back(text);
+    expected += text;
+  }
+  write_file(folder / "a.txt", pieces);
+  EXPECT_EQ(read_file(folder / "a.txt"), expected);
+  write_unlisted_file(folder / "b.txt", pieces);
+  EXPECT_EQ(read_file(folder / "b.txt"), expected);
+  EXPECT_EQ(files(), 2u);
+}
+
+TEST_F(WriteFile, RemovesWhatHasTheNameOfAnUnlistedFile) {
+  const std::vector<std::string_view> pieces{"new"};
+  write_file(folder / "victim.txt", "mine");
+  fs::create_symlink("victim.txt", folder / "a.txt");
+  write_unlisted_file(folder / "a.txt", pieces);
+  EXPECT_EQ(read_file(folder / "victim.txt"), "mine");
+  EXPECT_EQ(read_file(folder / "a.txt"), "new");
+  fs::create_directories(folder / "taken" / "inside");
+  EXPECT_NE(message_of<FileError>([&] { write_unlisted_file(folder / "taken", pieces); }).find("cannot be created"),
             std::string::npos);
 }
 

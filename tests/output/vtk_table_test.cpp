@@ -40,6 +40,23 @@ TEST_F(VtkTable, ReadsBackUnchanged) {
   }
 }
 
+TEST_F(VtkTable, KeepsNamesMissingValuesAndEmptyTables) {
+  const std::string name = "a \"<&>\" ü";
+  write_vtt(Table{{{"drift", name, "m", {-0.0, NAN, INFINITY}}}}, folder / "a.vtt");
+  vtkNew<vtkXMLTableReader> reader;
+  reader->SetFileName((folder / "a.vtt").c_str());
+  reader->Update();
+  EXPECT_EQ(reader->GetOutput()->GetColumnName(0), "drift [m] " + name);
+  EXPECT_TRUE(std::isnan(reader->GetOutput()->GetValue(1, 0).ToDouble()));
+  EXPECT_EQ(reader->GetOutput()->GetValue(2, 0).ToDouble(), INFINITY);
+
+  write_vtt(Table{{{"time", "", "s", {}}}}, folder / "b.vtt");
+  vtkNew<vtkXMLTableReader> empty;
+  empty->SetFileName((folder / "b.vtt").c_str());
+  empty->Update();
+  EXPECT_EQ(empty->GetOutput()->GetNumberOfRows(), 0);
+}
+
 TEST_F(VtkTable, RefusesTwoColumnsOfOneName) {
   const Table table{{{"drift", "storey 1", "m", {0.0}}, {"drift", "storey 1", "m", {1.0}}}};
   EXPECT_EQ(testing_output::message_of<InputError>([&] { write_vtt(table, folder / "histories.vtt"); }),

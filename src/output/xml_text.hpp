@@ -1,0 +1,13 @@
+// Texts inside XML.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace moat {
+
+/// Text for an element or an attribute between double quotes, in UTF-8. Control characters that XML does not have
+/// become "?".
+std::string escaped_for_xml(std::string_view text);
+
+}  // namespace moat
