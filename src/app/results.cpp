@@ -1,6 +1,7 @@
 #include "app/results.hpp"
 
 #include <algorithm>
+#include <future>
 
 #include "base/number_format.hpp"
 #include "output/csv_writer.hpp"
@@ -15,11 +16,14 @@
 namespace moat {
 
 void write_results(const CaseResult& result, const std::filesystem::path& folder) {
+  // The longest file, written beside the others. Without a free thread it is written at get().
+  std::future<void> histories = std::async(std::launch::async | std::launch::deferred,
+                                           [&] { write_csv(result.histories, folder / results_file::histories_csv); });
   write_csv(result.impacts, folder / results_file::impacts);
-  write_csv(result.histories, folder / results_file::histories_csv);
   write_vtt(result.histories, folder / results_file::histories_vtt);
   write_report_html(result, folder);
   if (const auto charts = history_charts(result); !charts.empty()) write_svg(charts, folder / results_file::charts);
+  histories.get();
   // Last: a folder with a summary is complete.
   write_summary_json(result, folder / results_file::summary);
 }

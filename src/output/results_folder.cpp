@@ -174,9 +174,12 @@ void ResultsFolder::finish() {
       names.push_back(path.filename());
   std::error_code error;
   if (fs::exists(from / results_file::frames_folder, error)) {
-    create(final_ / results_file::frames_folder);
-    for (const fs::path& path : entries(from / results_file::frames_folder))
-      names.push_back(fs::path{results_file::frames_folder} / path.filename());
+    // As a whole, unless foreign files stayed in the old folder.
+    if (!fs::exists(fs::symlink_status(final_ / results_file::frames_folder, error)))
+      names.emplace_back(results_file::frames_folder);
+    else
+      for (const fs::path& path : entries(from / results_file::frames_folder))
+        names.push_back(fs::path{results_file::frames_folder} / path.filename());
   }
   if (fs::exists(from / results_file::summary, error)) names.emplace_back(results_file::summary);
   for (const fs::path& name : names) {

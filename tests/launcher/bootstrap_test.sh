@@ -90,7 +90,7 @@ case $case in
   first_run)
     launch run "$world/tower.cpp"
     handed_over "$root/build"
-    called "apt-get .*install --yes --no-install-recommends .*libvtk9-dev"
+    called "apt-get .*install --yes --no-install-recommends .*libtrilinos-nox-dev"
     not_called libgtest-dev
     called "cmake -S .*--preset release .*MOAT_BUILD_TESTS=OFF"
     called "cmake --build .*moat_launcher"
@@ -178,7 +178,7 @@ case $case in
     PATH=/usr/bin:/bin
     code_is 3
     err_tells "This is not Debian"
-    err_tells "libvtk9-dev"
+    err_tells "libtrilinos-nox-dev"
     ;;
   build_fails)
     touch "$world/build_fails"
@@ -202,7 +202,7 @@ case $case in
   doctor_before_the_program)
     launch doctor
     code_is 1
-    out_tells "libvtk9-dev"
+    out_tells "libtrilinos-nox-dev"
     not_called .
     ;;
   wrong_usage_before_the_program)

@@ -113,6 +113,19 @@ TEST_F(ResultsFolderTest, OverwritingKeepsWhatMoatDidNotWrite) {
   for (const fs::path& name : foreign) EXPECT_TRUE(fs::exists(x / name)) << name;
 }
 
+TEST_F(ResultsFolderTest, PutsNewFramesBesideForeignFiles) {
+  const fs::path x = folder / "x";
+  put(x / "frames" / "frame_000000.vtu");
+  put(x / "frames" / "mine.vtu");
+  put_summary(x);
+  ResultsFolder results{x, WhenFolderExists::overwrite};
+  for (const char* name : {"frame_000000.vtu", "frame_000001.vtu"}) put(results.path() / "frames" / name);
+  results.finish();
+  for (const char* name : {"frame_000000.vtu", "frame_000001.vtu", "mine.vtu"})
+    EXPECT_TRUE(fs::exists(x / "frames" / name)) << name;
+  EXPECT_FALSE(fs::exists(folder / "x.new"));
+}
+
 TEST_F(ResultsFolderTest, OverwritingRemovesTheEmptyFramesFolder) {
   put(folder / "x" / "frames" / "frame_000000.vtu");
   overwrite(folder / "x");
