@@ -37,11 +37,12 @@ TEST(OfferedQuantities, AreColumnsOfTheHistories) {
   const StepView end = building.move(0.5, 0.01, 0.05);
   drift.step(end);
   recorder.step(end);
-  const std::vector<double>& values = recorder.table().values("tilt", "tower");
+  const Table table = recorder.table();
+  const std::vector<double>& values = table.values("tilt", "tower");
   ASSERT_EQ(values.size(), 3u);
   EXPECT_NEAR(values[1], 0.02, 1e-15) << "linear inside the step";
   EXPECT_NEAR(values[2], 0.04, 1e-15);
-  EXPECT_EQ(recorder.table().values("steps", "tower").back(), 1.0);
+  EXPECT_EQ(table.values("steps", "tower").back(), 1.0);
 }
 
 TEST(OfferedQuantities, HavePeaksWithTheirSign) {
