@@ -24,7 +24,7 @@ set(_definitions "$<TARGET_PROPERTY:moat,INTERFACE_COMPILE_DEFINITIONS>")
 set(_compile ${CMAKE_CXX_COMPILER} ${_flags} "$<$<BOOL:${_definitions}>:-D$<JOIN:${_definitions},;-D>>"
   -isystem ${_header_folder} -isystem "$<JOIN:${_folders},;-isystem;>")
 set(_link "$<TARGET_FILE:moat>" -Xlinker -rpath -Xlinker "$<TARGET_FILE_DIR:moat>")
-# gold, a part of binutils, links a script in a tenth of the time: it does not read the libraries behind moat.
+# gold, a part of binutils, links a script in less than half the time: it does not read the libraries behind moat.
 find_program(MOAT_GOLD ld.gold)
 mark_as_advanced(MOAT_GOLD)
 if(MOAT_GOLD)
