@@ -132,7 +132,7 @@ TEST(EnergyBalance, AWarningNamesTheWorstElement) {
   std::vector<double> samples(601);
   for (std::size_t i = 0; i < samples.size(); ++i) samples[i] = 4.0 * std::sin(0.035 * static_cast<double>(i));
   const CaseResult result = run_case(model, GroundMotion{"sine", 0.01, samples},
-                                     {.transient = {.step = 50 * ms}, .error_bars = ErrorBarMode::never});
+                                     {.transient = {.step = 40 * ms}, .error_bars = ErrorBarMode::never});
   ASSERT_EQ(result.warnings.size(), 3u);
   EXPECT_NE(result.warnings[0].find("does not divide the motion's interval"), std::string::npos);
   EXPECT_NE(result.warnings[1].find("fixed step divides the shortest contact"), std::string::npos);
