@@ -5,6 +5,7 @@
 #include <string_view>
 #include <variant>
 
+#include "analyses/automatic.hpp"
 #include "analyses/exact_between_events.hpp"
 #include "analyses/generalized_alpha.hpp"
 #include "analyses/hilber_hughes_taylor.hpp"
@@ -16,7 +17,7 @@ namespace moat {
 /// (analyses/step_scheme.hpp). Names on the command line, checks and reports follow from this list.
 ///
 ///     TransientOptions{.integrator = GeneralizedAlpha{.spectral_radius = 0.8}}
-using Integrator = std::variant<Newmark, HilberHughesTaylor, GeneralizedAlpha, ExactBetweenEvents>;
+using Integrator = std::variant<Newmark, HilberHughesTaylor, GeneralizedAlpha, ExactBetweenEvents, Automatic>;
 
 /// The integrator of this name, with its default parameters. Throws InputError that starts with `what` and lists the
 /// names.
@@ -31,5 +32,6 @@ inline std::string_view name_of(const Integrator& integrator) {
   return std::visit([](const auto& each) { return each.name; }, integrator);
 }
 inline bool is_exact(const Integrator& integrator) { return std::holds_alternative<ExactBetweenEvents>(integrator); }
+inline bool is_automatic(const Integrator& integrator) { return std::holds_alternative<Automatic>(integrator); }
 
 }  // namespace moat

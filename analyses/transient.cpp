@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "analyses/event_location.hpp"
+#include "analyses/integrator_choice.hpp"
 #include "analyses/transient_texts.hpp"
 #include "base/check.hpp"
 #include "base/error.hpp"
@@ -50,7 +51,14 @@ Transient::Transient(Model& model, GroundMotion motion, TransientOptions options
       step_{model, options_, grid_, implicit_, statistics_},
       inside_{step_, options_.events},
       chatter_{options_.max_events_per_second} {
-  if (is_exact(options_.integrator)) exact_.emplace(model, longest_step(options_, motion_.time_step()));
+  const double longest = longest_step(options_, motion_.time_step());
+  if (is_automatic(options_.integrator)) {
+    const IntegratorChoice choice = choose_integrator(model, options_, longest, exact_);
+    options_.integrator = choice.integrator;
+    choice_ = choice.reason;
+  } else if (is_exact(options_.integrator)) {
+    exact_.emplace(model, longest);
+  }
   constexpr std::size_t most_at_one_instant = 64;  // more is rare
   changes_.reserve(most_at_one_instant);
   balance();
@@ -183,7 +191,10 @@ void Transient::run() {
 }
 
 std::vector<std::string> Transient::assumptions() const {
-  return assumptions_of(options_, implicit_.control(), longest_step_of_any(options_, motion_.time_step()), statistics_);
+  std::vector<std::string> list =
+      assumptions_of(options_, implicit_.control(), longest_step_of_any(options_, motion_.time_step()), statistics_);
+  if (!choice_.empty()) list.insert(list.begin(), choice_);
+  return list;
 }
 
 std::vector<std::string> Transient::warnings() const {

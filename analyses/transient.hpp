@@ -79,6 +79,7 @@ class Transient {
   Model* model_;
   GroundMotion motion_;
   TransientOptions options_;
+  std::string choice_;  // why the integrator was chosen; empty if the options give it
   SolverStatistics statistics_;
   StepGrid grid_;
   ImplicitSteps implicit_;

@@ -26,7 +26,7 @@ enum class EventTreatment {
 
 /// How a time history is computed. Every bound is checked by Transient's constructor.
 struct TransientOptions {
-  /// Newmark, HilberHughesTaylor, GeneralizedAlpha or ExactBetweenEvents, with its parameters.
+  /// Newmark, HilberHughesTaylor, GeneralizedAlpha, ExactBetweenEvents or Automatic, with its parameters.
   Integrator integrator = Newmark{};
 
   /// >= 0 s. Length of a fixed step; 0: the step adapts itself (next three options), which

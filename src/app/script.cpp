@@ -161,7 +161,9 @@ std::optional<int> Script::read_options(const GroundMotion& motion, RunOptions& 
   line.add_flag("force", options.force, "replace the results in an existing folder");
   options.transient.step = time("step", 0 * units::s, "fixed time step; 0 s adapts it");
   options.transient.tolerance = number("tolerance", options.transient.tolerance, "error per step of an adapted step");
-  const std::string integrator = text("integrator", "newmark", integrator_names() + "; the last for small models");
+  const std::string integrator =
+      text("integrator", "newmark",
+           integrator_names() + "; exact steps are for small models, automatic takes them where it can");
   options.transient.end = time("end", motion.duration() * units::s, "end of the analysis");
   options.frame_interval = time("frame-interval", 50 * units::ms, "between VTK frames; 0 s writes none");
   line.add_flag("check", options.check, "error bars also where the second run they need costs more than about 20 ms");

@@ -170,9 +170,10 @@ TEST(Integrators, AreFoundByName) {
   EXPECT_EQ(integrator_named("hht-alpha"), Integrator{HilberHughesTaylor{}});
   EXPECT_EQ(integrator_named("generalized-alpha"), Integrator{GeneralizedAlpha{}});
   EXPECT_EQ(integrator_named("exact-between-events"), Integrator{ExactBetweenEvents{}});
+  EXPECT_EQ(integrator_named("automatic"), Integrator{Automatic{}});
   EXPECT_EQ(message_of([] { integrator_named("wilson-theta"); }),
             "integrator: \"wilson-theta\" is not known. Give one of: newmark, hht-alpha, generalized-alpha, "
-            "exact-between-events.");
+            "exact-between-events, automatic.");
 }
 
 TEST(Integrators, RefuseParametersOutsideTheirRange) {

@@ -113,7 +113,7 @@ TEST_F(ScriptOptions, TheIntegratorIsChosenByName) {
   }
   expect_refusal({"--integrator", "euler"}, 1,
                  "moat: error: --integrator: \"euler\" is not known. Give one of: newmark, hht-alpha, "
-                 "generalized-alpha, exact-between-events.\n");
+                 "generalized-alpha, exact-between-events, automatic.\n");
 }
 
 TEST_F(ScriptOptions, RefusesWhatItDoesNotKnow) {

@@ -1,0 +1,29 @@
+// The choice between exact steps and Newmark's method.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "analyses/step_scheme.hpp"
+#include "base/check.hpp"
+
+namespace moat {
+
+/// ExactBetweenEvents where it applies to a model of at most 16 degrees of freedom, else Newmark. The choice and its
+/// reason are among the assumptions of the results.
+///
+/// Exact steps of such models are faster at the default tolerance, unless the motion is so smooth that Newmark's steps
+/// are many samples long. For larger models they are slower, because their matrices are full.
+struct Automatic {
+  static constexpr std::string_view name = "automatic";
+  static constexpr int most_degrees_of_freedom = 16;
+
+  [[nodiscard]] std::optional<StepScheme> scheme() const { return std::nullopt; }
+  void check(const Check&) const {}
+  [[nodiscard]] std::string description() const { return "Exact between events, or Newmark's method"; }
+
+  friend bool operator==(const Automatic&, const Automatic&) = default;
+};
+
+}  // namespace moat
