@@ -58,6 +58,15 @@ bool rows_at_steps(double interval, double step) {
   return std::abs(ratio - std::round(ratio)) < 1e-9 * ratio && ratio > 0.5;
 }
 
+// Rows of histories are ends of steps: energies and quantities of a script's recorders are known there alone.
+CaseOptions with_rows_at_steps(CaseOptions options, const GroundMotion& motion) {
+  Time& largest = options.transient.largest_step;
+  if (largest.si() > 0.0) return options;
+  const double longest = longest_step_of_any(options.transient, motion.time_step());
+  largest = std::min(longest, std::max(history_interval(options, motion), motion.time_step())) * units::s;
+  return options;
+}
+
 // The companion starts from the model before the first step. A large model is not copied where no companion will run.
 std::optional<Model> copy_for_companion(const Model& model, const GroundMotion& motion, const CaseOptions& options) {
   if (options.error_bars == ErrorBarMode::never) return std::nullopt;
@@ -84,7 +93,7 @@ MotionFacts facts_of(const GroundMotion& motion) {
 }  // namespace
 
 CaseRun::CaseRun(Model& model, const GroundMotion& motion, CaseOptions options)
-    : options_{checked(std::move(options))},
+    : options_{with_rows_at_steps(checked(std::move(options)), motion)},
       periods_{characteristic_periods(model)},
       untouched_{copy_for_companion(model, motion, options_)},
       transient_{model, motion, options_.transient},

@@ -16,6 +16,21 @@ Vector row_sums(const SparseMatrix& matrix, const Vector& masses) {
   return sums.cwiseQuotient(masses);
 }
 
+// Whether damping coefficients of a column do not add up to zero: the rest couples to the ground.
+bool has_dampers_to_ground(const SparseMatrix& damping) {
+  constexpr double round_off = 1e-9;
+  for (std::size_t column = 0; column < static_cast<std::size_t>(damping.size); ++column) {
+    double sum = 0.0, magnitudes = 0.0;
+    for (auto k = static_cast<std::size_t>(damping.column_starts[column]);
+         k < static_cast<std::size_t>(damping.column_starts[column + 1]); ++k) {
+      sum += damping.values[k];
+      magnitudes += std::abs(damping.values[k]);
+    }
+    if (std::abs(sum) > round_off * magnitudes) return true;
+  }
+  return false;
+}
+
 // Further halvings of the first step after a touch.
 constexpr int at_touch = 6;
 
@@ -26,8 +41,6 @@ double change_by_doubling(StepScheme scheme) { return scheme.order() == 4 ? 8.0 
 
 StepControl::StepControl(const Model& model, Options options)
     : options_{options}, scales_{model, options.lowest_acceleration} {
-  for (int halvings = -options_.doublings; halvings <= options_.max_halvings; ++halvings)
-    steps_.push_back(std::ldexp(options_.grid_interval, -halvings));
   SparseMatrix matrix = model.pattern();
   model.assemble_linear_stiffness(StiffnessStage::initial, matrix);
   const Vector stiffness = row_sums(matrix, model.masses());
@@ -36,6 +49,10 @@ StepControl::StepControl(const Model& model, Options options)
   round_off_per_displacement_ = last_digits * stiffness;
   model.assemble_tangent(0.0, 1.0, 0.0, matrix);
   most_damped_ = row_sums(matrix, model.masses()).maxCoeff();
+  // Absolute motion is smooth inside a step over several samples only if no force follows the velocity of the ground.
+  if (has_dampers_to_ground(matrix)) options_.doublings = 0;
+  for (int halvings = -options_.doublings; halvings <= options_.max_halvings; ++halvings)
+    steps_.push_back(std::ldexp(options_.grid_interval, -halvings));
   restart(model, false);
 }
 
@@ -59,7 +76,7 @@ StepControl::Step StepControl::next_step(const Model& model) {
   constexpr double durations_until_leaning = 4.0;
   const bool pounding = since_event_ < durations_until_leaning * contact && std::isfinite(contact);
   // The nominal step is halved further for the contact, for stability, and for the first steps after a touch.
-  int halvings = halvings_;
+  int halvings = steps_within_samples_ > 0 ? std::max(halvings_, 0) : halvings_;
   if (pounding)
     while (halvings < options_.max_halvings && step_at(halvings) * options_.steps_per_contact > contact) ++halvings;
   StepScheme scheme = StepScheme::average_acceleration();
@@ -153,6 +170,7 @@ bool StepControl::accepts(const Model& model, const StepTask& step, StepScheme s
 void StepControl::accepted(const Model& model, double h, double ground_acceleration) {
   if (!adaptive()) return;
   since_event_ += h;
+  steps_within_samples_ = std::max(steps_within_samples_ - 1, 0);
   scales_.accepted(model, h, ground_acceleration);
   watch_round_off(model);
   // The ramp after a touch does not count very short steps.

@@ -76,6 +76,12 @@ class StepControl {
     constexpr double round_off = 1e-9;
     return !adaptive() || step * options_.steps_per_contact <= contact * (1.0 + round_off);
   }
+  /// Whether the next step may be longer than one interval of the motion's samples.
+  [[nodiscard]] bool may_leave_samples() const {
+    return adaptive() && options_.doublings > 0 && steps_within_samples_ == 0;
+  }
+  /// The next steps stay within one interval of the motion's samples.
+  void stay_within_samples() { steps_within_samples_ = 8; }
   /// Elements changed their regime inside the last step.
   void changed_inside(const Model& model);
 
@@ -91,7 +97,8 @@ class StepControl {
  private:
   // Halvings of the grid interval; negative: doublings.
   [[nodiscard]] double step_at(int halvings) const {
-    return steps_[static_cast<std::size_t>(halvings + options_.doublings)];
+    const int index = halvings + options_.doublings;
+    return steps_[static_cast<std::size_t>(index)];
   }
   [[nodiscard]] double stable_step(double contact) const;
   [[nodiscard]] double error_of(const Model& model, const StepTask& step, StepScheme scheme,
@@ -104,7 +111,8 @@ class StepControl {
   Vector scales_without_bends_;
   std::vector<double> steps_;  // the longest, divided by 1, 2, 4, ...; s
   int halvings_ = 0;
-  int ramp_ = 0;              // further halvings after a touch
+  int ramp_ = 0;  // further halvings after a touch
+  int steps_within_samples_ = 0;
   double since_event_ = 0.0;  // s
   double fewest_steps_per_contact_ = std::numeric_limits<double>::infinity();
   // Of the model with open gaps: bounds on the largest squared frequency, 1/s^2, and rate of damping, 1/s.

@@ -31,16 +31,18 @@ StepTask StepGrid::next_step(double time, double length) const {
 StepTask StepGrid::task(double start, double end, double length) const {
   const double at_end = motion_ended_ ? 0.0 : motion_->acceleration_at(end);
   StepTask step{length, end, at_end, (at_end - ground_) / length, ground_, start};
-  if (!motion_ended_) step.ground_deviation = GroundSpan{*motion_, start, end}.deviation();
+  step.ground_deviation = span(start, end).deviation();
   return step;
 }
 
 void StepGrid::accepted(const StepTask& step) {
   ground_ = step.ground_acceleration;
-  span_.reset();
-  if (motion_ended_) return;
-  span_.emplace(*motion_, step.start_time, step.end_time);
+  span_ = span(step.start_time, step.end_time);
   if (span_->is_straight()) span_.reset();
+}
+
+GroundSpan StepGrid::span(double start, double end) const {
+  return motion_ended_ ? GroundSpan{*motion_, end, end} : GroundSpan{*motion_, start, end};
 }
 
 StepTask StepGrid::first_part(const StepTask& step, double h) const {

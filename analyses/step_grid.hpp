@@ -30,6 +30,8 @@ class StepGrid {
   /// The ground's motion over the step accepted last, null where its acceleration is linear there.
   [[nodiscard]] const GroundSpan* ground_span() const { return span_ ? &*span_ : nullptr; }
 
+  /// The motion of the ground over a step; straight after its end.
+  [[nodiscard]] GroundSpan span(double start, double end) const;
   /// Whether the last sample is reached and end_motion() was not called yet.
   [[nodiscard]] bool reaches_end_of_motion(double time) const;
   /// After its last sample the ground is at rest. Its acceleration jumps to zero; it does not decrease linearly. False

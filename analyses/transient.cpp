@@ -82,6 +82,7 @@ void Transient::advance() {
   if (grid_.reaches_end_of_motion(model_->state().time)) end_motion();
   double h = take_step();
   const RegimeScan seen = step_.scan(h);
+  margin_ = seen.margin;
   crossing_ = Crossing::none;
   if (seen.crossed || !changes_.empty()) h = treat_crossing(h, seen);
   commit(step_.first_part(h));
@@ -102,10 +103,27 @@ double Transient::take_step() {
     const double h = step_.solve_cutting(step_.whole().length);
     // Changes that were foreseen belong to the whole step.
     const bool cut = h != step_.whole().length && !changes_.empty();
-    if (!cut && stepper.accepts(step_.first_part(h), changes_)) return h;
+    const bool hides = may_hide_motion(h);
+    if (hides) implicit_.control().stay_within_samples();
+    if (!cut && !hides && stepper.accepts(step_.first_part(h), changes_)) return h;
     model_->undo_changes_inside();
     foresee = foresee && !cut;
   }
+}
+
+// Whether the ground moves so much inside the trial step that an element near its margin, or a peak, would be missed:
+// both are looked for on smooth paths between the ends of the step.
+bool Transient::may_hide_motion(double h) const {
+  if (!implicit_.control().may_leave_samples()) return false;
+  const MotionState &start = model_->state(), &end = model_->trial();
+  const GroundSpan span = grid_.span(start.time, end.time);
+  if (span.is_straight()) return false;
+  constexpr double negligible = 1e-4;  // of the displacement
+  const double bump = span.largest_bump();
+  const double displacement =
+      std::max(start.displacement.lpNorm<Eigen::Infinity>(), end.displacement.lpNorm<Eigen::Infinity>());
+  // At its start the step is as far from the next change as the scan of the step before found.
+  return bump > negligible * displacement || 2.0 * bump > std::min(margin_, step_.scan(h).margin);
 }
 
 // Elements change their regime in the trial step of length h: crosses the changes or ends the step at the first.

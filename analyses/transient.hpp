@@ -67,6 +67,7 @@ class Transient {
 
  private:
   double take_step();
+  [[nodiscard]] bool may_hide_motion(double h) const;
   double treat_crossing(double h, const RegimeScan& seen);
   void commit(const StepTask& step);
   void change_regimes_at_end();
@@ -89,6 +90,7 @@ class Transient {
   ChatterGuard chatter_;
   Observers observers_;
   std::vector<RegimeChange> changes_;  // of the last step
+  double margin_ = 0.0;                // at the end of the last step, m
   enum class Crossing { none, located, inside } crossing_ = Crossing::none;
 };
 

@@ -43,8 +43,9 @@ struct TransientOptions {
   int steps_per_contact = 32;
 
   /// >= 0 s. Adaptive step, and exact steps: the longest step. It is the interval of the samples times or divided by a
-  /// power of two, the longest that is at most this; 0: 0.04 s, or the interval if that is longer. Steps of schemes of
-  /// second order, and exact steps, are never longer than the interval.
+  /// power of two, the longest that is at most this; 0: 0.04 s, with histories (CaseOptions) the interval of their
+  /// rows, or the interval of the samples if that is longer. Steps of schemes of second order, and exact steps, are
+  /// never longer than the interval of the samples.
   Time largest_step{};
 
   /// >= 0, <= 40. Adaptive step: how often the interval of the samples, or largest_step if that is shorter, may be

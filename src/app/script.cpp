@@ -176,10 +176,6 @@ std::optional<int> Script::read_options(const GroundMotion& motion, RunOptions& 
   // Before the results folder is made.
   options.transient.integrator = integrator_named(integrator, "--integrator");
   Check{"Script", ""}.not_negative("--frame-interval", options.frame_interval);
-  // Frames are written at the ends of steps.
-  const double between_frames = options.frame_interval.si();
-  if (between_frames > 0.0 && between_frames < longest_step_of_any(options.transient, motion.time_step()))
-    options.transient.largest_step = options.frame_interval;
   parts_->origin.options = line.values();
   return std::nullopt;
 }

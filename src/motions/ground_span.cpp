@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/hermite.hpp"
+
 namespace moat {
 
 GroundSpan::GroundSpan(const GroundMotion& motion, double start, double end)
@@ -11,6 +13,30 @@ GroundSpan::GroundSpan(const GroundMotion& motion, double start, double end)
   const double interval = motion.time_step();
   first_sample_ = static_cast<long>(std::floor(start / interval + round_off)) + 1;
   last_sample_ = static_cast<long>(std::ceil(end / interval - round_off)) - 1;
+}
+
+GroundBump GroundSpan::bump_at(double time, const GroundDeviation& now, const GroundDeviation& end) const {
+  const double h = length(), x = (time - start_) / h;
+  const HermiteCubic displacement{0.0, 0.0, end.displacement, end.velocity, h};
+  const HermiteCubic velocity{0.0, 0.0, end.velocity, 0.0, h};
+  const double at_start = motion_->acceleration_at(start_), at_end = motion_->acceleration_at(end_);
+  const double deviation = motion_->acceleration_at(time) - (at_start + x * (at_end - at_start));
+  return {.time = time,
+          .fraction = x,
+          .displacement = now.displacement - displacement.value(x),
+          .velocity = now.velocity - displacement.rate(x),
+          .velocity_alone = now.velocity - velocity.value(x),
+          .acceleration = deviation - velocity.rate(x)};
+}
+
+GroundBump GroundSpan::bump_at_sample(long index) const {
+  return bump_at(static_cast<double>(first_sample_ + index) * motion_->time_step());
+}
+
+double GroundSpan::largest_bump() const {
+  double largest = 0.0;
+  for (long i = 0; i < samples_inside(); ++i) largest = std::max(largest, std::abs(bump_at_sample(i).displacement));
+  return largest;
 }
 
 GroundDeviation GroundSpan::deviation_at(double time) const {

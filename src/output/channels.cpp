@@ -5,22 +5,6 @@
 #include "base/hermite.hpp"
 
 namespace moat {
-namespace {
-
-// The deviation of the ground's motion from cubics through values and rates at both ends of a step.
-struct Bump {
-  double displacement, velocity;  // m, m/s
-};
-
-Bump bump_of_ground(const GroundSpan& span, double fraction) {
-  const double step = span.length();
-  const GroundDeviation inside = span.deviation_at(span.start() + fraction * step), end = span.deviation();
-  return {inside.displacement - HermiteCubic{0.0, 0.0, end.displacement, end.velocity, step}.value(fraction),
-          inside.velocity - HermiteCubic{0.0, 0.0, end.velocity, 0.0, step}.value(fraction)};
-}
-
-}  // namespace
-
 Channels::Channels(const Model& model) {
   for (const Node& node : model.nodes()) {
     list_.push_back({"displacement", node.name, node.name, "m"});
@@ -34,9 +18,11 @@ Channels::Channels(const Model& model) {
     for (std::size_t e = 0; e < block.size(); ++e) {
       const ElementInfo& info = block.info(e);
       if (!info.deformation_quantity.empty()) {
-        of_ground_.push_back(info.first == ground    ? OfGround::minus_displacement
-                             : info.second == ground ? OfGround::displacement
-                                                     : OfGround::nothing);
+        // The indentation of an open gap is zero.
+        of_ground_.push_back(block.contacts() != nullptr ? OfGround::nothing
+                             : info.first == ground      ? OfGround::minus_displacement
+                             : info.second == ground     ? OfGround::displacement
+                                                         : OfGround::nothing);
         list_.push_back({info.deformation_quantity.text(), info.name, info.listed_under(), "m"});
         of_block.elements.push_back({e, block.contacts() != nullptr ? Shown::indentation : Shown::deformation});
       }
@@ -119,12 +105,25 @@ void Channels::sample(const StepView& view, std::vector<double>& values, std::ve
   }
 }
 
-double Channels::value_inside(const StepView& view, std::size_t channel, double fraction, double of_cubic) const {
-  if (view.ground_span != nullptr && of_ground_[channel] != OfGround::nothing) {
-    const Bump bump = bump_of_ground(*view.ground_span, fraction);
-    if (of_ground_[channel] == OfGround::minus_velocity) return of_cubic - bump.velocity;
-    return of_cubic + (of_ground_[channel] == OfGround::displacement ? bump.displacement : -bump.displacement);
+Channels::Inside Channels::with_ground(std::size_t channel, const GroundBump& bump) const {
+  switch (of_ground_[channel]) {
+    case OfGround::displacement:
+      return {bump.displacement, bump.velocity};
+    case OfGround::minus_displacement:
+      return {-bump.displacement, -bump.velocity};
+    case OfGround::minus_velocity:
+      return {-bump.velocity_alone, -bump.acceleration};
+    case OfGround::nothing:
+      break;
   }
+  return {};
+}
+
+double Channels::value_inside(const StepView& view, std::size_t channel, double fraction, double of_cubic) const {
+  if (view.ground_span != nullptr && contains_ground(channel))
+    return of_cubic + with_ground(channel, view.ground_span->bump_at(view.ground_span->start() +
+                                                                     fraction * view.ground_span->length()))
+                          .value;
   const auto found = std::ranges::lower_bound(of_laws_, channel, {}, &LawChannel::channel);
   if (found == of_laws_.end() || found->channel != channel) return of_cubic;
   return view.model.blocks()[found->block]->force_inside(found->element, fraction);

@@ -35,6 +35,11 @@ class Channels {
   /// capacity. Displacements and velocities relative to the ground follow its motion inside the step.
   [[nodiscard]] double value_inside(const StepView& view, std::size_t channel, double fraction, double of_cubic) const;
 
+  /// What the motion of the ground inside a step adds to a channel and to its rate, beyond cubics.
+  struct Inside {
+    double value = 0.0, rate = 0.0;
+  };
+  [[nodiscard]] Inside with_ground(std::size_t channel, const GroundBump& bump) const;
   /// Whether a channel is relative to the ground.
   [[nodiscard]] bool contains_ground(std::size_t channel) const { return of_ground_[channel] != OfGround::nothing; }
 

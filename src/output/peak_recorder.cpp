@@ -1,6 +1,10 @@
 #include "output/peak_recorder.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <map>
+
+#include "base/hermite.hpp"
 
 #include "output/gaps_of.hpp"
 
@@ -14,11 +18,39 @@ PeakRecorder::PeakRecorder(const Model& model) : model_{&model}, channels_{model
 void PeakRecorder::start(const StepView& view) { step(view); }
 
 void PeakRecorder::step(const StepView& view) {
+  values_before_.swap(values_);
+  rates_before_.swap(rates_);
   channels_.sample(view, values_, rates_);
   const double time = view.model.state().time;
+  if (view.ground_span != nullptr) add_samples_inside(*view.ground_span);
   for (std::size_t i = 0; i < trackers_.size(); ++i)
-    trackers_[i].add(time, values_[i], rates_[i],
-                     [&](double fraction, double turned) { return channels_.value_inside(view, i, fraction, turned); });
+    trackers_[i].add(time, values_[i], rates_[i], [&](double fraction, double turned) {
+      return channels_.contains_ground(i) ? turned : channels_.value_inside(view, i, fraction, turned);
+    });
+}
+
+// Channels that contain the motion of the ground may turn at any of its samples. Those that can exceed their peak are
+// followed from sample to sample.
+void PeakRecorder::add_samples_inside(const GroundSpan& span) {
+  const double h = span.length();
+  double largest_bump = 0.0;  // m or m/s
+  for (long k = 0; k < span.samples_inside(); ++k) {
+    const GroundBump bump = span.bump_at_sample(k);
+    largest_bump = std::max({largest_bump, std::abs(bump.displacement), std::abs(bump.velocity_alone)});
+  }
+  for (std::size_t i = 0; i < trackers_.size(); ++i) {
+    if (!channels_.contains_ground(i)) continue;
+    // A cubic leaves the range of its ends by at most 4/27 h of each rate.
+    const double reach = std::max(std::abs(values_[i]), std::abs(values_before_[i])) +
+                         0.15 * h * (std::abs(rates_[i]) + std::abs(rates_before_[i]));
+    if (reach + 2.0 * largest_bump <= trackers_[i].magnitude()) continue;
+    const HermiteCubic cubic{values_before_[i], rates_before_[i], values_[i], rates_[i], h};
+    for (long k = 0; k < span.samples_inside(); ++k) {
+      const GroundBump bump = span.bump_at_sample(k);
+      const Channels::Inside more = channels_.with_ground(i, bump);
+      trackers_[i].add(bump.time, cubic.value(bump.fraction) + more.value, cubic.rate(bump.fraction) + more.rate);
+    }
+  }
 }
 
 void PeakRecorder::event(const StepView& view, std::span<const RegimeChange> changes) {

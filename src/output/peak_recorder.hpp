@@ -24,13 +24,14 @@ class PeakRecorder final : public StepObserver {
   [[nodiscard]] std::vector<Peak> peaks() const;
 
  private:
+  void add_samples_inside(const GroundSpan& span);
   [[nodiscard]] std::string side_of(std::size_t channel, const Peak& peak) const;
 
   const Model* model_;
   Channels channels_;
   std::set<std::string> gaps_;         // names
   std::vector<PeakTracker> trackers_;  // one for each channel
-  std::vector<double> values_, rates_;
+  std::vector<double> values_, rates_, values_before_, rates_before_;
 };
 
 }  // namespace moat
