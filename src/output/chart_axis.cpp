@@ -99,8 +99,9 @@ Range round_logarithmic_range(Range range) {
 /// A range that is not empty.
 Range widened(Range range) {
   const double largest = std::max(std::abs(range.first), std::abs(range.second));
+  constexpr double too_small = 1e-290;  // for a step between ticks
+  if (largest < too_small) return {-1.0, 1.0};
   if (range.second - range.first > round_off * largest) return range;
-  if (largest == 0.0) return {-1.0, 1.0};
   return {std::min(0.0, 1.2 * range.first), std::max(0.0, 1.2 * range.second)};
 }
 

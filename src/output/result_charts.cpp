@@ -81,9 +81,10 @@ std::vector<Chart> history_charts(const CaseResult& result) {
         static_cast<std::ptrdiff_t>(i))
       continue;  // in the chart of the first one
     std::vector<const Column*> columns = columns_of(table, quantity);
-    // A curve with a value that is not finite cannot be drawn.
+    // A curve with a value that is not finite, or whose range may not be, cannot be drawn.
+    constexpr double largest = 1e300;
     std::erase_if(columns, [](const Column* column) {
-      return !std::ranges::all_of(column->values, [](double value) { return std::isfinite(value); });
+      return !std::ranges::all_of(column->values, [](double value) { return std::abs(value) <= largest; });
     });
     if (!columns.empty()) charts.push_back(history_chart(*times.front(), columns));
   }

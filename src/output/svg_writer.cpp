@@ -1,5 +1,6 @@
 #include "output/svg_writer.hpp"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
@@ -19,7 +20,9 @@ void append_integer(std::string& out, long value) {
 void append_pixels(std::string& out, double pixels) {
   constexpr double steps_per_pixel = 20.0;
   constexpr long hundredths_per_step = 5, hundred = 100, ten = 10;
-  long hundredths = std::lround(steps_per_pixel * pixels) * hundredths_per_step;
+  constexpr double far_outside = 1e6;
+  const double place = std::isfinite(pixels) ? std::clamp(pixels, -far_outside, far_outside) : 0.0;
+  long hundredths = std::lround(steps_per_pixel * place) * hundredths_per_step;
   if (hundredths < 0) {
     out += '-';
     hundredths = -hundredths;

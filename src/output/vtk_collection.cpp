@@ -43,8 +43,16 @@ void VtkCollection::append(double time, std::string_view file_name) {
   const std::size_t length = entry.size();
   // Over the closing tags together with new ones, in a single write.
   entry += finish;
-  if (pwrite(file_, entry.data(), entry.size(), static_cast<off_t>(end_)) != static_cast<ssize_t>(entry.size()))
+  if (pwrite(file_, entry.data(), entry.size(), static_cast<off_t>(end_)) != static_cast<ssize_t>(entry.size())) {
+    const int error = errno;
+    // The disk may be full. The list without the entry is readable again; these bytes have their place already.
+    const bool restored =
+        pwrite(file_, finish.data(), finish.size(), static_cast<off_t>(end_)) == static_cast<ssize_t>(finish.size()) &&
+        ftruncate(file_, static_cast<off_t>(end_ + finish.size())) == 0;
+    static_cast<void>(restored);
+    errno = error;
     fail(path_);
+  }
   end_ += length;
 }
 

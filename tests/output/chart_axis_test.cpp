@@ -29,6 +29,12 @@ TEST(ChartAxis, EndsAtRoundValuesThatHoldTheRange) {
   EXPECT_DOUBLE_EQ(axis.share(20.0), 0.75);
 }
 
+TEST(ChartAxis, HasNoStepsBelowTheSmallestNumbers) {
+  const ChartAxis axis = axis_around({-5e-324, 1e-300}, false, AxisSide::left, 160.0);
+  EXPECT_EQ(axis.low, -1.0);
+  EXPECT_EQ(axis.high, 1.0);
+}
+
 TEST(ChartAxis, KeepsAGivenRange) {
   const ChartAxis axis = axis_over({0.3, 2.6}, false, AxisSide::bottom, 450.0);
   EXPECT_EQ(axis.low, 0.3);

@@ -1,5 +1,7 @@
 #include "output/svg_writer.hpp"
 
+#include <limits>
+
 #include "output_testing.hpp"
 
 namespace moat {
@@ -26,6 +28,17 @@ TEST(SvgWriter, RoundsToATwentiethOfAPixel) {
   ASSERT_NE(root, nullptr);
   vtkXMLDataElement* line = drawing_in(root)->GetNestedElement(0);
   EXPECT_STREQ(line->GetAttribute("points"), "1,2.5 -0.3,10.35 -1.25,0 7.05,100");
+}
+
+TEST(SvgWriter, DrawsNothingFartherThanAMillionPixels) {
+  SvgWriter svg{300, 200, "", ""};
+  const double infinite = std::numeric_limits<double>::infinity();
+  svg.polyline({{1.0, std::numeric_limits<double>::quiet_NaN()}, {infinite, -infinite}, {1e300, -1e9}},
+               {.colour = "#123456"});
+  const auto root = parse_xml(svg.finish());
+  ASSERT_NE(root, nullptr);
+  vtkXMLDataElement* line = drawing_in(root)->GetNestedElement(0);
+  EXPECT_STREQ(line->GetAttribute("points"), "1,0 0,0 1000000,-1000000");
 }
 
 TEST(SvgWriter, IsWellFormedWhateverTheTexts) {
