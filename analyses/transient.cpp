@@ -1,6 +1,7 @@
 #include "analyses/transient.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <ctime>
 #include <utility>
 
@@ -119,7 +120,8 @@ bool Transient::may_hide_motion(double h) const {
   const GroundSpan span = grid_.span(start.time, end.time);
   if (span.is_straight()) return false;
   constexpr double negligible = 1e-4;  // of the displacement
-  const double bump = span.largest_bump();
+  double bump = 0.0;                   // m
+  span.for_each_bump_inside([&](const GroundBump& b) { bump = std::max(bump, std::abs(b.displacement)); });
   const double displacement =
       std::max(start.displacement.lpNorm<Eigen::Infinity>(), end.displacement.lpNorm<Eigen::Infinity>());
   // At its start the step is as far from the next change as the scan of the step before found.

@@ -17,15 +17,15 @@ struct GroundDeviation {
   double displacement_integral = 0.0;  ///< integral of the above, m s
 };
 
-/// The motion of the ground at an instant inside a step, minus cubics through its values and rates at both ends. This
-/// is what an interpolated relative motion lacks.
+/// The motion of the ground at an instant inside a step, minus the cubics through its values and rates at both ends of
+/// the step. This is what an interpolated relative motion lacks.
 struct GroundBump {
-  double time = 0.0;            ///< s
-  double fraction = 0.0;        ///< of the step
-  double displacement = 0.0;    ///< m
-  double velocity = 0.0;        ///< minus the rate of the cubic of displacement, m/s
-  double velocity_alone = 0.0;  ///< minus the cubic of velocity, m/s
-  double acceleration = 0.0;    ///< minus the rate of the cubic of velocity, m/s^2
+  double time = 0.0;                  ///< s
+  double fraction = 0.0;              ///< of the step
+  double displacement = 0.0;          ///< minus the cubic of displacement, m
+  double rate_of_displacement = 0.0;  ///< minus the rate of that cubic, m/s
+  double velocity = 0.0;              ///< minus the cubic of velocity, m/s
+  double rate_of_velocity = 0.0;      ///< minus the rate of that cubic, m/s^2
 };
 
 /// A part of a motion: from `start` to `end`, 0 <= start < end <= motion.duration(), s. The motion must outlive it.
@@ -41,21 +41,42 @@ class GroundSpan {
   /// m/s^2, at a time inside.
   [[nodiscard]] double acceleration_at(double time) const { return motion_->acceleration_at(time); }
   /// From the start to a time inside.
-  [[nodiscard]] GroundDeviation deviation_at(double time) const;
+  [[nodiscard]] GroundDeviation deviation_at(double time) const { return path_to(time).sum; }
   [[nodiscard]] GroundDeviation deviation() const { return is_straight() ? GroundDeviation{} : deviation_at(end_); }
-  [[nodiscard]] GroundBump bump_at(double time) const { return bump_at(time, deviation_at(time), deviation()); }
-  /// Number of samples inside, and the bump at each of them, counted from 0.
-  [[nodiscard]] long samples_inside() const { return last_sample_ - first_sample_ + 1; }
-  [[nodiscard]] GroundBump bump_at_sample(long index) const;
-  /// Largest magnitude of the displacement's bump at the samples inside, m.
-  [[nodiscard]] double largest_bump() const;
+  [[nodiscard]] GroundBump bump_at(double time) const { return bump_at(path_to(time), deviation()); }
+  /// Calls visit(bump) at every sample strictly inside, in order.
+  template <class Visit>
+  void for_each_bump_inside(const Visit& visit) const;
 
  private:
-  [[nodiscard]] GroundBump bump_at(double time, const GroundDeviation& now, const GroundDeviation& end) const;
+  // The deviation integrated up to a time.
+  struct Path {
+    double time;
+    double acceleration = 0.0;  // of the deviation, m/s^2
+    GroundDeviation sum{};
+    void advance(double to, double acceleration_there);
+  };
+  [[nodiscard]] Path path_to(double time) const;
+  void advance_to_sample(Path& path, long sample) const;
+  [[nodiscard]] double deviation_of(double acceleration, double time) const {
+    return acceleration - (start_acceleration_ + slope_ * (time - start_));
+  }
+  [[nodiscard]] GroundBump bump_at(const Path& path, const GroundDeviation& end) const;
 
   const GroundMotion* motion_;
   double start_, end_;
-  long first_sample_, last_sample_;  // strictly inside; none where the first is beyond the last
+  long first_sample_, last_sample_;                // strictly inside; none where the first is beyond the last
+  double start_acceleration_ = 0.0, slope_ = 0.0;  // of the straight line; unless the acceleration is one itself
 };
+
+template <class Visit>
+void GroundSpan::for_each_bump_inside(const Visit& visit) const {
+  const GroundDeviation end = deviation();
+  Path path{start_};
+  for (long sample = first_sample_; sample <= last_sample_; ++sample) {
+    advance_to_sample(path, sample);
+    visit(bump_at(path, end));
+  }
+}
 
 }  // namespace moat

@@ -2,9 +2,8 @@
 
 #include <algorithm>
 
-#include "base/hermite.hpp"
-
 namespace moat {
+
 Channels::Channels(const Model& model) {
   for (const Node& node : model.nodes()) {
     list_.push_back({"displacement", node.name, node.name, "m"});
@@ -108,11 +107,11 @@ void Channels::sample(const StepView& view, std::vector<double>& values, std::ve
 Channels::Inside Channels::with_ground(std::size_t channel, const GroundBump& bump) const {
   switch (of_ground_[channel]) {
     case OfGround::displacement:
-      return {bump.displacement, bump.velocity};
+      return {bump.displacement, bump.rate_of_displacement};
     case OfGround::minus_displacement:
-      return {-bump.displacement, -bump.velocity};
+      return {-bump.displacement, -bump.rate_of_displacement};
     case OfGround::minus_velocity:
-      return {-bump.velocity_alone, -bump.acceleration};
+      return {-bump.velocity, -bump.rate_of_velocity};
     case OfGround::nothing:
       break;
   }

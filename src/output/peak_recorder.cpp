@@ -5,7 +5,6 @@
 #include <map>
 
 #include "base/hermite.hpp"
-
 #include "output/gaps_of.hpp"
 
 namespace moat {
@@ -34,10 +33,11 @@ void PeakRecorder::step(const StepView& view) {
 void PeakRecorder::add_samples_inside(const GroundSpan& span) {
   const double h = span.length();
   double largest_bump = 0.0;  // m or m/s
-  for (long k = 0; k < span.samples_inside(); ++k) {
-    const GroundBump bump = span.bump_at_sample(k);
-    largest_bump = std::max({largest_bump, std::abs(bump.displacement), std::abs(bump.velocity_alone)});
-  }
+  bumps_.clear();
+  span.for_each_bump_inside([&](const GroundBump& bump) {
+    largest_bump = std::max({largest_bump, std::abs(bump.displacement), std::abs(bump.velocity)});
+    bumps_.push_back(bump);
+  });
   for (std::size_t i = 0; i < trackers_.size(); ++i) {
     if (!channels_.contains_ground(i)) continue;
     // A cubic leaves the range of its ends by at most 4/27 h of each rate.
@@ -45,8 +45,7 @@ void PeakRecorder::add_samples_inside(const GroundSpan& span) {
                          0.15 * h * (std::abs(rates_[i]) + std::abs(rates_before_[i]));
     if (reach + 2.0 * largest_bump <= trackers_[i].magnitude()) continue;
     const HermiteCubic cubic{values_before_[i], rates_before_[i], values_[i], rates_[i], h};
-    for (long k = 0; k < span.samples_inside(); ++k) {
-      const GroundBump bump = span.bump_at_sample(k);
+    for (const GroundBump& bump : bumps_) {
       const Channels::Inside more = channels_.with_ground(i, bump);
       trackers_[i].add(bump.time, cubic.value(bump.fraction) + more.value, cubic.rate(bump.fraction) + more.rate);
     }

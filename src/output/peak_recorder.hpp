@@ -32,6 +32,7 @@ class PeakRecorder final : public StepObserver {
   std::set<std::string> gaps_;         // names
   std::vector<PeakTracker> trackers_;  // one for each channel
   std::vector<double> values_, rates_, values_before_, rates_before_;
+  std::vector<GroundBump> bumps_;  // inside the last step
 };
 
 }  // namespace moat
