@@ -9,7 +9,7 @@ void check_point(const Model& model, const Check& check, const std::string& name
   check.that(point.share >= 0.0 && point.share < 1.0, share, point.share, "1", ">= 0 and < 1",
              "It is the way from the first node to the second; take the second node itself for 1.");
   if (point.is_node())
-    model.require_node(point.node, "Gap \"" + name + "\"", field);
+    model.require_node(point.node, check, field);
   else
     check_link(model, "Gap", name, {std::string{field} + ".node", point.node},
                {std::string{field} + ".other", point.other});

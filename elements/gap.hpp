@@ -80,10 +80,8 @@ void add(Model& model, const Gap<Law>& gap) {
                    .deformation_quantity = "indentation",
                    .force_quantity = "impact_force"};
   // Reports show the law as the script gave it, with its restitution, and not the contact made of it.
-  if constexpr (requires { gap.law.parameters(); }) {
-    info.law = name_of(gap.law);
-    info.parameters = gap.law.parameters();
-  }
+  if constexpr (requires { gap.law.parameters(); })
+    info.law_as_given = std::make_shared<LawAsGiven>(std::string{name_of(gap.law)}, gap.law.parameters());
   add_contact(model, std::move(info), law, mass, left, right);
 }
 

@@ -39,23 +39,11 @@ class Links : public ElementBlock {
   }
   std::size_t add(ElementInfo info, const Law& law, const Ends& ends) {
     ends_.push_back(ends);
-    slots_.emplace_back();
     offsets_.push_back(info.offset);
     infos_.push_back(std::move(info));
     laws_.push_back(law);
-    const std::size_t count = infos_.size();
-    committed_.resize(count);
-    trial_.resize(count);
-    now_.resize(count);
-    forces_.resize(count, 0.0);
-    force_rates_.resize(count, 0.0);
-    if constexpr (!is_linear) {
-      stiffnesses_.resize(count, 0.0);
-      dampings_.resize(count, 0.0);
-    }
-    if (keeps_start()) resize_start();
-    energies_.resize(count);
-    return count - 1;
+    if (!forces_.empty()) resize_results();
+    return infos_.size() - 1;
   }
 
   [[nodiscard]] const Law& law(std::size_t element) const { return laws_[element]; }
@@ -72,6 +60,7 @@ class Links : public ElementBlock {
   }
 
   void find_slots(const SparseMatrix& matrix) override {
+    resize_results();
     for (std::size_t i = 0; i < size(); ++i) {
       ends_[i].find_entries(infos_[i], matrix);
       slots_[i].find(ends_[i], infos_[i], matrix);
@@ -243,9 +232,24 @@ class Links : public ElementBlock {
 
   // Changes of regime, forces inside a step and energies need the motion at the last commits.
   [[nodiscard]] bool keeps_start() const { return !is_linear || energies_.kept(); }
-  void resize_start() {
-    start_.resize(size());
-    before_.resize(size());
+  // At first once for all elements, so that nothing is larger than it must be.
+  void resize_results() {
+    const std::size_t count = size();
+    slots_.resize(count);
+    committed_.resize(count);
+    trial_.resize(count);
+    now_.resize(count);
+    forces_.resize(count, 0.0);
+    force_rates_.resize(count, 0.0);
+    if constexpr (!is_linear) {
+      stiffnesses_.resize(count, 0.0);
+      dampings_.resize(count, 0.0);
+    }
+    if (keeps_start()) {
+      start_.resize(count);
+      before_.resize(count);
+    }
+    energies_.resize(count);
   }
 
   bool tangent_changed_ = false;

@@ -52,7 +52,7 @@ NodeId add_wall(Model& model, const FlexibleWall& wall, const std::string& name,
 template <ImpactLaw Law>
 void add(Model& model, const Moat<Law>& moat) {
   Check{"Moat", moat.name}.that(!moat.name.empty(), "a moat has no name.", "Give .name, or leave it out: \"moat\".");
-  model.require_node(moat.around, "Moat \"" + moat.name + "\"", "around");
+  model.require_node(moat.around, Check{"Moat", moat.name}, "around");
   const auto face = [&](const std::string& side, double direction) {
     return moat.wall ? add_wall(model, *moat.wall, side + " wall", moat.around, direction * moat.clearance.si())
                      : ground;

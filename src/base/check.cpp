@@ -18,14 +18,17 @@ std::string with_unit(double value, std::string_view unit) {
 
 std::string to_text(double value) { return to_significant(value, 6); }
 
-Check::Check(std::string_view kind, std::string_view name) : object_{kind} {
-  if (!name.empty()) object_.append(" \"").append(name).append("\"");
+// Kind "name"
+std::string Check::object() const {
+  std::string text{kind_};
+  if (!name_.empty()) text.append(" \"").append(name_).append("\"");
+  return text;
 }
 
 void Check::that(bool allowed, std::string_view parameter, double value, std::string_view unit, std::string_view range,
                  std::string_view advice) const {
   if (allowed) return;
-  std::string message = object_ + ": ";
+  std::string message = object() + ": ";
   message.append(parameter).append(" = ").append(with_unit(value, unit)).append(" is not allowed; it must be ");
   message.append(range).append(".");
   if (!advice.empty()) message.append(" ").append(advice);
@@ -34,21 +37,21 @@ void Check::that(bool allowed, std::string_view parameter, double value, std::st
 
 void Check::that(bool allowed, std::string_view problem, std::string_view advice) const {
   if (allowed) return;
-  std::string message = object_ + ": ";
+  std::string message = object() + ": ";
   message.append(problem);
   if (!advice.empty()) message.append(" ").append(advice);
   throw InputError{message};
 }
 
 void Check::positive(std::string_view parameter, double value, std::string_view unit, std::string_view advice) const {
-  that(std::isfinite(value) && value > 0.0, parameter, value, unit, "> " + with_unit(0.0, unit) + " and finite",
-       advice);
+  if (std::isfinite(value) && value > 0.0) return;
+  that(false, parameter, value, unit, "> " + with_unit(0.0, unit) + " and finite", advice);
 }
 
 void Check::not_negative(std::string_view parameter, double value, std::string_view unit,
                          std::string_view advice) const {
-  that(std::isfinite(value) && value >= 0.0, parameter, value, unit, ">= " + with_unit(0.0, unit) + " and finite",
-       advice);
+  if (std::isfinite(value) && value >= 0.0) return;
+  that(false, parameter, value, unit, ">= " + with_unit(0.0, unit) + " and finite", advice);
 }
 
 void Check::finite(std::string_view parameter, double value, std::string_view unit, std::string_view advice) const {
@@ -57,14 +60,14 @@ void Check::finite(std::string_view parameter, double value, std::string_view un
 
 void Check::above_up_to(std::string_view parameter, double value, double lowest, double highest, std::string_view unit,
                         std::string_view advice) const {
-  that(value > lowest && value <= highest, parameter, value, unit,
-       "> " + with_unit(lowest, unit) + " and <= " + with_unit(highest, unit), advice);
+  if (value > lowest && value <= highest) return;
+  that(false, parameter, value, unit, "> " + with_unit(lowest, unit) + " and <= " + with_unit(highest, unit), advice);
 }
 
 void Check::between(std::string_view parameter, double value, double lowest, double highest, std::string_view unit,
                     std::string_view advice) const {
-  that(value >= lowest && value <= highest, parameter, value, unit,
-       "from " + with_unit(lowest, unit) + " to " + with_unit(highest, unit), advice);
+  if (value >= lowest && value <= highest) return;
+  that(false, parameter, value, unit, "from " + with_unit(lowest, unit) + " to " + with_unit(highest, unit), advice);
 }
 
 }  // namespace moat

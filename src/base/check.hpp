@@ -1,6 +1,7 @@
 // Checks of parameters, with messages that give the remedy.
 #pragma once
 
+#include <cmath>
 #include <string>
 #include <string_view>
 
@@ -17,8 +18,9 @@ namespace moat {
 ///     check.positive("clearance", clearance, "Give the free distance to the wall at rest.");
 class Check {
  public:
-  /// kind is the type a user wrote ("Gap"); name is the object's own name, may be empty.
-  Check(std::string_view kind, std::string_view name);
+  /// kind is the type a user wrote ("Gap"); name is the object's own name, may be empty. Both must outlive the check: a
+  /// message is formed only when a check fails.
+  Check(std::string_view kind, std::string_view name) : kind_{kind}, name_{name} {}
 
   /// value > 0 and finite.
   void positive(std::string_view parameter, double value, std::string_view unit, std::string_view advice = {}) const;
@@ -41,15 +43,16 @@ class Check {
 
   template <int m, int l, int t>
   void positive(std::string_view parameter, Quantity<m, l, t> value, std::string_view advice = {}) const {
-    positive(parameter, value.si(), unit_symbol(m, l, t), advice);
+    if (!(value.si() > 0.0 && std::isfinite(value.si()))) positive(parameter, value.si(), unit_symbol(m, l, t), advice);
   }
   template <int m, int l, int t>
   void not_negative(std::string_view parameter, Quantity<m, l, t> value, std::string_view advice = {}) const {
-    not_negative(parameter, value.si(), unit_symbol(m, l, t), advice);
+    if (!(value.si() >= 0.0 && std::isfinite(value.si())))
+      not_negative(parameter, value.si(), unit_symbol(m, l, t), advice);
   }
   template <int m, int l, int t>
   void finite(std::string_view parameter, Quantity<m, l, t> value, std::string_view advice = {}) const {
-    finite(parameter, value.si(), unit_symbol(m, l, t), advice);
+    if (!std::isfinite(value.si())) finite(parameter, value.si(), unit_symbol(m, l, t), advice);
   }
   template <class Q>
   void positive(std::string_view parameter, const Required<Q>& value, std::string_view advice = {}) const {
@@ -61,7 +64,9 @@ class Check {
   }
 
  private:
-  std::string object_;
+  [[nodiscard]] std::string object() const;
+
+  std::string_view kind_, name_;
 };
 
 /// A number as messages print it: the shortest form with up to 6 digits.

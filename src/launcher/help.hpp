@@ -54,11 +54,12 @@ in the folder that the environment variable MOAT_RECORDS names, and are skipped 
 With --all nothing may be skipped: it installs the programs that some tests need (cmake/packages/all.txt), demands
 MOAT_RECORDS, and fails when a test was skipped.)";
 
-inline constexpr char bench[] = "Compute the benchmarks: the source paper, accuracy, performance";
+inline constexpr char bench[] = "Compute the benchmarks: the source paper, accuracy, performance, OpenSees beside moat";
 inline constexpr char after_bench[] = R"(
 ./moat bench paper [--out FOLDER] [--write-docs] [--coarse]
 ./moat bench accuracy [--out FOLDER] [--write-docs] [--only-random] [--models N] [--seed N] [--threads N] [--csv FILE]
 ./moat bench performance [--out FOLDER] [--write-docs] [--only SECTION] [--rounds N] [--quick]
+./moat bench peers [--out FOLDER] [--write-docs] [--rounds N]
 
 paper: computes every table and figure of Zhao, Liu & Li (2017) beside the printed numbers, and puts them on one page,
 results/paper/index.html, to open from disk. Everything that can be checked is asserted, the rest is reported.
@@ -91,6 +92,9 @@ A machine that does something else meanwhile spoils times more than ratios.
   --quick              less of everything, to try the program
 
   ./moat bench performance compare PROGRAM         the program of another build and this one, in turns A B A B
+
+peers: moat beside OpenSees on the same models, in turns: time for equal accuracy and for a street, with the errors of
+both. OpenSees is the program that OPENSEES names, else `OpenSees` on the path. Without it nothing is compared.
 
 Exit code: of paper 0 if all that is asserted holds, else 1; of the others 0 when they ran. 1 when building fails, 2 for
 wrong usage, 3 when packages cannot be installed.)";

@@ -6,6 +6,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "base/label.hpp"
@@ -22,6 +23,14 @@ namespace moat {
 /// How an element is drawn.
 enum class DrawnAs { nothing, storey, bearing, gap, other };
 
+/// Name and parameters of a law, for reports.
+struct LawAsGiven {
+  std::string name;
+  std::vector<Parameter> parameters;
+
+  LawAsGiven(std::string law, std::vector<Parameter> values) : name{std::move(law)}, parameters{std::move(values)} {}
+};
+
 /// The name of an element, the nodes it joins and the quantities it reports.
 struct ElementInfo {
   /// Unique in its model: "storey 1", "moat left".
@@ -33,9 +42,8 @@ struct ElementInfo {
   double offset = 0.0;  ///< m
   /// Names under which deformation and force are reported; not reported where empty.
   Label deformation_quantity{}, force_quantity{};
-  /// Name and parameters of the law as the script gave it, for reports; empty where they are those of the block's law.
-  std::string law{};
-  std::vector<Parameter> parameters{};
+  /// The law as the script gave it; null where it is the block's law.
+  std::shared_ptr<const LawAsGiven> law_as_given{};
   /// Whether it carries a building on the ground and lets it move: characteristic periods hold the floor above it.
   bool isolates = false;
   DrawnAs drawn_as = DrawnAs::other;

@@ -4,7 +4,6 @@
 #include <limits>
 #include <utility>
 
-#include "base/check.hpp"
 #include "base/error.hpp"
 #include "base/utf8_text.hpp"
 
@@ -27,7 +26,7 @@ NodeId Model::add_node(Node node) {
 }
 
 const Node& Model::node(NodeId id) const {
-  require_node(id, "Model", "node");
+  require_node(id, Check{"Model", ""}, "node");
   if (id == ground) throw InputError{"Model: the ground has no mass and no degree of freedom."};
   return nodes_[static_cast<std::size_t>(id.index)];
 }
@@ -36,13 +35,12 @@ std::string_view Model::node_name(NodeId id) const {
   return id == ground ? std::string_view{"ground"} : std::string_view{node(id).name};
 }
 
-void Model::require_node(NodeId id, std::string_view object, std::string_view field) const {
+void Model::require_node(NodeId id, const Check& check, std::string_view field) const {
   if (id == ground || (id.index >= 0 && id.index < node_count())) return;
-  std::string message{object};
-  message.append(": ").append(field);
-  message += id.specified() ? " is not a node of this model. Use the NodeId that add(model, Node{...}) returned."
-                            : " is not given. Set it to a node of this model or to `ground`.";
-  throw InputError{message};
+  if (id.specified())
+    check.that(false, std::string{field} + " is not a node of this model.",
+               "Use the NodeId that add(model, Node{...}) returned.");
+  check.that(false, std::string{field} + " is not given.", "Set it to a node of this model or to `ground`.");
 }
 
 bool Model::has_node(const std::string& name) const {
@@ -74,12 +72,12 @@ void Model::add_building(Building building) {
              "Give every building its own .name.");
   in_building_.resize(nodes_.size(), false);
   for (std::size_t i = 0; i < nodes.size(); ++i) {
-    require_node(nodes[i], building.name.empty() ? "Building" : "Building \"" + building.name + "\"",
-                 i == 0 && building.base != ground ? "base" : "a floor");
+    require_node(nodes[i], check, i == 0 && building.base != ground ? "base" : "a floor");
     check.that(nodes[i] != ground, "the ground is among the floors.", "List only nodes with mass.");
     const auto index = static_cast<std::size_t>(nodes[i].index);
-    check.that(!in_building_[index], "the node \"" + node(nodes[i]).name + "\" is in a building already.",
-               "Its inertia would count twice.");
+    if (in_building_[index])
+      check.that(false, "the node \"" + nodes_[index].name + "\" is in a building already.",
+                 "Its inertia would count twice.");
     in_building_[index] = true;
   }
   buildings_.push_back(std::move(building));

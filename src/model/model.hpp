@@ -9,6 +9,7 @@
 #include <unordered_set>
 #include <vector>
 
+#include "base/check.hpp"
 #include "base/copyable_pointer.hpp"
 #include "base/sparse_matrix.hpp"
 #include "base/vector.hpp"
@@ -44,8 +45,8 @@ class Model {
   /// The node's name; "ground" for the ground.
   [[nodiscard]] std::string_view node_name(NodeId id) const;
   [[nodiscard]] bool has_element(const std::string& name) const;
-  /// Throws InputError unless id is the ground or a node of this model; `object` and `field` are named.
-  void require_node(NodeId id, std::string_view object, std::string_view field) const;
+  /// Throws InputError unless id is the ground or a node of this model; the object of `check` and the field are named.
+  void require_node(NodeId id, const Check& check, std::string_view field) const;
   [[nodiscard]] bool has_node(const std::string& name) const;
   /// Throws InputError if the name is empty or taken by another element.
   void register_element(std::string_view kind, const std::string& name);

@@ -21,18 +21,17 @@ struct Format {
   GroundMotion (*read)(const TextFile& file, std::optional<Acceleration> unit);
 };
 
-Check check_of(const TextFile& file) { return {"read_motion", file.path.string()}; }
-
 bool is_peer_at2(const TextFile& file) {
   if (has_peer_at2_header(file.text)) return true;
   return upper_case(file.path.extension().string()) == ".AT2" && !begins_with_two_columns(file.text);
 }
 
 GroundMotion read_in_g(const TextFile& file, std::optional<Acceleration> unit) {
-  check_of(file).that(!unit || std::abs(unit->si() - standard_gravity) < 1e-9 * standard_gravity,
-                      "a unit of " + to_text(unit ? unit->si() : 0.0) +
-                          " m/s^2 was given, but a PEER AT2 file holds accelerations in g.",
-                      "Leave the unit out, and use scaled_by() if the values are to be multiplied.");
+  Check{"read_motion", file.path.native()}.that(
+      !unit || std::abs(unit->si() - standard_gravity) < 1e-9 * standard_gravity,
+      "a unit of " + to_text(unit ? unit->si() : 0.0) +
+          " m/s^2 was given, but a PEER AT2 file holds accelerations in g.",
+      "Leave the unit out, and use scaled_by() if the values are to be multiplied.");
   return parse_peer_at2(file);
 }
 

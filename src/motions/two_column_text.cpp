@@ -146,7 +146,7 @@ GroundMotion read_two_columns(const std::filesystem::path& path, Acceleration un
 
 GroundMotion parse_two_columns(const TextFile& file, Acceleration unit) {
   const std::filesystem::path& path = file.path;
-  Check{"read_two_columns", path.string()}.positive(
+  Check{"read_two_columns", path.native()}.positive(
       "unit", unit, "Give the unit of the acceleration column: 1 * g, or 1 * m / s / s.");
   Columns columns = parse_columns(path, file.text);
   if (columns.times.size() < 2) {

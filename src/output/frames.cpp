@@ -32,7 +32,8 @@ SceneNeeds check_scene(const Scene& scene) {
   int last_element = -1;
   for (std::size_t i = 0; i < scene.points.size(); ++i) {
     const ScenePoint& point = scene.points[i];
-    const Check check{"Scene point", std::to_string(i)};
+    const std::string number = std::to_string(i);
+    const Check check{"Scene point", number};
     check.finite("x", point.x, "m");
     check.finite("y", point.y, "m");
     check.finite("z", point.z, "m");

@@ -8,14 +8,14 @@ namespace {
 
 ElementFacts facts_of(const Model& model, const ElementBlock& block, std::size_t element) {
   const ElementInfo& info = block.info(element);
-  const bool as_given = !info.law.empty();
+  const LawAsGiven* given = info.law_as_given.get();
   ElementFacts facts{.name = info.name,
-                     .law = as_given ? info.law : block.law_name(element),
+                     .law = given != nullptr ? given->name : block.law_name(element),
                      .first = std::string{model.node_name(info.first)},
                      .second = std::string{model.node_name(info.second)},
                      .parameters = {}};
   if (has_gaps(block)) facts.parameters.push_back({"clearance", info.offset, "m"});
-  for (const Parameter& each : as_given ? info.parameters : block.parameters(element))
+  for (const Parameter& each : given != nullptr ? given->parameters : block.parameters(element))
     facts.parameters.push_back({std::string{each.name}, each.value, std::string{each.unit}});
   return facts;
 }

@@ -1,0 +1,85 @@
+#include "peers/opensees.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <fstream>
+#include <iomanip>
+#include <sstream>
+
+#include "base/error.hpp"
+#include "peers/opensees_model.hpp"
+#include "performance/command_output.hpp"
+
+namespace moat::peers {
+namespace {
+
+std::string quoted(const std::string& text) {
+  std::string result = "'";
+  for (const char c : text) result += c == '\'' ? std::string{"'\\''"} : std::string{c};
+  return result + "'";
+}
+
+std::ofstream opened(const std::filesystem::path& path) {
+  std::ofstream file{path};
+  if (!file) throw FileError{path.string() + ": cannot be written."};
+  return file;
+}
+
+void finish(std::ofstream& file, const std::filesystem::path& path) {
+  if (!file.flush()) throw FileError{path.string() + ": cannot be written."};
+}
+
+}  // namespace
+
+OpenSees::OpenSees(std::string program, std::filesystem::path folder)
+    : program_{std::move(program)}, folder_{std::move(folder)} {
+  std::filesystem::create_directories(folder_);
+}
+
+std::optional<OpenSees> OpenSees::find(const std::filesystem::path& folder) {
+  const char* named = std::getenv("OPENSEES");
+  const std::string program = named != nullptr ? named : "OpenSees";
+  const bool found = std::system(("command -v " + quoted(program) + " >/dev/null 2>&1").c_str()) == 0;
+  if (!found && named != nullptr)
+    throw InputError{"OPENSEES = " + program + " is not a program. Give the path of OpenSees' Tcl interpreter."};
+  if (!found) return std::nullopt;
+  return OpenSees{program, folder};
+}
+
+OpenSeesRun OpenSees::run(const Model& model, const GroundMotion& motion, double step, double end,
+                          const OpenSeesSetting& setting, NodeId base, NodeId top) const {
+  const std::filesystem::path model_file = folder_ / "model.tcl", motion_file = folder_ / "motion.txt",
+                              messages = folder_ / "opensees_messages.txt";
+  std::ofstream tcl = opened(model_file);
+  const OpenSeesTags tags = write_opensees_model(model, tcl);
+  finish(tcl, model_file);
+  std::ofstream samples = opened(motion_file);
+  samples << std::setprecision(17);
+  for (const double sample : motion.samples()) samples << sample << '\n';
+  finish(samples, motion_file);
+
+  std::ostringstream command, gaps;
+  for (const int tag : tags.gaps) gaps << tag << ' ';
+  const long count = std::lround(std::min(end, motion.duration()) / step);
+  command << std::setprecision(17) << quoted(program_) << ' ' << quoted(MOAT_OPENSEES_HISTORY) << ' '
+          << quoted(model_file.string()) << ' ' << quoted(motion_file.string()) << ' ' << motion.time_step() << ' '
+          << step << ' ' << count << ' ' << setting.name << ' ' << quoted((folder_ / "peaks").string()) << ' '
+          << base.index + 1 << ' ' << top.index + 1 << ' ' << quoted(gaps.str()) << " 2>" << quoted(messages.string());
+  performance::output_of(command.str());
+
+  std::ifstream printed{messages};
+  for (std::string line; std::getline(printed, line);) {
+    std::istringstream words{line};
+    std::string mark;
+    int failed = 0;
+    OpenSeesRun run;
+    if (!(words >> mark >> failed >> run.cpu_seconds) || mark != "HISTORY") continue;
+    run.solved = failed == 0;
+    for (double peak; words >> peak;) run.peaks.push_back(std::abs(peak));
+    return run;
+  }
+  throw Error{"OpenSees printed no result; see " + messages.string() + "."};
+}
+
+}  // namespace moat::peers

@@ -1,0 +1,48 @@
+// OpenSees, if it is installed.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "model/model.hpp"
+#include "motions/ground_motion.hpp"
+
+namespace moat::peers {
+
+/// One of the settings in history.tcl.
+struct OpenSeesSetting {
+  std::string name;         ///< "textbook"
+  std::string description;  ///< "Newmark, Newton, test on displacements"
+};
+
+struct OpenSeesRun {
+  bool solved = false;          ///< all steps
+  double cpu_seconds = 0.0;     ///< of the steps alone, by its own process
+  std::vector<double> peaks{};  ///< base and top displacement, base and top acceleration, impact force
+};
+
+/// An interpreter of OpenSees with Tcl, and a folder for its files.
+class OpenSees {
+ public:
+  /// The program that the environment variable OPENSEES names, else `OpenSees` on the path; nothing if there is none.
+  /// Throws InputError where OPENSEES names no program.
+  static std::optional<OpenSees> find(const std::filesystem::path& folder);
+
+  /// The path of the program, as documents state it.
+  [[nodiscard]] const std::string& program() const { return program_; }
+
+  /// Steps of `step` s to the end of the motion or `end` s, whichever comes first. Peaks are those of nodes `base` and
+  /// `top`. Throws Error where OpenSees prints no result.
+  [[nodiscard]] OpenSeesRun run(const Model& model, const GroundMotion& motion, double step, double end,
+                                const OpenSeesSetting& setting, NodeId base, NodeId top) const;
+
+ private:
+  OpenSees(std::string program, std::filesystem::path folder);
+
+  std::string program_;
+  std::filesystem::path folder_;
+};
+
+}  // namespace moat::peers

@@ -1,0 +1,214 @@
+// What ./moat bench peers gives to OpenSees, and what it reads. OpenSees itself is not needed here.
+
+#include "peers/opensees.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <fstream>
+#include <map>
+#include <moat.hpp>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "in_folder.hpp"
+#include "peers/opensees_model.hpp"
+
+namespace moat::peers {
+namespace {
+
+using namespace units;
+
+constexpr double gap = 0.1, contact_stiffness = 5.8e8;  // m, N/m
+
+Model tower(bool linear_contact) {
+  Model model;
+  const Building building =
+      add(model, ShearBuilding{.storeys = 3,
+                               .floor_mass = {400 * tonne, 300 * tonne, 350 * tonne},
+                               .storey_stiffness = {0.8 * GN / m, 0.6 * GN / m, 0.7 * GN / m},
+                               .damping = RayleighDamping{.ratio = 0.05},
+                               .base_mass = 550 * tonne,
+                               .isolation = LeadRubberBearing{.yield_force = 1.93 * MN,
+                                                              .yield_displacement = 1 * cm,
+                                                              .post_yield_stiffness = 19.3 * MN / m}});
+  if (linear_contact)
+    add(model, Moat{.around = building.base,
+                    .clearance = gap * m,
+                    .law = LinearElastic{.stiffness = contact_stiffness * N / m}});
+  else
+    add(model, Moat{.around = building.base,
+                    .clearance = gap * m,
+                    .law = HertzDamp{.stiffness = 2.95e9 * N / m_3_2, .restitution = 0.65}});
+  model.prepare();
+  return model;
+}
+
+// The lines of a Tcl file as words.
+struct Tcl {
+  std::vector<std::vector<std::string>> lines;
+  OpenSeesTags tags;
+
+  [[nodiscard]] std::vector<std::vector<std::string>> starting_with(const std::string& word) const {
+    std::vector<std::vector<std::string>> found;
+    for (const auto& line : lines)
+      if (line.front() == word) found.push_back(line);
+    return found;
+  }
+};
+
+Tcl tcl_of(const Model& model) {
+  std::stringstream text;
+  Tcl tcl;
+  tcl.tags = write_opensees_model(model, text);
+  for (std::string line; std::getline(text, line);) {
+    std::istringstream words{line};
+    auto& list = tcl.lines.emplace_back();
+    for (std::string word; words >> word;) list.push_back(word);
+  }
+  return tcl;
+}
+
+/// The matrices that OpenSees' definitions of the written lines give are those of moat.
+TEST(OpenSeesModel, HasTheMatricesOfTheModel) {
+  const Model model = tower(true);
+  const Tcl tcl = tcl_of(model);
+  std::map<std::string, std::pair<double, double>> materials;  // initial stiffness and damping
+  for (const auto& line : tcl.starting_with("uniaxialMaterial")) {
+    if (line[1] == "Elastic") materials[line[2]] = {std::stod(line[3]), line.size() > 4 ? std::stod(line[4]) : 0.0};
+    if (line[1] == "Steel01") materials[line[2]] = {std::stod(line[4]), 0.0};
+    if (line[1] == "ElasticPPGap") materials[line[2]] = {0.0, 0.0};  // open
+  }
+  const int size = model.degrees_of_freedom();
+  Eigen::MatrixXd stiffness = Eigen::MatrixXd::Zero(size + 1, size + 1), damping = stiffness;
+  for (const auto& line : tcl.starting_with("element")) {
+    ASSERT_EQ(line[1], "zeroLength");
+    const auto [k, c] = materials.at(line[6]);
+    const int i = std::stoi(line[3]), j = std::stoi(line[4]);
+    for (const auto& [matrix, value] : {std::pair{&stiffness, k}, std::pair{&damping, c}}) {
+      (*matrix)(i, i) += value;
+      (*matrix)(j, j) += value;
+      (*matrix)(i, j) -= value;
+      (*matrix)(j, i) -= value;
+    }
+  }
+  SparseMatrix of_moat = model.pattern();
+  const auto compare = [&](const Eigen::MatrixXd& written) {
+    for (int row = 0; row < size; ++row)
+      for (int column = 0; column < size; ++column) {
+        double value = 0.0;
+        for (int k = of_moat.column_starts[column]; k < of_moat.column_starts[column + 1]; ++k)
+          if (of_moat.row_indices[k] == row) value = of_moat.values[k];
+        EXPECT_NEAR(written(row + 1, column + 1), value, 1e-9 * written.lpNorm<Eigen::Infinity>());
+      }
+  };
+  model.assemble_linear_stiffness(StiffnessStage::initial, of_moat);
+  compare(stiffness);
+  model.assemble_tangent(0.0, 1.0, 0.0, of_moat);
+  compare(damping);
+  double mass = 0.0;
+  for (const auto& line : tcl.starting_with("mass")) mass += std::stod(line[2]);
+  EXPECT_NEAR(mass, model.masses().sum(), 1e-6);
+}
+
+/// `zeroLength` strains by second minus first, and ElasticPPGap with a negative gap closes under compression.
+TEST(OpenSeesModel, ClosesItsGapsOnTheRightSides) {
+  const Model model = tower(true);
+  const Tcl tcl = tcl_of(model);
+  std::map<std::string, std::vector<std::string>> gaps;
+  for (const auto& line : tcl.starting_with("uniaxialMaterial"))
+    if (line[1] == "ElasticPPGap") gaps[line[2]] = line;
+  ASSERT_EQ(gaps.size(), 2u);
+  ASSERT_EQ(tcl.tags.gaps.size(), 2u);
+  double sum_of_closing_moves = 0.0;
+  for (const auto& line : tcl.starting_with("element")) {
+    const auto found = gaps.find(line[6]);
+    if (found == gaps.end()) continue;
+    EXPECT_DOUBLE_EQ(std::stod(found->second[3]), contact_stiffness);
+    EXPECT_DOUBLE_EQ(std::stod(found->second[5]), -gap);
+    EXPECT_TRUE((line[3] == "0") != (line[4] == "0")) << "one end is the ground";
+    // The move of the base that shortens the element: to the right where it is the first end.
+    sum_of_closing_moves += line[3] == "1" ? 1.0 : -1.0;
+  }
+  EXPECT_EQ(sum_of_closing_moves, 0.0) << "one wall on either side";
+}
+
+TEST(OpenSeesModel, GivesHertzDampItsDampingRatio) {
+  int gaps = 0;
+  for (const auto& line : tcl_of(tower(false)).starting_with("uniaxialMaterial")) {
+    if (line[1] != "Hertzdamp") continue;
+    EXPECT_NEAR(std::stod(line[4]), 0.433125, 1e-12) << "3/4 (1 - e^2) at e = 0.65";
+    ++gaps;
+  }
+  EXPECT_EQ(gaps, 2);
+}
+
+TEST(OpenSeesModel, RefusesALawThatOpenSeesDoesNotHave) {
+  Model model;
+  const NodeId body = add(model, Node{.name = "body", .mass = 1 * tonne});
+  add(model, Gap{.name = "wall",
+                 .left = body,
+                 .right = ground,
+                 .clearance = 1 * cm,
+                 .law = ExactKelvin{.stiffness = 1 * GN / m, .restitution = 0.5}});
+  model.prepare();
+  std::ostringstream text;
+  EXPECT_THROW(write_opensees_model(model, text), InputError);
+}
+
+class OpenSeesProgram : public paper::InFolder {
+ protected:
+  ~OpenSeesProgram() override { unsetenv("OPENSEES"); }
+
+  // A program in the place of OpenSees.
+  void install(const std::string& body) {
+    const std::filesystem::path program = folder / "open sees";
+    std::ofstream{program} << "#!/bin/sh\n" << body;
+    std::filesystem::permissions(program, std::filesystem::perms::owner_all);
+    setenv("OPENSEES", program.c_str(), 1);
+  }
+  [[nodiscard]] OpenSeesRun run() const {
+    const Model model = tower(true);
+    return OpenSees::find(folder / "files")
+        ->run(model, near_fault_pulse(), 0.005, 1.0, {"textbook", "Newmark"}, NodeId{0}, NodeId{3});
+  }
+};
+
+TEST_F(OpenSeesProgram, IsCalledWithTheModelAndItsResultIsRead) {
+  install("shift; printf '%s\\n' \"$@\" > '" + (folder / "arguments").string() +
+          "'\n"
+          "echo 'a message of OpenSees' >&2\necho 'HISTORY 0 0.25 -0.1 0.2 -3 4 5e6' >&2\n");
+  const OpenSeesRun result = run();
+  EXPECT_TRUE(result.solved);
+  EXPECT_EQ(result.cpu_seconds, 0.25);
+  EXPECT_EQ(result.peaks, (std::vector<double>{0.1, 0.2, 3.0, 4.0, 5e6}));
+  std::istringstream lines{text_of("arguments")};
+  std::vector<std::string> arguments;
+  for (std::string line; std::getline(lines, line);) arguments.push_back(line);
+  ASSERT_EQ(arguments.size(), 10u);
+  EXPECT_TRUE(std::filesystem::exists(arguments[0]) && std::filesystem::exists(arguments[1]));
+  EXPECT_EQ(std::stod(arguments[3]) * std::stod(arguments[4]), 1.0) << "steps to the end";
+  EXPECT_EQ(arguments[5], "textbook");
+  EXPECT_EQ(arguments[7], "1");
+  EXPECT_EQ(arguments[8], "4");
+}
+
+TEST_F(OpenSeesProgram, MayFailToSolveAStep) {
+  install("echo 'HISTORY -3 0.25' >&2\n");
+  EXPECT_FALSE(run().solved);
+}
+
+TEST_F(OpenSeesProgram, MustPrintAResult) {
+  install("echo 'Segmentation fault' >&2\n");
+  EXPECT_THROW(run(), Error);
+}
+
+TEST_F(OpenSeesProgram, IsRefusedWhereItDoesNotExist) {
+  setenv("OPENSEES", "/nowhere/OpenSees", 1);
+  EXPECT_THROW(OpenSees::find(folder), InputError);
+}
+
+}  // namespace
+}  // namespace moat::peers
