@@ -9,7 +9,7 @@
 #include "base/units.hpp"
 #include "output/clearance_recorder.hpp"
 #include "output/engineering_unit.hpp"
-#include "output/impact_recorder.hpp"
+#include "output/impact_counter.hpp"
 #include "output/peak_recorder.hpp"
 
 namespace moat {
@@ -170,14 +170,14 @@ PeaksAndImpacts compute_peaks(Model& model, const GroundMotion& motion, const Tr
                               StepObserver* observer) {
   Transient transient{model, motion, options};
   PeakRecorder peaks{model};
-  ImpactRecorder impacts;
+  ImpactCounter impacts;
   ClearanceRecorder clearances{model};
   transient.attach(peaks);
   transient.attach(impacts);
   transient.attach(clearances);
   if (observer != nullptr) transient.attach(*observer);
   transient.run();
-  return {peaks.peaks(), impacts.impacts().size(), transient.statistics(), clearances.clearances()};
+  return {peaks.peaks(), impacts.count(), transient.statistics(), clearances.clearances()};
 }
 
 ErrorBars estimate_errors(std::vector<Peak>& peaks, std::size_t impacts, const PeaksAndImpacts& companion,

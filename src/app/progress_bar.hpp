@@ -4,6 +4,7 @@
 #include <string>
 
 #include "output/step_observer.hpp"
+#include "study/engine.hpp"
 
 namespace moat {
 
@@ -16,8 +17,10 @@ class ProgressBar {
   /// title: stands before everything shown, if not empty. unit: of the amounts that are counted.
   explicit ProgressBar(const std::string& title = "", std::string unit = "cases");
 
-  /// 0 <= done <= all, all > 0.
-  void operator()(double done, double all);
+  /// 0 <= done <= all, all > 0. note: shown behind the amount.
+  void operator()(double done, double all, const std::string& note = "");
+  /// Of a study, with rate, remaining time, impacts and failures so far.
+  void operator()(const StudyProgress& progress);
   /// Removes an unfinished bar from the terminal.
   void clear();
 

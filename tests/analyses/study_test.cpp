@@ -23,8 +23,8 @@ namespace {
 using namespace units;
 using testing::message_of;
 
-const std::vector<StudyAxis> two_axes{{.name = "gap", .unit = "cm", .values = {10.0, 20.0, 40.0}},
-                                      StudyAxis::of_names("record", {"north", "south"})};
+const StudyCases two_axes{{.name = "gap", .unit = "cm", .values = {10.0, 20.0, 40.0}},
+                          StudyAxis::of_names("record", {"north", "south"})};
 
 StudyRecord sum(const StudyCase& each) { return {{"sum", "", "1", each.value("gap") + 100.0 * each.value("record")}}; }
 
@@ -103,9 +103,9 @@ TEST(Study, TellsAtMostFiveFailures) {
 
 TEST(Study, CountsItsProgressUpToTheEnd) {
   std::vector<std::size_t> told;
-  run_study(two_axes, sum, {.threads = 3, .progress = [&](std::size_t done, std::size_t all) {
-                              EXPECT_EQ(all, 6u);
-                              told.push_back(done);
+  run_study(two_axes, sum, {.threads = 3, .progress = [&](const StudyProgress& now) {
+                              EXPECT_EQ(now.all, 6u);
+                              told.push_back(now.done);
                             }});
   EXPECT_EQ(told, (std::vector<std::size_t>{1, 2, 3, 4, 5, 6}));
 }
@@ -167,7 +167,7 @@ StudyModel pounding_building(const StudyCase& each) {
   return study;
 }
 
-const std::vector<StudyAxis> gaps{{.name = "gap", .unit = "cm", .values = linearly_spaced(5.0, 20.0, 12)}};
+const StudyCases gaps{{.name = "gap", .unit = "cm", .values = linearly_spaced(5.0, 20.0, 12)}};
 
 TEST(Study, GivesTheSameBitsOnOneThreadAndOnSeveral) {
   const StudyResult one = run_study(gaps, pounding_building, {.threads = 1});

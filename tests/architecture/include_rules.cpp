@@ -27,7 +27,8 @@ const std::map<std::string, std::set<std::string>> allowed{
     {"src/solvers", {"src/base"}},
     {"src/motions", {"src/base"}},
     {"src/output", {"src/base", "src/model", "src/motions"}},
-    {"analyses", {"src/base", "src/model", "src/solvers", "src/motions", "src/output"}},
+    {"src/study", {"src/base", "src/output"}},
+    {"analyses", {"src/base", "src/model", "src/solvers", "src/motions", "src/output", "src/study"}},
 };
 const std::string top = "src/app or src/moat.hpp";
 
@@ -64,6 +65,7 @@ bool belongs_behind_a_cpp_file(const std::string& include) {
   static const std::regex library{
       R"(^(trilinos/|suitesparse/|vtk-?[0-9.]*/)?)"
       R"((NOX|Teuchos|Epetra|Thyra|Tpetra|Kokkos|Amesos|LOCA|vtk)[A-Za-z0-9_]*\.(h|H|hpp)$|)"
+      R"(^(sqlite3|mpi)\.h$|)"
       R"(^(suitesparse/)?(klu|btf|amd|colamd|cs|cholmod|umfpack|SuiteSparse[A-Za-z_]*)\.(h|hpp)$)"};
   return std::regex_search(include, library);
 }

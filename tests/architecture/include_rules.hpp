@@ -19,7 +19,7 @@ std::vector<SourceFile> read_sources(const std::filesystem::path& checkout);
 /// One sentence for each broken rule, naming the file and the line:
 ///  - an include of a folder that the including folder may not know, or a folder without a rule;
 ///  - a quoted include that names no file of the project;
-///  - a header that includes Trilinos, VTK or SuiteSparse (they stay in .cpp files);
+///  - a header that includes Trilinos, VTK, SuiteSparse, SQLite or MPI (they stay in .cpp files);
 ///  - any file that includes a GPL part of SuiteSparse;
 ///  - files that include each other in a circle.
 std::vector<std::string> broken_rules(const std::vector<SourceFile>& sources);

@@ -25,6 +25,7 @@ std::vector<SourceFile> tree_in_order() {
       {"materials/hertz.hpp", "#include \"base/error.hpp\"\n"},
       {"elements/gap.hpp", "#include \"materials/hertz.hpp\"\n#include \"model/model.hpp\"\n"},
       {"structures/moat.hpp", "#include \"elements/gap.hpp\"\n#include \"materials/hertz.hpp\"\n"},
+      {"src/study/store.cpp", "#include <sqlite3.h>\n#include \"output/table.hpp\"\n"},
       {"analyses/transient.hpp",
        "#include \"model/model.hpp\"\n#include \"output/table.hpp\"\n#include \"motions/motion.hpp\"\n"
        "#include \"solvers/newton.hpp\"\n"},
@@ -74,7 +75,7 @@ TEST(IncludeRules, RefuseACircle) {
 
 TEST(IncludeRules, RefuseHeavyLibrariesInHeaders) {
   for (const std::string name : {"vtkNew.h", "NOX.H", "NOX_Abstract_Group.H", "Teuchos_RCP.hpp", "klu.h",
-                                 "trilinos/NOX.H", "suitesparse/klu.h", "vtk-9.1/vtkSmartPointer.h"}) {
+                                 "trilinos/NOX.H", "suitesparse/klu.h", "vtk-9.1/vtkSmartPointer.h", "sqlite3.h", "mpi.h"}) {
     EXPECT_EQ(broken_with({"src/output/bad.hpp", "#include <" + name + ">\n"}),
               sentences("src/output/bad.hpp:1 includes " + name + " in a header; it belongs in a .cpp file"));
   }

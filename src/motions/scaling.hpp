@@ -1,0 +1,42 @@
+// Scaling of motions, alone and in pairs, to a measure of intensity.
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "base/quantity.hpp"
+#include "base/units.hpp"
+#include "motions/ground_motion.hpp"
+
+namespace moat {
+
+/// Two horizontal components of one record.
+struct MotionPair {
+  GroundMotion first, second;
+};
+
+/// Pseudo-acceleration of an oscillator with this period, from time_step/100 to 1000 s. damping_ratio: >= 0, < 1.
+Acceleration spectral_acceleration(const GroundMotion& motion, Time period, double damping_ratio = 0.05);
+/// The periods over which average_spectral_acceleration() averages if none are given: ten from 0.2 T to 3 T in equal
+/// ratios (Eads, Miranda & Lignos 2015).
+std::vector<Time> periods_around(Time period);
+/// Geometric mean of the spectral accelerations at these periods, at least one.
+Acceleration average_spectral_acceleration(const GroundMotion& motion, std::span<const Time> periods,
+                                           double damping_ratio = 0.05);
+
+/// The same motion with every acceleration multiplied so that the measure has the target value > 0. Throw InputError if
+/// it is zero, or a parameter is outside its range.
+GroundMotion scaled_to_pgv(const GroundMotion& motion, Speed target);
+GroundMotion scaled_to_sa(const GroundMotion& motion, Time period, Acceleration target, double damping_ratio = 0.05);
+GroundMotion scaled_to_average_sa(const GroundMotion& motion, std::span<const Time> periods, Acceleration target,
+                                  double damping_ratio = 0.05);
+
+/// Both components with one factor, so that the geometric mean of their measures has the target value.
+MotionPair scaled_to_pga(const MotionPair& pair, Acceleration target);
+MotionPair scaled_to_pgv(const MotionPair& pair, Speed target);
+MotionPair scaled_to_sa(const MotionPair& pair, Time period, Acceleration target, double damping_ratio = 0.05);
+MotionPair scaled_to_average_sa(const MotionPair& pair, std::span<const Time> periods, Acceleration target,
+                                double damping_ratio = 0.05);
+
+}  // namespace moat

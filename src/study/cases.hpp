@@ -1,0 +1,72 @@
+// The cases of a study: which combinations of parameters are computed.
+#pragma once
+
+#include <cstddef>
+#include <initializer_list>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "study/axis.hpp"
+
+namespace moat {
+
+/// Numbered combinations of axis values. Axes that belong to one group step together, groups step like the digits of a
+/// number, the last one fastest:
+///
+///     StudyCases{gap, record}                             every gap with every record: two groups
+///     StudyCases::list({mass, stiffness})                 first with first, second with second: one group
+///     random_samples(variables, 50, 1).times({record})    every sample with every record
+class StudyCases {
+ public:
+  /// Every value of each axis with every value of the others. Throws InputError for no axis, an axis that check()
+  /// refuses, a name that appears twice, and more than 1e9 cases.
+  StudyCases(std::initializer_list<StudyAxis> axes) : StudyCases{std::vector<StudyAxis>{axes}} {}
+  StudyCases(std::vector<StudyAxis> axes);  // NOLINT(google-explicit-constructor)
+
+  /// Case i takes the i-th value of every axis. Throws as the constructor, and for axes of different length.
+  static StudyCases list(std::vector<StudyAxis> axes);
+  /// Every case of this with every case of the other, whose axes run faster. Throws as the constructor.
+  [[nodiscard]] StudyCases times(const StudyCases& inner) const;
+
+  [[nodiscard]] std::size_t count() const;
+  [[nodiscard]] const std::vector<StudyAxis>& axes() const { return axes_; }
+  /// The group that each axis belongs to, from 0, ascending.
+  [[nodiscard]] const std::vector<std::size_t>& groups() const { return groups_; }
+  /// The position of a case on the axis with this index.
+  [[nodiscard]] std::size_t position(std::size_t axis, std::size_t number) const;
+  /// Throws InputError for an unknown name, with the names that there are.
+  [[nodiscard]] std::size_t index_of(std::string_view axis) const;
+
+ private:
+  StudyCases(std::vector<StudyAxis> axes, std::vector<std::size_t> groups);
+  [[nodiscard]] std::vector<std::size_t> lengths() const;
+
+  std::vector<StudyAxis> axes_;
+  std::vector<std::size_t> groups_;  // of every axis
+};
+
+/// One combination of axis values.
+class StudyCase {
+ public:
+  /// The cases must outlive this one.
+  StudyCase(const StudyCases& cases, std::size_t number) : cases_{&cases}, number_{number} {}
+  StudyCase(StudyCases&&, std::size_t) = delete;
+
+  /// Counts from 0.
+  [[nodiscard]] std::size_t number() const { return number_; }
+  /// Position on an axis, from 0. Throws InputError for an unknown name, as the next two do.
+  [[nodiscard]] std::size_t position(std::string_view axis) const;
+  /// Value on an axis, in the axis' unit.
+  [[nodiscard]] double value(std::string_view axis) const;
+  /// Its label; without labels the value in its shortest form.
+  [[nodiscard]] std::string label(std::string_view axis) const;
+  /// "gap = 12 cm, record = KBU000".
+  [[nodiscard]] std::string description() const;
+
+ private:
+  const StudyCases* cases_;
+  std::size_t number_;
+};
+
+}  // namespace moat

@@ -1,0 +1,78 @@
+// The results of a study.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "base/error.hpp"
+#include "output/table.hpp"
+#include "study/cases.hpp"
+#include "study/outcome.hpp"
+
+namespace moat {
+
+/// All cases of a study as one table: a column for every axis, then one for every result, a row for every case.
+/// A result that a case does not have, or that failed or is still open, is NaN.
+class StudyResult {
+ public:
+  /// An axis that is held: its name and a position on it.
+  using Fixed = std::vector<std::pair<std::string, std::size_t>>;
+
+  /// One outcome for every case.
+  StudyResult(StudyCases cases, std::vector<CaseOutcome> outcomes);
+
+  [[nodiscard]] const StudyCases& cases() const { return cases_; }
+  [[nodiscard]] const std::vector<StudyAxis>& axes() const { return cases_.axes(); }
+  [[nodiscard]] const std::vector<CaseOutcome>& outcomes() const { return outcomes_; }
+  [[nodiscard]] const Table& table() const { return table_; }
+  /// The table with state, reason, steps, energy error and seconds of every case behind the axes, for files.
+  [[nodiscard]] Table case_table() const;
+  /// How many cases are in a state.
+  [[nodiscard]] std::size_t count(CaseState state) const;
+  /// The cases whose axes stand at the given positions, ascending. Throws InputError for an unknown axis.
+  [[nodiscard]] std::vector<std::size_t> numbers(const Fixed& fixed = {}) const;
+  /// The values of one result in the order of the cases, from those cases whose axes stand at the given positions:
+  ///
+  ///     result.values("displacement", "base", {{"record", 2}})   // along the other axes
+  ///
+  /// Throws InputError for an unknown result or axis.
+  [[nodiscard]] std::vector<double> values(std::string_view quantity, std::string_view where,
+                                           const Fixed& fixed = {}) const;
+
+ private:
+  StudyCases cases_;
+  std::vector<CaseOutcome> outcomes_;
+  Table table_;
+};
+
+/// Some cases of a study failed. The others were computed: `result` has them.
+class StudyError : public Error {
+ public:
+  struct Failure {
+    std::size_t number;       ///< of the case
+    std::string description;  ///< its axis values
+    std::string message;      ///< of the exception
+  };
+  explicit StudyError(StudyResult computed);
+
+  std::vector<Failure> failures;  ///< in the order of the cases
+  StudyResult result;
+};
+
+/// The cases that failed or did not converge, in their order.
+std::vector<StudyError::Failure> failures_of(const StudyResult& result);
+/// "2 of 40 cases failed.", then a line for each of the first five; empty if none did.
+std::string failure_message(const StudyResult& result);
+
+/// A study ended before its last case because StudyOptions::stop asked for it. `result` has the cases up to then.
+class StudyStopped : public Error {
+ public:
+  explicit StudyStopped(StudyResult computed);
+
+  StudyResult result;
+};
+
+}  // namespace moat

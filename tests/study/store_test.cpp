@@ -1,0 +1,193 @@
+// The file of a study.
+
+#include "study/store.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <fstream>
+
+#include "base/error.hpp"
+#include "base/sha256.hpp"
+#include "message_of.hpp"
+#include "run_program.hpp"
+
+namespace moat {
+namespace {
+
+using testing::message_of;
+
+class Store : public testing::InTemporaryFolder {
+ protected:
+  const StudyCases cases{{.name = "gap", .unit = "cm", .values = {10.0, 20.0, 0.1}},
+                         StudyAxis::of_names("record", {"north", "south, \"quoted\""})};
+  const StudyIdentity identity{{"script", std::string(64, 'a')}, {"option pga", "0.4g"}};
+  std::filesystem::path file = folder / "deep" / "study.db";
+
+  StudyStore open() const { return {file, cases, identity, {.title = "A study", .engine = "1 thread"}}; }
+  std::string refusal(const StudyCases& other, const StudyIdentity& by) const {
+    return message_of<InputError>([&] { StudyStore{file, other, by, {}}; });
+  }
+};
+
+CaseOutcome done(StudyRecord results) { return {.state = CaseState::done, .results = std::move(results)}; }
+
+TEST_F(Store, GivesBackEveryBit) {
+  const double third = 1.0 / 3.0, tiny = 4.9e-324, nan = std::nan("");
+  {
+    StudyStore store = open();
+    CaseOutcome first =
+        done({{"drift", "storey 1", "m", third}, {"drift", "storey 2", "m", tiny}, {"x", "", "1", nan}});
+    first.steps = 1234;
+    first.energy_error = 1e-5 * third;
+    first.seconds = 0.25;
+    store.write(4, first);
+    store.write(1, done({{"x", "", "1", -INFINITY}, {"drift", "storey 1", "m", 0.1}}));
+    store.write(5, {.state = CaseState::not_converged, .reason = "no"});
+  }
+  const std::vector<CaseOutcome> outcomes = open().outcomes();
+  ASSERT_EQ(outcomes.size(), 6u);
+  EXPECT_EQ(outcomes[0].state, CaseState::open);
+  EXPECT_EQ(outcomes[4].state, CaseState::done);
+  EXPECT_EQ(outcomes[4].steps, 1234);
+  EXPECT_EQ(outcomes[4].energy_error, 1e-5 * third);
+  EXPECT_EQ(outcomes[4].seconds, 0.25);
+  EXPECT_EQ(value_of(outcomes[4].results, "drift", "storey 1"), third);
+  EXPECT_EQ(value_of(outcomes[4].results, "drift", "storey 2"), tiny);
+  EXPECT_TRUE(std::isnan(value_of(outcomes[4].results, "x", "")));
+  ASSERT_EQ(outcomes[1].results.size(), 2u);
+  EXPECT_EQ(outcomes[1].results[0].value, -INFINITY) << "results keep their order";
+  EXPECT_EQ(outcomes[5].state, CaseState::not_converged);
+  EXPECT_EQ(outcomes[5].reason, "no");
+}
+
+TEST_F(Store, CanBeReadWithoutItsScript) {
+  open().write(3, done({{"x", "", "1", 7.0}}));
+  const StoredStudy study = read_study(file);
+  EXPECT_EQ(study.result.cases().count(), 6u);
+  EXPECT_EQ((StudyCase{study.result.cases(), 3}.description()), "gap = 20 cm, record = south, \"quoted\"");
+  EXPECT_EQ(study.result.values("x", "")[3], 7.0);
+  EXPECT_EQ(study.result.count(CaseState::open), 5u);
+  ASSERT_EQ(study.sessions.size(), 1u);
+  EXPECT_EQ(study.sessions[0].engine, "1 thread");
+}
+
+TEST_F(Store, CanBeReadWhileItIsWritten) {
+  StudyStore store = open();
+  store.write(3, done({{"x", "", "1", 7.0}}));
+  EXPECT_EQ(read_study(file).result.count(CaseState::done), 1u);
+  store.write(2, done({{"x", "", "1", 8.0}}));
+  EXPECT_EQ(read_study(file).result.count(CaseState::done), 2u);
+}
+
+TEST_F(Store, KeepsListsAndTheirProducts) {
+  const StudyCases both = StudyCases::list({{.name = "a", .unit = "", .values = {1.0, 2.0}},
+                                            {.name = "b", .unit = "m", .values = {3.0, 4.0}}})
+                              .times({StudyAxis::of_names("c", {"x", "y", "z"})});
+  { StudyStore store{file, both, {}, {}}; }
+  const StoredStudy study = read_study(file);
+  EXPECT_EQ(study.result.cases().groups(), both.groups());
+  for (std::size_t i = 0; i < both.count(); ++i)
+    EXPECT_EQ((StudyCase{study.result.cases(), i}.description()), (StudyCase{both, i}.description()));
+}
+
+TEST_F(Store, NamesEveryChange) {
+  open();
+  StudyIdentity other = identity;
+  other[0].second = std::string(64, 'b');
+  other.emplace_back("option gap", "3 cm");
+  const std::string message = refusal(cases, other);
+  EXPECT_NE(message.find("script: aaaaaaaaaaaa... -> bbbbbbbbbbbb..."), std::string::npos) << message;
+  EXPECT_NE(message.find("option gap: none -> 3 cm"), std::string::npos) << message;
+  EXPECT_EQ(message.find("pga"), std::string::npos) << message;
+  EXPECT_NE(refusal(cases, {identity[0]}).find("option pga: 0.4g -> none"), std::string::npos);
+
+  StudyAxis gap = cases.axes()[0];
+  gap.values.push_back(3.0);
+  EXPECT_NE(refusal({gap, cases.axes()[1]}, identity).find("axis gap: its values (3 -> 4)"), std::string::npos);
+  EXPECT_NE(refusal({cases.axes()[1], cases.axes()[0]}, identity).find("axes: gap, record -> record, gap"),
+            std::string::npos);
+  StudyAxis record = cases.axes()[1];
+  record.hashes = {"1", "2"};
+  EXPECT_NE(refusal({cases.axes()[0], record}, identity).find("record north: the content of its file"),
+            std::string::npos);
+  EXPECT_NO_THROW(open());
+}
+
+TEST_F(Store, SeesARecordThatChanged) {
+  const std::filesystem::path record = folder / "north.AT2";
+  std::ofstream{record} << "before";
+  CaseOutcome outcome = done({});
+  outcome.record = record;
+  outcome.record_sha256 = sha256_of("before");
+  open().write(0, outcome);
+  EXPECT_NO_THROW(open());
+  std::ofstream{record} << "after";
+  const std::string message = refusal(cases, identity);
+  EXPECT_NE(message.find("record " + record.string()), std::string::npos) << message;
+}
+
+TEST_F(Store, RefusesARecordThatChangesMeanwhile) {
+  StudyStore store = open();
+  CaseOutcome outcome = done({});
+  outcome.record = "/north.AT2";
+  outcome.record_sha256 = "1";
+  store.write(0, outcome);
+  store.write(1, outcome);
+  outcome.record_sha256 = "2";
+  EXPECT_THROW(store.write(2, outcome), InputError);
+  EXPECT_EQ(store.outcomes()[2].state, CaseState::open);
+}
+
+TEST_F(Store, IsComputedByOneProcessAtATime) {
+  const StudyStore store = open();
+  EXPECT_NE(refusal(cases, identity).find("another process computes it now"), std::string::npos);
+}
+
+TEST_F(Store, RefusesOtherFiles) {
+  std::filesystem::create_directories(file.parent_path());
+  std::ofstream{file} << std::string(5000, 'x');
+  EXPECT_THROW(open(), FileError);
+  EXPECT_THROW(read_study(file), FileError);
+  EXPECT_THROW(read_study(folder / "none.db"), FileError);
+  EXPECT_THROW((StudyStore{"/proc/study.db", cases, identity, {}}), FileError);
+}
+
+TEST_F(Store, WritesNoCaseTwice) {
+  StudyStore store = open();
+  store.write(0, done({{"x", "", "1", 1.0}}));
+  EXPECT_THROW(store.write(0, done({{"x", "", "1", 2.0}})), FileError);
+  EXPECT_EQ(value_of(store.outcomes()[0].results, "x", ""), 1.0);
+}
+
+TEST_F(Store, ForgetsFailuresIfAsked) {
+  StudyStore store = open();
+  store.write(0, done({{"x", "", "1", 1.0}}));
+  store.write(1, {.state = CaseState::failed, .reason = "no"});
+  store.forget_failures();
+  EXPECT_EQ(store.outcomes()[0].state, CaseState::done);
+  EXPECT_EQ(store.outcomes()[1].state, CaseState::open);
+}
+
+TEST_F(Store, IsMergedFromParts) {
+  const auto part = [&](const std::string& name, std::vector<std::pair<std::size_t, double>> values) {
+    StudyStore store{folder / name, cases, identity, {.title = "A study", .command_line = name}};
+    for (const auto& [number, value] : values) store.write(number, done({{"x", "", "1", value}}));
+  };
+  part("a.db", {{0, 0.0}, {1, 1.0}, {2, 2.0}});
+  part("b.db", {{2, 2.0}, {3, 3.0}});
+  part("c.db", {{3, 3.5}});
+  merge_studies(folder / "all.db", {folder / "a.db", folder / "b.db"});
+  const StoredStudy all = read_study(folder / "all.db");
+  EXPECT_EQ(all.result.count(CaseState::done), 4u);
+  for (std::size_t i = 0; i < 4; ++i) EXPECT_EQ(all.result.values("x", "")[i], static_cast<double>(i));
+  EXPECT_EQ(all.sessions.size(), 2u);
+  EXPECT_EQ(all.properties, read_study(folder / "a.db").properties);
+  EXPECT_NE(message_of<InputError>([&] { merge_studies(folder / "all.db", {folder / "c.db"}); }).find("case 3 of"),
+            std::string::npos);
+  { StudyStore other{folder / "d.db", cases, {identity[0]}, {}}; }
+  EXPECT_THROW(merge_studies(folder / "all.db", {folder / "d.db"}), InputError);
+}
+
+}  // namespace
+}  // namespace moat
