@@ -117,8 +117,9 @@ void CaseRun::run() {
        std::initializer_list<StepObserver*>{&energy_, &peaks_, &impacts_, &clearances_, &histories_})
     transient_.attach(*own);
   if (!offered_.list().empty()) transient_.attach(offered_peaks_);
-  transient_.run();
-  run_companion();
+  transient_.run(stop_);
+  stopped_ = !transient_.finished();
+  if (!stopped_) run_companion();
 }
 
 void CaseRun::run_companion() {
@@ -135,7 +136,7 @@ void CaseRun::run_companion() {
     const TransientOptions finer = companion_options(options_.transient, spent.longest_step);
     about_companion_ = companion_description(finer);
     try {
-      companion_ = compute_peaks(*untouched_, transient_.motion(), finer, companion_observer_);
+      companion_ = compute_peaks(*untouched_, transient_.motion(), finer, companion_observer_, stop_);
     } catch (const Error& error) {
       companion_failure_ = error.what();
       about_companion_ = "No error bars: the second run failed.";

@@ -1,8 +1,10 @@
 // One model under one motion, with everything that is reported about it.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "analyses/error_bars.hpp"
 #include "analyses/transient.hpp"
@@ -54,6 +56,10 @@ class CaseRun {
   void attach(StepObserver& observer);
   /// Calls the observer for the steps of the companion, if there is one; it must outlive the run.
   void attach_to_companion(StepObserver& observer) { companion_observer_ = &observer; }
+  /// stop: asked before every step of run(), and of the companion; true ends it there, with all results up to then.
+  void stop_when(std::function<bool()> stop) { stop_ = std::move(stop); }
+  /// Whether the main run ended before its end because it was asked to.
+  [[nodiscard]] bool stopped() const { return stopped_; }
   /// The main run, then the companion. Throws as Transient::run does in the main run.
   void run();
 
@@ -75,6 +81,8 @@ class CaseRun {
   HistoryRecorder histories_;
   OfferedQuantities offered_;
   OfferedPeaks offered_peaks_{offered_};
+  std::function<bool()> stop_;
+  bool stopped_ = false;
   StepObserver* companion_observer_ = nullptr;
   std::optional<PeaksAndImpacts> companion_;
   std::string about_companion_ = "No error bars: the run did not reach its end.";

@@ -6,6 +6,7 @@
 #include <map>
 
 #include "base/check.hpp"
+#include "base/error.hpp"
 #include "base/units.hpp"
 #include "output/clearance_recorder.hpp"
 #include "output/engineering_unit.hpp"
@@ -167,7 +168,7 @@ std::string companion_description(const TransientOptions& companion) {
 }
 
 PeaksAndImpacts compute_peaks(Model& model, const GroundMotion& motion, const TransientOptions& options,
-                              StepObserver* observer) {
+                              StepObserver* observer, const std::function<bool()>& stop) {
   Transient transient{model, motion, options};
   PeakRecorder peaks{model};
   ImpactCounter impacts;
@@ -176,7 +177,8 @@ PeaksAndImpacts compute_peaks(Model& model, const GroundMotion& motion, const Tr
   transient.attach(impacts);
   transient.attach(clearances);
   if (observer != nullptr) transient.attach(*observer);
-  transient.run();
+  transient.run(stop);
+  if (!transient.finished()) throw Error{"it was stopped."};
   return {peaks.peaks(), impacts.count(), transient.statistics(), clearances.clearances()};
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -32,10 +33,10 @@ struct PeaksAndImpacts {
   std::vector<GapClearance> clearances{};
 };
 
-/// Runs the model and returns its peaks and impacts. The observer, if any, gets every step.
-/// Throws as Transient does.
+/// Runs the model and returns its peaks and impacts. The observer, if any, gets every step. stop: asked before every
+/// step; true ends the run with an Error. Throws as Transient does.
 PeaksAndImpacts compute_peaks(Model& model, const GroundMotion& motion, const TransientOptions& options,
-                              StepObserver* observer = nullptr);
+                              StepObserver* observer = nullptr, const std::function<bool()>& stop = {});
 
 /// Gives every peak of the main run its error: Richardson's estimate from the companion's peak, whose own error is at
 /// most a quarter,

@@ -15,6 +15,8 @@
 #include "base/sha256.hpp"
 #include "output/energy_columns.hpp"
 #include "output/energy_ledger.hpp"
+#include "study/outcome_bytes.hpp"
+#include "study/rank_engine.hpp"
 
 namespace moat {
 namespace {
@@ -23,6 +25,7 @@ std::size_t threads_of(const StudyOptions& options) {
   Check{"StudyOptions", ""}.that(options.threads >= 0, "threads", options.threads, "1", ">= 0",
                                  "0 takes one thread per core.");
   if (options.threads > 0) return static_cast<std::size_t>(options.threads);
+  if (options.ranks != nullptr) return 1;
   return std::max(1u, std::thread::hardware_concurrency());
 }
 
@@ -70,7 +73,9 @@ class Progress {
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
-StudyResult compute_study(const StudyCases& cases, const ComputeCase& compute, const StudyOptions& options) {
+/// Outcomes that this process computes or has in its store; those of other ranks come through it.
+std::vector<CaseOutcome> compute_outcomes(const StudyCases& cases, const ComputeCase& compute,
+                                          const StudyOptions& options) {
   const std::size_t threads = threads_of(options);
   std::vector<CaseOutcome> outcomes =
       options.store != nullptr ? options.store->outcomes() : std::vector<CaseOutcome>(cases.count());
@@ -82,9 +87,33 @@ StudyResult compute_study(const StudyCases& cases, const ComputeCase& compute, c
     const StudyProgress& now = progress.finished(outcomes[number]);
     if (options.progress) options.progress(now);
   };
-  compute_on_threads(cases, numbers, compute, finished, options.stop, threads);
-  const bool stopped =
-      std::ranges::any_of(numbers, [&](std::size_t number) { return outcomes[number].state == CaseState::open; });
+  if (options.ranks != nullptr)
+    compute_as_first_rank(*options.ranks, cases, numbers, compute, finished, options.stop, threads);
+  else
+    compute_on_threads(cases, numbers, compute, finished, options.stop, threads);
+  return outcomes;
+}
+
+/// The outcomes of rank 0 on every rank.
+std::vector<CaseOutcome> compute_on_every_rank(const StudyCases& cases, const ComputeCase& compute,
+                                               const StudyOptions& options) {
+  Ranks& ranks = *options.ranks;
+  std::string bytes;
+  if (ranks.rank() == 0) {
+    std::vector<CaseOutcome> outcomes = compute_outcomes(cases, compute, options);
+    bytes = to_bytes(outcomes);
+    ranks.broadcast(bytes);
+    return outcomes;
+  }
+  compute_as_other_rank(ranks, cases, compute);
+  ranks.broadcast(bytes);
+  return outcomes_from_bytes(bytes);
+}
+
+StudyResult compute_study(const StudyCases& cases, const ComputeCase& compute, const StudyOptions& options) {
+  std::vector<CaseOutcome> outcomes = options.ranks != nullptr ? compute_on_every_rank(cases, compute, options)
+                                                               : compute_outcomes(cases, compute, options);
+  const bool stopped = !open_numbers(outcomes, options).empty();
   StudyResult result{cases, std::move(outcomes)};
   if (stopped) throw StudyStopped{std::move(result)};
   if (!options.keep_failures && !failures_of(result).empty()) throw StudyError{std::move(result)};

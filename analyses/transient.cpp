@@ -194,7 +194,7 @@ void Transient::end_motion() {
 
 void Transient::finish() { observers_.finish(view(true)); }
 
-void Transient::run() {
+void Transient::run(const std::function<bool()>& stop) {
   const double started = process_seconds();
   const auto end = [&] {
     statistics_.cpu_seconds += process_seconds() - started;
@@ -202,7 +202,7 @@ void Transient::run() {
   };
   observers_.start(view(true));
   try {
-    while (!finished()) advance();
+    while (!finished() && !(stop && stop())) advance();
   } catch (...) {
     end();
     throw;

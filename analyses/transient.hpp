@@ -1,6 +1,7 @@
 // Time history of a model under a ground motion.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -53,8 +54,9 @@ class Transient {
   void advance();
   /// Calls finish() of the observers: the analysis ends here. run() does so itself.
   void finish();
-  /// Until finished(), with start() and finish() of the observers, also when a step fails.
-  void run();
+  /// Until finished(), with start() and finish() of the observers, also when a step fails. stop: asked before every
+  /// step; true ends the run there.
+  void run(const std::function<bool()>& stop = {});
 
   [[nodiscard]] const Model& model() const { return *model_; }
   [[nodiscard]] const GroundMotion& motion() const { return motion_; }

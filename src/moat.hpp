@@ -2,8 +2,11 @@
 #pragma once
 
 #include "analyses/case_run.hpp"
+#include "analyses/fragility.hpp"
+#include "analyses/incremental_dynamic_analysis.hpp"
 #include "analyses/integrators.hpp"
 #include "analyses/periods.hpp"
+#include "analyses/smallest_gap.hpp"
 #include "analyses/study.hpp"
 #include "analyses/transient.hpp"
 #include "app/progress_bar.hpp"

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cstdlib>
 #include <filesystem>
 
 #include "base/error.hpp"
@@ -10,15 +11,20 @@ namespace moat {
 
 CommandLine::CommandLine(int argc, char** argv, std::string title) : app_{std::move(title)} {
   if (argc > 0) {
-    program_ = std::filesystem::path{argv[0]}.stem().string();
-    app_.name(argv[0]);
+    std::filesystem::path program = argv[0];
+    // mpirun and srun call the compiled script by its path, which ends in /program.
+    const char* source = std::getenv("MOAT_SCRIPT");
+    if (source != nullptr && *source != '\0' && program.stem() == "program") program = source;
+    program_ = program.stem().string();
+    app_.name(program.string());
   }
   for (int i = 1; i < argc; ++i) arguments_.emplace_back(argv[i]);
   for (const std::string& each : arguments_) help_wanted_ = help_wanted_ || each == "-h" || each == "--help";
   app_.get_formatter()->column_width(34);
   app_.footer(
       "Write quantities with their unit: \"12 cm\", 0.4g, \"2.5 ms\".\n"
-      "Exit code: 0 done, 1 bad input, 2 wrong usage, 3 a step did not converge.");
+      "Exit code: 0 done, 1 bad input, 2 wrong usage, 3 a step did not converge,\n"
+      "130 or 143 stopped by a signal.");
 }
 
 void CommandLine::require_new(const std::string& name) const {
@@ -26,9 +32,10 @@ void CommandLine::require_new(const std::string& name) const {
   if (name.empty() || name.front() == '-' || !std::ranges::all_of(name, allowed))
     throw InputError{"Script: \"" + name + "\" cannot be the name of an option. Use letters, digits, - and _."};
   if (app_.get_option_no_throw("--" + name) != nullptr)
-    throw InputError{
-        "--" + name + ": there is an option of this name. Name each once; help, record and record-unit, " +
-        "out, force, step, tolerance, integrator, end, frame-interval, check and quiet are those of Script itself."};
+    throw InputError{"--" + name + ": there is an option of this name. Name each once; help, record and record-unit, " +
+                     "out, force, step, tolerance, integrator, end, frame-interval, check, quiet, threads, case, cases "
+                     "and retry are "
+                     "those of Script itself."};
 }
 
 void CommandLine::add_flag(const std::string& name, bool& value, const std::string& help) {

@@ -11,7 +11,8 @@
 #include "app/command_line.hpp"
 #include "app/progress_bar.hpp"
 #include "app/results.hpp"
-#include "app/script_origin.hpp"
+#include "app/script_parts.hpp"
+#include "app/stop_signals.hpp"
 #include "base/check.hpp"
 #include "base/error.hpp"
 #include "base/parse_quantity.hpp"
@@ -21,8 +22,6 @@
 
 namespace moat {
 namespace {
-
-constexpr int exit_error = 1, exit_usage = 2, exit_no_convergence = 3;
 
 // An exception that leaves main() ends here. The user sees only its message.
 [[noreturn]] void report_and_exit() {
@@ -41,21 +40,62 @@ constexpr int exit_error = 1, exit_usage = 2, exit_no_convergence = 3;
 
 }  // namespace
 
-struct Script::Parts {
-  Parts(int argc, char** argv, std::string title) : line{argc, argv, std::move(title)} {}
-
-  CommandLine line;
-  // Found at once, so that a source that is edited during the run is not taken for the one that runs.
-  Provenance origin = origin_of_script(line.arguments());
-  std::vector<StepObserver*> observers{};
-};
-
 Script::Script(int argc, char** argv, std::string title)
     : parts_{std::make_unique<Parts>(argc, argv, std::move(title))} {
   std::set_terminate(report_and_exit);
+  parts_->ranks = ranks_of_this_job();
+  // All ranks run the script, and one speaks.
+  if (!parts_->speaks() && std::freopen("/dev/null", "w", stdout) == nullptr) std::fclose(stdout);
 }
 
-Script::~Script() = default;
+Script::~Script() {
+  if (parts_->checked || parts_->line.arguments().empty() || std::uncaught_exceptions() > 0) return;
+  // Neither run() nor study() nor check_options() read the line.
+  try {
+    check_options();
+  } catch (const std::exception& error) {
+    std::cerr << "moat: error: " << error.what() << "\n";
+    std::exit(exit_error);
+  }
+}
+
+void Script::check_options() {
+  if (parts_->checked) return;
+  parts_->checked = true;
+  CommandLine& line = parts_->line;
+  if (line.help_wanted()) {
+    std::cout << line.help() << std::flush;
+    std::exit(0);
+  }
+  if (!line.parse()) std::exit(exit_usage);
+  parts_->origin.options = line.values();
+}
+
+ScriptStudy& Script::study_parts() {
+  if (!parts_->study) parts_->study.emplace(parts_->line, parts_->ranks);
+  check_options();
+  return *parts_->study;
+}
+
+StudyResult Script::study(const StudyCases& cases, const std::function<StudyModel(const StudyCase&)>& make,
+                          const StudyOptions& options, const std::string& name) {
+  return study_parts().run(
+      cases, [&](const StudyOptions& each) { return run_study(cases, make, each); }, options, name, parts_->origin,
+      parts_->line.title());
+}
+
+StudyResult Script::study(const StudyCases& cases, const std::function<StudyRecord(const StudyCase&)>& compute,
+                          const StudyOptions& options, const std::string& name) {
+  return study_parts().run(
+      cases, [&](const StudyOptions& each) { return run_study(cases, compute, each); }, options, name, parts_->origin,
+      parts_->line.title());
+}
+
+int Script::finish() {
+  if (parts_->study) return parts_->study->finish(parts_->origin, parts_->line.title());
+  check_options();
+  return 0;
+}
 
 template <class Q>
 Q Script::quantity(const std::string& name, Q preset, const std::string& help) {
@@ -141,6 +181,7 @@ int Script::run(Model& model, const GroundMotion& motion, std::initializer_list<
   parts_->observers.insert(parts_->observers.end(), observers);
   RunOptions options;
   if (const auto exit_code = read_options(motion, options)) return *exit_code;
+  if (!parts_->speaks()) return 0;  // a single run needs one rank
   CaseRun run{model,
               motion,
               {.title = parts_->line.title(),
@@ -168,6 +209,7 @@ std::optional<int> Script::read_options(const GroundMotion& motion, RunOptions& 
   options.frame_interval = time("frame-interval", 50 * units::ms, "between VTK frames; 0 s writes none");
   line.add_flag("check", options.check, "error bars also where the second run they need costs more than about 20 ms");
   line.add_flag("quiet", options.quiet, "print warnings and errors only");
+  parts_->checked = true;
   if (line.help_wanted()) {
     std::cout << line.help();
     return 0;
@@ -192,8 +234,14 @@ Script::Outcome Script::compute(CaseRun& run, const Model& model, const RunOptio
     if (options.check) run.attach_to_companion(progress_of_check.emplace(run.transient().end_time(), "check"));
   }
   Outcome outcome;
+  const StopSignals signals;
+  run.stop_when([] { return StopSignals::received() != 0; });
   try {
     run.run();
+    if (run.stopped()) {
+      outcome.failure = std::string{StopSignals::name()} + ". To compute the whole: " + parts_->origin.command_line;
+      outcome.exit_code = StopSignals::exit_code();
+    }
   } catch (const ConvergenceError& error) {
     outcome.failure = error.what();
     outcome.exit_code = exit_no_convergence;

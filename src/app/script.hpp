@@ -2,11 +2,13 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <initializer_list>
 #include <memory>
 #include <optional>
 #include <string>
 
+#include "analyses/study.hpp"
 #include "base/quantity.hpp"
 #include "model/model.hpp"
 #include "motions/ground_motion.hpp"
@@ -16,6 +18,7 @@ namespace moat {
 
 class CaseRun;
 class ResultsFolder;
+class ScriptStudy;
 
 /// Turns a main() into a program with options, help, progress, results folder and exit codes.
 ///
@@ -33,7 +36,8 @@ class ResultsFolder;
 ///
 /// Errors: once a Script exists, an exception that leaves main() is printed as one message to standard error and
 /// ends the program with exit code 1. Exit codes: 0 done; 1 bad input or another error; 2 wrong usage of the command
-/// line; 3 a step did not converge (the results up to that step are in the results folder).
+/// line; 3 a step did not converge (the results up to that step are in the results folder); 130 and 143 stopped by
+/// SIGINT (Ctrl-C) and SIGTERM (the results up to then are there).
 class Script {
  public:
   Script(int argc, char** argv, std::string title);
@@ -67,6 +71,37 @@ class Script {
   /// observers are attached before; none may be null.
   int run(Model& model, const GroundMotion& motion, std::initializer_list<StepObserver*> observers = {});
 
+  /// Computes a study on all cores, keeps it in the file NAME.db of the results folder, and writes NAME.csv beside it.
+  /// A study that is there goes on: only cases that it lacks are computed. Adds --out, --threads, --case, --cases,
+  /// --retry, --quiet at the first call, then checks all options, and answers --help by ending the program.
+  ///
+  ///     const StudyResult study = script.study({gap, record_axis("record", records)}, [&](const StudyCase& each) {
+  ///       StudyModel one{Model{}, records[each.position("record")]};
+  ///       ...
+  ///       return one;
+  ///     });
+  ///     ...
+  ///     return script.finish();
+  ///
+  /// Ctrl-C and SIGTERM let cases in flight end, and end the program; the command that goes on is printed. --case and
+  /// --cases compute a part of the first study into a file of its own and end the program. Cases that fail or do not
+  /// converge are states in the result and are printed; options.keep_failures, stop, store and part are not used.
+  ///
+  /// Throws InputError where the file holds a study with other axes, or made by another script, library, record or
+  /// value of an option, and FileError where it cannot be written.
+  StudyResult study(const StudyCases& cases, const std::function<StudyModel(const StudyCase&)>& make,
+                    const StudyOptions& options = {}, const std::string& name = "study");
+  StudyResult study(const StudyCases& cases, const std::function<StudyRecord(const StudyCase&)>& compute,
+                    const StudyOptions& options = {}, const std::string& name = "study");
+
+  /// After the last study: prints where the results are. Returns the exit code: 0, 3 if cases did not converge, 1 if
+  /// cases failed.
+  int finish();
+
+  /// For a script with neither run() nor study(), after its last option: prints --help, or refuses unknown options, by
+  /// ending the program. Without it that happens at the end of main().
+  void check_options();
+
  private:
   struct Parts;
   struct RunOptions;
@@ -75,6 +110,7 @@ class Script {
   std::optional<int> read_options(const GroundMotion& motion, RunOptions& options);
   Outcome compute(CaseRun& run, const Model& model, const RunOptions& options, const ResultsFolder& folder);
   static int print(const Outcome& outcome, const RunOptions& options, const std::filesystem::path& folder);
+  ScriptStudy& study_parts();
   template <class Q>
   Q quantity(const std::string& name, Q preset, const std::string& help);
   std::unique_ptr<Parts> parts_;

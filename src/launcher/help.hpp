@@ -15,7 +15,7 @@ in build/, or in ~/.cache/moat (XDG_CACHE_HOME) where the checkout cannot be wri
 
 inline constexpr char run[] = "Compile and run an input script";
 inline constexpr char after_run[] = R"(
-./moat run SCRIPT.cpp [options of the script]
+./moat run [--ranks N] SCRIPT.cpp [options of the script]
 
 Compiles an input script, which is a C++ program that includes <moat.hpp>, and runs it. The first time it also
 installs the Debian packages that are missing and builds the library; an unchanged script starts at once.
@@ -24,6 +24,7 @@ installs the Debian packages that are missing and builds the library; an unchang
   ./moat run examples/01_moat_wall.cpp --help           the options of the script, not of moat
   ./moat run examples/01_moat_wall.cpp --gap "15 cm"    everything after the script's name goes to the script
   cd ~/study && ~/moat/moat run tower.cpp               a script may lie anywhere; results land where you are
+  ./moat run --ranks 4 study.cpp                        a study on four processes of MPI, which may be on many nodes
 
 A script may include files beside it: #include "my_law.hpp". It is compiled again when it, such a file or the
 library has changed. The compiled programs in build/scripts/ may be deleted at any time.
@@ -98,6 +99,21 @@ both. OpenSees is the program that OPENSEES names, else `OpenSees` on the path. 
 
 Exit code: of paper 0 if all that is asserted holds, else 1; of the others 0 when they ran. 1 when building fails, 2 for
 wrong usage, 3 when packages cannot be installed.)";
+
+inline constexpr char study[] = "Show, export or merge the files of studies";
+inline constexpr char after_study[] = R"(
+./moat study show FILE
+./moat study export FILE [--out FILE.csv]
+./moat study merge INTO PART...
+
+A script with script.study() keeps its cases in a file, results/<script>/study.db, and goes on from it when it is run
+again. The file may be read while the script computes.
+
+  ./moat study show results/10_gap_study/study.db      progress, failures, slowest cases
+  ./moat study export results/10_gap_study/study.db    one row per case as CSV, for pandas, R and MATLAB
+  ./moat study merge all.db part_*.db                  cases that --case and --cases computed, in one file
+
+Exit code: 0 done, 1 a file that cannot be read, or studies that differ, 2 wrong usage.)";
 
 inline constexpr char check[] = "Check the code: format, warnings, sanitizers and more";
 inline constexpr char after_check[] = R"(

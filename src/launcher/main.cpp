@@ -13,6 +13,7 @@
 #include "launcher/phase.hpp"
 #include "launcher/run_script.hpp"
 #include "launcher/stop.hpp"
+#include "launcher/study.hpp"
 #include "launcher/tests.hpp"
 #include "launcher/text.hpp"
 
@@ -47,6 +48,13 @@ int run_command_line(const Places& places, int count, char** words) {
     for (const std::string& word : rest)
       if (word == "-h" || word == "--help") throw CLI::CallForHelp{};
     run_benchmark(places, rest);
+  });
+
+  CLI::App* const study = app.add_subcommand("study", help::study)->prefix_command()->footer(help::after_study);
+  study->callback([&] {
+    const std::vector<std::string> rest = study->remaining();
+    if (!rest.empty() && (rest.front() == "-h" || rest.front() == "--help")) throw CLI::CallForHelp{};
+    read_study(places, rest);
   });
 
   CLI::App* const check = app.add_subcommand("check", help::check)->footer(help::after_check);

@@ -2,6 +2,7 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <cstring>
 
@@ -27,19 +28,49 @@ void check_name(const std::string& typed) {
     throw Stop{exit_usage, typed + " is not an input script: its name does not end in .cpp.\nSee ./moat run --help."};
 }
 
+/// The number behind --ranks in front of the script's name; empty without it.
+std::string take_ranks(std::vector<std::string>& words) {
+  if (words.empty() || words.front() != "--ranks") return "";
+  const auto is_digit = [](char c) { return c >= '0' && c <= '9'; };
+  if (words.size() < 2 || words[1].empty() || words[1].front() == '0' || !std::ranges::all_of(words[1], is_digit))
+    throw Stop{exit_usage, "--ranks needs a number of processes: ./moat run --ranks 4 SCRIPT.cpp"};
+  std::string ranks = words[1];
+  words.erase(words.begin(), words.begin() + 2);
+  return ranks;
+}
+
+/// The job of Open MPI that runs the program on this number of ranks. In a job of Slurm its nodes are used.
+[[noreturn]] void become_ranks(const std::string& ranks, const fs::path& program,
+                               const std::vector<std::string>& options) {
+  Command job{"-n", ranks, "--oversubscribe", "--bind-to", "none", "-x", "MOAT_SCRIPT"};
+  if (::geteuid() == 0) job.emplace_back("--allow-run-as-root");
+  job.push_back(program);
+  job.insert(job.end(), options.begin(), options.end());
+  become("/usr/bin/mpirun", "mpirun", job);
+  throw Stop{exit_failed, std::string{"mpirun cannot be started: "} + std::strerror(errno)};
+}
+
 }  // namespace
 
-void run_script(const Places& places, const std::vector<std::string>& words) {
+void run_script(const Places& places, const std::vector<std::string>& all_words) {
+  std::vector<std::string> words = all_words;
+  const std::string ranks = take_ranks(words);
   if (words.empty())
     throw Stop{exit_usage, "run needs an input script.\nFor example: ./moat run examples/01_moat_wall.cpp"};
   const std::string& typed = words.front();
   check_name(typed);
   const ScriptBuild script{places, typed};
-  bring_up_to_date(places, {.what = "the library", .targets = {"moat_for_scripts"}});
+  Part part{.what = "the library", .targets = {"moat_for_scripts"}};
+  if (!ranks.empty()) {
+    part.package_lists = {"mpi"};
+    part.cmake_option = "MOAT_MPI";
+  }
+  bring_up_to_date(places, part);
   const Lock lock{script.lock_file()};  // until the program has started
   script.bring_up_to_date();
   // For the results, which name the script and its hash.
   ::setenv("MOAT_SCRIPT", fs::absolute(typed).lexically_normal().c_str(), 1);
+  if (!ranks.empty()) become_ranks(ranks, script.program(), {words.begin() + 1, words.end()});
   // The script is called by its own name, so that its messages and its results are.
   const std::vector<std::string> options{words.begin() + 1, words.end()};
   if (become(script.program(), typed, options) == ENOEXEC) {  // damaged, by a power cut for example

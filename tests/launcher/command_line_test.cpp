@@ -28,6 +28,7 @@ TEST_F(CommandLine, ExplainsEveryCommand) {
                                                 {"test", "--help"},
                                                 {"bench", "--help"},
                                                 {"bench", "paper", "--help"},
+                                                {"study", "--help"},
                                                 {"check", "--help"},
                                                 {"doctor", "--help"}}) {
     const auto result = launch(words);
@@ -54,6 +55,8 @@ TEST_F(CommandLine, RefusesWrongUsageWithAHint) {
                                                 {"doctor", "now"},
                                                 {"bench"},
                                                 {"bench", "tower"},
+                                                {"study"},
+                                                {"study", "frobnicate"},
                                                 {"check", "everything"},
                                                 {"test", "--all"}}) {
     const auto result = launch(words);

@@ -7,10 +7,12 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <csignal>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <string>
+#include <utility>
 #include <vector>
 
 extern char** environ;
@@ -28,28 +30,49 @@ struct ProgramResult {
   std::string output, errors;  ///< standard output and standard error
 };
 
-/// Runs `program` in `folder` with no terminal.
+/// A program that runs in `folder` with no terminal.
+class RunningProgram {
+ public:
+  RunningProgram(const std::filesystem::path& program, std::vector<std::string> arguments,
+                 const std::filesystem::path& folder)
+      : output_{folder / "standard_output"}, errors_{folder / "standard_error"} {
+    posix_spawn_file_actions_t actions;
+    posix_spawn_file_actions_init(&actions);
+    posix_spawn_file_actions_addopen(&actions, 0, "/dev/null", O_RDONLY, 0);
+    posix_spawn_file_actions_addopen(&actions, 1, output_.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
+    posix_spawn_file_actions_addopen(&actions, 2, errors_.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
+    posix_spawn_file_actions_addchdir_np(&actions, folder.c_str());
+    std::string name = program.string();
+    std::vector<char*> argv{name.data()};
+    for (std::string& argument : arguments) argv.push_back(argument.data());
+    argv.push_back(nullptr);
+    started_ = posix_spawn(&child_, program.c_str(), &actions, nullptr, argv.data(), environ) == 0;
+    posix_spawn_file_actions_destroy(&actions);
+    EXPECT_TRUE(started_) << "could not start " << program;
+  }
+
+  [[nodiscard]] pid_t id() const { return child_; }
+  void send(int signal) const {
+    if (started_) ::kill(child_, signal);
+  }
+  /// Its end; the exit code is -1 where a signal ended it.
+  ProgramResult wait() const {
+    if (!started_) return {};
+    int status = 0;
+    waitpid(child_, &status, 0);
+    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, text_of(output_), text_of(errors_)};
+  }
+
+ private:
+  std::filesystem::path output_, errors_;
+  pid_t child_ = 0;
+  bool started_ = false;
+};
+
+/// Runs `program` in `folder` to its end.
 inline ProgramResult run_program(const std::filesystem::path& program, std::vector<std::string> arguments,
                                  const std::filesystem::path& folder) {
-  const std::filesystem::path output = folder / "standard_output", errors = folder / "standard_error";
-  posix_spawn_file_actions_t actions;
-  posix_spawn_file_actions_init(&actions);
-  posix_spawn_file_actions_addopen(&actions, 0, "/dev/null", O_RDONLY, 0);
-  posix_spawn_file_actions_addopen(&actions, 1, output.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
-  posix_spawn_file_actions_addopen(&actions, 2, errors.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
-  posix_spawn_file_actions_addchdir_np(&actions, folder.c_str());
-  std::string name = program.string();
-  std::vector<char*> argv{name.data()};
-  for (std::string& argument : arguments) argv.push_back(argument.data());
-  argv.push_back(nullptr);
-  pid_t child = 0;
-  const int failed = posix_spawn(&child, program.c_str(), &actions, nullptr, argv.data(), environ);
-  posix_spawn_file_actions_destroy(&actions);
-  EXPECT_EQ(failed, 0) << "could not start " << program;
-  if (failed != 0) return {};
-  int status = 0;
-  waitpid(child, &status, 0);
-  return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, text_of(output), text_of(errors)};
+  return RunningProgram{program, std::move(arguments), folder}.wait();
 }
 
 /// A fresh folder per test, removed afterwards.

@@ -1,0 +1,131 @@
+// Incremental dynamic analysis.
+
+#include "analyses/incremental_dynamic_analysis.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "analyses/study.hpp"
+#include "base/error.hpp"
+
+namespace moat {
+namespace {
+
+TEST(HuntAndFill, HuntsWithGrowingStepsAndHalvesTheWidestDistance) {
+  const IdaCurve curve = hunt_and_fill([](double level) { return level * level; }, {.first_level = 1.0,
+                                                                                    .first_step = 1.0,
+                                                                                    .step_increment = 1.0,
+                                                                                    .response_limit = 40.0,
+                                                                                    .largest_level = 100.0,
+                                                                                    .fill = 2});
+  // Hunt: 1, 2, 4, 7 (49 > 40). Fill: 5.5 in 4 ... 7, then 3 in 2 ... 4.
+  EXPECT_EQ(curve.levels, (std::vector{1.0, 2.0, 3.0, 4.0, 5.5, 7.0}));
+  for (std::size_t i = 0; i < curve.levels.size(); ++i)
+    EXPECT_EQ(curve.responses[i], curve.levels[i] * curve.levels[i]);
+  EXPECT_TRUE(curve.without_solution.empty());
+}
+
+TEST(HuntAndFill, BracketsTheCapacityEverCloser) {
+  const auto structure = [](double level) { return level < 0.537 ? level : 100.0; };
+  HuntAndFill options{.first_level = 0.1,
+                      .first_step = 0.1,
+                      .step_increment = 0.05,
+                      .response_limit = 10.0,
+                      .largest_level = 5.0,
+                      .fill = 60};
+  const KnownInterval capacity = capacities({hunt_and_fill(structure, options)}, 10.0).at(0);
+  EXPECT_LT(capacity.above, 0.537);
+  EXPECT_GE(capacity.up_to, 0.537);
+  EXPECT_LT(capacity.up_to - capacity.above, 0.02);
+}
+
+TEST(HuntAndFill, EndsWhereASolutionIsMissing) {
+  const auto structure = [](double level) {
+    if (level > 0.55 || std::abs(level - 0.15) < 1e-9) throw ConvergenceError{"stuck", 0.0, 0.0, 0.0, ""};
+    return level;
+  };
+  const IdaCurve curve = hunt_and_fill(structure, {.first_level = 0.1,
+                                                   .first_step = 0.1,
+                                                   .step_increment = 0.0,
+                                                   .response_limit = 10.0,
+                                                   .largest_level = 5.0,
+                                                   .fill = 8});
+  EXPECT_LT(curve.levels.back(), 0.56);
+  ASSERT_GE(curve.without_solution.size(), 2u);
+  EXPECT_NEAR(curve.without_solution.front(), 0.15, 1e-9);
+  EXPECT_NEAR(*std::ranges::find_if(curve.without_solution, [](double x) { return x > 0.2; }), 0.575, 0.03);
+  EXPECT_TRUE(std::isinf(capacities({curve}, 10.0).at(0).up_to)) << "not converged is not collapsed";
+}
+
+TEST(HuntAndFill, EndsAtTheLargestLevel) {
+  const IdaCurve curve = hunt_and_fill([](double) { return 0.0; }, {.first_level = 1.0,
+                                                                    .first_step = 3.0,
+                                                                    .step_increment = 0.0,
+                                                                    .response_limit = 1.0,
+                                                                    .largest_level = 6.0,
+                                                                    .fill = 0});
+  EXPECT_EQ(curve.levels, (std::vector{1.0, 4.0, 6.0}));
+  EXPECT_THROW((void)hunt_and_fill([](double) { return 0.0; }, {.response_limit = 0.0}), InputError);
+}
+
+TEST(IdaCurves, OfHuntsSurviveTheirStudy) {
+  const std::vector<double> strengths{1.0, 2.0};
+  const auto hunt = [&](std::size_t record) {
+    return hunt_and_fill(
+        [&](double level) {
+          if (record == 1 && level > 3.0) throw ConvergenceError{"stuck", 0.0, 0.0, 0.0, ""};
+          return level / strengths[record];
+        },
+        {.first_level = 0.5, .first_step = 0.5, .response_limit = 1.5, .largest_level = 9.0, .fill = 3});
+  };
+  const StudyResult study = run_study({StudyAxis::of_names("record", {"north", "south"})},
+                                      [&](const StudyCase& each) { return record_of(hunt(each.position("record"))); });
+  const std::vector<IdaCurve> curves = ida_curves(study);
+  ASSERT_EQ(curves.size(), 2u);
+  for (std::size_t i = 0; i < 2; ++i) {
+    EXPECT_EQ(curves[i].record, i == 0 ? "north" : "south");
+    EXPECT_EQ(curves[i].levels, hunt(i).levels);
+    EXPECT_EQ(curves[i].responses, hunt(i).responses);
+    EXPECT_EQ(curves[i].without_solution, hunt(i).without_solution);
+  }
+}
+
+TEST(IdaCurves, OfFixedLevelsLeaveOutCasesWithoutSolution) {
+  const StudyResult study = run_study(
+      {{.name = "Sa", .unit = "g", .values = {0.2, 0.1, 0.3}}, StudyAxis::of_names("record", {"north", "south"})},
+      [](const StudyCase& each) {
+        if (each.position("record") == 1 && each.position("Sa") == 2)
+          throw ConvergenceError{"stuck", 0.0, 0.0, 0.0, ""};
+        return StudyRecord{{"drift", "", "m", each.value("Sa") * (1.0 + each.value("record"))}};
+      },
+      {.keep_failures = true});
+  const std::vector<IdaCurve> curves = ida_curves(study, "Sa", "drift", "");
+  ASSERT_EQ(curves.size(), 2u);
+  EXPECT_EQ(curves[0].levels, (std::vector{0.1, 0.2, 0.3}));
+  EXPECT_EQ(curves[1].levels, (std::vector{0.1, 0.2}));
+  EXPECT_EQ(curves[1].responses, (std::vector{0.2, 0.4}));
+  EXPECT_EQ(curves[1].without_solution, (std::vector{0.3}));
+  const std::vector<IdaFractiles> fractiles = ida_fractiles(curves);
+  EXPECT_EQ(fractiles.back().records, 1u);
+  EXPECT_EQ(fractiles.back().without_solution, 1u);
+}
+
+TEST(IdaFractiles, AreThoseOfTheResponses) {
+  std::vector<IdaCurve> curves;
+  for (int i = 0; i <= 100; ++i)
+    curves.push_back({.record = "r", .levels = {1.0, 3.0}, .responses = {i / 100.0, 2.0 + i / 100.0}});
+  curves.push_back({.record = "between", .levels = {2.0}, .responses = {1.5}});
+  const std::vector<IdaFractiles> fractiles = ida_fractiles(curves);
+  ASSERT_EQ(fractiles.size(), 3u);
+  EXPECT_NEAR(fractiles[0].low, 0.16, 1e-12);
+  EXPECT_NEAR(fractiles[0].median, 0.5, 1e-12);
+  EXPECT_NEAR(fractiles[0].high, 0.84, 1e-12);
+  EXPECT_EQ(fractiles[1].level, 2.0);
+  EXPECT_EQ(fractiles[1].records, 102u) << "interpolated between 1 and 3";
+  EXPECT_NEAR(fractiles[1].median, 1.5, 0.01);
+}
+
+}  // namespace
+}  // namespace moat

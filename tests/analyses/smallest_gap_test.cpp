@@ -1,0 +1,118 @@
+// The smallest gap without contact.
+
+#include "analyses/smallest_gap.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "base/error.hpp"
+#include "elements/gap.hpp"
+#include "elements/shear_spring.hpp"
+#include "materials/impact_laws.hpp"
+#include "message_of.hpp"
+#include "motions/near_fault_pulse.hpp"
+#include "structures/moat.hpp"
+
+namespace moat {
+namespace {
+
+using namespace units;
+
+TEST(SmallestGap, TakesTwoTriesWhereTheMotionDoesNotDependOnTheGap) {
+  int tries = 0;
+  const Length gap = smallest_gap([&](Length tried) {
+    ++tries;
+    return tried - 23.4567 * cm;
+  });
+  EXPECT_EQ(tries, 2);
+  EXPECT_GT(gap / cm, 23.4567);
+  EXPECT_LT(gap / cm, 23.4567 + 1e-3);
+}
+
+TEST(SmallestGap, IsFoundBeyondTheFirstTry) {
+  const Length gap = smallest_gap([](Length tried) { return tried - 3.3 * m; });
+  EXPECT_NEAR(gap.si(), 3.3, 1e-5);
+  EXPECT_GT(gap.si(), 3.3);
+}
+
+TEST(SmallestGap, IsFoundWhereTheMotionDependsOnTheGap) {
+  for (const double power : {0.5, 2.0, 3.0})
+    for (const double root : {0.01, 0.2, 0.7, 4.0}) {
+      const Length gap =
+          smallest_gap([&](Length tried) { return Length{std::pow(tried.si(), power) - std::pow(root, power)}; });
+      EXPECT_GT(gap.si(), root) << power << " " << root;
+      EXPECT_LE(gap.si(), root + 1.01e-5) << power << " " << root;
+    }
+}
+
+TEST(SmallestGap, RefusesWhatIsClosedInAnyCase) {
+  EXPECT_NE(testing::message_of<InputError>([] {
+              smallest_gap([](Length) { return -1 * mm; });
+            }).find("even the largest gap, 10 m, is closed"),
+            std::string::npos);
+  EXPECT_THROW(smallest_gap([](Length) { return 1 * m; }, {.first = 0 * m}), InputError);
+  EXPECT_THROW(smallest_gap([](Length) { return 1 * m; }, {.first = 2 * m, .largest = 1 * m}), InputError);
+}
+
+StudyModel mass_in_a_moat(Length gap, double scale, bool moat = true) {
+  StudyModel study{Model{}, near_fault_pulse({.quiet_after = 1 * s}).scaled_by(scale)};
+  const NodeId mass = add(study.model, Node{.name = "mass", .mass = 1000 * tonne});
+  add(study.model, ShearSpring{.name = "spring", .lower = ground, .upper = mass, .stiffness = 10 * MN / m});
+  if (moat)
+    add(study.model,
+        Moat{.around = mass, .clearance = gap, .law = HertzDamp{.stiffness = 1e9 * N / m_3_2, .restitution = 0.6}});
+  return study;
+}
+
+TEST(SmallestGap, OfAModelIsItsLargestDisplacement) {
+  for (const double scale : {0.2, 1.0}) {
+    StudyModel free = mass_in_a_moat({}, scale, false);
+    const double displacement = value_of(peaks_of(free.model, free.motion), "displacement", "mass");
+    const double gap =
+        value_of(smallest_gap_of([&](Length tried) { return mass_in_a_moat(tried, scale); }), "smallest_gap", "");
+    EXPECT_GT(gap, displacement);
+    EXPECT_LT(gap, displacement + 1e-5);
+    StudyModel narrow = mass_in_a_moat(Length{displacement * (1.0 - 1e-4)}, scale);
+    EXPECT_GT(value_of(peaks_of(narrow.model, narrow.motion), "impacts", ""), 0.0);
+  }
+  EXPECT_THROW(smallest_gap_of([](Length tried) { return mass_in_a_moat(tried, 1.0, false); }), InputError);
+}
+
+StudyResult demands() {
+  return run_study({StudyAxis::of_names("record", {"a", "b", "c", "d", "e", "stuck"})},
+                   [](const StudyCase& each) {
+                     if (each.position("record") == 5) throw ConvergenceError{"stuck", 0.0, 0.0, 0.0, ""};
+                     return StudyRecord{{"smallest_gap", "", "m", 0.1 * std::pow(2.0, 4.0 - each.value("record"))}};
+                   },
+                   {.keep_failures = true});
+}
+
+TEST(GapDemand, IsTheDistributionOfTheGaps) {
+  const GapDemand demand{demands()};
+  EXPECT_EQ(demand.gaps(), (std::vector{0.1, 0.2, 0.4, 0.8, 1.6}));
+  EXPECT_EQ(demand.without_solution(), 1u);
+  // ln gaps are equally spaced by ln 2: mean of square 2 ln^2 2.
+  EXPECT_NEAR(demand.fit().median(), 0.4, 1e-9);
+  EXPECT_NEAR(demand.fit().dispersion(), std::sqrt(2.0) * std::log(2.0), 1e-8);
+  for (const double p : {0.05, 0.1, 0.5, 0.9}) {
+    EXPECT_NEAR(demand.probability(demand.gap(p)), p, 1e-9);
+    EXPECT_LT(demand.gap_bounds(p).low, demand.gap(p).si());
+    EXPECT_GT(demand.gap_bounds(p).high, demand.gap(p).si());
+    // The band of the gap and the band of the probability are one.
+    EXPECT_NEAR(demand.probability_bounds(Length{demand.gap_bounds(p).high}).high, p, 1e-6);
+    EXPECT_NEAR(demand.probability_bounds(Length{demand.gap_bounds(p).low}).low, p, 1e-6);
+  }
+}
+
+TEST(GapDemand, CountsRecordsWithoutADistribution) {
+  const GapDemand demand{demands()};
+  EXPECT_EQ(demand.empirical_gap(0.0).si(), 1.6);
+  EXPECT_EQ(demand.empirical_gap(0.2).si(), 0.8);
+  EXPECT_EQ(demand.empirical_gap(0.39).si(), 0.8);
+  EXPECT_EQ(demand.empirical_gap(0.99).si(), 0.1);
+  EXPECT_THROW((void)demand.empirical_gap(1.0), InputError);
+}
+
+}  // namespace
+}  // namespace moat
