@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cmath>
+#include <concepts>
 #include <string>
 #include <string_view>
 
@@ -21,6 +22,9 @@ class Check {
   /// kind is the type a user wrote ("Gap"); name is the object's own name, may be empty. Both must outlive the check: a
   /// message is formed only when a check fails.
   Check(std::string_view kind, std::string_view name) : kind_{kind}, name_{name} {}
+  /// A name that ends with the expression.
+  template <std::same_as<std::string> Temporary>
+  Check(std::string_view kind, Temporary&& name) = delete;
 
   /// value > 0 and finite.
   void positive(std::string_view parameter, double value, std::string_view unit, std::string_view advice = {}) const;
