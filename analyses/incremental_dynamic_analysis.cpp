@@ -12,6 +12,8 @@
 namespace moat {
 namespace {
 
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
 void check(const HuntAndFill& options) {
   const Check check{"HuntAndFill", ""};
   check.positive("first_level", options.first_level, "level");
@@ -36,7 +38,10 @@ IdaCurve curve_of(std::string record, const std::map<double, double>& points, co
 
 std::optional<double> response_at(const IdaCurve& curve, double level) {
   const auto above = std::ranges::lower_bound(curve.levels, level);
-  if (above == curve.levels.end()) return std::nullopt;
+  if (above == curve.levels.end()) {
+    if (!curve.responses.empty() && curve.responses.back() > curve.response_limit) return infinity;
+    return std::nullopt;
+  }
   const auto i = static_cast<std::size_t>(above - curve.levels.begin());
   if (*above == level) return curve.responses[i];
   if (i == 0) return std::nullopt;
@@ -48,7 +53,9 @@ double fractile(const std::vector<double>& sorted, double share) {
   const double place = share * static_cast<double>(sorted.size() - 1);
   const auto below = std::min(static_cast<std::size_t>(place), sorted.size() - 1);
   const std::size_t next = std::min(below + 1, sorted.size() - 1);
-  return sorted[below] + (place - static_cast<double>(below)) * (sorted[next] - sorted[below]);
+  const double share_of_next = place - static_cast<double>(below);
+  if (std::isinf(sorted[next])) return share_of_next > 0.0 ? infinity : sorted[below];
+  return sorted[below] + share_of_next * (sorted[next] - sorted[below]);
 }
 
 std::string point_name(std::size_t i) { return "point " + std::to_string(i + 1); }
@@ -124,11 +131,13 @@ IdaCurve hunt_and_fill(const std::function<double(double level)>& response, cons
     }
     solve(middle);
   }
-  return curve_of("", points, unsolved);
+  IdaCurve curve = curve_of("", points, unsolved);
+  curve.response_limit = options.response_limit;
+  return curve;
 }
 
 StudyRecord record_of(const IdaCurve& curve) {
-  StudyRecord record;
+  StudyRecord record{{"ida_response_limit", "", "1", curve.response_limit}};
   for (std::size_t i = 0; i < curve.levels.size(); ++i) {
     record.push_back({"ida_level", point_name(i), "1", curve.levels[i]});
     record.push_back({"ida_response", point_name(i), "1", curve.responses[i]});
@@ -144,8 +153,9 @@ std::vector<IdaCurve> ida_curves(const StudyResult& hunts) {
     if (hunts.outcomes()[number].state != CaseState::done) continue;
     std::map<double, double> points;
     std::set<double> unsolved;
-    double level = 0.0;
+    double level = 0.0, limit = infinity;
     for (const NamedNumber& each : hunts.outcomes()[number].results) {
+      if (each.quantity == "ida_response_limit") limit = each.value;
       if (each.quantity == "ida_level") level = each.value;
       if (each.quantity == "ida_response") points[level] = each.value;
       if (each.quantity == "ida_level_without_solution") unsolved.insert(each.value);
@@ -154,6 +164,7 @@ std::vector<IdaCurve> ida_curves(const StudyResult& hunts) {
     std::string name;
     for (const StudyAxis& axis : hunts.axes()) name += (name.empty() ? "" : ", ") + at.label(axis.name);
     curves.push_back(curve_of(name, points, unsolved));
+    curves.back().response_limit = limit;
   }
   return curves;
 }

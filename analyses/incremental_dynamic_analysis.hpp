@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <limits>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -18,6 +19,8 @@ struct IdaCurve {
   std::vector<double> levels, responses;
   /// Levels whose analysis failed or did not converge. They are no points: neither safe nor collapsed.
   std::vector<double> without_solution{};
+  /// Of a hunt: a curve whose last response is above it ended there, and counts as larger at higher levels.
+  double response_limit = std::numeric_limits<double>::infinity();
 };
 
 /// One curve for every combination of the other axes of a study over fixed levels, called by their labels; the
@@ -55,12 +58,13 @@ std::vector<IdaCurve> ida_curves(const StudyResult& hunts);
 /// Responses that 16, 50 and 84 % of the records do not exceed, at one level.
 struct IdaFractiles {
   double level = 0.0;
-  double low = 0.0, median = 0.0, high = 0.0;
-  std::size_t records = 0;           ///< that have a response at this level
-  std::size_t without_solution = 0;  ///< whose analysis did not converge just there
+  double low = 0.0, median = 0.0, high = 0.0;  ///< infinite where too many records have exceeded their limit
+  std::size_t records = 0;                     ///< that have a response at this level, or exceeded their limit below it
+  std::size_t without_solution = 0;            ///< whose analysis did not converge just there
 };
-/// At every level that any curve has, each curve interpolated between its levels; curves that end below it, or begin
-/// above it, do not count there. Fractiles are those of the empirical distribution with linear interpolation.
+/// At every level that any curve has, each curve interpolated between its levels. A curve that ended above its response
+/// limit counts as infinite at higher levels; one that ended otherwise, or begins above the level, does not count
+/// there. Fractiles are those of the empirical distribution with linear interpolation.
 std::vector<IdaFractiles> ida_fractiles(const std::vector<IdaCurve>& curves);
 
 /// The level at which each curve first exceeds a response, as an interval between its levels, for LognormalFit.

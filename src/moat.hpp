@@ -1,6 +1,7 @@
 // The one header an input script includes.
 #pragma once
 
+#include "analyses/answer_charts.hpp"
 #include "analyses/case_run.hpp"
 #include "analyses/fragility.hpp"
 #include "analyses/incremental_dynamic_analysis.hpp"
@@ -43,6 +44,7 @@
 #include "output/case_result.hpp"
 #include "output/chart.hpp"
 #include "output/csv_writer.hpp"
+#include "output/heat_map.hpp"
 #include "output/quantity_recorder.hpp"
 #include "output/step_observer.hpp"
 #include "structures/isolation.hpp"

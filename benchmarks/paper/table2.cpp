@@ -118,8 +118,7 @@ void compare_with_references(Exhibit& exhibit) {
     records.push_back(name);
     motions.push_back(read_unscaled(record).scaled_to_pga(paper_pga));
   }
-  const StudyCases axes{StudyAxis::of_names("law", law_labels(laws.size())),
-                                    StudyAxis::of_names("record", records)};
+  const StudyCases axes{StudyAxis::of_names("law", law_labels(laws.size())), StudyAxis::of_names("record", records)};
   const StudyResult result = run_study(axes,
                                        [&](const StudyCase& each) {
                                          StudyModel study{Model{}, motions[each.position("record")]};

@@ -91,6 +91,17 @@ StudyResult Script::study(const StudyCases& cases, const std::function<StudyReco
       parts_->line.title());
 }
 
+void Script::answer(const std::string& sentence) { studies_done().answer(sentence); }
+
+void Script::show(const Chart& chart) { studies_done().show({chart.title, svg_text({chart}, 1000, 420)}); }
+
+void Script::show(const HeatMap& map) { studies_done().show({map.title, svg_text(map)}); }
+
+ScriptStudy& Script::studies_done() {
+  if (!parts_->study) throw InputError{"Script: answers and pictures belong to a study. Call study() before."};
+  return *parts_->study;
+}
+
 int Script::finish() {
   if (parts_->study) return parts_->study->finish(parts_->origin, parts_->line.title());
   check_options();

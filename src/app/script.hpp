@@ -12,6 +12,8 @@
 #include "base/quantity.hpp"
 #include "model/model.hpp"
 #include "motions/ground_motion.hpp"
+#include "output/chart.hpp"
+#include "output/heat_map.hpp"
 #include "output/step_observer.hpp"
 
 namespace moat {
@@ -94,8 +96,14 @@ class Script {
   StudyResult study(const StudyCases& cases, const std::function<StudyRecord(const StudyCase&)>& compute,
                     const StudyOptions& options = {}, const std::string& name = "study");
 
-  /// After the last study: prints where the results are. Returns the exit code: 0, 3 if cases did not converge, 1 if
-  /// cases failed.
+  /// Puts a sentence, and prints it; or a picture, into the report of the studies. Pictures are written as SVG too.
+  /// Call them after the first study; before it they throw InputError.
+  void answer(const std::string& sentence);
+  void show(const Chart& chart);
+  void show(const HeatMap& map);
+
+  /// After the last study: writes report.html, prints where the results are. Returns the exit code: 0, 3 if cases did
+  /// not converge, 1 if cases failed.
   int finish();
 
   /// For a script with neither run() nor study(), after its last option: prints --help, or refuses unknown options, by
@@ -111,6 +119,7 @@ class Script {
   Outcome compute(CaseRun& run, const Model& model, const RunOptions& options, const ResultsFolder& folder);
   static int print(const Outcome& outcome, const RunOptions& options, const std::filesystem::path& folder);
   ScriptStudy& study_parts();
+  ScriptStudy& studies_done();
   template <class Q>
   Q quantity(const std::string& name, Q preset, const std::string& help);
   std::unique_ptr<Parts> parts_;

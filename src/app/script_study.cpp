@@ -71,7 +71,7 @@ ScriptStudy::ScriptStudy(CommandLine& line, Ranks* ranks) : line_{&line}, ranks_
   const auto one = line.look_up("case", "", "compute this case alone, counted from 0, into a file of its own", "N");
   const auto several = line.look_up("cases", "", "compute the cases A to B - 1 alone, into a file of their own", "A:B");
   line.add_flag("retry", options_.retry, "compute cases that failed or did not converge once more");
-  line.add_flag("quiet", options_.quiet, "print warnings and errors only");
+  line.add_flag("quiet", options_.quiet, "print answers, warnings and errors only");
   if (threads) options_.threads = static_cast<int>(whole_number(*threads, "--threads", *threads));
   options_.part = part_of(one, several);
 }
@@ -121,9 +121,7 @@ StudyResult ScriptStudy::run(const StudyCases& cases, const std::function<StudyR
     if (speaks()) print_failures(result, name);
     if (options_.part) end_of_part(result, file, name);
     if (speaks()) write_csv(result.case_table(), options_.folder / (name + ".csv"));
-    without_solution_ += result.count(CaseState::not_converged);
-    failed_ += result.count(CaseState::failed);
-    names_.push_back(name);
+    report_.studies.push_back({name, result});
     return result;
   } catch (const StudyStopped& stopped) {
     store.reset();
@@ -156,15 +154,25 @@ void ScriptStudy::print_failures(const StudyResult& result, const std::string& n
   if (!failures.empty()) std::cerr << "moat: warning: " << name << ": " << failures << "\n";
 }
 
-int ScriptStudy::finish(const Provenance&, const std::string&) {
-  if (!options_.quiet) {
-    std::cout << "Results: " << options_.folder.string() << "/  (";
-    for (std::size_t i = 0; i < names_.size(); ++i)
-      std::cout << (i > 0 ? ", " : "") << names_[i] << ".csv, " << names_[i] << ".db";
-    std::cout << ")\n" << std::flush;
+void ScriptStudy::answer(const std::string& sentence) {
+  report_.answers.push_back(sentence);
+  std::cout << sentence << "\n" << std::flush;
+}
+
+int ScriptStudy::finish(const Provenance& origin, const std::string& title) {
+  report_.title = title;
+  report_.provenance = origin;
+  std::size_t failed = 0, without_solution = 0;
+  std::string files = "report.html";
+  for (const NamedStudy& study : report_.studies) {
+    failed += study.result.count(CaseState::failed);
+    without_solution += study.result.count(CaseState::not_converged);
+    files += ", " + study.name + ".csv, " + study.name + ".db";
   }
-  if (without_solution_ > 0) return exit_no_convergence;
-  return failed_ > 0 ? exit_error : 0;
+  if (speaks()) write_study_report(report_, options_.folder);
+  if (!options_.quiet) std::cout << "Results: " << options_.folder.string() << "/  (" << files << ")\n" << std::flush;
+  if (without_solution > 0) return exit_no_convergence;
+  return failed > 0 ? exit_error : 0;
 }
 
 }  // namespace moat

@@ -11,6 +11,7 @@
 #include "analyses/study.hpp"
 #include "app/command_line.hpp"
 #include "output/provenance.hpp"
+#include "study/study_report.hpp"
 
 namespace moat {
 
@@ -33,6 +34,10 @@ class ScriptStudy {
   StudyResult run(const StudyCases& cases, const std::function<StudyResult(const StudyOptions&)>& compute,
                   StudyOptions options, const std::string& name, const Provenance& origin, const std::string& title);
 
+  /// For the report; a sentence is printed too.
+  void answer(const std::string& sentence);
+  void show(StudyPicture picture) { report_.pictures.push_back(std::move(picture)); }
+
   /// Writes the report and prints where it is.
   int finish(const Provenance& origin, const std::string& title);
 
@@ -50,8 +55,7 @@ class ScriptStudy {
   CommandLine* line_;
   Ranks* ranks_;
   ScriptStudyOptions options_;
-  std::size_t without_solution_ = 0, failed_ = 0;
-  std::vector<std::string> names_;
+  StudyReport report_;
 };
 
 }  // namespace moat

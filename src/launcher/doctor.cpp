@@ -85,7 +85,8 @@ int doctor(const Places& places) {
   std::vector<std::string> missing;
   for (const List& list :
        {List{"run", ""}, List{"test", ""}, List{"all", " (only for ./moat test --all)"},
-        List{"mpi", " (only for ./moat run --ranks)"}, List{"bench", " (only for ./moat bench performance)"}, List{"check", " (only for ./moat check)"}}) {
+        List{"mpi", " (only for ./moat run --ranks)"}, List{"bench", " (only for ./moat bench performance)"},
+        List{"check", " (only for ./moat check)"}}) {
     const std::vector<std::string> packages = packages_of(places, list.name);
     const std::map<std::string, std::string> versions = versions_of(packages);
     for (const std::string& package : packages) {

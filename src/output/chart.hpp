@@ -11,7 +11,12 @@
 namespace moat {
 
 struct Series {
-  enum class Style { line, dashed, markers };
+  enum class Style {
+    line,
+    dashed,
+    markers,
+    band  ///< the inside of the closed line through the points: forth above, back below
+  };
 
   std::string name;  ///< in the legend; empty: not listed there
   std::vector<double> x, y;

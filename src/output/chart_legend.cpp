@@ -60,7 +60,14 @@ void draw_heading(SvgWriter& svg, const ChartHeading& heading, Pixel corner) {
   svg.text({corner.x, first_row}, heading.title, {.size = title_size, .bold = true});
   for (const LegendEntry& entry : heading.entries) {
     const Pixel start{corner.x + entry.left, first_row + entry.row * row_height};
-    if (entry.style == Series::Style::markers)
+    constexpr double half_height = 5.0;
+    if (entry.style == Series::Style::band)
+      svg.area({{start.x, start.y - half_height},
+                {start.x + sample_width, start.y - half_height},
+                {start.x + sample_width, start.y + half_height},
+                {start.x, start.y + half_height}},
+               entry.colour.colour, band_opacity, entry.colour.mark_class);
+    else if (entry.style == Series::Style::markers)
       svg.disc({start.x + 0.5 * sample_width, start.y}, marker_radius, entry.colour.colour, entry.colour.mark_class);
     else
       svg.line(start, {start.x + sample_width, start.y},

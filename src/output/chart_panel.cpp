@@ -112,6 +112,10 @@ void draw_curve(SvgWriter& svg, const Curve& curve, Series::Style style, const S
   std::vector<Pixel> pixels;
   pixels.reserve(curve.x.size());
   for (std::size_t i = 0; i < curve.x.size(); ++i) pixels.push_back({scale.x(curve.x[i]), scale.y(curve.y[i])});
+  if (style == Series::Style::band) {
+    svg.area(pixels, colour.colour, band_opacity, colour.mark_class);
+    return;
+  }
   if (style == Series::Style::markers || pixels.size() == 1) {
     for (const Pixel& pixel : pixels) svg.disc(pixel, marker_radius, colour.colour, colour.mark_class);
     return;

@@ -74,18 +74,40 @@ void SvgWriter::line(Pixel from, Pixel to, const Stroke& stroke_of_line) {
   text_ += "/>\n";
 }
 
-void SvgWriter::polyline(const std::vector<Pixel>& points, const Stroke& stroke_of_line) {
-  text_ += "<polyline";
-  stroke(stroke_of_line);
+void SvgWriter::points(const std::vector<Pixel>& list) {
   text_ += " points=\"";
-  for (const Pixel& point : points) {
+  for (const Pixel& point : list) {
     append_pixels(text_, point.x);
     text_ += ',';
     append_pixels(text_, point.y);
     text_ += ' ';
   }
-  if (!points.empty()) text_.pop_back();
+  if (!list.empty()) text_.pop_back();
   text_ += "\"/>\n";
+}
+
+void SvgWriter::polyline(const std::vector<Pixel>& list, const Stroke& stroke_of_line) {
+  text_ += "<polyline";
+  stroke(stroke_of_line);
+  points(list);
+}
+
+void SvgWriter::area(const std::vector<Pixel>& list, std::string_view colour, double opacity, std::string_view kind) {
+  text_ += "<polygon";
+  if (!kind.empty()) attribute("class", kind);
+  attribute("fill", colour);
+  if (opacity != 1.0) attribute("fill-opacity", opacity);
+  points(list);
+}
+
+void SvgWriter::rectangle(Pixel corner, double width, double height, std::string_view colour) {
+  text_ += "<rect";
+  attribute("x", corner.x);
+  attribute("y", corner.y);
+  attribute("width", width);
+  attribute("height", height);
+  attribute("fill", colour);
+  text_ += "/>\n";
 }
 
 void SvgWriter::disc(Pixel centre, double radius, std::string_view colour, std::string_view kind) {
@@ -103,7 +125,7 @@ void SvgWriter::text(Pixel place, std::string_view text, const Lettering& letter
   // agree on dominant-baseline.
   const double drop = 0.36 * lettering.size;
   text_ += "<text";
-  attribute("class", chart_style::ink_class);
+  if (!lettering.on_paper) attribute("class", chart_style::ink_class);
   if (lettering.upwards) {
     text_ += " transform=\"translate(";
     append_pixels(text_, place.x);

@@ -27,7 +27,8 @@ struct Lettering {
   double size = 14.0;  ///< pixels
   Anchor anchor = Anchor::start;
   bool bold = false;
-  bool upwards = false;  ///< read from bottom to top
+  bool upwards = false;   ///< read from bottom to top
+  bool on_paper = false;  ///< on white ground also where a style sheet darkens the page
 };
 
 /// Writes an SVG document element by element. Coordinates are rounded to a twentieth of a pixel: finer is invisible and
@@ -40,6 +41,10 @@ class SvgWriter {
 
   void line(Pixel from, Pixel to, const Stroke& stroke);
   void polyline(const std::vector<Pixel>& points, const Stroke& stroke);
+  /// The inside of a closed line. opacity: 0 to 1.
+  void area(const std::vector<Pixel>& points, std::string_view colour, double opacity = 1.0,
+            std::string_view kind = {});
+  void rectangle(Pixel corner, double width, double height, std::string_view colour);
   void disc(Pixel centre, double radius, std::string_view colour, std::string_view kind = {});
   /// The vertical middle of the letters is at the place.
   void text(Pixel place, std::string_view text, const Lettering& lettering);
@@ -51,6 +56,7 @@ class SvgWriter {
   void attribute(std::string_view name, double pixels);
   void attribute(std::string_view name, std::string_view value);
   void stroke(const Stroke& stroke);
+  void points(const std::vector<Pixel>& list);
 
   std::string text_;
 };

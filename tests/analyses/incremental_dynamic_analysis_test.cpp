@@ -89,6 +89,7 @@ TEST(IdaCurves, OfHuntsSurviveTheirStudy) {
     EXPECT_EQ(curves[i].levels, hunt(i).levels);
     EXPECT_EQ(curves[i].responses, hunt(i).responses);
     EXPECT_EQ(curves[i].without_solution, hunt(i).without_solution);
+    EXPECT_EQ(curves[i].response_limit, 1.5);
   }
 }
 
@@ -125,6 +126,19 @@ TEST(IdaFractiles, AreThoseOfTheResponses) {
   EXPECT_EQ(fractiles[1].level, 2.0);
   EXPECT_EQ(fractiles[1].records, 102u) << "interpolated between 1 and 3";
   EXPECT_NEAR(fractiles[1].median, 1.5, 0.01);
+}
+
+TEST(IdaFractiles, CountRecordsThatExceededTheirLimitBelow) {
+  std::vector<IdaCurve> curves(4, {.record = "r", .levels = {1.0, 2.0}, .responses = {1.0, 2.0}});
+  curves[0].response_limit = 1.5;                                                        // ended above it
+  curves[1] = {.record = "r", .levels = {1.0, 2.0, 4.0}, .responses = {1.0, 2.0, 3.0}};  // goes on
+  curves[2].levels = curves[2].responses = {1.0, 2.0, 4.0};                              // goes on
+  curves[3].without_solution = {3.0};                                                    // ended without a solution
+  const std::vector<IdaFractiles> fractiles = ida_fractiles(curves);
+  ASSERT_EQ(fractiles.back().level, 4.0);
+  EXPECT_EQ(fractiles.back().records, 3u);
+  EXPECT_EQ(fractiles.back().median, 4.0) << "of 3, 4 and infinity";
+  EXPECT_TRUE(std::isinf(fractiles.back().high));
 }
 
 }  // namespace

@@ -43,7 +43,7 @@ class ExampleCommands : public testing::InTemporaryFolder {
 
 TEST_F(ExampleCommands, OfTheLaunchersHelpRun) {
   std::size_t found = 0;
-  for (const char* command : {"", "run", "new", "test", "bench", "doctor"}) {
+  for (const char* command : {"", "run", "new", "test", "bench", "study", "doctor"}) {
     std::vector<std::string> arguments{MOAT_SOURCE_DIR, folder / "build", folder, command, "--help"};
     if (*command == '\0') arguments.erase(arguments.begin() + 3);
     const testing::ProgramResult help = testing::run_program(LAUNCHER, arguments, folder);
@@ -65,7 +65,7 @@ TEST_F(ExampleCommands, OfTheToursRun) {
       ++found;
     }
   }
-  EXPECT_GE(found, 7u);
+  EXPECT_GE(found, 15u);
 }
 
 }  // namespace

@@ -202,5 +202,30 @@ TEST_F(ScriptOptions, HelpListsEveryOptionWithItsUnitAndDefault) {
     EXPECT_NE(help.find(line), std::string::npos) << line << "\n" << help;
 }
 
+TEST_F(ScriptOptions, AreCheckedInAScriptWithoutARun) {
+  const auto loop = [&](std::vector<std::string> arguments) {
+    return testing::run_program(LOOP_SCRIPT, std::move(arguments), folder);
+  };
+  EXPECT_EQ(loop({}).output, "loop with 0.1\n");
+  EXPECT_EQ(loop({"--gap", "20 cm"}).output, "loop with 0.2\n");
+  const ProgramResult help = loop({"--help"});
+  EXPECT_EQ(help.exit_code, 0);
+  EXPECT_NE(help.output.find("--gap [m]"), std::string::npos) << help.output;
+  EXPECT_EQ(help.output.find("loop with"), std::string::npos) << help.output;
+  const ProgramResult wrong = loop({"--gab", "20 cm"});
+  EXPECT_EQ(wrong.exit_code, 2);
+  EXPECT_EQ(wrong.output, "");
+}
+
+TEST_F(ScriptOptions, AreCheckedAtTheEndOfAScriptThatDoesNotCheckThem) {
+  const auto loop = [&](std::vector<std::string> arguments) {
+    arguments.insert(arguments.end(), {"--checked", "0"});
+    return testing::run_program(LOOP_SCRIPT, std::move(arguments), folder);
+  };
+  EXPECT_EQ(loop({"--gap", "20 cm"}).exit_code, 0);
+  EXPECT_EQ(loop({"--gab", "20 cm"}).exit_code, 2);
+  EXPECT_NE(loop({"--help"}).output.find("--gap [m]"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace moat

@@ -1,0 +1,28 @@
+// A value over two parameters, as coloured cells.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace moat {
+
+/// Cells from left to right and from bottom to top.
+struct HeatMap {
+  std::string title;
+  std::string x_label, y_label;                 ///< with units: "gap [cm]"
+  std::string value_label;                      ///< with unit: "drift [cm]"
+  std::vector<std::string> x_values, y_values;  ///< names of columns and rows, at least one each
+  /// values[row][column]; NaN: none, drawn in grey.
+  std::vector<std::vector<double>> values;
+};
+
+/// The map as SVG text with a colour scale, `width` x `height` pixels; wide cells show their value. Colours grow in
+/// brightness and stay apart for colour-blind readers (viridis). Throws InputError where rows or columns do not fit
+/// their names, where no value is finite, and for a size below 300 x 200 pixels.
+std::string svg_text(const HeatMap& map, int width = 800, int height = 480);
+
+/// Writes it. Throws as svg_text does, and FileError.
+void write_svg(const HeatMap& map, const std::filesystem::path& path, int width = 800, int height = 480);
+
+}  // namespace moat

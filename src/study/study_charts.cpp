@@ -1,0 +1,174 @@
+#include "study/study_charts.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <string>
+#include <utility>
+
+#include "base/check.hpp"
+#include "output/engineering_unit.hpp"
+
+namespace moat {
+namespace {
+
+constexpr std::size_t most_quantities = 8, most_curves = 7, fewest_values = 3;
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+/// One number for every case.
+struct Response {
+  std::string title, label;
+  std::vector<double> values;
+};
+
+bool is_shown(const std::string& quantity) {
+  return !quantity.ends_with("_error") && !quantity.starts_with("energy_") && !quantity.starts_with("ida_") &&
+         quantity != "sensitive";
+}
+
+std::vector<Response> responses_of(const StudyResult& study) {
+  std::vector<Response> list;
+  std::map<std::string, std::size_t> known;
+  const std::vector<Column>& columns = study.table().columns;
+  for (std::size_t c = study.axes().size(); c < columns.size(); ++c) {
+    const Column& column = columns[c];
+    if (!is_shown(column.quantity)) continue;
+    const bool smallest = column.quantity == "clearance_left";
+    const EngineeringUnit unit = engineering_unit(column.unit);
+    const auto [found, added] = known.try_emplace(column.quantity, list.size());
+    if (added) {
+      if (list.size() == most_quantities) continue;
+      const std::string words = in_words(column.quantity);
+      const bool of_places = !column.where.empty();
+      list.push_back({of_places ? (smallest ? "Smallest " : "Largest ") + words : capitalised(words),
+                      words + (unit.symbol == "1" ? "" : " [" + with_raised_digits(unit.symbol) + "]"),
+                      std::vector(study.outcomes().size(), nan)});
+    }
+    if (found->second >= list.size()) continue;
+    std::vector<double>& values = list[found->second].values;
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      const double value = unit.per_si * column.values[i];
+      if (std::isnan(values[i]) || (smallest ? value < values[i] : value > values[i])) values[i] = value;
+    }
+  }
+  return list;
+}
+
+std::vector<std::size_t> numeric_axes(const StudyResult& study) {
+  std::vector<std::size_t> list;
+  for (std::size_t i = 0; i < study.axes().size(); ++i)
+    if (study.axes()[i].labels.empty() && study.axes()[i].values.size() >= fewest_values) list.push_back(i);
+  return list;
+}
+
+std::string label_of(const StudyAxis& axis) { return axis.name + (axis.unit.empty() ? "" : " [" + axis.unit + "]"); }
+
+double fractile(std::vector<double> values, double share) {
+  std::ranges::sort(values);
+  const double place = share * static_cast<double>(values.size() - 1);
+  const auto below = static_cast<std::size_t>(place);
+  const std::size_t next = std::min(below + 1, values.size() - 1);
+  return values[below] + (place - static_cast<double>(below)) * (values[next] - values[below]);
+}
+
+using Curves = std::map<std::string, std::map<double, double>>;  // by the other axes, by the value on this one
+
+Curves curves_over(const StudyResult& study, std::size_t axis, const std::vector<double>& values) {
+  Curves curves;
+  for (std::size_t number = 0; number < values.size(); ++number) {
+    if (!std::isfinite(values[number])) continue;
+    std::string others;
+    const StudyCase each{study.cases(), number};
+    for (std::size_t i = 0; i < study.axes().size(); ++i) {
+      if (i == axis || study.cases().groups()[i] == study.cases().groups()[axis]) continue;
+      const StudyAxis& other = study.axes()[i];
+      others += (others.empty() ? "" : ", ") + (other.labels.empty() ? other.name + " " : "") + each.label(other.name) +
+                (other.labels.empty() && !other.unit.empty() ? " " + other.unit : "");
+    }
+    curves[others][study.axes()[axis].values[study.cases().position(axis, number)]] = values[number];
+  }
+  return curves;
+}
+
+void add_median(Chart& chart, const Curves& curves) {
+  constexpr double low = 0.16, high = 0.84;
+  std::map<double, std::vector<double>> at;
+  for (const auto& [others, curve] : curves)
+    for (const auto& [x, y] : curve) at[x].push_back(y);
+  Series band{.name = "16 to 84 %", .x = {}, .y = {}, .style = Series::Style::band, .colour = 0};
+  Series median{.name = "median of " + std::to_string(curves.size()), .x = {}, .y = {}, .colour = 0};
+  for (const auto& [x, values] : at) {
+    median.x.push_back(x);
+    median.y.push_back(fractile(values, 0.5));
+    band.x.push_back(x);
+    band.y.push_back(fractile(values, high));
+  }
+  for (auto each = at.rbegin(); each != at.rend(); ++each) {
+    band.x.push_back(each->first);
+    band.y.push_back(fractile(each->second, low));
+  }
+  chart.series = {std::move(band), std::move(median)};
+}
+
+}  // namespace
+
+std::vector<Chart> axis_charts(const StudyResult& study) {
+  std::vector<Chart> charts;
+  for (const std::size_t axis : numeric_axes(study))
+    for (const Response& response : responses_of(study)) {
+      const Curves curves = curves_over(study, axis, response.values);
+      if (curves.empty()) continue;
+      Chart chart{
+          .title = response.title, .x_label = label_of(study.axes()[axis]), .y_label = response.label, .series = {}};
+      if (curves.size() > most_curves) {
+        add_median(chart, curves);
+      } else {
+        for (const auto& [others, curve] : curves) {
+          Series series{.name = others, .x = {}, .y = {}};
+          for (const auto& [x, y] : curve) {
+            series.x.push_back(x);
+            series.y.push_back(y);
+          }
+          chart.series.push_back(std::move(series));
+        }
+      }
+      charts.push_back(std::move(chart));
+    }
+  return charts;
+}
+
+std::vector<HeatMap> heat_maps(const StudyResult& study) {
+  const std::vector<std::size_t> axes = numeric_axes(study);
+  if (axes.size() != 2 || study.cases().groups()[axes[0]] == study.cases().groups()[axes[1]]) return {};
+  const StudyAxis &x = study.axes()[axes[0]], &y = study.axes()[axes[1]];
+  std::vector<HeatMap> maps;
+  for (const Response& response : responses_of(study)) {
+    std::vector cells(y.values.size(), std::vector<std::vector<double>>(x.values.size()));
+    bool any = false;
+    for (std::size_t number = 0; number < response.values.size(); ++number) {
+      if (!std::isfinite(response.values[number])) continue;
+      any = true;
+      cells[study.cases().position(axes[1], number)][study.cases().position(axes[0], number)].push_back(
+          response.values[number]);
+    }
+    if (!any) continue;
+    HeatMap map{.title = response.title,
+                .x_label = label_of(x),
+                .y_label = label_of(y),
+                .value_label = response.label,
+                .x_values = {},
+                .y_values = {},
+                .values = {}};
+    for (const double value : x.values) map.x_values.push_back(to_text(value));
+    for (const double value : y.values) map.y_values.push_back(to_text(value));
+    for (const auto& row : cells) {
+      map.values.emplace_back();
+      for (const auto& cell : row) map.values.back().push_back(cell.empty() ? nan : fractile(cell, 0.5));
+    }
+    maps.push_back(std::move(map));
+  }
+  return maps;
+}
+
+}  // namespace moat
