@@ -110,8 +110,9 @@ class LinkEnergies {
     double dissipated = account.power + end_power;
     for (const double x : {first_inside, 1.0 - first_inside}) {
       const double deformation = path.value(x), rate = path.rate(x);
+      const Interval interval{x * step.length, step.start.deformations[i], step.start.rates[i]};
       State after;
-      work += 5.0 * step.laws[i].evaluate(step.committed[i], deformation, rate, after).force * rate;
+      work += 5.0 * respond(step.laws[i], step.committed[i], deformation, rate, interval, after).force * rate;
       if constexpr (!hysteretic)
         dissipated += 5.0 * step.laws[i].dissipation_rate(step.committed[i], deformation, rate);
     }

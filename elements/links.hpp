@@ -81,6 +81,8 @@ class Links : public ElementBlock {
     }
   }
 
+  void begin_step(double step) override { step_ = step; }
+
   void evaluate_rates(const double* acceleration, double* force_rate) override {
     const Ends* ends = ends_.data();
     const double* rates = now_.rates.data();
@@ -89,7 +91,10 @@ class Links : public ElementBlock {
     for (std::size_t i = 0; i < size(); ++i) {
       const Tangents tangents = tangents_of(i);
       second_rates[i] = ends[i].difference(acceleration);
-      force_rates[i] = tangents.stiffness * rates[i] + tangents.damping * second_rates[i];
+      if constexpr (knows_force_rate)
+        force_rates[i] = laws_[i].force_rate(trial_[i], now_.deformations[i], rates[i], second_rates[i]);
+      else
+        force_rates[i] = tangents.stiffness * rates[i] + tangents.damping * second_rates[i];
     }
     if (force_rate == nullptr) return;
     for (std::size_t i = 0; i < size(); ++i) ends[i].add_force(force_rates[i], force_rate);
@@ -122,7 +127,12 @@ class Links : public ElementBlock {
     return false;
   }
 
-  bool linear_between_events() const override { return LinearWithinRegimes<Law>; }
+  bool linear_between_events() const override {
+    if constexpr (requires(const Law& law) { law.is_linear_within_regimes(); })
+      return std::ranges::all_of(laws_, &Law::is_linear_within_regimes);
+    else
+      return LinearWithinRegimes<Law>;
+  }
 
   void commit(double step, WorkRule rule) override {
     if (energies_.kept()) energies_.add_step({laws_, committed_, trial_, start_, now_, forces_, step}, rule);
@@ -146,6 +156,14 @@ class Links : public ElementBlock {
     return energies_.energy(element, stored(element));
   }
 
+  std::span<const ReportedQuantity> law_quantities(std::size_t i) const override { return quantities_of(laws_[i]); }
+  double law_quantity(std::size_t i, std::size_t quantity) const override {
+    if constexpr (requires(const Law& law, const State& state) { law.quantity(quantity, state, 0.0, 0.0); })
+      return laws_[i].quantity(quantity, committed_[i], now_.deformations[i], now_.rates[i]);
+    else
+      return ElementBlock::law_quantity(i, quantity);
+  }
+
   std::span<const double> deformations() const override { return now_.deformations; }
   std::span<const double> rates() const override { return now_.rates; }
   std::span<const double> second_rates() const override { return now_.second_rates; }
@@ -157,7 +175,8 @@ class Links : public ElementBlock {
     const HermiteQuintic path = path_between(before_, start_, i, last_step_);
     State after;
     // commit() has left the states of the step's start in trial_.
-    return laws_[i].evaluate(trial_[i], path.value(fraction), path.rate(fraction), after).force;
+    const Interval interval{fraction * last_step_, before_.deformations[i], before_.rates[i]};
+    return respond(laws_[i], trial_[i], path.value(fraction), path.rate(fraction), interval, after).force;
   }
 
  protected:
@@ -190,7 +209,7 @@ class Links : public ElementBlock {
   [[nodiscard]] Tangents tangents_of(std::size_t i) const {
     if constexpr (is_linear) {
       State trial;
-      const Response response = laws_[i].evaluate(State{}, 0.0, 0.0, trial);
+      const Response response = respond(laws_[i], State{}, 0.0, 0.0, {}, trial);
       return {response.stiffness, response.damping};
     } else {
       return {stiffnesses_[i], dampings_[i]};
@@ -219,7 +238,9 @@ class Links : public ElementBlock {
     double* __restrict dampings = dampings_.data();
     bool changed = false;
     for (std::size_t i = begin; i < end; ++i) {
-      const Response response = laws[i].evaluate(committed[i], deformations[i], rates[i], trial[i]);
+      Interval interval;
+      if constexpr (TimeDependentLaw<Law>) interval = {step_, start_.deformations[i], start_.rates[i]};
+      const Response response = respond(laws[i], committed[i], deformations[i], rates[i], interval, trial[i]);
       forces[i] = response.force;
       if constexpr (!is_linear) {
         changed |= (stiffnesses[i] != response.stiffness) | (dampings[i] != response.damping);
@@ -252,6 +273,11 @@ class Links : public ElementBlock {
     energies_.resize(count);
   }
 
+  static constexpr bool knows_force_rate = requires(const Law& law, const State& state, double x) {
+    law.force_rate(state, x, x, x);
+  };
+
+  double step_ = 0.0;  // from the committed to the trial state, s
   bool tangent_changed_ = false;
   std::vector<double> start_stiffnesses_;  // at the last commit, of laws with corners
 };

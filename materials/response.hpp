@@ -2,11 +2,14 @@
 #pragma once
 
 #include <concepts>
+#include <cstddef>
+#include <span>
 #include <string_view>
 #include <type_traits>
 #include <vector>
 
 #include "base/parameter.hpp"
+#include "base/reported_quantity.hpp"
 #include "base/stiffness_stage.hpp"
 
 namespace moat {
@@ -23,6 +26,39 @@ struct NoState {
   friend bool operator==(NoState, NoState) = default;
 };
 
+/// The time from the committed state to the instant of evaluation, and the motion at its start.
+struct Interval {
+  double length = 0.0;             ///< s, >= 0; 0: the committed instant again
+  double start_deformation = 0.0;  ///< m
+  double start_rate = 0.0;         ///< m/s
+
+  [[nodiscard]] double path(double deformation) const { return deformation - start_deformation; }
+};
+
+/// The parts that all laws have.
+template <class Law>
+concept LawParts = std::is_trivially_copyable_v<typename Law::State> &&
+    std::default_initializable<typename Law::State> &&
+    requires(const Law& law, const typename Law::State& committed, double x) {
+  { law.stored_energy(committed, x) } -> std::same_as<double>;
+  { law.dissipation_rate(committed, x, x) } -> std::same_as<double>;
+  { law.linear_stiffness(StiffnessStage::initial) } -> std::same_as<double>;
+};
+
+/// A law whose state evolves in time: a damper with a brace, a lead core that heats. Its evaluate() gets the interval
+/// of the step. For an interval of length 0 it returns the force of the committed state, and that state as trial.
+///
+///     Response evaluate(State const& committed, double deformation, double rate, Interval interval, State& trial)
+///     const
+///
+/// Its tangents are those of the step, which differ from the rates of its force in time. A law that knows the latter
+/// offers force_rate(state, deformation, rate, second_rate), N/s.
+template <class Law>
+concept TimeDependentLaw = LawParts<Law> && requires(const Law& law, const typename Law::State& committed,
+                                                     typename Law::State& trial, Interval interval, double x) {
+  { law.evaluate(committed, x, x, interval, trial) } -> std::same_as<Response>;
+};
+
 /// A force-deformation law: a value without base class that does not depend on nodes, time steps or integrators.
 /// Deformation in m, rate in m/s, force in N; springs count tension positive, contacts indentation and compression.
 ///
@@ -33,14 +69,21 @@ struct NoState {
 /// dissipated_energy(from, to), the heat between two of its states, J: its rate jumps where it yields, which no
 /// quadrature over a step resolves.
 template <class Law>
-concept ForceLaw = std::is_trivially_copyable_v<typename Law::State> &&
-    std::default_initializable<typename Law::State> &&
-    requires(const Law& law, const typename Law::State& committed, typename Law::State& trial, double x) {
-  { law.evaluate(committed, x, x, trial) } -> std::same_as<Response>;
-  { law.stored_energy(committed, x) } -> std::same_as<double>;
-  { law.dissipation_rate(committed, x, x) } -> std::same_as<double>;
-  { law.linear_stiffness(StiffnessStage::initial) } -> std::same_as<double>;
-};
+concept ForceLaw = TimeDependentLaw<Law> ||
+    (LawParts<Law>&& requires(const Law& law, const typename Law::State& committed, typename Law::State& trial,
+                              double x) {
+      { law.evaluate(committed, x, x, trial) } -> std::same_as<Response>;
+    });
+
+/// Evaluates a law of either kind.
+template <ForceLaw Law>
+Response respond(const Law& law, const typename Law::State& committed, double deformation, double rate,
+                 [[maybe_unused]] Interval interval, typename Law::State& trial) {
+  if constexpr (TimeDependentLaw<Law>)
+    return law.evaluate(committed, deformation, rate, interval, trial);
+  else
+    return law.evaluate(committed, deformation, rate, trial);
+}
 
 /// For reports a law may offer the name of its type and its parameters. All laws of moat do; a law of a script without
 /// them is listed as "law", without parameters.
@@ -64,6 +107,18 @@ std::vector<Parameter> parameters_of(const Law& law) {
     return {};
 }
 
+/// Quantities that a law reports besides its force: a temperature, a friction coefficient.
+///
+///     static constexpr std::array<ReportedQuantity, 1> quantities{{{"lead_temperature", "K"}}};
+///     double quantity(std::size_t index, const State& state, double deformation, double rate) const
+template <class Law>
+constexpr std::span<const ReportedQuantity> quantities_of(const Law&) {
+  if constexpr (requires { Law::quantities; })
+    return Law::quantities;
+  else
+    return {};
+}
+
 /// A law that is smooth only between located instants: a contact that touches and separates, a spring that yields.
 ///
 /// regime_margin(), m, is positive while the committed regime lasts and reaches zero where the next one begins; within
@@ -77,7 +132,8 @@ concept LawWithRegimes = ForceLaw<Law> && requires(const Law& law, const typenam
 };
 
 /// A law whose force is linear in deformation and rate within each of its regimes; one without regimes is linear
-/// altogether. It declares this with `static constexpr bool linear_within_regimes = true`.
+/// altogether. It declares this with `static constexpr bool linear_within_regimes = true`. A law for which it depends
+/// on parameters has `bool is_linear_within_regimes() const` instead.
 template <class Law>
 concept LinearWithinRegimes = ForceLaw<Law> && Law::linear_within_regimes;
 

@@ -4,54 +4,104 @@
 #include <functional>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "elements/isolator.hpp"
 #include "elements/lead_rubber_bearing.hpp"
+#include "elements/spring.hpp"
 #include "model/model.hpp"
 
 namespace moat {
 
+/// A damper beside isolators: `static constexpr bool is_damper = true` in the law.
+template <class Law>
+concept DamperLaw = ForceLaw<Law> && Law::is_damper;
+
 /// The isolators of a building: lead-rubber bearings, an Isolator with any law, or the law itself, also one of the
-/// script's own.
+/// script's own; or several of them side by side, among them dampers.
 ///
 ///     .isolation = LeadRubberBearing{...}
-///     .isolation = Isolator{.name = "pendulums", .law = MyPendulum{...}}
-///     .isolation = MyPendulum{...}                  named "bearings"
+///     .isolation = FrictionPendulum{...}                                 named "bearings"
+///     .isolation = Isolator{.name = "pendulums", .law = MyPendulum{...}, .count = 20}
+///     .isolation = Isolation{LeadRubberBearing{...}, NonlinearViscous{...}}
 ///
-/// The building puts them between the ground and its base; `lower` and `upper` must not be given.
+/// The building puts them between the ground and its base; `lower` and `upper` must not be given. It gives its weight
+/// to laws that need it, all of it to each: bearings of several kinds side by side need their own `weight`. Dampers are
+/// named "dampers" and report `damper_force` [N] and `damper_deformation` [m]. Names that repeat are numbered.
 class Isolation {
  public:
   Isolation(LeadRubberBearing bearing) { take(std::move(bearing)); }
-  template <ForceLaw Law>
+  template <IsolatorLaw Law>
   Isolation(Isolator<Law> isolator) {
     take(std::move(isolator));
   }
-  template <ForceLaw Law>
+  template <IsolatorLaw Law>
   Isolation(Law law) {
-    take(Isolator<Law>{.law = std::move(law)});
+    if constexpr (DamperLaw<Law>)
+      take(Spring<Law>{.name = "dampers",
+                       .lower = ground,
+                       .upper = NodeId{},
+                       .law = std::move(law),
+                       .deformation_quantity = "damper_deformation",
+                       .force_quantity = "damper_force"});
+    else
+      take(Isolator<Law>{.law = std::move(law)});
+  }
+  /// Several side by side.
+  template <class First, class Second, class... More>
+  Isolation(First first, Second second, More... more) {
+    join(Isolation{std::move(first)});
+    join(Isolation{std::move(second)});
+    (join(Isolation{std::move(more)}), ...);
   }
 
-  /// Adds them below `base`, with their name behind `prefix`. Throws InputError as the element would.
-  void add_to(Model& model, const std::string& prefix, NodeId base) const { add_(model, prefix, base); }
+  /// Adds them below `base`, with their names behind `prefix`, under this weight. Throws InputError as the elements
+  /// would.
+  void add_to(Model& model, const std::string& prefix, NodeId base, Force weight) const {
+    for (const Part& part : parts_) part.add(model, prefix + part.name, base, weight);
+  }
   /// Whether ends are given, which the building sets.
   [[nodiscard]] bool has_lower() const { return has_lower_; }
   [[nodiscard]] bool has_upper() const { return has_upper_; }
 
  private:
+  struct Part {
+    std::string name;
+    std::function<void(Model&, const std::string& name, NodeId base, Force weight)> add;
+  };
+
   template <class Element>
   void take(Element element) {
-    has_lower_ = element.lower != ground;
-    has_upper_ = element.upper.specified();
-    add_ = [element](Model& model, const std::string& prefix, NodeId base) {
-      Element placed = element;
-      placed.name = prefix + placed.name;
-      placed.lower = ground;
-      placed.upper = base;
-      add(model, placed);
-    };
+    const NodeId lower = element.lower, upper = element.upper;
+    has_lower_ = lower != ground;
+    has_upper_ = upper.specified();
+    parts_.push_back({element.name, [element](Model& model, const std::string& name, NodeId base, Force weight) {
+                        Element placed = element;
+                        placed.name = name;
+                        placed.lower = ground;
+                        placed.upper = base;
+                        if constexpr (requires { placed.weight; })
+                          if (placed.weight.si() == 0.0) placed.weight = weight;
+                        moat::add(model, placed);
+                      }});
   }
 
-  std::function<void(Model&, const std::string& prefix, NodeId base)> add_;
+  void join(Isolation other) {
+    has_lower_ = has_lower_ || other.has_lower_;
+    has_upper_ = has_upper_ || other.has_upper_;
+    for (Part& part : other.parts_) {
+      const std::string name = part.name;
+      for (int number = 2; is_taken(part.name); ++number) part.name = name + " " + std::to_string(number);
+      parts_.push_back(std::move(part));
+    }
+  }
+  [[nodiscard]] bool is_taken(const std::string& name) const {
+    for (const Part& part : parts_)
+      if (part.name == name) return true;
+    return false;
+  }
+
+  std::vector<Part> parts_;
   bool has_lower_ = false, has_upper_ = false;
 };
 

@@ -1,6 +1,7 @@
 // One value for all storeys, or one for each.
 #pragma once
 
+#include <concepts>
 #include <cstddef>
 #include <initializer_list>
 #include <string>
@@ -19,6 +20,9 @@ template <class T>
 class PerStorey {
  public:
   PerStorey(T every) : values_{every} {}
+  /// Also from what converts to a value: any law for the law of a storey.
+  template <std::convertible_to<T> Any>
+  requires(!std::same_as<Any, T>) PerStorey(const Any& every) : values_{every} {}
   PerStorey(std::initializer_list<T> list) : values_{list}, is_list_{true} {}
   PerStorey(std::vector<T> list) : values_{std::move(list)}, is_list_{true} {}
 
@@ -28,12 +32,16 @@ class PerStorey {
     return is_list_ ? values_ : std::vector<T>(static_cast<std::size_t>(storeys), values_.front());
   }
 
-  /// Throws InputError unless every value is > 0 and a list has one for each storey.
-  void check(const Check& check, const std::string& field, int storeys) const {
+  /// Throws InputError unless a list has one value for each storey.
+  void check_count(const Check& check, const std::string& field, int storeys) const {
     check.that(!is_list_ || values_.size() == static_cast<std::size_t>(storeys),
                field + " has " + std::to_string(values_.size()) + " values for " + std::to_string(storeys) +
                    (storeys == 1 ? " storey." : " storeys."),
                "Give one value for all storeys, or one for each from the lowest up.");
+  }
+  /// Throws InputError unless every value is > 0 and a list has one for each storey.
+  void check(const Check& check, const std::string& field, int storeys) const {
+    check_count(check, field, storeys);
     for (std::size_t i = 0; i < values_.size(); ++i)
       check.positive(is_list_ ? field + "[" + std::to_string(i) + "]" : field, values_[i]);
   }

@@ -3,8 +3,10 @@
 #include <vector>
 
 #include "base/check.hpp"
+#include "elements/link_block.hpp"
 #include "elements/shear_spring.hpp"
 #include "elements/viscous_damper.hpp"
+#include "materials/storeys/p_delta.hpp"
 
 namespace moat {
 namespace {
@@ -13,7 +15,13 @@ void check_parameters(const ShearBuilding& building) {
   const Check check{"ShearBuilding", building.name};
   check.that(building.storeys >= 1, "storeys", building.storeys, "", ">= 1");
   building.floor_mass.check(check, "floor_mass", building.storeys);
-  building.storey_stiffness.check(check, "storey_stiffness", building.storeys);
+  if (building.storey) {
+    check.that(building.storey_stiffness.of(1) == Stiffness{}, "storey_stiffness and storey are given.",
+               "Give one of them: storey_stiffness for linear storeys, storey for others.");
+    building.storey->check_count(check, "storey", building.storeys);
+  } else {
+    building.storey_stiffness.check(check, "storey_stiffness", building.storeys);
+  }
   building.storey_height.check(check, "storey_height", building.storeys);
   check.positive("half_width", building.half_width);
   if (building.isolation) {
@@ -53,16 +61,47 @@ Building add_nodes(Model& model, const ShearBuilding& building, const std::strin
   return added;
 }
 
+std::vector<Stiffness> initial_stiffnesses(const ShearBuilding& building) {
+  if (!building.storey) return building.storey_stiffness.list(building.storeys);
+  std::vector<Stiffness> stiffnesses;
+  for (const StoreyLaw& law : building.storey->list(building.storeys))
+    stiffnesses.push_back(law.initial_stiffness() * units::N / units::m);
+  return stiffnesses;
+}
+
+Force weight_above(const ShearBuilding& building, int storey) {
+  Mass mass = {};
+  for (int floor = building.storeys; floor >= storey; --floor) mass += building.floor_mass.of(floor);
+  return mass * units::g;
+}
+
+void add_p_delta(Model& model, const ShearBuilding& building, const std::string& name, int storey, NodeId lower,
+                 NodeId upper, Stiffness stiffness) {
+  const PDelta law{.weight = weight_above(building, storey), .height = building.storey_height.of(storey)};
+  const Check check{"ShearBuilding", building.name};
+  check.that(-law.stiffness() < stiffness.si(),
+             "p_delta: weight above / storey_height of storey " + std::to_string(storey), -law.stiffness(), "N/m",
+             "below its stiffness, " + to_text(stiffness.si()) + " N/m", "The storey would fall over.");
+  model.register_element("PDelta", name);
+  model.block<LinkBlock<PDelta>>().add({.name = name, .first = lower, .second = upper, .drawn_as = DrawnAs::nothing},
+                                       law);
+}
+
 void add_storeys(Model& model, const ShearBuilding& building, const std::string& prefix, const Building& nodes) {
   const std::vector<Mass> masses = building.floor_mass.list(building.storeys);
-  const std::vector<Stiffness> stiffnesses = building.storey_stiffness.list(building.storeys);
+  const std::vector<Stiffness> stiffnesses = initial_stiffnesses(building);
   const RayleighFactors rayleigh = rayleigh_factors_of_chain(building.damping.ratio, masses, stiffnesses);
   NodeId below = nodes.base;
   for (std::size_t i = 0; i < nodes.floors.size(); ++i) {
     const NodeId above = nodes.floors[i];
     const std::string number = std::to_string(i + 1);
-    add(model,
-        ShearSpring{.name = prefix + "storey " + number, .lower = below, .upper = above, .stiffness = stiffnesses[i]});
+    const std::string name = prefix + "storey " + number;
+    if (building.storey)
+      building.storey->of(static_cast<int>(i) + 1).add_to(model, name, below, above);
+    else
+      add(model, ShearSpring{.name = name, .lower = below, .upper = above, .stiffness = stiffnesses[i]});
+    if (building.p_delta)
+      add_p_delta(model, building, name + " P-delta", static_cast<int>(i) + 1, below, above, stiffnesses[i]);
     if (rayleigh.stiffness_factor > 0.0)
       add(model, ViscousDamper{.name = prefix + "storey " + number + " damping",
                                .lower = below,
@@ -85,7 +124,8 @@ Building add(Model& model, const ShearBuilding& building) {
   const std::string prefix = building.name.empty() ? "" : building.name + " ";
   Building added = add_nodes(model, building, prefix);
   add_storeys(model, building, prefix, added);
-  if (building.isolation) building.isolation->add_to(model, prefix, added.base);
+  if (building.isolation)
+    building.isolation->add_to(model, prefix, added.base, weight_above(building, 1) + building.base_mass * units::g);
   add(model, added);
   return added;
 }

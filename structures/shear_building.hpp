@@ -8,6 +8,7 @@
 #include "structures/isolation.hpp"
 #include "structures/per_storey.hpp"
 #include "structures/rayleigh_damping.hpp"
+#include "structures/storey_law.hpp"
 
 namespace moat {
 
@@ -32,14 +33,19 @@ struct ShearBuilding {
   Required<int> storeys;
   /// > 0 kg, each floor above the base.
   PerStorey<Mass> floor_mass;
-  /// > 0 N/m, each storey.
-  PerStorey<Stiffness> storey_stiffness;
+  /// > 0 N/m, each storey; left out where `storey` is given.
+  PerStorey<Stiffness> storey_stiffness = Stiffness{};
+  /// Storeys with a law of their own: YieldingStorey and others of materials/storeys. Rayleigh damping then uses their
+  /// initial stiffness.
+  std::optional<PerStorey<StoreyLaw>> storey{};
   RayleighDamping damping{};
   /// > 0 kg; give it together with isolation.
   Mass base_mass{};
   /// The isolators under the base, with any law; fixed to the ground if left out.
   std::optional<Isolation> isolation{};
-  /// For drawings only.
+  /// Whether the weight above leaning columns acts: beside every storey a PDelta with storey_height.
+  bool p_delta = false;
+  /// > 0 m. For drawings, and for p_delta.
   PerStorey<Length> storey_height = 3.5 * units::m;
   Length half_width = 5.0 * units::m;
   Length x{};

@@ -11,8 +11,8 @@
 namespace moat::launcher {
 
 void run_benchmark(const Places& places, const std::vector<std::string>& words) {
-  constexpr std::array names{"paper", "accuracy", "performance", "peers"};
-  const std::string known = "\nThere are ./moat bench paper, accuracy, performance and peers.";
+  constexpr std::array names{"paper", "accuracy", "isolators", "performance", "peers"};
+  const std::string known = "\nThere are ./moat bench paper, accuracy, isolators, performance and peers.";
   if (words.empty()) throw Stop{exit_usage, "bench needs the name of a benchmark." + known};
   const std::string& name = words.front();
   if (std::find(names.begin(), names.end(), name) == names.end())

@@ -55,10 +55,12 @@ in the folder that the environment variable MOAT_RECORDS names, and are skipped 
 With --all nothing may be skipped: it installs the programs that some tests need (cmake/packages/all.txt), demands
 MOAT_RECORDS, and fails when a test was skipped.)";
 
-inline constexpr char bench[] = "Compute the benchmarks: the source paper, accuracy, performance, OpenSees beside moat";
+inline constexpr char bench[] =
+    "Compute the benchmarks: the source paper, accuracy, isolators, performance, OpenSees beside moat";
 inline constexpr char after_bench[] = R"(
 ./moat bench paper [--out FOLDER] [--write-docs] [--coarse]
 ./moat bench accuracy [--out FOLDER] [--write-docs] [--only-random] [--models N] [--seed N] [--threads N] [--csv FILE]
+./moat bench isolators [--write-docs]
 ./moat bench performance [--out FOLDER] [--write-docs] [--only SECTION] [--rounds N] [--quick]
 ./moat bench peers [--out FOLDER] [--write-docs] [--rounds N]
 
@@ -80,6 +82,8 @@ distribution of errors over random models, against an independent reference, wit
   --threads N          for the random models; 2
   --csv FILE           a row per random model and setting
   --only-random        random models alone
+
+isolators: bearings whose lead or sliding surface heats, beside a published test and another program, as two tables.
 
 performance: measures how fast moat is, as ratios taken in one run, each line with its spread and, where there is one,
 its target. Installs what moat is compared with (cmake/packages/bench.txt); GNU Octave takes part when it is installed.

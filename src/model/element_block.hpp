@@ -11,6 +11,7 @@
 
 #include "base/label.hpp"
 #include "base/parameter.hpp"
+#include "base/reported_quantity.hpp"
 #include "base/sparse_matrix.hpp"
 #include "base/stiffness_stage.hpp"
 #include "model/contacts.hpp"
@@ -79,6 +80,9 @@ class ElementBlock {
   /// Keeps the positions in the matrix to which its elements add.
   virtual void find_slots(const SparseMatrix& matrix) = 0;
 
+  /// Called before evaluate() with the time from the committed state to the trial state, s; 0 is the committed instant
+  /// again. For laws that evolve in time.
+  virtual void begin_step(double) {}
   /// Forces, tangents and trial states at trial displacements and velocities. Adds the internal forces to `force`
   /// unless that is null.
   virtual void evaluate(const double* displacement, const double* velocity, double* force) = 0;
@@ -119,6 +123,10 @@ class ElementBlock {
   [[nodiscard]] virtual std::span<const double> force_rates() const = 0;
   /// Force at a fraction of the last committed step: the law itself, on the deformation and rate interpolated there.
   [[nodiscard]] virtual double force_inside(std::size_t element, double fraction) const = 0;
+
+  /// Quantities that its elements report besides deformation and force, and their values at the committed state.
+  [[nodiscard]] virtual std::span<const ReportedQuantity> law_quantities(std::size_t) const { return {}; }
+  [[nodiscard]] virtual double law_quantity(std::size_t, std::size_t) const { return 0.0; }
 
   /// The side of a block whose elements change their regime at located instants; null without.
   [[nodiscard]] virtual Regimes* regimes() { return nullptr; }

@@ -137,13 +137,17 @@ void Model::prepare() {
 }
 
 void Model::evaluate_regimes() {
+  const double step = trial_.time - state_.time;
   for (const std::size_t i : blocks_with_regimes_) {
+    blocks_[i]->begin_step(step);
     blocks_[i]->evaluate(trial_.displacement.data(), trial_.velocity.data(), nullptr);
     blocks_[i]->evaluate_rates(trial_.acceleration.data(), nullptr);
   }
 }
 
 void Model::evaluate() {
+  const double step = trial_.time - state_.time;
+  for (const std::size_t i : changing_blocks_) blocks_[i]->begin_step(step);
   internal_forces_.setZero(degrees_of_freedom() + 1);
   for (const auto& block : blocks_)
     block->evaluate(trial_.displacement.data(), trial_.velocity.data(), internal_forces_.data());

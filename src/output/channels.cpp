@@ -30,6 +30,13 @@ Channels::Channels(const Model& model) {
         of_ground_.push_back(OfGround::nothing);
         list_.push_back({info.force_quantity.text(), info.name, info.listed_under(), "N"});
         of_block.elements.push_back({e, Shown::force});
+        const auto quantities = block.law_quantities(e);
+        for (std::size_t q = 0; q < quantities.size(); ++q) {
+          of_ground_.push_back(OfGround::nothing);
+          list_.push_back(
+              {std::string{quantities[q].name}, info.name, info.listed_under(), std::string{quantities[q].unit}});
+          of_block.elements.push_back({e, Shown::law_quantity, q});
+        }
       }
     }
     if (!of_block.elements.empty()) blocks_.push_back(std::move(of_block));
@@ -83,6 +90,11 @@ void Channels::sample(const StepView& view, std::vector<double>& values, std::ve
     const double *deformations = block.deformations().data(), *deformation_rates = block.rates().data(),
                  *forces = block.forces().data(), *force_rates = block.force_rates().data();
     for (const ElementChannel& channel : channels.elements) {
+      if (channel.shown == Shown::law_quantity) {
+        *value++ = block.law_quantity(channel.element, channel.quantity);
+        *rate++ = 0.0;
+        continue;
+      }
       const bool force = channel.shown == Shown::force;
       *value = force ? forces[channel.element] : deformations[channel.element];
       *rate = force ? force_rates[channel.element] : deformation_rates[channel.element];

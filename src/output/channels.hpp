@@ -18,7 +18,8 @@ struct Channel {
 };
 
 /// All channels of a model: displacement, velocity and absolute acceleration of every node; deformation and
-/// force of every element that reports them; the total base shear of every building.
+/// force of every element that reports them, and the quantities of its law; the total base shear of every building.
+/// A quantity of a law has no rate: between steps it is read as a smooth curve with flat ends.
 ///
 /// Displacement and velocity are relative to the ground, accelerations absolute.
 class Channels {
@@ -50,10 +51,11 @@ class Channels {
   [[nodiscard]] static std::size_t of_node(NodeId node) { return 3 * static_cast<std::size_t>(node.index); }
 
  private:
-  enum class Shown { deformation, indentation, force };
+  enum class Shown { deformation, indentation, force, law_quantity };
   struct ElementChannel {
     std::size_t element;
     Shown shown;
+    std::size_t quantity = 0;  // of the law
   };
   struct BlockChannels {
     std::size_t block;

@@ -5,6 +5,7 @@
 
 #include "documentation_section.hpp"
 #include "impact_law_tables.hpp"
+#include "spring_law_tables.hpp"
 
 int main(int argc, char** argv) {
   if (argc != 2) {
@@ -13,6 +14,7 @@ int main(int argc, char** argv) {
   }
   try {
     moat::replace_section(argv[1], "impact laws", moat::testing::impact_law_tables());
+    moat::replace_section(argv[1], "spring laws", moat::testing::spring_law_tables());
   } catch (const std::exception& error) {
     std::cerr << error.what() << "\n";
     return 1;

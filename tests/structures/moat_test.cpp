@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "materials/impact/hertz_damp.hpp"
 #include "message_of.hpp"
 
@@ -128,6 +130,23 @@ TEST(Moat, RefusesABadWall) {
                                          .wall = FlexibleWall{.mass = 20 * tonne, .stiffness = -2 * GN / m}});
             }),
             "FlexibleWall \"moat left wall\": stiffness = -2e+09 N/m is not allowed; it must be > 0 N/m and finite.");
+}
+
+TEST(FlexibleWall, HasTheStiffnessAndMassOfItsGeometry) {
+  using namespace units;
+  WallGeometry geometry{.height = 2 * m, .thickness = 0.3 * m, .width = 10 * m, .youngs_modulus = 25e9 * N / (m * m)};
+  const FlexibleWall clamped = FlexibleWall::from_geometry(geometry);
+  EXPECT_NEAR(clamped.stiffness.si(), 210.937e6, 1e3);
+  EXPECT_NEAR(clamped.mass.si(), 3394.29, 0.01);
+  EXPECT_EQ(clamped.yield_force.si(), 0.0);
+  // The static shape has the frequency of Rayleigh's quotient, 1.5 % above that of the cantilever.
+  EXPECT_NEAR(std::sqrt(clamped.stiffness.si() / clamped.mass.si()), 249.29, 0.01);
+  geometry.base_rotation = 200 * MN * m;
+  geometry.yield_moment = 1.2 * MN * m;
+  const FlexibleWall turning = FlexibleWall::from_geometry(geometry);
+  EXPECT_NEAR(turning.stiffness.si(), 40.4192e6, 1e2);
+  EXPECT_NEAR(turning.mass.si(), 2400.0 * 10 * 0.3 * 2 / 3.0, 1e-6);
+  EXPECT_NEAR(turning.yield_force.si(), 0.6e6, 1e-6);
 }
 
 }  // namespace

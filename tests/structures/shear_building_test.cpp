@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "materials/spring_laws.hpp"
 #include "message_of.hpp"
 
 namespace moat {
@@ -325,6 +326,76 @@ TEST(ShearBuilding, ASecondOneNeedsAName) {
   add(model, isolated(2));
   EXPECT_EQ(message_of([&] { add(model, fixed(1)); }),
             "ShearBuilding: the model has a node \"floor 1\" already. Give every building its own .name.");
+}
+
+TEST(ShearBuilding, GivesItsWeightToPendulums) {
+  for (const int count : {1, 20}) {
+    Model model;
+    ShearBuilding building = isolated(5);
+    building.isolation = Isolator<FrictionPendulum>{.law = {.radius = 3 * m, .friction = 0.05}, .count = count};
+    const Building added = add(model, building);
+    model.prepare();
+    SparseMatrix stiffness = model.pattern();
+    model.assemble_linear_stiffness(StiffnessStage::post_yield, stiffness);
+    const double weight = 3050e3 * standard_gravity;
+    const int base = added.base.index;
+    EXPECT_NEAR(stiffness.values[static_cast<std::size_t>(stiffness.slot(base, base))] - 1e9, weight / 3.0,
+                1e-9 * weight);
+  }
+}
+
+TEST(ShearBuilding, PutsIsolatorsAndDampersSideBySide) {
+  Model model;
+  ShearBuilding building = isolated(1);
+  building.isolation = Isolation{bearing(), NonlinearViscous{.reference_force = 1 * MN, .exponent = 0.3},
+                                 NonlinearViscous{.reference_force = 2 * MN, .exponent = 1.0}};
+  add(model, building);
+  for (const char* name : {"bearings", "dampers", "dampers 2"}) EXPECT_TRUE(model.has_element(name)) << name;
+}
+
+TEST(ShearBuilding, LeansUnderTheWeightAbove) {
+  const auto stiffness_of = [](bool p_delta) {
+    Model model;
+    ShearBuilding building = isolated(2);
+    building.isolation.reset();
+    building.base_mass = Mass{};
+    building.p_delta = p_delta;
+    add(model, building);
+    model.prepare();
+    SparseMatrix stiffness = model.pattern();
+    model.assemble_linear_stiffness(StiffnessStage::initial, stiffness);
+    return stiffness.values[static_cast<std::size_t>(stiffness.slot(1, 1))];
+  };
+  EXPECT_NEAR(stiffness_of(false) - stiffness_of(true), 500e3 * standard_gravity / 3.5, 1.0);
+}
+
+TEST(ShearBuilding, HasStoreysThatYield) {
+  ShearBuilding building = isolated(2);
+  building.storey = YieldingStorey{.stiffness = 1 * GN / m, .yield_force = 6 * MN};
+  Model refused, model;
+  EXPECT_EQ(
+      message_of([&] { add(refused, building); }),
+      "ShearBuilding: storey_stiffness and storey are given. Give one of them: storey_stiffness for linear storeys, "
+      "storey for others.");
+  building.storey_stiffness = Stiffness{};
+  add(model, building);
+  EXPECT_TRUE(model.has_element("storey 2"));
+  EXPECT_TRUE(model.has_element("storey 2 damping"));
+  building.storey.reset();
+  Model none;
+  EXPECT_NE(message_of([&] { add(none, building); }), "nothing was thrown");
+}
+
+TEST(Isolator, AsksForTheWeightThatAPendulumNeeds) {
+  Model model;
+  const NodeId base = add(model, Node{.name = "base", .mass = 550 * tonne});
+  Isolator<FrictionPendulum> pendulum{.upper = base, .law = {.radius = 3 * m, .friction = 0.05}};
+  EXPECT_EQ(message_of([&] { add(model, pendulum); }),
+            "Isolator \"bearings\": weight = 0 N is not allowed; it must be > 0 N and finite. Give the weight that it "
+            "carries; a ShearBuilding knows its own.");
+  pendulum.law.weight = 5 * MN;
+  add(model, pendulum);
+  EXPECT_TRUE(model.has_element("bearings"));
 }
 
 }  // namespace

@@ -1,0 +1,320 @@
+// Friction pendulum whose friction depends on pressure, temperature and speed.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <string_view>
+#include <vector>
+
+#include "base/check.hpp"
+#include "base/parameter.hpp"
+#include "base/quantity.hpp"
+#include "base/required.hpp"
+#include "base/units.hpp"
+#include "materials/carried_weight.hpp"
+#include "materials/response.hpp"
+
+namespace moat {
+
+/// The friction of a PTFE-type composite on stainless steel, mu = mu_ref k_p k_v k_T:
+///
+///     k_p = 0.7^(0.02 (p - p_0)), p in MPa      k_v = 1 - 0.5 exp(-a |v|)      k_T(T) falls as the surface heats
+///
+///     T(t) = T_0 + (1/k) sqrt(D/pi) integral of q(t - tau)/sqrt(tau) dtau,      q = mu p |v|
+///
+/// q is the heat flux while the slider covers the centre of the surface, |d| < r_c sqrt(pi)/2, else 0. The memory
+/// 1/sqrt(tau) is a sum of twelve exponentials, right to 0.12 % from 1 ms to 60 s.
+/// Sources: Kumar, Whittaker & Constantinou (2015); Kim & Constantinou (2023); FPBearingPTV of OpenSees.
+struct PressureTemperatureVelocity {
+  /// How far heating reduces friction: k_T at 200 degrees Celsius.
+  enum class Weakening { none, to_two_thirds, to_half, to_third };
+
+  /// mu_ref, 0 < mu_ref <= 0.3: at p_0, at high speed, at 20 degrees Celsius.
+  Required<double> reference_coefficient;
+  /// p_0 > 0 Pa.
+  Required<decltype(units::N / (units::m * units::m))> reference_pressure;
+  /// r_c > 0 m, of the contact of one slider.
+  Required<Length> slider_radius;
+  /// 0 <= a <= 300 s/m.
+  decltype(units::s / units::m) rate = 100.0 * units::s / units::m;
+  bool depends_on_pressure = true;
+  bool depends_on_speed = true;
+  Weakening weakening = Weakening::to_half;
+  /// D > 0 m^2/s, of the steel.
+  double diffusivity = 4.44e-6;
+  /// k > 0 W/(m K), of the steel.
+  double conductivity = 18.0;
+  /// T_0, degrees Celsius, from -50 to 100.
+  double initial_temperature = 20.0;
+
+  static constexpr std::size_t memory_size = 12;
+  /// Of the exponentials, s and s^-1/2.
+  static constexpr std::array<double, memory_size> memory_times = [] {
+    constexpr double shortest = 4e-4, ratio = 3.21166;
+    std::array<double, memory_size> times{};
+    double time = shortest;
+    for (double& each : times) {
+      each = time;
+      time *= ratio;
+    }
+    return times;
+  }();
+  static constexpr std::array<double, memory_size> memory_weights{31.0271,  18.8793,  10.0178,   5.84403,
+                                                                  3.12446,  1.81896,  0.971398,  0.569888,
+                                                                  0.293971, 0.202913, 0.0152448, 0.181184};
+  /// What the sum lacks below 1 ms, s^1/2.
+  static constexpr double memory_rest = 0.017077;
+
+  [[nodiscard]] double pressure_factor(double pressure) const {
+    return depends_on_pressure ? std::pow(0.7, 0.02e-6 * (pressure - reference_pressure.si())) : 1.0;
+  }
+  [[nodiscard]] double speed_factor(double speed) const {
+    return depends_on_speed ? 1.0 - 0.5 * std::exp(-rate.si() * speed) : 1.0;
+  }
+  [[nodiscard]] double speed_slope(double speed) const {
+    return depends_on_speed ? 0.5 * rate.si() * std::exp(-rate.si() * speed) : 0.0;
+  }
+  [[nodiscard]] double temperature_factor(double celsius) const {
+    const Fit fit = fit_of(weakening);
+    return fit.scale * (std::pow(0.7, fit.rate * celsius) + fit.rest);
+  }
+  [[nodiscard]] double temperature_slope(double celsius) const {
+    const Fit fit = fit_of(weakening);
+    return fit.scale * fit.rate * std::log(0.7) * std::pow(0.7, fit.rate * celsius);
+  }
+  /// Kelvin over W/m^2 s^1/2.
+  [[nodiscard]] double heating_factor() const { return std::sqrt(diffusivity / std::numbers::pi) / conductivity; }
+
+  void check(const Check& check) const {
+    check.above_up_to("friction.reference_coefficient", reference_coefficient, 0.0, 0.3, "1");
+    check.positive("friction.reference_pressure", reference_pressure.si(), "Pa");
+    check.positive("friction.slider_radius", slider_radius);
+    check.between("friction.rate", rate.si(), 0.0, 300.0, "s/m", "20 to 100 s/m is usual.");
+    check.positive("friction.diffusivity", diffusivity, "m^2/s");
+    check.positive("friction.conductivity", conductivity, "W/(m K)");
+    check.between("friction.initial_temperature", initial_temperature, -50.0, 100.0, "degrees Celsius");
+  }
+  [[nodiscard]] std::vector<Parameter> parameters() const {
+    return {{"friction.reference_coefficient", reference_coefficient, "1"},
+            {"friction.reference_pressure", reference_pressure.si(), "Pa"},
+            {"friction.slider_radius", slider_radius.si(), "m"},
+            {"friction.rate", rate.si(), "s/m"},
+            {"friction.depends_on_pressure", depends_on_pressure ? 1.0 : 0.0, "1"},
+            {"friction.depends_on_speed", depends_on_speed ? 1.0 : 0.0, "1"},
+            {"friction.factor_at_200_degrees", temperature_factor(200.0), "1"},
+            {"friction.diffusivity", diffusivity, "m^2/s"},
+            {"friction.conductivity", conductivity, "W/(m K)"},
+            {"friction.initial_temperature", initial_temperature, "degC"}};
+  }
+
+ private:
+  struct Fit {
+    double scale, rate, rest;
+  };
+  static Fit fit_of(Weakening weakening) {
+    switch (weakening) {
+      case Weakening::to_two_thirds:
+        return {0.84, 0.0085, 0.25};
+      case Weakening::to_half:
+        return {0.79, 0.02, 0.40};
+      case Weakening::to_third:
+        return {0.97, 0.029, 0.22};
+      case Weakening::none:
+        break;
+    }
+    return {0.5, 0.0, 1.0};
+  }
+};
+
+/// The law of a HeatedFrictionPendulum under its weight: stick and slip are located as in SlidingIsolator.
+///
+/// Temperature and friction at the end of a step solve each other; the flux counts with the mean of both ends.
+struct HeatedSlidingIsolator {
+  static constexpr std::string_view name = "HeatedSlidingIsolator";
+
+  double restoring_stiffness = 0.0;  ///< N/m
+  double elastic_stiffness = 0.0;    ///< N/m
+  double normal_force = 0.0;         ///< N
+  PressureTemperatureVelocity friction;
+
+  struct State {
+    double slip = 0.0;            ///< m
+    double friction_force = 0.0;  ///< N
+    double rise = 0.0;            ///< of the temperature of the surface, K
+    double flux = 0.0;            ///< W/m^2
+    std::array<double, PressureTemperatureVelocity::memory_size> memory{};
+    int direction = 0;  ///< of sliding; 0: sticks
+
+    friend bool operator==(const State&, const State&) = default;
+  };
+  static constexpr std::array<ReportedQuantity, 3> quantities{
+      {{"friction_coefficient", "1"}, {"isolator_slip", "m"}, {"surface_temperature", "degC"}}};
+  static constexpr double time_of_rate = 1.0, threshold = 1e-9;
+
+  Response evaluate(const State& committed, double deformation, double rate, Interval interval, State& trial) const {
+    trial = committed;
+    const Surface end = heat(committed, deformation, committed.direction * rate, interval, trial);
+    if (committed.direction == 0) {
+      trial.friction_force = elastic_stiffness * (deformation - committed.slip);
+      return {restoring_stiffness * deformation + trial.friction_force, restoring_stiffness + elastic_stiffness, 0.0};
+    }
+    if (interval.length == 0.0)
+      return {restoring_stiffness * deformation + committed.friction_force, restoring_stiffness,
+              end.slope * normal_force};
+    trial.friction_force = committed.direction * end.coefficient * normal_force;
+    trial.slip = deformation - trial.friction_force / elastic_stiffness;
+    return {restoring_stiffness * deformation + trial.friction_force, restoring_stiffness, end.slope * normal_force};
+  }
+  double stored_energy(const State& committed, double deformation) const {
+    return 0.5 * restoring_stiffness * deformation * deformation +
+           0.5 * committed.friction_force * committed.friction_force / elastic_stiffness;
+  }
+  double dissipation_rate(const State& committed, double, double rate) const {
+    return committed.direction * rate > 0.0 ? limit(committed, std::abs(rate)) * std::abs(rate) : 0.0;
+  }
+  double dissipated_energy(const State& from, const State& to) const {
+    return 0.5 * std::abs(from.friction_force + to.friction_force) * std::abs(to.slip - from.slip);
+  }
+  double linear_stiffness(StiffnessStage stage) const {
+    return restoring_stiffness + (stage == StiffnessStage::initial ? elastic_stiffness : 0.0);
+  }
+
+  double regime_margin(const State& committed, double deformation, double rate) const {
+    if (committed.direction != 0) return committed.direction * rate * time_of_rate;
+    return limit(committed, std::abs(rate)) / elastic_stiffness * (1.0 + threshold) -
+           std::abs(deformation - committed.slip);
+  }
+  State next_regime(const State& committed, double deformation, double rate) const {
+    State next = committed;
+    const int direction = committed.direction != 0 ? committed.direction : deformation > committed.slip ? 1 : -1;
+    next.friction_force = direction * limit(committed, committed.direction != 0 ? 0.0 : std::abs(rate));
+    next.slip = deformation - next.friction_force / elastic_stiffness;
+    next.direction = committed.direction != 0 ? 0 : direction;
+    next.flux = next.direction == 0 ? 0.0 : flux_at(committed, deformation, std::abs(rate));
+    return next;
+  }
+  double quantity(std::size_t index, const State& state, double, double rate) const {
+    if (index == 0) return limit(state, std::abs(rate)) / normal_force;
+    return index == 1 ? state.slip : friction.initial_temperature + state.rise;
+  }
+
+  [[nodiscard]] double pressure() const {
+    return normal_force / (std::numbers::pi * friction.slider_radius.si() * friction.slider_radius.si());
+  }
+
+ private:
+  struct Surface {
+    double coefficient, slope;  // mu, dmu/d|v|
+  };
+
+  [[nodiscard]] double factor() const { return friction.reference_coefficient * friction.pressure_factor(pressure()); }
+  [[nodiscard]] double limit(const State& state, double speed) const {
+    return factor() * friction.speed_factor(speed) *
+           friction.temperature_factor(friction.initial_temperature + state.rise) * normal_force;
+  }
+  [[nodiscard]] bool covers_centre(double deformation) const {
+    return std::abs(deformation) < 0.5 * std::sqrt(std::numbers::pi) * friction.slider_radius.si();
+  }
+  [[nodiscard]] double flux_at(const State& state, double deformation, double speed) const {
+    return covers_centre(deformation) ? limit(state, speed) / normal_force * pressure() * speed : 0.0;
+  }
+
+  // Temperature and friction at the end of the interval, at a rate in the direction of sliding. A step may overshoot
+  // the turn of the rate: friction goes on along its tangent, so that it stays smooth.
+  [[nodiscard]] Surface heat(const State& committed, double deformation, double rate, Interval interval,
+                             State& trial) const {
+    const double speed = std::max(rate, 0.0), initial = friction.initial_temperature;
+    const double by_speed_slope = factor() * friction.speed_slope(speed);
+    const double by_speed = factor() * friction.speed_factor(speed) + by_speed_slope * std::min(rate, 0.0);
+    const double h = interval.length;
+    if (h == 0.0)
+      return {by_speed * friction.temperature_factor(initial + committed.rise),
+              by_speed_slope * friction.temperature_factor(initial + committed.rise)};
+    // rise = known + gain q1 with q1 = share mu(rise): the flux counts with the mean of both ends.
+    const bool covers = committed.direction != 0 && covers_centre(deformation);
+    const double share = covers ? pressure() * speed : 0.0;
+    double decayed = 0.0, per_flux = 0.0;
+    std::array<double, PressureTemperatureVelocity::memory_size> kept, added;
+    for (std::size_t j = 0; j < kept.size(); ++j) {
+      const double time = PressureTemperatureVelocity::memory_times[j], x = -std::expm1(-h / time);
+      kept[j] = 1.0 - x;
+      added[j] = PressureTemperatureVelocity::memory_weights[j] * time * x;
+      decayed += committed.memory[j] * kept[j];
+      per_flux += added[j];
+    }
+    const double scale = friction.heating_factor(), start_flux = committed.flux;
+    const double known = scale * (decayed + 0.5 * per_flux * start_flux);
+    const double gain = scale * (0.5 * per_flux + PressureTemperatureVelocity::memory_rest) * share;
+    double rise = committed.rise;
+    constexpr int iterations = 30;
+    for (int i = 0; i < iterations; ++i) {
+      const double error = rise - known - gain * by_speed * friction.temperature_factor(initial + rise);
+      const double slope = 1.0 - gain * by_speed * friction.temperature_slope(initial + rise);
+      const double correction = error / slope;
+      rise -= correction;
+      if (std::abs(correction) < 1e-12 * (1.0 + std::abs(rise))) break;
+    }
+    const double of_temperature = friction.temperature_factor(initial + rise);
+    const double coefficient = by_speed * of_temperature;
+    trial.rise = rise;
+    trial.flux = share * coefficient;
+    const double mean_flux = 0.5 * (start_flux + trial.flux);
+    for (std::size_t j = 0; j < kept.size(); ++j)
+      trial.memory[j] = committed.memory[j] * kept[j] + added[j] * mean_flux;
+    // d(rise)/dv from rise = known + gain(v) by_speed(v) k_T(rise).
+    const double temperature_slope = friction.temperature_slope(initial + rise);
+    const double gain_slope = speed > 0.0 ? gain / speed : 0.0;
+    const double rise_slope =
+        of_temperature * (gain_slope * by_speed + gain * by_speed_slope) / (1.0 - gain * by_speed * temperature_slope);
+    return {coefficient, by_speed_slope * of_temperature + by_speed * temperature_slope * rise_slope};
+  }
+};
+
+/// Friction pendulum whose friction depends on pressure, temperature and speed: F and R as in FrictionPendulum.
+///
+/// Everything is for one bearing: give a layer by Isolator::count. Reports `surface_temperature` [degC].
+struct HeatedFrictionPendulum {
+  static constexpr std::string_view name = "HeatedFrictionPendulum";
+  static constexpr std::string_view formula = "pendulum, mu falls with pressure and temperature, rises with speed";
+
+  /// R > 0 m, effective.
+  Required<Length> radius;
+  Required<PressureTemperatureVelocity> friction;
+  /// u_y > 0 m.
+  Length yield_displacement = 1.0 * units::mm;
+  /// N > 0 N, of this bearing; its share of the building's if left out.
+  Force weight{};
+
+  /// The bearing that MASTODON's authors compare with OpenSees.
+  static HeatedFrictionPendulum typical() {
+    using namespace units;
+    return {.radius = 2.2352 * m,
+            .friction = PressureTemperatureVelocity{
+                .reference_coefficient = 0.06, .reference_pressure = 50 * MN / (m * m), .slider_radius = 20 * cm}};
+  }
+
+  void check(const Check& check) const {
+    check.positive("radius", radius);
+    friction.value().check(check);
+    check.positive("yield_displacement", yield_displacement);
+    check.not_negative("weight", weight);
+  }
+  [[nodiscard]] std::vector<Parameter> parameters() const {
+    std::vector<Parameter> list{{"radius", radius.si(), "m"}};
+    for (const Parameter& each : friction.value().parameters()) list.push_back(each);
+    list.push_back({"yield_displacement", yield_displacement.si(), "m"});
+    return list;
+  }
+  [[nodiscard]] HeatedSlidingIsolator carrying(Force load) const {
+    const double normal = load.si();
+    HeatedSlidingIsolator law{
+        .restoring_stiffness = normal / radius.si(), .normal_force = normal, .friction = friction};
+    law.elastic_stiffness = friction.value().reference_coefficient * friction.value().pressure_factor(law.pressure()) *
+                            normal / yield_displacement.si();
+    return law;
+  }
+};
+
+}  // namespace moat

@@ -1,0 +1,75 @@
+// Equal elements side by side.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "materials/response.hpp"
+
+namespace moat {
+
+/// `count` equal laws side by side: the same deformation, `count` times the force, stiffness and energies. States,
+/// regimes and reported quantities are those of one of them.
+template <ForceLaw Law>
+struct Repeated {
+  Law law;
+  double count = 1.0;  ///< > 0
+
+  using State = typename Law::State;
+
+  Response evaluate(const State& committed, double deformation, double rate, State& trial) const
+      requires(!TimeDependentLaw<Law>) {
+    return times(law.evaluate(committed, deformation, rate, trial));
+  }
+  Response evaluate(const State& committed, double deformation, double rate, Interval interval,
+                    State& trial) const requires TimeDependentLaw<Law> {
+    return times(law.evaluate(committed, deformation, rate, interval, trial));
+  }
+  double force_rate(const State& state, double deformation, double rate, double second_rate) const requires
+      requires(const Law& law) {
+    law.force_rate(state, deformation, rate, second_rate);
+  }
+  { return count * law.force_rate(state, deformation, rate, second_rate); }
+
+  double stored_energy(const State& committed, double deformation) const {
+    return count * law.stored_energy(committed, deformation);
+  }
+  double dissipation_rate(const State& committed, double deformation, double rate) const {
+    return count * law.dissipation_rate(committed, deformation, rate);
+  }
+  double dissipated_energy(const State& from, const State& to) const requires requires(const Law& law) {
+    law.dissipated_energy(from, to);
+  }
+  { return count * law.dissipated_energy(from, to); }
+  double linear_stiffness(StiffnessStage stage) const { return count * law.linear_stiffness(stage); }
+
+  static constexpr bool linear_within_regimes = LinearWithinRegimes<Law>;
+  [[nodiscard]] bool is_linear_within_regimes() const requires requires(const Law& law) {
+    law.is_linear_within_regimes();
+  }
+  { return law.is_linear_within_regimes(); }
+
+  double regime_margin(const State& committed, double deformation, double rate) const requires LawWithRegimes<Law> {
+    return law.regime_margin(committed, deformation, rate);
+  }
+  State next_regime(const State& committed, double deformation, double rate) const requires LawWithRegimes<Law> {
+    return law.next_regime(committed, deformation, rate);
+  }
+  double quantity(std::size_t index, const State& state, double deformation, double rate) const requires requires {
+    Law::quantities;
+  }
+  { return law.quantity(index, state, deformation, rate); }
+
+ private:
+  [[nodiscard]] Response times(Response one) const {
+    return {count * one.force, count * one.stiffness, count * one.damping};
+  }
+};
+
+/// Those of the law.
+template <class Law>
+constexpr std::span<const ReportedQuantity> quantities_of(const Repeated<Law>& repeated) {
+  return quantities_of(repeated.law);
+}
+
+}  // namespace moat

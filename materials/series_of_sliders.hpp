@@ -1,0 +1,161 @@
+// Sliders one upon another: the law of double and triple pendulums.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <string_view>
+
+#include "materials/response.hpp"
+
+namespace moat {
+
+/// Up to three sliders in series, which carry the same force F; the deformation is the sum of their displacements.
+///
+///     branch i:   F = k_i u_i + clamp(k_e (u_i - s_i), +-f_i) + k_stop (|u_i| - b_i) sgn u_i beyond the capacity b_i
+///
+/// The displacement of every branch is a monotone, piecewise linear function of F, and so is their sum: the force
+/// follows from the corners without iteration. Stored energy is that of the springs, dissipation the sum of f_i |ds_i|.
+/// Both are exact for any length of a monotone step. Tension positive.
+struct SeriesOfSliders {
+  static constexpr std::string_view name = "SeriesOfSliders";
+  static constexpr std::size_t most = 3;
+
+  struct Branch {
+    double stiffness = 0.0;                                     ///< k_i > 0 N/m
+    double friction = 0.0;                                      ///< f_i > 0 N
+    double capacity = std::numeric_limits<double>::infinity();  ///< b_i > 0 m
+  };
+  std::array<Branch, most> branches{};
+  std::size_t count = 0;
+  double elastic_stiffness = 0.0;  ///< k_e > 0 N/m, of every branch
+  double stop_stiffness = 0.0;     ///< k_stop > 0 N/m
+
+  struct State {
+    std::array<double, most> slips{};  ///< s_i, m
+
+    friend bool operator==(const State&, const State&) = default;
+  };
+  static constexpr std::array<ReportedQuantity, most> quantities{
+      {{"first_surface_slip", "m"}, {"second_surface_slip", "m"}, {"third_surface_slip", "m"}}};
+
+  Response evaluate(const State& committed, double deformation, double, State& trial) const {
+    const double force = force_at(committed, deformation);
+    double flexibility = 0.0;
+    trial = committed;
+    for (std::size_t i = 0; i < count; ++i) {
+      const double u = displacement(branches[i], committed.slips[i], force);
+      flexibility += 1.0 / tangent(branches[i], committed.slips[i], u);
+      trial.slips[i] = u - friction_of(branches[i], committed.slips[i], u) / elastic_stiffness;
+    }
+    return {force, 1.0 / flexibility, 0.0};
+  }
+  double stored_energy(const State& committed, double deformation) const {
+    const double force = force_at(committed, deformation);
+    double energy = 0.0;
+    for (std::size_t i = 0; i < count; ++i) {
+      const Branch& branch = branches[i];
+      const double u = displacement(branch, committed.slips[i], force),
+                   friction = friction_of(branch, committed.slips[i], u),
+                   beyond = std::max(std::abs(u) - branch.capacity, 0.0);
+      energy += 0.5 * branch.stiffness * u * u + 0.5 * friction * friction / elastic_stiffness +
+                0.5 * stop_stiffness * beyond * beyond;
+    }
+    return energy;
+  }
+  double dissipation_rate(const State& committed, double deformation, double rate) const {
+    const double force = force_at(committed, deformation);
+    double flexibility = 0.0, power = 0.0;
+    for (std::size_t i = 0; i < count; ++i) {
+      const Branch& branch = branches[i];
+      const double u = displacement(branch, committed.slips[i], force), k = tangent(branch, committed.slips[i], u);
+      flexibility += 1.0 / k;
+      const double stretch = u - committed.slips[i];
+      if (elastic_stiffness * std::abs(stretch) >= branch.friction * (1.0 - 1e-12) && stretch * rate > 0.0)
+        power += branch.friction * std::abs(rate) / k;
+    }
+    return power / flexibility;
+  }
+  double dissipated_energy(const State& from, const State& to) const {
+    double energy = 0.0;
+    for (std::size_t i = 0; i < count; ++i) energy += branches[i].friction * std::abs(to.slips[i] - from.slips[i]);
+    return energy;
+  }
+  double linear_stiffness(StiffnessStage stage) const {
+    double flexibility = 0.0;
+    for (std::size_t i = 0; i < count; ++i)
+      flexibility += 1.0 / (branches[i].stiffness + (stage == StiffnessStage::initial ? elastic_stiffness : 0.0));
+    return 1.0 / flexibility;
+  }
+  double quantity(std::size_t index, const State& state, double, double) const { return state.slips[index]; }
+
+ private:
+  [[nodiscard]] double friction_of(const Branch& branch, double slip, double u) const {
+    return std::clamp(elastic_stiffness * (u - slip), -branch.friction, branch.friction);
+  }
+  [[nodiscard]] double force_of(const Branch& branch, double slip, double u) const {
+    const double beyond = std::max(std::abs(u) - branch.capacity, 0.0);
+    return branch.stiffness * u + friction_of(branch, slip, u) + std::copysign(stop_stiffness * beyond, u);
+  }
+  [[nodiscard]] double tangent(const Branch& branch, double slip, double u) const {
+    const bool sticks = elastic_stiffness * std::abs(u - slip) < branch.friction;
+    return branch.stiffness + (sticks ? elastic_stiffness : 0.0) +
+           (std::abs(u) > branch.capacity ? stop_stiffness : 0.0);
+  }
+  static constexpr std::size_t corners_per_branch = 4;
+  // The displacements at which a branch changes its stiffness, ascending.
+  [[nodiscard]] std::array<double, corners_per_branch> corners(const Branch& branch, double slip) const {
+    const double reach = branch.friction / elastic_stiffness;
+    std::array<double, corners_per_branch> list{slip - reach, slip + reach, -branch.capacity, branch.capacity};
+    std::ranges::sort(list);
+    return list;
+  }
+  // Of one branch under a force.
+  [[nodiscard]] double displacement(const Branch& branch, double slip, double force) const {
+    const auto list = corners(branch, slip);
+    double below = -std::numeric_limits<double>::infinity(), above = -below;
+    for (const double corner : list) {
+      if (!std::isfinite(corner)) continue;
+      if (force_of(branch, slip, corner) <= force)
+        below = corner;
+      else {
+        above = corner;
+        break;
+      }
+    }
+    // On the segment between two corners the force is linear.
+    const double from = std::isfinite(below) ? below : above;
+    const double inside =
+        std::isfinite(below) ? (std::isfinite(above) ? 0.5 * (below + above) : below + 1.0) : above - 1.0;
+    return from + (force - force_of(branch, slip, from)) / tangent(branch, slip, inside);
+  }
+  [[nodiscard]] double sum_of_displacements(const State& state, double force) const {
+    double sum = 0.0;
+    for (std::size_t i = 0; i < count; ++i) sum += displacement(branches[i], state.slips[i], force);
+    return sum;
+  }
+  // The force at which the displacements add up to the deformation.
+  [[nodiscard]] double force_at(const State& state, double deformation) const {
+    std::array<double, most * corners_per_branch> forces{};
+    std::size_t used = 0;
+    for (std::size_t i = 0; i < count; ++i)
+      for (const double corner : corners(branches[i], state.slips[i]))
+        if (std::isfinite(corner)) forces[used++] = force_of(branches[i], state.slips[i], corner);
+    const auto end = forces.begin() + static_cast<std::ptrdiff_t>(used);
+    std::sort(forces.begin(), end);
+    const auto above = std::partition_point(
+        forces.begin(), end, [&](double force) { return sum_of_displacements(state, force) <= deformation; });
+    const bool has_below = above != forces.begin(), has_above = above != end;
+    const double from = has_below ? *(above - 1) : *above;
+    const double inside =
+        has_below ? (has_above ? 0.5 * (from + *above) : from + 1.0 + std::abs(from)) : from - 1.0 - std::abs(from);
+    double flexibility = 0.0;
+    for (std::size_t i = 0; i < count; ++i)
+      flexibility += 1.0 / tangent(branches[i], state.slips[i], displacement(branches[i], state.slips[i], inside));
+    return from + (deformation - sum_of_displacements(state, from)) / flexibility;
+  }
+};
+
+}  // namespace moat

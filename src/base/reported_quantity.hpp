@@ -1,0 +1,14 @@
+// A quantity that an element reports besides its deformation and force.
+#pragma once
+
+#include <string_view>
+
+namespace moat {
+
+/// The texts are literals: they live as long as the program.
+struct ReportedQuantity {
+  std::string_view name;  ///< "friction_coefficient"; files write it as it is, the report with blanks
+  std::string_view unit;  ///< SI; "1" without dimension
+};
+
+}  // namespace moat
