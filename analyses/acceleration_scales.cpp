@@ -47,8 +47,8 @@ void AccelerationScales::regimes_changed(const Model& model) {
       for (std::size_t e = 0; e < block->size(); ++e) {
         const ContactView contact = contacts->contact(e);
         if (!contact.touching) continue;
-        for (const NodeId node : {block->info(e).first, block->info(e).second})
-          if (node != ground) action(node.index, contact);
+        for (const NodeId end : {block->info(e).first, block->info(e).second})
+          for (const NodeId node : model.body_of(end)) action(node.index, contact);
       }
     }
   };
@@ -88,7 +88,7 @@ void AccelerationScales::raise_to_building() {
   }
 }
 
-void AccelerationScales::accepted(const Model& model, double h, double ground_acceleration) {
+void AccelerationScales::accepted(const Model& model, double h, PlanVector ground_acceleration) {
   if (h != step_of_fade_) {
     step_of_fade_ = h;
     fade_ = std::exp(-h / seconds_to_fade);
@@ -96,10 +96,12 @@ void AccelerationScales::accepted(const Model& model, double h, double ground_ac
   const double fade = fade_;
   const int count = model.degrees_of_freedom();
   const double* acceleration = model.state().acceleration.data();
+  const GroundShares shares = model.ground_shares();
   double* __restrict values = own_.data();
   double* __restrict outside = outside_contact_.data();
   for (int i = 0; i < count; ++i)
-    values[i] = std::max(std::max(values[i] * fade, lowest_), std::abs(acceleration[i] + ground_acceleration));
+    values[i] =
+        std::max(std::max(values[i] * fade, lowest_), std::abs(acceleration[i] + shares.of(ground_acceleration, i)));
   up_to_date_ = false;
   if (!any_touching_) {
     for (int i = 0; i < count; ++i) outside[i] = values[i];

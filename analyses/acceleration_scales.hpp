@@ -25,7 +25,7 @@ class AccelerationScales {
   /// Contacts may have begun or ended.
   void regimes_changed(const Model& model);
   /// A step of h s was committed.
-  void accepted(const Model& model, double h, double ground_acceleration);
+  void accepted(const Model& model, double h, PlanVector ground_acceleration);
 
   /// The scale of every node, m/s^2, > 0.
   [[nodiscard]] const Vector& values();

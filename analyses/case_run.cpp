@@ -26,6 +26,23 @@ constexpr std::array general_assumptions{
     "Energies are in the frame of the ground: input is the work of the ground's inertia forces on relative motion.",
     "storey_shear is the elastic force of the columns, without that of the storey's damping."};
 
+// Of results in plan, in place of those above.
+constexpr std::array plan_assumptions{
+    "Floors are rigid and move in plan: x to the right, y up, rotation counter-clockwise, displacements and velocities "
+    "relative to the ground, accelerations absolute. Vertical motion, rocking, uplift, the coupling of bearings with "
+    "their vertical force, the flexibility of floors and the height of contacts are left out.",
+    "Displacements are linear in rotations.",
+    "Resultants are those of simultaneous components; corner_displacement, corner_acceleration and corner_drift are "
+    "resultants at the corners of the outlines, their peaks the largest of all corners.",
+    "A peak is the value of largest magnitude over continuous time, with its sign, also between steps and on both "
+    "sides of an event. impact_force and indentation are positive where a contact is compressed; friction_force acts "
+    "along the edge, with the normal turned by +90 degrees.",
+    "clearance_left is the smallest opening of a gap over continuous time; negative: the two sides indented each "
+    "other by so much.",
+    "total_base_shear and total_base_torque, about the origin, are those of bearings and impacts together.",
+    "Contacts are points: corners with a normal law each, and Coulomb friction with an elastic grip before it slides.",
+    "Energies are in the frame of the ground: input is the work of the ground's inertia forces on relative motion."};
+
 CaseOptions checked(CaseOptions options) {
   const Check check{"CaseOptions", options.title};
   check.not_negative("history_interval", options.history_interval);
@@ -164,12 +181,16 @@ CaseResult CaseRun::result() const {
                     .warnings = transient_.warnings(),
                     .assumptions = transient_.assumptions()};
   for (const auto& warnings : {motion_warnings(motion), model_warnings(transient_.model()),
+                               plan_warnings(transient_.model(), result.peaks, result.impacts),
                                energy_warnings(result.energy, options_.warn_above_energy_error, options_.transient)})
     result.warnings.insert(result.warnings.end(), warnings.begin(), warnings.end());
   add_errors(result);
   // Behind the errors: the companion does not know these peaks.
   for (Peak& peak : offered_peaks_.peaks()) result.peaks.push_back(std::move(peak));
-  result.assumptions.insert(result.assumptions.end(), general_assumptions.begin(), general_assumptions.end());
+  if (transient_.model().is_plan())
+    result.assumptions.insert(result.assumptions.end(), plan_assumptions.begin(), plan_assumptions.end());
+  else
+    result.assumptions.insert(result.assumptions.end(), general_assumptions.begin(), general_assumptions.end());
   return result;
 }
 

@@ -22,7 +22,7 @@ std::string finer(const TransientOptions& options) {
 bool all_finite(const EnergyBalance& energy) {
   return std::ranges::all_of(
       std::initializer_list<double>{energy.input, energy.kinetic, energy.strain, energy.viscous, energy.hysteretic,
-                                    energy.impact, energy.equation_residual, energy.integration_error,
+                                    energy.impact, energy.friction, energy.equation_residual, energy.integration_error,
                                     energy.largest_input, energy.largest_kinetic},
       [](double value) { return std::isfinite(value); });
 }
@@ -40,6 +40,7 @@ std::vector<std::string> motion_warnings(const GroundMotion& motion) {
 
 std::vector<std::string> model_warnings(const Model& model) {
   std::vector<std::string> warnings;
+  if (model.is_plan()) return warnings;
   for (const auto& block : model.blocks())
     for (std::size_t e = 0; has_gaps(*block) && e < block->size(); ++e) {
       const ElementInfo& info = block->info(e);
@@ -51,6 +52,37 @@ std::vector<std::string> model_warnings(const Model& model) {
                          "\" has x = " + to_text(left.x.si()) + " m and its right side \"" + right.name + "\" x = " +
                          to_text(right.x.si()) + " m. Exchange .left and .right, or correct the positions.");
     }
+  return warnings;
+}
+
+std::vector<std::string> plan_warnings(const Model& model, const std::vector<Peak>& peaks,
+                                       const std::vector<Impact>& impacts) {
+  std::vector<std::string> warnings;
+  int past_an_end = 0;
+  for (const auto& block : model.blocks())
+    if (const PlanContacts* contacts = block->plan_contacts()) past_an_end += contacts->corners_past_an_end();
+  if (past_an_end > 0)
+    warnings.push_back(std::to_string(past_an_end) +
+                       " times a corner in contact slid past the end of an edge and was released; the energy it had "
+                       "stored counts as lost in the impact. Check the outline of the wall there.");
+  double largest_indentation = 0.0;
+  for (const Impact& impact : impacts) largest_indentation = std::max(largest_indentation, impact.largest_indentation);
+  for (const PlacedDiaphragm& diaphragm : model.diaphragms()) {
+    double farthest = 0.0;
+    for (std::size_t i = 0; i < diaphragm.outline.size(); ++i)
+      farthest = std::max(farthest, length(diaphragm.outline.corner(i) - diaphragm.centre_of_mass));
+    const auto rotation = std::ranges::find_if(
+        peaks, [&](const Peak& peak) { return peak.quantity == "rotation" && peak.where == diaphragm.name; });
+    if (rotation == peaks.end()) continue;
+    constexpr double noticeable = 1e-3, share_of_indentation = 0.1;  // m, 1
+    const double neglected = 0.5 * farthest * rotation->value * rotation->value;
+    if (neglected <= noticeable &&
+        (largest_indentation == 0.0 || neglected <= share_of_indentation * largest_indentation))
+      continue;
+    warnings.push_back("The rotation of \"" + diaphragm.name + "\" reached " + to_text(rotation->magnitude()) +
+                       " rad. Displacements are linear in it; at its corners they neglect " + to_text(1e3 * neglected) +
+                       " mm. Where indentations are as small, compare with a smaller motion.");
+  }
   return warnings;
 }
 

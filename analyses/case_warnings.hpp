@@ -15,6 +15,11 @@ std::vector<std::string> motion_warnings(const GroundMotion& motion);
 /// Gaps whose left side is drawn to the right of their right side.
 std::vector<std::string> model_warnings(const Model& model);
 
+/// In plan: corners in contact that slid past the end of an edge, and rotations whose neglected second-order
+/// displacement of a corner, r theta^2/2, exceeds 1 mm or 10 % of the largest indentation.
+std::vector<std::string> plan_warnings(const Model& model, const std::vector<Peak>& peaks,
+                                       const std::vector<Impact>& impacts);
+
 /// An energy that is not finite, and an integration error or a residual of the equations above `bound` times the
 /// largest input or kinetic energy. Empty if all is well.
 std::vector<std::string> energy_warnings(const EnergyBalance& energy, double bound, const TransientOptions& options);

@@ -74,6 +74,8 @@ ExactSteps::ExactSteps(Model& model, double grid_interval) : model_{&model}, gri
 
 void ExactSteps::check() const {
   const Check check{"TransientOptions", ""};
+  check.that(!model_->is_plan(), "integrator: ExactBetweenEvents{} takes models on a line; this one moves in plan.",
+             "Use Newmark{}, the default.");
   check.that(model_->degrees_of_freedom() <= most_degrees_of_freedom,
              "integrator = ExactBetweenEvents{} is for at most " + std::to_string(most_degrees_of_freedom) +
                  " degrees of freedom; the model has " + std::to_string(model_->degrees_of_freedom()) + ".",
@@ -177,8 +179,8 @@ void ExactSteps::begin(const StepTask& step) {
   if (!linearised_) linearise();
   const Eigen::Index n = offset_.size();
   longest_ = step.length;
-  ground_ = step.ground_acceleration_at_start;
-  ground_slope_ = step.ground_jerk;
+  ground_ = step.ground_acceleration_at_start.x;
+  ground_slope_ = step.ground_jerk.x;
   start_.head(n) = model_->state().displacement.head(n);
   start_.segment(n, n) = model_->state().velocity.head(n);
   start_[2 * n] = 1.0;

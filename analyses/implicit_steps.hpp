@@ -26,7 +26,9 @@ class ImplicitSteps final : public Stepper {
   /// evaluated there.
   void predict(const StepTask& step);
   /// Computes accelerations and jerks of the committed state anew, from its forces.
-  void balance_committed_state(double ground_acceleration) { equations_.balance_committed_state(ground_acceleration); }
+  void balance_committed_state(PlanVector ground_acceleration) {
+    equations_.balance_committed_state(ground_acceleration);
+  }
 
   [[nodiscard]] StepControl& control() { return control_; }
   [[nodiscard]] const StepControl& control() const { return control_; }

@@ -112,17 +112,20 @@ double StepControl::error_of(const Model& model, const StepTask& step, StepSchem
   const double *a0 = start.acceleration.data(), *a1 = end.acceleration.data(), *j0 = start.jerk.data(),
                *j1 = end.jerk.data(), *u1 = end.displacement.data(), *scales = scales_of_nodes.data(),
                *round_off_per_displacement = round_off_per_displacement_.data();
-  const double h = step.length, rise_of_ground = h * step.ground_jerk;
+  const double h = step.length;
+  const PlanVector rise_of_ground = h * step.ground_jerk;
+  const GroundShares shares = model.ground_shares();
   const bool fourth_order = scheme.order() == 4;
   // The parabola and the cubic may agree by chance where a force has a corner inside the step. The jump of the jerk
   // still shows the corner.
   const double of_jump = !fourth_order || model.has_corner() ? h : 0.0, of_curve = fourth_order ? 1.0 : 0.0;
   double largest = 0.0;
   for (int i = 0; i < count; ++i) {
-    const double curve = 2.0 * (a1[i] - a0[i] + rise_of_ground) - h * (j0[i] + j1[i]), jump = j1[i] - j0[i];
+    const double curve = 2.0 * (a1[i] - a0[i] + shares.of(rise_of_ground, i)) - h * (j0[i] + j1[i]),
+                 jump = j1[i] - j0[i];
     const double difference = std::max(of_curve * std::abs(curve), of_jump * std::abs(jump));
     const double round_off = round_off_per_displacement[i] * std::abs(u1[i]);
-    const double scale = std::max(scales[i], std::abs(a1[i] + step.ground_acceleration));
+    const double scale = std::max(scales[i], std::abs(a1[i] + shares.of(step.ground_acceleration, i)));
     largest = std::max(largest, (difference / 12.0 - round_off) / scale);
   }
   return (fourth_order ? 1.0 : stricter_at_second_order) * largest / options_.tolerance;
@@ -134,8 +137,9 @@ const Vector& StepControl::scales_without(const Model& model, std::span<const Re
   scales_without_bends_ = scales_.values();
   for (const RegimeChange& change : inside) {
     const ElementInfo& element = model.blocks()[change.block]->info(change.element);
-    for (const NodeId node : {element.first, element.second})
-      if (node != ground) scales_without_bends_[node.index] = std::numeric_limits<double>::infinity();
+    for (const NodeId end : {element.first, element.second})
+      for (const NodeId node : model.body_of(end))
+        scales_without_bends_[node.index] = std::numeric_limits<double>::infinity();
   }
   return scales_without_bends_;
 }
@@ -167,7 +171,7 @@ bool StepControl::accepts(const Model& model, const StepTask& step, StepScheme s
   return true;
 }
 
-void StepControl::accepted(const Model& model, double h, double ground_acceleration) {
+void StepControl::accepted(const Model& model, double h, PlanVector ground_acceleration) {
   if (!adaptive()) return;
   since_event_ += h;
   steps_within_samples_ = std::max(steps_within_samples_ - 1, 0);

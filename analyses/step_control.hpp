@@ -67,7 +67,7 @@ class StepControl {
   [[nodiscard]] bool accepts(const Model& model, const StepTask& step, StepScheme scheme,
                              std::span<const RegimeChange> inside = {});
   /// The trial state was committed.
-  void accepted(const Model& model, double h, double ground_acceleration);
+  void accepted(const Model& model, double h, PlanVector ground_acceleration);
   /// Elements changed their regime at the committed state, or the ground stopped; `touched` if a gap closed.
   void restart(const Model& model, bool touched);
 

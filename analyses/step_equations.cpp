@@ -31,9 +31,10 @@ void StepEquations::begin(const StepTask& task, StepScheme scheme, Vector& guess
   if (scheme.corrects_velocity) {
     // Relative motion is absolute motion, which is smooth, minus that of the ground, which is known.
     const GroundDeviation& deviation = task.ground_deviation;
+    const GroundShares shares = model_->ground_shares();
     const double correction = h * h / 12.0;
     for (int i = 0; i < size(); ++i) {
-      const double relative_jerk = jerk[i] - task.ground_jerk;
+      const double relative_jerk = jerk[i] - shares.of(task.ground_jerk, i);
       const double shift = correction * relative_jerk;
       displacement[i] = u[i] + h * (v[i] + shift) + square * a[i] - deviation.displacement;
       velocity[i] = v[i] + 2.0 * shift + (2.0 / 3.0) * h * a[i] - deviation.velocity;
@@ -84,9 +85,11 @@ void StepEquations::extrapolate(Vector& guess) {
                *mass = model_->masses().data(), *force = model_->committed_forces().data(),
                *predicted_displacement = predicted_displacement_.data(),
                *predicted_velocity = predicted_velocity_.data();
+  const GroundShares shares = model_->ground_shares();
   unbalanced_.resize(count);
   double* __restrict unbalanced = unbalanced_.data();
-  for (int i = 0; i < count; ++i) unbalanced[i] = -(mass[i] * (a[i] + task_.ground_acceleration) + force[i]);
+  for (int i = 0; i < count; ++i)
+    unbalanced[i] = -(mass[i] * (a[i] + shares.of(task_.ground_acceleration, i)) + force[i]);
   const int *starts = stiffness_.column_starts.data(), *rows = stiffness_.row_indices.data();
   const double *stiffness = stiffness_.values.data(), *damping = damping_.values.data();
   for (int i = 0; i < count; ++i) {
@@ -99,12 +102,14 @@ void StepEquations::extrapolate(Vector& guess) {
 }
 
 void StepEquations::average_start() {
-  const int count = size();
-  const auto masses = model_->masses().array();
-  of_start_ = ((1.0 - scheme_.mass_share) * masses * model_->state().acceleration.head(count).array() +
-               (1.0 - scheme_.force_share) *
-                   (model_->committed_forces().head(count).array() + masses * task_.ground_acceleration_at_start))
-                  .matrix();
+  const GroundShares shares = model_->ground_shares();
+  const Vector &masses = model_->masses(), &acceleration = model_->state().acceleration,
+               &force = model_->committed_forces();
+  of_start_.resize(size());
+  for (int i = 0; i < size(); ++i)
+    of_start_[i] =
+        (1.0 - scheme_.mass_share) * masses[i] * acceleration[i] +
+        (1.0 - scheme_.force_share) * (force[i] + masses[i] * shares.of(task_.ground_acceleration_at_start, i));
 }
 
 void StepEquations::predict(const StepTask& task, StepScheme scheme, Vector& guess) {
@@ -132,14 +137,14 @@ void StepEquations::complete() {
                   task_.ground_deviation.velocity;
 }
 
-void StepEquations::balance_committed_state(double ground_acceleration) {
+void StepEquations::balance_committed_state(PlanVector ground_acceleration) {
   MotionState& trial = model_->trial();
   trial = model_->state();
   model_->evaluate();
   const Vector& force = model_->internal_forces();
-  const int count = size();
-  trial.acceleration.head(count) =
-      (-force.head(count).array() / model_->masses().array() - ground_acceleration).matrix();
+  const GroundShares shares = model_->ground_shares();
+  for (int i = 0; i < size(); ++i)
+    trial.acceleration[i] = -force[i] / model_->masses()[i] - shares.of(ground_acceleration, i);
   model_->evaluate_rates();
   model_->commit();
   of_committed_.time = model_->state().time;
@@ -173,11 +178,12 @@ bool StepEquations::compute_residual(const Vector& acceleration, Vector& residua
   const double* mass = model_->masses().data();
   const double* force = model_->internal_forces().data();
   const double* lowest_scales = lowest_scales_.data();
+  const GroundShares shares = model_->ground_shares();
   double* __restrict unbalanced = residual.data();
   double* __restrict scales = scales_.data();
   double sum = 0.0;
   for (int i = 0; i < count; ++i) {
-    const double inertia = mass[i] * a[i], load = mass[i] * task_.ground_acceleration;
+    const double inertia = mass[i] * a[i], load = mass[i] * shares.of(task_.ground_acceleration, i);
     unbalanced[i] = inertia + force[i] + load;
     scales[i] = std::max(std::max(std::abs(inertia), std::abs(force[i])), std::max(std::abs(load), lowest_scales[i]));
     sum += scales[i];
@@ -185,8 +191,8 @@ bool StepEquations::compute_residual(const Vector& acceleration, Vector& residua
   if (!scheme_.balances_at_end()) {
     const double mass_share = scheme_.mass_share, force_share = scheme_.force_share;
     for (int i = 0; i < count; ++i)
-      unbalanced[i] =
-          mass_share * mass[i] * a[i] + force_share * (force[i] + mass[i] * task_.ground_acceleration) + of_start_[i];
+      unbalanced[i] = mass_share * mass[i] * a[i] +
+                      force_share * (force[i] + mass[i] * shares.of(task_.ground_acceleration, i)) + of_start_[i];
   }
   return std::isfinite(sum);
 }

@@ -15,15 +15,16 @@ namespace moat {
 struct StepTask {
   double length = 0.0;                        ///< h > 0 s
   double end_time = 0.0;                      ///< s
-  double ground_acceleration = 0.0;           ///< m/s^2, at the end
-  double ground_jerk = 0.0;                   ///< m/s^3, mean of the step; used by schemes that correct the velocity
-  double ground_acceleration_at_start = 0.0;  ///< m/s^2
+  PlanVector ground_acceleration{};           ///< m/s^2, at the end
+  PlanVector ground_jerk{};                   ///< m/s^3, mean of the step; used by schemes that correct the velocity
+  PlanVector ground_acceleration_at_start{};  ///< m/s^2
   double start_time = 0.0;                    ///< s
-  GroundDeviation ground_deviation{};         ///< of the whole step; used by schemes that correct the velocity
+  /// Of the whole step; used by schemes that correct the velocity. Zero in plan, where steps end at all samples.
+  GroundDeviation ground_deviation{};
 };
 
-/// M a + f(u(a), v(a)) = -M iota a_g at the end of a step, or averaged over it (StepScheme); the unknown is the
-/// acceleration a at the end.
+/// M a + f(u(a), v(a)) = -M (iota_x a_gx + iota_y a_gy) at the end of a step, or averaged over it (StepScheme); the
+/// unknown is the acceleration a at the end.
 ///
 /// The unknown is not the displacement, because a = (u - prediction) / (beta h^2) loses all digits after a very short
 /// step, and steps that end at a located event can be very short.
@@ -42,7 +43,7 @@ class StepEquations final : public NonlinearSystem {
 
   /// Accelerations that balance the committed state, for the start and after events: M a = -f - M iota a_g, and their
   /// jerks. Leaves both in the committed state of the model.
-  void balance_committed_state(double ground_acceleration);
+  void balance_committed_state(PlanVector ground_acceleration);
 
   int size() const override { return model_->degrees_of_freedom(); }
   bool compute_residual(const Vector& acceleration, Vector& residual) override;

@@ -18,7 +18,7 @@ double next_grid_time(double time, double step) {
 }  // namespace
 
 StepGrid::StepGrid(const GroundMotion& motion, double start, double end)
-    : motion_{&motion}, end_{end}, ground_{motion.acceleration_at(start)} {}
+    : motion_{&motion}, end_{end}, ground_{motion.components_at(start)} {}
 
 StepTask StepGrid::next_step(double time, double length) const {
   double target = std::min(next_grid_time(time, length), end_);
@@ -29,9 +29,9 @@ StepTask StepGrid::next_step(double time, double length) const {
 }
 
 StepTask StepGrid::task(double start, double end, double length) const {
-  const double at_end = motion_ended_ ? 0.0 : motion_->acceleration_at(end);
+  const PlanVector at_end = motion_ended_ ? PlanVector{} : motion_->components_at(end);
   StepTask step{length, end, at_end, (at_end - ground_) / length, ground_, start};
-  step.ground_deviation = span(start, end).deviation();
+  if (!motion_->has_two_components()) step.ground_deviation = span(start, end).deviation();
   return step;
 }
 
@@ -56,7 +56,7 @@ bool StepGrid::reaches_end_of_motion(double time) const {
 
 bool StepGrid::end_motion() {
   motion_ended_ = true;
-  return std::exchange(ground_, 0.0) != 0.0;
+  return std::exchange(ground_, PlanVector{}) != PlanVector{};
 }
 
 }  // namespace moat

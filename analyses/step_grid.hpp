@@ -19,7 +19,7 @@ class StepGrid {
   [[nodiscard]] double end() const { return end_; }
   [[nodiscard]] bool finished(double time) const { return time >= end_ * (1.0 - 1e-12); }
   /// The ground's acceleration at the committed state, m/s^2.
-  [[nodiscard]] double ground_acceleration() const { return ground_; }
+  [[nodiscard]] PlanVector ground_acceleration() const { return ground_; }
 
   /// The step from `time` to the next multiple of `length`, s.
   [[nodiscard]] StepTask next_step(double time, double length) const;
@@ -43,7 +43,7 @@ class StepGrid {
 
   const GroundMotion* motion_;
   double end_;
-  double ground_;
+  PlanVector ground_;
   bool motion_ended_ = false;
   std::optional<GroundSpan> span_;
 };

@@ -25,15 +25,18 @@ double end_of(const TransientOptions& options, const Model& model, const GroundM
   return end;
 }
 
-StepControl::Options control_options(const TransientOptions& options, const GroundMotion& motion) {
+StepControl::Options control_options(const TransientOptions& options, const GroundMotion& motion, bool plan) {
   // Scales of acceleration are at least this share of the peak ground acceleration. A node with a smaller acceleration
   // is at rest, or free.
   constexpr double least_share_of_ground = 0.02;
   StepControl::Options control;
   control.fixed_step = options.step.si();
   control.grid_interval = longest_step(options, motion.time_step());
-  control.doublings = doublings_of_longest_step(options, motion.time_step());
-  control.tolerance = options.tolerance;
+  // In plan no step is longer than the interval of the samples.
+  control.doublings = plan ? 0 : doublings_of_longest_step(options, motion.time_step());
+  // Bearings in plan take their path inside a step for straight. The estimate of the error sees only a part of that.
+  constexpr double stricter_in_plan = 3.0;
+  control.tolerance = plan ? options.tolerance / stricter_in_plan : options.tolerance;
   control.steps_per_contact = options.steps_per_contact;
   control.max_halvings = options.max_halvings;
   control.scheme = scheme_of(options.integrator);
@@ -48,10 +51,13 @@ Transient::Transient(Model& model, GroundMotion motion, TransientOptions options
       motion_{std::move(motion)},
       options_{checked(options, motion)},
       grid_{motion_, model.state().time, end_of(options_, model, motion_)},
-      implicit_{model, options_, control_options(options_, motion_)},
+      implicit_{model, options_, control_options(options_, motion_, model.is_plan())},
       step_{model, options_, grid_, implicit_, statistics_},
       inside_{step_, options_.events},
       chatter_{options_.max_events_per_second} {
+  Check{"Transient", motion_.name()}.that(model.is_plan() || !motion_.has_two_components(),
+                                          "the motion has two components, and the model moves on a line.",
+                                          "Give one component, or make the model of diaphragms.");
   const double longest = longest_step(options_, motion_.time_step());
   if (is_automatic(options_.integrator)) {
     const IntegratorChoice choice = choose_integrator(model, options_, longest, exact_);
@@ -72,7 +78,8 @@ void Transient::attach(StepObserver& observer) {
 }
 
 StepView Transient::view(bool on_grid) const {
-  return {*model_, grid_.ground_acceleration(), on_grid, step_.stepper().work_rule(), grid_.ground_span()};
+  const PlanVector acceleration = grid_.ground_acceleration();
+  return {*model_, acceleration.x, on_grid, step_.stepper().work_rule(), grid_.ground_span(), acceleration.y};
 }
 
 void Transient::advance() {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <concepts>
 #include <limits>
 #include <memory>
 #include <numbers>
@@ -20,7 +21,7 @@ namespace moat {
 /// Links with a contact law. Besides the regimes they keep the approach speed of every contact, and its duration as a
 /// free impact, from which the length of steps follows.
 template <ContactLaw Law, class Ends = NodePair>
-class ContactLinks final : public LinksWithRegimes<Law, Ends>, public Contacts {
+class ContactLinks : public LinksWithRegimes<Law, Ends>, public Contacts {
   using Base = LinksWithRegimes<Law, Ends>;
 
  public:
@@ -28,7 +29,8 @@ class ContactLinks final : public LinksWithRegimes<Law, Ends>, public Contacts {
 
   /// Appends an element. effective_mass > 0 kg is used to estimate the duration of a contact, and the approach speed of
   /// a gap that is closed at the start.
-  std::size_t add(ElementInfo info, const Law& law, double effective_mass) {
+  std::size_t add(ElementInfo info, const Law& law,
+                  double effective_mass) requires std::constructible_from<Ends, const ElementInfo&> {
     const Ends ends{info};
     return add(std::move(info), law, effective_mass, ends);
   }
@@ -123,10 +125,11 @@ class ContactLinks final : public LinksWithRegimes<Law, Ends>, public Contacts {
     return std::abs(first) > of_its_size * std::abs(last);
   }
 
+  [[nodiscard]] bool is_touching(std::size_t i) const { return this->committed_[i].phase != ContactPhase::open; }
+
  private:
   static constexpr double least_indentation = 1e-12;  // m
 
-  [[nodiscard]] bool is_touching(std::size_t i) const { return this->committed_[i].phase != ContactPhase::open; }
   [[nodiscard]] double force_at(std::size_t i, const State& state, double indentation, double rate) const {
     State after;
     return this->laws_[i].evaluate(state, indentation, rate, after).force;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <concepts>
 #include <stdexcept>
 #include <string>
 #include <type_traits>
@@ -33,7 +34,7 @@ class Links : public ElementBlock {
   using State = typename Law::State;
 
   /// Appends an element and returns its index.
-  std::size_t add(ElementInfo info, const Law& law) {
+  std::size_t add(ElementInfo info, const Law& law) requires std::constructible_from<Ends, const ElementInfo&> {
     const Ends ends{info};
     return add(std::move(info), law, ends);
   }

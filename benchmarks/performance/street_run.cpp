@@ -105,7 +105,7 @@ void measure_parts(Model& model, int buildings, StreetReport& report) {
   constexpr int rounds = 7;
   for (; round < rounds; ++round) {
     const double copy = seconds_per_byte_copied();
-    equations.begin({.length = length(), .end_time = time + length(), .ground_acceleration = ground}, scheme,
+    equations.begin({.length = length(), .end_time = time + length(), .ground_acceleration = {ground}}, scheme,
                     acceleration);
     for (std::size_t i = 0; i < parts.size(); ++i) {
       const double start = seconds(Clock::wall);

@@ -55,7 +55,7 @@ std::string period_lines(const std::vector<NamedPeriod>& periods) {
 std::string energy_lines(const EnergyBalance& energy) {
   std::string text = "\nenergy [kJ]\n ";
   const char* before = " ";
-  for (const EnergyColumn& column : energy_columns) {
+  for (const EnergyColumn& column : energy_columns(energy.in_plan)) {
     text += before + std::string{column.name} + " " + to_significant(energy.*column.value / 1e3, 4);
     before = column.value == &EnergyBalance::input ? " = " : " + ";
   }

@@ -109,6 +109,10 @@ using Power = Quantity<1, 4, -3>;
 using Stiffness = Quantity<1, 0, -2>;
 /// N s/m
 using DampingCoefficient = Quantity<1, 0, -1>;
+/// kg m^2, about a vertical axis
+using RotaryInertia = Quantity<1, 4, 0>;
+/// rad
+using Angle = Dimensionless;
 /// N/m^1.5, the stiffness of a Hertz contact
 using HertzStiffness = Quantity<1, -1, -2>;
 

@@ -22,6 +22,7 @@ inline constexpr Force N{1.0}, kN{1e3}, MN{1e6}, GN{1e9};
 inline constexpr Energy J{1.0}, kJ{1e3}, MJ{1e6};
 inline constexpr Frequency Hz{1.0};
 inline constexpr Acceleration g{standard_gravity};
+inline constexpr double rad = 1.0, deg = pi / 180.0;
 /// m^1.5: `N / m_3_2` is the unit of a Hertz stiffness.
 inline constexpr Quantity<0, 3, 0> m_3_2{1.0};
 

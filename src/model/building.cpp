@@ -58,6 +58,9 @@ std::vector<int> connected_parts(const Model& model) {
     }
     return node;
   };
+  for (const PlacedDiaphragm& diaphragm : model.diaphragms())
+    for (const NodeId node : {diaphragm.id.y, diaphragm.id.r})
+      parent[static_cast<std::size_t>(root(node.index))] = root(diaphragm.id.x.index);
   for_each_element(model, [&](ElementId id, const ElementInfo& info) {
     if (model.blocks()[id.block]->contacts() != nullptr || info.first == ground || info.second == ground) return;
     parent[static_cast<std::size_t>(root(info.first.index))] = root(info.second.index);

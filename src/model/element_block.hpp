@@ -17,6 +17,8 @@
 #include "model/contacts.hpp"
 #include "model/energy_accounts.hpp"
 #include "model/node.hpp"
+#include "model/plan_contacts.hpp"
+#include "model/planar_elements.hpp"
 #include "model/regimes.hpp"
 
 namespace moat {
@@ -134,6 +136,10 @@ class ElementBlock {
   /// The side of a block whose elements are contacts; null without.
   [[nodiscard]] virtual Contacts* contacts() { return nullptr; }
   [[nodiscard]] virtual const Contacts* contacts() const { return nullptr; }
+  /// The side of a block whose elements deform in two directions at once; null without.
+  [[nodiscard]] virtual const PlanarElements* planar() const { return nullptr; }
+  /// The side of a block whose contacts slide along walls; null without.
+  [[nodiscard]] virtual const PlanContacts* plan_contacts() const { return nullptr; }
 };
 
 /// Adds up the energies of a block's elements.

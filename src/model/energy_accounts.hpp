@@ -13,19 +13,21 @@ struct ElementEnergy {
   double stored = 0.0;      ///< recoverable energy now less that at the start
   double dissipated = 0.0;  ///< integral of dissipation_rate, and the energy that changes of regime released
   bool hysteretic = false;  ///< dissipates by sliding, at any speed; else viscous
+  double friction = 0.0;    ///< dissipated by friction in a contact, in addition
 
-  [[nodiscard]] double error() const { return work - stored - dissipated; }
+  [[nodiscard]] double error() const { return work - stored - dissipated - friction; }
 };
 
 /// Sums over many elements, J.
 struct EnergySums {
   double work = 0.0, stored = 0.0, error = 0.0;
-  double viscous = 0.0, hysteretic = 0.0, by_impact = 0.0;  // dissipated
+  double viscous = 0.0, hysteretic = 0.0, by_impact = 0.0, by_friction = 0.0;  // dissipated
 
   void add(bool is_contact, const ElementEnergy& energy) {
     work += energy.work;
     stored += energy.stored;
     error += energy.error();
+    by_friction += energy.friction;
     (is_contact ? by_impact : energy.hysteretic ? hysteretic : viscous) += energy.dissipated;
   }
 };

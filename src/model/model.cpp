@@ -1,6 +1,7 @@
 #include "model/model.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <utility>
 
@@ -19,10 +20,85 @@ NodeId Model::add_node(Node node) {
   check.finite("initial_velocity", node.initial_velocity);
   check.positive("half_width", node.half_width);
   check.that(!has_node(node.name), "a node of this name exists.", "Give every node its own name.");
+  if (node.direction) {
+    constexpr double round_off = 1e-9;
+    const double its_length = length(*node.direction);
+    check.that(std::abs(its_length - 1.0) <= round_off, "length of direction", its_length, "1", "1",
+               "Give the unit vector along which the node moves.");
+  }
+  check.that(node.direction.has_value() || !is_plan(), "a node without direction in a model with diaphragms.",
+             "Give .direction, or a Diaphragm in place of the node: a model moves on a line or in plan.");
+  return append_node(std::move(node));
+}
+
+NodeId Model::append_node(Node node) {
   node_names_.add(node.name);
   nodes_.push_back(std::move(node));
   prepared_ = false;
-  return NodeId{node_count() - 1};
+  ids_.push_back(NodeId{node_count() - 1});
+  return ids_.back();
+}
+
+DiaphragmId Model::add_diaphragm(const Diaphragm& diaphragm) {
+  const double inertia = checked_rotary_inertia(diaphragm);
+  const Check check{"Diaphragm", diaphragm.name};
+  check.that(is_utf8(diaphragm.name), "the name is not UTF-8.", "Save the script in UTF-8.");
+  check.that(diaphragm.name != "ground", "this name is taken.", "`ground` is always there; choose another name.");
+  for (const Node& node : nodes_)
+    check.that(node.direction.has_value(), "the model has the node \"" + node.name + "\", which moves on a line.",
+               "Give that node a .direction, or make it a Diaphragm: a model moves on a line or in plan.");
+  const double gyration = std::sqrt(inertia / diaphragm.mass.si());
+  const auto degree_of_freedom = [&](const char* suffix, PlanVector direction, Length displacement, Speed velocity) {
+    const std::string name = diaphragm.name + suffix;
+    check.that(!has_node(name), "a diaphragm of this name exists.", "Give every diaphragm its own name.");
+    check.finite("initial_displacement", displacement);
+    check.finite("initial_velocity", velocity);
+    return append_node({.name = name,
+                        .mass = diaphragm.mass,
+                        .initial_displacement = displacement,
+                        .initial_velocity = velocity,
+                        .height = diaphragm.height,
+                        .direction = direction});
+  };
+  PlacedDiaphragm placed{.name = diaphragm.name,
+                         .id = {},
+                         .mass = diaphragm.mass.si(),
+                         .gyration = gyration,
+                         .centre_of_mass = diaphragm.centre_of_mass.si(),
+                         .outline = diaphragm.outline,
+                         .height = diaphragm.height.si()};
+  placed.id.x = degree_of_freedom(":x", {1.0, 0.0}, diaphragm.initial_displacement.x, diaphragm.initial_velocity_x);
+  placed.id.y = degree_of_freedom(":y", {0.0, 1.0}, diaphragm.initial_displacement.y, diaphragm.initial_velocity_y);
+  // The ground does not turn.
+  placed.id.r = degree_of_freedom(":r", {}, gyration * diaphragm.initial_rotation * units::m,
+                                  gyration * units::m * diaphragm.initial_angular_velocity);
+  diaphragm_of_node_.resize(nodes_.size(), -1);
+  for (const NodeId node : placed.id.degrees_of_freedom())
+    diaphragm_of_node_[static_cast<std::size_t>(node.index)] = static_cast<int>(diaphragms_.size());
+  diaphragms_.push_back(placed);
+  return placed.id;
+}
+
+const PlacedDiaphragm& Model::diaphragm(DiaphragmId id) const {
+  const PlacedDiaphragm* found = id.x.index >= 0 && id.x.index < node_count() ? diaphragm_of(id.x) : nullptr;
+  if (found == nullptr || found->id != id)
+    throw InputError{
+        "Model: this is not a diaphragm of the model. Use the DiaphragmId that add(model, Diaphragm{...}) "
+        "returned."};
+  return *found;
+}
+
+const PlacedDiaphragm* Model::diaphragm_of(NodeId node) const {
+  if (node.index < 0 || static_cast<std::size_t>(node.index) >= diaphragm_of_node_.size()) return nullptr;
+  const int index = diaphragm_of_node_[static_cast<std::size_t>(node.index)];
+  return index < 0 ? nullptr : &diaphragms_[static_cast<std::size_t>(index)];
+}
+
+std::span<const NodeId> Model::body_of(NodeId node) const {
+  if (node == ground) return {};
+  const PlacedDiaphragm* diaphragm = diaphragm_of(node);
+  const NodeId first = diaphragm != nullptr ? diaphragm->id.x : node;
+  return std::span{ids_}.subspan(static_cast<std::size_t>(first.index), diaphragm != nullptr ? 3 : 1);
 }
 
 const Node& Model::node(NodeId id) const {
@@ -114,6 +190,8 @@ void Model::prepare() {
   for (int i = 0; i < count; ++i) diagonal_slots_.push_back(pattern_.slot(i, i));
 
   masses_.resize(count);
+  ground_share_x_.setOnes(count);
+  ground_share_y_.setZero(count);
   // Nodes added since the last analysis start from their initial values; all others keep their state.
   const Eigen::Index known = std::max<Eigen::Index>(state_.displacement.size() - 1, 0);
   for (Vector* vector : {&state_.displacement, &state_.velocity, &state_.acceleration, &state_.jerk}) {
@@ -123,6 +201,10 @@ void Model::prepare() {
   for (int i = 0; i < count; ++i) {
     const Node& node = nodes_[static_cast<std::size_t>(i)];
     masses_[i] = node.mass.si();
+    if (node.direction) {
+      ground_share_x_[i] = node.direction->x;
+      ground_share_y_[i] = node.direction->y;
+    }
     if (i < known) continue;
     state_.displacement[i] = node.initial_displacement.si();
     state_.velocity[i] = node.initial_velocity.si();

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <span>
 #include <string>
 #include <string_view>
 #include <typeindex>
@@ -14,6 +15,7 @@
 #include "base/sparse_matrix.hpp"
 #include "base/vector.hpp"
 #include "model/building.hpp"
+#include "model/diaphragm.hpp"
 #include "model/element_block.hpp"
 #include "model/node.hpp"
 #include "model/taken_names.hpp"
@@ -30,6 +32,14 @@ struct MotionState {
   Vector jerk;          ///< m/s^3, rate of the absolute acceleration: jumps with force rates, not with the ground
 };
 
+/// How the ground moves every degree of freedom: the shares of its two components. On a line all are 1 and 0.
+struct GroundShares {
+  const double *x, *y;
+
+  /// The component of a vector of the ground, an acceleration for example, along degree of freedom i.
+  [[nodiscard]] double of(PlanVector vector, int i) const { return x[i] * vector.x + y[i] * vector.y; }
+};
+
 /// A structure: nodes joined by elements, and all state of both.
 ///
 /// Nodes and elements are added with the free functions add(model, ...). An analysis then moves the
@@ -37,8 +47,20 @@ struct MotionState {
 /// trial state or overwrites it. A copy is complete and independent.
 class Model {
  public:
-  /// Throws InputError for a mass that is not positive or a name that exists.
+  /// Throws InputError for a mass that is not positive, a name that exists, a direction that has not length 1, and in a
+  /// model with diaphragms for a node without direction.
   NodeId add_node(Node node);
+  /// Throws InputError for a bad parameter, a name that exists, and in a model with nodes on a line.
+  DiaphragmId add_diaphragm(const Diaphragm& diaphragm);
+  [[nodiscard]] const std::vector<PlacedDiaphragm>& diaphragms() const { return diaphragms_; }
+  /// Throws InputError for one that is not of this model.
+  [[nodiscard]] const PlacedDiaphragm& diaphragm(DiaphragmId id) const;
+  /// The diaphragm to which a degree of freedom belongs; null for other nodes and the ground.
+  [[nodiscard]] const PlacedDiaphragm* diaphragm_of(NodeId node) const;
+  /// The nodes that move as one body with this one: the three of a diaphragm, or the node alone. Empty for the ground.
+  [[nodiscard]] std::span<const NodeId> body_of(NodeId node) const;
+  /// Whether it has diaphragms: it moves in plan, not on a line.
+  [[nodiscard]] bool is_plan() const { return !diaphragms_.empty(); }
   [[nodiscard]] int node_count() const { return static_cast<int>(nodes_.size()); }
   [[nodiscard]] const Node& node(NodeId id) const;
   [[nodiscard]] const std::vector<Node>& nodes() const { return nodes_; }
@@ -70,6 +92,8 @@ class Model {
   [[nodiscard]] int degrees_of_freedom() const { return node_count(); }
   /// The diagonal of the mass matrix, kg.
   [[nodiscard]] const Vector& masses() const { return masses_; }
+  /// The model must be prepared.
+  [[nodiscard]] GroundShares ground_shares() const { return {ground_share_x_.data(), ground_share_y_.data()}; }
   /// A zero matrix with the pattern of this model.
   [[nodiscard]] const SparseMatrix& pattern() const { return pattern_; }
 
@@ -78,6 +102,9 @@ class Model {
   [[nodiscard]] double displacement(NodeId node) const { return state_.displacement[entry(node)]; }
   [[nodiscard]] double velocity(NodeId node) const { return state_.velocity[entry(node)]; }
   [[nodiscard]] double acceleration(NodeId node) const { return state_.acceleration[entry(node)]; }
+  /// rad, rad/s, counter-clockwise, of a diaphragm.
+  [[nodiscard]] double rotation(DiaphragmId id) const { return displacement(id.r) / diaphragm(id).gyration; }
+  [[nodiscard]] double angular_velocity(DiaphragmId id) const { return velocity(id.r) / diaphragm(id).gyration; }
   /// kg; the model must be prepared. Not for the ground.
   [[nodiscard]] double mass(NodeId node) const { return masses_[node.index]; }
   /// Rate of the node's absolute acceleration.
@@ -135,9 +162,13 @@ class Model {
   [[nodiscard]] double shortest_contact() const;
 
  private:
+  NodeId append_node(Node node);
   [[nodiscard]] int entry(NodeId node) const { return node == ground ? node_count() : node.index; }
 
   std::vector<Node> nodes_;
+  std::vector<NodeId> ids_;  // 0, 1, 2, ...
+  std::vector<PlacedDiaphragm> diaphragms_;
+  std::vector<int> diaphragm_of_node_;  // by node; -1 for none. Empty on a line
   TakenNames node_names_, element_names_;
   std::vector<CopyablePointer<ElementBlock>> blocks_;
   std::unordered_map<std::type_index, std::size_t> block_of_type_;
@@ -147,6 +178,7 @@ class Model {
 
   bool prepared_ = false;
   Vector masses_;
+  Vector ground_share_x_, ground_share_y_;
   std::vector<int> diagonal_slots_;
   SparseMatrix pattern_;
   // Tangents of the blocks for which they never change, as values of the pattern.
@@ -170,6 +202,9 @@ Block& Model::block() {
 
 /// Adds a node.
 inline NodeId add(Model& model, Node node) { return model.add_node(std::move(node)); }
+
+/// Adds a diaphragm; throws as Model::add_diaphragm does.
+inline DiaphragmId add(Model& model, const Diaphragm& diaphragm) { return model.add_diaphragm(diaphragm); }
 
 /// Adds a building; throws as Model::add_building does.
 inline void add(Model& model, Building building) { model.add_building(std::move(building)); }

@@ -2,8 +2,10 @@
 #pragma once
 
 #include <compare>
+#include <optional>
 #include <string>
 
+#include "base/plan_vector.hpp"
 #include "base/quantity.hpp"
 #include "base/required.hpp"
 #include "base/sparse_matrix.hpp"
@@ -41,6 +43,9 @@ struct Node {
   Length x{};
   Length height{};
   Length half_width = 5.0 * units::m;
+  /// For models in plan only, where it must be given: the direction of its motion, of length 1. A node on a line moves
+  /// along the shaking.
+  std::optional<PlanVector> direction{};
 };
 
 }  // namespace moat

@@ -50,17 +50,32 @@ GroundMotion::GroundMotion(std::string name, double time_step, std::vector<doubl
       notes_{std::move(notes)},
       file_{std::move(file)} {
   constexpr double shortest = 1e-9, longest = 1e6;  // s
-  constexpr double largest = 1e6;                   // m/s^2
   const Check check{"GroundMotion", name_};
   check.between("time step", time_step_, shortest, longest, "s", "Give the interval between two samples.");
   check.that(samples_.size() >= 2, "number of samples", static_cast<double>(samples_.size()), "1", ">= 2",
              "Give the acceleration at the beginning and at the end of at least one time step.");
-  for (std::size_t i = 0; i < samples_.size(); ++i) {
-    if (std::abs(samples_[i]) <= largest) continue;
-    const std::string sample = "sample " + std::to_string(i) + " (counted from 0)";
-    check.finite(sample, samples_[i], "m/s^2", "Repair the record before using it.");
-    check.between(sample, samples_[i], -largest, largest, "m/s^2", "Check the unit of the record.");
+  check_samples(samples_, "");
+}
+
+void GroundMotion::check_samples(const std::vector<double>& samples, const std::string& prefix) const {
+  constexpr double largest = 1e6;  // m/s^2
+  const Check check{"GroundMotion", name_};
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    if (std::abs(samples[i]) <= largest) continue;
+    const std::string sample = prefix + "sample " + std::to_string(i) + " (counted from 0)";
+    check.finite(sample, samples[i], "m/s^2", "Repair the record before using it.");
+    check.between(sample, samples[i], -largest, largest, "m/s^2", "Check the unit of the record.");
   }
+}
+
+GroundMotion GroundMotion::with_component_y(std::vector<double> samples) const {
+  Check{"GroundMotion", name_}.that(samples.size() == samples_.size(), "number of samples of the component along y",
+                                    static_cast<double>(samples.size()), "1",
+                                    "that of the component along x, " + std::to_string(samples_.size()));
+  check_samples(samples, "component along y, ");
+  GroundMotion motion = *this;
+  motion.samples_y_ = std::move(samples);
+  return motion;
 }
 
 std::vector<double> GroundMotion::velocity() const {
@@ -82,12 +97,22 @@ std::vector<double> GroundMotion::displacement() const {
 
 Acceleration GroundMotion::peak_acceleration() const {
   double peak = 0.0;
+  if (has_two_components()) {
+    // Between samples the vector moves on a straight line: its length is largest at an end.
+    for (std::size_t i = 0; i < samples_.size(); ++i) peak = std::max(peak, std::hypot(samples_[i], samples_y_[i]));
+    return Acceleration{peak};
+  }
   for (const double sample : samples_) peak = std::max(peak, std::abs(sample));
   return Acceleration{peak};
 }
 
 Speed GroundMotion::peak_velocity() const {
   double peak = 0.0;
+  if (has_two_components()) {
+    const std::vector<double> x = velocity(), y = component_y().velocity();
+    for (std::size_t i = 0; i < x.size(); ++i) peak = std::max(peak, std::hypot(x[i], y[i]));
+    return Speed{peak};
+  }
   double velocity = 0.0;
   for (std::size_t i = 1; i < samples_.size(); ++i) {
     const double first = samples_[i - 1];
@@ -104,6 +129,11 @@ Speed GroundMotion::peak_velocity() const {
 
 Length GroundMotion::peak_displacement() const {
   double peak = 0.0;
+  if (has_two_components()) {
+    const std::vector<double> x = displacement(), y = component_y().displacement();
+    for (std::size_t i = 0; i < x.size(); ++i) peak = std::max(peak, std::hypot(x[i], y[i]));
+    return Length{peak};
+  }
   GroundState state;
   for (std::size_t i = 1; i < samples_.size(); ++i) {
     const double acceleration = samples_[i - 1];
@@ -120,12 +150,19 @@ GroundMotion GroundMotion::scaled_by(double factor) const {
   Check{"GroundMotion", name_}.finite("scale factor", factor, "1");
   std::vector<double> scaled = samples_;
   for (double& sample : scaled) sample *= factor;
-  GroundMotion motion = with_samples(std::move(scaled), "accelerations multiplied by " + to_text(factor));
+  GroundMotion motion = *this;
+  motion.samples_ = std::move(scaled);
+  for (double& sample : motion.samples_y_) sample *= factor;
+  motion.check_samples(motion.samples_, "");
+  motion.check_samples(motion.samples_y_, "component along y, ");
+  motion.notes_.push_back("accelerations multiplied by " + to_text(factor));
   motion.scale_factor_ *= factor;
   return motion;
 }
 
 GroundMotion GroundMotion::with_samples(std::vector<double> samples, std::string note) const {
+  Check{"GroundMotion", name_}.that(!has_two_components(), "it has two components already.",
+                                    "Change the samples of each before they become a PlanMotion.");
   std::vector<std::string> notes = notes_;
   notes.push_back(std::move(note));
   GroundMotion motion{name_, time_step_, std::move(samples), std::move(notes), file_};
@@ -145,8 +182,9 @@ GroundMotion GroundMotion::scaled_to_pga(Acceleration target) const {
 std::string GroundMotion::description() const {
   const double acceleration = peak_acceleration().si();
   const double speed = peak_velocity().si();
-  std::string text = name_ + ": PGA " + to_fixed(acceleration / standard_gravity, 4) + " g, PGV " +
-                     to_fixed(100.0 * speed, 2) + " cm/s, PGV/PGA ";
+  std::string text = name_ + (has_two_components() ? ": two components, resultant PGA " : ": PGA ") +
+                     to_fixed(acceleration / standard_gravity, 4) + " g, PGV " + to_fixed(100.0 * speed, 2) +
+                     " cm/s, PGV/PGA ";
   text += acceleration > 0.0 ? to_fixed(speed / acceleration, 4) + " s" : "undefined";
   text += ", time step " + to_text(time_step_) + " s, duration " + to_text(duration_) + " s, ";
   return text + std::to_string(samples_.size()) + " samples";

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "base/plan_vector.hpp"
 #include "base/quantity.hpp"
 
 namespace moat {
@@ -21,8 +22,9 @@ struct MotionFile {
 ///
 /// The acceleration is linear between samples. The ground is at rest before the first sample, which stands at
 /// t = 0; after the last one, at t = duration(), the acceleration is zero. Positive acceleration points in the
-/// direction of positive displacement of the model. Velocity and displacement of the ground are the exact integrals
-/// of this piecewise-linear function from rest, without any baseline correction.
+/// direction of positive displacement of the model. In plan it acts along x; a PlanMotion makes a motion of two
+/// components, of which this class then is the one along x, with samples_y() beside it. Velocity and displacement of
+/// the ground are the exact integrals of this piecewise-linear function from rest, without any baseline correction.
 ///
 ///     const GroundMotion motion = read_peer_at2("RSN1108_KOBE_KBU000.AT2").scaled_to_pga(0.4 * g);
 class GroundMotion {
@@ -46,12 +48,15 @@ class GroundMotion {
   [[nodiscard]] std::span<const double> samples() const { return samples_; }
 
   /// Ground acceleration at a time in s, in m/s^2; zero outside [0, duration()].
-  [[nodiscard]] double acceleration_at(double time) const {
-    if (!(time >= 0.0 && time <= duration_)) return 0.0;
-    const double position = time * samples_per_second_;
-    const std::size_t before = std::min(static_cast<std::size_t>(position), samples_.size() - 2);
-    const double fraction = position - static_cast<double>(before);
-    return samples_[before] + fraction * (samples_[before + 1] - samples_[before]);
+  [[nodiscard]] double acceleration_at(double time) const { return value_at(samples_, time); }
+
+  /// Whether it has a component along y besides that along x. Made by PlanMotion (motions/plan_motion.hpp).
+  [[nodiscard]] bool has_two_components() const { return !samples_y_.empty(); }
+  /// m/s^2, as many as samples(); empty for one component.
+  [[nodiscard]] std::span<const double> samples_y() const { return samples_y_; }
+  /// Both components at a time in s, m/s^2; zero outside [0, duration()].
+  [[nodiscard]] PlanVector components_at(double time) const {
+    return {acceleration_at(time), samples_y_.empty() ? 0.0 : value_at(samples_y_, time)};
   }
 
   /// Ground velocity at the samples, m/s.
@@ -59,7 +64,8 @@ class GroundMotion {
   /// Ground displacement at the samples, m.
   [[nodiscard]] std::vector<double> displacement() const;
 
-  /// Largest absolute value over continuous time from 0 to duration(), not only at the samples.
+  /// Largest absolute value over continuous time from 0 to duration(), not only at the samples. Of two components the
+  /// largest resultant; of velocity and displacement then that at the samples.
   [[nodiscard]] Acceleration peak_acceleration() const;
   [[nodiscard]] Speed peak_velocity() const;
   [[nodiscard]] Length peak_displacement() const;
@@ -68,18 +74,34 @@ class GroundMotion {
   [[nodiscard]] GroundMotion scaled_by(double factor) const;
   /// The same motion with its peak acceleration scaled to target > 0. Throws InputError if the motion is zero.
   [[nodiscard]] GroundMotion scaled_to_pga(Acceleration target) const;
-  /// The same motion with other samples, for example filtered ones; `note` says how they were made.
+  /// The same motion with other samples, for example filtered ones; `note` says how they were made. Throws InputError
+  /// for two components.
   [[nodiscard]] GroundMotion with_samples(std::vector<double> samples, std::string note) const;
+
+  /// The same motion with a second component, along y, m/s^2. Throws InputError unless it has as many samples, all
+  /// finite and of at most 1e6 m/s^2.
+  [[nodiscard]] GroundMotion with_component_y(std::vector<double> samples) const;
 
   /// One line: name, PGA, PGV, PGV/PGA, time step, duration, number of samples.
   [[nodiscard]] std::string description() const;
 
  private:
+  [[nodiscard]] double value_at(const std::vector<double>& samples, double time) const {
+    if (!(time >= 0.0 && time <= duration_)) return 0.0;
+    const double position = time * samples_per_second_;
+    const std::size_t before = std::min(static_cast<std::size_t>(position), samples.size() - 2);
+    const double fraction = position - static_cast<double>(before);
+    return samples[before] + fraction * (samples[before + 1] - samples[before]);
+  }
+  void check_samples(const std::vector<double>& samples, const std::string& prefix) const;
+  [[nodiscard]] GroundMotion component_y() const { return {name_, time_step_, samples_y_}; }
+
   std::string name_;
   double time_step_;
   double samples_per_second_;
   double duration_;
   std::vector<double> samples_;
+  std::vector<double> samples_y_{};  // empty for one component
   std::vector<std::string> notes_;
   MotionFile file_;
   double scale_factor_ = 1.0;

@@ -120,6 +120,8 @@ ResponseSpectrum response_spectrum(const GroundMotion& motion, std::span<const T
   const Check check{"response_spectrum", motion.name()};
   check.that(damping_ratio >= 0.0 && damping_ratio < 1.0, "damping_ratio", damping_ratio, "1", ">= 0 and < 1",
              "Give 5 % as 0.05.");
+  check.that(!motion.has_two_components(), "the motion has two components.",
+             "Take the spectrum of one of them, or maximum_direction_spectrum() of the pair.");
   const double shortest = shortest_period_in_time_steps * motion.time_step();
   ResponseSpectrum spectrum;
   spectrum.damping_ratio = damping_ratio;

@@ -51,7 +51,12 @@ struct Impact {
   double largest_force = 0.0;        ///< N
   double rebound_ratio = 0.0;        ///< separation speed over approach speed, as it happened in the building
   double restitution = 0.0;          ///< of the law alone, replayed in free flight at the same approach speed
-  double energy_lost = 0.0;          ///< J
+  double energy_lost = 0.0;          ///< J; in plan without the loss by friction
+  // In plan:
+  std::string corner{}, edge{};         ///< that met; empty on a line
+  double tangential_speed = 0.0;        ///< m/s, of the corner along the edge at first touch
+  double largest_friction_force = 0.0;  ///< N
+  double friction_loss = 0.0;           ///< J
 };
 
 /// Energy dissipated by the elements reported at one place.
@@ -62,7 +67,7 @@ struct DissipatedEnergy {
 
 /// Where the energy that the ground put into the structure went, in the frame of the ground, J.
 ///
-///     kinetic + strain + viscous + hysteretic + impact = input + errors
+///     kinetic + strain + viscous + hysteretic + impact + friction = input + errors
 struct EnergyBalance {
   double input = 0.0;       ///< work of the inertia forces of the ground motion: - sum of m a_g du
   double kinetic = 0.0;     ///< of motion relative to the ground, now less that at the start
@@ -70,6 +75,8 @@ struct EnergyBalance {
   double viscous = 0.0;     ///< dissipated by dampers and the viscous part of springs
   double hysteretic = 0.0;  ///< dissipated by bearings and other elements that yield
   double impact = 0.0;      ///< lost in impacts
+  double friction = 0.0;    ///< lost in impacts by friction along walls; in plan
+  bool in_plan = false;     ///< of a model in plan
 
   /// kinetic + work of all elements - input. Average acceleration: zero but for round-off and the force tolerance.
   /// Fourth-order steps: of fourth order. Exact steps: of sixth order. Newmark's method with another beta: of second.

@@ -5,12 +5,7 @@
 namespace moat {
 
 Channels::Channels(const Model& model) {
-  for (const Node& node : model.nodes()) {
-    list_.push_back({"displacement", node.name, node.name, "m"});
-    list_.push_back({"velocity", node.name, node.name, "m/s"});
-    list_.push_back({"absolute_acceleration", node.name, node.name, "m/s^2"});
-    of_ground_.insert(of_ground_.end(), {OfGround::minus_displacement, OfGround::minus_velocity, OfGround::nothing});
-  }
+  for (int i = 0; i < model.node_count(); ++i) add_node(model, NodeId{i});
   for (std::size_t b = 0; b < model.blocks().size(); ++b) {
     const ElementBlock& block = *model.blocks()[b];
     BlockChannels of_block{b, {}};
@@ -42,6 +37,12 @@ Channels::Channels(const Model& model) {
     if (!of_block.elements.empty()) blocks_.push_back(std::move(of_block));
   }
   base_shear_of_node_.assign(model.nodes().size(), -1);
+  if (model.is_plan()) {
+    plan_ = PlanChannels{model, list_};
+    // No step in plan is longer than the interval of the samples.
+    of_ground_.assign(list_.size(), OfGround::nothing);
+    return;
+  }
   for (const Building& building : model.buildings()) {
     building_nodes_.push_back(building.nodes());
     for (const NodeId node : building_nodes_.back())
@@ -51,14 +52,36 @@ Channels::Channels(const Model& model) {
   }
 }
 
+void Channels::add_node(const Model& model, NodeId id) {
+  const PlacedDiaphragm* diaphragm = model.diaphragm_of(id);
+  const std::string& name = diaphragm != nullptr ? diaphragm->name : model.node(id).name;
+  const auto add = [&](const std::string& quantity, const char* unit) {
+    list_.push_back({quantity, name, name, unit});
+  };
+  of_ground_.insert(of_ground_.end(), {OfGround::minus_displacement, OfGround::minus_velocity, OfGround::nothing});
+  if (diaphragm != nullptr && id == diaphragm->id.r) {
+    rotations_.push_back({list_.size(), 1.0 / diaphragm->gyration});
+    add("rotation", "rad");
+    add("angular_velocity", "rad/s");
+    add("angular_acceleration", "rad/s^2");
+    return;
+  }
+  const std::string component = diaphragm == nullptr ? "" : id == diaphragm->id.x ? "_x" : "_y";
+  add("displacement" + component, "m");
+  add("velocity" + component, "m/s");
+  add("absolute_acceleration" + component, "m/s^2");
+}
+
 std::vector<std::size_t> Channels::bent_by(const Model& model, const RegimeChange& change) const {
   const ElementInfo& info = model.blocks()[change.block]->info(change.element);
   std::vector<std::size_t> bent;
-  for (const NodeId node : {info.first, info.second}) {
-    if (node == ground) continue;
-    bent.push_back(of_node(node) + 2);
-    if (const int shear = base_shear_of_node_[static_cast<std::size_t>(node.index)]; shear >= 0)
-      bent.push_back(static_cast<std::size_t>(shear));
+  for (const NodeId end : {info.first, info.second}) {
+    for (const NodeId node : model.body_of(end)) {
+      bent.push_back(of_node(node) + 2);
+      if (const int shear = base_shear_of_node_[static_cast<std::size_t>(node.index)]; shear >= 0)
+        bent.push_back(static_cast<std::size_t>(shear));
+    }
+    plan_.add_bent_by(model, end, bent);
   }
   return bent;
 }
@@ -76,14 +99,22 @@ void Channels::sample(const StepView& view, std::vector<double>& values, std::ve
   const MotionState& state = view.model.state();
   const double *displacement = state.displacement.data(), *velocity = state.velocity.data(),
                *acceleration = state.acceleration.data(), *jerk = state.jerk.data();
+  const GroundShares shares = view.model.ground_shares();
+  const PlanVector ground_acceleration = view.ground();
   for (std::size_t i = 0; i < view.model.nodes().size(); ++i) {
     value[0] = displacement[i];
     value[1] = rate[0] = velocity[i];
     rate[1] = acceleration[i];
-    value[2] = acceleration[i] + view.ground_acceleration;
+    value[2] = acceleration[i] + shares.of(ground_acceleration, static_cast<int>(i));
     rate[2] = jerk[i];
     value += 3;
     rate += 3;
+  }
+  for (const Rotation& rotation : rotations_) {
+    for (std::size_t k = rotation.channel; k < rotation.channel + 3; ++k) {
+      values[k] *= rotation.per_metre;
+      rates[k] *= rotation.per_metre;
+    }
   }
   for (const BlockChannels& channels : blocks_) {
     const ElementBlock& block = *view.model.blocks()[channels.block];
@@ -104,6 +135,7 @@ void Channels::sample(const StepView& view, std::vector<double>& values, std::ve
       ++rate;
     }
   }
+  plan_.sample(view, value, rate);
   for (const std::vector<NodeId>& building : building_nodes_) {
     // The force from outside is minus the inertia of base and floors.
     double inertia = 0.0, inertia_rate = 0.0;

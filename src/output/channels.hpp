@@ -5,21 +5,15 @@
 #include <vector>
 
 #include "model/model.hpp"
+#include "output/plan_channels.hpp"
 #include "output/step_observer.hpp"
 
 namespace moat {
 
-/// One reported quantity.
-struct Channel {
-  std::string quantity;  ///< "displacement", "absolute_acceleration", "drift", "storey_shear", ...
-  std::string where;     ///< node, element or report: "base", "moat left"
-  std::string place;     ///< where its peak is listed: "moat" for "moat left"
-  std::string unit;      ///< SI
-};
-
 /// All channels of a model: displacement, velocity and absolute acceleration of every node; deformation and
-/// force of every element that reports them, and the quantities of its law; the total base shear of every building.
-/// A quantity of a law has no rate: between steps it is read as a smooth curve with flat ends.
+/// force of every element that reports them, and the quantities of its law; the total base shear of every building. In
+/// plan a diaphragm has these in x, in y and in rotation, and the channels of PlanChannels besides. A quantity of a law
+/// has no rate: between steps it is read as a smooth curve with flat ends.
 ///
 /// Displacement and velocity are relative to the ground, accelerations absolute.
 class Channels {
@@ -51,6 +45,8 @@ class Channels {
   [[nodiscard]] static std::size_t of_node(NodeId node) { return 3 * static_cast<std::size_t>(node.index); }
 
  private:
+  void add_node(const Model& model, NodeId id);
+
   enum class Shown { deformation, indentation, force, law_quantity };
   struct ElementChannel {
     std::size_t element;
@@ -73,6 +69,13 @@ class Channels {
   // How each channel contains the motion of the ground: minus its displacement, for example, for a node's displacement.
   enum class OfGround { nothing, displacement, minus_displacement, minus_velocity };
   std::vector<OfGround> of_ground_;
+  PlanChannels plan_;  // behind all others; on a line without channels
+  // Rotations, by the channel of w: 1/gyration.
+  struct Rotation {
+    std::size_t channel;
+    double per_metre;
+  };
+  std::vector<Rotation> rotations_;
   std::vector<std::vector<NodeId>> building_nodes_;
   std::vector<int> base_shear_of_node_;  // channel; -1 if there is none
 };

@@ -59,12 +59,21 @@ void write_csv(const Table& table, const std::filesystem::path& path) {
 
 void write_csv(const std::vector<Impact>& impacts, const std::filesystem::path& path) {
   std::string out = "where";
-  for (const ImpactColumn& column : impact_columns)
+  const std::vector<ImpactColumn> columns = columns_of(impacts);
+  const bool in_plan = are_in_plan(impacts);
+  for (const ImpactName& name : impact_names_in_plan)
+    if (in_plan) out.append(",").append(name.name);
+  for (const ImpactColumn& column : columns)
     out.append(",").append(column.name).append(" [").append(column.unit).append("]");
   out += '\n';
   for (const Impact& impact : impacts) {
     append_text(out, impact.where);
-    for (const ImpactColumn& column : impact_columns) {
+    for (const ImpactName& name : impact_names_in_plan) {
+      if (!in_plan) break;
+      out += ',';
+      append_text(out, impact.*name.value);
+    }
+    for (const ImpactColumn& column : columns) {
       out += ',';
       append_number(out, impact.*column.value);
     }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <span>
 
 #include "output/case_result.hpp"
 
@@ -13,15 +14,19 @@ struct EnergyColumn {
   double EnergyBalance::*value;
 };
 
-/// Where the input went: input = the sum of the others, but for errors.
-inline constexpr std::array energy_columns{
+/// Where the input went: input = the sum of the others, but for errors. The last exists in plan only.
+inline constexpr std::array all_energy_columns{
     EnergyColumn{"input", "Input by the ground", &EnergyBalance::input},
     EnergyColumn{"kinetic", "Kinetic, at the end", &EnergyBalance::kinetic},
     EnergyColumn{"strain", "Strain, at the end", &EnergyBalance::strain},
     EnergyColumn{"viscous", "Dissipated by viscous damping", &EnergyBalance::viscous},
     EnergyColumn{"hysteretic", "Dissipated by hysteresis", &EnergyBalance::hysteretic},
     EnergyColumn{"impact", "Lost in impacts", &EnergyBalance::impact},
+    EnergyColumn{"friction", "Lost by friction along walls", &EnergyBalance::friction},
 };
+inline constexpr std::span<const EnergyColumn> energy_columns(bool in_plan) {
+  return std::span{all_energy_columns}.first(all_energy_columns.size() - (in_plan ? 0 : 1));
+}
 
 /// Errors, and the energies against which they are judged.
 inline constexpr std::array energy_errors{

@@ -16,36 +16,46 @@ double kinetic_energy(const Model& model) {
 }  // namespace
 
 void EnergyLedger::start(const StepView& view) {
+  const int count = view.model.degrees_of_freedom();
+  const GroundShares shares = view.model.ground_shares();
+  mass_along_x_.resize(count);
+  mass_along_y_.resize(view.model.is_plan() ? count : 0);
+  for (int i = 0; i < count; ++i) mass_along_x_[i] = view.model.masses()[i] * shares.x[i];
+  for (int i = 0; i < mass_along_y_.size(); ++i) mass_along_y_[i] = view.model.masses()[i] * shares.y[i];
   remember(view);
   kinetic_at_start_ = kinetic_energy(view.model);
   largest_kinetic_ = kinetic_at_start_;
 }
 
 void EnergyLedger::step(const StepView& view) {
-  const MotionState& end = view.model.state();
-  const int count = view.model.degrees_of_freedom();
-  const auto displacement = end.displacement.head(count);
-  const Vector& masses = view.model.masses();
-  if (view.work_rule == WorkRule::mean_force) {
-    // The same rule as for the work of the elements, so that the residual is an identity.
-    const double mean = 0.5 * (ground_acceleration_ + view.ground_acceleration);
-    input_ -= mean * masses.dot(displacement - displacement_);
-  } else {
-    // Integration by parts, with a_g linear in the step: integral of a_g v = a_g1 u1 - a_g0 u0 - slope * integral of u.
-    // The last integral is that of the quintic through u, v and a at both ends; `mean` is its sum over the masses.
-    const double h = end.time - time_;
-    if (h > 0.0) {
-      const double slope = (view.ground_acceleration - ground_acceleration_) / h;
-      const double now = masses.dot(displacement), before = masses.dot(displacement_);
-      const double mean = 0.5 * h * (now + before) + h * h / 10.0 * masses.dot(velocity_ - end.velocity.head(count)) +
-                          h * h * h / 120.0 * masses.dot(acceleration_ + end.acceleration.head(count));
-      input_ -= view.ground_acceleration * now - ground_acceleration_ * before - slope * mean;
-      if (view.ground_span != nullptr) input_ -= work_of_deviation(view, slope);
-    }
-  }
+  add_input(view, mass_along_x_, ground_acceleration_.x, view.ground_acceleration);
+  if (view.model.is_plan()) add_input(view, mass_along_y_, ground_acceleration_.y, view.ground_acceleration_y);
   largest_input_ = std::max(largest_input_, std::abs(input_));
   largest_kinetic_ = std::max(largest_kinetic_, kinetic_energy(view.model));
   remember(view);
+}
+
+// Of one component of the ground, which acts on these masses.
+void EnergyLedger::add_input(const StepView& view, const Vector& masses, double ground_before, double ground_now) {
+  const MotionState& end = view.model.state();
+  const int count = view.model.degrees_of_freedom();
+  const auto displacement = end.displacement.head(count);
+  if (view.work_rule == WorkRule::mean_force) {
+    // The same rule as for the work of the elements, so that the residual is an identity.
+    input_ -= 0.5 * (ground_before + ground_now) * masses.dot(displacement - displacement_);
+    return;
+  }
+  // Integration by parts, with a_g linear in the step: integral of a_g v = a_g1 u1 - a_g0 u0 - slope * integral of u.
+  // The last integral is that of the quintic through u, v and a at both ends; `mean` is its sum over the masses.
+  const double h = end.time - time_;
+  if (h <= 0.0) return;
+  const double slope = (ground_now - ground_before) / h;
+  const double now = masses.dot(displacement), before = masses.dot(displacement_);
+  const double mean = 0.5 * h * (now + before) + h * h / 10.0 * masses.dot(velocity_ - end.velocity.head(count)) +
+                      h * h * h / 120.0 * masses.dot(acceleration_ + end.acceleration.head(count));
+  input_ -= ground_now * now - ground_before * before - slope * mean;
+  // In plan steps end at all samples.
+  if (view.ground_span != nullptr && !view.model.is_plan()) input_ -= work_of_deviation(view, slope);
 }
 
 // The ground's acceleration in the step is a line plus d(t), with the integrals D1, D2 and D3 of d to its end. The
@@ -80,7 +90,7 @@ void EnergyLedger::remember(const StepView& view) {
   displacement_ = state.displacement.head(count);
   velocity_ = state.velocity.head(count);
   acceleration_ = state.acceleration.head(count);
-  ground_acceleration_ = view.ground_acceleration;
+  ground_acceleration_ = view.ground();
 }
 
 EnergyBalance EnergyLedger::totals(const Model& model) const {
@@ -96,6 +106,8 @@ EnergyBalance EnergyLedger::totals(const Model& model) const {
   balance.viscous = sums.viscous;
   balance.hysteretic = sums.hysteretic;
   balance.impact = sums.by_impact;
+  balance.friction = sums.by_friction;
+  balance.in_plan = model.is_plan();
   balance.equation_residual = balance.kinetic + sums.work - balance.input;
   return balance;
 }

@@ -28,11 +28,13 @@ class EnergyLedger final : public StepObserver {
 
  private:
   void remember(const StepView& view);
+  void add_input(const StepView& view, const Vector& masses, double ground_before, double ground_now);
   [[nodiscard]] double work_of_deviation(const StepView& view, double slope) const;
 
   double time_ = 0.0;  // of the last instant, s
   Vector displacement_, velocity_, acceleration_;
-  double ground_acceleration_ = 0.0;
+  PlanVector ground_acceleration_{};
+  Vector mass_along_x_, mass_along_y_;  // masses times the shares of the ground's components; y in plan only
   double kinetic_at_start_ = 0.0;
   double input_ = 0.0, largest_input_ = 0.0, largest_kinetic_ = 0.0;
 };

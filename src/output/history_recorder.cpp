@@ -10,10 +10,15 @@
 
 namespace moat {
 HistoryRecorder::HistoryRecorder(const Model& model, double interval, const EnergyLedger* ledger, bool inside_steps)
-    : channels_{model}, interval_{interval}, ledger_{ledger}, inside_steps_{inside_steps} {
+    : channels_{model}, interval_{interval}, ledger_{ledger}, inside_steps_{inside_steps}, in_plan_{model.is_plan()} {
   Check{"HistoryRecorder", ""}.positive("interval", interval, "s");
   heads_.push_back({"time", "", "s", {}});
-  heads_.push_back({"ground_acceleration", "ground", "m/s^2", {}});
+  if (in_plan_) {
+    heads_.push_back({"ground_acceleration_x", "ground", "m/s^2", {}});
+    heads_.push_back({"ground_acceleration_y", "ground", "m/s^2", {}});
+  } else {
+    heads_.push_back({"ground_acceleration", "ground", "m/s^2", {}});
+  }
   for (const Channel& channel : channels_.list()) heads_.push_back({channel.quantity, channel.where, channel.unit, {}});
   for (std::size_t b = 0; b < model.blocks().size(); ++b) {
     if (!has_gaps(*model.blocks()[b])) continue;
@@ -23,7 +28,7 @@ HistoryRecorder::HistoryRecorder(const Model& model, double interval, const Ener
     }
   }
   if (ledger_ != nullptr)
-    for (const EnergyColumn& column : energy_columns)
+    for (const EnergyColumn& column : energy_columns(in_plan_))
       heads_.push_back({std::string{column.name} + "_energy", "structure", "J", {}});
 }
 
@@ -69,7 +74,7 @@ void HistoryRecorder::event(const StepView& view, std::span<const RegimeChange> 
 
 void HistoryRecorder::take(const StepView& view, bool with_energies) {
   now_.time = view.model.state().time;
-  now_.ground_acceleration = view.ground_acceleration;
+  now_.ground_acceleration = view.ground();
   channels_.sample(view, now_.values, now_.rates);
   for (const auto& [b, e] : gaps_) {
     const ElementBlock& block = *view.model.blocks()[b];
@@ -80,16 +85,17 @@ void HistoryRecorder::take(const StepView& view, bool with_energies) {
   if (ledger_ == nullptr || !with_energies) return;
   const EnergyBalance balance = ledger_->totals(view.model);
   now_.energies.clear();
-  for (const EnergyColumn& column : energy_columns) now_.energies.push_back(balance.*column.value);
+  for (const EnergyColumn& column : energy_columns(in_plan_)) now_.energies.push_back(balance.*column.value);
 }
 
 const HistoryRecorder::Sample& HistoryRecorder::between(const StepView& view, double time) {
   const double step = now_.time - before_.time, x = (time - before_.time) / step;
   const auto linear = [x](double first, double last) { return first + x * (last - first); };
   inside_.time = time;
-  inside_.ground_acceleration = view.ground_span != nullptr
-                                    ? view.ground_span->acceleration_at(time)
-                                    : linear(before_.ground_acceleration, now_.ground_acceleration);
+  inside_.ground_acceleration = {view.ground_span != nullptr
+                                     ? view.ground_span->acceleration_at(time)
+                                     : linear(before_.ground_acceleration.x, now_.ground_acceleration.x),
+                                 linear(before_.ground_acceleration.y, now_.ground_acceleration.y)};
   inside_.values.resize(now_.values.size());
   for (std::size_t i = 0; i < now_.values.size(); ++i) {
     const HermiteCubic cubic{before_.values[i], before_.rates[i], now_.values[i], now_.rates[i], step};
@@ -117,7 +123,8 @@ void HistoryRecorder::add_row(const Sample& sample) {
   }
   std::vector<double>& piece = pieces_.back();
   piece.push_back(sample.time);
-  piece.push_back(sample.ground_acceleration);
+  piece.push_back(sample.ground_acceleration.x);
+  if (in_plan_) piece.push_back(sample.ground_acceleration.y);
   piece.insert(piece.end(), sample.values.begin(), sample.values.end());
   if (ledger_ != nullptr) piece.insert(piece.end(), sample.energies.begin(), sample.energies.end());
   piece.insert(piece.end(), sample.offered.begin(), sample.offered.end());

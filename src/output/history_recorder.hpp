@@ -35,7 +35,8 @@ class HistoryRecorder final : public StepObserver {
  private:
   // Everything at one instant.
   struct Sample {
-    double time = 0.0, ground_acceleration = 0.0;
+    double time = 0.0;
+    PlanVector ground_acceleration{};
     std::vector<double> values, rates, energies, offered;
   };
 
@@ -49,6 +50,7 @@ class HistoryRecorder final : public StepObserver {
   double interval_;
   const EnergyLedger* ledger_;
   bool inside_steps_;
+  bool in_plan_;
   const OfferedQuantities* offered_ = nullptr;
   std::size_t offered_columns_ = 0;
   long next_ = 0;  // multiple of the interval

@@ -2,10 +2,18 @@
 #pragma once
 
 #include <array>
+#include <string>
+#include <vector>
 
 #include "output/case_result.hpp"
 
 namespace moat {
+
+/// A name of what met, in plan.
+struct ImpactName {
+  const char* name;
+  std::string Impact::*value;
+};
 
 struct ImpactColumn {
   const char* name;
@@ -24,5 +32,26 @@ inline constexpr std::array impact_columns{
     ImpactColumn{"restitution", "1", &Impact::restitution},
     ImpactColumn{"energy_lost", "J", &Impact::energy_lost},
 };
+
+/// The further ones in plan; a model on a line has none of them.
+inline constexpr std::array impact_names_in_plan{ImpactName{"corner", &Impact::corner},
+                                                 ImpactName{"edge", &Impact::edge}};
+inline constexpr std::array impact_columns_in_plan{
+    ImpactColumn{"tangential_speed", "m/s", &Impact::tangential_speed},
+    ImpactColumn{"largest_friction_force", "N", &Impact::largest_friction_force},
+    ImpactColumn{"friction_loss", "J", &Impact::friction_loss},
+};
+
+/// Whether impacts are those of corners with edges.
+inline bool are_in_plan(const std::vector<Impact>& impacts) {
+  return !impacts.empty() && !impacts.front().edge.empty();
+}
+
+/// The columns of a table of these impacts.
+inline std::vector<ImpactColumn> columns_of(const std::vector<Impact>& impacts) {
+  std::vector<ImpactColumn> columns{impact_columns.begin(), impact_columns.end()};
+  if (are_in_plan(impacts)) columns.insert(columns.end(), impact_columns_in_plan.begin(), impact_columns_in_plan.end());
+  return columns;
+}
 
 }  // namespace moat

@@ -26,15 +26,20 @@ void ImpactRecorder::follow(const StepView& view, bool after_event) {
   for (Ongoing& contact : ongoing_) {
     const ElementBlock& block = *view.model.blocks()[contact.gap.block];
     const std::size_t element = contact.gap.element;
+    const PlanContacts* sliding = block.plan_contacts();
     const double indentation = block.deformations()[element], rate = block.rates()[element];
     const double force = block.forces()[element], force_rate = block.force_rates()[element];
     if (after_event) {
       contact.indentation.restart(time, indentation, rate);
       contact.force.restart(time, force, force_rate);
+      if (sliding != nullptr)
+        contact.friction.restart(time, sliding->friction_force(element), sliding->friction_force_rate(element));
     } else {
       contact.indentation.add(time, indentation, rate);
       contact.force.add(time, force, force_rate,
                         [&](double fraction, double) { return block.force_inside(element, fraction); });
+      if (sliding != nullptr)
+        contact.friction.add(time, sliding->friction_force(element), sliding->friction_force_rate(element));
     }
   }
 }
@@ -61,11 +66,17 @@ void ImpactRecorder::event(const StepView& view, std::span<const RegimeChange> c
 void ImpactRecorder::open(const StepView& view, RegimeChange gap, bool closed_at_start) {
   const ElementBlock& block = *view.model.blocks()[gap.block];
   const double speed = block.contacts()->contact(gap.element).approach_speed;
-  ongoing_.push_back({gap, impacts_.size(), {}, {}, block.energy(gap.element).dissipated});
+  const ElementEnergy energy = block.energy(gap.element);
+  ongoing_.push_back({gap, impacts_.size(), {}, {}, {}, energy.dissipated, energy.friction});
   impacts_.push_back({.where = block.info(gap.element).name,
                       .start = gap.time,
                       .approach_speed = speed,
                       .restitution = std::numeric_limits<double>::quiet_NaN()});
+  if (const PlanContacts* sliding = block.plan_contacts()) {
+    impacts_.back().corner = sliding->pair(gap.element).corner.text();
+    impacts_.back().edge = sliding->pair(gap.element).edge.text();
+    impacts_.back().tangential_speed = sliding->tangential_speed_at_touch(gap.element);
+  }
   listed_.push_back({gap, speed > 0.0 && !closed_at_start});
 }
 
@@ -74,8 +85,10 @@ void ImpactRecorder::close(const StepView& view, const Ongoing& contact, double 
   impact.duration = time - impact.start;
   impact.largest_indentation = contact.indentation.magnitude();
   impact.largest_force = contact.force.magnitude();
-  impact.energy_lost =
-      view.model.blocks()[contact.gap.block]->energy(contact.gap.element).dissipated - contact.dissipated_before;
+  impact.largest_friction_force = contact.friction.magnitude();
+  const ElementEnergy energy = view.model.blocks()[contact.gap.block]->energy(contact.gap.element);
+  impact.energy_lost = energy.dissipated - contact.dissipated_before;
+  impact.friction_loss = energy.friction - contact.friction_before;
   const double ratio = -rate / impact.approach_speed;
   const bool comparable = separated && listed_[contact.impact].approached && ratio <= largest_rebound_ratio;
   impact.rebound_ratio = comparable ? ratio : std::numeric_limits<double>::quiet_NaN();

@@ -38,8 +38,8 @@ class ImpactRecorder final : public StepObserver {
   struct Ongoing {
     RegimeChange gap;
     std::size_t impact;
-    PeakTracker indentation, force;
-    double dissipated_before;
+    PeakTracker indentation, force, friction;
+    double dissipated_before, friction_before;  // J
   };
 
   void follow(const StepView& view, bool after_event);

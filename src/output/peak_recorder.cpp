@@ -82,6 +82,8 @@ std::vector<Peak> PeakRecorder::peaks() const {
     }
   }
   for (std::size_t i = 0; i < peaks.size(); ++i) peaks[i].side = side_of(channel_of_peak[i], peaks[i]);
+  // In plan the maxima of two directions make no sum.
+  if (model_->is_plan()) return peaks;
   for (const Building& building : model_->buildings()) {
     Peak sum{"sum_of_floor_inertia_maxima", building.base_name(), 0.0, "N", 0.0};
     for (const NodeId node : building.nodes()) {
@@ -99,7 +101,7 @@ std::string PeakRecorder::side_of(std::size_t channel, const Peak& peak) const {
   const Channel& of_peak = channels_.list()[channel];
   if (peak.value == 0.0) return "";
   if (of_peak.where != of_peak.place) return of_peak.where;
-  if (gaps_.contains(of_peak.where)) return "";
+  if (gaps_.contains(of_peak.where) || model_->is_plan()) return "";
   return peak.value > 0.0 ? "right" : "left";
 }
 

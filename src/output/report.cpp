@@ -89,7 +89,8 @@ std::string impact_section(const CaseResult& result) {
   if (result.impacts.empty()) return html + "<p>No contact.</p>\n";
   html += "<table>\n<tr><th>Where</th>";
   std::vector<int> decimals;
-  for (const ImpactColumn& column : impact_columns) {
+  const std::vector<ImpactColumn> columns = columns_of(result.impacts);
+  for (const ImpactColumn& column : columns) {
     const EngineeringUnit unit = engineering_unit(column.unit);
     html += "<th class=\"number\">" + escaped(capitalised(in_words(column.name)));
     if (unit.symbol != "1") html += " [" + escaped(with_raised_digits(unit.symbol)) + "]";
@@ -102,10 +103,9 @@ std::string impact_section(const CaseResult& result) {
   html += "</tr>\n";
   for (const Impact& impact : result.impacts) {
     html += "<tr><td>" + escaped(impact.where) + "</td>";
-    for (std::size_t i = 0; i < impact_columns.size(); ++i)
+    for (std::size_t i = 0; i < columns.size(); ++i)
       html += "<td class=\"number\">" +
-              with_decimals(engineering_unit(impact_columns[i].unit).per_si * (impact.*impact_columns[i].value),
-                            decimals[i]) +
+              with_decimals(engineering_unit(columns[i].unit).per_si * (impact.*columns[i].value), decimals[i]) +
               "</td>";
     html += "</tr>\n";
   }
@@ -120,7 +120,7 @@ std::string energy_section(const CaseResult& result) {
   const EnergyBalance& energy = result.energy;
   const auto kilojoule = [](double joule) { return number_with_unit(joule, "J"); };
   std::string html = "<h2>Energy</h2>\n<table>\n";
-  for (const EnergyColumn& column : energy_columns) {
+  for (const EnergyColumn& column : energy_columns(energy.in_plan)) {
     html += number_row(column.words, kilojoule(energy.*column.value));
     const bool by_bearing = column.value == &EnergyBalance::hysteretic, by_gap = column.value == &EnergyBalance::impact;
     for (const DissipatedEnergy& part : by_bearing ? energy.bearings : by_gap ? energy.gaps : no_parts)

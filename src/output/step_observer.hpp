@@ -11,15 +11,18 @@ namespace moat {
 /// The committed state after an accepted step.
 struct StepView {
   const Model& model;
-  double ground_acceleration = 0.0;  ///< m/s^2, at the state's time
+  double ground_acceleration = 0.0;  ///< m/s^2, at the state's time; in plan its x component
   bool on_grid = true;               ///< false where the step was cut or ended at a located event, between grid times
   WorkRule work_rule = WorkRule::mean_force;  ///< of the step that led here
   /// The motion of the ground over that step, where its acceleration is not linear in it; null elsewhere.
   const GroundSpan* ground_span = nullptr;
+  double ground_acceleration_y = 0.0;  ///< m/s^2; 0 on a line
 
-  /// m/s^2.
+  [[nodiscard]] PlanVector ground() const { return {ground_acceleration, ground_acceleration_y}; }
+  /// m/s^2; of a diaphragm's rotation times its gyration.
   [[nodiscard]] double absolute_acceleration(NodeId node) const {
-    return model.acceleration(node) + ground_acceleration;
+    if (node == moat::ground) return ground_acceleration;
+    return model.acceleration(node) + model.ground_shares().of(ground(), node.index);
   }
 };
 

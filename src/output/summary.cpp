@@ -61,7 +61,7 @@ Json json_of(const EnergyBalance& energy) {
     return entries;
   };
   Json json{{"unit", "J"}};
-  for (const EnergyColumn& column : energy_columns) json[column.name] = energy.*column.value;
+  for (const EnergyColumn& column : energy_columns(energy.in_plan)) json[column.name] = energy.*column.value;
   for (const EnergyColumn& column : energy_errors) json[column.name] = energy.*column.value;
   json["worst_element"] = energy.worst_element;
   json["worst_element_error"] = energy.worst_element_error;
@@ -131,7 +131,9 @@ void write_summary_json(const CaseResult& result, const std::filesystem::path& p
   json["impact_table"] = Json::array();
   for (const Impact& impact : result.impacts) {
     Json row{{"where", impact.where}};
-    for (const ImpactColumn& column : impact_columns) row[column.name] = impact.*column.value;
+    for (const ImpactColumn& column : columns_of(result.impacts)) row[column.name] = impact.*column.value;
+    if (are_in_plan(result.impacts))
+      for (const ImpactName& name : impact_names_in_plan) row[name.name] = impact.*name.value;
     json["impact_table"].push_back(std::move(row));
   }
   json["energy"] = json_of(result.energy);

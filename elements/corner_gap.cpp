@@ -1,0 +1,52 @@
+#include "elements/corner_gap.hpp"
+
+#include <limits>
+
+namespace moat {
+
+CornerGeometry corner_geometry(const Model& model, const std::string& name, const PlanPoint& corner, NodeId edge_of,
+                               PlanPosition edge_begin, PlanPosition edge_end) {
+  check_point(model, "CornerGap", name, "edge_begin", {edge_of, edge_begin});
+  check_point(model, "CornerGap", name, "edge_end", {edge_of, edge_end});
+  const PlanVector begin = edge_begin.si(), end = edge_end.si(), at = corner.at.si();
+  CornerGeometry geometry;
+  const Check check{"CornerGap", name};
+  const PlanVector tangent = unit_direction(check, "edge_end - edge_begin", end - begin);
+  geometry.normal = -turned_left(tangent);
+  geometry.clearance = dot(begin - at, geometry.normal);
+  const PlanVector faced = at + geometry.clearance * geometry.normal;
+  const PlanPoint on_edge{edge_of, {Length{faced.x}, Length{faced.y}}};
+  check_points(model, "CornerGap", name, "corner", corner, "edge_of", on_edge);
+  check.positive("clearance", geometry.clearance, "m",
+                 "Overlap at rest: the corner must be on the left of the way from edge_begin to edge_end.");
+  geometry.ends = PlanEndsBothWays{model, on_edge, corner, geometry.normal};
+  geometry.edge_begin = dot(begin - at, tangent);
+  geometry.edge_end = dot(end - at, tangent);
+  const auto inverse_mass = [&](int node) { return 1.0 / model.node(NodeId{node}).mass.si(); };
+  const double along = geometry.ends.along().mobility(inverse_mass),
+               across = geometry.ends.across().mobility(inverse_mass);
+  check.that(along > 0.0, "neither body moves along the normal, so that the gap never changes.",
+             "Give bodies that move towards each other.");
+  geometry.normal_mass = 1.0 / along;
+  geometry.tangential_mass = across > 0.0 ? 1.0 / across : std::numeric_limits<double>::infinity();
+  return geometry;
+}
+
+void check_friction(const Check& check, const Friction& friction) {
+  check.between("friction", friction.coefficient, 0.0, 1.0, "1",
+                "Concrete on concrete has 0.4 to 0.6, steel 0.2 to 0.3.");
+  if (friction.tangential_stiffness)
+    check.positive("tangential_stiffness", *friction.tangential_stiffness,
+                   "Give the stiffness before sliding, or leave it out for 0.85 times that of the normal law.");
+}
+
+template class ContactLinks<SharedContact<AnyContact>, PlanEnds>;
+template class ContactLinks<SharedContact<RootDampedHertzContact>, PlanEnds>;
+template class ContactLinks<SharedContact<ViscousHertzContact>, PlanEnds>;
+template class ContactLinks<SharedContact<ViscousLinearContact>, PlanEnds>;
+template class CornerContacts<SharedContact<AnyContact>>;
+template class CornerContacts<SharedContact<RootDampedHertzContact>>;
+template class CornerContacts<SharedContact<ViscousHertzContact>>;
+template class CornerContacts<SharedContact<ViscousLinearContact>>;
+
+}  // namespace moat

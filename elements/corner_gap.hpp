@@ -1,0 +1,134 @@
+// A corner that can hit an edge, in plan.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <type_traits>
+#include <utility>
+
+#include "elements/corner_contacts.hpp"
+#include "elements/gap.hpp"
+#include "elements/plan_point.hpp"
+#include "materials/shared_contact.hpp"
+#include "model/model.hpp"
+
+namespace moat {
+
+/// Coulomb friction between a corner and an edge. A number converts to it: `.friction = 0.4`.
+struct Friction {
+  /// mu, from 0 to 1: concrete on concrete 0.4 to 0.6, steel 0.2 to 0.3. 0 is none.
+  double coefficient = 0.0;
+  /// k_t > 0 N/m, of the contact before it slides. Left out it is 0.85 times the tangent of the normal law at an
+  /// indentation of 10 mm (Mindlin 1949: 2 (1 - nu)/(2 - nu) = 0.89 for nu = 0.2).
+  std::optional<Stiffness> tangential_stiffness{};
+
+  Friction(double friction_coefficient = 0.0, std::optional<Stiffness> stiffness = {})
+      : coefficient{friction_coefficient}, tangential_stiffness{stiffness} {}
+};
+
+/// Contact of a corner with a straight edge of another body, or of the ground.
+///
+///                   | edge_end
+///      +            |                 the corner is on the left of the way from begin to end;
+///      |   corner   |                 normal n points from the corner's body to the edge's,
+///      +-----+ ->n  | -> n            tangent t from edge_begin to edge_end
+///                   |
+///                   | edge_begin
+///
+///     indentation d = (u_corner - u_edge) . n - clearance     law(d, d') >= 0 pushes the corner back along n
+///     slide u_t = (u_corner - u_edge) . t                     Coulomb friction acts against it
+///
+/// u_edge is that of the point of the edge which the corner faces at rest. Reports `impact_force` [N] and `indentation`
+/// [m], compression positive, and `friction_force` [N], along t on the edge's body.
+template <ImpactLaw Law>
+struct CornerGap {
+  std::string name;
+  /// Where its peak is listed together with that of others; its own name if empty.
+  std::string place{};
+  Required<PlanPoint> corner;
+  /// A diaphragm, a wall (a node with a direction), or `ground`.
+  Required<NodeId> edge_of;
+  Required<PlanPosition> edge_begin;
+  Required<PlanPosition> edge_end;
+  Law law;
+  Friction friction{};
+  /// > 0, <= 1: of the law's force, where several points of a face divide it.
+  double share = 1.0;
+  /// Effective mass for the law, > 0 kg. Zero stands for that of the corner: 1/m_n = sum of weight^2/mass.
+  Mass effective_mass{};
+  /// For tables.
+  Label corner_name = "corner", edge_name = "edge";
+};
+
+/// Where a corner and an edge are, and how they move.
+struct CornerGeometry {
+  double clearance = 0.0;  ///< at rest, m
+  PlanEndsBothWays ends;
+  PlanVector normal{};
+  double edge_begin = 0.0, edge_end = 0.0;          ///< along the tangent from the corner at rest, m
+  double normal_mass = 0.0, tangential_mass = 0.0;  ///< effective, kg
+};
+
+/// Throws InputError unless both bodies are of this model and different, the edge has a length and the corner a
+/// clearance > 0.
+CornerGeometry corner_geometry(const Model& model, const std::string& name, const PlanPoint& corner, NodeId edge_of,
+                               PlanPosition edge_begin, PlanPosition edge_end);
+/// Throws InputError for a coefficient outside 0 to 1 or a negative stiffness.
+void check_friction(const Check& check, const Friction& friction);
+
+/// Throws InputError for a bad parameter of gap, friction or law, unknown bodies, or a name that is taken.
+template <ImpactLaw Law>
+void add(Model& model, const CornerGap<Law>& gap) {
+  const Check check{"CornerGap", gap.name};
+  const PlanPoint& corner = gap.corner;
+  const CornerGeometry geometry = corner_geometry(model, gap.name, corner, gap.edge_of, gap.edge_begin, gap.edge_end);
+  check_friction(check, gap.friction);
+  check.above_up_to("share", gap.share, 0.0, 1.0, "1");
+  check.not_negative("effective_mass", gap.effective_mass);
+  gap.law.check(check);
+  const double mass = gap.effective_mass.si() > 0.0 ? gap.effective_mass.si() : geometry.normal_mass;
+  const SharedContact law{gap.law.between(mass), gap.share};
+  model.register_element("CornerGap", gap.name);
+
+  constexpr double of_tangent = 0.85, at_indentation = 0.01;  // 1, m
+  ContactState after;
+  const double tangential_stiffness =
+      gap.friction.tangential_stiffness
+          ? gap.friction.tangential_stiffness->si()
+          : of_tangent * law.evaluate({ContactPhase::loaded, 1.0}, at_indentation, 0.0, after).stiffness;
+  using Contact = std::remove_const_t<decltype(law)>;
+  ElementInfo info{.name = gap.name,
+                   .place = gap.place,
+                   .first = gap.edge_of,
+                   .second = corner.of,
+                   .offset = geometry.clearance,
+                   .deformation_quantity = "indentation",
+                   .force_quantity = "impact_force"};
+  if constexpr (requires { gap.law.parameters(); }) {
+    info.law = name_of(gap.law);
+    info.parameters = gap.law.parameters();
+    info.parameters.push_back({"friction", gap.friction.coefficient, "1"});
+    info.parameters.push_back({"tangential_stiffness", tangential_stiffness, "N/m"});
+    if (gap.share != 1.0) info.parameters.push_back({"share", gap.share, "1"});
+  }
+  model.block<CornerContacts<Contact>>().add(std::move(info), law,
+                                             {.pair = {gap.corner_name, gap.edge_name, corner.at.si(), geometry.normal},
+                                              .ends = geometry.ends,
+                                              .friction = {gap.friction.coefficient, tangential_stiffness},
+                                              .edge_begin = geometry.edge_begin,
+                                              .edge_end = geometry.edge_end,
+                                              .normal_mass = geometry.normal_mass,
+                                              .tangential_mass = geometry.tangential_mass});
+}
+
+// For moat's impact laws these are compiled in the library, so that a script compiles faster.
+extern template class ContactLinks<SharedContact<AnyContact>, PlanEnds>;
+extern template class ContactLinks<SharedContact<RootDampedHertzContact>, PlanEnds>;
+extern template class ContactLinks<SharedContact<ViscousHertzContact>, PlanEnds>;
+extern template class ContactLinks<SharedContact<ViscousLinearContact>, PlanEnds>;
+extern template class CornerContacts<SharedContact<AnyContact>>;
+extern template class CornerContacts<SharedContact<RootDampedHertzContact>>;
+extern template class CornerContacts<SharedContact<ViscousHertzContact>>;
+extern template class CornerContacts<SharedContact<ViscousLinearContact>>;
+
+}  // namespace moat

@@ -1,0 +1,39 @@
+// Contacts of corners with walls, in plan.
+#pragma once
+
+#include <cstddef>
+
+#include "base/label.hpp"
+#include "base/plan_vector.hpp"
+
+namespace moat {
+
+/// A corner of one body and an edge of another.
+///
+///        edge  |
+///              |     normal: from the body of the corner to the other body
+///     corner > |-->  tangent: the normal turned by +90 degrees
+///              |
+struct CornerPair {
+  Label corner, edge;     ///< names, for tables: "base corner 2", "moat wall 3"
+  PlanVector position{};  ///< of the corner at rest, m
+  PlanVector normal{};    ///< of length 1
+};
+
+/// The side of an ElementBlock whose elements are contacts of corners with walls: they slide along these.
+class PlanContacts {
+ public:
+  [[nodiscard]] virtual const CornerPair& pair(std::size_t element) const = 0;
+  /// Friction force along the tangent on the body of the edge, N, and its rate, N/s.
+  [[nodiscard]] virtual double friction_force(std::size_t element) const = 0;
+  [[nodiscard]] virtual double friction_force_rate(std::size_t element) const = 0;
+  /// Speed of the corner along the tangent at the last touch, relative to the edge, m/s.
+  [[nodiscard]] virtual double tangential_speed_at_touch(std::size_t element) const = 0;
+  /// How often a corner in contact slid past the end of an edge, so that the contact was released.
+  [[nodiscard]] virtual int corners_past_an_end() const = 0;
+
+ protected:
+  ~PlanContacts() = default;
+};
+
+}  // namespace moat

@@ -1,0 +1,24 @@
+// Elements that deform in two directions at once.
+#pragma once
+
+#include <cstddef>
+
+#include "base/plan_vector.hpp"
+
+namespace moat {
+
+/// The side of an ElementBlock whose elements have a deformation and a force of two components: bearings in plan.
+/// ElementBlock::deformations() and forces() are then the lengths of these vectors.
+class PlanarElements {
+ public:
+  /// Results of the last evaluate() and evaluate_rates(): m, m/s, N, N/s.
+  [[nodiscard]] virtual PlanVector deformation(std::size_t element) const = 0;
+  [[nodiscard]] virtual PlanVector deformation_rate(std::size_t element) const = 0;
+  [[nodiscard]] virtual PlanVector force(std::size_t element) const = 0;
+  [[nodiscard]] virtual PlanVector force_rate(std::size_t element) const = 0;
+
+ protected:
+  ~PlanarElements() = default;
+};
+
+}  // namespace moat

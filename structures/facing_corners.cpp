@@ -1,0 +1,189 @@
+#include "structures/facing_corners.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace moat {
+namespace {
+
+// An edge whose other body is on its left.
+struct Edge {
+  PlanPosition begin, end;
+
+  [[nodiscard]] PlanVector along() const { return (end.si() - begin.si()) / size(); }
+  [[nodiscard]] double size() const { return length(end.si() - begin.si()); }
+  /// Distance of a point from its line, m; positive on the left.
+  [[nodiscard]] double distance(PlanVector point) const { return cross(along(), point - begin.si()); }
+  /// Position of a point along it, m.
+  [[nodiscard]] double position(PlanVector point) const { return dot(along(), point - begin.si()); }
+};
+
+// Of walls around a space: the space is on the left. Of a solid body the space is outside.
+Edge edge_of(const PlanOutline& outline, std::size_t i, bool solid) {
+  const PlanPosition &a = outline.corners[i], &b = outline.corners[(i + 1) % outline.size()];
+  return solid ? Edge{b, a} : Edge{a, b};
+}
+
+// Whether a corner points out of the body: convex for a solid one, reflex for walls around a space.
+bool points_out(const PlanOutline& outline, std::size_t i, bool solid) {
+  const PlanVector before = outline.corner(i) - outline.corner(i + outline.size() - 1),
+                   after = outline.corner(i + 1) - outline.corner(i);
+  return (cross(before, after) > 0.0) == solid;
+}
+
+bool within_reach(const Edge& edge, PlanVector point, double reach) {
+  const double distance = edge.distance(point), position = edge.position(point);
+  return distance > 0.0 && distance <= reach && position >= -reach && position <= edge.size() + reach;
+}
+
+bool outlines_cross(const PlanOutline& a, const PlanOutline& b) {
+  for (std::size_t i = 0; i < a.size(); ++i)
+    for (std::size_t j = 0; j < b.size(); ++j) {
+      const PlanVector p = a.corner(i), q = a.corner(i + 1), r = b.corner(j), s = b.corner(j + 1);
+      const auto side = [](PlanVector from, PlanVector to, PlanVector point) { return cross(to - from, point - from); };
+      if (side(p, q, r) * side(p, q, s) <= 0.0 && side(r, s, p) * side(r, s, q) <= 0.0 &&
+          std::max(side(p, q, r) * side(p, q, s), side(r, s, p) * side(r, s, q)) < 0.0)
+        return true;
+    }
+  return false;
+}
+
+void add_corners(std::vector<FacingCorner>& list, const PlanOutline& outline, bool solid, const PlanOutline& other,
+                 bool other_solid, double reach, bool of_first) {
+  for (std::size_t e = 0; e < other.size(); ++e) {
+    const Edge edge = edge_of(other, e, other_solid);
+    for (std::size_t i = 0; i < outline.size(); ++i)
+      if (points_out(outline, i, solid) && within_reach(edge, outline.corner(i), reach))
+        list.push_back({of_first, outline.corners[i], "corner " + std::to_string(i + 1), e, edge.begin, edge.end, 1.0});
+  }
+}
+
+// Points along a face that is parallel to a wall, with their tributary shares.
+void add_points(std::vector<FacingCorner>& list, const PlanOutline& outline, const PlanOutline& walls,
+                const Facing& facing) {
+  for (std::size_t e = 0; e < walls.size(); ++e) {
+    const Edge wall = edge_of(walls, e, false);
+    for (std::size_t i = 0; i < outline.size(); ++i) {
+      const Edge face = edge_of(outline, i, false);
+      constexpr double parallel = 1e-6;
+      if (dot(face.along(), wall.along()) < 0.0 || std::abs(cross(face.along(), wall.along())) > parallel ||
+          !within_reach(wall, face.begin.si(), facing.reach.si()) ||
+          !within_reach(wall, face.end.si(), facing.reach.si()))
+        continue;
+      const int count = facing.points_per_face;
+      for (int k = 0; k < count; ++k) {
+        const double x = static_cast<double>(k) / (count - 1);
+        const bool at_end = k == 0 || k == count - 1;
+        const std::size_t corner = k == 0 ? i : (i + 1) % outline.size();
+        list.push_back({true,
+                        {(1.0 - x) * face.begin.x + x * face.end.x, (1.0 - x) * face.begin.y + x * face.end.y},
+                        at_end ? "corner " + std::to_string(corner + 1)
+                               : "point " + std::to_string(k + 1) + " of edge " + std::to_string(i + 1),
+                        e,
+                        wall.begin,
+                        wall.end,
+                        (at_end ? 0.5 : 1.0) / (count - 1)});
+      }
+    }
+  }
+}
+
+}  // namespace
+
+std::vector<FacingCorner> corners_facing_walls(const Check& check, const PlanOutline& outline, const PlanOutline& walls,
+                                               const Facing& facing, const std::string& inner) {
+  walls.check(check, "walls");
+  check.positive("reach", facing.reach);
+  check.that(facing.points_per_face == 0 || facing.points_per_face >= 3, "points_per_face", facing.points_per_face, "1",
+             "0, or >= 3", "Two points of a face are its corners: give .share = Share::per_face.");
+  for (std::size_t i = 0; i < outline.size(); ++i) {
+    bool free = walls.contains(outline.corner(i));
+    for (std::size_t e = 0; e < walls.size(); ++e) {
+      const Edge wall = edge_of(walls, e, false);
+      const double along = std::clamp(wall.position(outline.corner(i)), 0.0, wall.size());
+      constexpr double apart = 1e-9;  // m
+      free = free && length(outline.corner(i) - (wall.begin.si() + along * wall.along())) > apart;
+    }
+    check.that(free,
+               "overlap at rest: corner " + std::to_string(i + 1) + " of " + inner + ", at (" +
+                   to_text(outline.corner(i).x) + ", " + to_text(outline.corner(i).y) + ") m, is not inside the walls.",
+               "Give walls that the outline does not touch.");
+  }
+  check.that(!outlines_cross(outline, walls), "overlap at rest: the outline of " + inner + " crosses the walls.",
+             "Give walls that the outline does not touch.");
+  std::vector<FacingCorner> list;
+  if (facing.points_per_face > 0) {
+    add_points(list, outline, walls, facing);
+  } else {
+    add_corners(list, outline, true, walls, false, facing.reach.si(), true);
+    add_corners(list, walls, false, outline, true, facing.reach.si(), false);
+  }
+  if (facing.share == Share::per_face && facing.points_per_face == 0) {
+    for (std::size_t e = 0; e < walls.size(); ++e) {
+      const auto count =
+          std::ranges::count_if(list, [&](const FacingCorner& each) { return each.of_first && each.edge == e; });
+      check.that(count <= 2,
+                 std::to_string(count) + " corners of " + inner + " face wall " + std::to_string(e + 1) +
+                     ", which has its law per face.",
+                 "Give .points_per_face, or .share = Share::per_corner.");
+    }
+    for (FacingCorner& each : list) each.share = 0.5;
+  }
+  check.that(!list.empty(), "no corner of " + inner + " is within reach of a wall.",
+             "Give a longer .reach (now " + to_text(facing.reach.si()) + " m) or other walls.");
+  return list;
+}
+
+std::vector<FacingCorner> corners_facing_each_other(const Check& check, const PlanOutline& first,
+                                                    const PlanOutline& second, Length reach, const std::string& names) {
+  check.positive("reach", reach);
+  const auto inside = [](const PlanOutline& a, const PlanOutline& b) {
+    for (std::size_t i = 0; i < a.size(); ++i)
+      if (b.contains(a.corner(i))) return true;
+    return false;
+  };
+  check.that(!inside(first, second) && !inside(second, first) && !outlines_cross(first, second),
+             "overlap at rest: the outlines of " + names + " touch or cross each other.", "Move one of them away.");
+  std::vector<FacingCorner> list;
+  add_corners(list, first, true, second, true, reach.si(), true);
+  add_corners(list, second, true, first, true, reach.si(), false);
+  check.that(!list.empty(), "no corner of " + names + " is within reach of the other.",
+             "Give a longer .reach (now " + to_text(reach.si()) + " m).");
+
+  // The face of a corner that is parallel to the edge it can hit; without length if there is none.
+  const auto face_of = [&](const FacingCorner& each) {
+    const PlanOutline& own = each.of_first ? first : second;
+    const Edge edge{each.begin, each.end};
+    for (std::size_t i = 0; i < own.size(); ++i) {
+      const Edge face = edge_of(own, i, false);
+      const bool at_corner =
+          length(own.corner(i) - each.at.si()) == 0.0 || length(own.corner(i + 1) - each.at.si()) == 0.0;
+      constexpr double parallel = 1e-6;
+      if (at_corner && std::abs(cross(face.along(), edge.along())) < parallel && dot(face.along(), edge.along()) > 0.0)
+        return face.size();
+    }
+    return 0.0;
+  };
+  std::vector<FacingCorner> kept;
+  for (const FacingCorner& each : list) {
+    const double own = face_of(each);
+    const bool doubled = own > 0.0 && std::ranges::any_of(list, [&](const FacingCorner& other) {
+                           if (other.of_first == each.of_first) return false;
+                           const double others = face_of(other);
+                           const Edge edge{each.begin, each.end};
+                           constexpr double opposite = 0.01;  // of the shorter face
+                           if (others == 0.0 || std::abs(edge.position(each.at.si()) - edge.position(other.at.si())) >
+                                                    opposite * std::min(own, others))
+                             return false;
+                           // Both stand at ends of faces that face each other: the corner of the other one must lie on
+                           // this edge.
+                           if (std::abs(edge.distance(other.at.si())) > 1e-6 * own) return false;
+                           constexpr double equal = 1e-6;
+                           return std::abs(own - others) <= equal * own ? !each.of_first : own > others;
+                         });
+    if (!doubled) kept.push_back(each);
+  }
+  return kept;
+}
+
+}  // namespace moat

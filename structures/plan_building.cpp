@@ -1,0 +1,320 @@
+#include "structures/plan_building.hpp"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "base/check.hpp"
+#include "elements/link_block.hpp"
+#include "elements/plan_spring.hpp"
+#include "materials/linear.hpp"
+#include "materials/viscous.hpp"
+
+namespace moat {
+namespace {
+
+using Matrix = Eigen::MatrixXd;
+
+// A spring of a storey: between its two floors along a row of weights, N/m.
+struct StoreySpring {
+  std::string name;
+  PlanEnds ends;
+  double stiffness;
+};
+
+void check_parameters(const PlanBuilding& building) {
+  const Check check{"PlanBuilding", building.name};
+  building.outline.value().check(check, "outline");
+  check.that(building.storeys >= 1, "storeys", building.storeys, "", ">= 1");
+  building.floor_mass.check(check, "floor_mass", building.storeys);
+  building.storey_height.check(check, "storey_height", building.storeys);
+  building.columns.check(check, building.storeys);
+  check.that(building.damping.ratio >= 0.0 && building.damping.ratio < 1.0, "damping.ratio", building.damping.ratio,
+             "1", ">= 0 and < 1", "5 % of critical is 0.05.");
+  if (building.bearings)
+    check.positive("base_mass", building.base_mass, "A building on bearings needs the mass of its base floor.");
+  else
+    check.that(building.base_mass == Mass{}, "base_mass", building.base_mass.si(), "kg",
+               "left out without bearings: the ground is the base", "Give .bearings, or leave out .base_mass.");
+}
+
+void require_new_name(const Model& model, const PlanBuilding& building) {
+  const std::string floor = building.name.empty() ? "floor 1" : building.name + " floor 1";
+  if (!model.has_node(floor + ":x")) return;
+  Check{"PlanBuilding", building.name}.that(false, "the model has a diaphragm \"" + floor + "\" already.",
+                                            "Give every building its own .name.");
+}
+
+// A spring against relative rotation: its deformation is that of a lever of 1 m.
+PlanEnds rotation_of(const Model& model, NodeId lower, NodeId upper) {
+  // Two points of a body 1 m apart along x differ in their y displacement by theta.
+  const auto difference = [&](double sign) {
+    const PlanPosition at{sign * 0.5 * units::m, {}};
+    return PlanEnds{model, PlanPoint{lower, at}, PlanPoint{upper, at}, {0.0, 1.0}};
+  };
+  return difference(1.0).minus(difference(-1.0));
+}
+
+std::vector<StoreySpring> springs_of_storey(const Model& model, const Check& check, const PlanColumns& columns,
+                                            const PlanOutline& outline, const std::string& storey, NodeId lower,
+                                            NodeId upper) {
+  std::vector<StoreySpring> springs;
+  const auto add_at = [&](PlanPosition at, PlanVector direction, Stiffness stiffness, const std::string& name) {
+    if (stiffness.si() > 0.0)
+      springs.push_back({name, PlanEnds{model, PlanPoint{lower, at}, PlanPoint{upper, at}, direction}, stiffness.si()});
+  };
+  const auto both = [&](PlanPosition at, Stiffness x, Stiffness y, const std::string& name) {
+    add_at(at, {1.0, 0.0}, x, name + " x");
+    add_at(at, {0.0, 1.0}, y, name + " y");
+  };
+  if (columns.whole()) {
+    const StoreyStiffness& whole = *columns.whole();
+    check.positive(storey + " columns.x", whole.x);
+    check.positive(storey + " columns.y", whole.y);
+    check.positive(storey + " columns.rotation", whole.rotation.si(), "N m/rad");
+    both(whole.centre_of_rigidity, whole.x, whole.y, storey);
+    springs.push_back({storey + " rotation", rotation_of(model, lower, upper), whole.rotation.si()});
+    return springs;
+  }
+  int number = 0;
+  for (const ColumnLine& line : columns.lines(check, outline)) {
+    const std::string name = storey + " column " + std::to_string(++number);
+    check.not_negative(name + " stiffness along x", line.column.along_x());
+    check.not_negative(name + " stiffness along y", line.column.along_y());
+    both(line.at, line.column.along_x(), line.column.along_y(), name);
+  }
+  return springs;
+}
+
+// Adds a spring to the stiffness of these degrees of freedom; all others are held.
+void add_to(Matrix& stiffness, const StoreySpring& spring, const std::vector<int>& position) {
+  const auto& nodes = spring.ends.nodes();
+  const auto& weights = spring.ends.weights();
+  for (std::size_t i = 0; i < nodes.size(); ++i)
+    for (std::size_t j = 0; j < nodes.size(); ++j) {
+      if (nodes[i] == ground_index || nodes[j] == ground_index) continue;
+      const int row = position[static_cast<std::size_t>(nodes[i])],
+                column = position[static_cast<std::size_t>(nodes[j])];
+      if (row >= 0 && column >= 0) stiffness(row, column) += weights[i] * weights[j] * spring.stiffness;
+    }
+}
+
+Matrix stiffness_of(const Model& model, const std::vector<DiaphragmId>& free,
+                    const std::vector<std::vector<StoreySpring>>& storeys) {
+  std::vector<int> position(static_cast<std::size_t>(model.node_count()), -1);
+  int count = 0;
+  for (const DiaphragmId& id : free)
+    for (const NodeId node : id.degrees_of_freedom()) position[static_cast<std::size_t>(node.index)] = count++;
+  Matrix stiffness = Matrix::Zero(count, count);
+  for (const std::vector<StoreySpring>& springs : storeys)
+    for (const StoreySpring& spring : springs) add_to(stiffness, spring, position);
+  return stiffness;
+}
+
+RayleighFactors rayleigh_factors_in_plan(double ratio, const Model& model, const std::vector<DiaphragmId>& floors,
+                                         Matrix stiffness) {
+  Eigen::VectorXd root_of_mass{stiffness.rows()};
+  for (std::size_t i = 0; i < floors.size(); ++i)
+    root_of_mass.segment<3>(static_cast<Eigen::Index>(3 * i)).setConstant(std::sqrt(model.diaphragm(floors[i]).mass));
+  for (Eigen::Index i = 0; i < stiffness.rows(); ++i)
+    for (Eigen::Index j = 0; j < stiffness.cols(); ++j) stiffness(i, j) /= root_of_mass[i] * root_of_mass[j];
+  const Eigen::SelfAdjointEigenSolver<Matrix> solver{stiffness};
+  // The share of a mode, of unit length, in translation along a direction, and altogether.
+  const auto share_along = [&](Eigen::Index mode, PlanVector direction) {
+    double sum = 0.0;
+    for (Eigen::Index i = 0; i < stiffness.rows(); i += 3) {
+      const double along = dot(direction, {solver.eigenvectors()(i, mode), solver.eigenvectors()(i + 1, mode)});
+      sum += along * along;
+    }
+    return sum;
+  };
+  const auto translation = [&](Eigen::Index mode) {
+    return share_along(mode, {1.0, 0.0}) + share_along(mode, {0.0, 1.0});
+  };
+  constexpr double half = 0.5 - 1e-9;
+  std::vector<double> frequencies;
+  PlanVector direction;
+  for (Eigen::Index mode = 0; mode < stiffness.rows() && frequencies.size() < 2; ++mode) {
+    const double all = translation(mode);
+    if (all < half) continue;
+    if (frequencies.empty()) {
+      PlanVector participation;
+      for (Eigen::Index i = 0; i < stiffness.rows(); i += 3)
+        participation +=
+            root_of_mass[i] * PlanVector{solver.eigenvectors()(i, mode), solver.eigenvectors()(i + 1, mode)};
+      direction = participation / length(participation);
+    } else if (share_along(mode, direction) < half * all) {
+      continue;
+    }
+    frequencies.push_back(std::sqrt(solver.eigenvalues()[mode]));
+  }
+  if (frequencies.empty()) frequencies.push_back(std::sqrt(std::max(solver.eigenvalues()[0], 0.0)));
+  if (frequencies.size() < 2) return {0.0, 2.0 * ratio / frequencies[0]};
+  return rayleigh_factors(ratio, frequencies[0], frequencies[1]);
+}
+
+// A dashpot on a row of weights.
+void add_dashpot(Model& model, const std::string& name, NodeId lower, NodeId upper, const PlanEnds& ends,
+                 double damping) {
+  model.register_element("PlanBuilding", name);
+  model.block<LinkBlock<Viscous, PlanEnds>>().add(
+      {.name = name, .first = lower, .second = upper, .drawn_as = DrawnAs::nothing},
+      Viscous{.damping = DampingCoefficient{damping}}, ends);
+}
+
+class Builder {
+ public:
+  Builder(Model& model, const PlanBuilding& building)
+      : model_{model},
+        building_{building},
+        check_{"PlanBuilding", building.name},
+        prefix_{building.name.empty() ? "" : building.name + " "} {}
+
+  PlanBuildingParts build() {
+    add_diaphragms();
+    add_storeys();
+    add_bearings();
+    Building building{.name = building_.name, .base = base_};
+    for (const DiaphragmId& floor : parts_.floors) building.floors.push_back(floor);
+    add(model_, building);
+    return parts_;
+  }
+
+ private:
+  DiaphragmId diaphragm(const std::string& part, Mass mass, PlanPosition offset, Length height) {
+    const PlanOutline& outline = building_.outline;
+    const PlanVector centre = outline.centroid();
+    return add(model_, Diaphragm{.name = prefix_ + part,
+                                 .mass = mass,
+                                 .centre_of_mass = {Length{centre.x} + offset.x, Length{centre.y} + offset.y},
+                                 .outline = outline,
+                                 .height = height});
+  }
+
+  void add_diaphragms() {
+    parts_.name = building_.name;
+    Length height{};
+    if (building_.bearings) {
+      parts_.base = diaphragm("base", building_.base_mass, building_.base_mass_offset, height);
+      base_ = parts_.base;
+    }
+    for (int floor = 1; floor <= building_.storeys; ++floor) {
+      height += building_.storey_height.of(floor);
+      parts_.floors.push_back(
+          diaphragm("floor " + std::to_string(floor), building_.floor_mass.of(floor), building_.mass_offset, height));
+    }
+  }
+
+  void add_storeys() {
+    std::vector<std::vector<StoreySpring>> storeys;
+    NodeId below = base_;
+    for (std::size_t i = 0; i < parts_.floors.size(); ++i) {
+      const NodeId above = parts_.floors[i];
+      const std::string storey = "storey " + std::to_string(i + 1);
+      storeys.push_back(springs_of_storey(model_, check_, building_.columns.of(static_cast<int>(i) + 1),
+                                          building_.outline, prefix_ + storey, below, above));
+      require_stiffness(storey, stiffness_of(model_, {parts_.floors[i]}, {storeys.back()}));
+      below = above;
+    }
+    const double ratio = building_.damping.ratio;
+    const RayleighFactors rayleigh =
+        ratio > 0.0
+            ? rayleigh_factors_in_plan(ratio, model_, parts_.floors, stiffness_of(model_, parts_.floors, storeys))
+            : RayleighFactors{};
+    below = base_;
+    for (std::size_t i = 0; i < storeys.size(); ++i) {
+      const NodeId above = parts_.floors[i];
+      for (const StoreySpring& spring : storeys[i]) {
+        model_.register_element("PlanBuilding", spring.name);
+        model_.block<LinkBlock<Linear, PlanEnds>>().add(
+            {.name = spring.name, .first = below, .second = above, .drawn_as = DrawnAs::nothing},
+            Linear{.stiffness = Stiffness{spring.stiffness}}, spring.ends);
+        if (rayleigh.stiffness_factor > 0.0)
+          add_dashpot(model_, spring.name + " damping", below, above, spring.ends,
+                      rayleigh.stiffness_factor * spring.stiffness);
+      }
+      if (rayleigh.mass_factor > 0.0) add_mass_damping(i, rayleigh.mass_factor);
+      below = above;
+    }
+  }
+
+  void require_stiffness(const std::string& storey, const Matrix& stiffness) const {
+    constexpr double round_off = 1e-9;
+    const Eigen::SelfAdjointEigenSolver<Matrix> solver{stiffness, Eigen::EigenvaluesOnly};
+    check_.that(solver.eigenvalues()[0] > round_off * solver.eigenvalues()[2],
+                storey + " does not resist every motion in plan: the smallest eigenvalue of its stiffness is " +
+                    to_text(std::max(solver.eigenvalues()[0], 0.0)) + " N/m.",
+                "Give column lines at two places at least, with stiffness along x and along y, or a StoreyStiffness.");
+  }
+
+  // On the motion of a floor relative to the rigid motion of the base, at the floor's centre of mass.
+  void add_mass_damping(std::size_t i, double factor) {
+    const PlacedDiaphragm floor = model_.diaphragm(parts_.floors[i]);
+    const PlanPosition centre{Length{floor.centre_of_mass.x}, Length{floor.centre_of_mass.y}};
+    const std::string name = floor.name + " damping";
+    for (const auto& [component, direction] :
+         {std::pair{" x", PlanVector{1.0, 0.0}}, std::pair{" y", PlanVector{0.0, 1.0}}})
+      add_dashpot(model_, name + component, base_, floor.id,
+                  PlanEnds{model_, PlanPoint{base_, centre}, PlanPoint{floor.id, centre}, direction},
+                  factor * floor.mass);
+    add_dashpot(model_, name + " rotation", base_, floor.id, rotation_of(model_, base_, floor.id),
+                factor * floor.mass * floor.gyration * floor.gyration);
+  }
+
+  void add_bearings() {
+    if (!building_.bearings) return;
+    const auto bearings = building_.bearings->placed(check_, building_.outline);
+    check_.that(!bearings.empty(), "bearings: the list is empty.", "Give at least one bearing.");
+    int number = 0;
+    for (const PlanBearings::Placed& bearing : bearings)
+      bearing.add_to(model_, prefix_ + "bearing " + std::to_string(++number), prefix_ + "bearings", parts_.base);
+  }
+
+  Model& model_;
+  const PlanBuilding& building_;
+  Check check_;
+  std::string prefix_;
+  NodeId base_ = ground;
+  PlanBuildingParts parts_;
+};
+
+}  // namespace
+
+std::vector<DiaphragmId> PlanBuildingParts::diaphragms() const {
+  std::vector<DiaphragmId> list;
+  if (base.specified()) list.push_back(base);
+  list.insert(list.end(), floors.begin(), floors.end());
+  return list;
+}
+
+PlanBuildingParts add(Model& model, const PlanBuilding& building) {
+  check_parameters(building);
+  require_new_name(model, building);
+  return Builder{model, building}.build();
+}
+
+PlanBuilding with_eccentricity(PlanBuilding building, double share_of_x, double share_of_y) {
+  const Check check{"with_eccentricity", building.name};
+  check.between("share_of_x", share_of_x, -0.5, 0.5, "1", "5 % is 0.05.");
+  check.between("share_of_y", share_of_y, -0.5, 0.5, "1", "5 % is 0.05.");
+  const PlanOutline& outline = building.outline;
+  outline.check(check, "outline");
+  const auto extent = [&](Length PlanPosition::*component) {
+    const auto [low, high] = std::ranges::minmax(outline.corners, {}, component);
+    return high.*component - low.*component;
+  };
+  const Length x = share_of_x * extent(&PlanPosition::x), y = share_of_y * extent(&PlanPosition::y);
+  for (PlanPosition* offset : {&building.mass_offset, &building.base_mass_offset}) {
+    offset->x += x;
+    offset->y += y;
+  }
+  return building;
+}
+
+std::array<PlanBuilding, 4> accidental_eccentricities(const PlanBuilding& building, double share) {
+  return {with_eccentricity(building, share, 0.0), with_eccentricity(building, -share, 0.0),
+          with_eccentricity(building, 0.0, share), with_eccentricity(building, 0.0, -share)};
+}
+
+}  // namespace moat

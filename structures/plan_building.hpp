@@ -1,0 +1,78 @@
+// A building in plan: rigid floors with eccentric masses on columns and bearings.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "model/model.hpp"
+#include "structures/per_storey.hpp"
+#include "structures/plan_parts.hpp"
+#include "structures/rayleigh_damping.hpp"
+
+namespace moat {
+
+/// A building of rigid floors that move in plan, on bearings or fixed to the ground.
+///
+///      elevation            plan
+///     [ floor 2 ]           +--o-------o-------o--+
+///        | |                |                     |   o column lines and bearings
+///     [ floor 1 ]           |          x mass     |
+///        | |                |                     |
+///     [  base   ]           +--o-------o-------o--+
+///     =bearings=
+///
+/// All floors have the same outline; their masses are uniform over it but for `mass_offset`, so that the rotary inertia
+/// about the centre of mass is that of the outline. Rayleigh damping acts on the motion of the superstructure relative
+/// to its base: the stiffness part in every storey; the mass part on the motion of every floor relative to the rigid
+/// motion of the base, at the floor's centre of mass, and on its rotation relative to the base, reacting on the base.
+/// Its ratio holds in the lowest translational mode of the superstructure held at its base, and in the next
+/// translational mode along the same direction; one storey has one such mode, and then only the stiffness part. A
+/// symmetric building has the factors of a ShearBuilding.
+struct PlanBuilding {
+  /// Put before the names of all parts ("north base", "north floor 1") where a model has several buildings.
+  std::string name{};
+  Required<PlanOutline> outline;
+  /// >= 1.
+  Required<int> storeys;
+  /// > 0 kg, each floor above the base.
+  PerStorey<Mass> floor_mass;
+  /// Of the floors' centres of mass from the outline's centroid.
+  PlanPosition mass_offset{};
+  /// The same of the base.
+  PlanPosition base_mass_offset{};
+  /// One for all storeys, or a list from the lowest up.
+  StoreyColumns columns;
+  RayleighDamping damping{};
+  /// > 0 kg; give it together with bearings.
+  Mass base_mass{};
+  /// Under the base; fixed to the ground if left out.
+  std::optional<PlanBearings> bearings{};
+  /// For drawings only.
+  PerStorey<Length> storey_height = 3.5 * units::m;
+};
+
+/// The parts of a building in plan that was added.
+struct PlanBuildingParts {
+  std::string name;
+  DiaphragmId base;  ///< not specified() for a fixed building
+  std::vector<DiaphragmId> floors;
+
+  /// Base, unless the building is fixed, and floors.
+  [[nodiscard]] std::vector<DiaphragmId> diaphragms() const;
+};
+
+/// Adds diaphragms `base`, `floor 1` ..., columns `storey 1 column 1 x` ..., bearings `bearing 1` ... with the place
+/// `bearings`, and the Building. Throws InputError for a bad parameter, a storey that does not resist every motion in
+/// plan, or a name that is taken: a second building needs a name.
+PlanBuildingParts add(Model& model, const PlanBuilding& building);
+
+/// All centres of mass moved along x and y by these shares of the outline's extent there, from where they are:
+/// accidental eccentricity. ASCE 7 takes 5 % of the plan dimension across the motion.
+PlanBuilding with_eccentricity(PlanBuilding building, double share_of_x, double share_of_y);
+
+/// The four cases of accidental eccentricity: centres of mass moved by +-share along x, and by +-share along y.
+std::array<PlanBuilding, 4> accidental_eccentricities(const PlanBuilding& building, double share = 0.05);
+
+}  // namespace moat

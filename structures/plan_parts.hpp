@@ -1,0 +1,163 @@
+// Columns and bearings of a building in plan: where they stand.
+#pragma once
+
+#include <concepts>
+#include <functional>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "elements/lead_rubber_bearing.hpp"
+#include "elements/planar_spring.hpp"
+#include "materials/biaxial_bilinear.hpp"
+#include "model/plan_outline.hpp"
+
+namespace moat {
+
+/// The same item on the points of a grid over the outline of a building: `along_x` columns of points by `along_y` rows,
+/// from border to border of the rectangle around the outline. A single column or row stands in the middle.
+///
+///     4 . 5 . 6     grid(3, 2, item): numbered row by row
+///     .       .
+///     1 . 2 . 3
+template <class Item>
+struct Grid {
+  int along_x, along_y;
+  Item item;
+};
+
+/// The columns or walls of a storey on a vertical line: springs along x and y.
+struct Column {
+  /// > 0 N/m, in both directions; or give the next two.
+  Stiffness stiffness{};
+  /// >= 0 N/m, not both zero.
+  Stiffness stiffness_x{}, stiffness_y{};
+
+  [[nodiscard]] Stiffness along_x() const { return stiffness.si() != 0.0 ? stiffness : stiffness_x; }
+  [[nodiscard]] Stiffness along_y() const { return stiffness.si() != 0.0 ? stiffness : stiffness_y; }
+};
+
+inline Grid<Column> grid(int along_x, int along_y, Column column) { return {along_x, along_y, column}; }
+template <PlanarLaw Law>
+Grid<Law> grid(int along_x, int along_y, Law law) {
+  return {along_x, along_y, std::move(law)};
+}
+inline Grid<LeadRubberBearing> grid(int along_x, int along_y, LeadRubberBearing bearing) {
+  return {along_x, along_y, std::move(bearing)};
+}
+
+/// The points of a grid over an outline, row by row. Throws InputError, naming `field`, for counts below 1.
+std::vector<PlanPosition> grid_points(const Check& check, const std::string& field, int along_x, int along_y,
+                                      const PlanOutline& outline);
+
+/// A column line at a position.
+struct ColumnLine {
+  PlanPosition at{};
+  Column column;
+};
+
+/// A storey as a whole: forces at its centre of rigidity.
+///
+///     F = (kx dx, ky dy) at the centre of rigidity,   M = k_theta dtheta
+struct StoreyStiffness {
+  /// > 0 N/m.
+  Required<Stiffness> x;
+  Required<Stiffness> y;
+  /// > 0 N m/rad, about the centre of rigidity.
+  Required<Energy> rotation;
+  PlanPosition centre_of_rigidity{};
+};
+
+/// The lateral stiffness of a storey: column lines on a grid or anywhere, or the storey as a whole.
+class PlanColumns {
+ public:
+  PlanColumns(Grid<Column> columns) : grid_{columns}, is_grid_{true} {}
+  PlanColumns(std::vector<ColumnLine> lines) : lines_{std::move(lines)} {}
+  PlanColumns(StoreyStiffness whole) : whole_{whole} {}
+
+  /// Column lines; none where the storey is given as a whole.
+  [[nodiscard]] std::vector<ColumnLine> lines(const Check& check, const PlanOutline& outline) const;
+  [[nodiscard]] const std::optional<StoreyStiffness>& whole() const { return whole_; }
+
+ private:
+  Grid<Column> grid_{1, 1, {}};
+  bool is_grid_ = false;
+  std::vector<ColumnLine> lines_{};
+  std::optional<StoreyStiffness> whole_{};
+};
+
+/// The columns of all storeys: one PlanColumns for all, or a list from the lowest up.
+class StoreyColumns {
+ public:
+  template <std::convertible_to<PlanColumns> Every>
+  StoreyColumns(Every every) : list_{PlanColumns{std::move(every)}} {}
+  StoreyColumns(std::vector<PlanColumns> list) : list_{std::move(list)}, is_list_{true} {}
+
+  /// Of storey 1, 2, ...
+  [[nodiscard]] const PlanColumns& of(int storey) const {
+    return list_[is_list_ ? static_cast<std::size_t>(storey - 1) : 0];
+  }
+  /// Throws InputError unless a list has one for each storey.
+  void check(const Check& check, int storeys) const {
+    check.that(!is_list_ || list_.size() == static_cast<std::size_t>(storeys),
+               "columns has " + std::to_string(list_.size()) + " entries for " + std::to_string(storeys) + " storeys.",
+               "Give one for all storeys, or one for each from the lowest up.");
+  }
+
+ private:
+  std::vector<PlanColumns> list_;
+  bool is_list_ = false;
+};
+
+/// The bearings under a building: any law of two components, or LeadRubberBearing, which then yields on a circle; on a
+/// grid, or each at its place.
+///
+///     .bearings = grid(3, 2, BiaxialBoucWen{...})
+///     .bearings = {{at_1, BiaxialBilinear{...}}, {at_2, LeadRubberBearing{...}}}
+class PlanBearings {
+ public:
+  /// One bearing, of any such law.
+  class Placed {
+   public:
+    template <PlanarLaw Law>
+    Placed(PlanPosition at, Law law) : at_{at} {
+      add_ = [law](Model& model, const std::string& name, const std::string& place, DiaphragmId under,
+                   PlanPosition at_place) {
+        add(model, PlanBearing<Law>{.name = name, .under = under, .at = at_place, .law = law, .place = place});
+      };
+    }
+    Placed(PlanPosition at, const LeadRubberBearing& bearing)
+        : Placed{at, BiaxialBilinear{.yield_force = bearing.yield_force,
+                                     .yield_displacement = bearing.yield_displacement,
+                                     .post_yield_stiffness = bearing.post_yield_stiffness}} {}
+
+    [[nodiscard]] PlanPosition at() const { return at_; }
+    [[nodiscard]] Placed moved_to(PlanPosition at) const {
+      Placed copy = *this;
+      copy.at_ = at;
+      return copy;
+    }
+    void add_to(Model& model, const std::string& name, const std::string& place, DiaphragmId under) const {
+      add_(model, name, place, under, at_);
+    }
+
+   private:
+    PlanPosition at_;
+    std::function<void(Model&, const std::string&, const std::string&, DiaphragmId, PlanPosition)> add_;
+  };
+
+  template <class Law>
+  PlanBearings(Grid<Law> bearings)
+      : along_x_{bearings.along_x}, along_y_{bearings.along_y}, list_{Placed{PlanPosition{}, bearings.item}} {}
+  PlanBearings(std::vector<Placed> list) : list_{std::move(list)} {}
+  PlanBearings(std::initializer_list<Placed> list) : list_{list} {}
+
+  [[nodiscard]] std::vector<Placed> placed(const Check& check, const PlanOutline& outline) const;
+
+ private:
+  int along_x_ = 0, along_y_ = 0;  // of a grid
+  std::vector<Placed> list_;
+};
+
+}  // namespace moat

@@ -1,0 +1,107 @@
+// Pairs of components at an angle of incidence.
+#include "motions/plan_motion.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <vector>
+
+#include "base/units.hpp"
+#include "message_of.hpp"
+#include "motions/response_spectrum.hpp"
+
+namespace moat {
+namespace {
+
+using namespace units;
+using testing::message_of;
+
+GroundMotion wave(const char* name, double step, double amplitude, double frequency, std::size_t count) {
+  std::vector<double> samples(count);
+  for (std::size_t i = 0; i < count; ++i) samples[i] = amplitude * std::sin(frequency * step * static_cast<double>(i));
+  return {name, step, samples};
+}
+
+TEST(PlanMotion, ResolvesItsComponentsAtTheAngle) {
+  const GroundMotion a = wave("a", 0.01, 2.0, 5.0, 300), b = wave("b", 0.01, 1.0, 8.0, 300);
+  for (const double degrees : {0.0, 30.0, -75.0, 90.0, 180.0, 271.0}) {
+    const GroundMotion motion = PlanMotion{a, b, degrees * deg};
+    const double c = std::cos(degrees * deg), s = std::sin(degrees * deg);
+    for (std::size_t i = 0; i < 300; ++i) {
+      ASSERT_NEAR(motion.samples()[i], a.samples()[i] * c - b.samples()[i] * s, 1e-14);
+      ASSERT_NEAR(motion.samples_y()[i], a.samples()[i] * s + b.samples()[i] * c, 1e-14);
+    }
+  }
+  // Along an axis nothing is left across it.
+  const GroundMotion along_y = PlanMotion{a, a.scaled_by(0.0), 90 * deg};
+  for (const double sample : along_y.samples()) ASSERT_EQ(sample, 0.0);
+  EXPECT_EQ(PlanMotion(a, b, 10 * deg).rotated(20 * deg).incidence, 30 * deg);
+}
+
+TEST(PlanMotion, CoarserComponentIsResampledExactly) {
+  const GroundMotion fine = wave("fine", 0.005, 1.0, 3.0, 401), coarse = wave("coarse", 0.02, 1.0, 2.0, 81);
+  for (const bool exchanged : {false, true}) {
+    const GroundMotion motion = exchanged ? PlanMotion{coarse, fine} : PlanMotion{fine, coarse};
+    EXPECT_EQ(motion.time_step(), 0.005);
+    ASSERT_EQ(motion.samples().size(), 401U);
+    for (double t = 0.0; t < 1.6; t += 0.0037) {
+      const PlanVector at = motion.components_at(t);
+      ASSERT_NEAR(exchanged ? at.x : at.y, coarse.acceleration_at(t), 1e-13);
+      ASSERT_NEAR(exchanged ? at.y : at.x, fine.acceleration_at(t), 1e-13);
+    }
+    // The shorter one goes on with zeros.
+    EXPECT_EQ(exchanged ? motion.components_at(1.9).x : motion.components_at(1.9).y, 0.0);
+  }
+}
+
+TEST(PlanMotion, OneFactorScalesBoth) {
+  const GroundMotion a = wave("a", 0.01, 4.0, 5.0, 300), b = wave("b", 0.01, 1.0, 8.0, 300);
+  const double peak_a = a.peak_acceleration().si(), peak_b = b.peak_acceleration().si();
+  const PlanMotion larger = PlanMotion{a, b}.scaled_to_larger_pga(2 * m / s / s),
+                   mean = PlanMotion{a, b}.scaled_to_mean_pga(3 * m / s / s);
+  EXPECT_NEAR(larger.first.peak_acceleration().si(), 2.0, 1e-14);
+  EXPECT_NEAR(larger.second.peak_acceleration().si(), 2.0 * peak_b / peak_a, 1e-14);
+  EXPECT_NEAR(mean.first.peak_acceleration().si() * mean.second.peak_acceleration().si(), 9.0, 1e-13);
+  EXPECT_NEAR(mean.first.peak_acceleration().si() / mean.second.peak_acceleration().si(), peak_a / peak_b, 1e-13);
+  EXPECT_NEAR(GroundMotion{PlanMotion{a, a}}.peak_acceleration().si(), std::sqrt(2.0) * peak_a, 1e-14);
+}
+
+TEST(PlanMotion, MaximumDirectionSpectrumDoesNotDependOnTheAxes) {
+  const GroundMotion a = wave("a", 0.01, 4.0, 5.0, 300), b = wave("b", 0.01, 2.0, 8.0, 300);
+  const std::vector<Time> periods{0.5 * s, 1 * s};
+  const auto spectrum = maximum_direction_spectrum({a, b}, periods, 0.05),
+             turned = maximum_direction_spectrum({a, b, 30 * deg}, periods, 0.05);
+  for (std::size_t i = 0; i < periods.size(); ++i) {
+    // A turn by whole degrees takes the same directions.
+    EXPECT_NEAR(turned[i] / spectrum[i], 1.0, 1e-12);
+    EXPECT_GE(spectrum[i], response_spectrum(a, periods, 0.05).pseudo_acceleration[i] * (1.0 - 1e-12));
+    EXPECT_GE(spectrum[i], response_spectrum(b, periods, 0.05).pseudo_acceleration[i] * (1.0 - 1e-12));
+  }
+  // One component alone: its own spectrum.
+  const auto alone = maximum_direction_spectrum({a, a.scaled_by(0.0)}, periods, 0.05);
+  EXPECT_NEAR(alone[0] / response_spectrum(a, periods, 0.05).pseudo_acceleration[0], 1.0, 1e-12);
+}
+
+TEST(PlanMotion, BadPairsAreRefused) {
+  const GroundMotion a = wave("a", 0.01, 1.0, 5.0, 300), b = wave("b", 0.015, 1.0, 8.0, 300);
+  EXPECT_EQ(message_of([&] {
+              (void)PlanMotion{a, b}.resolved();
+            }),
+            "PlanMotion \"a + b\": the sampling intervals of its components, 0.01 s and 0.015 s, do not divide each "
+            "other. Resample one of them, so that the longer interval is a multiple of the shorter.");
+  EXPECT_EQ(message_of([&] {
+              (void)PlanMotion{a, a, 360 * deg}.resolved();
+            }),
+            "PlanMotion \"a + a\": incidence = 360 deg is not allowed; it must be > -360 and < 360 deg. Write it with "
+            "its unit: 30 * deg.");
+  const GroundMotion both = PlanMotion{a, a};
+  EXPECT_NE(message_of([&] {
+              (void)PlanMotion{both, a}.resolved();
+            }).find("has two components already"),
+            std::string::npos);
+  EXPECT_NE(message_of([&] { (void)response_spectrum(both, {1 * s}, 0.05); }).find("has two components"),
+            std::string::npos);
+}
+
+}  // namespace
+}  // namespace moat

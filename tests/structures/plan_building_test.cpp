@@ -1,0 +1,185 @@
+// Buildings in plan: the same parts as by hand, the line model where it is symmetric, refusals.
+#include "structures/plan_building.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "analyses/case_run.hpp"
+#include "materials/biaxial_bouc_wen.hpp"
+#include "materials/impact/hertz_damp.hpp"
+#include "message_of.hpp"
+#include "motions/near_fault_pulse.hpp"
+#include "motions/plan_motion.hpp"
+#include "structures/plan_moat.hpp"
+#include "structures/shear_building.hpp"
+
+namespace moat {
+namespace {
+
+using namespace units;
+using testing::message_of;
+
+LeadRubberBearing bearing(double share) {
+  return {.yield_force = share * 1.2 * MN,
+          .yield_displacement = 1 * cm,
+          .post_yield_stiffness = share * 9 * MN / m,
+          .locate_yield = false};
+}
+
+PlanBuilding tower(int storeys) {
+  return {.outline = rectangle(20 * m, 12 * m),
+          .storeys = storeys,
+          .floor_mass = 500 * tonne,
+          .columns = grid(3, 2, {.stiffness = 100 * MN / m}),
+          .damping = {0.05},
+          .base_mass = 550 * tonne,
+          .bearings = grid(2, 2, bearing(0.25))};
+}
+
+double peak(const CaseResult& result, const std::string& quantity, const std::string& where) {
+  for (const Peak& each : result.peaks)
+    if (each.quantity == quantity && each.where == where) return each.value;
+  ADD_FAILURE() << "no " << quantity << " at " << where;
+  return 0.0;
+}
+
+TEST(PlanBuilding, SymmetricBuildingInAMoatEqualsTheShearBuilding) {
+  const GroundMotion motion = near_fault_pulse({.quiet_after = 4 * s}).scaled_to_pga(0.45 * g);
+  for (const int storeys : {1, 3}) {
+    Model line, plan;
+    const Building on_line = add(line, ShearBuilding{.storeys = storeys,
+                                                     .floor_mass = 500 * tonne,
+                                                     .storey_stiffness = 600 * MN / m,
+                                                     .damping = {0.05},
+                                                     .base_mass = 550 * tonne,
+                                                     .isolation = bearing(1.0)});
+    const PlanBuildingParts in_plan = add(plan, tower(storeys));
+    const HertzDamp law{.stiffness = 1e9 * N / m_3_2, .restitution = 0.65};
+    add(line, Moat{.around = on_line.base, .clearance = 20 * cm, .law = law});
+    add(plan,
+        PlanMoat{.around = in_plan.base, .clearance = 20 * cm, .law = law, .friction = 0.3, .share = Share::per_face});
+    const CaseOptions options{.transient = {.step = 1 * ms}, .error_bars = ErrorBarMode::never};
+    const CaseResult a = run_case(line, motion, options), b = run_case(plan, motion, options);
+    EXPECT_GT(a.impacts.size(), 0U);
+    EXPECT_EQ(b.impacts.size(), 2 * a.impacts.size());
+    for (const char* where : {"base", "floor 1"}) {
+      for (const std::string quantity : {"displacement", "velocity", "absolute_acceleration"})
+        EXPECT_NEAR(peak(b, quantity + "_x", where) / peak(a, quantity, where), 1.0, 1e-10) << quantity;
+      EXPECT_NEAR(peak(b, "displacement_y", where), 0.0, 1e-12);
+      EXPECT_NEAR(peak(b, "rotation", where), 0.0, 1e-12);
+    }
+    EXPECT_NEAR(peak(b, "total_base_shear_x", "base") / peak(a, "total_base_shear", "base"), 1.0, 1e-10);
+    EXPECT_NEAR(peak(b, "drift_x", "floor 1") / peak(a, "drift", "storey 1"), 1.0, 1e-9);
+    EXPECT_NEAR(b.energy.viscous / a.energy.viscous, 1.0, 1e-9);
+  }
+}
+
+TEST(PlanBuilding, StoreyAsAWholeEqualsItsColumns) {
+  // Eccentric columns: their sums at their centre of rigidity, with the torsional stiffness about it.
+  const std::vector<ColumnLine> lines{{{-10 * m, -6 * m}, {.stiffness_x = 80 * MN / m, .stiffness_y = 50 * MN / m}},
+                                      {{10 * m, -6 * m}, {.stiffness_x = 80 * MN / m, .stiffness_y = 150 * MN / m}},
+                                      {{10 * m, 6 * m}, {.stiffness_x = 200 * MN / m, .stiffness_y = 150 * MN / m}}};
+  double kx = 0.0, ky = 0.0, x = 0.0, y = 0.0, rotation = 0.0;
+  for (const ColumnLine& line : lines) {
+    kx += line.column.along_x().si();
+    ky += line.column.along_y().si();
+    x += line.column.along_y().si() * line.at.x.si();
+    y += line.column.along_x().si() * line.at.y.si();
+  }
+  x /= ky;
+  y /= kx;
+  for (const ColumnLine& line : lines)
+    rotation += line.column.along_y().si() * std::pow(line.at.x.si() - x, 2) +
+                line.column.along_x().si() * std::pow(line.at.y.si() - y, 2);
+  PlanBuilding by_lines = tower(2), whole = tower(2);
+  by_lines.columns = StoreyColumns{lines};
+  whole.columns = StoreyStiffness{kx * N / m, ky * N / m, rotation * J, {x * m, y * m}};
+  const GroundMotion first = near_fault_pulse({.quiet_after = 3 * s}).scaled_to_pga(0.3 * g);
+  const CaseOptions options{.transient = {.step = 2.5 * ms}, .error_bars = ErrorBarMode::never};
+  std::array<CaseResult, 2> results;
+  for (int i = 0; i < 2; ++i) {
+    Model model;
+    add(model, i == 0 ? by_lines : whole);
+    results[static_cast<std::size_t>(i)] = run_case(model, PlanMotion{first, first.scaled_by(0.5), 30 * deg}, options);
+  }
+  for (const char* quantity : {"displacement_x", "displacement_y", "rotation", "corner_drift", "absolute_acceleration"})
+    EXPECT_NEAR(peak(results[1], quantity, "floor 2") / peak(results[0], quantity, "floor 2"), 1.0, 1e-8) << quantity;
+  EXPECT_NE(peak(results[0], "rotation", "floor 2"), 0.0);
+}
+
+TEST(PlanBuilding, MassDampingDoesNotActOnRigidMotion) {
+  // The base turns and moves; the floor follows rigidly: no dashpot has a force.
+  Model model;
+  const PlanBuildingParts parts = add(model, [] {
+    PlanBuilding building = tower(3);
+    building.mass_offset = {1 * m, 0.6 * m};
+    return building;
+  }());
+  model.prepare();
+  const PlanVector origin = model.diaphragm(parts.base).centre_of_mass;
+  MotionState& trial = model.trial();
+  const double turn = 0.02, vx = 0.3, vy = -0.1;
+  for (const DiaphragmId& id : parts.diaphragms()) {
+    const PlacedDiaphragm& each = model.diaphragm(id);
+    const PlanVector arm = each.centre_of_mass - origin;
+    trial.velocity[id.x.index] = vx - arm.y * turn;
+    trial.velocity[id.y.index] = vy + arm.x * turn;
+    trial.velocity[id.r.index] = turn * each.gyration;
+  }
+  model.evaluate();
+  EXPECT_LT(model.internal_forces().lpNorm<Eigen::Infinity>(), 1e-6);
+}
+
+TEST(PlanBuilding, EccentricityMovesAllCentresOfMass) {
+  PlanBuilding building = tower(1);
+  building.mass_offset = {0.2 * m, 0.1 * m};
+  const auto cases = accidental_eccentricities(building);
+  EXPECT_DOUBLE_EQ(cases[0].mass_offset.x.si(), 1.2);
+  EXPECT_DOUBLE_EQ(cases[0].base_mass_offset.x.si(), 1.0);
+  EXPECT_DOUBLE_EQ(cases[1].base_mass_offset.x.si(), -1.0);
+  EXPECT_DOUBLE_EQ(cases[2].mass_offset.y.si(), 0.7);
+  EXPECT_DOUBLE_EQ(cases[3].base_mass_offset.y.si(), -0.6);
+  Model model;
+  const PlanBuildingParts parts = add(model, cases[0]);
+  EXPECT_NEAR(model.diaphragm(parts.floors[0]).centre_of_mass.x, 1.2, 1e-12);
+  // About the centre of mass the rotary inertia stays that of the outline.
+  EXPECT_NEAR(model.diaphragm(parts.floors[0]).gyration, std::sqrt(544.0 / 12.0), 1e-12);
+}
+
+TEST(PlanBuilding, BadInputIsRefused) {
+  const auto message = [](auto change) {
+    return message_of([&] {
+      Model model;
+      PlanBuilding building = tower(2);
+      change(building);
+      add(model, building);
+    });
+  };
+  EXPECT_EQ(message([](PlanBuilding&) {}), "nothing was thrown");
+  EXPECT_EQ(
+      message([](PlanBuilding& b) {
+        b.columns = std::vector<ColumnLine>{{{}, {.stiffness = 1 * MN / m}}};
+      }),
+      "PlanBuilding: storey 1 does not resist every motion in plan: the smallest eigenvalue of its stiffness is 0 "
+      "N/m. Give column lines at two places at least, with stiffness along x and along y, or a StoreyStiffness.");
+  EXPECT_EQ(message([](PlanBuilding& b) { b.columns = std::vector<PlanColumns>(3, grid(2, 2, Column{1 * MN / m})); }),
+            "PlanBuilding: columns has 3 entries for 2 storeys. Give one for all storeys, or one for each from the "
+            "lowest up.");
+  EXPECT_NE(message([](PlanBuilding& b) { b.base_mass = {}; }).find("needs the mass of its base floor"),
+            std::string::npos);
+  EXPECT_NE(message([](PlanBuilding& b) { b.bearings.reset(); }).find("base_mass"), std::string::npos);
+  EXPECT_NE(message([](PlanBuilding& b) {
+              PlanOutline clockwise = rectangle(2 * m, 1 * m);
+              std::ranges::reverse(clockwise.corners);
+              b.outline = clockwise;
+            }).find("outline is clockwise"),
+            std::string::npos);
+}
+
+}  // namespace
+}  // namespace moat

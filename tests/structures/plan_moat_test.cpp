@@ -1,0 +1,239 @@
+// Moats and neighbours in plan: which corners meet which walls, flexible walls, refusals.
+#include "structures/plan_moat.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "analyses/case_run.hpp"
+#include "materials/impact/exact_hertz_damp.hpp"
+#include "message_of.hpp"
+#include "structures/moat.hpp"
+
+namespace moat {
+namespace {
+
+using namespace units;
+using testing::message_of;
+
+constexpr double restitution = 0.65;
+ExactHertzDamp law() { return {.stiffness = 1e9 * N / m_3_2, .restitution = restitution}; }
+
+GroundMotion still() { return {"still", 0.005, std::vector<double>(201, 0.0)}; }
+
+DiaphragmId add_slab(Model& model, const std::string& name, const PlanOutline& outline, Speed vx = {}, Speed vy = {}) {
+  return add(model, Diaphragm{.name = name,
+                              .mass = 800 * tonne,
+                              .centre_of_mass = {Length{outline.centroid().x}, Length{outline.centroid().y}},
+                              .outline = outline,
+                              .initial_velocity_x = vx,
+                              .initial_velocity_y = vy});
+}
+
+std::set<std::string> contacts_of(const Model& model) {
+  std::set<std::string> names;
+  for (const auto& block : model.blocks())
+    for (std::size_t e = 0; block->plan_contacts() != nullptr && e < block->size(); ++e)
+      names.insert(block->info(e).name);
+  return names;
+}
+
+TEST(PlanMoat, CornersMeetTheWallsOfTheirSides) {
+  Model model;
+  const DiaphragmId base = add_slab(model, "base", rectangle(20 * m, 12 * m));
+  add(model, PlanMoat{.around = base, .clearance = 25 * cm, .law = law()});
+  EXPECT_EQ(contacts_of(model),
+            (std::set<std::string>{"moat wall 1 corner 1", "moat wall 1 corner 2", "moat wall 2 corner 2",
+                                   "moat wall 2 corner 3", "moat wall 3 corner 3", "moat wall 3 corner 4",
+                                   "moat wall 4 corner 4", "moat wall 4 corner 1"}));
+  for (const auto& block : model.blocks())
+    for (std::size_t e = 0; block->plan_contacts() != nullptr && e < block->size(); ++e)
+      EXPECT_NEAR(block->info(e).offset, 0.25, 1e-12);
+}
+
+TEST(PlanMoat, FaceLawAtManyPointsIsTheLawOnALine) {
+  for (const int points : {0, 3, 5}) {
+    Model plan, line;
+    const DiaphragmId base = add_slab(plan, "base", rectangle(20 * m, 12 * m), 0.5 * m / s);
+    add(plan, PlanMoat{.around = base,
+                       .clearance = 1 * cm,
+                       .law = law(),
+                       .friction = 0.5,
+                       .share = Share::per_face,
+                       .points_per_face = points});
+    const NodeId body = add(line, Node{.name = "base", .mass = 800 * tonne, .initial_velocity = 0.5 * m / s});
+    add(line, Moat{.around = body, .clearance = 1 * cm, .law = law()});
+    const CaseOptions options{.transient = {.step = 1 * ms}, .error_bars = ErrorBarMode::never};
+    const CaseResult in_plan = run_case(plan, still(), options), on_line = run_case(line, still(), options);
+    EXPECT_EQ(in_plan.impacts.size(), static_cast<std::size_t>(std::max(points, 2)) * on_line.impacts.size());
+    EXPECT_NEAR(plan.velocity(base.x) / line.velocity(body), 1.0, 1e-9) << points;
+    EXPECT_NEAR(plan.velocity(base.r), 0.0, 1e-12);
+  }
+}
+
+TEST(PlanMoat, FlexibleWallsAreThoseOfTheLine) {
+  const FlexibleWall wall{.mass = 200 * tonne, .stiffness = 300 * MN / m, .damping = 2 * MN * s / m};
+  Model plan, line;
+  const double angle = 0.4;
+  const DiaphragmId base = add_slab(plan, "base", turned(rectangle(20 * m, 12 * m), angle),
+                                    0.5 * std::cos(angle) * m / s, 0.5 * std::sin(angle) * m / s);
+  add(plan, PlanMoat{.around = base, .clearance = 1 * cm, .law = law(), .share = Share::per_face, .wall = wall});
+  const NodeId body = add(line, Node{.name = "base", .mass = 800 * tonne, .initial_velocity = 0.5 * m / s});
+  add(line, Moat{.around = body, .clearance = 1 * cm, .law = law(), .wall = wall});
+  const CaseOptions options{.transient = {.step = 0.5 * ms}, .error_bars = ErrorBarMode::never};
+  const CaseResult in_plan = run_case(plan, still(), options), on_line = run_case(line, still(), options);
+  EXPECT_EQ(in_plan.impacts.size(), 2 * on_line.impacts.size());
+  const double along = std::cos(angle) * plan.velocity(base.x) + std::sin(angle) * plan.velocity(base.y);
+  EXPECT_NEAR(along, line.velocity(body), 1e-9);
+  const auto wall_peak = [](const CaseResult& result) {
+    double largest = 0.0;
+    for (const Peak& peak : result.peaks)
+      if (peak.quantity == "wall_force") largest = std::max(largest, peak.magnitude());
+    return largest;
+  };
+  EXPECT_NEAR(wall_peak(in_plan) / wall_peak(on_line), 1.0, 1e-9);
+}
+
+TEST(PlanMoat, WallCornerThatPointsInwardsHitsTheBase) {
+  // A pier in the wall on the right: its two corners face the right edge of the base.
+  Model model;
+  const DiaphragmId base = add_slab(model, "base", rectangle(10 * m, 10 * m), 0.5 * m / s);
+  PlanOutline walls;
+  for (const PlanVector& p : {PlanVector{-6, -6}, {6, -6}, {6, -1}, {5.1, -1}, {5.1, 1}, {6, 1}, {6, 6}, {-6, 6}})
+    walls.corners.push_back({p.x * m, p.y * m});
+  add(model, PlanMoat{.around = base, .walls = walls, .law = law()});
+  const CaseResult result = run_case(model, still(), {.error_bars = ErrorBarMode::never});
+  ASSERT_EQ(result.impacts.size(), 2U);
+  EXPECT_EQ(result.impacts[0].corner, "moat corner 4");
+  EXPECT_EQ(result.impacts[0].edge, "base edge 2");
+  EXPECT_NEAR(model.velocity(base.x), -restitution * 0.5, 1e-3);
+  EXPECT_NEAR(model.velocity(base.r), 0.0, 1e-9);
+}
+
+TEST(PlanNeighbours, EqualFacesCountOnce) {
+  Model model;
+  const DiaphragmId a = add_slab(model, "a", rectangle(10 * m, 8 * m), 0.6 * m / s),
+                    b = add_slab(model, "b", rectangle(10 * m, 8 * m, {10.1 * m, 0 * m}));
+  add(model, PlanNeighbours{.first = a, .second = b, .law = law(), .friction = 0.3});
+  EXPECT_EQ(contacts_of(model),
+            (std::set<std::string>{"neighbours a corner 2 b edge 4", "neighbours a corner 3 b edge 4"}));
+  const CaseResult result = run_case(model, still(), {.error_bars = ErrorBarMode::never});
+  EXPECT_EQ(result.impacts.size(), 2U);
+  // Equal masses: v' = v (1 -+ e)/2.
+  EXPECT_NEAR(model.velocity(a.x), 0.3 * (1.0 - restitution), 6e-4);
+  EXPECT_NEAR(model.velocity(b.x), 0.3 * (1.0 + restitution), 6e-4);
+  EXPECT_NEAR(model.velocity(a.r), 0.0, 1e-12);
+}
+
+TEST(PlanNeighbours, CornersOfTheShorterFaceCount) {
+  for (const bool short_first : {true, false}) {
+    Model model;
+    const DiaphragmId a = add_slab(model, "a", rectangle(10 * m, (short_first ? 4 : 8) * m)),
+                      b = add_slab(model, "b", rectangle(10 * m, (short_first ? 8 : 4) * m, {10.1 * m, 0 * m}));
+    add(model, PlanNeighbours{.first = a, .second = b, .law = law(), .reach = 0.5 * m});
+    EXPECT_EQ(contacts_of(model),
+              short_first
+                  ? (std::set<std::string>{"neighbours a corner 2 b edge 4", "neighbours a corner 3 b edge 4"})
+                  : (std::set<std::string>{"neighbours b corner 1 a edge 2", "neighbours b corner 4 a edge 2"}));
+  }
+}
+
+TEST(PlanNeighbours, BodiesAtAnAngleExchangeTheImpulseOfTheirEffectiveMass) {
+  // A diamond hits a rectangle with its corner, away from the centres: momentum, moment of momentum and restitution.
+  Model model;
+  const double side = 8.0 * std::sqrt(2.0);
+  const DiaphragmId a = add_slab(model, "a", turned(rectangle(side * m, side * m), pi / 4), 0.6 * m / s, 0.1 * m / s),
+                    b = add_slab(model, "b", rectangle(10 * m, 12 * m, {13.05 * m, -2 * m}));
+  add(model, PlanNeighbours{.first = a, .second = b, .law = law()});
+  const CaseResult result = run_case(
+      model, still(), {.transient = {.tolerance = 1e-8, .steps_per_contact = 512}, .error_bars = ErrorBarMode::never});
+  ASSERT_EQ(result.impacts.size(), 1U);
+  const double mass = 8e5, inertia_b = mass * (100.0 + 144.0) / 12.0, arm_b = 2.0;
+  const double normal_mass = 1.0 / (2.0 / mass + arm_b * arm_b / inertia_b);
+  const double impulse = normal_mass * (1.0 + restitution) * 0.6;
+  EXPECT_NEAR(model.velocity(a.x), 0.6 - impulse / mass, 1e-5);
+  EXPECT_NEAR(model.velocity(b.x), impulse / mass, 1e-5);
+  EXPECT_NEAR(model.angular_velocity(a), 0.0, 1e-9);
+  EXPECT_NEAR(model.angular_velocity(b), -impulse * arm_b / inertia_b, 1e-6);
+  EXPECT_NEAR(result.impacts[0].rebound_ratio, restitution, 1e-4);
+}
+
+TEST(PlanMoat, BadInputIsRefused) {
+  const auto message = [](auto change) {
+    return message_of([&] {
+      Model model;
+      const DiaphragmId base = add_slab(model, "base", rectangle(20 * m, 12 * m));
+      PlanMoat<ExactHertzDamp> moat{.around = base, .clearance = 25 * cm, .law = law()};
+      change(moat);
+      add(model, moat);
+    });
+  };
+  using Moat = PlanMoat<ExactHertzDamp>;
+  const auto walls = [](Length x, Length y) { return rectangle(x, y); };
+  EXPECT_EQ(message([](Moat&) {}), "nothing was thrown");
+  EXPECT_EQ(message([](Moat& moat) { moat.clearance = 1.2 * m; }),
+            "PlanMoat \"moat\": clearance = 1.2 m is not allowed; it must be at most the reach, 1 m. No corner would "
+            "meet a wall: give a longer .reach.");
+  EXPECT_EQ(message([](Moat& moat) { moat.clearance = {}; }),
+            "PlanMoat \"moat\": clearance = 0 m is not allowed; it must be > 0 m and finite. Give the free distance at "
+            "rest, or .walls.");
+  EXPECT_EQ(message([&](Moat& moat) {
+              moat.clearance = {};
+              moat.walls = walls(20 * m, 13 * m);
+            }),
+            "PlanMoat \"moat\": overlap at rest: corner 1 of \"base\", at (-10, -6) m, is not inside the walls. Give "
+            "walls that the outline does not touch.");
+  EXPECT_NE(message([&](Moat& moat) {
+              moat.clearance = {};
+              moat.walls = walls(18 * m, 13 * m);
+            }).find("overlap at rest: corner 1 of \"base\""),
+            std::string::npos);
+  EXPECT_NE(message([&](Moat& moat) {
+              moat.clearance = {};
+              moat.walls = walls(30 * m, 30 * m);
+            }).find("no corner of \"base\" is within reach of a wall. Give a longer .reach (now 1 m)"),
+            std::string::npos);
+  EXPECT_NE(message([&](Moat& moat) { moat.walls = walls(21 * m, 13 * m); }).find("both .clearance and .walls"),
+            std::string::npos);
+  EXPECT_EQ(message([](Moat& moat) { moat.friction = 1.2; }),
+            "CornerGap \"moat wall 1 corner 1\": friction = 1.2 is not allowed; it must be >= 0 and <= 1. Concrete on "
+            "concrete has 0.4 to 0.6, steel 0.2 to 0.3.");
+  EXPECT_EQ(message([](Moat& moat) {
+              moat.friction = {0.4, 0 * N / m};
+            }),
+            "CornerGap \"moat wall 1 corner 1\": tangential_stiffness = 0 N/m is not allowed; it must be > 0 N/m and "
+            "finite. Give the stiffness before sliding, or leave it out for 0.85 times that of the normal law.");
+  EXPECT_NE(message([](Moat& moat) { moat.points_per_face = 2; }).find("points_per_face = 2"), std::string::npos);
+
+  // A face with a step has more than two corners in reach of its wall.
+  EXPECT_EQ(
+      message_of([&] {
+        Model model;
+        PlanOutline stepped;
+        for (const PlanVector& p : {PlanVector{0, 0}, {10, 0}, {10, 4}, {9.8, 4}, {9.8, 8}, {10, 8}, {10, 12}, {0, 12}})
+          stepped.corners.push_back({p.x * m, p.y * m});
+        add(model, PlanMoat{.around = add_slab(model, "base", stepped),
+                            .clearance = 10 * cm,
+                            .walls = {},
+                            .law = law(),
+                            .share = Share::per_face});
+      }).find("PlanMoat \"moat\": 4 corners of \"base\" face wall"),
+      0U);
+}
+
+TEST(PlanNeighbours, OverlapIsRefused) {
+  Model model;
+  const DiaphragmId a = add_slab(model, "a", rectangle(10 * m, 8 * m)),
+                    b = add_slab(model, "b", rectangle(10 * m, 8 * m, {9 * m, 0 * m}));
+  EXPECT_EQ(
+      message_of([&] { add(model, PlanNeighbours{.first = a, .second = b, .law = law()}); }),
+      "PlanNeighbours \"neighbours\": overlap at rest: the outlines of \"a\" and \"b\" touch or cross each other. "
+      "Move one of them away.");
+}
+
+}  // namespace
+}  // namespace moat
