@@ -105,11 +105,11 @@ void add(Model& model, const CornerGap<Law>& gap) {
                    .deformation_quantity = "indentation",
                    .force_quantity = "impact_force"};
   if constexpr (requires { gap.law.parameters(); }) {
-    info.law = name_of(gap.law);
-    info.parameters = gap.law.parameters();
-    info.parameters.push_back({"friction", gap.friction.coefficient, "1"});
-    info.parameters.push_back({"tangential_stiffness", tangential_stiffness, "N/m"});
-    if (gap.share != 1.0) info.parameters.push_back({"share", gap.share, "1"});
+    std::vector<Parameter> given = gap.law.parameters();
+    given.push_back({"friction", gap.friction.coefficient, "1"});
+    given.push_back({"tangential_stiffness", tangential_stiffness, "N/m"});
+    if (gap.share != 1.0) given.push_back({"share", gap.share, "1"});
+    info.law_as_given = std::make_shared<LawAsGiven>(std::string{name_of(gap.law)}, std::move(given));
   }
   model.block<CornerContacts<Contact>>().add(std::move(info), law,
                                              {.pair = {gap.corner_name, gap.edge_name, corner.at.si(), geometry.normal},

@@ -1,7 +1,9 @@
 // A law that carries a building on the ground and lets it move.
 #pragma once
 
+#include <memory>
 #include <string>
+#include <vector>
 
 #include "elements/link_block.hpp"
 #include "elements/link_checks.hpp"
@@ -55,6 +57,12 @@ void add(Model& model, const Isolator<Law>& isolator) {
   if constexpr (requires { isolator.law.check(check); }) isolator.law.check(check);
   check.that(isolator.count >= 1, "count", isolator.count, "", ">= 1");
   ElementInfo info = isolator_info(isolator.name, isolator.lower, isolator.upper);
+  std::vector<Parameter> given = parameters_of(isolator.law);
+  // Where the block's law is made of the isolator's, reports show the latter.
+  const auto show_with = [&](Parameter another) {
+    given.push_back(another);
+    info.law_as_given = std::make_shared<LawAsGiven>(std::string{name_of(isolator.law)}, given);
+  };
   const auto place = [&](const auto& law) {
     using Placed = std::remove_cvref_t<decltype(law)>;
     model.register_element("Isolator", isolator.name);
@@ -62,17 +70,13 @@ void add(Model& model, const Isolator<Law>& isolator) {
       model.block<LinkBlock<Placed>>().add(info, law);
       return;
     }
-    info.law = name_of(isolator.law);
-    if (info.parameters.empty()) info.parameters = parameters_of(isolator.law);
-    info.parameters.push_back({"count", static_cast<double>(isolator.count), "1"});
+    show_with({"count", static_cast<double>(isolator.count), "1"});
     model.block<LinkBlock<Repeated<Placed>>>().add(info, {law, static_cast<double>(isolator.count)});
   };
   if constexpr (WeightBearing<Law>) {
     const Force weight =
         weight_on(check, isolator.law.weight, (1.0 / isolator.count) * isolator.weight);  // of one bearing
-    info.law = name_of(isolator.law);
-    info.parameters = parameters_of(isolator.law);
-    info.parameters.push_back({"weight", weight.si(), "N"});
+    show_with({"weight", weight.si(), "N"});
     place(isolator.law.carrying(weight));
   } else {
     place(isolator.law);

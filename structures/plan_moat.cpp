@@ -1,5 +1,7 @@
 #include "structures/plan_moat.hpp"
 
+#include "materials/linear.hpp"
+
 namespace moat {
 namespace {
 

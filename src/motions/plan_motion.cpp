@@ -47,7 +47,8 @@ PlanVector direction_of(double angle) {
 }  // namespace
 
 GroundMotion PlanMotion::resolved() const {
-  const Check check{"PlanMotion", names_of(*this)};
+  const std::string names = names_of(*this);
+  const Check check{"PlanMotion", names};
   for (const GroundMotion* component : {&first, &second})
     check.that(!component->has_two_components(), "\"" + component->name() + "\" has two components already.",
                "Give two motions of one component each.");
@@ -86,7 +87,8 @@ PlanMotion PlanMotion::scaled_by(double factor) const {
 }
 
 PlanMotion PlanMotion::scaled_to_larger_pga(Acceleration target) const {
-  const Check check{"PlanMotion", names_of(*this)};
+  const std::string names = names_of(*this);
+  const Check check{"PlanMotion", names};
   check.positive("target PGA", target, "Give it as, for example, 0.4 * g.");
   const double larger = std::max(first.peak_acceleration().si(), second.peak_acceleration().si());
   check.that(larger > 0.0, "a motion that is zero everywhere cannot be scaled to a peak acceleration.");
@@ -94,7 +96,8 @@ PlanMotion PlanMotion::scaled_to_larger_pga(Acceleration target) const {
 }
 
 PlanMotion PlanMotion::scaled_to_mean_pga(Acceleration target) const {
-  const Check check{"PlanMotion", names_of(*this)};
+  const std::string names = names_of(*this);
+  const Check check{"PlanMotion", names};
   check.positive("target PGA", target, "Give it as, for example, 0.4 * g.");
   const double mean = std::sqrt(first.peak_acceleration().si() * second.peak_acceleration().si());
   check.that(mean > 0.0, "one of its components is zero, so that their geometric mean cannot be scaled.",
