@@ -5,6 +5,7 @@
 #include <iterator>
 #include <numbers>
 
+#include "analyses/plan_modes.hpp"
 #include "model/building.hpp"
 #include "solvers/modes.hpp"
 
@@ -53,9 +54,29 @@ double first_period(const SparseMatrix& stiffness, const Vector& masses, const s
   return slowest_modes(part, mass, 1).front().period();
 }
 
+// The first three modes, with both stiffnesses of bearings that yield; once where they are the same.
+std::vector<NamedPeriod> periods_in_plan(Model& model) {
+  constexpr int count = 3;
+  const auto named = [&](StiffnessStage stage, const char* bearings) {
+    std::vector<NamedPeriod> periods;
+    for (const PlanMode& mode : plan_modes(model, stage, count))
+      if (std::isfinite(mode.period))
+        periods.push_back(
+            {"mode " + std::to_string(periods.size() + 1) + " (" + mode.character() + ")" + bearings, mode.period});
+    return periods;
+  };
+  std::vector<NamedPeriod> periods = named(StiffnessStage::post_yield, ", post-yield bearings"),
+                           initial = named(StiffnessStage::initial, ", initial bearings");
+  const auto same = [](const NamedPeriod& a, const NamedPeriod& b) { return a.value == b.value; };
+  if (std::ranges::equal(periods, initial, same)) return named(StiffnessStage::initial, "");
+  periods.insert(periods.end(), initial.begin(), initial.end());
+  return periods;
+}
+
 }  // namespace
 
 std::vector<NamedPeriod> characteristic_periods(Model& model, std::size_t most_buildings) {
+  if (model.is_plan()) return periods_in_plan(model);
   model.prepare();
   SparseMatrix initial = model.pattern(), post_yield = model.pattern();
   model.assemble_linear_stiffness(StiffnessStage::initial, initial);

@@ -188,6 +188,12 @@ bool StepEquations::compute_residual(const Vector& acceleration, Vector& residua
     scales[i] = std::max(std::max(std::abs(inertia), std::abs(force[i])), std::max(std::abs(load), lowest_scales[i]));
     sum += scales[i];
   }
+  // A floor in plan is one place: forces that cancel in one of its directions leave round-off of those in another.
+  for (const PlacedDiaphragm& diaphragm : model_->diaphragms()) {
+    const int first = diaphragm.id.x.index;
+    const double largest = std::max({scales[first], scales[first + 1], scales[first + 2]});
+    for (int i = first; i < first + 3; ++i) scales[i] = largest;
+  }
   if (!scheme_.balances_at_end()) {
     const double mass_share = scheme_.mass_share, force_share = scheme_.force_share;
     for (int i = 0; i < count; ++i)

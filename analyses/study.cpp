@@ -126,8 +126,8 @@ double energy_error(const EnergyBalance& energy) {
   return largest > 0.0 ? error / largest : 0.0;
 }
 
-void add_energies(CaseOutcome& outcome, const EnergyBalance& energy, bool in_plan) {
-  for (const EnergyColumn& column : energy_columns(in_plan))
+void add_energies(CaseOutcome& outcome, const EnergyBalance& energy) {
+  for (const EnergyColumn& column : energy_columns(energy.in_plan))
     outcome.results.push_back({"energy_" + std::string{column.name}, "", "J", energy.*column.value});
   outcome.energy_error = energy_error(energy);
 }
@@ -165,7 +165,7 @@ CaseOutcome outcome_of_model(Model& model, const GroundMotion& motion, const Stu
   }
   record.push_back({"impacts", "", "1", static_cast<double>(main.impacts)});
   if (options.error_bars) record.push_back({"sensitive", "", "1", sensitive});
-  if (energy) add_energies(outcome, energy->balance(model), model.is_plan());
+  if (energy) add_energies(outcome, energy->balance(model));
   return outcome;
 }
 

@@ -1,10 +1,12 @@
 // A corner that can hit an edge, in plan.
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <type_traits>
 #include <utility>
+#include <vector>
 
 #include "elements/corner_contacts.hpp"
 #include "elements/gap.hpp"
@@ -105,20 +107,22 @@ void add(Model& model, const CornerGap<Law>& gap) {
                    .deformation_quantity = "indentation",
                    .force_quantity = "impact_force"};
   if constexpr (requires { gap.law.parameters(); }) {
-    std::vector<Parameter> given = gap.law.parameters();
-    given.push_back({"friction", gap.friction.coefficient, "1"});
-    given.push_back({"tangential_stiffness", tangential_stiffness, "N/m"});
-    if (gap.share != 1.0) given.push_back({"share", gap.share, "1"});
-    info.law_as_given = std::make_shared<LawAsGiven>(std::string{name_of(gap.law)}, std::move(given));
+    std::vector<Parameter> parameters = gap.law.parameters();
+    parameters.push_back({"friction", gap.friction.coefficient, "1"});
+    parameters.push_back({"tangential_stiffness", tangential_stiffness, "N/m"});
+    if (gap.share != 1.0) parameters.push_back({"share", gap.share, "1"});
+    info.law_as_given = std::make_shared<LawAsGiven>(std::string{name_of(gap.law)}, std::move(parameters));
   }
-  model.block<CornerContacts<Contact>>().add(std::move(info), law,
-                                             {.pair = {gap.corner_name, gap.edge_name, corner.at.si(), geometry.normal},
-                                              .ends = geometry.ends,
-                                              .friction = {gap.friction.coefficient, tangential_stiffness},
-                                              .edge_begin = geometry.edge_begin,
-                                              .edge_end = geometry.edge_end,
-                                              .normal_mass = geometry.normal_mass,
-                                              .tangential_mass = geometry.tangential_mass});
+  model.block<CornerContacts<Contact>>().add(
+      std::move(info), law,
+      {.pair = {gap.corner_name, gap.edge_name, corner.at.si(), gap.edge_begin.value().si(), gap.edge_end.value().si(),
+                geometry.normal},
+       .ends = geometry.ends,
+       .friction = {gap.friction.coefficient, tangential_stiffness},
+       .edge_begin = geometry.edge_begin,
+       .edge_end = geometry.edge_end,
+       .normal_mass = geometry.normal_mass,
+       .tangential_mass = geometry.tangential_mass});
 }
 
 // For moat's impact laws these are compiled in the library, so that a script compiles faster.

@@ -29,7 +29,8 @@ class PlanarBlock final : public ElementBlock, public PlanarElements {
   using State = typename Law::State;
 
   /// Appends an element and returns its index.
-  std::size_t add(ElementInfo info, const Law& law, const PlanEndsBothWays& ends) {
+  std::size_t add(ElementInfo info, const Law& law, const PlanEndsBothWays& ends, PlanVector position) {
+    positions_.push_back(position);
     infos_.push_back(std::move(info));
     laws_.push_back(law);
     ends_.push_back(ends);
@@ -146,6 +147,7 @@ class PlanarBlock final : public ElementBlock, public PlanarElements {
     return length(laws_[i].evaluate(trial_[i], path.value(fraction), path.rate(fraction), after).force);
   }
 
+  PlanVector position(std::size_t i) const override { return positions_[i]; }
   PlanVector deformation(std::size_t i) const override { return now_[i].deformation; }
   PlanVector deformation_rate(std::size_t i) const override { return now_[i].rate; }
   PlanVector force(std::size_t i) const override { return responses_[i].force; }
@@ -206,6 +208,7 @@ class PlanarBlock final : public ElementBlock, public PlanarElements {
   std::vector<ElementInfo> infos_;
   std::vector<Law> laws_;
   std::vector<PlanEndsBothWays> ends_;
+  std::vector<PlanVector> positions_;  // m
   std::vector<State> committed_, trial_;
   std::vector<PlanarResponse> responses_, start_responses_;  // of the last evaluate(), and at the last commit
   std::vector<Motion> now_, start_, before_;                 // at the last evaluate(), commit, and the one before

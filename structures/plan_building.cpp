@@ -6,8 +6,8 @@
 #include <utility>
 
 #include "base/check.hpp"
-#include "elements/link_block.hpp"
 #include "elements/plan_spring.hpp"
+#include "elements/rotation_link.hpp"
 #include "materials/linear.hpp"
 #include "materials/viscous.hpp"
 
@@ -16,11 +16,14 @@ namespace {
 
 using Matrix = Eigen::MatrixXd;
 
-// A spring of a storey: between its two floors along a row of weights, N/m.
+// A spring of a storey: at a place along a direction, N/m, or against rotation, N m/rad.
 struct StoreySpring {
   std::string name;
-  PlanEnds ends;
   double stiffness;
+  PlanPosition at{};
+  PlanVector direction{};  // zero: against rotation
+
+  [[nodiscard]] bool turns() const { return direction == PlanVector{}; }
 };
 
 void check_parameters(const PlanBuilding& building) {
@@ -46,35 +49,20 @@ void require_new_name(const Model& model, const PlanBuilding& building) {
                                             "Give every building its own .name.");
 }
 
-// A spring against relative rotation: its deformation is that of a lever of 1 m.
-PlanEnds rotation_of(const Model& model, NodeId lower, NodeId upper) {
-  // Two points of a body 1 m apart along x differ in their y displacement by theta.
-  const auto difference = [&](double sign) {
-    const PlanPosition at{sign * 0.5 * units::m, {}};
-    return PlanEnds{model, PlanPoint{lower, at}, PlanPoint{upper, at}, {0.0, 1.0}};
-  };
-  return difference(1.0).minus(difference(-1.0));
-}
-
-std::vector<StoreySpring> springs_of_storey(const Model& model, const Check& check, const PlanColumns& columns,
-                                            const PlanOutline& outline, const std::string& storey, NodeId lower,
-                                            NodeId upper) {
+std::vector<StoreySpring> springs_of_storey(const Check& check, const PlanColumns& columns, const PlanOutline& outline,
+                                            const std::string& storey) {
   std::vector<StoreySpring> springs;
-  const auto add_at = [&](PlanPosition at, PlanVector direction, Stiffness stiffness, const std::string& name) {
-    if (stiffness.si() > 0.0)
-      springs.push_back({name, PlanEnds{model, PlanPoint{lower, at}, PlanPoint{upper, at}, direction}, stiffness.si()});
-  };
-  const auto both = [&](PlanPosition at, Stiffness x, Stiffness y, const std::string& name) {
-    add_at(at, {1.0, 0.0}, x, name + " x");
-    add_at(at, {0.0, 1.0}, y, name + " y");
+  const auto add_both = [&](PlanPosition at, Stiffness x, Stiffness y, const std::string& name) {
+    if (x.si() > 0.0) springs.push_back({name + " x", x.si(), at, {1.0, 0.0}});
+    if (y.si() > 0.0) springs.push_back({name + " y", y.si(), at, {0.0, 1.0}});
   };
   if (columns.whole()) {
     const StoreyStiffness& whole = *columns.whole();
     check.positive(storey + " columns.x", whole.x);
     check.positive(storey + " columns.y", whole.y);
     check.positive(storey + " columns.rotation", whole.rotation.si(), "N m/rad");
-    both(whole.centre_of_rigidity, whole.x, whole.y, storey);
-    springs.push_back({storey + " rotation", rotation_of(model, lower, upper), whole.rotation.si()});
+    add_both(whole.centre_of_rigidity, whole.x, whole.y, storey);
+    springs.push_back({storey + " rotation", whole.rotation.si()});
     return springs;
   }
   int number = 0;
@@ -82,38 +70,31 @@ std::vector<StoreySpring> springs_of_storey(const Model& model, const Check& che
     const std::string name = storey + " column " + std::to_string(++number);
     check.not_negative(name + " stiffness along x", line.column.along_x());
     check.not_negative(name + " stiffness along y", line.column.along_y());
-    both(line.at, line.column.along_x(), line.column.along_y(), name);
+    add_both(line.at, line.column.along_x(), line.column.along_y(), name);
   }
   return springs;
 }
 
-// Adds a spring to the stiffness of these degrees of freedom; all others are held.
-void add_to(Matrix& stiffness, const StoreySpring& spring, const std::vector<int>& position) {
-  const auto& nodes = spring.ends.nodes();
-  const auto& weights = spring.ends.weights();
-  for (std::size_t i = 0; i < nodes.size(); ++i)
-    for (std::size_t j = 0; j < nodes.size(); ++j) {
-      if (nodes[i] == ground_index || nodes[j] == ground_index) continue;
-      const int row = position[static_cast<std::size_t>(nodes[i])],
-                column = position[static_cast<std::size_t>(nodes[j])];
-      if (row >= 0 && column >= 0) stiffness(row, column) += weights[i] * weights[j] * spring.stiffness;
-    }
-}
-
-Matrix stiffness_of(const Model& model, const std::vector<DiaphragmId>& free,
-                    const std::vector<std::vector<StoreySpring>>& storeys) {
-  std::vector<int> position(static_cast<std::size_t>(model.node_count()), -1);
-  int count = 0;
-  for (const DiaphragmId& id : free)
-    for (const NodeId node : id.degrees_of_freedom()) position[static_cast<std::size_t>(node.index)] = count++;
-  Matrix stiffness = Matrix::Zero(count, count);
-  for (const std::vector<StoreySpring>& springs : storeys)
-    for (const StoreySpring& spring : springs) add_to(stiffness, spring, position);
+// The stiffness of these floors for small motions, all others held.
+Matrix stiffness_of_floors(const Model& model, const std::vector<DiaphragmId>& floors) {
+  Model copy = model;
+  copy.prepare();
+  SparseMatrix sparse = copy.pattern();
+  copy.assemble_linear_stiffness(StiffnessStage::initial, sparse);
+  std::vector<int> rows;
+  for (const DiaphragmId& id : floors)
+    for (const NodeId node : id.degrees_of_freedom()) rows.push_back(node.index);
+  const Matrix whole{sparse.view()};
+  const auto count = static_cast<Eigen::Index>(rows.size());
+  Matrix stiffness{count, count};
+  for (Eigen::Index i = 0; i < count; ++i)
+    for (Eigen::Index j = 0; j < count; ++j)
+      stiffness(i, j) = whole(rows[static_cast<std::size_t>(i)], rows[static_cast<std::size_t>(j)]);
   return stiffness;
 }
 
-RayleighFactors rayleigh_factors_in_plan(double ratio, const Model& model, const std::vector<DiaphragmId>& floors,
-                                         Matrix stiffness) {
+RayleighFactors factors_of_stiffness(double ratio, const Model& model, const std::vector<DiaphragmId>& floors,
+                                     Matrix stiffness) {
   Eigen::VectorXd root_of_mass{stiffness.rows()};
   for (std::size_t i = 0; i < floors.size(); ++i)
     root_of_mass.segment<3>(static_cast<Eigen::Index>(3 * i)).setConstant(std::sqrt(model.diaphragm(floors[i]).mass));
@@ -154,13 +135,35 @@ RayleighFactors rayleigh_factors_in_plan(double ratio, const Model& model, const
   return rayleigh_factors(ratio, frequencies[0], frequencies[1]);
 }
 
-// A dashpot on a row of weights.
-void add_dashpot(Model& model, const std::string& name, NodeId lower, NodeId upper, const PlanEnds& ends,
-                 double damping) {
-  model.register_element("PlanBuilding", name);
-  model.block<LinkBlock<Viscous, PlanEnds>>().add(
-      {.name = name, .first = lower, .second = upper, .drawn_as = DrawnAs::nothing},
-      Viscous{.damping = DampingCoefficient{damping}}, ends);
+// A law between two floors, at a place along a direction.
+template <class Law>
+PlanSpring<Law> unreported(const std::string& name, NodeId lower, NodeId upper, PlanPosition at, PlanVector direction,
+                           const Law& law) {
+  return {.name = name,
+          .lower = PlanPoint{lower, at},
+          .upper = PlanPoint{upper, at},
+          .direction = direction,
+          .law = law,
+          .deformation_quantity = "",
+          .force_quantity = ""};
+}
+
+void add_spring(Model& model, const StoreySpring& spring, NodeId lower, NodeId upper) {
+  if (spring.turns())
+    add(model, RotationSpring{spring.name, lower, upper, Energy{spring.stiffness}});
+  else
+    add(model, unreported(spring.name, lower, upper, spring.at, spring.direction,
+                          Linear{.stiffness = Stiffness{spring.stiffness}}));
+}
+
+void add_dashpot(Model& model, const StoreySpring& beside, double factor, NodeId lower, NodeId upper) {
+  const std::string name = beside.name + " damping";
+  const double damping = factor * beside.stiffness;
+  if (beside.turns())
+    add(model, RotationDamper{name, lower, upper, Quantity<1, 4, -1>{damping}});
+  else
+    add(model,
+        unreported(name, lower, upper, beside.at, beside.direction, Viscous{.damping = DampingCoefficient{damping}}));
 }
 
 class Builder {
@@ -212,28 +215,23 @@ class Builder {
     for (std::size_t i = 0; i < parts_.floors.size(); ++i) {
       const NodeId above = parts_.floors[i];
       const std::string storey = "storey " + std::to_string(i + 1);
-      storeys.push_back(springs_of_storey(model_, check_, building_.columns.of(static_cast<int>(i) + 1),
-                                          building_.outline, prefix_ + storey, below, above));
-      require_stiffness(storey, stiffness_of(model_, {parts_.floors[i]}, {storeys.back()}));
+      storeys.push_back(springs_of_storey(check_, building_.columns.of(static_cast<int>(i) + 1), building_.outline,
+                                          prefix_ + storey));
+      for (const StoreySpring& spring : storeys.back()) add_spring(model_, spring, below, above);
+      // No storey above is there yet.
+      require_stiffness(storey, stiffness_of_floors(model_, {parts_.floors[i]}));
       below = above;
     }
-    const double ratio = building_.damping.ratio;
-    const RayleighFactors rayleigh =
-        ratio > 0.0
-            ? rayleigh_factors_in_plan(ratio, model_, parts_.floors, stiffness_of(model_, parts_.floors, storeys))
-            : RayleighFactors{};
-    below = base_;
+    if (building_.damping.ratio > 0.0)
+      add_damping(storeys, rayleigh_factors_in_plan(building_.damping.ratio, model_, parts_.floors));
+  }
+
+  void add_damping(const std::vector<std::vector<StoreySpring>>& storeys, const RayleighFactors& rayleigh) {
+    NodeId below = base_;
     for (std::size_t i = 0; i < storeys.size(); ++i) {
       const NodeId above = parts_.floors[i];
-      for (const StoreySpring& spring : storeys[i]) {
-        model_.register_element("PlanBuilding", spring.name);
-        model_.block<LinkBlock<Linear, PlanEnds>>().add(
-            {.name = spring.name, .first = below, .second = above, .drawn_as = DrawnAs::nothing},
-            Linear{.stiffness = Stiffness{spring.stiffness}}, spring.ends);
-        if (rayleigh.stiffness_factor > 0.0)
-          add_dashpot(model_, spring.name + " damping", below, above, spring.ends,
-                      rayleigh.stiffness_factor * spring.stiffness);
-      }
+      for (const StoreySpring& spring : storeys[i])
+        add_dashpot(model_, spring, rayleigh.stiffness_factor, below, above);
       if (rayleigh.mass_factor > 0.0) add_mass_damping(i, rayleigh.mass_factor);
       below = above;
     }
@@ -255,11 +253,10 @@ class Builder {
     const std::string name = floor.name + " damping";
     for (const auto& [component, direction] :
          {std::pair{" x", PlanVector{1.0, 0.0}}, std::pair{" y", PlanVector{0.0, 1.0}}})
-      add_dashpot(model_, name + component, base_, floor.id,
-                  PlanEnds{model_, PlanPoint{base_, centre}, PlanPoint{floor.id, centre}, direction},
-                  factor * floor.mass);
-    add_dashpot(model_, name + " rotation", base_, floor.id, rotation_of(model_, base_, floor.id),
-                factor * floor.mass * floor.gyration * floor.gyration);
+      add(model_, unreported(name + component, base_, floor.id, centre, direction,
+                             Viscous{.damping = DampingCoefficient{factor * floor.mass}}));
+    add(model_, RotationDamper{name + " rotation", base_, floor.id,
+                               Quantity<1, 4, -1>{factor * floor.mass * floor.gyration * floor.gyration}});
   }
 
   void add_bearings() {
@@ -292,6 +289,13 @@ PlanBuildingParts add(Model& model, const PlanBuilding& building) {
   check_parameters(building);
   require_new_name(model, building);
   return Builder{model, building}.build();
+}
+
+RayleighFactors rayleigh_factors_in_plan(double ratio, const Model& model, const std::vector<DiaphragmId>& floors) {
+  const Check check{"RayleighDamping", ""};
+  check.that(ratio >= 0.0 && ratio < 1.0, "ratio", ratio, "1", ">= 0 and < 1", "5 % of critical is 0.05.");
+  check.that(!floors.empty(), "there are no floors.");
+  return factors_of_stiffness(ratio, model, floors, stiffness_of_floors(model, floors));
 }
 
 PlanBuilding with_eccentricity(PlanBuilding building, double share_of_x, double share_of_y) {

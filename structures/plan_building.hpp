@@ -68,6 +68,12 @@ struct PlanBuildingParts {
 /// plan, or a name that is taken: a second building needs a name.
 PlanBuildingParts add(Model& model, const PlanBuilding& building);
 
+/// Factors that give `ratio` in two modes of these floors, everything else held: their lowest translational mode, and
+/// the next translational mode in the same direction, of the elements that the model has so far. Floors with one such
+/// mode get the stiffness part only. They are those of rayleigh_factors_of_chain() for a symmetric building. Throws
+/// InputError for a ratio outside [0, 1) or no floors.
+RayleighFactors rayleigh_factors_in_plan(double ratio, const Model& model, const std::vector<DiaphragmId>& floors);
+
 /// All centres of mass moved along x and y by these shares of the outline's extent there, from where they are:
 /// accidental eccentricity. ASCE 7 takes 5 % of the plan dimension across the motion.
 PlanBuilding with_eccentricity(PlanBuilding building, double share_of_x, double share_of_y);

@@ -28,7 +28,7 @@ struct Grid {
 };
 
 /// The columns or walls of a storey on a vertical line: springs along x and y.
-struct Column {
+struct StoreyColumn {
   /// > 0 N/m, in both directions; or give the next two.
   Stiffness stiffness{};
   /// >= 0 N/m, not both zero.
@@ -38,7 +38,7 @@ struct Column {
   [[nodiscard]] Stiffness along_y() const { return stiffness.si() != 0.0 ? stiffness : stiffness_y; }
 };
 
-inline Grid<Column> grid(int along_x, int along_y, Column column) { return {along_x, along_y, column}; }
+inline Grid<StoreyColumn> grid(int along_x, int along_y, StoreyColumn column) { return {along_x, along_y, column}; }
 template <PlanarLaw Law>
 Grid<Law> grid(int along_x, int along_y, Law law) {
   return {along_x, along_y, std::move(law)};
@@ -54,7 +54,7 @@ std::vector<PlanPosition> grid_points(const Check& check, const std::string& fie
 /// A column line at a position.
 struct ColumnLine {
   PlanPosition at{};
-  Column column;
+  StoreyColumn column;
 };
 
 /// A storey as a whole: forces at its centre of rigidity.
@@ -72,7 +72,7 @@ struct StoreyStiffness {
 /// The lateral stiffness of a storey: column lines on a grid or anywhere, or the storey as a whole.
 class PlanColumns {
  public:
-  PlanColumns(Grid<Column> columns) : grid_{columns}, is_grid_{true} {}
+  PlanColumns(Grid<StoreyColumn> columns) : grid_{columns}, is_grid_{true} {}
   PlanColumns(std::vector<ColumnLine> lines) : lines_{std::move(lines)} {}
   PlanColumns(StoreyStiffness whole) : whole_{whole} {}
 
@@ -81,7 +81,7 @@ class PlanColumns {
   [[nodiscard]] const std::optional<StoreyStiffness>& whole() const { return whole_; }
 
  private:
-  Grid<Column> grid_{1, 1, {}};
+  Grid<StoreyColumn> grid_{1, 1, {}};
   bool is_grid_ = false;
   std::vector<ColumnLine> lines_{};
   std::optional<StoreyStiffness> whole_{};

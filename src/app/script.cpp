@@ -163,9 +163,28 @@ GroundMotion Script::motion(const GroundMotion& preset) {
     if (unit) throw InputError{"--record-unit: give it together with --record FILE."};
     return preset;
   }
-  if (unit) return read_motion(*file, parse<Acceleration>("1 " + *unit, "--record-unit"));
+  return read(*file, unit);
+}
+
+PlanMotion Script::plan_motion(const PlanMotion& preset) {
+  const auto first =
+                 parts_->line.look_up("record", "", "accelerogram of the first component: " + motion_formats(), "FILE"),
+             second = parts_->line.look_up("record-2", "", "accelerogram of the second component", "FILE"),
+             unit = parts_->line.look_up("record-unit", "", "unit of two-column records: g, cm/s^2 ...", "UNIT");
+  const double degrees = number("incidence", preset.incidence / (units::pi / 180.0),
+                                "angle in degrees from +x to the first component, counter-clockwise");
+  if (first.has_value() != second.has_value())
+    throw InputError{"--record and --record-2: give both components, or none."};
+  if (unit && !first) throw InputError{"--record-unit: give it together with --record FILE."};
+  const Angle incidence = degrees * units::deg;
+  if (!first) return {preset.first, preset.second, incidence};
+  return {read(*first, unit), read(*second, unit), incidence};
+}
+
+GroundMotion Script::read(const std::string& file, const std::optional<std::string>& unit) const {
+  if (unit) return read_motion(file, parse<Acceleration>("1 " + *unit, "--record-unit"));
   try {
-    return read_motion(*file);
+    return read_motion(file);
   } catch (const MissingUnit& error) {
     throw InputError{std::string{error.what()} + " Here: --record-unit g"};
   }

@@ -12,6 +12,7 @@
 #include "base/quantity.hpp"
 #include "model/model.hpp"
 #include "motions/ground_motion.hpp"
+#include "motions/plan_motion.hpp"
 #include "output/chart.hpp"
 #include "output/heat_map.hpp"
 #include "output/step_observer.hpp"
@@ -63,6 +64,10 @@ class Script {
 
   /// Adds --record FILE (PEER AT2, or two columns with --record-unit g) and returns that motion, else the preset.
   GroundMotion motion(const GroundMotion& preset);
+
+  /// The same for two components: adds --record FILE and --record-2 FILE, to be given together, and --incidence NUMBER,
+  /// the angle in degrees from +x to the first component.
+  PlanMotion plan_motion(const PlanMotion& preset);
 
   /// Before run(): calls the observer too, at every step; it must outlive the run. The quantities of a QuantityRecorder
   /// appear in histories, peaks and report.
@@ -122,6 +127,7 @@ class Script {
   ScriptStudy& studies_done();
   template <class Q>
   Q quantity(const std::string& name, Q preset, const std::string& help);
+  [[nodiscard]] GroundMotion read(const std::string& file, const std::optional<std::string>& unit) const;
   std::unique_ptr<Parts> parts_;
 };
 

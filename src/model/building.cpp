@@ -83,6 +83,8 @@ std::vector<Building> all_buildings(const Model& model) {
     if (const NodeId node = isolated_node(info); node != ground) isolated[static_cast<std::size_t>(node.index)] = true;
   });
   for (int node = 0; node < model.node_count(); ++node) {
+    // A diaphragm counts once.
+    if (model.body_of(NodeId{node}).front() != NodeId{node}) continue;
     int& building = building_of_part[static_cast<std::size_t>(part[static_cast<std::size_t>(node)])];
     if (building == known) continue;
     if (building == none) {

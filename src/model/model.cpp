@@ -45,8 +45,9 @@ DiaphragmId Model::add_diaphragm(const Diaphragm& diaphragm) {
   check.that(is_utf8(diaphragm.name), "the name is not UTF-8.", "Save the script in UTF-8.");
   check.that(diaphragm.name != "ground", "this name is taken.", "`ground` is always there; choose another name.");
   for (const Node& node : nodes_)
-    check.that(node.direction.has_value(), "the model has the node \"" + node.name + "\", which moves on a line.",
-               "Give that node a .direction, or make it a Diaphragm: a model moves on a line or in plan.");
+    if (!node.direction)
+      check.that(false, "the model has the node \"" + node.name + "\", which moves on a line.",
+                 "Give that node a .direction, or make it a Diaphragm: a model moves on a line or in plan.");
   const double gyration = std::sqrt(inertia / diaphragm.mass.si());
   const auto degree_of_freedom = [&](const char* suffix, PlanVector direction, Length displacement, Speed velocity) {
     const std::string name = diaphragm.name + suffix;

@@ -15,9 +15,10 @@ namespace moat {
 ///     corner > |-->  tangent: the normal turned by +90 degrees
 ///              |
 struct CornerPair {
-  Label corner, edge;     ///< names, for tables: "base corner 2", "moat wall 3"
-  PlanVector position{};  ///< of the corner at rest, m
-  PlanVector normal{};    ///< of length 1
+  Label corner, edge;                   ///< names, for tables: "base corner 2", "moat wall 3"
+  PlanVector position{};                ///< of the corner at rest, m
+  PlanVector edge_begin{}, edge_end{};  ///< at rest, m; the corner is on the left of the way between them
+  PlanVector normal{};                  ///< of length 1
 };
 
 /// The side of an ElementBlock whose elements are contacts of corners with walls: they slide along these.

@@ -11,6 +11,8 @@ namespace moat {
 /// ElementBlock::deformations() and forces() are then the lengths of these vectors.
 class PlanarElements {
  public:
+  /// Where the element stands at rest, m.
+  [[nodiscard]] virtual PlanVector position(std::size_t element) const = 0;
   /// Results of the last evaluate() and evaluate_rates(): m, m/s, N, N/s.
   [[nodiscard]] virtual PlanVector deformation(std::size_t element) const = 0;
   [[nodiscard]] virtual PlanVector deformation_rate(std::size_t element) const = 0;

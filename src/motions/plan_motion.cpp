@@ -8,6 +8,7 @@
 #include "base/number_format.hpp"
 #include "base/units.hpp"
 #include "motions/response_spectrum.hpp"
+#include "motions/scaling.hpp"
 
 namespace moat {
 namespace {
@@ -102,7 +103,8 @@ PlanMotion PlanMotion::scaled_to_mean_pga(Acceleration target) const {
   const double mean = std::sqrt(first.peak_acceleration().si() * second.peak_acceleration().si());
   check.that(mean > 0.0, "one of its components is zero, so that their geometric mean cannot be scaled.",
              "Use scaled_to_larger_pga().");
-  return scaled_by(target.si() / mean);
+  const MotionPair pair = scaled_to_pga(MotionPair{first, second}, target);
+  return {pair.first, pair.second, incidence};
 }
 
 std::vector<double> maximum_direction_spectrum(const PlanMotion& motion, const std::vector<Time>& periods,

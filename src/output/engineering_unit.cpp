@@ -12,6 +12,8 @@ EngineeringUnit engineering_unit(std::string_view si_symbol) {
   if (si_symbol == "m/s") return {"cm/s", 100.0};
   if (si_symbol == "N") return {"kN", 1e-3};
   if (si_symbol == "J") return {"kJ", 1e-3};
+  if (si_symbol == "rad") return {"mrad", 1e3};
+  if (si_symbol == "N m") return {"kN m", 1e-3};
   return {std::string{si_symbol}, 1.0};
 }
 

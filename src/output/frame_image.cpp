@@ -9,7 +9,7 @@ namespace {
 constexpr std::array kind_names{"floor", "storey", "bearing", "gap", "wall", "other"};
 constexpr double no_value = std::numeric_limits<double>::quiet_NaN();
 // Cell types of VTK.
-constexpr std::uint8_t vtk_line = 3, vtk_quad = 9;
+constexpr std::uint8_t vtk_line = 3, vtk_polygon = 7, vtk_quad = 9;
 
 }  // namespace
 
@@ -24,7 +24,7 @@ void FrameImage::draw() {
   for (const SceneCell& cell : scene_.cells) {
     connectivity_.insert(connectivity_.end(), cell.points.begin(), cell.points.end());
     offsets_.push_back(static_cast<std::int64_t>(connectivity_.size()));
-    types_.push_back(cell.points.size() == 2 ? vtk_line : vtk_quad);
+    types_.push_back(cell.points.size() == 2 ? vtk_line : cell.points.size() == 4 ? vtk_quad : vtk_polygon);
     kinds_.push_back(static_cast<std::int32_t>(cell.kind));
     // A text ends at its first zero byte.
     names_.append(cell.name.c_str()).push_back('\0');
@@ -70,10 +70,18 @@ void FrameImage::fill(double time, const FrameData& data) {
     const bool fixed = point.node < 0;
     const auto node = static_cast<std::size_t>(fixed ? 0 : point.node);
     const double w = fixed ? 0.0 : point.weight;
-    displacement_[3 * i] = fixed ? 0.0 : w * data.node_displacement[node];
-    velocity_[3 * i] = fixed ? 0.0 : w * data.node_velocity[node];
-    acceleration_[3 * i] = fixed ? data.ground_acceleration
-                                 : w * data.node_absolute_acceleration[node] + (1.0 - w) * data.ground_acceleration;
+    const PlanVector ground{data.ground_acceleration, data.ground_acceleration_y};
+    const auto moved = [&](std::span<const double> values) {
+      return point.on_diaphragm ? PlanVector{values[node], values[node + 1]} + values[node + 2] * turned_left(point.arm)
+                                : values[node] * point.direction;
+    };
+    const auto write = [&](std::vector<double>& vectors, PlanVector value) {
+      vectors[3 * i] = value.x;
+      vectors[3 * i + 1] = value.y;
+    };
+    write(displacement_, fixed ? PlanVector{} : w * moved(data.node_displacement));
+    write(velocity_, fixed ? PlanVector{} : w * moved(data.node_velocity));
+    write(acceleration_, fixed ? ground : w * moved(data.node_absolute_acceleration) + (1.0 - w) * ground);
   }
   for (std::size_t i = 0; i < scene_.cells.size(); ++i) {
     const SceneCell& cell = scene_.cells[i];

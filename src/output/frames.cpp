@@ -39,12 +39,12 @@ SceneNeeds check_scene(const Scene& scene) {
     check.finite("z", point.z, "m");
     check.between("weight", point.weight, 0.0, 1.0, "1");
     check.that(point.node >= -1, "node", point.node, "1", "the index of a node, or -1 for the ground");
-    last_node = std::max(last_node, point.node);
+    last_node = std::max(last_node, point.on_diaphragm ? point.node + 2 : point.node);
   }
   for (const SceneCell& cell : scene.cells) {
     const Check check{"Scene cell", cell.name};
-    check.that(cell.points.size() == 2 || cell.points.size() == 4, "number of points",
-               static_cast<double>(cell.points.size()), "1", "2 (line) or 4 (quad)");
+    check.that(cell.points.size() == 2 || cell.points.size() >= 4, "number of points",
+               static_cast<double>(cell.points.size()), "1", "2 (line), 4 (quad) or more (polygon)");
     for (const int point : cell.points)
       check.that(point >= 0 && static_cast<std::size_t>(point) < scene.points.size(), "point", point, "1",
                  "the index of one of the " + std::to_string(scene.points.size()) + " points of the scene");

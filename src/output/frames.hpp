@@ -18,7 +18,8 @@ struct FrameData {
   std::span<const double> deformation;                 ///< m; of a gap its opening, negative while indented
   std::span<const double> force;                       ///< N
   std::span<const double> in_contact;                  ///< 1 in contact, 0 not
-  double ground_acceleration = 0.0;                    ///< m/s^2, of points fixed to the ground
+  double ground_acceleration = 0.0;                    ///< m/s^2, of points fixed to the ground, along x
+  double ground_acceleration_y = 0.0;                  ///< along y; 0 on a line
 };
 
 /// Writes frames/frame_000000.vtu ... and frames.pvd, which lists them by time, into a results folder.
@@ -34,7 +35,7 @@ struct FrameData {
 class FrameWriter {
  public:
   /// Creates `folder`/frames and an empty `folder`/frames.pvd. Throws InputError where a cell has neither 2 nor 4
-  /// points, a point does not exist, an index is below -1, or a weight lies outside 0 to 1; FileError where the
+  /// or more points, a point does not exist, an index is below -1, or a weight lies outside 0 to 1; FileError where the
   /// folder or the file cannot be written.
   FrameWriter(const std::filesystem::path& folder, Scene scene);
   ~FrameWriter();

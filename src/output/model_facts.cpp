@@ -1,5 +1,8 @@
 #include "output/model_facts.hpp"
 
+#include <algorithm>
+
+#include "model/building.hpp"
 #include "model/model.hpp"
 #include "output/gaps_of.hpp"
 
@@ -20,6 +23,35 @@ ElementFacts facts_of(const Model& model, const ElementBlock& block, std::size_t
   return facts;
 }
 
+void add_plan(const Model& model, ModelFacts& facts) {
+  std::vector<NodeId> bases;
+  for (const Building& building : all_buildings(model)) bases.push_back(building.base);
+  for (const PlacedDiaphragm& each : model.diaphragms()) {
+    DiaphragmFacts diaphragm{.name = each.name,
+                             .gyration = each.gyration,
+                             .centre_of_mass = each.centre_of_mass,
+                             .is_base = std::ranges::find(bases, each.id.x) != bases.end()};
+    for (std::size_t i = 0; i < each.outline.size(); ++i) diaphragm.outline.push_back(each.outline.corner(i));
+    facts.diaphragms.push_back(std::move(diaphragm));
+  }
+  for (const auto& block : model.blocks()) {
+    const PlanContacts* contacts = block->plan_contacts();
+    for (std::size_t e = 0; contacts != nullptr && e < block->size(); ++e) {
+      const CornerPair& pair = contacts->pair(e);
+      const ElementInfo& info = block->info(e);
+      facts.corners.push_back({.element = info.name,
+                               .corner = pair.corner.text(),
+                               .edge = pair.edge.text(),
+                               .position = pair.position,
+                               .normal = pair.normal,
+                               .edge_begin = pair.edge_begin,
+                               .edge_end = pair.edge_end,
+                               .clearance = info.offset,
+                               .edge_is_wall = model.diaphragm_of(info.first) == nullptr});
+    }
+  }
+}
+
 }  // namespace
 
 ModelFacts facts_of(const Model& model) {
@@ -28,6 +60,7 @@ ModelFacts facts_of(const Model& model) {
     facts.nodes.push_back({node.name, node.mass.value().si(), node.x.si(), node.height.si()});
   for (const auto& block : model.blocks())
     for (std::size_t e = 0; e < block->size(); ++e) facts.elements.push_back(facts_of(model, *block, e));
+  if (model.is_plan()) add_plan(model, facts);
   return facts;
 }
 

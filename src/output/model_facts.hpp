@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "base/plan_vector.hpp"
+
 namespace moat {
 
 class Model;
@@ -28,9 +30,32 @@ struct ElementFacts {
   std::vector<ParameterFacts> parameters;
 };
 
+/// A floor in plan.
+struct DiaphragmFacts {
+  std::string name;
+  double gyration = 0.0;              ///< m
+  PlanVector centre_of_mass{};        ///< m
+  std::vector<PlanVector> outline{};  ///< corners, m
+  bool is_base = false;               ///< the lowest floor of its building
+};
+
+/// A corner that can hit an edge.
+struct CornerFacts {
+  std::string element;                  ///< the contact
+  std::string corner, edge;             ///< names
+  PlanVector position{};                ///< of the corner at rest, m
+  PlanVector normal{};                  ///< from the corner's body to the edge's
+  PlanVector edge_begin{}, edge_end{};  ///< at rest, m
+  double clearance = 0.0;               ///< m
+  bool edge_is_wall = false;            ///< of the ground, or of a wall; else of another floor
+};
+
 struct ModelFacts {
   std::vector<NodeFacts> nodes;
   std::vector<ElementFacts> elements;
+  // In plan.
+  std::vector<DiaphragmFacts> diaphragms{};
+  std::vector<CornerFacts> corners{};
 };
 
 /// All nodes and elements of a model with their parameters.

@@ -1,6 +1,9 @@
 #include "output/model_scene.hpp"
 
 #include <cmath>
+#include <set>
+#include <string>
+#include <vector>
 
 #include "base/check.hpp"
 
@@ -18,6 +21,7 @@ class SceneBuilder {
   explicit SceneBuilder(const Model& model) : model_{model} {}
 
   Scene build() {
+    if (model_.is_plan()) return build_in_plan();
     for (int i = 0; i < model_.node_count(); ++i) add_slab(NodeId{i});
     int number = 0;
     for (const auto& block : model_.blocks())
@@ -100,8 +104,99 @@ class SceneBuilder {
                             -1});
   }
 
+  // In plan floors are extruded outlines, walls stand along their edges, bearings and contacts are lines.
+  Scene build_in_plan() {
+    for (const PlacedDiaphragm& diaphragm : model_.diaphragms()) add_floor(diaphragm);
+    int number = 0;
+    for (const auto& block : model_.blocks())
+      for (std::size_t e = 0; e < block->size(); ++e, ++number) {
+        if (const PlanContacts* contacts = block->plan_contacts())
+          add_corner(block->info(e), contacts->pair(e), number);
+        else if (const PlanarElements* planar = block->planar())
+          add_bearing(block->info(e), planar->position(e), number);
+      }
+    return std::move(scene_);
+  }
+
+  // A point of the body of a node, of the ground for another.
+  int plan_point(PlanVector at, double z, NodeId body) {
+    ScenePoint point{.x = at.x, .y = at.y, .z = z, .node = body == ground ? -1 : body.index};
+    if (body == ground) {
+      point.weight = 0.0;
+    } else if (const PlacedDiaphragm* diaphragm = model_.diaphragm_of(body)) {
+      point.on_diaphragm = true;
+      point.node = diaphragm->id.x.index;
+      point.arm = (at - diaphragm->centre_of_mass) / diaphragm->gyration;
+    } else {
+      point.direction = *model_.node(body).direction;
+    }
+    scene_.points.push_back(point);
+    return static_cast<int>(scene_.points.size()) - 1;
+  }
+
+  void add_prism(CellKind kind, const std::string& name, const std::vector<PlanVector>& corners, double bottom,
+                 double top, NodeId body) {
+    std::vector<int> low, high;
+    for (const PlanVector& corner : corners) {
+      low.push_back(plan_point(corner, bottom, body));
+      high.push_back(plan_point(corner, top, body));
+    }
+    const std::size_t count = corners.size();
+    for (std::size_t i = 0; i < count; ++i) {
+      const std::size_t next = (i + 1) % count;
+      scene_.cells.push_back({kind, name, {low[i], low[next], high[next], high[i]}, -1});
+    }
+    for (std::vector<int>* face : {&low, &high}) {
+      if (count == 3) face->push_back(face->back());  // a triangle as a quad
+      scene_.cells.push_back({kind, name, *face, -1});
+    }
+  }
+
+  void add_floor(const PlacedDiaphragm& diaphragm) {
+    std::vector<PlanVector> corners;
+    for (std::size_t i = 0; i < diaphragm.outline.size(); ++i) corners.push_back(diaphragm.outline.corner(i));
+    if (corners.empty()) {
+      const double half = diaphragm.gyration;
+      for (const PlanVector& way : {PlanVector{-1, -1}, PlanVector{1, -1}, PlanVector{1, 1}, PlanVector{-1, 1}})
+        corners.push_back(diaphragm.centre_of_mass + half * way);
+    }
+    add_prism(CellKind::floor, diaphragm.name, corners, diaphragm.height - slab_thickness, diaphragm.height,
+              diaphragm.id.x);
+  }
+
+  double height_of(NodeId body) const {
+    const PlacedDiaphragm* diaphragm = model_.diaphragm_of(body);
+    return diaphragm != nullptr ? diaphragm->height : 0.0;
+  }
+
+  void add_bearing(const ElementInfo& info, PlanVector at, int number) {
+    const double top = height_of(info.second) - slab_thickness;
+    const double bottom = info.first == ground ? top - bearing_height : height_of(info.first);
+    scene_.cells.push_back({info.isolates ? CellKind::bearing : CellKind::other,
+                            info.name,
+                            {plan_point(at, bottom, info.first), plan_point(at, top, info.second)},
+                            number});
+  }
+
+  // The line from a corner to the edge, and the edge as a wall unless it is that of a floor.
+  void add_corner(const ElementInfo& info, const CornerPair& pair, int number) {
+    const double level = height_of(info.second != ground ? info.second : info.first) - 0.5 * slab_thickness;
+    scene_.cells.push_back({CellKind::gap,
+                            info.name,
+                            {plan_point(pair.position, level, info.second),
+                             plan_point(pair.position + info.offset * pair.normal, level, info.first)},
+                            number});
+    const std::string& wall = pair.edge.text();
+    if (model_.diaphragm_of(info.first) != nullptr || !drawn_walls_.insert(wall).second) return;
+    const PlanVector outwards = wall_thickness * pair.normal;
+    add_prism(CellKind::wall, wall,
+              {pair.edge_begin, pair.edge_end, pair.edge_end + outwards, pair.edge_begin + outwards},
+              level - 0.5 * slab_thickness - bearing_height, level + slab_thickness, info.first);
+  }
+
   const Model& model_;
   Scene scene_;
+  std::set<std::string> drawn_walls_;
 };
 
 }  // namespace
@@ -148,7 +243,8 @@ void FrameRecorder::write(const StepView& view) {
                                      .deformation = deformation_,
                                      .force = force_,
                                      .in_contact = in_contact_,
-                                     .ground_acceleration = view.ground_acceleration});
+                                     .ground_acceleration = view.ground_acceleration,
+                                     .ground_acceleration_y = view.ground_acceleration_y});
   while (next_ <= model.state().time * (1.0 + 1e-12)) next_ += interval_;
 }
 

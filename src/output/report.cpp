@@ -11,6 +11,7 @@
 #include "output/file_io.hpp"
 #include "output/impact_columns.hpp"
 #include "output/peak_groups.hpp"
+#include "output/plan_view.hpp"
 #include "output/report_html.hpp"
 #include "output/report_input.hpp"
 #include "output/report_page.hpp"
@@ -158,6 +159,7 @@ std::string solver_section(const CaseResult& result) {
 
 std::string chart_section(const CaseResult& result) {
   std::string html;
+  for (const std::string& view : plan_views(result)) html += "<h2>Plan</h2>\n" + view;
   const std::vector<Chart> histories = history_charts(result);
   if (!histories.empty()) html += "<h2>Histories</h2>\n" + svg_text(histories, 1000, 300);
   if (const auto loop = hysteresis_chart(result)) html += "<h2>Hysteresis</h2>\n" + svg_text({*loop}, 700, 440);

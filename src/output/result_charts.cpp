@@ -63,6 +63,24 @@ Chart history_chart(const Column& time, const std::vector<const Column*>& column
   return chart;
 }
 
+// Both components of the first bearing.
+std::optional<Chart> hysteresis_in_plan(const CaseResult& result) {
+  Chart loop;
+  for (const char* component : {"_x", "_y"}) {
+    const std::vector<const Column*> forces = columns_of(result.histories, "isolator_force" + std::string{component}),
+                                     deformations =
+                                         columns_of(result.histories, "isolator_deformation" + std::string{component});
+    if (forces.empty() || deformations.empty() || forces.front()->where != deformations.front()->where)
+      return std::nullopt;
+    loop.series.push_back({forces.front()->where + (component[1] == 'x' ? ", along x" : ", along y"),
+                           scaled(*deformations.front()), scaled(*forces.front())});
+    loop.x_label = "deformation [" + engineering_unit("m").symbol + "]";
+    loop.y_label = axis_label(*forces.front());
+  }
+  loop.title = "Bearing";
+  return loop;
+}
+
 }  // namespace
 
 std::vector<Chart> history_charts(const CaseResult& result) {
@@ -71,8 +89,16 @@ std::vector<Chart> history_charts(const CaseResult& result) {
   const std::vector<const Column*> times = columns_of(table, "time");
   std::vector<Chart> charts;
   if (times.empty() || times.front()->values.back() <= times.front()->values.front()) return charts;
-  for (const auto& columns : {bases_and_tops(result, "displacement"), bases_and_tops(result, "absolute_acceleration"),
-                              columns_of(table, "impact_force")})
+  std::vector<std::vector<const Column*>> groups;
+  if (result.model.diaphragms.empty()) {
+    groups = {bases_and_tops(result, "displacement"), bases_and_tops(result, "absolute_acceleration")};
+  } else {
+    for (const char* quantity :
+         {"displacement_x", "displacement_y", "rotation", "absolute_acceleration_x", "absolute_acceleration_y"})
+      groups.push_back(bases_and_tops(result, quantity));
+  }
+  groups.push_back(columns_of(table, "impact_force"));
+  for (const auto& columns : groups)
     if (!columns.empty()) charts.push_back(history_chart(*times.front(), columns));
   for (std::size_t i = 0; i < result.offered.size(); ++i) {
     const std::string& quantity = result.offered[i].quantity;
@@ -94,6 +120,7 @@ std::vector<Chart> history_charts(const CaseResult& result) {
 std::optional<Chart> hysteresis_chart(const CaseResult& result) {
   const Table& table = result.histories;
   require_equal_lengths(table);
+  if (!result.model.diaphragms.empty()) return hysteresis_in_plan(result);
   const std::vector<const Column*> forces = columns_of(table, "isolator_force");
   const std::vector<const Column*> displacements = columns_of(table, "displacement");
   for (const BuildingParts& building : result.buildings) {

@@ -4,13 +4,20 @@
 #include <string>
 #include <vector>
 
+#include "base/plan_vector.hpp"
+
 namespace moat {
 
-/// A corner of a drawn cell. It is displaced by weight * u of its node along x, the direction of shaking; z is up.
+/// A corner of a drawn cell; z is up. On a line it is displaced by weight * u of its node along x, the direction of
+/// shaking. In plan a wall moves along its direction, and a point of a diaphragm by u_x - arm_y theta along x and
+/// u_y + arm_x theta along y: `node` is then the first of the three of the diaphragm.
 struct ScenePoint {
   double x = 0.0, y = 0.0, z = 0.0;  ///< m, undeformed
   int node = -1;                     ///< index into the spans of FrameData; -1: fixed to the ground
   double weight = 1.0;               ///< share of the node's motion, 0 (ground) to 1
+  PlanVector direction{1.0, 0.0};    ///< of the node's motion
+  bool on_diaphragm = false;
+  PlanVector arm{};  ///< from the centre of mass, over the diaphragm's gyration: theta times this is w
 };
 
 /// Written as the integer cell data `Kind`; the names are in the field data `KindNames`.
@@ -19,8 +26,9 @@ enum class CellKind { floor = 0, storey = 1, bearing = 2, gap = 3, wall = 4, oth
 struct SceneCell {
   CellKind kind = CellKind::other;
   std::string name;
-  std::vector<int> points;  ///< indices of 2 (line) or 4 (quad, in order around it) points
-  int element = -1;         ///< index into the per-element spans of FrameData; -1: none
+  /// Indices of 2 (line), 4 (quad, in order around it) or more (polygon) points.
+  std::vector<int> points;
+  int element = -1;  ///< index into the per-element spans of FrameData; -1: none
 };
 
 struct Scene {

@@ -54,5 +54,26 @@ TEST_F(Tours, OneAndTwoHaveTheSamePeaks) {
                 second.at("periods").at(i).at("value").get<double>(), 1e-12);
 }
 
+TEST_F(Tours, FiveAndSixHaveTheSamePeaks) {
+  const json fifth = summary_of(FIFTH_TOUR, "fifth"), sixth = summary_of(SIXTH_TOUR, "sixth");
+  const Peaks expected = peaks_of(fifth), peaks = peaks_of(sixth);
+  ASSERT_EQ(peaks.size(), expected.size());
+  for (const auto& [key, value] : expected) {
+    ASSERT_EQ(peaks.count(key), 1u) << key.first << " " << key.second;
+    EXPECT_LE(std::abs(peaks.at(key) - value), 1e-9 * std::abs(value)) << key.first << " " << key.second;
+  }
+  EXPECT_GT(fifth.at("impacts").get<int>(), 0);
+  EXPECT_EQ(fifth.at("impacts"), sixth.at("impacts"));
+  EXPECT_GT(fifth.at("energy").at("friction").get<double>(), 0.0);
+  EXPECT_EQ(fifth.at("impact_table").at(0).at("edge"), sixth.at("impact_table").at(0).at("edge"));
+}
+
+TEST_F(Tours, SevenNamesTheAngleOfTheLargestResults) {
+  const auto result = testing::run_program(SEVENTH_TOUR, {"--step", "120"}, folder);
+  ASSERT_EQ(result.exit_code, 0) << result.errors;
+  EXPECT_NE(result.output.find("incidence = "), std::string::npos) << result.output;
+  EXPECT_NE(result.output.find("eccentricity = "), std::string::npos) << result.output;
+}
+
 }  // namespace
 }  // namespace moat

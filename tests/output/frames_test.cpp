@@ -162,7 +162,8 @@ TEST_F(Frames, RefusesWhatDoesNotFitTheScene) {
   EXPECT_EQ(writer_of([](Scene& scene) {
               scene.cells[1].points = {0, 1, 2};
             }),
-            "Scene cell \"bearing\": number of points = 3 is not allowed; it must be 2 (line) or 4 (quad).");
+            "Scene cell \"bearing\": number of points = 3 is not allowed; it must be 2 (line), 4 (quad) or "
+            "more (polygon).");
   EXPECT_EQ(writer_of([](Scene& scene) {
               scene.cells[1].points = {0, 7};
             }),

@@ -167,9 +167,10 @@ TEST(PlanBuilding, BadInputIsRefused) {
       }),
       "PlanBuilding: storey 1 does not resist every motion in plan: the smallest eigenvalue of its stiffness is 0 "
       "N/m. Give column lines at two places at least, with stiffness along x and along y, or a StoreyStiffness.");
-  EXPECT_EQ(message([](PlanBuilding& b) { b.columns = std::vector<PlanColumns>(3, grid(2, 2, Column{1 * MN / m})); }),
-            "PlanBuilding: columns has 3 entries for 2 storeys. Give one for all storeys, or one for each from the "
-            "lowest up.");
+  EXPECT_EQ(
+      message([](PlanBuilding& b) { b.columns = std::vector<PlanColumns>(3, grid(2, 2, StoreyColumn{1 * MN / m})); }),
+      "PlanBuilding: columns has 3 entries for 2 storeys. Give one for all storeys, or one for each from the "
+      "lowest up.");
   EXPECT_NE(message([](PlanBuilding& b) { b.base_mass = {}; }).find("needs the mass of its base floor"),
             std::string::npos);
   EXPECT_NE(message([](PlanBuilding& b) { b.bearings.reset(); }).find("base_mass"), std::string::npos);

@@ -84,7 +84,8 @@ TEST(PlanMoat, FlexibleWallsAreThoseOfTheLine) {
   add(plan, PlanMoat{.around = base, .clearance = 1 * cm, .law = law(), .share = Share::per_face, .wall = wall});
   const NodeId body = add(line, Node{.name = "base", .mass = 800 * tonne, .initial_velocity = 0.5 * m / s});
   add(line, Moat{.around = body, .clearance = 1 * cm, .law = law(), .wall = wall});
-  const CaseOptions options{.transient = {.step = 0.5 * ms}, .error_bars = ErrorBarMode::never};
+  const CaseOptions options{.transient = {.step = 0.5 * ms, .force_tolerance = 1e-12},
+                            .error_bars = ErrorBarMode::never};
   const CaseResult in_plan = run_case(plan, still(), options), on_line = run_case(line, still(), options);
   EXPECT_EQ(in_plan.impacts.size(), 2 * on_line.impacts.size());
   const double along = std::cos(angle) * plan.velocity(base.x) + std::sin(angle) * plan.velocity(base.y);
@@ -199,9 +200,10 @@ TEST(PlanMoat, BadInputIsRefused) {
             std::string::npos);
   EXPECT_NE(message([&](Moat& moat) { moat.walls = walls(21 * m, 13 * m); }).find("both .clearance and .walls"),
             std::string::npos);
-  EXPECT_EQ(message([](Moat& moat) { moat.friction = 1.2; }),
-            "CornerGap \"moat wall 1 corner 1\": friction = 1.2 is not allowed; it must be >= 0 and <= 1. Concrete on "
-            "concrete has 0.4 to 0.6, steel 0.2 to 0.3.");
+  EXPECT_EQ(
+      message([](Moat& moat) { moat.friction = 1.2; }),
+      "CornerGap \"moat wall 1 corner 1\": friction = 1.2 is not allowed; it must be from 0 to 1. Concrete on concrete "
+      "has 0.4 to 0.6, steel 0.2 to 0.3.");
   EXPECT_EQ(message([](Moat& moat) {
               moat.friction = {0.4, 0 * N / m};
             }),
@@ -209,20 +211,20 @@ TEST(PlanMoat, BadInputIsRefused) {
             "finite. Give the stiffness before sliding, or leave it out for 0.85 times that of the normal law.");
   EXPECT_NE(message([](Moat& moat) { moat.points_per_face = 2; }).find("points_per_face = 2"), std::string::npos);
 
-  // A face with a step has more than two corners in reach of its wall.
+  // A face with a recess has more than two corners in reach of its wall.
   EXPECT_EQ(
       message_of([&] {
         Model model;
-        PlanOutline stepped;
+        PlanOutline recessed;
         for (const PlanVector& p : {PlanVector{0, 0}, {10, 0}, {10, 4}, {9.8, 4}, {9.8, 8}, {10, 8}, {10, 12}, {0, 12}})
-          stepped.corners.push_back({p.x * m, p.y * m});
-        add(model, PlanMoat{.around = add_slab(model, "base", stepped),
-                            .clearance = 10 * cm,
-                            .walls = {},
+          recessed.corners.push_back({p.x * m, p.y * m});
+        add(model, PlanMoat{.around = add_slab(model, "base", recessed),
+                            .walls = rectangle(10.2 * m, 12.2 * m, {5 * m, 6 * m}),
                             .law = law(),
                             .share = Share::per_face});
-      }).find("PlanMoat \"moat\": 4 corners of \"base\" face wall"),
-      0U);
+      }),
+      "PlanMoat \"moat\": 4 corners of \"base\" face wall 2, which has its law per face. Give .points_per_face, or "
+      ".share = Share::per_corner.");
 }
 
 TEST(PlanNeighbours, OverlapIsRefused) {
