@@ -27,6 +27,23 @@ bool all_finite(const EnergyBalance& energy) {
       [](double value) { return std::isfinite(value); });
 }
 
+// Bearings in plan that do not stand under their floor.
+std::vector<std::string> bearings_outside(const Model& model) {
+  std::vector<std::string> warnings;
+  for (const auto& block : model.blocks()) {
+    const PlanarElements* planar = block->planar();
+    for (std::size_t e = 0; planar != nullptr && e < block->size(); ++e) {
+      const ElementInfo& info = block->info(e);
+      const PlacedDiaphragm* floor = model.diaphragm_of(info.second);
+      const PlanVector at = planar->position(e);
+      if (!info.isolates || floor == nullptr || floor->outline.empty() || floor->outline.contains(at)) continue;
+      warnings.push_back("Bearing \"" + info.name + "\" at (" + to_text(at.x) + ", " + to_text(at.y) +
+                         ") m is outside the outline of \"" + floor->name + "\". Correct its position or the outline.");
+    }
+  }
+  return warnings;
+}
+
 }  // namespace
 
 std::vector<std::string> motion_warnings(const GroundMotion& motion) {
@@ -40,7 +57,7 @@ std::vector<std::string> motion_warnings(const GroundMotion& motion) {
 
 std::vector<std::string> model_warnings(const Model& model) {
   std::vector<std::string> warnings;
-  if (model.is_plan()) return warnings;
+  if (model.is_plan()) return bearings_outside(model);
   for (const auto& block : model.blocks())
     for (std::size_t e = 0; has_gaps(*block) && e < block->size(); ++e) {
       const ElementInfo& info = block->info(e);

@@ -25,7 +25,7 @@ struct Section {
 
 const std::vector<Section>& sections() {
   static const std::vector<Section> list{
-      {"equal-accuracy", equal_accuracy}, {"overhead", overhead}, {"scale", scale}, {"suite", suite}};
+      {"equal-accuracy", equal_accuracy}, {"overhead", overhead}, {"plan", plan_cost}, {"scale", scale}, {"suite", suite}};
   return list;
 }
 

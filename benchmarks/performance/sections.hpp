@@ -22,6 +22,8 @@ struct Options {
 void equal_accuracy(Record& record, const Options& options);
 /// The general path beside a loop written for one building, step by step; the cost of observers.
 void overhead(Record& record, const Options& options);
+/// A tower in plan beside a loop written for it, step by step.
+void plan_cost(Record& record, const Options& options);
 /// A street of up to a million degrees of freedom: time and memory by size, and an iteration beside streaming memory.
 void scale(Record& record, const Options& options);
 /// A study of many histories: histories per second and parallel efficiency.

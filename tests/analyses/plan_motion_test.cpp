@@ -275,6 +275,42 @@ TEST(PlanMotionAnalysis, SymmetricModelEqualsTheModelOnALine) {
   EXPECT_NEAR(in_plan.energy.impact / on_line.energy.impact, 1.0, 1e-10);
 }
 
+TEST(PlanMotionAnalysis, WarnsOfBearingsOutsideAndOfLargeRotations) {
+  Model model;
+  const DiaphragmId slab = add(model, Diaphragm{.name = "slab",
+                                                .mass = 800 * tonne,
+                                                .outline = rectangle(20 * m, 12 * m),
+                                                .initial_rotation = 0.02});
+  for (const double x : {-10.0, 10.5})
+    for (const double y : {-6.0, 6.0})
+      add(model, PlanBearing<BiaxialBilinear>{.name = "bearing " + std::to_string(x) + " " + std::to_string(y),
+                                              .under = slab,
+                                              .at = {x * m, y * m},
+                                              .law = {.yield_force = 200 * kN,
+                                                      .yield_displacement = 1 * cm,
+                                                      .post_yield_stiffness = 1.6 * MN / m}});
+  const CaseResult result = run_case(model, still_ground(0.1 * s));
+  int outside = 0, rotations = 0;
+  for (const std::string& warning : result.warnings) {
+    outside += warning.find(" m is outside the outline of \"slab\"") != std::string::npos ? 1 : 0;
+    // r theta^2/2 with r = 11.66 m.
+    rotations += warning.find("at its corners they neglect 2.33") != std::string::npos ? 1 : 0;
+  }
+  EXPECT_EQ(outside, 2);
+  EXPECT_EQ(rotations, 1);
+}
+
+TEST(PlanMotionAnalysis, LineModelRefusesTwoComponents) {
+  Model line;
+  add(line, Node{.name = "node", .mass = 1 * kg});
+  const GroundMotion first = pulse(0.0, 0.3 * g);
+  EXPECT_NE(testing::message_of([&] {
+              const Transient analysis{line, PlanMotion{first, first}};
+            }).find("the motion has two components, and the model moves on a line. Give one component, or make the "
+                    "model of diaphragms."),
+            std::string::npos);
+}
+
 TEST(PlanMotionAnalysis, ComponentsActAtTheirAngle) {
   const GroundMotion first = pulse(0.0, 0.3 * g), second = pulse(1.0, 0.2 * g);
   const GroundMotion both = PlanMotion{first, second, 30 * deg};

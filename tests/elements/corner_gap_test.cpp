@@ -1,0 +1,161 @@
+// The element of a corner and an edge: geometry, effective mass, tangents, refusals.
+#include "elements/corner_gap.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+
+#include "materials/impact/hertz.hpp"
+#include "message_of.hpp"
+
+namespace moat {
+namespace {
+
+using namespace units;
+using testing::message_of;
+
+struct Slabs {
+  explicit Slabs(double friction = 0.4) {
+    a = add(model, Diaphragm{.name = "a", .mass = 8 * kg, .rotary_inertia = 20 * kg * m * m});
+    b = add(model, Diaphragm{.name = "b",
+                             .mass = 5 * kg,
+                             .rotary_inertia = 30 * kg * m * m,
+                             .centre_of_mass = {9 * m, 1 * m}});
+    gap.friction = {friction, 300 * N / m};
+  }
+  // The corner of a at (2, 1) and an edge of b at x + 0.5 y = const, its direction turned by an angle.
+  CornerGap<Hertz> gap{.name = "gap",
+                       .corner = PlanPoint{ground, {2 * m, 1 * m}},
+                       .edge_of = ground,
+                       .edge_begin = PlanPosition{3 * m, -2 * m},
+                       .edge_end = PlanPosition{2.5 * m, 3 * m},
+                       .law = {.stiffness = 1000 * N / m_3_2}};
+  void add_gap() {
+    gap.corner = PlanPoint{a, {2 * m, 1 * m}};
+    gap.edge_of = b.x;
+    add(model, gap);
+    model.prepare();
+  }
+  Model model;
+  DiaphragmId a, b;
+};
+
+using Block = CornerContacts<SharedContact<ViscousHertzContact>>;
+
+TEST(CornerGap, ClearanceAndMotionAreThoseAlongNormalAndTangent) {
+  Slabs slabs;
+  slabs.add_gap();
+  const PlanVector begin{3.0, -2.0}, end{2.5, 3.0}, at{2.0, 1.0};
+  const PlanVector t = (end - begin) / length(end - begin), n = -turned_left(t);
+  const double clearance = dot(begin - at, n);
+  EXPECT_GT(clearance, 0.0);
+  const ElementBlock& block = *slabs.model.blocks()[0];
+  EXPECT_NEAR(block.info(0).offset, clearance, 1e-15);
+  // Move both bodies.
+  MotionState& trial = slabs.model.trial();
+  trial = slabs.model.state();
+  const double u[6] = {0.1, -0.05, 0.02, 0.03, 0.04, -0.01};
+  for (int i = 0; i < 6; ++i) trial.displacement[i] = u[i];
+  slabs.model.evaluate();
+  const double ra = std::sqrt(20.0 / 8.0), rb = std::sqrt(30.0 / 5.0);
+  const PlanVector faced = at + clearance * n, arm_a = at, arm_b = faced - PlanVector{9.0, 1.0};
+  const PlanVector moved_a = PlanVector{u[0], u[1]} + u[2] / ra * turned_left(arm_a),
+                   moved_b = PlanVector{u[3], u[4]} + u[5] / rb * turned_left(arm_b);
+  EXPECT_NEAR(block.deformations()[0], dot(moved_a - moved_b, n) - clearance, 1e-14);
+}
+
+TEST(CornerGap, EffectiveMassIsThatOfTheImpulse) {
+  Slabs slabs;
+  const CornerGeometry geometry =
+      corner_geometry(slabs.model, "gap", PlanPoint{slabs.a, {2 * m, 1 * m}}, slabs.b.x, {3 * m, -2 * m}, {3 * m, 3 * m});
+  // n = +x: 1/m_n = 1/m_a + y_a^2/J_a + 1/m_b + y_b^2/J_b with the arms' y components 1 and 0.
+  EXPECT_NEAR(geometry.normal_mass, 1.0 / (1.0 / 8.0 + 1.0 / 20.0 + 1.0 / 5.0), 1e-12);
+  EXPECT_NEAR(geometry.tangential_mass, 1.0 / (1.0 / 8.0 + 4.0 / 20.0 + 1.0 / 5.0 + 36.0 / 30.0), 1e-12);
+  EXPECT_NEAR(geometry.edge_begin, -3.0, 1e-15);
+  EXPECT_NEAR(geometry.edge_end, 2.0, 1e-15);
+}
+
+// The whole tangent, sticking and sliding, is the derivative of the forces.
+TEST(CornerGap, TangentIsTheDerivativeOfTheForces) {
+  for (const double friction : {0.0, 0.05, 1.0}) {
+    Slabs slabs{friction};
+    slabs.add_gap();
+    Model& model = slabs.model;
+    const double u0[6] = {0.8, 0.1, 0.02, -0.2, 0.0, 0.03};
+    const auto set = [&](const double* change, double time) {
+      MotionState& trial = model.trial();
+      trial.time = time;
+      for (int i = 0; i < 6; ++i) trial.displacement[i] = u0[i] + (change != nullptr ? change[i] : 0.0);
+    };
+    // Touch, then move along the edge.
+    model.trial() = model.state();
+    set(nullptr, 0.1);
+    model.evaluate();
+    model.evaluate_rates();
+    model.commit();
+    std::vector<RegimeChange> changes;
+    model.change_regimes(changes);
+    ASSERT_EQ(changes.size(), 1U);
+    model.evaluate();
+    model.evaluate_rates();
+    model.commit();
+    const double slide[6] = {0.02, 0.1, 0.01, 0.0, -0.05, 0.0};
+    model.trial() = model.state();
+    set(slide, 0.2);
+    model.evaluate();
+    const Vector forces = model.internal_forces();
+    EXPECT_GT(model.blocks()[0]->forces()[0], 0.0);
+    const PlanContacts& contact = *model.blocks()[0]->plan_contacts();
+    const double limit = friction * model.blocks()[0]->forces()[0];
+    EXPECT_LE(std::abs(contact.friction_force(0)), limit * (1.0 + 1e-12));
+    if (friction == 0.05) EXPECT_NEAR(std::abs(contact.friction_force(0)), limit, 1e-9 * limit);
+    if (friction == 1.0) EXPECT_LT(std::abs(contact.friction_force(0)), 0.999 * limit);
+    SparseMatrix tangent = model.pattern();
+    model.assemble_tangent(0.0, 0.0, 1.0, tangent);
+    const Eigen::MatrixXd expected{tangent.view()};
+    for (int j = 0; j < 6; ++j) {
+      constexpr double h = 1e-7;
+      double ahead[6], behind[6];
+      for (int i = 0; i < 6; ++i) ahead[i] = behind[i] = slide[i];
+      ahead[j] += h;
+      behind[j] -= h;
+      set(ahead, 0.2);
+      model.evaluate();
+      Vector slope = model.internal_forces();
+      set(behind, 0.2);
+      model.evaluate();
+      slope = (slope - model.internal_forces()) / (2.0 * h);
+      for (int i = 0; i < 6; ++i) EXPECT_NEAR(slope[i], expected(i, j), 1e-3) << friction << " " << i << " " << j;
+    }
+    // Action and reaction: no net force.
+    EXPECT_NEAR(forces[0] + forces[3], 0.0, 1e-10);
+    EXPECT_NEAR(forces[1] + forces[4], 0.0, 1e-10);
+  }
+}
+
+TEST(CornerGap, BadInputIsRefused) {
+  const auto message = [](auto change) {
+    return message_of([&] {
+      Slabs slabs;
+      change(slabs);
+      slabs.add_gap();
+    });
+  };
+  EXPECT_EQ(message([](Slabs&) {}), "nothing was thrown");
+  EXPECT_EQ(message([](Slabs& slabs) { std::swap(slabs.gap.edge_begin, slabs.gap.edge_end); })
+                .find("CornerGap \"gap\": clearance = -"),
+            0U);
+  EXPECT_NE(message([](Slabs& slabs) { std::swap(slabs.gap.edge_begin, slabs.gap.edge_end); })
+                .find("Overlap at rest: the corner must be on the left of the way from edge_begin to edge_end."),
+            std::string::npos);
+  EXPECT_EQ(message([](Slabs& slabs) { slabs.gap.edge_end = slabs.gap.edge_begin; }),
+            "CornerGap \"gap\": edge_end - edge_begin = 0 is not allowed; it must be a vector of finite length > 0. Give "
+            "the direction along which the element acts, for example {1, 0}.");
+  EXPECT_NE(message([](Slabs& slabs) { slabs.gap.friction = -0.1; }).find("friction = -0.1 is not allowed"),
+            std::string::npos);
+  EXPECT_NE(message([](Slabs& slabs) { slabs.gap.share = 1.5; }).find("share = 1.5"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace moat
