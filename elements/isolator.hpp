@@ -3,6 +3,7 @@
 
 #include <memory>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 #include "elements/link_block.hpp"
@@ -58,25 +59,22 @@ void add(Model& model, const Isolator<Law>& isolator) {
   check.that(isolator.count >= 1, "count", isolator.count, "", ">= 1");
   ElementInfo info = isolator_info(isolator.name, isolator.lower, isolator.upper);
   std::vector<Parameter> given = parameters_of(isolator.law);
-  // Where the block's law is made of the isolator's, reports show the latter.
-  const auto show_with = [&](Parameter another) {
-    given.push_back(another);
-    info.law_as_given = std::make_shared<LawAsGiven>(std::string{name_of(isolator.law)}, given);
-  };
   const auto place = [&](const auto& law) {
     using Placed = std::remove_cvref_t<decltype(law)>;
     model.register_element("Isolator", isolator.name);
-    if (isolator.count == 1) {
+    if (isolator.count > 1) given.push_back({"count", static_cast<double>(isolator.count), "1"});
+    // Reports show the law as the script gave it.
+    if (isolator.count > 1 || !std::is_same_v<Placed, Law>)
+      info.law_as_given = std::make_shared<LawAsGiven>(std::string{name_of(isolator.law)}, given);
+    if (isolator.count == 1)
       model.block<LinkBlock<Placed>>().add(info, law);
-      return;
-    }
-    show_with({"count", static_cast<double>(isolator.count), "1"});
-    model.block<LinkBlock<Repeated<Placed>>>().add(info, {law, static_cast<double>(isolator.count)});
+    else
+      model.block<LinkBlock<Repeated<Placed>>>().add(info, {law, static_cast<double>(isolator.count)});
   };
   if constexpr (WeightBearing<Law>) {
-    const Force weight =
-        weight_on(check, isolator.law.weight, (1.0 / isolator.count) * isolator.weight);  // of one bearing
-    show_with({"weight", weight.si(), "N"});
+    // Of one bearing.
+    const Force weight = weight_on(check, isolator.law.weight, (1.0 / isolator.count) * isolator.weight);
+    given.push_back({"weight", weight.si(), "N"});
     place(isolator.law.carrying(weight));
   } else {
     place(isolator.law);

@@ -10,6 +10,7 @@
 #include "materials/isolation/grant_rubber.hpp"
 #include "materials/isolation/heated_friction_pendulum.hpp"
 #include "materials/isolation/heated_lead_rubber.hpp"
+#include "materials/isolation/kikuchi_aiken_rubber.hpp"
 #include "materials/isolation/stiffening_spring.hpp"
 #include "materials/isolation/triple_pendulum.hpp"
 #include "materials/law_list.hpp"
@@ -23,8 +24,9 @@ namespace moat {
 
 /// Every law of isolators, dampers, storeys and soil with a folder of its own, in the order of the guide. A law in this
 /// list stands in the table of docs/guide.md. CONTRIBUTING.md shows how to add one.
-using AllSpringLaws = LawList<BoucWen, HeatedLeadRubber, GrantRubber, FrictionPendulum, HeatedFrictionPendulum,
-                              DoublePendulum, TriplePendulum, FlatSlider, StiffeningSpring, NonlinearViscous,
-                              MaxwellDamper, YieldingStorey, BaberNoori, ImkBilinear, PDelta, HyperbolicBackfill>;
+using AllSpringLaws =
+    LawList<BoucWen, HeatedLeadRubber, GrantRubber, KikuchiAikenRubber, FrictionPendulum, HeatedFrictionPendulum,
+            DoublePendulum, TriplePendulum, FlatSlider, StiffeningSpring, NonlinearViscous, MaxwellDamper,
+            YieldingStorey, BaberNoori, ImkBilinear, PDelta, HyperbolicBackfill>;
 
 }  // namespace moat
