@@ -167,6 +167,28 @@ struct HeatedSlidingIsolator {
     trial.slip = deformation - trial.friction_force / elastic_stiffness;
     return {restoring_stiffness * deformation + trial.friction_force, restoring_stiffness, end.slope * normal_force};
   }
+  double force_rate(const State& state, double deformation, double rate, double second_rate) const {
+    if (state.direction == 0) return (restoring_stiffness + elastic_stiffness) * rate;
+    const double speed = std::max(state.direction * rate, 0.0), faster = state.direction * second_rate;
+    const double celsius = friction.initial_temperature + state.rise;
+    const double by_speed = factor() * friction.speed_factor(speed),
+                 by_speed_slope = factor() * friction.speed_slope(speed),
+                 of_temperature = friction.temperature_factor(celsius),
+                 temperature_slope = friction.temperature_slope(celsius);
+    double heating = 0.0;  // of the exponentials
+    for (std::size_t j = 0; j < state.memory.size(); ++j)
+      heating += PressureTemperatureVelocity::memory_weights[j] * state.flux -
+                 state.memory[j] / PressureTemperatureVelocity::memory_times[j];
+    // The flux p mu |v| heats at once by memory_rest, and the warmer surface lowers mu.
+    const double scale = friction.heating_factor(),
+                 at_once =
+                     covers_centre(deformation) ? scale * PressureTemperatureVelocity::memory_rest * pressure() : 0.0;
+    const double rise_rate =
+        (scale * heating + at_once * of_temperature * (by_speed + speed * by_speed_slope) * faster) /
+        (1.0 - at_once * speed * by_speed * temperature_slope);
+    const double coefficient_rate = by_speed_slope * faster * of_temperature + by_speed * temperature_slope * rise_rate;
+    return restoring_stiffness * rate + state.direction * normal_force * coefficient_rate;
+  }
   double stored_energy(const State& committed, double deformation) const {
     return 0.5 * restoring_stiffness * deformation * deformation +
            0.5 * committed.friction_force * committed.friction_force / elastic_stiffness;

@@ -132,6 +132,14 @@ struct HeatedLeadRubber {
     const double slope = trial.temperature > 0.0 ? -weakening * limit * (1.0 - 0.5 * cooling) * warmed.per_move : 0.0;
     return {post_yield * deformation + committed.direction * limit, post_yield + slope, 0.0};
   }
+  double force_rate(const State& state, double, double rate, double) const {
+    const double post_yield = post_yield_stiffness.si();
+    if (state.direction == 0) return (post_yield + elastic_stiffness()) * rate;
+    const double limit = strength_at(state.temperature), per_slip = -weakening * limit * limit / heat_capacity();
+    const double slip_rate = state.direction * rate / (1.0 + per_slip / elastic_stiffness());
+    const double warming = limit * slip_rate / heat_capacity() - state.temperature * cooling_rate(state.heating_time);
+    return post_yield * rate - state.direction * weakening * limit * warming;
+  }
   double stored_energy(const State& committed, double deformation) const {
     const double stretch = deformation - committed.slip;
     return 0.5 * post_yield_stiffness.si() * deformation * deformation + 0.5 * elastic_stiffness() * stretch * stretch;
@@ -204,13 +212,17 @@ struct HeatedLeadRubber {
     return {temperature + rise, end / heat_capacity() * slip_per_move};
   }
 
+  // The share of the temperature that is lost in a second, at a time since the first slip.
+  [[nodiscard]] double cooling_rate(double time) const {
+    if (time <= 0.0 || steel_conductivity == 0.0) return 0.0;
+    const double a = radius(), t = steel_diffusivity * time / (a * a);
+    return steel_conductivity / (a * lead_density.si() * lead_specific_heat * lead_height.si()) *
+           (1.0 / steel_response(t) + 1.274 * shim_thickness.si() / a / std::cbrt(t));
+  }
   // The share of the mean temperature that a step loses.
   [[nodiscard]] double cooling_of(const State& committed, double length) const {
     const bool has_slipped = committed.heating_time > 0.0 || committed.direction != 0;
-    if (!has_slipped || length == 0.0 || steel_conductivity == 0.0) return 0.0;
-    const double a = radius(), t = steel_diffusivity * (committed.heating_time + 0.5 * length) / (a * a);
-    return length * steel_conductivity / (a * lead_density.si() * lead_specific_heat * lead_height.si()) *
-           (1.0 / steel_response(t) + 1.274 * shim_thickness.si() / a / std::cbrt(t));
+    return has_slipped ? length * cooling_rate(committed.heating_time + 0.5 * length) : 0.0;
   }
   static double cooled(double before, double warmed, double cooling) {
     return std::max(warmed - 0.5 * cooling * (before + warmed), 0.0);

@@ -197,5 +197,33 @@ TEST(HeatedFrictionPendulum, FollowsTheComparisonOfMastodon) {
   }
 }
 
+// The rate of the force in time, by differences along d = A sin(w t) with short steps.
+template <class Law>
+void expect_force_rates(const Law& law, double amplitude, double tolerance) {
+  constexpr double w = 2.0 * pi * 0.4, h = 1e-5;
+  typename Law::State state, trial;
+  double before = 0.0;
+  std::array<double, 3> forces{};
+  double rate = 0.0, largest = 0.0;
+  for (int i = 1; i <= 1000000; ++i) {
+    const double t = i * h, d = amplitude * std::sin(w * t), v = amplitude * w * std::cos(w * t);
+    for (int changes = 0; changes < 2 && law.regime_margin(state, d, std::copysign(v, d - before)) < 0.0; ++changes)
+      state = law.next_regime(state, state.direction == 0 ? d : before, std::copysign(v, d - before));
+    forces = {forces[1], forces[2], law.evaluate(state, d, v, {h, before, v}, trial).force};
+    state = trial;
+    before = d;
+    largest = std::max(largest, std::abs(rate));
+    // Far from the turns, where it slides.
+    if (i % 7919 == 0 && std::abs(std::cos(w * t)) > 0.7) {
+      EXPECT_NEAR((forces[2] - forces[0]) / (2.0 * h), rate, tolerance * std::abs(rate) + 1e-6 * largest) << t;
+    }
+    rate = law.force_rate(state, d, v, -w * w * d);
+  }
+  EXPECT_GT(largest, 0.0);
+}
+
+TEST(HeatedLeadRubber, KnowsTheRateOfItsForce) { expect_force_rates(HeatedLeadRubber::typical(), 0.12, 2e-3); }
+TEST(HeatedFrictionPendulum, KnowsTheRateOfItsForce) { expect_force_rates(slider(composite), 0.12, 2e-2); }
+
 }  // namespace
 }  // namespace moat::testing
