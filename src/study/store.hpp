@@ -30,7 +30,7 @@ struct StudySession {
 
 /// A study in a file. Every case is written when it ends, in a transaction of its own: after `kill -9` at any moment
 /// the file holds all cases that had ended. After a power cut it may lack those of the last seconds; what it has is
-/// whole. Tables:
+/// whole. The empty file FILE.lock beside it keeps a second process away. Tables:
 ///
 ///     study          key, value: title, number of cases, and the identity as "identity.script" ...
 ///     axes           axis, name, unit, cases_group      axis_values   axis, position, value, label, sha256

@@ -251,5 +251,78 @@ TEST(Study, HasTheErrorsOfASingleRun) {
   EXPECT_EQ(value_of(record, "sensitive", ""), result.error_bars.sensitive ? 1.0 : 0.0);
 }
 
+TEST(Study, CountsTheImpactsOfASingleRun) {
+  const StudyResult result = run_study(gaps, pounding_building);
+  for (std::size_t i = 0; i < gaps.count(); ++i) {
+    StudyModel study = pounding_building(StudyCase{gaps, i});
+    // With histories, a single run would take no longer steps than the motion's samples by default.
+    const TransientOptions options{.largest_step = study.motion.time_step() * s};
+    Model copy = study.model;
+    const StudyRecord record = peaks_of(study.model, study.motion, options);
+    const CaseResult single = run_case(copy, study.motion, {.transient = options, .error_bars = ErrorBarMode::never});
+    EXPECT_EQ(value_of(record, "impacts", ""), static_cast<double>(single.impacts.size())) << i;
+  }
+}
+
+TEST(Study, HasEnergiesThatBalanceIfAsked) {
+  const StudyResult without = run_study(gaps, pounding_building);
+  const StudyResult with = run_study(gaps, pounding_building, {.energies = true});
+  EXPECT_EQ(with.values("impact_force", "moat"), without.values("impact_force", "moat"));
+  EXPECT_THROW((void)without.values("energy_input", ""), InputError);
+  for (std::size_t i = 0; i < gaps.count(); ++i) {
+    EXPECT_TRUE(std::isnan(without.outcomes()[i].energy_error));
+    const double error = with.outcomes()[i].energy_error;
+    EXPECT_GE(error, 0.0);
+    EXPECT_LT(error, 1e-3);
+    const StudyRecord& record = with.outcomes()[i].results;
+    double balance = -value_of(record, "energy_input", "");
+    for (const char* part : {"kinetic", "strain", "viscous", "hysteretic", "impact"})
+      balance += value_of(record, std::string{"energy_"} + part, "");
+    // Both errors together, relative to the largest energy, which may exceed the input at the end.
+    EXPECT_LT(std::abs(balance), 4e-3 * value_of(record, "energy_input", "")) << i;
+    EXPECT_GT(with.outcomes()[i].steps, 100);
+    EXPECT_EQ(with.outcomes()[i].steps, without.outcomes()[i].steps);
+  }
+}
+
+TEST(Study, EndsWhereItIsAskedTo) {
+  std::atomic<int> computed{0};
+  const auto compute = [&](const StudyCase& each) {
+    ++computed;
+    return sum(each);
+  };
+  try {
+    run_study(two_axes, compute, {.threads = 1, .stop = [&] { return computed >= 2; }});
+    FAIL() << "nothing was thrown";
+  } catch (const StudyStopped& stopped) {
+    EXPECT_EQ(computed, 2);
+    EXPECT_EQ(stopped.result.count(CaseState::done), 2u);
+    EXPECT_EQ(stopped.result.count(CaseState::open), 4u);
+    EXPECT_STREQ(stopped.what(), "The study was stopped: 2 of 6 cases are computed.");
+  }
+}
+
+TEST(Study, ComputesAPartAlone) {
+  const StudyResult part = run_study(two_axes, sum, {.part = {{1, 3}}});
+  EXPECT_EQ(part.count(CaseState::done), 2u);
+  EXPECT_EQ(part.values("sum", "")[2], 20.0);
+  EXPECT_TRUE(std::isnan(part.values("sum", "")[3]));
+  EXPECT_THROW((void)run_study(two_axes, sum, {.part = {{3, 3}}}), InputError);
+  EXPECT_THROW((void)run_study(two_axes, sum, {.part = {{3, 7}}}), InputError);
+}
+
+TEST(Study, KnowsCasesThatDoNotConverge) {
+  const StudyResult result = run_study(two_axes,
+                                       [](const StudyCase& each) {
+                                         if (each.number() == 1) throw ConvergenceError{"stuck", 1.0, 0.1, 1.0, "x"};
+                                         if (each.number() == 2) throw InputError{"wrong"};
+                                         return sum(each);
+                                       },
+                                       {.keep_failures = true});
+  EXPECT_EQ(result.outcomes()[1].state, CaseState::not_converged);
+  EXPECT_EQ(result.outcomes()[2].state, CaseState::failed);
+  EXPECT_EQ(failure_message(result).substr(0, 57), "2 of 6 cases failed, 1 of them did not converge.\n  gap = ");
+}
+
 }  // namespace
 }  // namespace moat

@@ -119,6 +119,18 @@ TEST_F(ScriptStudyRun, SeesAChangedProgram) {
   EXPECT_NE(other.errors.find("\n  program: "), std::string::npos) << other.errors;
 }
 
+TEST_F(ScriptStudyRun, SeesAChangedLibrary) {
+  const fs::path library = folder / fs::path{LIBRARY}.filename();
+  fs::copy_file(LIBRARY, library);
+  const std::vector<std::string> command{"LD_LIBRARY_PATH=" + folder.string(), STUDY_SCRIPT, "--out", "a"};
+  ASSERT_EQ(testing::run_program("/usr/bin/env", command, folder).exit_code, 0);
+  ASSERT_EQ(testing::run_program("/usr/bin/env", command, folder).exit_code, 0);
+  std::ofstream{library, std::ios::app} << "changed";
+  const ProgramResult other = testing::run_program("/usr/bin/env", command, folder);
+  EXPECT_EQ(other.exit_code, 1);
+  EXPECT_NE(other.errors.find("\n  library: "), std::string::npos) << other.errors;
+}
+
 TEST_F(ScriptStudyRun, SeesAChangedRecord) {
   std::ofstream{folder / "r.AT2"} << "PEER NGA STRONG MOTION DATABASE RECORD\nsynthetic\nACCELERATION TIME SERIES IN "
                                      "UNITS OF G\nNPTS= 4, DT= .1 SEC\n 0.0 0.1 -0.1 0.0\n";
