@@ -179,11 +179,11 @@ StudyAxis record_axis(std::string name, const std::vector<GroundMotion>& motions
   return axis;
 }
 
-StudyAxis record_axis(std::string name, const std::vector<MotionPair>& pairs) {
+StudyAxis record_axis(std::string name, const std::vector<PlanMotion>& pairs) {
   std::vector<std::string> names;
-  for (const MotionPair& pair : pairs) names.push_back(pair.first.name() + " + " + pair.second.name());
+  for (const PlanMotion& pair : pairs) names.push_back(pair.first.name() + " + " + pair.second.name());
   StudyAxis axis = StudyAxis::of_names(std::move(name), std::move(names));
-  for (const MotionPair& pair : pairs)
+  for (const PlanMotion& pair : pairs)
     axis.hashes.push_back(sha256_of(pair.first.file().sha256 + pair.second.file().sha256));
   return axis;
 }

@@ -11,7 +11,7 @@
 #include "analyses/transient.hpp"
 #include "model/model.hpp"
 #include "motions/ground_motion.hpp"
-#include "motions/scaling.hpp"
+#include "motions/plan_motion.hpp"
 #include "study/cases.hpp"
 #include "study/engine.hpp"
 #include "study/outcome.hpp"
@@ -30,7 +30,7 @@ struct StudyModel {
 /// An axis of records, called by their names; a study that goes on compares the hashes of their files.
 StudyAxis record_axis(std::string name, const std::vector<GroundMotion>& motions);
 /// The same for pairs: "NWH090 + NWH360".
-StudyAxis record_axis(std::string name, const std::vector<MotionPair>& pairs);
+StudyAxis record_axis(std::string name, const std::vector<PlanMotion>& pairs);
 
 struct StudyOptions {
   /// >= 0. Threads that compute cases; 0: one per core. Results do not depend on it.

@@ -103,8 +103,7 @@ PlanMotion PlanMotion::scaled_to_mean_pga(Acceleration target) const {
   const double mean = std::sqrt(first.peak_acceleration().si() * second.peak_acceleration().si());
   check.that(mean > 0.0, "one of its components is zero, so that their geometric mean cannot be scaled.",
              "Use scaled_to_larger_pga().");
-  const MotionPair pair = scaled_to_pga(MotionPair{first, second}, target);
-  return {pair.first, pair.second, incidence};
+  return scaled_to_pga(*this, target);
 }
 
 std::vector<double> maximum_direction_spectrum(const PlanMotion& motion, const std::vector<Time>& periods,

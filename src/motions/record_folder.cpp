@@ -56,15 +56,15 @@ std::vector<GroundMotion> read_record_folder(const fs::path& folder) {
   return motions;
 }
 
-std::vector<MotionPair> read_record_pairs(const fs::path& folder) {
+std::vector<PlanMotion> read_record_pairs(const fs::path& folder) {
   std::map<std::string, std::vector<fs::path>> stations;
   for (const fs::path& file : records_in(folder)) stations[station_of(file.stem().string())].push_back(file);
-  std::vector<MotionPair> pairs;
+  std::vector<PlanMotion> pairs;
   for (const auto& [station, files] : stations) {
     if (files.size() > 2)
       throw FileError{"records " + folder.string() + ": " + station + " has " + std::to_string(files.size()) +
                       " horizontal components. Leave two in the folder."};
-    if (files.size() == 2) pairs.push_back({read_motion(files[0]), read_motion(files[1])});
+    if (files.size() == 2) pairs.push_back({read_motion(files[0]), read_motion(files[1]), {}});
   }
   if (pairs.empty())
     throw FileError{"records " + folder.string() +

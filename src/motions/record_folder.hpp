@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "motions/ground_motion.hpp"
-#include "motions/scaling.hpp"
+#include "motions/plan_motion.hpp"
 
 namespace moat {
 
@@ -14,9 +14,10 @@ namespace moat {
 /// does not exist or has no such file, and as read_peer_at2().
 std::vector<GroundMotion> read_record_folder(const std::filesystem::path& folder);
 
-/// Those motions of which the folder has two components: files whose names differ only in their last word of digits
-/// (an azimuth: NWH090, NWH360) or of one letter (TCU068-E, TCU068-N). The first is first by name. Records with one
-/// component are left out. Throws as read_record_folder(), where there is no pair, and where a record has three.
-std::vector<MotionPair> read_record_pairs(const std::filesystem::path& folder);
+/// Those motions of which the folder has two components, at an incidence of 0: files whose names differ only in their
+/// last word of digits (an azimuth: NWH090, NWH360) or of one letter (TCU068-E, TCU068-N). The first is first by name.
+/// Records with one component are left out. Throws as read_record_folder(), where there is no pair, and where a record
+/// has three.
+std::vector<PlanMotion> read_record_pairs(const std::filesystem::path& folder);
 
 }  // namespace moat

@@ -21,10 +21,10 @@ double factor(const std::string& name, const char* measure, Q now, Q target) {
 }
 
 template <class Q, class Measure>
-MotionPair scaled_pair(const MotionPair& pair, const char* name, Q target, const Measure& measure) {
+PlanMotion scaled_pair(const PlanMotion& pair, const char* name, Q target, const Measure& measure) {
   const Q now{std::sqrt(measure(pair.first).si() * measure(pair.second).si())};
   const double by = factor(pair.first.name() + " and " + pair.second.name(), name, now, target);
-  return {pair.first.scaled_by(by), pair.second.scaled_by(by)};
+  return pair.scaled_by(by);
 }
 
 }  // namespace
@@ -66,20 +66,20 @@ GroundMotion scaled_to_average_sa(const GroundMotion& motion, std::span<const Ti
   return motion.scaled_by(factor(motion.name(), "average spectral acceleration", now, target));
 }
 
-MotionPair scaled_to_pga(const MotionPair& pair, Acceleration target) {
+PlanMotion scaled_to_pga(const PlanMotion& pair, Acceleration target) {
   return scaled_pair(pair, "PGA", target, [](const GroundMotion& each) { return each.peak_acceleration(); });
 }
 
-MotionPair scaled_to_pgv(const MotionPair& pair, Speed target) {
+PlanMotion scaled_to_pgv(const PlanMotion& pair, Speed target) {
   return scaled_pair(pair, "PGV", target, [](const GroundMotion& each) { return each.peak_velocity(); });
 }
 
-MotionPair scaled_to_sa(const MotionPair& pair, Time period, Acceleration target, double damping_ratio) {
+PlanMotion scaled_to_sa(const PlanMotion& pair, Time period, Acceleration target, double damping_ratio) {
   return scaled_pair(pair, "spectral acceleration", target,
                      [&](const GroundMotion& each) { return spectral_acceleration(each, period, damping_ratio); });
 }
 
-MotionPair scaled_to_average_sa(const MotionPair& pair, std::span<const Time> periods, Acceleration target,
+PlanMotion scaled_to_average_sa(const PlanMotion& pair, std::span<const Time> periods, Acceleration target,
                                 double damping_ratio) {
   return scaled_pair(pair, "average spectral acceleration", target, [&](const GroundMotion& each) {
     return average_spectral_acceleration(each, periods, damping_ratio);

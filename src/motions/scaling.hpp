@@ -1,4 +1,4 @@
-// Scaling of motions, alone and in pairs, to a measure of intensity.
+// Scaling of motions, in one direction and in plan, to a measure of intensity.
 #pragma once
 
 #include <span>
@@ -8,13 +8,9 @@
 #include "base/quantity.hpp"
 #include "base/units.hpp"
 #include "motions/ground_motion.hpp"
+#include "motions/plan_motion.hpp"
 
 namespace moat {
-
-/// Two horizontal components of one record.
-struct MotionPair {
-  GroundMotion first, second;
-};
 
 /// Pseudo-acceleration of an oscillator with this period, from time_step/100 to 1000 s. damping_ratio: >= 0, < 1.
 Acceleration spectral_acceleration(const GroundMotion& motion, Time period, double damping_ratio = 0.05);
@@ -33,10 +29,10 @@ GroundMotion scaled_to_average_sa(const GroundMotion& motion, std::span<const Ti
                                   double damping_ratio = 0.05);
 
 /// Both components with one factor, so that the geometric mean of their measures has the target value.
-MotionPair scaled_to_pga(const MotionPair& pair, Acceleration target);
-MotionPair scaled_to_pgv(const MotionPair& pair, Speed target);
-MotionPair scaled_to_sa(const MotionPair& pair, Time period, Acceleration target, double damping_ratio = 0.05);
-MotionPair scaled_to_average_sa(const MotionPair& pair, std::span<const Time> periods, Acceleration target,
+PlanMotion scaled_to_pga(const PlanMotion& pair, Acceleration target);
+PlanMotion scaled_to_pgv(const PlanMotion& pair, Speed target);
+PlanMotion scaled_to_sa(const PlanMotion& pair, Time period, Acceleration target, double damping_ratio = 0.05);
+PlanMotion scaled_to_average_sa(const PlanMotion& pair, std::span<const Time> periods, Acceleration target,
                                 double damping_ratio = 0.05);
 
 }  // namespace moat

@@ -35,7 +35,7 @@ TEST_F(RecordFolder, FindsPairsByTheirNames) {
   for (const char* name : {"RSN1_NWH090.AT2", "RSN1_NWH360.AT2", "RSN2_TCU068-E.AT2", "RSN2_TCU068-N.AT2",
                            "RSN3_PUL164.AT2", "RSN1_NWH-UP.AT2"})
     put(name);
-  const std::vector<MotionPair> pairs = read_record_pairs(folder);
+  const std::vector<PlanMotion> pairs = read_record_pairs(folder);
   ASSERT_EQ(pairs.size(), 2u);
   EXPECT_NE(pairs[0].first.file().path.find("NWH090"), std::string::npos);
   EXPECT_NE(pairs[0].second.file().path.find("NWH360"), std::string::npos);

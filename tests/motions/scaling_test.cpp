@@ -41,11 +41,12 @@ TEST(Scaling, AveragesFromAFifthToThreeTimesThePeriod) {
 }
 
 TEST(Scaling, OfAPairHasOneFactorAndTheGeometricMean) {
-  const MotionPair pair{slow, fast};
-  const auto check = [&](const MotionPair& scaled, auto measure, double target) {
+  const PlanMotion pair{slow, fast, 30 * deg};
+  const auto check = [&](const PlanMotion& scaled, auto measure, double target) {
     EXPECT_NEAR(std::sqrt(measure(scaled.first) * measure(scaled.second)), target, 1e-11 * target);
     EXPECT_NEAR(scaled.first.scale_factor() / pair.first.scale_factor(),
                 scaled.second.scale_factor() / pair.second.scale_factor(), 1e-14);
+    EXPECT_EQ(scaled.incidence, pair.incidence);
   };
   check(
       scaled_to_pga(pair, 4 * m / s / s), [](const GroundMotion& each) { return each.peak_acceleration().si(); }, 4.0);
