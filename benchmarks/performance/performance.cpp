@@ -24,8 +24,11 @@ struct Section {
 };
 
 const std::vector<Section>& sections() {
-  static const std::vector<Section> list{
-      {"equal-accuracy", equal_accuracy}, {"overhead", overhead}, {"plan", plan_cost}, {"scale", scale}, {"suite", suite}};
+  static const std::vector<Section> list{{"equal-accuracy", equal_accuracy},
+                                         {"overhead", overhead},
+                                         {"plan", plan_cost},
+                                         {"scale", scale},
+                                         {"suite", suite}};
   return list;
 }
 

@@ -49,11 +49,10 @@ void plan_cost(Record& record, const Options& options) {
   record.section("plan");
   const GroundMotion motion = plan_tower_motion();
   const int runs = options.rounds + 1;
-  const auto times =
-      interleaved_times({{"", [&] { static_cast<void>(bare_plan_tower(motion, divisions)); }},
-                         stepping(motion, false, runs),
-                         stepping(motion, true, runs)},
-                        options.rounds);
+  const auto times = interleaved_times({{"", [&] { static_cast<void>(bare_plan_tower(motion, divisions)); }},
+                                        stepping(motion, false, runs),
+                                        stepping(motion, true, runs)},
+                                       options.rounds);
   const BarePlanHistory counted = bare_plan_tower(motion, divisions);
   Prepared same{motion, true};
   same.transient.run();
@@ -78,8 +77,8 @@ void plan_cost(Record& record, const Options& options) {
               std::to_string(statistics.accepted_steps) + " (bare: " + std::to_string(counted.steps) + ") steps with " +
               std::to_string(statistics.newton_iterations) + " (bare: " + std::to_string(counted.iterations) +
               ") iterations; the bare loop does not locate touches. Largest displacement of the base along x: " +
-              short_text(100.0 * same.peaks.peaks().front().magnitude()) + " (bare: " +
-              short_text(100.0 * counted.largest_base_x) + ") cm.");
+              short_text(100.0 * same.peaks.peaks().front().magnitude()) +
+              " (bare: " + short_text(100.0 * counted.largest_base_x) + ") cm.");
 }
 
 }  // namespace moat::performance

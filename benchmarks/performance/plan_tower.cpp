@@ -39,11 +39,12 @@ Model plan_tower() {
   for (std::size_t i = 0; i < 4; ++i) {
     const PlanPosition at = outline.corners[i];
     for (const PlanVector direction : {PlanVector{1.0, 0.0}, PlanVector{0.0, 1.0}})
-      add(model, PlanSpring<Linear>{.name = "column " + std::to_string(i + 1) + (direction.x > 0.0 ? " x" : " y"),
-                                    .lower = PlanPoint{base, at},
-                                    .upper = PlanPoint{floor, at},
-                                    .direction = direction,
-                                    .law = {.stiffness = column_stiffness * N / m, .damping = column_damping * N * s / m}});
+      add(model,
+          PlanSpring<Linear>{.name = "column " + std::to_string(i + 1) + (direction.x > 0.0 ? " x" : " y"),
+                             .lower = PlanPoint{base, at},
+                             .upper = PlanPoint{floor, at},
+                             .direction = direction,
+                             .law = {.stiffness = column_stiffness * N / m, .damping = column_damping * N * s / m}});
     add(model, PlanBearing<BiaxialBoucWen>{
                    .name = "bearing " + std::to_string(i + 1), .under = base, .at = at, .law = bearing_law()});
   }
@@ -108,7 +109,8 @@ BarePlanHistory bare_plan_tower(const GroundMotion& motion, int divisions) {
     bearings[i].x = row_of_base(at, {1.0, 0.0});
     bearings[i].y = row_of_base(at, {0.0, 1.0});
     for (std::size_t k = 0; k < 2; ++k) {
-      const PlanVector normal = k == 0 ? PlanVector{at.x > 0.0 ? 1.0 : -1.0, 0.0} : PlanVector{0.0, at.y > 0.0 ? 1.0 : -1.0};
+      const PlanVector normal =
+          k == 0 ? PlanVector{at.x > 0.0 ? 1.0 : -1.0, 0.0} : PlanVector{0.0, at.y > 0.0 ? 1.0 : -1.0};
       contacts[2 * i + k].normal = row_of_base(at, normal);
       contacts[2 * i + k].tangent = row_of_base(at, turned_left(normal));
     }
@@ -142,7 +144,8 @@ BarePlanHistory bare_plan_tower(const GroundMotion& motion, int divisions) {
                    factor = 1.0 + z * contact.rate / contact.approach_speed;
       contact.force = std::max(elastic * factor, 0.0);
       if (contact.force == 0.0) continue;
-      const double along = wd * 1.5 * elastic / contact.indentation * factor + wv * elastic * z / contact.approach_speed;
+      const double along =
+          wd * 1.5 * elastic / contact.indentation * factor + wv * elastic * z / contact.approach_speed;
       forces += contact.force * contact.normal.transpose();
       tangent += along * contact.normal.transpose() * contact.normal;
       const double grip = grip_stiffness * (contact.path - contact.slip), limit = friction * contact.force;
@@ -185,9 +188,8 @@ BarePlanHistory bare_plan_tower(const GroundMotion& motion, int divisions) {
     }
     history.largest_base_x = std::max(history.largest_base_x, std::abs(u[0]));
     for (const PlanVector& corner : corners())
-      history.largest_corner_displacement =
-          std::max(history.largest_corner_displacement,
-                   length(PlanVector{u[0], u[1]} + u[2] / gyration * turned_left(corner)));
+      history.largest_corner_displacement = std::max(
+          history.largest_corner_displacement, length(PlanVector{u[0], u[1]} + u[2] / gyration * turned_left(corner)));
   }
   return history;
 }

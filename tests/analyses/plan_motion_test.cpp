@@ -277,18 +277,17 @@ TEST(PlanMotionAnalysis, SymmetricModelEqualsTheModelOnALine) {
 
 TEST(PlanMotionAnalysis, WarnsOfBearingsOutsideAndOfLargeRotations) {
   Model model;
-  const DiaphragmId slab = add(model, Diaphragm{.name = "slab",
-                                                .mass = 800 * tonne,
-                                                .outline = rectangle(20 * m, 12 * m),
-                                                .initial_rotation = 0.02});
+  const DiaphragmId slab = add(
+      model,
+      Diaphragm{.name = "slab", .mass = 800 * tonne, .outline = rectangle(20 * m, 12 * m), .initial_rotation = 0.02});
   for (const double x : {-10.0, 10.5})
     for (const double y : {-6.0, 6.0})
-      add(model, PlanBearing<BiaxialBilinear>{.name = "bearing " + std::to_string(x) + " " + std::to_string(y),
-                                              .under = slab,
-                                              .at = {x * m, y * m},
-                                              .law = {.yield_force = 200 * kN,
-                                                      .yield_displacement = 1 * cm,
-                                                      .post_yield_stiffness = 1.6 * MN / m}});
+      add(model,
+          PlanBearing<BiaxialBilinear>{
+              .name = "bearing " + std::to_string(x) + " " + std::to_string(y),
+              .under = slab,
+              .at = {x * m, y * m},
+              .law = {.yield_force = 200 * kN, .yield_displacement = 1 * cm, .post_yield_stiffness = 1.6 * MN / m}});
   const CaseResult result = run_case(model, still_ground(0.1 * s));
   int outside = 0, rotations = 0;
   for (const std::string& warning : result.warnings) {
@@ -306,8 +305,9 @@ TEST(PlanMotionAnalysis, LineModelRefusesTwoComponents) {
   const GroundMotion first = pulse(0.0, 0.3 * g);
   EXPECT_NE(testing::message_of([&] {
               const Transient analysis{line, PlanMotion{first, first}};
-            }).find("the motion has two components, and the model moves on a line. Give one component, or make the "
-                    "model of diaphragms."),
+            })
+                .find("the motion has two components, and the model moves on a line. Give one component, or make the "
+                      "model of diaphragms."),
             std::string::npos);
 }
 

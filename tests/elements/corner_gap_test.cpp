@@ -18,10 +18,9 @@ using testing::message_of;
 struct Slabs {
   explicit Slabs(double friction = 0.4) {
     a = add(model, Diaphragm{.name = "a", .mass = 8 * kg, .rotary_inertia = 20 * kg * m * m});
-    b = add(model, Diaphragm{.name = "b",
-                             .mass = 5 * kg,
-                             .rotary_inertia = 30 * kg * m * m,
-                             .centre_of_mass = {9 * m, 1 * m}});
+    b = add(
+        model,
+        Diaphragm{.name = "b", .mass = 5 * kg, .rotary_inertia = 30 * kg * m * m, .centre_of_mass = {9 * m, 1 * m}});
     gap.friction = {friction, 300 * N / m};
   }
   // The corner of a at (2, 1) and an edge of b at x + 0.5 y = const, its direction turned by an angle.
@@ -67,8 +66,8 @@ TEST(CornerGap, ClearanceAndMotionAreThoseAlongNormalAndTangent) {
 
 TEST(CornerGap, EffectiveMassIsThatOfTheImpulse) {
   Slabs slabs;
-  const CornerGeometry geometry =
-      corner_geometry(slabs.model, "gap", PlanPoint{slabs.a, {2 * m, 1 * m}}, slabs.b.x, {3 * m, -2 * m}, {3 * m, 3 * m});
+  const CornerGeometry geometry = corner_geometry(slabs.model, "gap", PlanPoint{slabs.a, {2 * m, 1 * m}}, slabs.b.x,
+                                                  {3 * m, -2 * m}, {3 * m, 3 * m});
   // n = +x: 1/m_n = 1/m_a + y_a^2/J_a + 1/m_b + y_b^2/J_b with the arms' y components 1 and 0.
   EXPECT_NEAR(geometry.normal_mass, 1.0 / (1.0 / 8.0 + 1.0 / 20.0 + 1.0 / 5.0), 1e-12);
   EXPECT_NEAR(geometry.tangential_mass, 1.0 / (1.0 / 8.0 + 4.0 / 20.0 + 1.0 / 5.0 + 36.0 / 30.0), 1e-12);
@@ -143,15 +142,18 @@ TEST(CornerGap, BadInputIsRefused) {
     });
   };
   EXPECT_EQ(message([](Slabs&) {}), "nothing was thrown");
-  EXPECT_EQ(message([](Slabs& slabs) { std::swap(slabs.gap.edge_begin, slabs.gap.edge_end); })
-                .find("CornerGap \"gap\": clearance = -"),
+  EXPECT_EQ(message([](Slabs& slabs) {
+              std::swap(slabs.gap.edge_begin, slabs.gap.edge_end);
+            }).find("CornerGap \"gap\": clearance = -"),
             0U);
-  EXPECT_NE(message([](Slabs& slabs) { std::swap(slabs.gap.edge_begin, slabs.gap.edge_end); })
-                .find("Overlap at rest: the corner must be on the left of the way from edge_begin to edge_end."),
+  EXPECT_NE(message([](Slabs& slabs) {
+              std::swap(slabs.gap.edge_begin, slabs.gap.edge_end);
+            }).find("Overlap at rest: the corner must be on the left of the way from edge_begin to edge_end."),
             std::string::npos);
-  EXPECT_EQ(message([](Slabs& slabs) { slabs.gap.edge_end = slabs.gap.edge_begin; }),
-            "CornerGap \"gap\": edge_end - edge_begin = 0 is not allowed; it must be a vector of finite length > 0. Give "
-            "the direction along which the element acts, for example {1, 0}.");
+  EXPECT_EQ(
+      message([](Slabs& slabs) { slabs.gap.edge_end = slabs.gap.edge_begin; }),
+      "CornerGap \"gap\": edge_end - edge_begin = 0 is not allowed; it must be a vector of finite length > 0. Give "
+      "the direction along which the element acts, for example {1, 0}.");
   EXPECT_NE(message([](Slabs& slabs) { slabs.gap.friction = -0.1; }).find("friction = -0.1 is not allowed"),
             std::string::npos);
   EXPECT_NE(message([](Slabs& slabs) { slabs.gap.share = 1.5; }).find("share = 1.5"), std::string::npos);
