@@ -32,7 +32,7 @@ CornerGeometry corner_geometry(const Model& model, const std::string& name, cons
   return geometry;
 }
 
-void check_friction(const Check& check, const Friction& friction) {
+void check_friction(const Check& check, const CornerFriction& friction) {
   check.between("friction", friction.coefficient, 0.0, 1.0, "1",
                 "Concrete on concrete has 0.4 to 0.6, steel 0.2 to 0.3.");
   if (friction.tangential_stiffness)

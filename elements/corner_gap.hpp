@@ -17,14 +17,14 @@
 namespace moat {
 
 /// Coulomb friction between a corner and an edge. A number converts to it: `.friction = 0.4`.
-struct Friction {
+struct CornerFriction {
   /// mu, from 0 to 1: concrete on concrete 0.4 to 0.6, steel 0.2 to 0.3. 0 is none.
   double coefficient = 0.0;
   /// k_t > 0 N/m, of the contact before it slides. Left out it is 0.85 times the tangent of the normal law at an
   /// indentation of 10 mm (Mindlin 1949: 2 (1 - nu)/(2 - nu) = 0.89 for nu = 0.2).
   std::optional<Stiffness> tangential_stiffness{};
 
-  Friction(double friction_coefficient = 0.0, std::optional<Stiffness> stiffness = {})
+  CornerFriction(double friction_coefficient = 0.0, std::optional<Stiffness> stiffness = {})
       : coefficient{friction_coefficient}, tangential_stiffness{stiffness} {}
 };
 
@@ -53,7 +53,7 @@ struct CornerGap {
   Required<PlanPosition> edge_begin;
   Required<PlanPosition> edge_end;
   Law law;
-  Friction friction{};
+  CornerFriction friction{};
   /// > 0, <= 1: of the law's force, where several points of a face divide it.
   double share = 1.0;
   /// Effective mass for the law, > 0 kg. Zero stands for that of the corner: 1/m_n = sum of weight^2/mass.
@@ -76,7 +76,7 @@ struct CornerGeometry {
 CornerGeometry corner_geometry(const Model& model, const std::string& name, const PlanPoint& corner, NodeId edge_of,
                                PlanPosition edge_begin, PlanPosition edge_end);
 /// Throws InputError for a coefficient outside 0 to 1 or a negative stiffness.
-void check_friction(const Check& check, const Friction& friction);
+void check_friction(const Check& check, const CornerFriction& friction);
 
 /// Throws InputError for a bad parameter of gap, friction or law, unknown bodies, or a name that is taken.
 template <ImpactLaw Law>

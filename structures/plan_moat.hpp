@@ -35,7 +35,7 @@ struct PlanMoat {
   /// A polygon around the outline, counter-clockwise.
   PlanOutline walls{};
   Law law;
-  Friction friction{};
+  CornerFriction friction{};
   /// Whether the law is that of a corner or of a whole face.
   Share share = Share::per_corner;
   /// 0, or >= 3 points of every face that divide the law of the face.
@@ -54,7 +54,7 @@ struct PlanNeighbours {
   Required<DiaphragmId> first;
   Required<DiaphragmId> second;
   Law law;
-  Friction friction{};
+  CornerFriction friction{};
   /// > 0 m: pairs farther apart are left out.
   Length reach = 1.0 * units::m;
 };

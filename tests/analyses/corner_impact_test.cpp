@@ -31,7 +31,7 @@ struct FreeSlab {
             .name = "slab", .mass = mass * kg, .outline = outline, .initial_velocity_x = vx, .initial_velocity_y = vy});
   }
   // Wall at x = 10 m + 1 cm, from y = -8 m to 8 m.
-  void add_corner(PlanPosition at, Friction friction, double share = 1.0) {
+  void add_corner(PlanPosition at, CornerFriction friction, double share = 1.0) {
     add(model, CornerGap<ExactHertzDamp>{.name = "corner " + std::to_string(++corners),
                                          .corner = PlanPoint{slab, at},
                                          .edge_of = ground,

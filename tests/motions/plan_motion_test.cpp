@@ -63,7 +63,7 @@ TEST(PlanMotion, OneFactorScalesBoth) {
   EXPECT_NEAR(larger.second.peak_acceleration().si(), 2.0 * peak_b / peak_a, 1e-14);
   EXPECT_NEAR(mean.first.peak_acceleration().si() * mean.second.peak_acceleration().si(), 9.0, 1e-13);
   EXPECT_NEAR(mean.first.peak_acceleration().si() / mean.second.peak_acceleration().si(), peak_a / peak_b, 1e-13);
-  EXPECT_NEAR(GroundMotion{PlanMotion{a, a}}.peak_acceleration().si(), std::sqrt(2.0) * peak_a, 1e-14);
+  EXPECT_NEAR((GroundMotion{PlanMotion{a, a}}.peak_acceleration().si()), std::sqrt(2.0) * peak_a, 1e-14);
 }
 
 TEST(PlanMotion, MaximumDirectionSpectrumDoesNotDependOnTheAxes) {
