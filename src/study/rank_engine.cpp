@@ -32,7 +32,7 @@ std::size_t number_in(const std::string& text) {
 /// The cases that rank 0 computes itself, on threads of its own.
 class OwnCases {
  public:
-  OwnCases(const StudyCases& cases, const ComputeCase& compute, std::function<bool(std::size_t&)> take,
+  OwnCases(const StudyCases& cases, const ComputeCase& compute, const std::function<bool(std::size_t&)>& take,
            std::size_t threads)
       : running_{threads} {
     for (std::size_t i = 0; i < threads; ++i)
