@@ -12,129 +12,128 @@
 namespace moat {
 
 /// Displacements of one point relative to another, along one direction: difference = sum of weight * value over up to
-/// six degrees of freedom, those of `second` with the sign plus. Global arrays are those of NodePair
-/// (elements/ends.hpp).
+/// six degrees of freedom, those of `second` with the sign plus. Only degrees of freedom with a weight are kept, and
+/// never the ground. Global arrays are those of NodePair (elements/ends.hpp).
 class PlanEnds {
  public:
-  static constexpr std::size_t count = 6;
+  static constexpr std::size_t most = 6;
+
+  /// Whether degrees of freedom without a weight in this direction are kept, because another direction has one.
+  enum class Keep { weighted, all };
 
   PlanEnds() = default;
   /// Points of different bodies.
-  PlanEnds(const Model& model, const PlanPoint& first, const PlanPoint& second, PlanVector direction) {
+  PlanEnds(const Model& model, const PlanPoint& first, const PlanPoint& second, PlanVector direction,
+           Keep keep = Keep::weighted) {
     const PlanRow minus = row_of(model, first, direction), plus = row_of(model, second, direction);
-    for (std::size_t i = 0; i < 3; ++i) {
-      node_[i] = minus.node[i];
-      weight_[i] = -minus.weight[i];
-      node_[i + 3] = plus.node[i];
-      weight_[i + 3] = plus.weight[i];
-    }
+    for (std::size_t i = 0; i < 3; ++i) append(minus.node[i], -minus.weight[i], keep);
+    for (std::size_t i = 0; i < 3; ++i) append(plus.node[i], plus.weight[i], keep);
   }
 
-  /// The difference of two differences, between points of the same two bodies.
+  /// This difference less another one between points of the same two bodies; both must keep all.
   [[nodiscard]] PlanEnds minus(const PlanEnds& other) const {
-    PlanEnds result = *this;
-    for (std::size_t i = 0; i < count; ++i) result.weight_[i] -= other.weight_[i];
+    PlanEnds result;
+    for (std::size_t i = 0; i < count_; ++i) result.append(node_[i], weight_[i] - other.weight_[i], Keep::weighted);
     return result;
   }
 
-  [[nodiscard]] const std::array<int, count>& nodes() const { return node_; }
-  [[nodiscard]] const std::array<double, count>& weights() const { return weight_; }
+  [[nodiscard]] std::size_t size() const { return count_; }
+  [[nodiscard]] int node(std::size_t i) const { return node_[i]; }
+  [[nodiscard]] double weight(std::size_t i) const { return weight_[i]; }
 
   /// The sum of weight^2/mass, 1/kg: the change of the difference under a unit impulse. `inverse_mass` is called with
   /// indices of nodes.
   template <class InverseMass>
   [[nodiscard]] double mobility(InverseMass inverse_mass) const {
     double sum = 0.0;
-    for (std::size_t i = 0; i < count; ++i)
-      if (node_[i] != ground_index) sum += weight_[i] * weight_[i] * inverse_mass(node_[i]);
+    for (std::size_t i = 0; i < count_; ++i) sum += weight_[i] * weight_[i] * inverse_mass(node_[i]);
     return sum;
   }
 
   void add_couplings(const ElementInfo&, PatternBuilder& pattern) const {
-    for (std::size_t i = 0; i < count; ++i)
-      for (std::size_t j = 0; j < i; ++j)
-        if (weight_[i] != 0.0 && weight_[j] != 0.0) pattern.couple(node_[i], node_[j]);
+    for (std::size_t i = 0; i < count_; ++i)
+      for (std::size_t j = 0; j < i; ++j) pattern.couple(node_[i], node_[j]);
   }
-  void find_entries(const ElementInfo&, const SparseMatrix& matrix) {
-    for (std::size_t i = 0; i < count; ++i) entry_[i] = node_[i] == ground_index ? matrix.size : node_[i];
-  }
+  void find_entries(const ElementInfo&, const SparseMatrix&) {}
   [[nodiscard]] double difference(const double* values) const {
     double sum = 0.0;
-    for (std::size_t i = 0; i < count; ++i) sum += weight_[i] * values[entry_[i]];
+    for (std::size_t i = 0; i < count_; ++i) sum += weight_[i] * values[node_[i]];
     return sum;
   }
   void add_force(double force, double* forces) const {
-    for (std::size_t i = 0; i < count; ++i) forces[entry_[i]] += weight_[i] * force;
+    for (std::size_t i = 0; i < count_; ++i) forces[node_[i]] += weight_[i] * force;
   }
 
   class Slots {
    public:
     void find(const PlanEnds& ends, const ElementInfo&, const SparseMatrix& matrix) {
-      for (std::size_t i = 0; i < count; ++i)
-        for (std::size_t j = 0; j < count; ++j)
-          slot_[i][j] = ends.weight_[i] != 0.0 && ends.weight_[j] != 0.0 ? matrix.slot(ends.node_[i], ends.node_[j])
-                                                                         : matrix.nonzeros();
+      for (std::size_t i = 0; i < ends.count_; ++i)
+        for (std::size_t j = 0; j < ends.count_; ++j) slot_[i][j] = matrix.slot(ends.node_[i], ends.node_[j]);
     }
     void add_stiffness(const PlanEnds& ends, double stiffness, double* values) const {
-      for (std::size_t i = 0; i < count; ++i)
-        for (std::size_t j = 0; j < count; ++j) values[slot_[i][j]] += ends.weight_[i] * ends.weight_[j] * stiffness;
+      for (std::size_t i = 0; i < ends.count_; ++i)
+        for (std::size_t j = 0; j < ends.count_; ++j)
+          values[slot_[i][j]] += ends.weight_[i] * ends.weight_[j] * stiffness;
     }
 
    private:
-    std::array<std::array<int, count>, count> slot_{};
+    std::array<std::array<int, most>, most> slot_{};
   };
 
  private:
-  std::array<int, count> node_{ground_index, ground_index, ground_index, ground_index, ground_index, ground_index};
-  std::array<double, count> weight_{};
-  std::array<int, count> entry_{};
+  void append(int node, double weight, Keep keep) {
+    if (node == ground_index || (weight == 0.0 && keep == Keep::weighted)) return;
+    node_[count_] = node;
+    weight_[count_] = weight;
+    ++count_;
+  }
+
+  std::size_t count_ = 0;
+  std::array<int, most> node_{};
+  std::array<double, most> weight_{};
 };
 
 /// The same along two directions at right angles, x and y or normal and tangent, with forces of two components and a
 /// tangent that need not be symmetric.
 class PlanEndsBothWays {
-  static constexpr std::size_t count = PlanEnds::count;
+  static constexpr std::size_t most = PlanEnds::most;
 
  public:
   PlanEndsBothWays() = default;
   PlanEndsBothWays(const Model& model, const PlanPoint& first, const PlanPoint& second, PlanVector direction)
-      : along_{model, first, second, direction}, across_{model, first, second, turned_left(direction)} {}
+      : along_{model, first, second, direction, PlanEnds::Keep::all},
+        across_{model, first, second, turned_left(direction), PlanEnds::Keep::all} {}
 
   [[nodiscard]] const PlanEnds& along() const { return along_; }
   [[nodiscard]] const PlanEnds& across() const { return across_; }
 
   void add_couplings(PatternBuilder& pattern) const {
-    for (std::size_t i = 0; i < count; ++i)
-      for (std::size_t j = 0; j < i; ++j)
-        if (moves(i) && moves(j)) pattern.couple(along_.nodes()[i], along_.nodes()[j]);
+    for (std::size_t i = 0; i < along_.size(); ++i)
+      for (std::size_t j = 0; j < i; ++j) pattern.couple(along_.node(i), along_.node(j));
   }
-  void find(const ElementInfo& info, const SparseMatrix& matrix) {
-    along_.find_entries(info, matrix);
-    across_.find_entries(info, matrix);
-    for (std::size_t i = 0; i < count; ++i)
-      for (std::size_t j = 0; j < count; ++j)
-        slot_[i][j] = moves(i) && moves(j) ? matrix.slot(along_.nodes()[i], along_.nodes()[j]) : matrix.nonzeros();
+  void find(const ElementInfo&, const SparseMatrix& matrix) {
+    for (std::size_t i = 0; i < along_.size(); ++i)
+      for (std::size_t j = 0; j < along_.size(); ++j) slot_[i][j] = matrix.slot(along_.node(i), along_.node(j));
   }
   [[nodiscard]] PlanVector difference(const double* values) const {
     return {along_.difference(values), across_.difference(values)};
   }
   void add_force(PlanVector force, double* forces) const {
-    along_.add_force(force.x, forces);
-    across_.add_force(force.y, forces);
+    for (std::size_t i = 0; i < along_.size(); ++i)
+      forces[along_.node(i)] += along_.weight(i) * force.x + across_.weight(i) * force.y;
   }
   void add_stiffness(PlanMatrix stiffness, double* values) const {
-    const auto &a = along_.weights(), &b = across_.weights();
-    for (std::size_t i = 0; i < count; ++i)
-      for (std::size_t j = 0; j < count; ++j)
-        values[slot_[i][j]] +=
-            a[i] * (stiffness.xx * a[j] + stiffness.xy * b[j]) + b[i] * (stiffness.yx * a[j] + stiffness.yy * b[j]);
+    for (std::size_t i = 0; i < along_.size(); ++i) {
+      const double a = along_.weight(i), b = across_.weight(i);
+      const double to_along = a * stiffness.xx + b * stiffness.yx, to_across = a * stiffness.xy + b * stiffness.yy;
+      for (std::size_t j = 0; j < along_.size(); ++j)
+        values[slot_[i][j]] += to_along * along_.weight(j) + to_across * across_.weight(j);
+    }
   }
 
  private:
-  [[nodiscard]] bool moves(std::size_t i) const { return along_.weights()[i] != 0.0 || across_.weights()[i] != 0.0; }
-
   PlanEnds along_, across_;
-  std::array<std::array<int, count>, count> slot_{};
+  std::array<std::array<int, most>, most> slot_{};
 };
 
 }  // namespace moat

@@ -70,9 +70,9 @@ class PlanarBlock final : public ElementBlock, public PlanarElements {
       const PlanarResponse response = laws_[i].evaluate(committed_[i], now.deformation, now.rate, trial_[i]);
       tangent_changed_ |= response.stiffness != responses_[i].stiffness || response.damping != responses_[i].damping;
       responses_[i] = response;
-      deformations_[i] = length(now.deformation);
-      rates_[i] = rate_of_length(now.deformation, now.rate);
-      forces_[i] = length(response.force);
+      deformations_[i] = size_of(now.deformation);
+      rates_[i] = rate_of_size(now.deformation, now.rate, deformations_[i]);
+      forces_[i] = size_of(response.force);
       if (force != nullptr) ends_[i].add_force(response.force, force);
     }
   }
@@ -82,8 +82,8 @@ class PlanarBlock final : public ElementBlock, public PlanarElements {
       Motion& now = now_[i];
       now.second_rate = ends_[i].difference(acceleration);
       force_rate_[i] = responses_[i].force_rate + responses_[i].damping * now.second_rate;
-      second_rates_[i] = rate_of_length(now.deformation, now.second_rate);
-      force_rates_[i] = rate_of_length(responses_[i].force, force_rate_[i]);
+      second_rates_[i] = rate_of_size(now.deformation, now.second_rate, deformations_[i]);
+      force_rates_[i] = rate_of_size(responses_[i].force, force_rate_[i], forces_[i]);
       if (force_rate != nullptr) ends_[i].add_force(force_rate_[i], force_rate);
     }
   }
@@ -173,10 +173,11 @@ class PlanarBlock final : public ElementBlock, public PlanarElements {
     HermiteQuintic x, y;
   };
 
-  static double rate_of_length(PlanVector vector, PlanVector rate) {
-    const double size = length(vector);
+  static double rate_of_size(PlanVector vector, PlanVector rate, double size) {
     return size > 0.0 ? dot(vector, rate) / size : 0.0;
   }
+  // Without the care of std::hypot for numbers near the ends of their range, which costs ten times as much.
+  static double size_of(PlanVector vector) { return std::sqrt(dot(vector, vector)); }
   static double largest(PlanMatrix a) {
     return std::max(std::max(std::abs(a.xx), std::abs(a.xy)), std::max(std::abs(a.yx), std::abs(a.yy)));
   }

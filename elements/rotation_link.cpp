@@ -12,7 +12,7 @@ namespace {
 PlanEnds rotation_of(const Model& model, NodeId lower, NodeId upper) {
   const auto at = [&](double x) {
     const PlanPosition place{Length{x}, {}};
-    return PlanEnds{model, PlanPoint{lower, place}, PlanPoint{upper, place}, {0.0, 1.0}};
+    return PlanEnds{model, PlanPoint{lower, place}, PlanPoint{upper, place}, {0.0, 1.0}, PlanEnds::Keep::all};
   };
   return at(0.5).minus(at(-0.5));
 }

@@ -42,7 +42,7 @@ class SaturatingSlip {
 
   /// From z0 by an increment, m, that ends at this rate, m/s.
   [[nodiscard]] Step advance(PlanVector z0, PlanVector increment, PlanVector rate) const {
-    const double size = length(increment);
+    const double size = std::sqrt(dot(increment, increment));
     constexpr double negligible = 1e-12;  // of d_y
     if (size <= negligible * reach_) {
       // No direction of its own: that of the rate, along which the next increment will go.

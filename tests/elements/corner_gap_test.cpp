@@ -108,8 +108,12 @@ TEST(CornerGap, TangentIsTheDerivativeOfTheForces) {
     const PlanContacts& contact = *model.blocks()[0]->plan_contacts();
     const double limit = friction * model.blocks()[0]->forces()[0];
     EXPECT_LE(std::abs(contact.friction_force(0)), limit * (1.0 + 1e-12));
-    if (friction == 0.05) EXPECT_NEAR(std::abs(contact.friction_force(0)), limit, 1e-9 * limit);
-    if (friction == 1.0) EXPECT_LT(std::abs(contact.friction_force(0)), 0.999 * limit);
+    if (friction == 0.05) {
+      EXPECT_NEAR(std::abs(contact.friction_force(0)), limit, 1e-9 * limit);
+    }
+    if (friction == 1.0) {
+      EXPECT_LT(std::abs(contact.friction_force(0)), 0.999 * limit);
+    }
     SparseMatrix tangent = model.pattern();
     model.assemble_tangent(0.0, 0.0, 1.0, tangent);
     const Eigen::MatrixXd expected{tangent.view()};
