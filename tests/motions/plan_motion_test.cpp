@@ -92,8 +92,8 @@ TEST(PlanMotion, BadPairsAreRefused) {
   EXPECT_EQ(message_of([&] {
               (void)PlanMotion{a, a, 360 * deg}.resolved();
             }),
-            "PlanMotion \"a + a\": incidence = 360 deg is not allowed; it must be > -360 and < 360 deg. Write it with "
-            "its unit: 30 * deg.");
+            "PlanMotion \"a + a\": incidence = 360 deg is not allowed; it must be > -360 and < 360. Write it with its "
+            "unit: 30 * deg.");
   const GroundMotion both = PlanMotion{a, a};
   EXPECT_NE(message_of([&] {
               (void)PlanMotion{both, a}.resolved();
