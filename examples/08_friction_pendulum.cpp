@@ -31,7 +31,7 @@ Series loop(const std::string& name, Isolation isolation, const GroundMotion& mo
   Model model;
   add(model, five_storeys(isolation));
   const CaseResult result = run_case(model, motion, {.history_interval = 5 * ms});
-  Series series{.name = name};
+  Series series{.name = name, .x = {}, .y = {}};
   for (const double u : result.histories.values("isolator_deformation", "bearings")) series.x.push_back(100 * u);
   for (const double f : result.histories.values("isolator_force", "bearings")) series.y.push_back(f / 1e6);
   std::printf("%-28s stays at %5.1f cm\n", name.c_str(), series.x.back());

@@ -53,12 +53,13 @@ int main(int argc, char** argv) {
   bearing.weakening = 0.0;
   const Isolator<HeatedLeadRubber> constant{.law = bearing, .count = 4};
 
-  std::vector<Chart> charts{{.title = "Loops", .x_label = "deformation of the bearings [cm]", .y_label = "force [MN]"},
-                            {.title = "Lead", .x_label = "time [s]", .y_label = "rise of temperature [K]"}};
+  std::vector<Chart> charts{
+      {.title = "Loops", .x_label = "deformation of the bearings [cm]", .y_label = "force [MN]", .series = {}},
+      {.title = "Lead", .x_label = "time [s]", .y_label = "rise of temperature [K]", .series = {}}};
   for (const auto& [name, isolation] : {std::pair{"heating", heating}, std::pair{"constant strength", constant}}) {
     Model model = building(isolation);
     const CaseResult result = run_case(model, motion, {.history_interval = 5 * ms});
-    Series loop{.name = name}, heat{.name = name};
+    Series loop{.name = name, .x = {}, .y = {}}, heat = loop;
     for (const double u : result.histories.values("isolator_deformation", "bearings")) loop.x.push_back(100 * u);
     for (const double f : result.histories.values("isolator_force", "bearings")) loop.y.push_back(f / 1e6);
     heat.x = result.histories.values("time");

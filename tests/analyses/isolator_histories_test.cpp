@@ -144,8 +144,8 @@ TEST(IsolatorHistories, HeatedLeadRubberAgainstItsDifferentialEquations) {
   };
   Rates y{};
   double largest_d = 0.0, largest_force = 0.0, largest_temperature = 0.0;
-  const auto plus = [](const Rates& y, const Rates& k, double s) {
-    return Rates{y.d + s * k.d, y.v + s * k.v, y.q + s * k.q, y.temperature + s * k.temperature};
+  const auto plus = [](const Rates& from, const Rates& k, double s) {
+    return Rates{from.d + s * k.d, from.v + s * k.v, from.q + s * k.q, from.temperature + s * k.temperature};
   };
   for (int i = 0; i < static_cast<int>(14.0 / h); ++i) {
     const double t = i * h;
