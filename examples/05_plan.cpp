@@ -8,7 +8,7 @@
 //
 //     ./moat run examples/05_plan.cpp
 //     ./moat run examples/05_plan.cpp --friction 0 --incidence 30
-//     ./moat run examples/05_plan.cpp --record NORMAL.AT2 --record-2 PARALLEL.AT2
+//     ./moat run examples/05_plan.cpp --record RECORD_1.AT2 --record-2 RECORD_2.AT2
 #include <moat.hpp>
 
 using namespace moat;

@@ -35,7 +35,7 @@ Model building(const PropertyFactors& factors) {
                                .isolation = LeadRubberBearing{.yield_force = (strength + post_yield * yield) * N,
                                                               .yield_displacement = yield * m,
                                                               .post_yield_stiffness = post_yield * N / m}});
-  add(model, Moat<Hertz>{.around = added.base, .clearance = 30 * cm, .law = {.stiffness = 2.95e9 * N / m_3_2}});
+  add(model, Moat<Hertz>{.around = added.base, .clearance = 60 * cm, .law = {.stiffness = 2.95e9 * N / m_3_2}});
   return model;
 }
 

@@ -21,7 +21,7 @@ TEST(IntegratorRecipe, HasTheSpectralRadiusOfItsSource) {
     add(model, ShearSpring{.name = "spring", .lower = ground, .upper = node, .stiffness = 1e8 * N / m});
     StepEquations equations{model};
     NewtonSolver newton{equations, {}};
-    equations.balance_committed_state(0.0);
+    equations.balance_committed_state({});
     const StepScheme scheme = WoodBossakZienkiewicz{.alpha = alpha}.scheme().value();
     const double step = 0.01;
     Vector acceleration = Vector::Zero(1);
