@@ -75,7 +75,7 @@ std::optional<Chart> hysteresis_in_plan(const CaseResult& result) {
     loop.series.push_back({forces.front()->where + (component[1] == 'x' ? ", along x" : ", along y"),
                            scaled(*deformations.front()), scaled(*forces.front())});
     loop.x_label = "deformation [" + engineering_unit("m").symbol + "]";
-    loop.y_label = axis_label(*forces.front());
+    loop.y_label = "force [" + engineering_unit("N").symbol + "]";
   }
   loop.title = "Bearing";
   return loop;
