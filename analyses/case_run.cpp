@@ -9,6 +9,7 @@
 #include "base/check.hpp"
 #include "base/error.hpp"
 #include "model/building.hpp"
+#include "output/model_scene.hpp"
 
 namespace moat {
 namespace {
@@ -171,6 +172,7 @@ CaseResult CaseRun::result() const {
                     .provenance = provenance_of_library(),
                     .motion = facts_of(motion),
                     .model = facts_of(transient_.model()),
+                    .scene = transient_.model().node_count() <= most_drawn_nodes ? scene_of(transient_.model()) : Scene{},
                     .buildings = parts_of_buildings(transient_.model()),
                     .periods = periods_,
                     .peaks = peaks_.peaks(),

@@ -1,5 +1,7 @@
 #include "elements/gap.hpp"
 
+#include <limits>
+
 namespace moat {
 namespace {
 
@@ -32,6 +34,13 @@ double effective_mass(const Model& model, const Check& check, const MemberPoint&
   check.that(mobility > 0.0, "left and right are the same point, so that the gap never changes.",
              "Give two points that move towards each other.");
   return 1.0 / mobility;
+}
+
+double drawn_height(const Model& model, const MemberPoint& left, const MemberPoint& right) {
+  if (left.is_node() && right.is_node()) return std::numeric_limits<double>::quiet_NaN();
+  const MemberPoint& point = !left.is_node() && right.is_node() && right.node != ground ? right : left;
+  const auto height = [&](NodeId node) { return node == ground ? 0.0 : model.node(node).height.si(); };
+  return (1.0 - point.share) * height(point.node) + point.share * height(point.other);
 }
 
 template class ContactLinks<AnyContact, NodePair>;

@@ -7,25 +7,37 @@
 #include "output/csv_writer.hpp"
 #include "output/energy_columns.hpp"
 #include "output/peak_table.hpp"
-#include "output/report.hpp"
-#include "output/result_charts.hpp"
 #include "output/results_folder.hpp"
 #include "output/summary.hpp"
 #include "output/vtk_table.hpp"
+#include "report/report.hpp"
+#include "report/result_charts.hpp"
 
 namespace moat {
 
-void write_results(const CaseResult& result, const std::filesystem::path& folder) {
+void write_results(const CaseResult& result, const std::filesystem::path& folder, const WritingProgress& progress) {
+  constexpr double parts = 6.0;
+  double done = 0.0;
+  const auto written = [&](const std::string& part) {
+    if (progress) progress(++done, parts, " (" + part + ")");
+  };
   // The longest file, written beside the others. Without a free thread it is written at get().
   std::future<void> histories = std::async(std::launch::async | std::launch::deferred,
                                            [&] { write_csv(result.histories, folder / results_file::histories_csv); });
   write_csv(result.impacts, folder / results_file::impacts);
+  written(results_file::impacts);
   write_vtt(result.histories, folder / results_file::histories_vtt);
-  write_report_html(result, folder);
-  if (const auto charts = history_charts(result); !charts.empty()) write_svg(charts, folder / results_file::charts);
+  written(results_file::histories_vtt);
+  const ResultCharts charts = result_charts(result);
+  write_report_html(result, charts, folder);
+  written(results_file::report);
+  write_charts(charts, folder);
+  written("charts");
   histories.get();
+  written(results_file::histories_csv);
   // Last: a folder with a summary is complete.
   write_summary_json(result, folder / results_file::summary);
+  written(results_file::summary);
 }
 
 namespace {

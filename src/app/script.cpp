@@ -220,7 +220,13 @@ int Script::run(Model& model, const GroundMotion& motion, std::initializer_list<
   for (StepObserver* observer : parts_->observers) run.attach(*observer);
   ResultsFolder folder{options.folder, options.force ? WhenFolderExists::overwrite : WhenFolderExists::use_new_number};
   const Outcome outcome = compute(run, model, options, folder);
-  write_results(outcome.result, folder.path());
+  // Small results are written before a bar could be seen.
+  constexpr double many_numbers = 2e6;
+  const Table& histories = outcome.result.histories;
+  const bool takes_time =
+      static_cast<double>(histories.columns.size()) * static_cast<double>(histories.rows()) > many_numbers;
+  write_results(outcome.result, folder.path(),
+                takes_time && !options.quiet ? WritingProgress{ProgressBar{"writing", "parts"}} : WritingProgress{});
   folder.finish();
   return print(outcome, options, folder.final_path());
 }

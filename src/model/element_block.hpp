@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <limits>
 #include <memory>
 #include <span>
 #include <string>
@@ -50,6 +51,8 @@ struct ElementInfo {
   /// Whether it carries a building on the ground and lets it move: characteristic periods hold the floor above it.
   bool isolates = false;
   DrawnAs drawn_as = DrawnAs::other;
+  /// m. Where a gap is drawn; not a number: at the height of its nodes.
+  double drawn_height = std::numeric_limits<double>::quiet_NaN();
 
   [[nodiscard]] const std::string& listed_under() const { return place.empty() ? name : place.text(); }
 };

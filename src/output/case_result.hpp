@@ -10,6 +10,7 @@
 #include "output/model_facts.hpp"
 #include "output/offered_quantity.hpp"
 #include "output/provenance.hpp"
+#include "output/scene.hpp"
 #include "output/table.hpp"
 
 namespace moat {
@@ -41,6 +42,12 @@ struct GapClearance {
   double error = std::numeric_limits<double>::quiet_NaN();
 };
 
+/// Force over indentation of one contact: a value at every end of a step and on both sides of events.
+struct ContactLoop {
+  std::vector<double> indentation;  ///< m
+  std::vector<double> force;        ///< N
+};
+
 /// One contact from touch until the gap opens again. ImpactRecorder documents where the two ratios are NaN.
 struct Impact {
   std::string where;                 ///< the gap, for example "moat left"
@@ -57,6 +64,7 @@ struct Impact {
   double tangential_speed = 0.0;        ///< m/s, of the corner along the edge at first touch
   double largest_friction_force = 0.0;  ///< N
   double friction_loss = 0.0;           ///< J
+  ContactLoop loop{};
 };
 
 /// Energy dissipated by the elements reported at one place.
@@ -151,11 +159,16 @@ inline constexpr const char* error_bar_method =
     "Every peak is computed again by a second run with finer steps; the error is estimated from the difference of the "
     "two by Richardson's rule, with caution. It is that of the numerical solution, not of the model.";
 
+/// Nodes of the largest model whose report has a drawing.
+inline constexpr int most_drawn_nodes = 300;
+
 struct CaseResult {
   std::string title;
   Provenance provenance{};
   MotionFacts motion;
   ModelFacts model{};
+  /// For drawings; its indices of nodes are those of `model.nodes`. Empty for models of more than `most_drawn_nodes`.
+  Scene scene{};
   std::vector<BuildingParts> buildings;
   std::vector<NamedPeriod> periods;
   std::vector<Peak> peaks;

@@ -29,6 +29,9 @@ void ImpactRecorder::follow(const StepView& view, bool after_event) {
     const PlanContacts* sliding = block.plan_contacts();
     const double indentation = block.deformations()[element], rate = block.rates()[element];
     const double force = block.forces()[element], force_rate = block.force_rates()[element];
+    ContactLoop& loop = impacts_[contact.impact].loop;
+    loop.indentation.push_back(indentation);
+    loop.force.push_back(force);
     if (after_event) {
       contact.indentation.restart(time, indentation, rate);
       contact.force.restart(time, force, force_rate);

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "base/check.hpp"
+#include "output/scene_spread.hpp"
 
 namespace moat {
 namespace {
@@ -18,7 +19,7 @@ constexpr double storey_inset = 0.3;
 
 class SceneBuilder {
  public:
-  explicit SceneBuilder(const Model& model) : model_{model} {}
+  explicit SceneBuilder(const Model& model) : model_{model}, spread_{spread_of_nodes(model)} {}
 
   Scene build() {
     if (model_.is_plan()) return build_in_plan();
@@ -33,28 +34,35 @@ class SceneBuilder {
   struct Place {
     double x, z, half_width;
     int node;
+    PlanVector spread;
   };
 
   // The ground has no position of its own: it is drawn below, or beside, the node on it.
   Place place(NodeId id, NodeId other) const {
     const Node& node = model_.node(id == ground ? other : id);
     return {node.x.si(), id == ground ? node.height.si() - bearing_height : node.height.si(), node.half_width.si(),
-            id == ground ? -1 : id.index};
+            id == ground ? -1 : id.index, spread_of(id == ground ? other : id)};
   }
 
-  int point(double x, double z, int node) {
-    scene_.points.push_back({.x = x, .y = 0.0, .z = z, .node = node, .weight = node < 0 ? 0.0 : 1.0});
+  [[nodiscard]] PlanVector spread_of(NodeId body) const {
+    return body == ground ? PlanVector{} : spread_[static_cast<std::size_t>(body.index)];
+  }
+
+  // `spread` is that of the node, or for a point of the ground that of the body beside it.
+  int point(double x, double z, int node, PlanVector spread) {
+    scene_.points.push_back({.x = x, .y = 0.0, .z = z, .node = node, .weight = node < 0 ? 0.0 : 1.0, .spread = spread});
     return static_cast<int>(scene_.points.size()) - 1;
   }
 
   void add_slab(NodeId id) {
     const Place p = place(id, id);
     const double top = p.z, bottom = p.z - slab_thickness;
-    scene_.cells.push_back({CellKind::floor,
-                            model_.node(id).name,
-                            {point(p.x - p.half_width, bottom, p.node), point(p.x + p.half_width, bottom, p.node),
-                             point(p.x + p.half_width, top, p.node), point(p.x - p.half_width, top, p.node)},
-                            -1});
+    scene_.cells.push_back(
+        {CellKind::floor,
+         model_.node(id).name,
+         {point(p.x - p.half_width, bottom, p.node, p.spread), point(p.x + p.half_width, bottom, p.node, p.spread),
+          point(p.x + p.half_width, top, p.node, p.spread), point(p.x - p.half_width, top, p.node, p.spread)},
+         -1});
   }
 
   void add_element(const ElementInfo& info, int number) {
@@ -76,31 +84,40 @@ class SceneBuilder {
     const Place low = place(info.first, info.second), high = place(info.second, info.first);
     const double half = std::max(0.1, std::min(low.half_width, high.half_width) - storey_inset);
     const double top = high.z - slab_thickness;
-    scene_.cells.push_back({kind,
-                            info.name,
-                            {point(low.x - half, low.z, low.node), point(low.x + half, low.z, low.node),
-                             point(high.x + half, top, high.node), point(high.x - half, top, high.node)},
-                            number});
+    scene_.cells.push_back(
+        {kind,
+         info.name,
+         {point(low.x - half, low.z, low.node, low.spread), point(low.x + half, low.z, low.node, low.spread),
+          point(high.x + half, top, high.node, high.spread), point(high.x - half, top, high.node, high.spread)},
+         number});
   }
 
   // A gap has its right node first and its left node second.
   void add_gap(const ElementInfo& info, int number) {
     const bool wall_right = info.first == ground, wall_left = info.second == ground;
     const Place right = place(info.first, info.second), left = place(info.second, info.first);
-    const double level = (wall_right ? left.z : right.z) - 0.5 * slab_thickness;
+    const double height = !std::isnan(info.drawn_height) ? info.drawn_height : wall_right ? left.z : right.z;
+    const double level = height - 0.5 * slab_thickness;
     const double left_face = wall_left ? right.x - right.half_width - info.offset : left.x + left.half_width;
     const double right_face = wall_right ? left.x + left.half_width + info.offset : right.x - right.half_width;
+    const PlanVector clearance{info.offset, 0.0};
+    const PlanVector left_spread = wall_left ? right.spread - clearance : left.spread;
+    const PlanVector right_spread = wall_right ? left.spread + clearance : right.spread;
     scene_.cells.push_back(
-        {CellKind::gap, info.name, {point(left_face, level, left.node), point(right_face, level, right.node)}, number});
-    if (wall_left) add_wall(info.name, left_face - wall_thickness, left_face, level);
-    if (wall_right) add_wall(info.name, right_face, right_face + wall_thickness, level);
+        {CellKind::gap,
+         info.name,
+         {point(left_face, level, left.node, left_spread), point(right_face, level, right.node, right_spread)},
+         number});
+    if (wall_left) add_wall(info.name, left_face - wall_thickness, left_face, level, left_spread);
+    if (wall_right) add_wall(info.name, right_face, right_face + wall_thickness, level, right_spread);
   }
 
-  void add_wall(const std::string& gap, double from, double to, double level) {
+  void add_wall(const std::string& gap, double from, double to, double level, PlanVector spread) {
     const double bottom = level - 0.5 * slab_thickness - bearing_height, top = level + slab_thickness;
     scene_.cells.push_back({CellKind::wall,
                             gap + " wall",
-                            {point(from, bottom, -1), point(to, bottom, -1), point(to, top, -1), point(from, top, -1)},
+                            {point(from, bottom, -1, spread), point(to, bottom, -1, spread), point(to, top, -1, spread),
+                             point(from, top, -1, spread)},
                             -1});
   }
 
@@ -119,8 +136,8 @@ class SceneBuilder {
   }
 
   // A point of the body of a node, of the ground for another.
-  int plan_point(PlanVector at, double z, NodeId body) {
-    ScenePoint point{.x = at.x, .y = at.y, .z = z, .node = body == ground ? -1 : body.index};
+  int plan_point(PlanVector at, double z, NodeId body, PlanVector spread) {
+    ScenePoint point{.x = at.x, .y = at.y, .z = z, .node = body == ground ? -1 : body.index, .spread = spread};
     if (body == ground) {
       point.weight = 0.0;
     } else if (const PlacedDiaphragm* diaphragm = model_.diaphragm_of(body)) {
@@ -134,12 +151,13 @@ class SceneBuilder {
     return static_cast<int>(scene_.points.size()) - 1;
   }
 
-  void add_prism(CellKind kind, const std::string& name, const std::vector<PlanVector>& corners, double bottom,
-                 double top, NodeId body) {
+  // One spread for each corner.
+  void add_prism(CellKind kind, const std::string& name, const std::vector<PlanVector>& corners,
+                 const std::vector<PlanVector>& spreads, double bottom, double top, NodeId body) {
     std::vector<int> low, high;
-    for (const PlanVector& corner : corners) {
-      low.push_back(plan_point(corner, bottom, body));
-      high.push_back(plan_point(corner, top, body));
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+      low.push_back(plan_point(corners[i], bottom, body, spreads[i]));
+      high.push_back(plan_point(corners[i], top, body, spreads[i]));
     }
     const std::size_t count = corners.size();
     for (std::size_t i = 0; i < count; ++i) {
@@ -160,8 +178,8 @@ class SceneBuilder {
       for (const PlanVector& way : {PlanVector{-1, -1}, PlanVector{1, -1}, PlanVector{1, 1}, PlanVector{-1, 1}})
         corners.push_back(diaphragm.centre_of_mass + half * way);
     }
-    add_prism(CellKind::floor, diaphragm.name, corners, diaphragm.height - slab_thickness, diaphragm.height,
-              diaphragm.id.x);
+    add_prism(CellKind::floor, diaphragm.name, corners, std::vector(corners.size(), spread_of(diaphragm.id.x)),
+              diaphragm.height - slab_thickness, diaphragm.height, diaphragm.id.x);
   }
 
   double height_of(NodeId body) const {
@@ -174,27 +192,36 @@ class SceneBuilder {
     const double bottom = info.first == ground ? top - bearing_height : height_of(info.first);
     scene_.cells.push_back({info.isolates ? CellKind::bearing : CellKind::other,
                             info.name,
-                            {plan_point(at, bottom, info.first), plan_point(at, top, info.second)},
+                            {plan_point(at, bottom, info.first, spread_of(info.second)),
+                             plan_point(at, top, info.second, spread_of(info.second))},
                             number});
   }
 
   // The line from a corner to the edge, and the edge as a wall unless it is that of a floor.
   void add_corner(const ElementInfo& info, const CornerPair& pair, int number) {
     const double level = height_of(info.second != ground ? info.second : info.first) - 0.5 * slab_thickness;
+    const PlanVector corner_spread = spread_of(info.second);
+    const bool is_wall = model_.diaphragm_of(info.first) == nullptr;
+    const PlanVector clearance = info.offset * pair.normal, along = turned_left(clearance);
+    const PlanVector edge_spread = is_wall ? corner_spread + clearance : spread_of(info.first);
     scene_.cells.push_back({CellKind::gap,
                             info.name,
-                            {plan_point(pair.position, level, info.second),
-                             plan_point(pair.position + info.offset * pair.normal, level, info.first)},
+                            {plan_point(pair.position, level, info.second, corner_spread),
+                             plan_point(pair.position + clearance, level, info.first, edge_spread)},
                             number});
     const std::string& wall = pair.edge.text();
-    if (model_.diaphragm_of(info.first) != nullptr || !drawn_walls_.insert(wall).second) return;
+    if (!is_wall || !drawn_walls_.insert(wall).second) return;
     const PlanVector outwards = wall_thickness * pair.normal;
+    // The ends of a wall go on as far as it moves away, so that walls still meet.
+    const PlanVector begin_spread = edge_spread - along, end_spread = edge_spread + along;
     add_prism(CellKind::wall, wall,
               {pair.edge_begin, pair.edge_end, pair.edge_end + outwards, pair.edge_begin + outwards},
-              level - 0.5 * slab_thickness - bearing_height, level + slab_thickness, info.first);
+              {begin_spread, end_spread, end_spread, begin_spread}, level - 0.5 * slab_thickness - bearing_height,
+              level + slab_thickness, info.first);
   }
 
   const Model& model_;
+  const std::vector<PlanVector> spread_;  // of nodes
   Scene scene_;
   std::set<std::string> drawn_walls_;
 };

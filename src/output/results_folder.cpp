@@ -31,6 +31,18 @@ bool is_frame_name(const std::string& name) {
                      [](char c) { return c >= '0' && c <= '9'; });
 }
 
+// A chart is a picture and its numbers; one without the other may be the user's own work.
+bool is_chart(const fs::path& path, const std::vector<fs::path>& beside) {
+  const std::string name = path.stem().string();
+  const bool plain =
+      std::ranges::all_of(name, [](char c) { return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '_'; });
+  const fs::path extension = path.extension();
+  if (!plain || (extension != ".svg" && extension != ".csv")) return false;
+  fs::path other = path;
+  other.replace_extension(extension == ".svg" ? ".csv" : ".svg");
+  return std::ranges::find(beside, other) != beside.end();
+}
+
 [[noreturn]] void fail(const fs::path& path, const std::string& what, const std::string& reason) {
   throw FileError{"results folder " + path.string() + ": " + what + " (" + reason +
                   "). Choose another folder, or make this one writable."};
@@ -99,31 +111,28 @@ fs::path with_name(fs::path wanted) {
   return wanted;
 }
 
-void remove_results(const fs::path& folder, const fs::path& inside = {}) {
-  for (const fs::path& path : entries(folder / inside)) {
+void remove_results(const fs::path& folder) {
+  for (const fs::path& path : entries(folder)) {
     std::error_code error;
-    const fs::path relative = inside / path.filename();
+    const fs::path name = path.filename();
     const fs::file_status status = fs::symlink_status(path, error);
+    const bool is_folder = std::ranges::find(results_file::all_folders, name) != results_file::all_folders.end();
+    const bool is_file = std::ranges::find(results_file::all_at_top, name) != results_file::all_at_top.end();
     // The target of a link is not in this folder and stays. The link goes: results would be written to its target.
-    if (fs::is_symlink(status) && (is_results_file(relative) || relative == results_file::frames_folder))
-      fs::remove(path, error);
-    if (fs::is_regular_file(status) && is_results_file(relative)) fs::remove(path, error);
-    if (fs::is_directory(status) && relative == results_file::frames_folder) {
-      remove_results(folder, relative);
-      if (holds_nothing(path)) fs::remove(path, error);
+    if (fs::is_symlink(status) && (is_file || is_folder)) fs::remove(path, error);
+    if (fs::is_regular_file(status) && is_file) fs::remove(path, error);
+    if (fs::is_directory(status) && is_folder) {
+      const std::vector<fs::path> inside = entries(path);
+      for (const fs::path& each : inside)
+        if (name == results_file::frames_folder ? is_frame_name(each.filename().string()) : is_chart(each, inside))
+          if (!error && !fs::is_directory(fs::symlink_status(each, error))) fs::remove(each, error);
+      if (!error && holds_nothing(path)) fs::remove(path, error);
     }
     if (error) fail(path, "cannot be removed", error.message());
   }
 }
 
 }  // namespace
-
-bool is_results_file(const fs::path& relative_path) {
-  if (relative_path.parent_path() == results_file::frames_folder)
-    return is_frame_name(relative_path.filename().string());
-  return std::any_of(results_file::all_at_top.begin(), results_file::all_at_top.end(),
-                     [&relative_path](const char* name) { return relative_path == name; });
-}
 
 ResultsFolder::ResultsFolder(const fs::path& wanted, WhenFolderExists when_exists) : final_{with_name(wanted)} {
   if (create(final_) || holds_nothing(final_)) return;
@@ -169,24 +178,22 @@ void ResultsFolder::finish() {
   // First the old results go, with the summary by which the folder is known; the new summary comes last.
   remove_results(final_);
   std::vector<fs::path> names;
-  for (const fs::path& path : entries(from))
-    if (path.filename() != results_file::frames_folder && path.filename() != results_file::summary)
-      names.push_back(path.filename());
   std::error_code error;
-  if (fs::exists(from / results_file::frames_folder, error)) {
+  for (const fs::path& path : entries(from)) {
+    const fs::path name = path.filename();
+    if (name == results_file::summary) continue;
     // As a whole, unless foreign files stayed in the old folder.
-    if (!fs::exists(fs::symlink_status(final_ / results_file::frames_folder, error)))
-      names.emplace_back(results_file::frames_folder);
+    if (!fs::is_directory(path, error) || !fs::exists(fs::symlink_status(final_ / name, error)))
+      names.push_back(name);
     else
-      for (const fs::path& path : entries(from / results_file::frames_folder))
-        names.push_back(fs::path{results_file::frames_folder} / path.filename());
+      for (const fs::path& each : entries(path)) names.push_back(name / each.filename());
   }
   if (fs::exists(from / results_file::summary, error)) names.emplace_back(results_file::summary);
   for (const fs::path& name : names) {
     fs::rename(from / name, final_ / name, error);
     if (error) fail(final_ / name, "cannot be put in its place", error.message());
   }
-  fs::remove(from / results_file::frames_folder, error);
+  for (const char* folder : results_file::all_folders) fs::remove(from / folder, error);
   fs::remove(from, error);
   close(std::exchange(lock_, -1));
   beside_.reset();

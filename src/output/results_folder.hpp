@@ -18,7 +18,10 @@ inline constexpr const char* charts = "charts.svg";
 inline constexpr const char* frames = "frames.pvd";
 /// Sub-folder of the frames frame_000000.vtu, frame_000001.vtu ...
 inline constexpr const char* frames_folder = "frames";
-/// Overwriting replaces these and the frames, and nothing else.
+/// Sub-folder of single charts: displacement.svg, displacement.csv ...
+inline constexpr const char* charts_folder = "charts";
+inline constexpr std::array all_folders{frames_folder, charts_folder};
+/// Overwriting replaces these, the frames and the single charts, and nothing else.
 inline constexpr std::array all_at_top{summary, histories_csv, histories_vtt, impacts, report, charts, frames};
 }  // namespace results_file
 
@@ -63,8 +66,5 @@ class ResultsFolder {
   std::optional<std::filesystem::path> beside_;  // while there are old results
   int lock_ = -1;                                // held on the folder beside, so that no other run takes it
 };
-
-/// Whether a file was, by its name relative to a results folder, written by moat.
-bool is_results_file(const std::filesystem::path& relative_path);
 
 }  // namespace moat

@@ -18,6 +18,8 @@ struct ScenePoint {
   PlanVector direction{1.0, 0.0};    ///< of the node's motion
   bool on_diaphragm = false;
   PlanVector arm{};  ///< from the centre of mass, over the diaphragm's gyration: theta times this is w
+  /// m. A drawing with displacements f times larger moves the point (f - 1) times this (output/scene_spread.hpp).
+  PlanVector spread{};
 };
 
 /// Written as the integer cell data `Kind`; the names are in the field data `KindNames`.

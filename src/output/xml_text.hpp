@@ -1,10 +1,13 @@
-// Texts inside XML.
+// Texts inside XML and HTML.
 #pragma once
 
 #include <string>
 #include <string_view>
 
 namespace moat {
+
+/// With entities for &, <, > and the double quote, in UTF-8.
+std::string escaped_markup(std::string_view text);
 
 /// Text for an element or an attribute between double quotes, in UTF-8. Control characters that XML does not have
 /// become "?".

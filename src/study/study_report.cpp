@@ -2,9 +2,9 @@
 
 #include "base/number_format.hpp"
 #include "output/file_io.hpp"
-#include "output/report_html.hpp"
-#include "output/report_input.hpp"
-#include "output/report_page.hpp"
+#include "report/html.hpp"
+#include "report/input_sections.hpp"
+#include "report/page.hpp"
 #include "study/study_charts.hpp"
 
 namespace moat {

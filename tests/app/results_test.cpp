@@ -4,6 +4,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
+#include "in_folder.hpp"
+
 namespace moat {
 namespace {
 
@@ -29,6 +33,23 @@ TEST(TerminalSummary, SaysWhereTheErrorBarsComeFrom) {
                 "+- estimated numerical error, from a second run with finer steps (1 impact, 123 steps, 0.5 s)\n"),
             std::string::npos)
       << terminal_summary(result);
+}
+
+using WriteResults = testing::InFolder;
+
+TEST_F(WriteResults, ReportsItsProgress) {
+  std::vector<double> done;
+  std::string last;
+  write_results({}, folder, [&](double parts, double all, const std::string& written) {
+    done.push_back(parts / all);
+    last = written;
+  });
+  ASSERT_EQ(done.size(), 6u);
+  EXPECT_TRUE(std::ranges::is_sorted(done));
+  EXPECT_EQ(done.back(), 1.0);
+  EXPECT_EQ(last, " (summary.json)");
+  for (const char* name : {"summary.json", "histories.csv", "histories.vtt", "impacts.csv", "report.html"})
+    EXPECT_TRUE(std::filesystem::exists(folder / name)) << name;
 }
 
 TEST(TerminalSummary, SaysWhyThereAreNoErrorBars) {

@@ -1,38 +1,15 @@
-// A folder for the files of a test.
+// A folder for the files of a test, and their texts.
 #pragma once
 
-#include <gtest/gtest.h>
-#include <unistd.h>
-
-#include <cstdlib>
-#include <filesystem>
-#include <fstream>
-#include <sstream>
 #include <string>
+
+#include "../support/in_folder.hpp"
 
 namespace moat::paper {
 
-/// A folder of its own for every test, removed at its end.
-class InFolder : public ::testing::Test {
+class InFolder : public testing::InFolder {
  protected:
-  InFolder() {
-    std::string pattern = (std::filesystem::temp_directory_path() / "moat_paper_XXXXXX").string();
-    EXPECT_NE(mkdtemp(pattern.data()), nullptr);
-    folder = pattern;
-  }
-  ~InFolder() override {
-    std::error_code ignored;
-    std::filesystem::remove_all(folder, ignored);
-  }
-
-  [[nodiscard]] std::string text_of(const std::string& name) const {
-    std::ifstream stream{folder / name, std::ios::binary};
-    std::ostringstream text;
-    text << stream.rdbuf();
-    return text.str();
-  }
-
-  std::filesystem::path folder;
+  [[nodiscard]] std::string text_of(const std::string& name) const { return testing::read_file(folder / name); }
 };
 
 }  // namespace moat::paper

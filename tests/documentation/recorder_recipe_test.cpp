@@ -4,7 +4,7 @@
 
 #include "analyses/case_run.hpp"
 #include "elements/shear_spring.hpp"
-#include "output/result_charts.hpp"
+#include "report/history_charts.hpp"
 #include "output/separation.hpp"
 
 namespace moat::testing {

@@ -88,11 +88,10 @@ TEST_F(ResultsFolderTest, TwoRunsThatOverwriteHaveFoldersOfTheirOwn) {
 
 TEST_F(ResultsFolderTest, OverwritingKeepsWhatMoatDidNotWrite) {
   const fs::path x = folder / "x";
-  for (const char* name : {"summary.json", "histories.csv", "histories.vtt", "impacts.csv", "frames.pvd", "report.html",
-                           "frames/frame_000000.vtu", "frames/frame_1234567.vtu"}) {
-    EXPECT_TRUE(is_results_file(name)) << name;
+  for (const char* name :
+       {"summary.json", "histories.csv", "histories.vtt", "impacts.csv", "frames.pvd", "report.html",
+        "frames/frame_000000.vtu", "frames/frame_1234567.vtu", "charts/drift.svg", "charts/drift.csv"})
     put(x / name);
-  }
   put_summary(x);
   const std::vector<fs::path> foreign{"notes.txt",
                                       "frame_000000.vtu",
@@ -101,11 +100,12 @@ TEST_F(ResultsFolderTest, OverwritingKeepsWhatMoatDidNotWrite) {
                                       "frames/frame_00000.vtu",
                                       "frames/frame_00000a.vtu",
                                       "old/summary.json",
-                                      "frames/deep/frame_000000.vtu"};
-  for (const fs::path& name : foreign) {
-    EXPECT_FALSE(is_results_file(name)) << name;
-    put(x / name);
-  }
+                                      "frames/deep/frame_000000.vtu",
+                                      "charts/drift_edited.svg",
+                                      "charts/Drift.svg",
+                                      "charts/Drift.csv",
+                                      "charts/frame_000000.vtu"};
+  for (const fs::path& name : foreign) put(x / name);
   overwrite(x);
   std::size_t left = 0;
   for (const auto& entry : fs::recursive_directory_iterator{x}) left += entry.is_regular_file() ? 1 : 0;

@@ -9,21 +9,17 @@
 
 #include <csignal>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <string>
 #include <utility>
 #include <vector>
+
+#include "in_folder.hpp"
 
 extern char** environ;
 
 namespace moat::testing {
 
-inline std::string text_of(const std::filesystem::path& path) {
-  std::ifstream file{path, std::ios::binary};
-  EXPECT_TRUE(file.good()) << path;
-  return {std::istreambuf_iterator<char>{file}, {}};
-}
+inline std::string text_of(const std::filesystem::path& path) { return read_file(path); }
 
 struct ProgramResult {
   int exit_code = -1;
@@ -75,19 +71,6 @@ inline ProgramResult run_program(const std::filesystem::path& program, std::vect
   return RunningProgram{program, std::move(arguments), folder}.wait();
 }
 
-/// A fresh folder per test, removed afterwards.
-class InTemporaryFolder : public ::testing::Test {
- protected:
-  InTemporaryFolder() {
-    const auto* info = ::testing::UnitTest::GetInstance()->current_test_info();
-    folder = std::filesystem::temp_directory_path() /
-             (std::string{"moat_"} + info->test_suite_name() + "_" + info->name() + "_" + std::to_string(::getpid()));
-    std::filesystem::remove_all(folder);
-    std::filesystem::create_directories(folder);
-  }
-  ~InTemporaryFolder() override { std::filesystem::remove_all(folder); }
-
-  std::filesystem::path folder;
-};
+using InTemporaryFolder = InFolder;
 
 }  // namespace moat::testing

@@ -1,4 +1,4 @@
-#include "output/result_charts.hpp"
+#include "report/history_charts.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,15 +7,12 @@
 #include <vector>
 
 #include "base/error.hpp"
+#include "report_testing.hpp"
 
 namespace moat {
 namespace {
 
-CaseResult result_with(std::vector<Column> columns) {
-  CaseResult result;
-  result.histories.columns = std::move(columns);
-  return result;
-}
+using testing_report::result_with;
 
 CaseResult isolated_result() {
   CaseResult result = result_with({{"time", "", "s", {0.0, 1.0, 2.0}},
@@ -31,7 +28,7 @@ CaseResult isolated_result() {
   return result;
 }
 
-TEST(ResultCharts, ShowBaseAndTopAndAllImpacts) {
+TEST(HistoryCharts, ShowBaseAndTopAndAllImpacts) {
   const std::vector<Chart> charts = history_charts(isolated_result());
   ASSERT_EQ(charts.size(), 3u);
   EXPECT_EQ(charts[0].title, "Displacement");
@@ -51,7 +48,17 @@ TEST(ResultCharts, ShowBaseAndTopAndAllImpacts) {
   EXPECT_EQ(charts[2].series[1].y, (std::vector<double>{0.0, 7000.0, 0.0}));
 }
 
-TEST(ResultCharts, LeaveOutWhatThereIsNot) {
+TEST(HistoryCharts, LeaveOutGapsThatStayedOpen) {
+  CaseResult result = result_with({{"time", "", "s", {0.0, 1.0}},
+                                   {"impact_force", "left", "N", {0.0, 0.0}},
+                                   {"impact_force", "right", "N", {0.0, 1e3}}});
+  ASSERT_EQ(history_charts(result).size(), 1u);
+  EXPECT_EQ(history_charts(result)[0].series.size(), 1u);
+  result.histories.columns[2].values[1] = 0.0;
+  EXPECT_EQ(history_charts(result)[0].series.size(), 2u);
+}
+
+TEST(HistoryCharts, LeaveOutWhatThereIsNot) {
   // A fixed-base building: no base, no gap.
   const std::vector<Chart> charts = history_charts(result_with({{"time", "", "s", {0.0, 1.0}},
                                                                 {"displacement", "floor 1", "m", {0.0, 0.1}},
@@ -66,7 +73,7 @@ TEST(ResultCharts, LeaveOutWhatThereIsNot) {
   EXPECT_TRUE(history_charts(result_with({{"displacement", "base", "m", {0.0, 0.1}}})).empty());
 }
 
-TEST(ResultCharts, ABodyOfItsOwnIsDrawnOnce) {
+TEST(HistoryCharts, ABodyOfItsOwnIsDrawnOnce) {
   CaseResult result = result_with({{"time", "", "s", {0.0, 1.0}}, {"displacement", "tank", "m", {0.0, 0.1}}});
   result.buildings = {{.name = "tank", .floors = {"tank"}}};
   const std::vector<Chart> charts = history_charts(result);
@@ -97,14 +104,14 @@ CaseResult displacements_of(std::vector<BuildingParts> buildings) {
   return result;
 }
 
-TEST(ResultCharts, ShowBaseAndTopOfEachBuilding) {
+TEST(HistoryCharts, ShowBaseAndTopOfEachBuilding) {
   const CaseResult result = displacements_of(
       {{.name = "low", .base = "cellar", .floors = {"deck", "roof"}}, {.name = "old", .floors = {"old 1", "old 2"}}});
   EXPECT_EQ(names_in(history_charts(result).at(0)), (Names{"cellar", "roof", "old 2"}));
   EXPECT_EQ(history_charts(result)[0].series[1].y, (std::vector<double>{0.0, 300.0}));
 }
 
-TEST(ResultCharts, ShowThreeBuildingsAtMost) {
+TEST(HistoryCharts, ShowThreeBuildingsAtMost) {
   const CaseResult result = displacements_of({{.base = "a", .floors = {"a1"}},
                                               {.base = "b", .floors = {"b1"}},
                                               {.base = "c", .floors = {"c1"}},
@@ -112,43 +119,8 @@ TEST(ResultCharts, ShowThreeBuildingsAtMost) {
   EXPECT_EQ(names_in(history_charts(result).at(0)), (Names{"a", "a1", "b", "b1", "c", "c1"}));
 }
 
-TEST(ResultCharts, HysteresisIsThatOfTheFirstIsolatedBuilding) {
-  CaseResult result = displacements_of({{.name = "old", .floors = {"old floor 1"}},
-                                        {.base = "cellar", .floors = {"floor"}, .isolators = {"pendulums"}}});
-  result.histories.columns.push_back({"isolator_force", "other bearings", "N", {0.0, 1e3}});
-  result.histories.columns.push_back({"isolator_force", "pendulums", "N", {0.0, 5e3}});
-  const std::optional<Chart> loop = hysteresis_chart(result);
-  ASSERT_TRUE(loop.has_value());
-  EXPECT_EQ(loop->x_label, "cellar displacement [cm]");
-  ASSERT_EQ(loop->series.size(), 1u);
-  EXPECT_EQ(loop->series[0].name, "pendulums");
-  EXPECT_EQ(loop->series[0].x, (std::vector<double>{0.0, 200.0}));
-  EXPECT_EQ(loop->series[0].y, (std::vector<double>{0.0, 5.0}));
-}
-
-TEST(ResultCharts, HysteresisIsForceOverDisplacementOfTheBase) {
-  const std::optional<Chart> loop = hysteresis_chart(isolated_result());
-  ASSERT_TRUE(loop.has_value());
-  EXPECT_EQ(loop->x_label, "base displacement [cm]");
-  EXPECT_EQ(loop->y_label, "isolator force [kN]");
-  ASSERT_EQ(loop->series.size(), 1u);
-  EXPECT_EQ(loop->series[0].x, (std::vector<double>{0.0, 10.0, -5.0}));
-  EXPECT_EQ(loop->series[0].y, (std::vector<double>{0.0, 2000.0, -1000.0}));
-}
-
-TEST(ResultCharts, HysteresisNeedsIsolatorAndBase) {
-  EXPECT_FALSE(hysteresis_chart(result_with({})).has_value());
-  EXPECT_FALSE(hysteresis_chart(result_with({{"isolator_force", "bearings", "N", {0.0}}})).has_value());
-  EXPECT_FALSE(hysteresis_chart(result_with({{"displacement", "base", "m", {0.0}}})).has_value());
-  EXPECT_FALSE(hysteresis_chart(
-                   result_with({{"displacement", "floor 1", "m", {0.0}}, {"isolator_force", "bearings", "N", {0.0}}}))
-                   .has_value());
-}
-
-TEST(ResultCharts, RefuseColumnsOfDifferentLength) {
+TEST(HistoryCharts, RefuseColumnsOfDifferentLength) {
   EXPECT_THROW(history_charts(result_with({{"time", "", "s", {0.0, 1.0}}, {"displacement", "base", "m", {0.0}}})),
-               InputError);
-  EXPECT_THROW(hysteresis_chart(result_with({{"time", "", "s", {0.0, 1.0}}, {"displacement", "base", "m", {0.0}}})),
                InputError);
 }
 

@@ -1,4 +1,4 @@
-#include "output/plan_view.hpp"
+#include "report/plan_view.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -8,6 +8,8 @@
 #include "base/plan_vector.hpp"
 #include "output/chart_style.hpp"
 #include "output/svg_writer.hpp"
+#include "report/orbit.hpp"
+#include "report/round_factor.hpp"
 
 namespace moat {
 namespace {
@@ -16,40 +18,6 @@ using namespace chart_style;
 
 constexpr int picture_width = 760, picture_height = 600;  // pixels
 constexpr double margin = 70.0;
-
-const Column* column_of(const Table& table, std::string_view quantity, std::string_view where) {
-  for (const Column& column : table.columns)
-    if (column.quantity == quantity && column.where == where && !column.values.empty()) return &column;
-  return nullptr;
-}
-
-// The motion of a diaphragm over time.
-struct Orbit {
-  const Column *time, *x, *y, *rotation;
-
-  [[nodiscard]] std::size_t rows() const { return time->values.size(); }
-  // Displacement of a point with this arm from the centre of mass, m.
-  [[nodiscard]] PlanVector displacement(std::size_t row, PlanVector arm) const {
-    return PlanVector{x->values[row], y->values[row]} + rotation->values[row] * turned_left(arm);
-  }
-  [[nodiscard]] PlanVector displacement_at(double at, PlanVector arm) const {
-    const auto& times = time->values;
-    const auto after = static_cast<std::size_t>(std::ranges::lower_bound(times, at) - times.begin());
-    if (after == 0) return displacement(0, arm);
-    if (after >= times.size()) return displacement(times.size() - 1, arm);
-    const double span = times[after] - times[after - 1], share = span > 0.0 ? (at - times[after - 1]) / span : 0.0;
-    return (1.0 - share) * displacement(after - 1, arm) + share * displacement(after, arm);
-  }
-};
-
-// 1, 2 or 5 times a power of ten, at most the value, and at least 1.
-double round_factor(double value) {
-  if (!(value > 1.0)) return 1.0;
-  const double power = std::pow(10.0, std::floor(std::log10(value)));
-  for (const double digit : {5.0, 2.0})
-    if (digit * power <= value) return digit * power;
-  return power;
-}
 
 class Picture {
  public:
@@ -182,11 +150,9 @@ std::vector<std::string> plan_views(const CaseResult& result) {
   std::vector<std::string> views;
   for (const DiaphragmFacts& base : result.model.diaphragms) {
     if (!base.is_base || base.outline.empty() || views.size() == most) continue;
-    const Table& table = result.histories;
-    const Orbit orbit{column_of(table, "time", ""), column_of(table, "displacement_x", base.name),
-                      column_of(table, "displacement_y", base.name), column_of(table, "rotation", base.name)};
-    if (orbit.time == nullptr || orbit.x == nullptr || orbit.y == nullptr || orbit.rotation == nullptr) continue;
-    views.push_back(Picture{result, base, orbit}.draw());
+    const std::optional<Orbit> orbit = orbit_of(base, result.histories);
+    if (!orbit) continue;
+    views.push_back(Picture{result, base, *orbit}.draw());
   }
   return views;
 }

@@ -1,10 +1,10 @@
-#include "output/report_input.hpp"
+#include "report/input_sections.hpp"
 
 #include <algorithm>
 
 #include "base/number_format.hpp"
 #include "output/engineering_unit.hpp"
-#include "output/report_html.hpp"
+#include "report/html.hpp"
 
 namespace moat::html {
 namespace {

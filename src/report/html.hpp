@@ -4,10 +4,12 @@
 #include <string>
 #include <string_view>
 
+#include "output/xml_text.hpp"
+
 namespace moat::html {
 
 /// Text as HTML, in UTF-8.
-std::string escaped(std::string_view text);
+inline std::string escaped(std::string_view text) { return escaped_markup(text); }
 
 /// A row of a table with a name and a number, or a name and a text; both are escaped.
 std::string number_row(std::string_view name, std::string_view value);

@@ -1,9 +1,8 @@
-#include "output/report_html.hpp"
+#include "report/html.hpp"
 
 #include <cmath>
 
 #include "base/number_format.hpp"
-#include "base/utf8_text.hpp"
 #include "output/engineering_unit.hpp"
 
 namespace moat::html {
@@ -14,29 +13,6 @@ std::string row(std::string_view name, std::string_view value, std::string_view 
 }
 
 }  // namespace
-
-std::string escaped(std::string_view text) {
-  std::string html;
-  for (const char c : as_utf8(text)) {
-    switch (c) {
-      case '&':
-        html += "&amp;";
-        break;
-      case '<':
-        html += "&lt;";
-        break;
-      case '>':
-        html += "&gt;";
-        break;
-      case '"':
-        html += "&quot;";
-        break;
-      default:
-        html += c;
-    }
-  }
-  return html;
-}
 
 std::string number_row(std::string_view name, std::string_view value) { return row(name, value, "number"); }
 

@@ -1,0 +1,16 @@
+// Response spectra of the motion of floors.
+#pragma once
+
+#include <vector>
+
+#include "output/case_result.hpp"
+#include "output/chart.hpp"
+
+namespace moat {
+
+/// Pseudo-acceleration spectra, with 5 % damping, of the absolute acceleration of base and top of up to three
+/// buildings: the demand on equipment and contents that stand there. In plan one chart for each component. Periods from
+/// 0.05 s, but at least two intervals of the histories, to 5 s. Left out for histories of less than a hundred rows.
+std::vector<Chart> floor_spectra(const CaseResult& result);
+
+}  // namespace moat

@@ -1,0 +1,25 @@
+// The numbers that the script of a report reads.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "output/case_result.hpp"
+#include "output/chart.hpp"
+
+namespace moat::html {
+
+/// A history for the script needs rows at constant intervals. Longer ones are thinned to this many rows.
+inline constexpr std::size_t most_rows_of_script = 20'000;
+
+/// JSON with five significant digits:
+///
+///     {"start": s, "interval": s, "rows": n,
+///      "motions": [[m, ...] or null, ...],        one for every node, null where it does not move
+///      "charts": [{"title": "", "label": "", "series": [{"name": "", "colour": "#0072b2", "values": []}]}],
+///      "impacts": [{"where": "", "start": s, "end": s}]}
+///
+/// histories: charts over the time of `result.histories`. Empty for less than two rows.
+std::string page_data(const CaseResult& result, const std::vector<Chart>& histories);
+
+}  // namespace moat::html

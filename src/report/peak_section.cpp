@@ -1,0 +1,95 @@
+#include "report/peak_section.hpp"
+
+#include <algorithm>
+#include <map>
+#include <string_view>
+#include <vector>
+
+#include "output/engineering_unit.hpp"
+#include "output/peak_groups.hpp"
+#include "report/html.hpp"
+
+namespace moat::html {
+namespace {
+
+// Digits that are not there still take their room, so that decimal points stand below each other.
+std::string value_of(const PeakRow& peak) {
+  return peak.missing.empty() ? peak.value : peak.value + "<span class=\"missing\">" + peak.missing + "</span>";
+}
+
+std::string error_bar_note(const ErrorBars& bars) {
+  if (!bars.checked) return bars.companion.empty() ? "" : "<p>" + escaped(bars.companion) + "</p>\n";
+  return "<p>&plusmn; is the estimated numerical error. " + escaped(error_bar_method) +
+         " Second run: " + escaped(bars.companion) + " It took " +
+         std::to_string(bars.companion_solver.accepted_steps) + " steps and " +
+         number_with_unit(bars.companion_solver.cpu_seconds, "s") + " of processor time, and has " +
+         std::to_string(bars.companion_impacts) + " impacts.</p>\n";
+}
+
+// `last` heads the column behind the times.
+std::string table_of(const PeakGroup& group, bool with_errors, std::string_view last, const ErrorBars& bars) {
+  std::string html = "<table>\n<tr class=\"group\"><th scope=\"col\">" + escaped(capitalised(group.quantity)) +
+                     "</th><th class=\"number\" scope=\"col\">" + escaped(with_raised_digits(group.unit)) + "</th>";
+  if (with_errors) html += "<th scope=\"col\">error</th>";
+  html += "<th class=\"number\" scope=\"col\">at s</th><th scope=\"col\">" + std::string{last} + "</th></tr>\n";
+  for (const PeakRow& peak : group.rows) {
+    const bool unsettled = std::ranges::any_of(bars.unsettled, [&](const Peak& each) {
+      return in_words(each.quantity) == group.quantity && each.where == peak.where;
+    });
+    html += std::string{unsettled ? "<tr class=\"unsettled\">" : "<tr>"} + "<td>" + escaped(peak.where) +
+            "</td><td class=\"number\">" + value_of(peak) + "</td>";
+    if (with_errors) html += "<td class=\"error\">" + (peak.error.empty() ? "" : "&plusmn; " + peak.error) + "</td>";
+    html += "<td class=\"number\">" + peak.time + "</td><td>" + escaped(peak.side) + "</td></tr>\n";
+  }
+  return html + "</table>\n";
+}
+
+// Of every quantity with very many places the largest values, in their order.
+std::vector<Peak> shown(const std::vector<Peak>& peaks) {
+  std::map<std::string, std::vector<double>> magnitudes;
+  for (const Peak& peak : peaks) magnitudes[peak.quantity].push_back(peak.magnitude());
+  for (auto& [quantity, values] : magnitudes) std::ranges::sort(values, std::ranges::greater{});
+  std::map<std::string, std::size_t> taken;
+  std::vector<Peak> kept;
+  for (const Peak& peak : peaks) {
+    const std::vector<double>& values = magnitudes[peak.quantity];
+    if (values.size() > most_places &&
+        (peak.magnitude() < values[most_places - 1] || taken[peak.quantity] == most_places))
+      continue;
+    ++taken[peak.quantity];
+    kept.push_back(peak);
+  }
+  return kept;
+}
+
+}  // namespace
+
+std::string peak_section(const CaseResult& result) {
+  const std::vector<Peak> peaks = shown(result.peaks);
+  std::string html = "<h2>Peaks</h2>\n" + error_bar_note(result.error_bars) +
+                     "<p>Positive to the right; forces and deformations of gaps are positive in compression.";
+  if (peaks.size() < result.peaks.size())
+    html += " Shown are the largest " + std::to_string(most_places) +
+            " places of each quantity; summary.json has all " + std::to_string(result.peaks.size()) + " peaks.";
+  html += "</p>\n<div class=\"columns wide\">\n";
+  for (const PeakGroup& group : group_peaks(peaks))
+    html += table_of(group, result.error_bars.checked, "side", result.error_bars);
+  return html + "</div>\n";
+}
+
+std::string clearance_section(const CaseResult& result) {
+  if (result.clearances.empty()) return "";
+  std::vector<GapClearance> least = result.clearances;
+  if (least.size() > most_places) {
+    std::ranges::stable_sort(least, {}, &GapClearance::left);
+    least.resize(most_places);
+  }
+  return "<h2>Clearances</h2>\n<p>The smallest opening of every gap" +
+         (least.size() < result.clearances.size()
+              ? ", of the " + std::to_string(most_places) + " narrowest of " + std::to_string(result.clearances.size())
+              : "") +
+         ". Negative: the two sides indented each other by so much.</p>\n<div class=\"wide\">\n" +
+         table_of(clearance_group(least), result.error_bars.checked, "at rest", {}) + "</div>\n";
+}
+
+}  // namespace moat::html

@@ -1,0 +1,70 @@
+#include "report/result_charts.hpp"
+
+#include <set>
+
+#include "output/chart_table.hpp"
+#include "output/csv_writer.hpp"
+#include "output/results_folder.hpp"
+#include "report/energy_chart.hpp"
+#include "report/floor_profiles.hpp"
+#include "report/floor_spectra.hpp"
+#include "report/history_charts.hpp"
+#include "report/impact_loops.hpp"
+#include "report/isolator_loops.hpp"
+#include "report/orbit_charts.hpp"
+
+namespace moat {
+namespace {
+
+// "Absolute acceleration" -> "absolute_acceleration".
+std::string file_name(const std::string& title) {
+  std::string name;
+  for (const char c : title) {
+    const bool upper = c >= 'A' && c <= 'Z';
+    const bool kept = upper || (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9');
+    if (kept)
+      name += upper ? static_cast<char>(c - 'A' + 'a') : c;
+    else if (!name.empty() && name.back() != '_')
+      name += '_';
+  }
+  while (!name.empty() && name.back() == '_') name.pop_back();
+  return name.empty() ? "chart" : name;
+}
+
+}  // namespace
+
+ResultCharts result_charts(const CaseResult& result) {
+  ResultCharts charts{.histories = history_charts(result),
+                      .floor_profiles = floor_profiles(result),
+                      .isolator_loops = isolator_loops(result),
+                      .impact_loops = impact_loops(result.impacts),
+                      .energy = {},
+                      .floor_spectra = floor_spectra(result),
+                      .orbits = orbit_charts(result)};
+  if (auto energy = energy_chart(result)) charts.energy.push_back(std::move(*energy));
+  return charts;
+}
+
+std::vector<const Chart*> ResultCharts::all() const {
+  std::vector<const Chart*> list;
+  for (const std::vector<Chart>* group :
+       {&histories, &floor_profiles, &isolator_loops, &impact_loops, &energy, &floor_spectra, &orbits})
+    for (const Chart& chart : *group) list.push_back(&chart);
+  return list;
+}
+
+void write_charts(const ResultCharts& charts, const std::filesystem::path& folder) {
+  if (!charts.histories.empty()) write_svg(charts.histories, folder / results_file::charts);
+  const std::filesystem::path singles = folder / results_file::charts_folder;
+  std::set<std::string> taken;
+  for (const Chart* chart : charts.all()) {
+    if (taken.empty()) std::filesystem::create_directories(singles);
+    const std::string title = file_name(chart->title);
+    std::string name = title;
+    for (int number = 2; !taken.insert(name).second; ++number) name = title + "_" + std::to_string(number);
+    write_svg(*chart, singles / (name + ".svg"));
+    write_csv(table_of(*chart), singles / (name + ".csv"));
+  }
+}
+
+}  // namespace moat

@@ -1,0 +1,61 @@
+#include "report/peak_section.hpp"
+
+#include <gtest/gtest.h>
+
+#include "report_testing.hpp"
+
+namespace moat {
+namespace {
+
+using testing_report::count;
+
+TEST(PeakSection, ShowsErrorsAndTheirMethod) {
+  CaseResult result;
+  result.peaks = {{"displacement", "base", 0.532812, "m", 4.5, 0.00021},
+                  {"displacement", "floor 1", 0.532812, "m", 4.5, 0.0031}};
+  result.error_bars = {.checked = true, .companion = "The same & finer.", .companion_impacts = 7};
+  std::string html = html::peak_section(result);
+  EXPECT_NE(html.find("<td class=\"number\">53.28</td><td class=\"error\">&plusmn; 0.03</td>"), std::string::npos);
+  EXPECT_NE(html.find("53.3<span class=\"missing\">0</span></td><td class=\"error\">&plusmn; 0.4</td>"),
+            std::string::npos);
+  EXPECT_NE(html.find("estimated numerical error"), std::string::npos);
+  EXPECT_NE(html.find("The same &amp; finer."), std::string::npos);
+  EXPECT_NE(html.find("7 impacts"), std::string::npos);
+  result.error_bars.unsettled = {result.peaks[1]};
+  html = html::peak_section(result);
+  EXPECT_NE(html.find("<tr class=\"unsettled\"><td>floor 1</td>"), std::string::npos);
+  EXPECT_EQ(count(html, "class=\"unsettled\""), 1u);
+}
+
+TEST(PeakSection, SaysWhyThereAreNoErrors) {
+  CaseResult result;
+  result.error_bars.companion = "No error bars: a reason.";
+  const std::string html = html::peak_section(result);
+  EXPECT_NE(html.find("No error bars: a reason."), std::string::npos);
+  EXPECT_EQ(html.find("&plusmn;"), std::string::npos);
+}
+
+TEST(PeakSection, OfVeryManyPlacesShowsTheLargest) {
+  CaseResult result;
+  for (int i = 0; i < 1000; ++i) {
+    result.peaks.push_back({"drift", "storey " + std::to_string(i), (i % 2 == 0 ? 1e-5 : -1e-5) * i, "m"});
+    result.clearances.push_back({"gap " + std::to_string(i), 1.0, 1e-3 * i});
+  }
+  std::string html = html::peak_section(result);
+  EXPECT_EQ(count(html, "<td>storey "), html::most_places);
+  EXPECT_NE(html.find("<td>storey 960</td>"), std::string::npos);
+  EXPECT_EQ(html.find("<td>storey 959</td>"), std::string::npos);
+  EXPECT_NE(html.find("summary.json has all 1000 peaks"), std::string::npos);
+  html = html::clearance_section(result);
+  EXPECT_EQ(count(html, "<td>gap "), html::most_places);
+  EXPECT_NE(html.find("<td>gap 39</td>"), std::string::npos);
+}
+
+TEST(PeakSection, ManyEqualPeaksAreNotAllShown) {
+  CaseResult result;
+  for (int i = 0; i < 100; ++i) result.peaks.push_back({"drift", "storey " + std::to_string(i), 0.01, "m"});
+  EXPECT_EQ(count(html::peak_section(result), "<td>storey "), html::most_places);
+}
+
+}  // namespace
+}  // namespace moat
