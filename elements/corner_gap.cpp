@@ -41,10 +41,12 @@ void check_friction(const Check& check, const CornerFriction& friction) {
 }
 
 template class ContactLinks<SharedContact<AnyContact>, PlanEnds>;
+template class ContactLinks<SharedContact<BilinearContact>, PlanEnds>;
 template class ContactLinks<SharedContact<RootDampedHertzContact>, PlanEnds>;
 template class ContactLinks<SharedContact<ViscousHertzContact>, PlanEnds>;
 template class ContactLinks<SharedContact<ViscousLinearContact>, PlanEnds>;
 template class CornerContacts<SharedContact<AnyContact>>;
+template class CornerContacts<SharedContact<BilinearContact>>;
 template class CornerContacts<SharedContact<RootDampedHertzContact>>;
 template class CornerContacts<SharedContact<ViscousHertzContact>>;
 template class CornerContacts<SharedContact<ViscousLinearContact>>;

@@ -127,10 +127,12 @@ void add(Model& model, const CornerGap<Law>& gap) {
 
 // For moat's impact laws these are compiled in the library, so that a script compiles faster.
 extern template class ContactLinks<SharedContact<AnyContact>, PlanEnds>;
+extern template class ContactLinks<SharedContact<BilinearContact>, PlanEnds>;
 extern template class ContactLinks<SharedContact<RootDampedHertzContact>, PlanEnds>;
 extern template class ContactLinks<SharedContact<ViscousHertzContact>, PlanEnds>;
 extern template class ContactLinks<SharedContact<ViscousLinearContact>, PlanEnds>;
 extern template class CornerContacts<SharedContact<AnyContact>>;
+extern template class CornerContacts<SharedContact<BilinearContact>>;
 extern template class CornerContacts<SharedContact<RootDampedHertzContact>>;
 extern template class CornerContacts<SharedContact<ViscousHertzContact>>;
 extern template class CornerContacts<SharedContact<ViscousLinearContact>>;

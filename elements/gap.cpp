@@ -45,6 +45,8 @@ double drawn_height(const Model& model, const MemberPoint& left, const MemberPoi
 
 template class ContactLinks<AnyContact, NodePair>;
 template class ContactLinks<AnyContact, PointPair>;
+template class ContactLinks<BilinearContact, NodePair>;
+template class ContactLinks<BilinearContact, PointPair>;
 template class ContactLinks<RootDampedHertzContact, NodePair>;
 template class ContactLinks<RootDampedHertzContact, PointPair>;
 template class ContactLinks<ViscousHertzContact, NodePair>;
@@ -53,6 +55,7 @@ template class ContactLinks<ViscousLinearContact, NodePair>;
 template class ContactLinks<ViscousLinearContact, PointPair>;
 
 template void add_contact(Model&, ElementInfo, const AnyContact&, double, const MemberPoint&, const MemberPoint&);
+template void add_contact(Model&, ElementInfo, const BilinearContact&, double, const MemberPoint&, const MemberPoint&);
 template void add_contact(Model&, ElementInfo, const RootDampedHertzContact&, double, const MemberPoint&,
                           const MemberPoint&);
 template void add_contact(Model&, ElementInfo, const ViscousHertzContact&, double, const MemberPoint&,

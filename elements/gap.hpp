@@ -4,6 +4,7 @@
 #include "elements/link_block.hpp"
 #include "elements/link_checks.hpp"
 #include "materials/any_contact.hpp"
+#include "materials/bilinear_contact.hpp"
 #include "materials/root_damped_hertz_contact.hpp"
 #include "materials/viscous_hertz_contact.hpp"
 #include "materials/viscous_linear_contact.hpp"
@@ -92,6 +93,8 @@ void add(Model& model, const Gap<Law>& gap) {
 // For moat's impact laws these are compiled in the library, so that a script compiles in a third of the time.
 extern template class ContactLinks<AnyContact, NodePair>;
 extern template class ContactLinks<AnyContact, PointPair>;
+extern template class ContactLinks<BilinearContact, NodePair>;
+extern template class ContactLinks<BilinearContact, PointPair>;
 extern template class ContactLinks<RootDampedHertzContact, NodePair>;
 extern template class ContactLinks<RootDampedHertzContact, PointPair>;
 extern template class ContactLinks<ViscousHertzContact, NodePair>;
@@ -100,6 +103,8 @@ extern template class ContactLinks<ViscousLinearContact, NodePair>;
 extern template class ContactLinks<ViscousLinearContact, PointPair>;
 
 extern template void add_contact(Model&, ElementInfo, const AnyContact&, double, const MemberPoint&,
+                                 const MemberPoint&);
+extern template void add_contact(Model&, ElementInfo, const BilinearContact&, double, const MemberPoint&,
                                  const MemberPoint&);
 extern template void add_contact(Model&, ElementInfo, const RootDampedHertzContact&, double, const MemberPoint&,
                                  const MemberPoint&);

@@ -59,7 +59,7 @@ class LinksWithRegimes : public Links<Law, Ends>, public Regimes {
       const double rate = path.rate(fraction);
       const State next = this->laws_[i].next_regime(this->committed_[i], path.value(fraction), rate);
       if (jumps_at_entry(i, next, rate)) return false;
-      before_changes_inside_.push_back({i, this->committed_[i]});
+      before_changes_inside_.push_back({i, this->committed_[i], heat_before(i, next)});
       changes.push_back({.block = block_index, .element = i, .time = fraction * step, .rate = rate, .inside = true});
       enter(i, next, rate, changes.back());
     }
@@ -68,14 +68,15 @@ class LinksWithRegimes : public Links<Law, Ends>, public Regimes {
 
   void undo_changes_inside() override {
     for (; !before_changes_inside_.empty(); before_changes_inside_.pop_back()) {
-      const auto& [i, state] = before_changes_inside_.back();
+      const ChangeInside& change = before_changes_inside_.back();
       RegimeChange taken_back;
-      enter(i, state, 0.0, taken_back);
+      enter(change.link, change.state, 0.0, taken_back);
     }
   }
 
   void commit(double step, WorkRule rule) override {
     Base::commit(step, rule);
+    for (const ChangeInside& change : before_changes_inside_) this->energies_.release(change.link, change.heat);
     before_changes_inside_.clear();
   }
 
@@ -109,7 +110,21 @@ class LinksWithRegimes : public Links<Law, Ends>, public Regimes {
     if (scan.fraction > 0.0) scan.fraction = std::min(scan.fraction, margin_path(i, step).first_crossing(beyond, aim));
   }
 
-  std::vector<std::pair<std::size_t, State>> before_changes_inside_;  // of the step being tried
+  // A change inside the step being tried.
+  struct ChangeInside {
+    std::size_t link;
+    State state;  // before
+    double heat;  // J, from the start of the step until the change
+  };
+  // The account of the step begins in the next regime.
+  [[nodiscard]] double heat_before(std::size_t i, const State& next) const {
+    if constexpr (LinkEnergies<Law>::hysteretic)
+      return this->laws_[i].dissipated_energy(this->committed_[i], next);
+    else
+      return 0.0;
+  }
+
+  std::vector<ChangeInside> before_changes_inside_;
 };
 
 }  // namespace moat

@@ -6,6 +6,7 @@
 #include <variant>
 #include <vector>
 
+#include "materials/bilinear_contact.hpp"
 #include "materials/response.hpp"
 #include "materials/root_damped_hertz_contact.hpp"
 #include "materials/viscous_hertz_contact.hpp"
@@ -13,11 +14,11 @@
 
 namespace moat {
 
-/// Any of the three forms of contact, itself a law like them.
+/// Any of the forms of contact, itself a law like them.
 class AnyContact {
  public:
   using State = ContactState;
-  using Form = std::variant<ViscousHertzContact, RootDampedHertzContact, ViscousLinearContact>;
+  using Form = std::variant<ViscousHertzContact, RootDampedHertzContact, ViscousLinearContact, BilinearContact>;
 
   template <class Law>
   requires std::constructible_from<Form, const Law&> AnyContact(const Law& law) : form_{law} {}

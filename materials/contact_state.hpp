@@ -36,6 +36,8 @@ inline Separation separation(bool may_pull) { return may_pull ? Separation::at_o
 struct ContactState {
   ContactPhase phase = ContactPhase::open;
   double approach_speed = 0.0;  ///< m/s, >= least_approach_speed while not open
+  double slip = 0.0;            ///< m, in this contact, of laws that yield
+  int yields = 0;               ///< +1, -1: with the motion in this direction; 0: elastic
 
   friend bool operator==(const ContactState&, const ContactState&) = default;
 };
@@ -68,8 +70,9 @@ inline double contact_margin(const ContactState& committed, double indentation, 
 inline ContactState next_contact_state(const ContactState& committed, double indentation, double rate) {
   if (committed.phase == ContactPhase::open) return {ContactPhase::loaded, std::max(rate, least_approach_speed)};
   if (indentation <= 0.0) return {};
-  return {committed.phase == ContactPhase::loaded ? ContactPhase::released : ContactPhase::loaded,
-          committed.approach_speed};
+  ContactState next = committed;
+  next.phase = committed.phase == ContactPhase::loaded ? ContactPhase::released : ContactPhase::loaded;
+  return next;
 }
 
 /// A law that touches and separates.

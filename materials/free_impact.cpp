@@ -46,7 +46,9 @@ double delivered_restitution(const FreeImpact& impact) {
           return margin(end);
         },
         0.0, time - start_time);
-    return -end[1];
+    if (!impact.goes_on(depth * end[0], speed * end[1])) return -end[1];
+    motion = end;
+    step = 1e-6;
   }
   throw Error{"The contact of a free impact does not end. Check the damping of the impact law."};
 }

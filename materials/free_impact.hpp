@@ -11,10 +11,12 @@ namespace moat {
 /// The free impact of two bodies: m d'' = -F(d, d') from d = 0, d' = v0.
 struct FreeImpact {
   std::function<double(double indentation, double rate)> force;   ///< N
-  std::function<double(double indentation, double rate)> margin;  ///< m, negative where the contact has ended
-  double effective_mass = 0.0;                                    ///< m > 0 kg
-  double approach_speed = 0.0;                                    ///< v0 > 0 m/s
-  double duration = 0.0;                                          ///< > 0 s, a time scale of the contact
+  std::function<double(double indentation, double rate)> margin;  ///< m, negative where the regime has ended
+  /// Enters the next regime there; whether the contact goes on.
+  std::function<bool(double indentation, double rate)> goes_on;
+  double effective_mass = 0.0;  ///< m > 0 kg
+  double approach_speed = 0.0;  ///< v0 > 0 m/s
+  double duration = 0.0;        ///< > 0 s, a time scale of the contact
 };
 
 /// The restitution e = -d'/v0 at the end of the contact. The error is below 1e-9: Dormand and Prince's method with
@@ -27,7 +29,7 @@ double delivered_restitution(const FreeImpact& impact);
 /// divide by that floor here too. Throws Error if the contact has not ended after 1e5 steps.
 template <ContactLaw Law>
 double delivered_restitution(const Law& law, double effective_mass, double approach_speed) {
-  const typename Law::State contact = law.next_regime({}, 0.0, approach_speed);
+  typename Law::State contact = law.next_regime({}, 0.0, approach_speed);
   return delivered_restitution(FreeImpact{
       .force =
           [&](double indentation, double rate) {
@@ -35,6 +37,11 @@ double delivered_restitution(const Law& law, double effective_mass, double appro
             return law.evaluate(contact, indentation, rate, trial).force;
           },
       .margin = [&](double indentation, double rate) { return law.regime_margin(contact, indentation, rate); },
+      .goes_on =
+          [&](double indentation, double rate) {
+            contact = law.next_regime(contact, indentation, rate);
+            return contact.phase == ContactPhase::loaded;
+          },
       .effective_mass = effective_mass,
       .approach_speed = approach_speed,
       .duration = law.contact_duration(effective_mass, approach_speed)});

@@ -1,6 +1,7 @@
 // All impact laws.
 #pragma once
 
+#include "materials/impact/bilinear_impact.hpp"
 #include "materials/impact/exact_hertz_damp.hpp"
 #include "materials/impact/exact_kelvin.hpp"
 #include "materials/impact/gonthier.hpp"
@@ -23,6 +24,6 @@ namespace moat {
 /// all laws, and stands in the table of docs/guide.md. CONTRIBUTING.md shows how to add one.
 using AllImpactLaws = LawList<Hertz, HertzDamp, HuntCrossley, Gonthier, Ye2009, HuGuo, ExactHertzDamp,
                               NonlinearViscoelastic, ModifiedHertzDampPrinted, LinearElastic, Kelvin,
-                              KelvinByDampingRatio, ModifiedLinearViscoelastic, ExactKelvin>;
+                              KelvinByDampingRatio, ModifiedLinearViscoelastic, ExactKelvin, BilinearImpact>;
 
 }  // namespace moat

@@ -38,6 +38,7 @@ class SaturatingSlip {
     PlanMatrix derivative;  ///< of z by the increment of deformation, 1/m
     PlanVector rate;        ///< of z at the end, while the deformation goes on at its rate, 1/s
     double dissipated;      ///< over strength times d_y
+    PlanMatrix by_start;    ///< derivative of z by that at the start
   };
 
   /// From z0 by an increment, m, that ends at this rate, m/s.
@@ -47,7 +48,7 @@ class SaturatingSlip {
     if (size <= negligible * reach_) {
       // No direction of its own: that of the rate, along which the next increment will go.
       const PlanMatrix derivative = slope(z0, rate);
-      return {z0 + derivative * increment, derivative, derivative * rate, 0.0};
+      return {z0 + derivative * increment, derivative, derivative * rate, 0.0, PlanMatrix::diagonal(1.0)};
     }
     const PlanVector t = increment / size, m = turned_left(t);
     const double s = size / reach_, p = dot(z0, t), q = dot(z0, m);
@@ -58,7 +59,9 @@ class SaturatingSlip {
     const PlanVector across =
         (parts.p_by_p * q - parts.p_by_q * p - parts.q) * t + (parts.q_by_p * q - parts.q_by_q * p + parts.p) * m;
     const PlanMatrix derivative = PlanMatrix::product(along / reach_, t) + PlanMatrix::product(across / size, m);
-    return {z1, derivative, slope(z1, rate) * rate, parts.dissipated};
+    const PlanMatrix by_start = PlanMatrix::product(parts.p_by_p * t + parts.q_by_p * m, t) +
+                                PlanMatrix::product(parts.p_by_q * t + parts.q_by_q * m, m);
+    return {z1, derivative, slope(z1, rate) * rate, parts.dissipated, by_start};
   }
 
  private:

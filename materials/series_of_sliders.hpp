@@ -8,6 +8,7 @@
 #include <limits>
 #include <string_view>
 
+#include "materials/course.hpp"
 #include "materials/response.hpp"
 
 namespace moat {
@@ -18,7 +19,7 @@ namespace moat {
 ///
 /// The displacement of every branch is a monotone, piecewise linear function of F, and so is their sum: the force
 /// follows from the corners without iteration. Stored energy is that of the springs, dissipation the sum of f_i |ds_i|.
-/// Both are exact for any length of a monotone step. Tension positive.
+/// Both are exact for any length of a monotone step. Turns and all corners are located. Tension positive.
 struct SeriesOfSliders {
   static constexpr std::string_view name = "SeriesOfSliders";
   static constexpr std::size_t most = 3;
@@ -35,6 +36,8 @@ struct SeriesOfSliders {
 
   struct State {
     std::array<double, most> slips{};  ///< s_i, m
+    double deformation = 0.0;          ///< m
+    Course course{};
 
     friend bool operator==(const State&, const State&) = default;
   };
@@ -45,6 +48,8 @@ struct SeriesOfSliders {
     const double force = force_at(committed, deformation);
     double flexibility = 0.0;
     trial = committed;
+    trial.deformation = deformation;
+    trial.course = course_of_step(*this, committed, committed.deformation, deformation - committed.deformation);
     for (std::size_t i = 0; i < count; ++i) {
       const double u = displacement(branches[i], committed.slips[i], force);
       flexibility += 1.0 / tangent(branches[i], committed.slips[i], u);
@@ -88,6 +93,23 @@ struct SeriesOfSliders {
     for (std::size_t i = 0; i < count; ++i)
       flexibility += 1.0 / (branches[i].stiffness + (stage == StiffnessStage::initial ? elastic_stiffness : 0.0));
     return 1.0 / flexibility;
+  }
+  double regime_margin(const State& committed, double deformation, double rate) const {
+    return committed.course.margin(deformation, rate);
+  }
+  State next_regime(const State& committed, double deformation, double rate) const {
+    return next_on_course(*this, committed, deformation, rate);
+  }
+  /// Where a branch begins to slide or reaches its stop.
+  [[nodiscard]] double next_corner(const State& state, double from, int direction) const {
+    double nearest = direction * std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < count; ++i)
+      for (const double corner : corners(branches[i], state.slips[i])) {
+        if (!std::isfinite(corner)) continue;
+        const double at = sum_of_displacements(state, force_of(branches[i], state.slips[i], corner));
+        if (direction * (at - from) > 0.0 && direction * (nearest - at) > 0.0) nearest = at;
+      }
+    return nearest;
   }
   double quantity(std::size_t index, const State& state, double, double) const { return state.slips[index]; }
 

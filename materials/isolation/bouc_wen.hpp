@@ -11,6 +11,7 @@
 #include "base/quantity.hpp"
 #include "base/required.hpp"
 #include "base/units.hpp"
+#include "materials/course.hpp"
 #include "materials/integrate.hpp"
 #include "materials/response.hpp"
 
@@ -28,7 +29,7 @@ namespace moat {
 ///
 /// Sources: Bouc (1967), Wen (1976). The state follows exactly for beta = 1/2 and n = 1 or 2, for any length of the
 /// step; else by a Runge-Kutta method with an error below 1e-12. Stored energy: k2 d^2/2 + Q d_y z^2/2 and that of the
-/// hardening term. For beta >= 1/2 no cycle gains energy; smaller values are refused.
+/// hardening term. Turns are located. For beta >= 1/2 no cycle gains energy; smaller values are refused.
 struct BoucWen {
   static constexpr std::string_view name = "BoucWen";
   static constexpr std::string_view formula = "F = k2 d + Q z + k3 sgn(d) abs(d)^mu; z rounds the yield";
@@ -54,6 +55,7 @@ struct BoucWen {
     double deformation = 0.0;  ///< m
     double z = 0.0;            ///< 1
     double heat = 0.0;         ///< J, dissipated so far
+    Course course{};
 
     friend bool operator==(const State&, const State&) = default;
   };
@@ -100,9 +102,10 @@ struct BoucWen {
     const double direction = moved != 0.0 ? std::copysign(1.0, moved) : rate != 0.0 ? std::copysign(1.0, rate) : 0.0;
     const double limit = yield_displacement.si(), strength = characteristic_strength();
     const Progress end = progress(direction * committed.z, std::abs(moved) / limit);
-    trial.deformation = deformation;
-    trial.z = moved == 0.0 ? committed.z : direction * end.z;
-    trial.heat = committed.heat + strength * limit * end.heat;
+    trial = {.deformation = deformation,
+             .z = moved == 0.0 ? committed.z : direction * end.z,
+             .heat = committed.heat + strength * limit * end.heat,
+             .course = course_of_step(*this, committed, committed.deformation, moved)};
     const double slope = direction == 0.0 ? 0.5 * (slope_at(committed.z) + slope_at(-committed.z)) : slope_at(end.z);
     return {post_yield_stiffness.si() * deformation + strength * trial.z + hardening_force(deformation),
             post_yield_stiffness.si() + strength / limit * slope + hardening_tangent(deformation), 0.0};
@@ -120,6 +123,13 @@ struct BoucWen {
   double dissipated_energy(const State& from, const State& to) const { return to.heat - from.heat; }
   double linear_stiffness(StiffnessStage stage) const {
     return stage == StiffnessStage::initial ? initial_stiffness() : post_yield_stiffness.si();
+  }
+
+  double regime_margin(const State& committed, double deformation, double rate) const {
+    return committed.course.margin(deformation, rate);
+  }
+  State next_regime(const State& committed, double deformation, double rate) const {
+    return next_on_course(*this, committed, deformation, rate);
   }
 
  private:

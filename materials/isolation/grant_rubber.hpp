@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "base/check.hpp"
@@ -12,6 +14,7 @@
 #include "base/quantity.hpp"
 #include "base/required.hpp"
 #include "base/units.hpp"
+#include "materials/course.hpp"
 #include "materials/response.hpp"
 
 namespace moat {
@@ -26,9 +29,10 @@ namespace moat {
 ///     K_M = c3 + (1 - c3) exp(-c4 D_M^3)                Mullins' effect: D_M grows while U falls
 ///
 /// D_S grows where U falls below the smallest value of the last large cycles: thresholds D+ and D- follow U. A monotone
-/// move is exact for any length of the step, also through zero. The parameters are those of one specimen and one unit:
-/// scale them by area and height. Energy: that of F1 as it is now is stored, the rest dissipated, by quadrature over
-/// the move. Source: Grant, Fenves & Whittaker (2004), uniaxial; OpenSees, HDR, whose decay of delta is of first order.
+/// move is exact for any length of the step, also through zero; turns, zero and the threshold D- are located. The
+/// parameters are those of one specimen and one unit: scale them by area and height. Energy: that of F1 as it is now is
+/// stored, the rest dissipated, by quadrature over the move. BiaxialGrantRubber has the same parts in two components.
+/// Source: Grant, Fenves & Whittaker (2004); OpenSees, HDR, whose decay of delta is of first order.
 struct GrantRubber {
   static constexpr std::string_view name = "GrantRubber";
   static constexpr std::string_view formula =
@@ -51,14 +55,21 @@ struct GrantRubber {
   double c3 = 1.0;
   PerVolume c4{};
 
+  /// The thresholds and the wear so far, m.
+  struct Damage {
+    double upper = 0.0;      ///< D+
+    double lower = 0.0;      ///< D-
+    double scragging = 0.0;  ///< D_S
+    double mullins = 0.0;    ///< D_M
+
+    friend bool operator==(const Damage&, const Damage&) = default;
+  };
   struct State {
     double deformation = 0.0;  ///< m
     double hysteretic = 0.0;   ///< F2, N
-    double upper = 0.0;        ///< D+, m
-    double lower = 0.0;        ///< D-, m
-    double scragging = 0.0;    ///< D_S, m
-    double mullins = 0.0;      ///< D_M, m
-    double heat = 0.0;         ///< J, dissipated so far
+    Damage damage{};
+    double heat = 0.0;  ///< J, dissipated so far
+    Course course{};
 
     friend bool operator==(const State&, const State&) = default;
   };
@@ -100,21 +111,28 @@ struct GrantRubber {
   }
 
   Response evaluate(const State& committed, double deformation, double rate, State& trial) const {
-    const double moved = deformation - committed.deformation;
+    const double start = committed.deformation, moved = deformation - start;
     const double direction = moved != 0.0 ? std::copysign(1.0, moved) : rate < 0.0 ? -1.0 : 1.0;
-    const Moved end = move(committed, deformation, direction, trial);
-    if (moved == 0.0) {
-      trial = committed;
-    } else {
-      // In two parts where the move passes zero: U has a corner there.
-      const bool passes = committed.deformation * deformation < 0.0;
-      trial.heat = committed.heat + heat_of(committed, committed.deformation, passes ? 0.0 : deformation, direction);
-      if (passes) trial.heat += heat_of(committed, 0.0, deformation, direction);
-    }
-    return {end.elastic + end.hysteretic, end.stiffness, 0.0};
+    const bool passes = start * deformation < 0.0, falls = direction * deformation < 0.0;
+    const double u = std::abs(deformation);
+    const Radii radii{std::abs(start), passes ? 0.0 : falls ? u : std::abs(start), u};
+    trial = {.deformation = deformation,
+             .damage = worn(committed.damage, radii),
+             .course = course_of_step(*this, committed, start, moved)};
+    const Wear wear = wear_of(trial.damage, radii, committed.damage.lower);
+    const double gap = bound(wear_of(committed.damage), std::abs(start)) * direction - committed.hysteretic;
+    const double left = gap * std::exp(-b3.si() * std::abs(moved));
+    trial.hysteretic = bound(wear, u) * direction - left;
+    trial.heat = committed.heat + (moved == 0.0 ? 0.0 : heat_of(committed, trial, gap, direction));
+
+    // d(lowest U)/dd is that of U while U falls, else 0.
+    const double u_slope = falls ? -direction : direction, lowest_slope = falls ? u_slope : 0.0;
+    const double stiffness = wear.elastic * tangent(u) + wear.elastic_slope * lowest_slope * secant(u) * deformation +
+                             direction * bound_slope(wear, u, u_slope, lowest_slope) + b3.si() * direction * left;
+    return {wear.elastic * secant(u) * deformation + trial.hysteretic, stiffness, 0.0};
   }
   double stored_energy(const State& committed, double deformation) const {
-    return wear(committed) * potential(deformation);
+    return wear_of(committed.damage).elastic * potential(deformation * deformation);
   }
   double dissipation_rate(const State& committed, double, double rate) const { return committed.hysteretic * rate; }
   double dissipated_energy(const State& from, const State& to) const { return to.heat - from.heat; }
@@ -122,87 +140,109 @@ struct GrantRubber {
     return a1.si() + (stage == StiffnessStage::initial ? b1.si() * b3.si() : 0.0);
   }
 
- private:
-  struct Moved {
-    double elastic, hysteretic, stiffness;  // N, N, N/m
-    double wear_slope;                      // d(K_S1 K_M)/dd, 1/m
+  double regime_margin(const State& committed, double deformation, double rate) const {
+    return committed.course.margin(deformation, rate);
+  }
+  State next_regime(const State& committed, double deformation, double rate) const {
+    return next_on_course(*this, committed, deformation, rate);
+  }
+  /// While U falls: where scragging begins, and zero, where Mullins' effect stops.
+  [[nodiscard]] double next_corner(const State& state, double from, int direction) const {
+    const double left = -direction * from;  // until zero
+    if (left <= 0.0) return direction * std::numeric_limits<double>::infinity();
+    return left > state.damage.lower ? -direction * state.damage.lower : 0.0;
+  }
+
+  /// A move of |d|: from `start` it falls to `lowest`, then rises to `end`.
+  struct Radii {
+    double start, lowest, end;  ///< m
   };
-
-  static double cube(double x) { return x * x * x; }
-  [[nodiscard]] double secant(double u) const { return a1.si() + a2.si() * u * u + a3.si() * u * u * u * u; }
-  [[nodiscard]] double potential(double d) const {
-    const double x = d * d;
-    return x * (a1.si() / 2.0 + x * (a2.si() / 4.0 + x * a3.si() / 6.0));
+  /// K_S1 K_M and K_S2, with their derivatives by the lowest |d| of the move, 1/m.
+  struct Wear {
+    double elastic, bound;
+    double elastic_slope = 0.0, bound_slope = 0.0;
+  };
+  [[nodiscard]] static Damage worn(Damage damage, const Radii& radii) {
+    damage.mullins += radii.start - radii.lowest;
+    if (radii.lowest < damage.lower) {
+      damage.scragging += damage.lower - radii.lowest;
+      damage.lower = radii.lowest;
+    }
+    if (radii.end > damage.upper) {
+      damage.lower += radii.end - damage.upper;
+      damage.upper = radii.end;
+    }
+    return damage;
   }
-  [[nodiscard]] double scragged_elastic(const State& state) const { return std::exp(-c1.si() * cube(state.scragging)); }
-  [[nodiscard]] double scragged_bound(const State& state) const { return std::exp(-c2.si() * cube(state.scragging)); }
-  [[nodiscard]] double softened(const State& state) const {
-    return c3 + (1.0 - c3) * std::exp(-c4.si() * cube(state.mullins));
+  [[nodiscard]] Wear wear_of(const Damage& damage) const {
+    return {std::exp(-c1.si() * cube(damage.scragging)) * softened(damage),
+            std::exp(-c2.si() * cube(damage.scragging))};
   }
-  [[nodiscard]] double wear(const State& state) const { return scragged_elastic(state) * softened(state); }
-  [[nodiscard]] double bound(const State& state, double u) const {
-    return b1.si() + scragged_bound(state) * b2.si() * u * u;
+  /// At the end of a move that began with the threshold D- at `lower`.
+  [[nodiscard]] Wear wear_of(const Damage& damage, const Radii& radii, double lower) const {
+    Wear wear = wear_of(damage);
+    const double scragging_slope = radii.lowest <= lower ? -1.0 : 0.0, square = damage.scragging * damage.scragging;
+    const double softening_slope = 3.0 * c4.si() * damage.mullins * damage.mullins * (softened(damage) - c3);
+    wear.elastic_slope = wear.elastic * (softening_slope / softened(damage) - 3.0 * c1.si() * square * scragging_slope);
+    wear.bound_slope = -3.0 * c2.si() * square * wear.bound * scragging_slope;
+    return wear;
   }
-
-  static void rise(State& state, double u) {
-    if (u <= state.upper) return;
-    state.lower += u - state.upper;
-    state.upper = u;
+  /// F1/(K_S1 K_M d) and d(F1/(K_S1 K_M))/d|d|, N/m; the energy of F1/(K_S1 K_M) at a square of |d|, J.
+  [[nodiscard]] double secant(double u) const { return a1.si() + u * u * (a2.si() + a3.si() * u * u); }
+  [[nodiscard]] double tangent(double u) const { return a1.si() + u * u * (3.0 * a2.si() + 5.0 * a3.si() * u * u); }
+  [[nodiscard]] double potential(double square) const {
+    return square * (a1.si() / 2.0 + square * (a2.si() / 4.0 + square * a3.si() / 6.0));
   }
-  static void fall(State& state, double from, double to) {
-    state.mullins += from - to;
-    if (to >= state.lower) return;
-    state.scragging += state.lower - to;
-    state.lower = to;
+  /// R, N, and its derivative, N/m, from those of |d| and of the lowest |d| of the move.
+  [[nodiscard]] double bound(const Wear& wear, double u) const { return b1.si() + wear.bound * b2.si() * u * u; }
+  [[nodiscard]] double bound_slope(const Wear& wear, double u, double u_slope, double lowest_slope) const {
+    return b2.si() * u * (2.0 * wear.bound * u_slope + wear.bound_slope * lowest_slope * u);
   }
-
-  // Forces after a monotone move, with the state there but for its heat.
-  Moved move(const State& start, double deformation, double direction, State& end) const {
-    end = start;
-    const double before = std::abs(start.deformation), u = std::abs(deformation);
-    const bool passes = start.deformation * deformation < 0.0, falls = passes || u < before;
-    if (falls) fall(end, before, passes ? 0.0 : u);
-    if (!falls || passes) rise(end, u);
-    // Derivatives by d at the end: U and the damages that still grow there.
-    const bool falling = direction * deformation < 0.0;
-    const double u_slope = falling ? -1.0 : 1.0;  // times direction
-    const double mullins_slope = falling ? 1.0 : 0.0;
-    const double scragging_slope = falling && u <= end.lower ? 1.0 : 0.0;
-    const double k_s1 = scragged_elastic(end), k_s2 = scragged_bound(end), k_m = softened(end);
-    const double k_s1_slope = -3.0 * c1.si() * end.scragging * end.scragging * k_s1 * scragging_slope,
-                 k_s2_slope = -3.0 * c2.si() * end.scragging * end.scragging * k_s2 * scragging_slope,
-                 k_m_slope = -3.0 * c4.si() * end.mullins * end.mullins * (k_m - c3) * mullins_slope;
-    const double wear_slope = direction * (k_s1_slope * k_m + k_s1 * k_m_slope);
-
-    const double start_bound = bound(start, before), end_bound = bound(end, u);
-    const double gap = start_bound * direction - start.hysteretic, side = gap < 0.0 ? -1.0 : 1.0;
-    const double left = std::abs(gap) * std::exp(-b3.si() * std::abs(deformation - start.deformation));
-    end.hysteretic = end_bound * direction - left * side;
-    end.deformation = deformation;
-    // d(F2)/dd = n dR/dd + b3 n delta mu.
-    const double bound_slope = direction * b2.si() * (k_s2_slope * u * u + 2.0 * k_s2 * u * u_slope);
-    const double tangent = a1.si() + 3.0 * a2.si() * u * u + 5.0 * a3.si() * u * u * u * u;
-    const double elastic = k_s1 * k_m * secant(u) * deformation;
-    return {elastic, end.hysteretic,
-            k_s1 * k_m * tangent + wear_slope * secant(u) * deformation + direction * bound_slope +
-                b3.si() * direction * left * side,
-            wear_slope};
-  }
-
-  // The integral of F2 dd and of the loss of stored energy by wear, by Gauss's rule with five points.
-  [[nodiscard]] double heat_of(const State& start, double from, double to, double direction) const {
+  /// The work of F1 and of R along a part of a straight move over `distance` m, by Gauss's rule with five points.
+  /// `damage` is that at the start of the part; `deformation(share)` gives |d| and its derivative by the distance.
+  template <class Deformation>
+  [[nodiscard]] double smooth_work(const Damage& damage, double distance, const Deformation& deformation) const {
     constexpr std::array<double, 5> points{0.04691007703066802, 0.23076534494715845, 0.5, 0.7692346550528415,
                                            0.953089922969332};
     constexpr std::array<double, 5> weights{0.11846344252809454, 0.23931433524968324, 0.28444444444444444,
                                             0.23931433524968324, 0.11846344252809454};
+    const double start = deformation(0.0).first;
     double sum = 0.0;
     for (std::size_t i = 0; i < points.size(); ++i) {
-      State there;
-      const double d = from + points[i] * (to - from);
-      const Moved moved = move(start, d, direction, there);
-      sum += weights[i] * (moved.hysteretic - moved.wear_slope * potential(d));
+      const auto [u, slope] = deformation(points[i]);
+      const Wear wear = wear_of(worn(damage, {start, std::min(start, u), u}));
+      sum += weights[i] * (wear.elastic * secant(u) * u * slope + bound(wear, u));
     }
-    return sum * (to - from);
+    return sum * distance;
+  }
+  /// The work of the decaying part over a straight move; `along`, N, is the component of R n - F2 at its start in the
+  /// direction of the move.
+  [[nodiscard]] double decaying_work(double along, double distance) const {
+    return along * std::expm1(-b3.si() * distance) / b3.si();
+  }
+
+ private:
+  static double cube(double x) { return x * x * x; }
+  [[nodiscard]] double softened(const Damage& damage) const {
+    return c3 + (1.0 - c3) * std::exp(-c4.si() * cube(damage.mullins));
+  }
+
+  // In parts where the move passes zero or D-: the wear has corners there.
+  [[nodiscard]] double heat_of(const State& from, const State& to, double gap, double direction) const {
+    double work = decaying_work(direction * gap, std::abs(to.deformation - from.deformation));
+    Damage damage = from.damage;
+    for (double d = from.deformation; d != to.deformation;) {
+      double end = next_corner({.damage = damage}, d, direction > 0.0 ? 1 : -1);
+      if (direction * (to.deformation - end) < 0.0) end = to.deformation;
+      const auto path = [&](double share) {
+        const double at = d + share * (end - d);
+        return std::pair{std::abs(at), direction * at < 0.0 ? -1.0 : 1.0};
+      };
+      work += smooth_work(damage, std::abs(end - d), path);
+      damage = worn(damage, {std::abs(d), std::min(std::abs(d), std::abs(end)), std::abs(end)});
+      d = end;
+    }
+    return work - stored_energy(to, to.deformation) + stored_energy(from, from.deformation);
   }
 };
 

@@ -124,7 +124,7 @@ struct HeatedLeadRubber {
       trial.temperature = cooled(committed.temperature, committed.temperature, cooling);
       return {post_yield * deformation + elastic * (deformation - committed.slip), post_yield + elastic, 0.0};
     }
-    const Warmed warmed = warm(committed.temperature, committed.direction * interval.path(deformation));
+    const Warmed warmed = warm(committed, deformation);
     trial.temperature = cooled(committed.temperature, warmed.temperature, cooling);
     trial.heat = committed.heat + heat_capacity() * (warmed.temperature - committed.temperature);
     const double limit = strength_at(trial.temperature);
@@ -160,7 +160,12 @@ struct HeatedLeadRubber {
   State next_regime(const State& committed, double deformation, double) const {
     State next = committed;
     const int direction = committed.direction != 0 ? committed.direction : deformation > committed.slip ? 1 : -1;
-    next.slip = deformation - direction * strength_at(committed.temperature) / elastic_stiffness();
+    if (committed.direction != 0) {
+      // Of a slide that ends inside a step.
+      next.temperature = warm(committed, deformation).temperature;
+      next.heat += heat_capacity() * (next.temperature - committed.temperature);
+    }
+    next.slip = deformation - direction * strength_at(next.temperature) / elastic_stiffness();
     next.direction = committed.direction != 0 ? 0 : direction;
     return next;
   }
@@ -196,10 +201,13 @@ struct HeatedLeadRubber {
     double temperature;  // K, without cooling
     double per_move;     // K/m
   };
-  // After sliding while the bearing moves by `move` m. The slip is longer than the move, because the elastic part
-  // shrinks with the strength: S = move + (Q(T0) - Q(T1))/(k1 - k2), with 1/Q(T1) = 1/Q(T0) + E2 S/(A rho c h).
-  [[nodiscard]] Warmed warm(double temperature, double move) const {
-    const double start = strength_at(temperature), rate = weakening / heat_capacity();
+  // After sliding to a deformation. The slip is longer than the move, because the elastic part shrinks with the
+  // strength: S = move + (Q(T0) - Q(T1))/(k1 - k2), with 1/Q(T1) = 1/Q(T0) + E2 S/(A rho c h). The move is counted from
+  // the slip, so that a slide that begins inside a step heats from there on.
+  [[nodiscard]] Warmed warm(const State& sliding, double deformation) const {
+    const double temperature = sliding.temperature, start = strength_at(temperature);
+    const double move = sliding.direction * (deformation - sliding.slip) - start / elastic_stiffness();
+    const double rate = weakening / heat_capacity();
     double slip = move, end = start;
     constexpr int iterations = 6;  // the error falls by a factor of d_y E2 Q0/(A rho c h), about 0.003, in each
     for (int i = 0; i < iterations; ++i) {

@@ -5,7 +5,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <numbers>
+#include <limits>
 #include <string_view>
 #include <vector>
 
@@ -14,7 +14,9 @@
 #include "base/quantity.hpp"
 #include "base/required.hpp"
 #include "base/units.hpp"
+#include "materials/course.hpp"
 #include "materials/response.hpp"
+#include "materials/rubber_compound.hpp"
 
 namespace moat {
 
@@ -30,17 +32,15 @@ namespace moat {
 /// strain. Below g = 0.05 it is elastic. The compounds hold up to g = 4.1; beyond, the skeleton goes on along its
 /// tangent: look at the reported `shear_strain`. 64 reversals are remembered; beyond, the two innermost are forgotten.
 ///
-/// A monotone move is exact for any length of the step. Stored is the energy of Q1 as it is now, the rest counts as
-/// dissipated. Source: Kikuchi & Aiken (1997); compounds as in KikuchiAikenHDR of OpenSees.
+/// A monotone move is exact for any length of the step; turns and the ends of branches are located. Stored is the
+/// energy of Q1 as it is now, the rest counts as dissipated. Source: Kikuchi & Aiken (1997); compounds as in
+/// KikuchiAikenHDR of OpenSees.
 struct KikuchiAikenRubber {
   static constexpr std::string_view name = "KikuchiAikenRubber";
   static constexpr std::string_view formula =
       "loops from G_eq and h_eq of the compound over the largest strain; Masing";
 
-  enum class Compound : int {
-    x06,  ///< Bridgestone X0.6
-    x04,  ///< Bridgestone X0.4
-  };
+  using Compound = RubberCompound::Kind;
 
   /// A > 0 m^2: of the rubber.
   Required<decltype(units::m * units::m)> area;
@@ -60,6 +60,7 @@ struct KikuchiAikenRubber {
     int direction = 0;                   ///< of motion
     int reversals = 0;
     std::array<Reversal, most_reversals> stack{};
+    Course course{};
 
     friend bool operator==(const State&, const State&) = default;
   };
@@ -85,6 +86,7 @@ struct KikuchiAikenRubber {
     const double target = deformation / height.si(), moved = target - committed.strain;
     const int direction = moved > 0.0 || (moved == 0.0 && rate > 0.0) ? 1 : -1;
     trial = committed;
+    trial.course = course_of_step(*this, committed, committed.strain * height.si(), moved);
     double work = 0.0;  // integral of the stress over the strain, N/m^2
     if (moved != 0.0) {
       work = move(trial, target, direction);
@@ -103,51 +105,38 @@ struct KikuchiAikenRubber {
   double dissipated_energy(const State& from, const State& to) const { return to.heat - from.heat; }
   double linear_stiffness(StiffnessStage stage) const {
     constexpr double design_strain = 1.0;
-    const double modulus =
-        stage == StiffnessStage::initial ? shear_modulus(elastic_strain) : shear_modulus(design_strain);
+    const double modulus = stage == StiffnessStage::initial ? of_rubber().shear_modulus(elastic_strain)
+                                                            : of_rubber().shear_modulus(design_strain);
     return modulus * area.si() / height.si();
   }
   double quantity(std::size_t, const State& state, double, double) const { return state.strain; }
 
-  /// Of the compound at a strain > 0: G_eq N/m^2, h_eq, u.
-  [[nodiscard]] double shear_modulus(double g) const {
-    if (g > largest_strain) return skeleton(g) / g;
-    const double mega =
-        compound == Compound::x06
-            ? (g < 1.15 ? 0.68358 * std::pow(g, -0.39964) : 1.10103 + g * (-0.61946 + g * (0.22047 - 0.022191 * g)))
-            : (g < 2.0 ? 0.38073 * std::pow(g, -0.42052) : 0.46499 + g * (-0.12723 + 0.0184823 * g));
-    return 1e6 * mega;
+  double regime_margin(const State& committed, double deformation, double rate) const {
+    return committed.course.margin(deformation, rate);
   }
-  [[nodiscard]] double damping_ratio(double g) const {
-    g = std::min(g, largest_strain);
-    return compound == Compound::x06 ? 0.23834 + g * (-0.028108 + 8.7664e-5 * g)
-                                     : 0.22184 + g * (0.0059574 + g * (-0.0072693 + 0.0014267 * g));
+  State next_regime(const State& committed, double deformation, double rate) const {
+    return next_on_course(*this, committed, deformation, rate);
   }
-  [[nodiscard]] double hysteretic_share(double g) const {
-    g = std::min(g, largest_strain);
-    return compound == Compound::x06 ? 0.44236 + g * (-0.062943 - 0.0037571 * g)
-                                     : 0.42715 + g * (-0.041644 + g * (0.0070867 - 0.0019158 * g));
-  }
-  /// a of the branches, at the largest strain g.
-  [[nodiscard]] double decay(double g) const {
-    const double limit = compound == Compound::x06 ? 10.19171 : 12.5603;
-    const double share = hysteretic_share(g), ratio = 1.0 - std::numbers::pi * damping_ratio(g) / (2.0 * share);
-    if (ratio <= -std::expm1(-2.0 * limit) / limit) return limit;
-    // (1 - e^(-2a))/a falls from 2 to 0: Newton's method from its large-a limit, bounded.
-    double a = std::min(1.0 / ratio, limit);
-    constexpr int most_iterations = 50;
-    for (int i = 0; i < most_iterations; ++i) {
-      const double value = -std::expm1(-2.0 * a) / a, slope = (2.0 * std::exp(-2.0 * a) - value) / a;
-      const double next = std::clamp(a - (value - ratio) / slope, 0.1 * a, limit);
-      const bool settled = std::abs(next - a) < 1e-15 * a;
-      a = next;
-      if (settled) break;
-    }
-    return a;
+  /// Where the elastic range or a branch ends, or the fit of the skeleton changes.
+  [[nodiscard]] double next_corner(const State& state, double from, int direction) const {
+    const double outside = direction * from / height.si();
+    const auto beyond = [&](double strain) {
+      return direction * (strain > outside ? strain * height.si() : std::numeric_limits<double>::infinity());
+    };
+    if (state.largest < elastic_strain) return beyond(elastic_strain);
+    const bool turns = state.reversals > 0 && direction != state.direction;
+    const int left = turns ? before_push(state) + 1 : state.reversals;
+    const bool on_skeleton = left == 0 && direction * state.strain >= 0.0;
+    if (on_skeleton) return beyond(of_rubber().change_of_fit());
+    if (left < 2) return beyond(state.largest);
+    return beyond(direction * state.stack[static_cast<std::size_t>(left - 2)].x * state.largest);
   }
 
+  /// The properties of the compound.
+  [[nodiscard]] RubberCompound of_rubber() const { return {compound}; }
+
  private:
-  static constexpr double elastic_strain = 0.05, largest_strain = 4.1;
+  static constexpr double elastic_strain = 0.05;
 
   struct Properties {
     double f = 0.0, share = 0.0, exponent = 1.0, a = 1.0, b = 0.0, c = 1.0;  // f_m, u, n
@@ -156,35 +145,15 @@ struct KikuchiAikenRubber {
     double value, slope;  // over the strain
   };
 
-  [[nodiscard]] double skeleton(double g) const {
-    if (g > largest_strain) {
-      return shear_modulus(largest_strain) * largest_strain + skeleton_slope(largest_strain) * (g - largest_strain);
-    }
-    return shear_modulus(g) * g;
-  }
-  [[nodiscard]] double skeleton_slope(double g) const {
-    g = std::min(g, largest_strain);
-    if (compound == Compound::x06)
-      return 1e6 * (g < 1.15 ? 0.60036 * 0.68358 * std::pow(g, -0.39964)
-                             : 1.10103 + g * (-2.0 * 0.61946 + g * (3.0 * 0.22047 - 4.0 * 0.022191 * g)));
-    return 1e6 *
-           (g < 2.0 ? 0.57948 * 0.38073 * std::pow(g, -0.42052) : 0.46499 + g * (-2.0 * 0.12723 + 3.0 * 0.0184823 * g));
-  }
   [[nodiscard]] Properties properties(double largest) const {
-    const double g = std::min(largest, largest_strain);
-    Properties p;
-    p.f = skeleton(largest);
-    p.share = hysteretic_share(g);
-    p.a = decay(g);
-    const bool x06 = compound == Compound::x06;
-    p.c = x06 ? 5.0 : 5.5;
-    if (x06)
-      p.exponent = g < 1.5 ? 1.0 : 0.91173 + g * (-0.59184 + 0.43379 * g);
-    else
-      p.exponent = g < 2.0 ? 1.0 : 0.20924 + 0.39538 * g;
-    if (g > (x06 ? 1.4 : 1.5))
-      p.b = p.c * p.c * (std::numbers::pi * damping_ratio(g) / p.share - (2.0 + 2.0 / p.a * std::expm1(-2.0 * p.a)));
-    return p;
+    const RubberCompound rubber = of_rubber();
+    const double g = std::min(largest, RubberCompound::largest_strain);
+    return {.f = rubber.skeleton(largest),
+            .share = rubber.hysteretic_share(g),
+            .exponent = rubber.elastic_exponent(g),
+            .a = rubber.decay(g),
+            .b = rubber.second_size(g),
+            .c = rubber.second_decay()};
   }
   // Q1 and its slope over the strain times g_m.
   static Stress elastic_part(const Properties& p, double x) {
@@ -208,14 +177,14 @@ struct KikuchiAikenRubber {
   }
   [[nodiscard]] Stress stress_of(const State& state, int direction) const {
     if (state.largest < elastic_strain) {
-      const double modulus = shear_modulus(elastic_strain);
+      const double modulus = of_rubber().shear_modulus(elastic_strain);
       return {modulus * state.strain, modulus};
     }
     const Properties p = properties(state.largest);
     const double x = state.strain / state.largest;
     if (state.reversals == 0) {
-      const double value = std::copysign(skeleton(std::abs(state.strain)), state.strain);
-      if (direction * state.strain >= 0.0) return {value, skeleton_slope(std::abs(state.strain))};
+      const double value = std::copysign(of_rubber().skeleton(std::abs(state.strain)), state.strain);
+      if (direction * state.strain >= 0.0) return {value, of_rubber().skeleton_slope(std::abs(state.strain))};
       // About to unload.
       return {value, (elastic_part(p, x).slope + p.share * p.f * shape(p, p.b, 0.0).slope) / state.largest};
     }
@@ -253,7 +222,8 @@ struct KikuchiAikenRubber {
 
   // Energy of the elastic part, over A H.
   [[nodiscard]] double stored(const State& state) const {
-    if (state.largest < elastic_strain) return 0.5 * shear_modulus(elastic_strain) * state.strain * state.strain;
+    if (state.largest < elastic_strain)
+      return 0.5 * of_rubber().shear_modulus(elastic_strain) * state.strain * state.strain;
     const Properties p = properties(state.largest);
     const double x = std::abs(state.strain / state.largest);
     return 0.5 * (1.0 - p.share) * p.f * state.largest *
@@ -264,7 +234,8 @@ struct KikuchiAikenRubber {
   double move(State& state, double target, int direction) const {
     double work = 0.0;
     if (state.largest < elastic_strain) {
-      const double modulus = shear_modulus(elastic_strain), end = std::clamp(target, -elastic_strain, elastic_strain);
+      const double modulus = of_rubber().shear_modulus(elastic_strain),
+                   end = std::clamp(target, -elastic_strain, elastic_strain);
       work += 0.5 * modulus * (end * end - state.strain * state.strain);
       state.strain = end;
       state.largest = std::max(state.largest, std::abs(end));
@@ -292,14 +263,17 @@ struct KikuchiAikenRubber {
       if (!passes) return work;
       state.reversals = state.reversals > 2 ? state.reversals - 2 : 0;
     }
-    work += skeleton_work(std::abs(state.strain), std::abs(target));
+    work += of_rubber().skeleton_work(std::abs(state.strain), std::abs(target));
     state.strain = target;
     state.largest = std::max(state.largest, std::abs(target));
     return work;
   }
+  // The number of reversals to which another may be added: the two innermost make room.
+  static int before_push(const State& state) {
+    return state.reversals == static_cast<int>(most_reversals) ? state.reversals - 2 : state.reversals;
+  }
   static void push(State& state, const Reversal& reversal) {
-    // The two innermost reversals make room.
-    if (state.reversals == static_cast<int>(most_reversals)) state.reversals -= 2;
+    state.reversals = before_push(state);
     state.stack[static_cast<std::size_t>(state.reversals++)] = reversal;
   }
   [[nodiscard]] double branch_work(const Properties& p, const State& state, double to) const {
@@ -313,28 +287,6 @@ struct KikuchiAikenRubber {
                                                                  (shape(p, from.b, std::abs(to - from.x)).integral -
                                                                   shape(p, from.b, std::abs(start - from.x)).integral));
     return state.largest * (elastic(to) - elastic(start) + hysteretic);
-  }
-  // The integral of the skeleton, in parts where the fit of the compound changes.
-  [[nodiscard]] double skeleton_work(double from, double to) const {
-    const bool x06 = compound == Compound::x06;
-    const double change = x06 ? 1.15 : 2.0;
-    const auto power = [&](double g) {
-      return 1e6 * (x06 ? 0.68358 * std::pow(g, 1.60036) / 1.60036 : 0.38073 * std::pow(g, 1.57948) / 1.57948);
-    };
-    const auto polynomial = [&](double g) {
-      return 1e6 * g * g *
-             (x06 ? 1.10103 / 2.0 + g * (-0.61946 / 3.0 + g * (0.22047 / 4.0 - 0.022191 / 5.0 * g))
-                  : 0.46499 / 2.0 + g * (-0.12723 / 3.0 + 0.0184823 / 4.0 * g));
-    };
-    double sum = 0.0;
-    if (from < change) sum += power(std::min(to, change)) - power(from);
-    if (to > change && from < largest_strain)
-      sum += polynomial(std::min(to, largest_strain)) - polynomial(std::max(from, change));
-    if (to > largest_strain) {
-      const double start = std::max(from, largest_strain);
-      sum += 0.5 * (skeleton(start) + skeleton(to)) * (to - start);
-    }
-    return sum;
   }
 };
 

@@ -12,6 +12,7 @@
 #include "base/quantity.hpp"
 #include "base/required.hpp"
 #include "base/units.hpp"
+#include "materials/course.hpp"
 #include "materials/integrate.hpp"
 #include "materials/response.hpp"
 
@@ -26,9 +27,9 @@ namespace moat {
 ///     zeta1 = zeta0 (1 - exp(-p e)),   zeta2 = (psi0 + dpsi e)(lambda + zeta1)
 ///
 /// Without pinching (zeta0 = 0) h = 1. (z, e) follow the drift by a Runge-Kutta method with an error below 1e-12, so
-/// that results hardly depend on the length of steps; the tangent is the right-hand side at the end. Stored energy:
-/// alpha k d^2/2; the rest of the work counts as dissipated, and part of it comes back where z unloads.
-/// Sources: Baber & Wen (1981), Baber & Noori (1986), BoucWenMaterial of OpenSees.
+/// that results hardly depend on the length of steps, which end where the motion turns; the tangent is the right-hand
+/// side at the end. Stored energy: alpha k d^2/2; the rest of the work counts as dissipated, and part of it comes back
+/// where z unloads. Sources: Baber & Wen (1981), Baber & Noori (1986), BoucWenMaterial of OpenSees.
 struct BaberNoori {
   static constexpr std::string_view name = "BaberNoori";
   static constexpr std::string_view formula = "Bouc-Wen whose stiffness and strength fall with the energy; may pinch";
@@ -60,6 +61,7 @@ struct BaberNoori {
     double deformation = 0.0;  ///< m
     double z = 0.0;            ///< m
     double energy = 0.0;       ///< e, J
+    Course course{};
 
     friend bool operator==(const State&, const State&) = default;
   };
@@ -109,7 +111,8 @@ struct BaberNoori {
     // z in the direction of the motion and e, along the distance.
     std::array<double, 2> y{direction * committed.z, committed.energy};
     if (moved != 0.0) y = follow(y, std::abs(moved));
-    trial = {deformation, moved == 0.0 ? committed.z : direction * y[0], y[1]};
+    trial = {deformation, moved == 0.0 ? committed.z : direction * y[0], y[1],
+             course_of_step(*this, committed, committed.deformation, moved)};
     const double elastic = hardening_ratio * stiffness.si(), hysteretic = stiffness.si() - elastic;
     return {elastic * deformation + hysteretic * trial.z, elastic + hysteretic * rates(y)[0], 0.0};
   }
@@ -122,6 +125,12 @@ struct BaberNoori {
   double dissipated_energy(const State& from, const State& to) const { return to.energy - from.energy; }
   double linear_stiffness(StiffnessStage stage) const {
     return stage == StiffnessStage::initial ? stiffness.si() : hardening_ratio * stiffness.si();
+  }
+  double regime_margin(const State& committed, double deformation, double rate) const {
+    return committed.course.margin(deformation, rate);
+  }
+  State next_regime(const State& committed, double deformation, double rate) const {
+    return next_on_course(*this, committed, deformation, rate);
   }
   double quantity(std::size_t, const State&, double deformation, double) const {
     return std::abs(deformation) / yield_drift.si();

@@ -31,10 +31,11 @@ namespace moat {
 ///     F crosses zero:       beta = [(E - E_last)/(E_ref - E)]^c, E_last = E; on the side that is entered F_y, K_p and
 ///                           the force of the cap line at d = 0 times 1 - beta, K_pc with (F_y - F_res)
 ///
-/// beta > 1 is failure too. All of these are located regimes, so that results do not depend on the steps; a failure is
-/// a change of regime whose force drops to zero. Reports `ductility`, |d|/U_y. Stored energy F^2/(2 K_u): where K_u
-/// falls, energy that counted as dissipated counts as stored again. Sources: Ibarra, Medina & Krawinkler (2005); Lignos
-/// & Krawinkler (2011); rules of IMKBilin of OpenSees.
+/// K_u never falls below K_p. Where the hardening line of a side lies below zero, at large drifts to the other side,
+/// the storey has no force. beta > 1 is failure too. All of these are located regimes, so that results do not depend on
+/// the steps; a failure is a change of regime whose force drops to zero. Reports `ductility`, |d|/U_y. Stored energy
+/// F^2/(2 K_u): where K_u falls, energy that counted as dissipated counts as stored again. Sources: Ibarra, Medina &
+/// Krawinkler (2005); Lignos & Krawinkler (2011); rules of IMKBilin of OpenSees.
 struct ImkBilinear {
   static constexpr std::string_view name = "ImkBilinear";
   static constexpr std::string_view formula = "hardens, weakens beyond a cap, deteriorates with the energy, fails";
@@ -59,7 +60,7 @@ struct ImkBilinear {
   double strength_exponent = 1.0;
   double stiffness_exponent = 1.0;
 
-  enum class Branch : int { elastic, hardening, weakening, residual, failed };
+  enum class Branch : int { elastic, slack, hardening, weakening, residual, failed };
   /// One direction of the backbone.
   struct Side {
     double yield = 0.0, hardening = 0.0, cap = 0.0, weakening = 0.0;  ///< F_y, K_p, force of the cap line at 0, K_pc
@@ -158,6 +159,7 @@ struct ImkBilinear {
       margin = std::min(margin, committed.bound * rate * time_of_rate);
       const Side side = side_of(committed, committed.bound);
       const double x = committed.bound * deformation;
+      if (committed.branch == Branch::slack) margin = std::min(margin, -hardening_of(side, x) / soft);
       if (committed.branch == Branch::hardening)
         margin = std::min(margin, (fall_of(side, x) - hardening_of(side, x)) / soft);
       if (committed.branch == Branch::weakening)
@@ -166,9 +168,8 @@ struct ImkBilinear {
     return margin + threshold;
   }
   State next_regime(const State& committed, double deformation, double rate) const {
-    State next = committed;
-    next.deformation = deformation;
-    next.force = respond_on(committed, deformation).force;
+    State next;
+    evaluate(committed, deformation, rate, next);
     const double soft = unloading(committed);
     if (std::abs(deformation) >= ultimate_drift.si()) return failed(next);
     if (committed.side != 0 && committed.side * next.force / soft <= -threshold) return cross_zero(next);
@@ -183,7 +184,9 @@ struct ImkBilinear {
     const double x = side * deformation;
     next.bound = side;
     if (next.side == 0) next.side = side;
-    next.branch = hardening_of(of, x) < fall_of(of, x) - threshold * soft     ? Branch::hardening
+    const double line = hardening_of(of, x);
+    next.branch = committed.branch == Branch::elastic && line < 0.0           ? Branch::slack
+                  : line < fall_of(of, x) - threshold * soft                  ? Branch::hardening
                   : of.cap - of.weakening * x > residual() + threshold * soft ? Branch::weakening
                                                                               : Branch::residual;
     if (committed.branch == Branch::hardening && next.branch == Branch::hardening) next.branch = Branch::weakening;
@@ -222,7 +225,7 @@ struct ImkBilinear {
   }
   [[nodiscard]] double bound(const State& state, int direction, double x) const {
     const Side side = side_of(state, direction);
-    return std::min(hardening_of(side, x), fall_of(side, x));
+    return std::min(std::max(hardening_of(side, x), 0.0), fall_of(side, x));
   }
 
   [[nodiscard]] Response respond_on(const State& state, double deformation) const {
@@ -237,6 +240,7 @@ struct ImkBilinear {
         return {state.bound * (side.cap - side.weakening * x), -side.weakening, 0.0};
       case Branch::residual:
         return {state.bound * residual(), 0.0, 0.0};
+      case Branch::slack:
       case Branch::failed:
         break;
     }
@@ -259,7 +263,7 @@ struct ImkBilinear {
     const double share =
         kept(spent - state.work_at_zero, stiffness_capacity.si() * yield_force.si(), stiffness_exponent, spent);
     if (share <= 0.0) return failed(state);
-    state.softened *= share;
+    state.softened = std::max(state.softened * share, first_side().hardening / stiffness.si());
     state.branch = Branch::elastic;
     state.bound = 0;
     return state;

@@ -69,7 +69,13 @@ std::string impact_law_tables() {
              "d^(1/4) d', c = 2 xi sqrt(k m), k in N/m^1.5",
              "xi") +
          "\n" +
-         table<ViscousLinearContact>("Linear spring and dashpot:** F = k d + c d', c = 2 xi sqrt(k m), k in N/m", "xi");
+         table<ViscousLinearContact>("Linear spring and dashpot:** F = k d + c d', c = 2 xi sqrt(k m), k in N/m",
+                                     "xi") +
+         "\n" +
+         table<BilinearContact>(
+             "Linear springs, one of which yields:** loads with K1 to d_y = a d_m, then with K2; dE = k d_m^2.5 (1 - "
+             "e^2)/2.5, K_eff = k d_m^(1/2), k in N/m^1.5",
+             "K1, K2");
 }
 
 }  // namespace moat::testing

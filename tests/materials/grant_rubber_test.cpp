@@ -50,8 +50,8 @@ TEST(GrantRubber, UnloadsInOneStepAsTheClosedFormSays) {
   GrantRubber::State loaded, half, none;
   specimen.evaluate({}, 45.72e-3, 1.0, loaded);
   const double force = specimen.evaluate(loaded, 22.86e-3, -1.0, half).force;
-  EXPECT_NEAR(half.scragging, 22.86e-3, 1e-15);
-  EXPECT_NEAR(half.mullins, 22.86e-3, 1e-15);
+  EXPECT_NEAR(half.damage.scragging, 22.86e-3, 1e-15);
+  EXPECT_NEAR(half.damage.mullins, 22.86e-3, 1e-15);
   EXPECT_NEAR(half.hysteretic, -1787.422, 1e-3);
   EXPECT_NEAR(force - half.hysteretic, 5297.571, 1e-3);
   EXPECT_NEAR(specimen.evaluate(loaded, 0.0, -1.0, none).force, -2912.202, 1e-3);

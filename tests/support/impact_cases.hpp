@@ -21,11 +21,13 @@ template <class Law>
 using StiffnessOf = std::remove_cvref_t<decltype(std::declval<Law>().stiffness.value())>;
 
 /// A law with its stiffness in its own SI unit and a restitution; one that is given by a damping ratio gets that of
-/// Kelvin.
+/// Kelvin, and one that needs an indentation 2 cm.
 template <class Law>
 Law impact_law(double stiffness, double restitution) {
   const StiffnessOf<Law> k{stiffness};
-  if constexpr (requires { Law{.stiffness = k, .restitution = restitution}; })
+  if constexpr (requires { Law{.stiffness = k, .restitution = restitution, .expected_indentation = Length{0.02}}; })
+    return Law{.stiffness = k, .restitution = restitution, .expected_indentation = Length{0.02}};
+  else if constexpr (requires { Law{.stiffness = k, .restitution = restitution}; })
     return Law{.stiffness = k, .restitution = restitution};
   else if constexpr (requires { Law{.stiffness = k, .damping_ratio = 0.0}; })
     return Law{.stiffness = k, .damping_ratio = ratio_of_equation_4(restitution)};
@@ -37,7 +39,7 @@ Law impact_law(double stiffness, double restitution) {
 struct ImpactCase {
   std::string name;
   std::function<AnyContact(double stiffness, double restitution, double mass)> between;
-  std::function<double(double restitution)> delivered;
+  std::function<double(double stiffness, double restitution, double mass, double speed)> delivered;
   /// Whether the law can be given this restitution.
   std::function<bool(double restitution)> accepts;
   bool may_pull = false;
@@ -54,7 +56,7 @@ ImpactCase impact_case(const std::string& way, bool may_pull, void (*set)(Law&))
   };
   return {std::string{Law::name} + way,
           [law](double k, double e, double mass) { return AnyContact{law(k, e).between(mass)}; },
-          [law](double e) { return expected_restitution(law(1e9, e)); },
+          [law](double k, double e, double mass, double speed) { return expected_restitution(law(k, e), mass, speed); },
           [law](double e) {
             try {
               law(1e9, e).check(Check{"law", ""});

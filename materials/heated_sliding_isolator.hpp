@@ -1,0 +1,181 @@
+// A slider whose surface heats, beside a restoring spring.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <string_view>
+
+#include "materials/friction/pressure_temperature_velocity.hpp"
+#include "materials/response.hpp"
+
+namespace moat {
+
+/// The law of a HeatedFrictionPendulum under its weight: stick and slip are located as in SlidingIsolator.
+///
+/// Temperature and friction at the end of a step solve each other; the flux counts with the mean of both ends.
+struct HeatedSlidingIsolator {
+  static constexpr std::string_view name = "HeatedSlidingIsolator";
+
+  double restoring_stiffness = 0.0;  ///< N/m
+  double elastic_stiffness = 0.0;    ///< N/m
+  double normal_force = 0.0;         ///< N
+  PressureTemperatureVelocity friction;
+
+  struct State {
+    double slip = 0.0;            ///< m
+    double friction_force = 0.0;  ///< N
+    double rise = 0.0;            ///< of the temperature of the surface, K
+    double flux = 0.0;            ///< W/m^2
+    std::array<double, PressureTemperatureVelocity::memory_size> memory{};
+    int direction = 0;  ///< of sliding; 0: sticks
+
+    friend bool operator==(const State&, const State&) = default;
+  };
+  static constexpr std::array<ReportedQuantity, 3> quantities{
+      {{"friction_coefficient", "1"}, {"isolator_slip", "m"}, {"surface_temperature", "degC"}}};
+  static constexpr double time_of_rate = 1.0, threshold = 1e-9;
+
+  Response evaluate(const State& committed, double deformation, double rate, Interval interval, State& trial) const {
+    trial = committed;
+    const Surface end = heat(committed, deformation, committed.direction * rate, interval, trial);
+    if (committed.direction == 0) {
+      trial.friction_force = elastic_stiffness * (deformation - committed.slip);
+      return {restoring_stiffness * deformation + trial.friction_force, restoring_stiffness + elastic_stiffness, 0.0};
+    }
+    if (interval.length == 0.0)
+      return {restoring_stiffness * deformation + committed.friction_force, restoring_stiffness,
+              end.slope * normal_force};
+    trial.friction_force = committed.direction * end.coefficient * normal_force;
+    trial.slip = deformation - trial.friction_force / elastic_stiffness;
+    return {restoring_stiffness * deformation + trial.friction_force, restoring_stiffness, end.slope * normal_force};
+  }
+  double force_rate(const State& state, double deformation, double rate, double second_rate) const {
+    if (state.direction == 0) return (restoring_stiffness + elastic_stiffness) * rate;
+    const double speed = std::max(state.direction * rate, 0.0), faster = state.direction * second_rate;
+    const double celsius = friction.initial_temperature + state.rise;
+    const double by_speed = factor() * friction.speed_factor(speed),
+                 by_speed_slope = factor() * friction.speed_slope(speed),
+                 of_temperature = friction.temperature_factor(celsius),
+                 temperature_slope = friction.temperature_slope(celsius);
+    double heating = 0.0;  // of the exponentials
+    for (std::size_t j = 0; j < state.memory.size(); ++j)
+      heating += PressureTemperatureVelocity::memory_weights[j] * state.flux -
+                 state.memory[j] / PressureTemperatureVelocity::memory_times[j];
+    // The flux p mu |v| heats at once by memory_rest, and the warmer surface lowers mu.
+    const double scale = friction.heating_factor(),
+                 at_once =
+                     covers_centre(deformation) ? scale * PressureTemperatureVelocity::memory_rest * pressure() : 0.0;
+    const double rise_rate =
+        (scale * heating + at_once * of_temperature * (by_speed + speed * by_speed_slope) * faster) /
+        (1.0 - at_once * speed * by_speed * temperature_slope);
+    const double coefficient_rate = by_speed_slope * faster * of_temperature + by_speed * temperature_slope * rise_rate;
+    return restoring_stiffness * rate + state.direction * normal_force * coefficient_rate;
+  }
+  double stored_energy(const State& committed, double deformation) const {
+    return 0.5 * restoring_stiffness * deformation * deformation +
+           0.5 * committed.friction_force * committed.friction_force / elastic_stiffness;
+  }
+  double dissipation_rate(const State& committed, double, double rate) const {
+    return committed.direction * rate > 0.0 ? limit(committed, std::abs(rate)) * std::abs(rate) : 0.0;
+  }
+  double dissipated_energy(const State& from, const State& to) const {
+    return 0.5 * std::abs(from.friction_force + to.friction_force) * std::abs(to.slip - from.slip);
+  }
+  double linear_stiffness(StiffnessStage stage) const {
+    return restoring_stiffness + (stage == StiffnessStage::initial ? elastic_stiffness : 0.0);
+  }
+
+  double regime_margin(const State& committed, double deformation, double rate) const {
+    if (committed.direction != 0) return committed.direction * rate * time_of_rate;
+    return limit(committed, std::abs(rate)) / elastic_stiffness * (1.0 + threshold) -
+           std::abs(deformation - committed.slip);
+  }
+  State next_regime(const State& committed, double deformation, double rate) const {
+    State next = committed;
+    const int direction = committed.direction != 0 ? committed.direction : deformation > committed.slip ? 1 : -1;
+    next.friction_force = direction * limit(committed, committed.direction != 0 ? 0.0 : std::abs(rate));
+    next.slip = deformation - next.friction_force / elastic_stiffness;
+    next.direction = committed.direction != 0 ? 0 : direction;
+    next.flux = next.direction == 0 ? 0.0 : flux_at(committed, deformation, std::abs(rate));
+    return next;
+  }
+  double quantity(std::size_t index, const State& state, double, double rate) const {
+    if (index == 0) return limit(state, std::abs(rate)) / normal_force;
+    return index == 1 ? state.slip : friction.initial_temperature + state.rise;
+  }
+
+  [[nodiscard]] double pressure() const {
+    return normal_force / (std::numbers::pi * friction.slider_radius.si() * friction.slider_radius.si());
+  }
+
+ private:
+  struct Surface {
+    double coefficient, slope;  // mu, dmu/d|v|
+  };
+
+  [[nodiscard]] double factor() const { return friction.reference_coefficient * friction.pressure_factor(pressure()); }
+  [[nodiscard]] double limit(const State& state, double speed) const {
+    return factor() * friction.speed_factor(speed) *
+           friction.temperature_factor(friction.initial_temperature + state.rise) * normal_force;
+  }
+  [[nodiscard]] bool covers_centre(double deformation) const {
+    return std::abs(deformation) < 0.5 * std::sqrt(std::numbers::pi) * friction.slider_radius.si();
+  }
+  [[nodiscard]] double flux_at(const State& state, double deformation, double speed) const {
+    return covers_centre(deformation) ? limit(state, speed) / normal_force * pressure() * speed : 0.0;
+  }
+
+  // Temperature and friction at the end of the interval, at a rate in the direction of sliding. A step may overshoot
+  // the turn of the rate: friction goes on along its tangent, so that it stays smooth.
+  [[nodiscard]] Surface heat(const State& committed, double deformation, double rate, Interval interval,
+                             State& trial) const {
+    const double speed = std::max(rate, 0.0), initial = friction.initial_temperature;
+    const double by_speed_slope = factor() * friction.speed_slope(speed);
+    const double by_speed = factor() * friction.speed_factor(speed) + by_speed_slope * std::min(rate, 0.0);
+    const double h = interval.length;
+    if (h == 0.0)
+      return {by_speed * friction.temperature_factor(initial + committed.rise),
+              by_speed_slope * friction.temperature_factor(initial + committed.rise)};
+    // rise = known + gain q1 with q1 = share mu(rise): the flux counts with the mean of both ends.
+    const bool covers = committed.direction != 0 && covers_centre(deformation);
+    const double share = covers ? pressure() * speed : 0.0;
+    double decayed = 0.0, per_flux = 0.0;
+    std::array<double, PressureTemperatureVelocity::memory_size> kept, added;
+    for (std::size_t j = 0; j < kept.size(); ++j) {
+      const double time = PressureTemperatureVelocity::memory_times[j], x = -std::expm1(-h / time);
+      kept[j] = 1.0 - x;
+      added[j] = PressureTemperatureVelocity::memory_weights[j] * time * x;
+      decayed += committed.memory[j] * kept[j];
+      per_flux += added[j];
+    }
+    const double scale = friction.heating_factor(), start_flux = committed.flux;
+    const double known = scale * (decayed + 0.5 * per_flux * start_flux);
+    const double gain = scale * (0.5 * per_flux + PressureTemperatureVelocity::memory_rest) * share;
+    double rise = committed.rise;
+    constexpr int iterations = 30;
+    for (int i = 0; i < iterations; ++i) {
+      const double error = rise - known - gain * by_speed * friction.temperature_factor(initial + rise);
+      const double slope = 1.0 - gain * by_speed * friction.temperature_slope(initial + rise);
+      const double correction = error / slope;
+      rise -= correction;
+      if (std::abs(correction) < 1e-12 * (1.0 + std::abs(rise))) break;
+    }
+    const double of_temperature = friction.temperature_factor(initial + rise);
+    const double coefficient = by_speed * of_temperature;
+    trial.rise = rise;
+    trial.flux = share * coefficient;
+    const double mean_flux = 0.5 * (start_flux + trial.flux);
+    for (std::size_t j = 0; j < kept.size(); ++j)
+      trial.memory[j] = committed.memory[j] * kept[j] + added[j] * mean_flux;
+    // d(rise)/dv from rise = known + gain(v) by_speed(v) k_T(rise).
+    const double temperature_slope = friction.temperature_slope(initial + rise);
+    const double gain_slope = speed > 0.0 ? gain / speed : 0.0;
+    const double rise_slope =
+        of_temperature * (gain_slope * by_speed + gain * by_speed_slope) / (1.0 - gain * by_speed * temperature_slope);
+    return {coefficient, by_speed_slope * of_temperature + by_speed * temperature_slope * rise_slope};
+  }
+};
+
+}  // namespace moat

@@ -1,0 +1,64 @@
+// Bilinear impact law, due to Muthukumar and DesRoches.
+#pragma once
+
+#include <cmath>
+#include <string_view>
+#include <vector>
+
+#include "base/check.hpp"
+#include "base/parameter.hpp"
+#include "base/quantity.hpp"
+#include "base/required.hpp"
+#include "materials/bilinear_contact.hpp"
+#include "materials/impact_checks.hpp"
+
+namespace moat {
+
+/// Bilinear truss contact: loads with K1 to d_y = a d_m, then with K2; its loop to d_m loses the energy of a Hertz
+/// contact of restitution e (materials/bilinear_contact.hpp).
+///
+///     K_eff = k_h sqrt(d_m)    dE = k_h d_m^2.5 (1 - e^2)/2.5
+///     K1 = K_eff + dE/(a d_m^2)    K2 = K_eff - dE/((1 - a) d_m^2)
+///
+/// The law of practice with OpenSees (ImpactMaterial). The restitution is right only where the indentation reaches d_m:
+/// the table of impacts lists the one that it delivers. Typical in use: k_h = 2.747e10 N/m^1.5 (25 000 kip/in^1.5), e
+/// 0.6 to 0.7, d_m 0.6 to 25 mm. Source: Muthukumar & DesRoches (2006), A Hertz contact model with non-linear damping
+/// for pounding simulation.
+struct BilinearImpact {
+  static constexpr std::string_view name = "BilinearImpact";
+  static constexpr std::string_view formula = "K1 = K_eff + dE/(a d_m^2), K2 = K_eff - dE/((1 - a) d_m^2)";
+
+  /// k_h > 0 N/m^1.5.
+  Required<HertzStiffness> stiffness;
+  /// e, the intended coefficient of restitution: 0 < e <= 1.
+  Required<double> restitution;
+  /// d_m > 0 m: the largest indentation that is expected.
+  Required<Length> expected_indentation;
+  /// 0 < a <= 0.5: d_y over d_m.
+  double yield_share = 0.1;
+
+  /// Throws InputError for a parameter outside its range.
+  void check(const Check& check) const {
+    check.positive("stiffness", stiffness);
+    check_restitution(check, restitution);
+    check.positive("expected_indentation", expected_indentation);
+    check.above_up_to("yield_share", yield_share, 0.0, 0.5, "1", "0.1 is usual.");
+  }
+  /// The parameters as given.
+  [[nodiscard]] std::vector<Parameter> parameters() const {
+    return {{"stiffness", stiffness.si(), "N/m^1.5"},
+            {"restitution", restitution, "1"},
+            {"expected_indentation", expected_indentation.si(), "m"},
+            {"yield_share", yield_share, "1"}};
+  }
+  /// The law between two bodies; it does not depend on their mass.
+  [[nodiscard]] BilinearContact between(double) const {
+    const double largest = expected_indentation.si(), effective = stiffness.si() * std::sqrt(largest);
+    const double lost = effective * (1.0 - restitution * restitution) / 2.5;  // dE/d_m^2
+    return {.loading_stiffness = effective + lost / yield_share,
+            .yielding_stiffness = effective - lost / (1.0 - yield_share),
+            .yield_indentation = yield_share * largest};
+  }
+};
+
+}  // namespace moat
