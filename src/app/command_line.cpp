@@ -19,7 +19,10 @@ CommandLine::CommandLine(int argc, char** argv, std::string title) : app_{std::m
     app_.name(program.string());
   }
   for (int i = 1; i < argc; ++i) arguments_.emplace_back(argv[i]);
-  for (const std::string& each : arguments_) help_wanted_ = help_wanted_ || each == "-h" || each == "--help";
+  for (const std::string& each : arguments_) {
+    help_wanted_ = help_wanted_ || each == "-h" || each == "--help";
+    json_wanted_ = json_wanted_ || each == "--json";
+  }
   app_.get_formatter()->column_width(34);
   app_.footer(
       "Write quantities with their unit: \"12 cm\", 0.4g, \"2.5 ms\".\n"
@@ -33,9 +36,8 @@ void CommandLine::require_new(const std::string& name) const {
     throw InputError{"Script: \"" + name + "\" cannot be the name of an option. Use letters, digits, - and _."};
   if (app_.get_option_no_throw("--" + name) != nullptr)
     throw InputError{"--" + name + ": there is an option of this name. Name each once; help, record and record-unit, " +
-                     "out, force, step, tolerance, integrator, end, frame-interval, check, quiet, threads, case, cases "
-                     "and retry are "
-                     "those of Script itself."};
+                     "out, force, step, tolerance, integrator, end, frame-interval, check, quiet, json, threads, case, "
+                     "cases and retry are those of Script itself."};
 }
 
 void CommandLine::add_flag(const std::string& name, bool& value, const std::string& help) {

@@ -21,11 +21,15 @@ class CommandLine {
   std::optional<std::string> look_up(const std::string& name, const std::string& preset, const std::string& help,
                                      const std::string& type);
   void add_flag(const std::string& name, bool& value, const std::string& help);
+  /// Adds --json, which json_wanted() knows from the start.
+  void add_json_flag() { add_flag("json", json_, "print one JSON text; all else goes to standard error"); }
 
   /// Whether -h or --help stands anywhere, also where an option would take it for its value.
   [[nodiscard]] bool help_wanted() const { return help_wanted_; }
   [[nodiscard]] std::string help() const { return app_.help(); }
   [[nodiscard]] std::string title() const { return app_.get_description(); }
+  /// Whether --json stands anywhere.
+  [[nodiscard]] bool json_wanted() const { return json_wanted_ && !help_wanted_; }
   /// Name of the program, without folder and extension.
   [[nodiscard]] const std::string& program() const { return program_; }
   /// As given to main().
@@ -45,7 +49,8 @@ class CommandLine {
   std::list<std::string> texts_;  // CLI11 keeps references to them
   std::vector<std::pair<std::string, bool*>> flags_;
   std::vector<std::pair<std::string, std::string>> known_;
-  bool help_wanted_ = false;
+  bool help_wanted_ = false, json_wanted_ = false;
+  bool json_ = false;  // of the flag, for the parser
 };
 
 }  // namespace moat

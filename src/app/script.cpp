@@ -46,6 +46,7 @@ Script::Script(int argc, char** argv, std::string title)
   parts_->ranks = ranks_of_this_job();
   // All ranks run the script, and one speaks.
   if (!parts_->speaks() && std::freopen("/dev/null", "w", stdout) == nullptr) std::fclose(stdout);
+  if (parts_->line.json_wanted()) parts_->json.emplace();
 }
 
 Script::~Script() {
@@ -72,7 +73,7 @@ void Script::check_options() {
 }
 
 ScriptStudy& Script::study_parts() {
-  if (!parts_->study) parts_->study.emplace(parts_->line, parts_->ranks);
+  if (!parts_->study) parts_->study.emplace(parts_->line, parts_->ranks, parts_->json ? &*parts_->json : nullptr);
   check_options();
   return *parts_->study;
 }
@@ -228,6 +229,7 @@ int Script::run(Model& model, const GroundMotion& motion, std::initializer_list<
   write_results(outcome.result, folder.path(),
                 takes_time && !options.quiet ? WritingProgress{ProgressBar{"writing", "parts"}} : WritingProgress{});
   folder.finish();
+  if (parts_->json) parts_->json->write(summary_with_folder(folder.final_path()));
   return print(outcome, options, folder.final_path());
 }
 
@@ -245,6 +247,7 @@ std::optional<int> Script::read_options(const GroundMotion& motion, RunOptions& 
   options.frame_interval = time("frame-interval", 50 * units::ms, "between VTK frames; 0 s writes none");
   line.add_flag("check", options.check, "error bars also where the second run they need costs more than about 20 ms");
   line.add_flag("quiet", options.quiet, "print warnings and errors only");
+  line.add_json_flag();
   parts_->checked = true;
   if (line.help_wanted()) {
     std::cout << line.help();

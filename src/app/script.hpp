@@ -62,7 +62,8 @@ class Script {
   int integer(const std::string& name, int preset, const std::string& help);
   std::string text(const std::string& name, const std::string& preset, const std::string& help);
 
-  /// Adds --record FILE (PEER AT2, or two columns with --record-unit g) and returns that motion, else the preset.
+  /// Adds --record FILE (PEER AT2, COSMOS, ESM, or two columns with --record-unit g) and returns that motion, else the
+  /// preset.
   GroundMotion motion(const GroundMotion& preset);
 
   /// The same for two components: adds --record FILE and --record-2 FILE, to be given together, and --incidence NUMBER,
@@ -74,13 +75,14 @@ class Script {
   void attach(StepObserver& observer);
 
   /// Computes the model under the motion, shows progress and peaks, writes the results folder, and returns the exit
-  /// code. Adds --out, --force, --step, --tolerance, --integrator, --end, --frame-interval, --check, --quiet. The
-  /// observers are attached before; none may be null.
+  /// code. Adds --out, --force, --step, --tolerance, --integrator, --end, --frame-interval, --check, --quiet, --json.
+  /// With --json standard output holds summary.json alone, with the member "results_folder" in front, and all else goes
+  /// to standard error. The observers are attached before; none may be null.
   int run(Model& model, const GroundMotion& motion, std::initializer_list<StepObserver*> observers = {});
 
   /// Computes a study on all cores, keeps it in the file NAME.db of the results folder, and writes NAME.csv beside it.
   /// A study that is there goes on: only cases that it lacks are computed. Adds --out, --threads, --case, --cases,
-  /// --retry, --quiet at the first call, then checks all options, and answers --help by ending the program.
+  /// --retry, --quiet, --json at the first call, then checks all options, and answers --help by ending the program.
   ///
   ///     const StudyResult study = script.study({gap, record_axis("record", records)}, [&](const StudyCase& each) {
   ///       StudyModel one{Model{}, records[each.position("record")]};
@@ -107,8 +109,9 @@ class Script {
   void show(const Chart& chart);
   void show(const HeatMap& map);
 
-  /// After the last study: writes report.html, prints where the results are. Returns the exit code: 0, 3 if cases did
-  /// not converge, 1 if cases failed.
+  /// After the last study: writes report.html, prints where the results are. With --json standard output holds
+  /// { "title", "results_folder", "studies": [ { "name", "file", "cases", "done", "not_converged", "failed", "open" }
+  /// ], "answers": [ ... ] } alone. Returns the exit code: 0, 3 if cases did not converge, 1 if cases failed.
   int finish();
 
   /// For a script with neither run() nor study(), after its last option: prints --help, or refuses unknown options, by

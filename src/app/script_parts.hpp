@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "app/command_line.hpp"
+#include "app/json_output.hpp"
 #include "app/script.hpp"
 #include "app/script_origin.hpp"
 #include "app/script_study.hpp"
@@ -26,6 +27,7 @@ struct Script::Parts {
   bool checked = false;  // the whole line
   Ranks* ranks = nullptr;
   [[nodiscard]] bool speaks() const { return ranks == nullptr || ranks->rank() == 0; }
+  std::optional<JsonOutput> json{};  // with --json
   std::optional<ScriptStudy> study{};
 };
 

@@ -5,6 +5,7 @@
 #include <charconv>
 #include <cstdlib>
 #include <iostream>
+#include <nlohmann/json.hpp>
 #include <set>
 
 #include "app/progress_bar.hpp"
@@ -20,7 +21,7 @@ namespace {
 namespace fs = std::filesystem;
 
 // Options on which no number depends.
-const std::set<std::string> without_influence{"out", "threads", "retry", "case", "cases", "quiet"};
+const std::set<std::string> without_influence{"out", "threads", "retry", "case", "cases", "quiet", "json"};
 
 std::size_t whole_number(std::string_view text, const std::string& option, const std::string& whole) {
   std::size_t value = 0;
@@ -63,7 +64,8 @@ std::string part_name(const std::pair<std::size_t, std::size_t>& part) {
 
 }  // namespace
 
-ScriptStudy::ScriptStudy(CommandLine& line, Ranks* ranks) : line_{&line}, ranks_{ranks} {
+ScriptStudy::ScriptStudy(CommandLine& line, Ranks* ranks, const JsonOutput* json)
+    : line_{&line}, ranks_{ranks}, json_{json} {
   const fs::path preset = fs::path{"results"} / line.program();
   options_.folder = line.look_up("out", preset.string(), "results folder; a study that is there goes on", "FOLDER")
                         .value_or(preset.string());
@@ -72,6 +74,7 @@ ScriptStudy::ScriptStudy(CommandLine& line, Ranks* ranks) : line_{&line}, ranks_
   const auto several = line.look_up("cases", "", "compute the cases A to B - 1 alone, into a file of their own", "A:B");
   line.add_flag("retry", options_.retry, "compute cases that failed or did not converge once more");
   line.add_flag("quiet", options_.quiet, "print answers, warnings and errors only");
+  line.add_json_flag();
   if (threads) options_.threads = static_cast<int>(whole_number(*threads, "--threads", *threads));
   options_.part = part_of(one, several);
 }
@@ -119,7 +122,11 @@ StudyResult ScriptStudy::run(const StudyCases& cases, const std::function<StudyR
     store.reset();
     if (tells) bar.clear();
     if (speaks()) print_failures(result, name);
-    if (options_.part) end_of_part(result, file, name);
+    if (options_.part) {
+      report_.studies.push_back({file.stem().string(), result});
+      write_json(title);
+      end_of_part(result, file, name);
+    }
     if (speaks()) write_csv(result.case_table(), options_.folder / (name + ".csv"));
     report_.studies.push_back({name, result});
     return result;
@@ -159,6 +166,22 @@ void ScriptStudy::answer(const std::string& sentence) {
   std::cout << sentence << "\n" << std::flush;
 }
 
+void ScriptStudy::write_json(const std::string& title) const {
+  if (json_ == nullptr || !speaks()) return;
+  using Json = nlohmann::ordered_json;
+  Json json{{"title", title}, {"results_folder", options_.folder.string()}, {"studies", Json::array()}};
+  for (const auto& [name, result] : report_.studies)
+    json["studies"].push_back(Json{{"name", name},
+                                   {"file", (options_.folder / (name + ".db")).string()},
+                                   {"cases", result.cases().count()},
+                                   {"done", result.count(CaseState::done)},
+                                   {"not_converged", result.count(CaseState::not_converged)},
+                                   {"failed", result.count(CaseState::failed)},
+                                   {"open", result.count(CaseState::open)}});
+  json["answers"] = report_.answers;
+  json_->write(json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
+}
+
 int ScriptStudy::finish(const Provenance& origin, const std::string& title) {
   report_.title = title;
   report_.provenance = origin;
@@ -170,6 +193,7 @@ int ScriptStudy::finish(const Provenance& origin, const std::string& title) {
     files += ", " + study.name + ".csv, " + study.name + ".db";
   }
   if (speaks()) write_study_report(report_, options_.folder);
+  write_json(title);
   if (!options_.quiet) std::cout << "Results: " << options_.folder.string() << "/  (" << files << ")\n" << std::flush;
   if (without_solution > 0) return exit_no_convergence;
   return failed > 0 ? exit_error : 0;

@@ -10,6 +10,7 @@
 
 #include "analyses/study.hpp"
 #include "app/command_line.hpp"
+#include "app/json_output.hpp"
 #include "output/provenance.hpp"
 #include "study/study_report.hpp"
 
@@ -26,8 +27,9 @@ struct ScriptStudyOptions {
 /// Runs the studies of one script in one folder, and keeps what its report will show.
 class ScriptStudy {
  public:
-  /// Adds the options to the line. Throws InputError for a text that cannot be.
-  ScriptStudy(CommandLine& line, Ranks* ranks);
+  /// Adds the options to the line. json: where the result goes too, or null. Throws InputError for a text that cannot
+  /// be.
+  ScriptStudy(CommandLine& line, Ranks* ranks, const JsonOutput* json);
 
   /// Computes the cases that the file of the study lacks. Ends the program where the study is stopped by a signal, and
   /// after the part that --case or --cases asks for.
@@ -47,6 +49,7 @@ class ScriptStudy {
   [[nodiscard]] StudyIdentity identity(const Provenance& origin) const;
   [[nodiscard]] std::string engine(const StudyOptions& options) const;
   static void print_failures(const StudyResult& result, const std::string& name);
+  void write_json(const std::string& title) const;
   [[noreturn]] void end_of_part(const StudyResult& result, const std::filesystem::path& file,
                                 const std::string& name) const;
 
@@ -54,6 +57,7 @@ class ScriptStudy {
 
   CommandLine* line_;
   Ranks* ranks_;
+  const JsonOutput* json_;
   ScriptStudyOptions options_;
   StudyReport report_;
 };

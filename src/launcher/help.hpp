@@ -10,6 +10,13 @@ Start here:
   ./moat run examples/01_moat_wall.cpp            the first tour; it ends by naming the folder of its results
   ./moat run examples/01_moat_wall.cpp --help     the options of that script
 
+  ./moat new tower.cpp                            a script of your own to change
+  ./moat motion record.AT2                        peaks, duration and spectrum of an accelerogram
+  ./moat report results/01_moat_wall              the results in a folder on one screen
+
+Exit code: 0 done; 1 failed: bad input, or a build that stops; 2 wrong usage; 3 packages that cannot be installed, or a
+step that did not converge.
+
 Every command explains itself: ./moat run --help. Progress goes to standard error. Compiled scripts and logs are kept
 in build/, or in ~/.cache/moat (XDG_CACHE_HOME) where the checkout cannot be written; ./moat doctor shows where.)";
 
@@ -25,6 +32,7 @@ installs the Debian packages that are missing and builds the library; an unchang
   ./moat run examples/01_moat_wall.cpp --gap "15 cm"    everything after the script's name goes to the script
   cd ~/study && ~/moat/moat run tower.cpp               a script may lie anywhere; results land where you are
   ./moat run --ranks 4 study.cpp                        a study on four processes of MPI, which may be on many nodes
+  ./moat run tower.cpp --json | jq .impacts             for programs: standard output holds JSON and nothing else
 
 A script may include files beside it: #include "my_law.hpp". It is compiled again when it, such a file or the
 library has changed. The compiled programs in build/scripts/ may be deleted at any time.
@@ -35,7 +43,11 @@ inline constexpr char create[] = "Start a script of your own";
 inline constexpr char after_new[] = R"(
 Writes a short script for you to change. An existing file is never overwritten.
 
-  ./moat new ~/study/tower.cpp && ./moat run ~/study/tower.cpp)";
+  ./moat new ~/study/tower.cpp && ./moat run ~/study/tower.cpp
+  ./moat new tower --project                      a folder with CMakeLists.txt, tower.cpp and README.md, for programs
+                                                  of your own that use the library
+
+Exit code: 0 done, 2 a name that cannot be used.)";
 
 inline constexpr char test[] = "Build and run the tests";
 inline constexpr char after_test[] = R"(
@@ -118,6 +130,43 @@ again. The file may be read while the script computes.
   ./moat study merge all.db part_*.db                  cases that --case and --cases computed, in one file
 
 Exit code: 0 done, 1 a file that cannot be read, or studies that differ, 2 wrong usage.)";
+
+inline constexpr char motion[] = "Show peaks, duration, pulse period and spectrum of accelerograms";
+inline constexpr char after_motion[] = R"(
+./moat motion FILE... [--unit g] [--damping 0.05] [--out FOLDER] [--json]
+
+Shows for every file PGA, PGV, PGD, Arias intensity, significant duration (5 to 95 %), the period of its pulse (that of
+the largest pseudo-velocity with 5 % damping), and one table of pseudo-accelerations. It reads PEER AT2, COSMOS and ESM
+files, and two columns of time and acceleration.
+
+  ./moat motion RSN1108_KOBE_KBU000.AT2           one record
+  ./moat motion records/*.AT2 --out spectra       all of them; also spectra/spectrum.svg and spectrum.csv
+  ./moat motion columns.txt --unit "cm/s^2"       two columns do not say their unit
+  ./moat motion record.V2 --json                  for programs, all numbers in SI units
+
+  --unit UNIT          of two-column files: g, cm/s^2 ...
+  --damping NUMBER     damping ratio of the spectrum; 0.05
+  --out FOLDER         where spectrum.svg and spectrum.csv go
+  --json               print JSON instead of text
+
+Exit code: 0 done, 1 a file that cannot be read, 2 wrong usage.)";
+
+inline constexpr char report[] = "Show the results in a folder on one screen";
+inline constexpr char after_report[] = R"(
+./moat report DIR [--open] [--json]
+
+Shows title, motion, the largest peak of every quantity, the smallest clearance left, impacts and warnings of a run; of
+studies their progress and failures.
+
+  ./moat report results/01_moat_wall              the results of the first tour
+  ./moat report results/01_moat_wall --open       and its page in the browser, by xdg-open
+  ./moat report results/01_moat_wall --json       for programs, all numbers in SI units
+
+Exit code: 0 done, 1 no results there or no browser, 2 wrong usage.)";
+
+inline constexpr char completion[] = "Print a script that completes this command line in bash";
+inline constexpr char after_completion[] = R"(
+  source <(./moat completion bash)                put this line, with the whole path of moat, into ~/.bashrc)";
 
 inline constexpr char check[] = "Check the code: format, warnings, sanitizers and more";
 inline constexpr char after_check[] = R"(

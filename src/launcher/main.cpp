@@ -7,8 +7,11 @@
 
 #include "launcher/bench.hpp"
 #include "launcher/checks.hpp"
+#include "launcher/completion.hpp"
 #include "launcher/doctor.hpp"
 #include "launcher/help.hpp"
+#include "launcher/library_program.hpp"
+#include "launcher/new_project.hpp"
 #include "launcher/new_script.hpp"
 #include "launcher/phase.hpp"
 #include "launcher/run_script.hpp"
@@ -19,6 +22,22 @@
 
 namespace moat::launcher {
 namespace {
+
+std::vector<CompletionWords> completion_words() {
+  return {{"run",
+           {"--ranks", "--out", "--force", "--step", "--tolerance", "--integrator", "--end", "--frame-interval",
+            "--check", "--quiet", "--json", "--record", "--record-unit", "--threads", "--case", "--cases", "--retry"},
+           true},
+          {"new", {}, true},
+          {"motion", {"--unit", "--damping", "--out", "--json"}, true},
+          {"report", {"--json", "--open"}, true},
+          {"study", {"show", "export", "merge", "--out"}, true},
+          {"bench", {"paper",    "accuracy", "isolators",      "performance", "peers", "--out",         "--write-docs",
+                     "--coarse", "--models", "--seed",         "--threads",   "--csv", "--only-random", "--only",
+                     "--rounds", "--quick",  "equal-accuracy", "overhead",    "plan",  "scale",         "suite"}},
+          {"check", check_names()},
+          {"completion", {"bash"}}};
+}
 
 int run_command_line(const Places& places, int count, char** words) {
   CLI::App app{help::moat, "./moat"};
@@ -31,8 +50,10 @@ int run_command_line(const Places& places, int count, char** words) {
 
   CLI::App* const create = app.add_subcommand("new", help::create)->footer(help::after_new);
   std::string file;
-  create->add_option("SCRIPT.cpp", file, "the file to write")->required();
-  create->callback([&] { new_script(places, file); });
+  bool project = false;
+  create->add_option("NAME", file, "the file to write, NAME.cpp; with --project the folder")->required();
+  create->add_flag("--project", project, "a folder with a project for CMake");
+  create->callback([&] { project ? new_project(places, file) : new_script(places, file); });
 
   CLI::App* const test = app.add_subcommand("test", help::test)->allow_extras()->footer(help::after_test);
   TestOptions test_options;
@@ -50,6 +71,19 @@ int run_command_line(const Places& places, int count, char** words) {
     run_benchmark(places, rest);
   });
 
+  const auto library_command = [&](const char* name, const char* description, const char* footer) {
+    CLI::App* const command = app.add_subcommand(name, description)->prefix_command()->footer(footer);
+    command->callback([&places, command] {
+      const std::vector<std::string> rest = command->remaining();
+      const std::string& word = command->get_name();
+      if (rest.empty()) throw Stop{exit_usage, word + " needs at least one word.\nSee ./moat " + word + " --help."};
+      if (rest.front() == "-h" || rest.front() == "--help") throw CLI::CallForHelp{};
+      become_library_program(places, command->get_name(), rest);
+    });
+  };
+  library_command("motion", help::motion, help::after_motion);
+  library_command("report", help::report, help::after_report);
+
   CLI::App* const study = app.add_subcommand("study", help::study)->prefix_command()->footer(help::after_study);
   study->callback([&] {
     const std::vector<std::string> rest = study->remaining();
@@ -61,6 +95,11 @@ int run_command_line(const Places& places, int count, char** words) {
   std::vector<std::string> names;
   check->add_option("NAME", names, "one or more of " + joined(check_names(), ", ") + "; all if none is given");
   check->callback([&] { code = run_checks(places, names); });
+
+  CLI::App* const completion = app.add_subcommand("completion", help::completion)->footer(help::after_completion);
+  std::string shell;
+  completion->add_option("SHELL", shell, "bash")->required()->check(CLI::IsMember({"bash"}));
+  completion->callback([&] { std::fputs(bash_completion(app, completion_words()).c_str(), stdout); });
 
   app.add_subcommand("doctor", help::doctor)->callback([&] { code = launcher::doctor(places); });
 

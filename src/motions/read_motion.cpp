@@ -7,6 +7,8 @@
 
 #include "base/check.hpp"
 #include "base/units.hpp"
+#include "motions/cosmos_v2.hpp"
+#include "motions/esm_text.hpp"
 #include "motions/peer_at2.hpp"
 #include "motions/text_file.hpp"
 #include "motions/two_column_text.hpp"
@@ -14,11 +16,14 @@
 namespace moat {
 namespace {
 
-/// One way to write a record. The first format that recognises a file reads it.
+/// A way to write a record that says its unit itself. The first that recognises a file reads it.
 struct Format {
-  const char* description;
+  const char* name;
   bool (*recognises)(const TextFile& file);
-  GroundMotion (*read)(const TextFile& file, std::optional<Acceleration> unit);
+  GroundMotion (*read)(const TextFile& file);
+  /// m/s^2 and as text; 0 where every file has its own.
+  double unit;
+  const char* unit_name;
 };
 
 bool is_peer_at2(const TextFile& file) {
@@ -26,39 +31,46 @@ bool is_peer_at2(const TextFile& file) {
   return upper_case(file.path.extension().string()) == ".AT2" && !begins_with_two_columns(file.text);
 }
 
-GroundMotion read_in_g(const TextFile& file, std::optional<Acceleration> unit) {
+constexpr std::array formats{Format{"PEER AT2", is_peer_at2, parse_peer_at2, standard_gravity, "g"},
+                             Format{"COSMOS", is_cosmos, parse_cosmos, 0.0, "the unit that it states"},
+                             Format{"ESM", is_esm, parse_esm, 0.01, "cm/s^2"}};
+constexpr const char* two_columns = "two columns of time in s and acceleration";
+
+// A unit beside that of the file is a mistake, unless it is the same.
+void check_unit(const Format& format, const TextFile& file, const std::optional<Acceleration>& unit) {
+  if (!unit) return;
   Check{"read_motion", file.path.native()}.that(
-      !unit || std::abs(unit->si() - standard_gravity) < 1e-9 * standard_gravity,
-      "a unit of " + to_text(unit ? unit->si() : 0.0) +
-          " m/s^2 was given, but a PEER AT2 file holds accelerations in g.",
+      std::abs(unit->si() - format.unit) < 1e-9 * format.unit,
+      "a unit of " + to_text(unit->si()) + " m/s^2 was given, but " + format.name + " files hold accelerations in " +
+          format.unit_name + ".",
       "Leave the unit out, and use scaled_by() if the values are to be multiplied.");
-  return parse_peer_at2(file);
 }
 
-bool is_anything(const TextFile&) { return true; }
-
-GroundMotion read_columns(const TextFile& file, std::optional<Acceleration> unit) {
-  if (!unit)
-    throw MissingUnit{"read_motion \"" + file.path.string() +
-                      "\": this is not a PEER AT2 file; as two columns of text it does not say the unit of its "
-                      "accelerations. Give the unit: read_motion(file, 1 * g), or 1 * m / s / s."};
-  return parse_two_columns(file, *unit);
+std::string names_of_formats(const char* last_separator) {
+  std::string list;
+  for (std::size_t i = 0; i < formats.size(); ++i) {
+    const char* separator = i == 0 ? "" : i + 1 == formats.size() ? last_separator : ", ";
+    list.append(separator).append(formats[i].name);
+  }
+  return list;
 }
-
-constexpr std::array formats{Format{"PEER AT2", is_peer_at2, read_in_g},
-                             Format{"two columns of time in s and acceleration", is_anything, read_columns}};
 
 }  // namespace
 
 GroundMotion read_motion(const std::filesystem::path& path, std::optional<Acceleration> unit) {
   const TextFile file = read_text_file(path);
-  return std::ranges::find_if(formats, [&](const Format& each) { return each.recognises(file); })->read(file, unit);
+  const auto format = std::ranges::find_if(formats, [&](const Format& each) { return each.recognises(file); });
+  if (format != formats.end()) {
+    check_unit(*format, file, unit);
+    return format->read(file);
+  }
+  if (!unit)
+    throw MissingUnit{"read_motion \"" + file.path.string() + "\": this is not a " + names_of_formats(" or ") +
+                      " file; as two columns of text it does not say the unit of its accelerations. Give the unit: "
+                      "read_motion(file, 1 * g), or 1 * m / s / s."};
+  return parse_two_columns(file, *unit);
 }
 
-std::string motion_formats() {
-  std::string list;
-  for (const Format& format : formats) list.append(list.empty() ? "" : ", or ").append(format.description);
-  return list;
-}
+std::string motion_formats() { return names_of_formats(", ") + ", or " + two_columns; }
 
 }  // namespace moat

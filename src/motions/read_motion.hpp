@@ -1,4 +1,4 @@
-// A ground motion from a file of either known format.
+// A ground motion from a file of any known format.
 #pragma once
 
 #include <filesystem>
@@ -17,13 +17,15 @@ class MissingUnit : public InputError {
   using InputError::InputError;
 };
 
-/// Reads a PEER AT2 file (see read_peer_at2) or two columns of time and acceleration (see read_two_columns).
+/// Reads a file in the format of PEER (parse_peer_at2), COSMOS (parse_cosmos) or ESM (parse_esm), or two columns of
+/// time and acceleration (parse_two_columns).
 ///
-/// The content decides: a PEER header makes it AT2. Without one, a file whose name ends in .AT2 is still taken as AT2
-/// unless it begins with two numbers, because columns without a header are in circulation under that name.
+/// The content decides: the header of a format makes it that format. Without one, a file whose name ends in .AT2 is
+/// still taken as AT2 unless it begins with two numbers, because columns without a header are in circulation under that
+/// name.
 ///
-/// unit: of the acceleration column; needed for two columns, otherwise MissingUnit. An AT2 file states its unit itself;
-/// giving another one than g there is an InputError too.
+/// unit: of the acceleration column; needed for two columns, otherwise MissingUnit. The other formats state their unit
+/// themselves; giving another one there is an InputError. Throws FileError as the reader of the format does.
 GroundMotion read_motion(const std::filesystem::path& path, std::optional<Acceleration> unit = {});
 
 /// The formats that read_motion reads, for help texts.

@@ -1,6 +1,11 @@
 #include "output/peak_table.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <map>
+#include <type_traits>
+#include <utility>
+#include <vector>
 
 #include "output/peak_groups.hpp"
 
@@ -20,6 +25,34 @@ std::string padding(std::size_t width, const std::string& text) {
 // The sign gives left or right; only an element among several is named.
 std::string remark(const PeakRow& row) {
   return row.side.empty() || row.side == "left" || row.side == "right" ? "" : "   " + row.side;
+}
+
+// Beyond this number of places only the largest and the smallest are shown.
+constexpr std::size_t most_places = 12;
+
+std::string among(const char* which, std::size_t count) {
+  return std::string{" ("} + which + " of " + std::to_string(count) + ")";
+}
+
+// Entries of the same key together; of too many the one with the largest size and the one with the smallest.
+template <class Entry, class Key, class Size>
+std::vector<Entry> shortened(const std::vector<Entry>& entries, const Key& key_of, const Size& size_of) {
+  std::map<std::decay_t<decltype(key_of(entries.front()))>, std::vector<const Entry*>> groups;
+  for (const Entry& entry : entries) groups[key_of(entry)].push_back(&entry);
+  std::vector<Entry> kept;
+  for (const Entry& entry : entries) {
+    const std::vector<const Entry*>& group = groups[key_of(entry)];
+    if (group.size() <= most_places) {
+      kept.push_back(entry);
+    } else if (&entry == group.front()) {
+      const auto [smallest, largest] =
+          std::ranges::minmax_element(group, [&](const Entry* a, const Entry* b) { return size_of(*a) < size_of(*b); });
+      kept.insert(kept.end(), {**largest, **smallest});
+      kept[kept.size() - 2].where += among("largest", group.size());
+      kept.back().where += among("smallest", group.size());
+    }
+  }
+  return kept;
 }
 
 std::string table_of(const std::vector<PeakGroup>& groups, const std::string& heading) {
@@ -49,10 +82,18 @@ std::string table_of(const std::vector<PeakGroup>& groups, const std::string& he
 
 }  // namespace
 
-std::string peak_table(const CaseResult& result) { return table_of(group_peaks(result.peaks), "peak "); }
+std::string peak_table(const CaseResult& result) {
+  const auto quantity = [](const Peak& peak) { return std::pair{peak.quantity, peak.unit}; };
+  return table_of(group_peaks(shortened(result.peaks, quantity, [](const Peak& peak) { return peak.magnitude(); })),
+                  "peak ");
+}
 
 std::string clearance_table(const CaseResult& result) {
-  return result.clearances.empty() ? "" : table_of({clearance_group(result.clearances)}, "");
+  if (result.clearances.empty()) return "";
+  const auto all_together = [](const GapClearance&) { return 0; };
+  return table_of(
+      {clearance_group(shortened(result.clearances, all_together, [](const GapClearance& gap) { return gap.left; }))},
+      "");
 }
 
 }  // namespace moat

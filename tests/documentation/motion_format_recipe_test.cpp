@@ -4,34 +4,37 @@
 
 #include "base/error.hpp"
 #include "message_of.hpp"
-#include "motions/esm_text.hpp"
+#include "motions/knet_text.hpp"
 
 namespace moat::testing {
 namespace {
 
-TextFile synthetic(const std::string& units, const std::string& values) {
-  return {.path = "synthetic.asc",
-          .text = "EVENT_NAME: none\nSAMPLING_INTERVAL_S: 0.005\nUNITS: " + units + "\n" + values,
+TextFile synthetic(const std::string& scale, const std::string& counts) {
+  return {.path = "synthetic.EW",
+          .text = "Origin Time       none\nSampling Freq(Hz) 100Hz\n" + scale + "Memo.\n" + counts,
           .sha256 = {}};
 }
+const std::string scale = "Scale Factor      2000(gal)/4000\n";
 
 TEST(MotionFormatRecipe, ReadsAFileOfTheFormat) {
-  const TextFile file = synthetic("cm/s^2", "0.0\n-98.0665\n12.5\n");
-  ASSERT_TRUE(is_esm_text(file));
-  const GroundMotion motion = parse_esm_text(file);
+  const TextFile file = synthetic(scale, " 100 300 -100\n 100\n");
+  ASSERT_TRUE(is_knet(file));
+  const GroundMotion motion = parse_knet(file);
   EXPECT_EQ(motion.name(), "synthetic");
-  EXPECT_EQ(motion.time_step(), 0.005);
-  ASSERT_EQ(motion.samples().size(), 3U);
-  EXPECT_DOUBLE_EQ(motion.samples()[1], -0.980665);
+  EXPECT_DOUBLE_EQ(motion.time_step(), 0.01);
+  ASSERT_EQ(motion.samples().size(), 4U);
+  // Half a gal per count, and the mean of 100 counts taken off.
+  EXPECT_DOUBLE_EQ(motion.samples()[0], 0.0);
+  EXPECT_DOUBLE_EQ(motion.samples()[1], 1.0);
+  EXPECT_DOUBLE_EQ(motion.samples()[2], -1.0);
 }
 
 TEST(MotionFormatRecipe, RefusesWhatIsNotOfTheFormat) {
-  EXPECT_FALSE(is_esm_text({.path = "columns.txt", .text = "0.0 0.1\n", .sha256 = {}}));
-  EXPECT_EQ(message_of<FileError>([] { parse_esm_text(synthetic("g", "0.0\n0.1\n")); }),
-            "synthetic.asc: the header must say \"UNITS: cm/s^2\". Convert the file.");
-  EXPECT_TRUE(message_of<FileError>([] {
-                parse_esm_text(synthetic("cm/s^2", "0.0\nx\n"));
-              }).starts_with("synthetic.asc, line 5: \"x\""));
+  EXPECT_FALSE(is_knet({.path = "columns.txt", .text = "0.0 0.1\n", .sha256 = {}}));
+  EXPECT_EQ(message_of<FileError>([] { parse_knet(synthetic("", "1 2\n")); }),
+            "synthetic.EW: the header must give \"Scale Factor 3920(gal)/6182761\".");
+  EXPECT_EQ(message_of<FileError>([] { parse_knet(synthetic(scale, "1 x\n")); }),
+            "synthetic.EW, line 5: \"x\" is not a number.");
 }
 
 }  // namespace

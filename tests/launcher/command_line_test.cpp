@@ -29,6 +29,9 @@ TEST_F(CommandLine, ExplainsEveryCommand) {
                                                 {"bench", "--help"},
                                                 {"bench", "paper", "--help"},
                                                 {"study", "--help"},
+                                                {"motion", "--help"},
+                                                {"report", "--help"},
+                                                {"completion", "--help"},
                                                 {"check", "--help"},
                                                 {"doctor", "--help"}}) {
     const auto result = launch(words);
@@ -57,6 +60,11 @@ TEST_F(CommandLine, RefusesWrongUsageWithAHint) {
                                                 {"bench", "tower"},
                                                 {"study"},
                                                 {"study", "frobnicate"},
+                                                {"new", "my tower", "--project"},
+                                                {"motion"},
+                                                {"report"},
+                                                {"completion"},
+                                                {"completion", "zsh"},
                                                 {"check", "everything"},
                                                 {"test", "--all"}}) {
     const auto result = launch(words);
@@ -83,6 +91,17 @@ TEST_F(CommandLine, NewScriptRunsUnderItsOwnNameAndTheSecondTimeInSilence) {
   const std::string script = folder / "my tower.cpp";
   EXPECT_NE(summary.find("\"script\": \"" + script + "\""), std::string::npos) << summary;
   EXPECT_NE(summary.find(sha256_of(moat::testing::text_of(script))), std::string::npos);
+}
+
+TEST_F(CommandLine, ShowsAMotionAndResults) {
+  std::string record = "SYNTHETIC\nTest\nACCELERATION TIME SERIES IN UNITS OF G\nNPTS= 3, DT= .01 SEC\n";
+  write_text(folder / "a record.AT2", record + "0.0 0.1 0.0\n");
+  const auto motion = launch({"motion", "a record.AT2"});
+  EXPECT_EQ(motion.exit_code, 0) << motion.errors;
+  EXPECT_NE(motion.output.find("0.1 g"), std::string::npos) << motion.output;
+  const auto report = launch({"report", "nowhere"});
+  EXPECT_EQ(report.exit_code, 1);
+  EXPECT_NE(report.errors.find("there is no such folder"), std::string::npos) << report.errors;
 }
 
 TEST_F(CommandLine, PassesOnTheExitCodeOfTheScript) {

@@ -45,27 +45,27 @@ TEST_F(ReadMotion, RemembersTheFile) {
 }
 
 TEST_F(ReadMotion, SaysItsFormats) {
-  EXPECT_EQ(motion_formats(), "PEER AT2, or two columns of time in s and acceleration");
+  EXPECT_EQ(motion_formats(), "PEER AT2, COSMOS, ESM, or two columns of time in s and acceleration");
 }
 
 TEST_F(ReadMotion, AsksForTheUnitOfTwoColumns) {
   for (const char* name : {"a.csv", "a.AT2"}) {
     const auto file = write(name, "0 0.5\n0.02 1\n");
-    EXPECT_EQ(message_of<MissingUnit>([&] { (void)read_motion(file); }),
-              "read_motion \"" + file.string() +
-                  "\": this is not a PEER AT2 file; as two columns of text it does not say the unit of its "
-                  "accelerations. Give the unit: read_motion(file, 1 * g), or 1 * m / s / s.");
+    EXPECT_EQ(
+        message_of<MissingUnit>([&] { (void)read_motion(file); }),
+        "read_motion \"" + file.string() +
+            "\": this is not a PEER AT2, COSMOS or ESM file; as two columns of text it does not say the unit of its "
+            "accelerations. Give the unit: read_motion(file, 1 * g), or 1 * m / s / s.");
   }
 }
 
 TEST_F(ReadMotion, RefusesAnotherUnitThanTheHeaderSays) {
   const auto file = write("a.AT2", synthetic_at2);
   EXPECT_DOUBLE_EQ(read_motion(file, 1 * g).samples()[0], 0.5 * 9.80665);
-  EXPECT_EQ(
-      message_of<InputError>([&] { (void)read_motion(file, m / s / s); }),
-      "read_motion \"" + file.string() +
-          "\": a unit of 1 m/s^2 was given, but a PEER AT2 file holds accelerations in g. Leave the unit out, and "
-          "use scaled_by() if the values are to be multiplied.");
+  EXPECT_EQ(message_of<InputError>([&] { (void)read_motion(file, m / s / s); }),
+            "read_motion \"" + file.string() +
+                "\": a unit of 1 m/s^2 was given, but PEER AT2 files hold accelerations in g. Leave the unit out, and "
+                "use scaled_by() if the values are to be multiplied.");
 }
 
 TEST_F(ReadMotion, ExplainsABrokenAt2HeaderAsSuch) {

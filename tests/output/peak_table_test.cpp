@@ -52,6 +52,31 @@ TEST(PeakTable, NamesTheElementThatReachedThePeakOfSeveral) {
             "  moat   25650 +- 0   at 4.250 s   moat right\n");
 }
 
+TEST(PeakTable, ShowsTheLargestAndTheSmallestOfManyPlaces) {
+  CaseResult result;
+  for (int floor = 1; floor <= 12; ++floor)
+    result.peaks.push_back({"drift", "storey " + std::to_string(floor), 0.01 * floor, "m", 1.0});
+  EXPECT_EQ(peak_table(result).find("of 12"), std::string::npos);
+  result.peaks.push_back({"drift", "storey 13", -0.5, "m", 2.0});
+  result.peaks.push_back({"displacement", "base", 0.25, "m", 3.0});
+  EXPECT_EQ(peak_table(result),
+            "peak drift [cm]\n"
+            "  storey 13 (largest of 13)  -50.00   at 2.000 s\n"
+            "  storey 1 (smallest of 13)    1.00   at 1.000 s\n"
+            "peak displacement [cm]\n"
+            "  base                        25.00   at 3.000 s\n");
+}
+
+TEST(ClearanceTable, ShowsTheLargestAndTheSmallestOfManyGaps) {
+  CaseResult result;
+  for (int gap = 1; gap <= 13; ++gap)
+    result.clearances.push_back({"gap " + std::to_string(gap), 0.5, gap == 7 ? -0.02 : 0.01 * gap, 1.0});
+  EXPECT_EQ(clearance_table(result),
+            "clearance left [cm]\n"
+            "  gap 13 (largest of 13)  13.00   at 1.000 s   of 50 cm\n"
+            "  gap 7 (smallest of 13)  -2.00   at 1.000 s   of 50 cm\n");
+}
+
 TEST(ClearanceTable, SaysHowMuchWasLeft) {
   CaseResult result;
   EXPECT_EQ(clearance_table(result), "");

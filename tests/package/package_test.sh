@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # package_test.sh BUILD COMPILER: installs a build into a folder, then builds and runs a project that uses it, with
-# CMake from the installed tree, with CMake from the build folder, and with pkg-config.
+# CMake from the installed tree, with CMake from the build folder, and with pkg-config; then the project that
+# `moat new --project` writes.
 set -euo pipefail
 
 build=$1
@@ -33,6 +34,15 @@ for place in "CMAKE_PREFIX_PATH=$folder/installed tree" "moat_DIR=$build"; do
   [[ -s results/summary.json ]] || fail "the script left no results"
   rm -r results
 done
+
+# The project that `moat new` writes.
+checkout=$(cd -- "$consumer/../../.." && pwd)
+"$build/bin/moat" "$checkout" "$build" "$folder/cache" new own_tower --project
+cmake -G Ninja -S own_tower -B own_tower/build -DCMAKE_CXX_COMPILER="$compiler" \
+  "-DCMAKE_PREFIX_PATH=$folder/installed tree"
+cmake --build own_tower/build
+own_tower/build/own_tower --end "0.1 s" --out results
+[[ -s results/summary.json ]] || fail "the new project left no results"
 
 export PKG_CONFIG_PATH
 PKG_CONFIG_PATH=$(dirname "$(find "$folder/installed tree" -name moat.pc)")

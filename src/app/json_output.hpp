@@ -1,0 +1,29 @@
+// Standard output for one JSON text alone.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+namespace moat {
+
+/// As long as it lives, all that the program prints goes to standard error, also by std::printf and by libraries, and
+/// standard output is kept for write().
+class JsonOutput {
+ public:
+  /// Throws FileError where standard output is closed.
+  JsonOutput();
+  ~JsonOutput();
+  JsonOutput(const JsonOutput&) = delete;
+  JsonOutput& operator=(const JsonOutput&) = delete;
+
+  /// Throws FileError where standard output cannot be written.
+  void write(const std::string& json) const;
+
+ private:
+  int standard_output_;
+};
+
+/// summary.json of a folder of results, with the folder in front of its other members: "results_folder".
+std::string summary_with_folder(const std::filesystem::path& folder);
+
+}  // namespace moat
