@@ -161,6 +161,8 @@
       const box = document.createElement("div"), plot = document.createElement("div"), legend = document.createElement("div");
       box.className = "history";
       plot.className = "plot";
+      plot.setAttribute("role", "img");
+      plot.setAttribute("aria-label", chart.title + ": " + chart.label + " over time of " + chart.series.map((series) => series.name).join(", "));
       legend.className = "legend";
       const heading = document.createElement("h3");
       heading.textContent = chart.title;
