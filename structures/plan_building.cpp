@@ -298,27 +298,4 @@ RayleighFactors rayleigh_factors_in_plan(double ratio, const Model& model, const
   return factors_of_stiffness(ratio, model, floors, stiffness_of_floors(model, floors));
 }
 
-PlanBuilding with_eccentricity(PlanBuilding building, double share_of_x, double share_of_y) {
-  const Check check{"with_eccentricity", building.name};
-  check.between("share_of_x", share_of_x, -0.5, 0.5, "1", "5 % is 0.05.");
-  check.between("share_of_y", share_of_y, -0.5, 0.5, "1", "5 % is 0.05.");
-  const PlanOutline& outline = building.outline;
-  outline.check(check, "outline");
-  const auto extent = [&](Length PlanPosition::*component) {
-    const auto [low, high] = std::ranges::minmax(outline.corners, {}, component);
-    return high.*component - low.*component;
-  };
-  const Length x = share_of_x * extent(&PlanPosition::x), y = share_of_y * extent(&PlanPosition::y);
-  for (PlanPosition* offset : {&building.mass_offset, &building.base_mass_offset}) {
-    offset->x += x;
-    offset->y += y;
-  }
-  return building;
-}
-
-std::array<PlanBuilding, 4> accidental_eccentricities(const PlanBuilding& building, double share) {
-  return {with_eccentricity(building, share, 0.0), with_eccentricity(building, -share, 0.0),
-          with_eccentricity(building, 0.0, share), with_eccentricity(building, 0.0, -share)};
-}
-
 }  // namespace moat

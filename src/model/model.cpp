@@ -219,15 +219,6 @@ void Model::prepare() {
   committed_forces_ = internal_forces_;
 }
 
-void Model::evaluate_regimes() {
-  const double step = trial_.time - state_.time;
-  for (const std::size_t i : blocks_with_regimes_) {
-    blocks_[i]->begin_step(step);
-    blocks_[i]->evaluate(trial_.displacement.data(), trial_.velocity.data(), nullptr);
-    blocks_[i]->evaluate_rates(trial_.acceleration.data(), nullptr);
-  }
-}
-
 void Model::evaluate() {
   const double step = trial_.time - state_.time;
   for (const std::size_t i : changing_blocks_) blocks_[i]->begin_step(step);
@@ -289,53 +280,6 @@ void Model::commit(WorkRule rule) {
 void Model::start_energy_accounts() {
   keeps_energy_accounts_ = true;
   for (const auto& block : blocks_) block->start_energy_accounts();
-}
-
-RegimeScan Model::scan_regimes(double step, double aim) const {
-  RegimeScan scan;
-  for (const std::size_t i : blocks_with_regimes_) blocks_[i]->regimes()->scan(step, aim, scan);
-  return scan;
-}
-
-void Model::change_regimes(std::vector<RegimeChange>& changes) {
-  const std::size_t before = changes.size();
-  for (const std::size_t i : blocks_with_regimes_) blocks_[i]->regimes()->change(i, changes);
-  if (changes.size() == before) return;
-  for (std::size_t i = before; i < changes.size(); ++i) changes[i].time = state_.time;
-  trial_ = state_;
-  evaluate();
-}
-
-bool Model::change_regimes_inside(double step, double aim, std::vector<RegimeChange>& changes) {
-  const std::size_t before = changes.size();
-  bool possible = true;
-  for (const std::size_t i : blocks_with_regimes_)
-    possible = possible && blocks_[i]->regimes()->change_inside(step, aim, i, changes);
-  for (std::size_t i = before; i < changes.size(); ++i) changes[i].time += state_.time;
-  return possible;
-}
-
-void Model::undo_changes_inside() {
-  for (const std::size_t i : blocks_with_regimes_) blocks_[i]->regimes()->undo_changes_inside();
-}
-
-void Model::open_gaps(std::vector<RegimeChange>& changes) {
-  const std::size_t before = changes.size();
-  for (const std::size_t i : blocks_with_contacts_) blocks_[i]->contacts()->open_gaps(i, changes);
-  for (std::size_t i = before; i < changes.size(); ++i) changes[i].time += state_.time;
-}
-
-int Model::contacts_going_on() const {
-  int count = 0;
-  for (const std::size_t i : blocks_with_contacts_) count += blocks_[i]->contacts()->touching();
-  return count;
-}
-
-double Model::shortest_contact() const {
-  double shortest = std::numeric_limits<double>::infinity();
-  for (const std::size_t i : blocks_with_contacts_)
-    shortest = std::min(shortest, blocks_[i]->contacts()->shortest_contact());
-  return shortest;
 }
 
 }  // namespace moat
