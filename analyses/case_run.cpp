@@ -185,9 +185,10 @@ CaseResult CaseRun::result() const {
                     .error_bars = {},
                     .warnings = transient_.warnings(),
                     .assumptions = transient_.assumptions()};
-  for (const auto& warnings : {motion_warnings(motion), model_warnings(transient_.model()),
-                               plan_warnings(transient_.model(), result.peaks, result.impacts),
-                               energy_warnings(result.energy, options_.warn_above_energy_error, options_.transient)})
+  for (const auto& warnings :
+       {motion_warnings(motion), model_warnings(transient_.model()), strain_warnings(result.peaks),
+        plan_warnings(transient_.model(), result.peaks, result.impacts),
+        energy_warnings(result.energy, options_.warn_above_energy_error, options_.transient)})
     result.warnings.insert(result.warnings.end(), warnings.begin(), warnings.end());
   add_errors(result);
   // Behind the errors: the companion does not know these peaks.

@@ -103,6 +103,16 @@ std::vector<std::string> plan_warnings(const Model& model, const std::vector<Pea
   return warnings;
 }
 
+std::vector<std::string> strain_warnings(const std::vector<Peak>& peaks) {
+  std::vector<std::string> warnings;
+  for (const Peak& peak : peaks)
+    if (peak.quantity == "fitted_strain_share" && peak.value > 1.0)
+      warnings.push_back("The strain of \"" + peak.where + "\" reached " + to_text(peak.value) +
+                         " times the largest for which its parameters were fitted. Take a bearing with more rubber, or "
+                         "parameters from tests to this strain.");
+  return warnings;
+}
+
 std::vector<std::string> energy_warnings(const EnergyBalance& energy, double bound, const TransientOptions& options) {
   if (!all_finite(energy))
     return {

@@ -21,6 +21,9 @@ std::vector<std::string> model_warnings(const Model& model);
 std::vector<std::string> plan_warnings(const Model& model, const std::vector<Peak>& peaks,
                                        const std::vector<Impact>& impacts);
 
+/// High-damping rubber beyond the strain for which its parameters were fitted: a `fitted_strain_share` above 1.
+std::vector<std::string> strain_warnings(const std::vector<Peak>& peaks);
+
 /// An energy that is not finite, and an integration error or a residual of the equations above `bound` times the
 /// largest input or kinetic energy. Empty if all is well.
 std::vector<std::string> energy_warnings(const EnergyBalance& energy, double bound, const TransientOptions& options);

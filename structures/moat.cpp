@@ -1,34 +1,12 @@
 #include "structures/moat.hpp"
 
 #include "elements/link_block.hpp"
-#include "elements/spring.hpp"
 #include "elements/viscous_damper.hpp"
 #include "materials/linear.hpp"
 #include "materials/located_bilinear.hpp"
 
 namespace moat {
 namespace {
-
-// The spring and dashpot between the ground and the mass.
-void add_base(Model& model, const FlexibleWall& wall, const std::string& name, NodeId node) {
-  const auto add_spring = [&](const auto& law) {
-    add(model, Spring<std::remove_cvref_t<decltype(law)>>{.name = name,
-                                                          .lower = ground,
-                                                          .upper = node,
-                                                          .law = law,
-                                                          .deformation_quantity = "wall_deformation",
-                                                          .force_quantity = "wall_force"});
-  };
-  if (wall.yield_force == Force{}) {
-    add_spring(Linear{.stiffness = wall.stiffness, .damping = wall.damping});
-    return;
-  }
-  add_spring(LocatedBilinear{{.yield_force = wall.yield_force,
-                              .yield_displacement = wall.yield_force / wall.stiffness.value(),
-                              .post_yield_stiffness = wall.hardening_ratio * wall.stiffness.value()}});
-  if (wall.damping.si() > 0.0)
-    add(model, ViscousDamper{.name = name + " damping", .lower = ground, .upper = node, .damping = wall.damping});
-}
 
 // Soil resists where the wall moves away from the building. Its deformation counts towards the soil.
 void add_backfill(Model& model, const HyperbolicBackfill& soil, const std::string& wall, NodeId node, bool on_left) {
@@ -67,14 +45,31 @@ FlexibleWall FlexibleWall::from_geometry(const WallGeometry& geometry) {
       .yield_force = geometry.yield_moment / geometry.height.value()};
 }
 
+void FlexibleWall::check(const Check& check) const {
+  check.positive("mass", mass);
+  if (law) {
+    check.that(stiffness == Stiffness{}, "stiffness", stiffness.si(), "N/m", "left out where law is given",
+               "Give one of both.");
+    check.that(yield_force == Force{}, "yield_force", yield_force.si(), "N", "left out where law is given",
+               "Give one of both.");
+  } else {
+    check.positive("stiffness", stiffness);
+  }
+  check.not_negative("damping", damping);
+  check.not_negative("yield_force", yield_force);
+  check.that(hardening_ratio >= 0.0 && hardening_ratio < 1.0, "hardening_ratio", hardening_ratio, "1", ">= 0 and < 1");
+}
+
+WallLaw FlexibleWall::acting_law() const {
+  if (law) return *law;
+  if (yield_force == Force{}) return Linear{.stiffness = stiffness, .damping = damping};
+  return LocatedBilinear{{.yield_force = yield_force,
+                          .yield_displacement = yield_force / stiffness,
+                          .post_yield_stiffness = hardening_ratio * stiffness}};
+}
+
 NodeId add_wall(Model& model, const FlexibleWall& wall, const std::string& name, NodeId around, double offset) {
-  const Check check{"FlexibleWall", name};
-  check.positive("mass", wall.mass);
-  check.positive("stiffness", wall.stiffness);
-  check.not_negative("damping", wall.damping);
-  check.not_negative("yield_force", wall.yield_force);
-  check.that(wall.hardening_ratio >= 0.0 && wall.hardening_ratio < 1.0, "hardening_ratio", wall.hardening_ratio, "1",
-             ">= 0 and < 1");
+  wall.check(Check{"FlexibleWall", name});
   const Node& base = model.node(around);
   // For drawings only: a wall half a metre thick whose face is the clearance away from the floor's edge.
   const Length half_width = 0.25 * units::m;
@@ -82,7 +77,9 @@ NodeId add_wall(Model& model, const FlexibleWall& wall, const std::string& name,
   const NodeId node = add(
       model,
       Node{.name = name, .mass = wall.mass, .x = base.x + distance, .height = base.height, .half_width = half_width});
-  add_base(model, wall, name, node);
+  wall.acting_law().add_to(model, name, node);
+  if (wall.dashpot().si() > 0.0)
+    add(model, ViscousDamper{.name = name + " damping", .lower = ground, .upper = node, .damping = wall.dashpot()});
   if (wall.backfill) add_backfill(model, *wall.backfill, name, node, offset < 0.0);
   return node;
 }

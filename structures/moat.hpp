@@ -5,6 +5,7 @@
 
 #include "elements/gap.hpp"
 #include "materials/soil/hyperbolic_backfill.hpp"
+#include "structures/wall_law.hpp"
 
 namespace moat {
 
@@ -37,16 +38,26 @@ struct WallGeometry {
 struct FlexibleWall {
   /// > 0 kg that moves with the face of the wall.
   Required<Mass> mass;
-  /// > 0 N/m of wall and soil behind it.
-  Required<Stiffness> stiffness;
+  /// > 0 N/m of wall and soil behind it; or give `law`.
+  Stiffness stiffness{};
   /// >= 0 N s/m.
   DampingCoefficient damping{};
   /// > 0 N at the height of the hit: the wall yields there; elastic if left out.
   Force yield_force{};
   /// 0 <= ratio < 1, of the stiffness after yield.
   double hardening_ratio = 0.0;
-  /// Soil behind the wall, which resists where the wall is pushed into it.
+  /// Soil behind the wall, which resists where the wall is pushed into it. Not in plan.
   std::optional<HyperbolicBackfill> backfill{};
+  /// Any law instead of `stiffness` and `yield_force`.
+  std::optional<WallLaw> law{};
+
+  /// Throws InputError for a parameter outside its range, and for a wall with both or none of `stiffness` and `law`.
+  void check(const Check& check) const;
+  /// The law between the ground and the face, which has the damping of an elastic wall, and the dashpot beside others.
+  [[nodiscard]] WallLaw acting_law() const;
+  [[nodiscard]] DampingCoefficient dashpot() const {
+    return law || yield_force.si() > 0.0 ? damping : DampingCoefficient{};
+  }
 
   /// The wall hit at its top: k = 1/(h^3/(3 E I) + h^2/k_r) with I = share b t^3/12; mass 33/140 rho b t h of a clamped
   /// cantilever, or rho b t h/3 of a stiff wall that turns about its base where k_r is the softer part; yield force

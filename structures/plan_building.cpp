@@ -263,9 +263,13 @@ class Builder {
     if (!building_.bearings) return;
     const auto bearings = building_.bearings->placed(check_, building_.outline);
     check_.that(!bearings.empty(), "bearings: the list is empty.", "Give at least one bearing.");
+    double mass = building_.base_mass.si();
+    for (int floor = 1; floor <= building_.storeys; ++floor) mass += building_.floor_mass.of(floor).si();
+    const Force share = Mass{mass / static_cast<double>(bearings.size())} * units::g;
     int number = 0;
     for (const PlanBearings::Placed& bearing : bearings)
-      bearing.add_to(model_, prefix_ + "bearing " + std::to_string(++number), prefix_ + "bearings", parts_.base);
+      bearing.add_to(model_, {prefix_ + "bearing " + std::to_string(++number), prefix_ + "bearings"}, parts_.base,
+                     share);
   }
 
   Model& model_;

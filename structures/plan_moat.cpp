@@ -1,6 +1,6 @@
 #include "structures/plan_moat.hpp"
 
-#include "materials/linear.hpp"
+#include "materials/viscous.hpp"
 
 namespace moat {
 namespace {
@@ -42,18 +42,20 @@ std::vector<FacingCorner> neighbour_corners(const Model& model, const std::strin
 
 NodeId add_plan_wall(Model& model, const FlexibleWall& wall, const std::string& name, PlanVector normal) {
   const Check check{"FlexibleWall", name};
-  check.positive("mass", wall.mass);
-  check.positive("stiffness", wall.stiffness);
-  check.not_negative("damping", wall.damping);
+  wall.check(check);
+  check.that(!wall.backfill, "backfill is given, which walls in plan do not have.",
+             "Leave it out, and give the wall the stiffness of the soil with its own.");
   const PlanVector direction = normal / length(normal);
   const NodeId node = add(model, Node{.name = name, .mass = wall.mass, .direction = direction});
-  add(model, PlanSpring<Linear>{.name = name,
-                                .lower = PlanPoint{ground, {}},
-                                .upper = PlanPoint{node, {}},
-                                .direction = direction,
-                                .law = {.stiffness = wall.stiffness, .damping = wall.damping},
-                                .deformation_quantity = "wall_deformation",
-                                .force_quantity = "wall_force"});
+  wall.acting_law().add_in_plan(model, name, node, direction);
+  if (wall.dashpot().si() > 0.0)
+    add(model, PlanSpring<Viscous>{.name = name + " damping",
+                                   .lower = PlanPoint{ground, {}},
+                                   .upper = PlanPoint{node, {}},
+                                   .direction = direction,
+                                   .law = {.damping = wall.dashpot()},
+                                   .deformation_quantity = "",
+                                   .force_quantity = ""});
   return node;
 }
 

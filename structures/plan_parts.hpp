@@ -5,12 +5,15 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
 #include "elements/lead_rubber_bearing.hpp"
 #include "elements/planar_spring.hpp"
 #include "materials/biaxial_bilinear.hpp"
+#include "materials/biaxial_friction_pendulum.hpp"
+#include "materials/biaxial_grant_rubber.hpp"
 #include "model/plan_outline.hpp"
 
 namespace moat {
@@ -39,11 +42,24 @@ struct StoreyColumn {
 };
 
 inline Grid<StoreyColumn> grid(int along_x, int along_y, StoreyColumn column) { return {along_x, along_y, column}; }
-template <PlanarLaw Law>
-Grid<Law> grid(int along_x, int along_y, Law law) {
-  return {along_x, along_y, std::move(law)};
+
+/// The law of two components of a lead-rubber bearing: it yields on a circle.
+inline BiaxialBilinear in_plan(const LeadRubberBearing& bearing) {
+  return {.yield_force = bearing.yield_force,
+          .yield_displacement = bearing.yield_displacement,
+          .post_yield_stiffness = bearing.post_yield_stiffness};
 }
-inline Grid<LeadRubberBearing> grid(int along_x, int along_y, LeadRubberBearing bearing) {
+
+/// A law of two components, or a bearing that has one, perhaps under the weight on it.
+template <class Bearing>
+concept BearingInPlan = PlanarLaw<Bearing> || requires(const Bearing& bearing) {
+  { in_plan(bearing) } -> PlanarLaw;
+} || requires(const Bearing& bearing, Force weight) {
+  { in_plan(bearing, weight) } -> PlanarLaw;
+};
+
+template <BearingInPlan Bearing>
+Grid<Bearing> grid(int along_x, int along_y, Bearing bearing) {
   return {along_x, along_y, std::move(bearing)};
 }
 
@@ -110,27 +126,33 @@ class StoreyColumns {
   bool is_list_ = false;
 };
 
-/// The bearings under a building: any law of two components, or LeadRubberBearing, which then yields on a circle; on a
-/// grid, or each at its place.
+/// The bearings under a building: any law of two components, or LeadRubberBearing, FrictionPendulum or GrantRubber,
+/// which have one; on a grid, or each at its place. A pendulum without a weight carries its share of the building, the
+/// same for every bearing.
 ///
 ///     .bearings = grid(3, 2, BiaxialBoucWen{...})
+///     .bearings = grid(3, 2, FrictionPendulum{...})
 ///     .bearings = {{at_1, BiaxialBilinear{...}}, {at_2, LeadRubberBearing{...}}}
 class PlanBearings {
  public:
   /// One bearing, of any such law.
   class Placed {
    public:
-    template <PlanarLaw Law>
-    Placed(PlanPosition at, Law law) : at_{at} {
-      add_ = [law](Model& model, const std::string& name, const std::string& place, DiaphragmId under,
-                   PlanPosition at_place) {
-        add(model, PlanBearing<Law>{.name = name, .under = under, .at = at_place, .law = law, .place = place});
+    template <BearingInPlan Bearing>
+    Placed(PlanPosition at, Bearing bearing) : at_{at} {
+      add_ = [bearing](Model& model, const Names& names, DiaphragmId under, PlanPosition at_place, Force weight) {
+        const auto place = [&](const auto& law) {
+          add(model, PlanBearing<std::remove_cvref_t<decltype(law)>>{
+                         .name = names.name, .under = under, .at = at_place, .law = law, .place = names.place});
+        };
+        if constexpr (PlanarLaw<Bearing>)
+          place(bearing);
+        else if constexpr (requires { in_plan(bearing); })
+          place(in_plan(bearing));
+        else
+          place(in_plan(bearing, weight));
       };
     }
-    Placed(PlanPosition at, const LeadRubberBearing& bearing)
-        : Placed{at, BiaxialBilinear{.yield_force = bearing.yield_force,
-                                     .yield_displacement = bearing.yield_displacement,
-                                     .post_yield_stiffness = bearing.post_yield_stiffness}} {}
 
     [[nodiscard]] PlanPosition at() const { return at_; }
     [[nodiscard]] Placed moved_to(PlanPosition at) const {
@@ -138,13 +160,17 @@ class PlanBearings {
       copy.at_ = at;
       return copy;
     }
-    void add_to(Model& model, const std::string& name, const std::string& place, DiaphragmId under) const {
-      add_(model, name, place, under, at_);
+    struct Names {
+      std::string name, place;
+    };
+    /// `weight` is that on this bearing.
+    void add_to(Model& model, const Names& names, DiaphragmId under, Force weight) const {
+      add_(model, names, under, at_, weight);
     }
 
    private:
     PlanPosition at_;
-    std::function<void(Model&, const std::string&, const std::string&, DiaphragmId, PlanPosition)> add_;
+    std::function<void(Model&, const Names&, DiaphragmId, PlanPosition, Force)> add_;
   };
 
   template <class Law>

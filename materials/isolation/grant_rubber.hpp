@@ -54,6 +54,8 @@ struct GrantRubber {
   PerVolume c2{};
   double c3 = 1.0;
   PerVolume c4{};
+  /// > 0 m: up to which the parameters were fitted; 0 if unknown. A larger one brings a warning.
+  Length fitted_deformation{};
 
   /// The thresholds and the wear so far, m.
   struct Damage {
@@ -73,6 +75,7 @@ struct GrantRubber {
 
     friend bool operator==(const State&, const State&) = default;
   };
+  static constexpr std::array<ReportedQuantity, 1> quantities{{{"fitted_strain_share", "1"}}};
 
   /// A specimen of 176 mm with 20 layers of 2.286 mm.
   static GrantRubber typical() {
@@ -103,11 +106,20 @@ struct GrantRubber {
     check.not_negative("c2", c2.si(), "1/m^3");
     check.above_up_to("c3", c3, 0.0, 1.0, "1");
     check.not_negative("c4", c4.si(), "1/m^3");
+    check.not_negative("fitted_deformation", fitted_deformation);
   }
   [[nodiscard]] std::vector<Parameter> parameters() const {
-    return {{"a1", a1.si(), "N/m"},   {"a2", a2.si(), "N/m^3"}, {"a3", a3.si(), "N/m^5"}, {"b1", b1.si(), "N"},
-            {"b2", b2.si(), "N/m^2"}, {"b3", b3.si(), "1/m"},   {"c1", c1.si(), "1/m^3"}, {"c2", c2.si(), "1/m^3"},
-            {"c3", c3, "1"},          {"c4", c4.si(), "1/m^3"}};
+    return {{"a1", a1.si(), "N/m"},
+            {"a2", a2.si(), "N/m^3"},
+            {"a3", a3.si(), "N/m^5"},
+            {"b1", b1.si(), "N"},
+            {"b2", b2.si(), "N/m^2"},
+            {"b3", b3.si(), "1/m"},
+            {"c1", c1.si(), "1/m^3"},
+            {"c2", c2.si(), "1/m^3"},
+            {"c3", c3, "1"},
+            {"c4", c4.si(), "1/m^3"},
+            {"fitted_deformation", fitted_deformation.si(), "m"}};
   }
 
   Response evaluate(const State& committed, double deformation, double rate, State& trial) const {
@@ -151,6 +163,11 @@ struct GrantRubber {
     const double left = -direction * from;  // until zero
     if (left <= 0.0) return direction * std::numeric_limits<double>::infinity();
     return left > state.damage.lower ? -direction * state.damage.lower : 0.0;
+  }
+
+  /// The largest deformation so far over fitted_deformation; 0 without.
+  double quantity(std::size_t, const State& state, double, double) const {
+    return fitted_deformation.si() > 0.0 ? state.damage.upper / fitted_deformation.si() : 0.0;
   }
 
   /// A move of |d|: from `start` it falls to `lowest`, then rises to `end`.

@@ -125,6 +125,8 @@ struct HeatedLeadRubber {
       return {post_yield * deformation + elastic * (deformation - committed.slip), post_yield + elastic, 0.0};
     }
     const Warmed warmed = warm(committed, deformation);
+    if (interval.length == 0.0)
+      return {post_yield * deformation + committed.direction * strength_at(committed.temperature), post_yield, 0.0};
     trial.temperature = cooled(committed.temperature, warmed.temperature, cooling);
     trial.heat = committed.heat + heat_capacity() * (warmed.temperature - committed.temperature);
     const double limit = strength_at(trial.temperature);
@@ -208,12 +210,11 @@ struct HeatedLeadRubber {
     const double temperature = sliding.temperature, start = strength_at(temperature);
     const double move = sliding.direction * (deformation - sliding.slip) - start / elastic_stiffness();
     const double rate = weakening / heat_capacity();
-    double slip = move, end = start;
-    constexpr int iterations = 6;  // the error falls by a factor of d_y E2 Q0/(A rho c h), about 0.003, in each
-    for (int i = 0; i < iterations; ++i) {
-      end = start / std::max(1.0 + rate * start * slip, 0.1);
-      slip = move + (start - end) / elastic_stiffness();
-    }
+    // Together these are square Q1^2 - sum Q1 + 1 = 0.
+    const double square = rate / elastic_stiffness();
+    const double sum = std::max(1.0 / start + rate * move + square * start, 2.0 * std::sqrt(square));
+    const double end = 2.0 / (sum + std::sqrt(sum * sum - 4.0 * square));
+    const double slip = move + (start - end) / elastic_stiffness();
     const double per_slip = -rate * end * end;  // dQ/dS
     const double slip_per_move = 1.0 / (1.0 + per_slip / elastic_stiffness());
     const double rise = weakening > 0.0 ? std::log(start / end) / weakening : start * slip / heat_capacity();

@@ -64,7 +64,7 @@ struct KikuchiAikenRubber {
 
     friend bool operator==(const State&, const State&) = default;
   };
-  static constexpr std::array<ReportedQuantity, 1> quantities{{{"shear_strain", "1"}}};
+  static constexpr std::array<ReportedQuantity, 2> quantities{{{"shear_strain", "1"}, {"fitted_strain_share", "1"}}};
 
   /// A bearing of 0.5 m2 with 20 cm of rubber.
   static KikuchiAikenRubber typical() {
@@ -109,7 +109,9 @@ struct KikuchiAikenRubber {
                                                             : of_rubber().shear_modulus(design_strain);
     return modulus * area.si() / height.si();
   }
-  double quantity(std::size_t, const State& state, double, double) const { return state.strain; }
+  double quantity(std::size_t index, const State& state, double, double) const {
+    return index == 0 ? state.strain : state.largest / RubberCompound::largest_strain;
+  }
 
   double regime_margin(const State& committed, double deformation, double rate) const {
     return committed.course.margin(deformation, rate);
@@ -131,7 +133,6 @@ struct KikuchiAikenRubber {
     if (left < 2) return beyond(state.largest);
     return beyond(direction * state.stack[static_cast<std::size_t>(left - 2)].x * state.largest);
   }
-
   /// The properties of the compound.
   [[nodiscard]] RubberCompound of_rubber() const { return {compound}; }
 

@@ -52,6 +52,9 @@ TEST(GrantRubber, UnloadsInOneStepAsTheClosedFormSays) {
   const double force = specimen.evaluate(loaded, 22.86e-3, -1.0, half).force;
   EXPECT_NEAR(half.damage.scragging, 22.86e-3, 1e-15);
   EXPECT_NEAR(half.damage.mullins, 22.86e-3, 1e-15);
+  const GrantRubber::Wear wear = specimen.wear_of(half.damage);
+  EXPECT_NEAR(wear.elastic, 0.99876147 * 0.99827093, 1e-8);  // K_S1 K_M
+  EXPECT_NEAR(wear.bound, 0.99570814, 1e-8);
   EXPECT_NEAR(half.hysteretic, -1787.422, 1e-3);
   EXPECT_NEAR(force - half.hysteretic, 5297.571, 1e-3);
   EXPECT_NEAR(specimen.evaluate(loaded, 0.0, -1.0, none).force, -2912.202, 1e-3);

@@ -59,7 +59,10 @@ TEST(ImkBilinear, ReachesItsResidualForceAndFails) {
   LawPath<ImkBilinear> path{lasting()};
   path.move(0.138, 1.0);
   EXPECT_GT(path.force(), 0.4e6);
-  path.move(0.1382, 1.0);
+  // The cap line reaches it at 0.138182 m.
+  path.move(0.1381815, 1.0);
+  EXPECT_GT(path.force(), 0.4e6);
+  path.move(0.1381825, 1.0);
   EXPECT_NEAR(path.force(), 0.4e6, 1e-3);
   path.move(0.249, 1.0);
   EXPECT_NEAR(path.force(), 0.4e6, 1e-3);
@@ -67,6 +70,35 @@ TEST(ImkBilinear, ReachesItsResidualForceAndFails) {
   EXPECT_EQ(path.force(), 0.0);
   path.move(-0.05, 1.0);
   EXPECT_EQ(path.force(), 0.0);
+}
+
+// At large drifts to one side the hardening line of the other lies below zero: no force until it has risen.
+TEST(ImkBilinear, HasNoForceWhereTheHardeningLineIsBelowZero) {
+  ImkBilinear law = lasting();
+  law.cap_ratio = 1.5;
+  law.residual_ratio = 0.0;
+  law.ultimate_drift = 1 * m;
+  // F_y/K_p = 6 cm: the line of the left side is below zero beyond +5 cm.
+  LawPath<ImkBilinear> path{law, 0};
+  path.move(0.5, 1.0);
+  EXPECT_EQ(path.force(), 0.0);
+  path.move(0.06, 1.0);
+  EXPECT_EQ(path.force(), 0.0);
+  path.move(-0.01, 1.0);
+  EXPECT_NEAR(path.force(), -2e6, 1e-3);
+  expect_sound_spring(law, {.deformation = 0.5, .gives_back = true, .moves = 100});
+}
+
+// Where the stiffness of unloading is used up it stays that of hardening, and the storey goes on.
+TEST(ImkBilinear, DoesNotChatterWhereItsUnloadingIsAsSoftAsItsHardening) {
+  ImkBilinear law = ImkBilinear::typical();
+  law.strength_capacity = Length{};
+  law.stiffness_capacity = 5 * m;
+  law.stiffness_exponent = 0.3;
+  law.ultimate_drift = 1 * m;
+  LawPath<ImkBilinear> path{law, 0};
+  for (int i = 0; i < 40; ++i) path.move(i % 2 == 0 ? 0.035 : -0.035, 1.0);
+  EXPECT_GE(path.state().softened * law.stiffness.si(), 0.1 * 2e6 / 0.03 - 1e-3);
 }
 
 TEST(ImkBilinear, RefusesAFailureBeforeItYields) {

@@ -54,6 +54,10 @@ TEST(TriplePendulum, HasTheLoopOfTheClosedForm) {
   LawPath<SeriesOfSliders> path{law, 0};
   path.move(0.6, 1.0);
   EXPECT_NEAR(path.force() / 13345e3, 0.134820, 1e-6);
+  // The first reversal: the inner surfaces let go after 2 mu_1 W.
+  LawPath<SeriesOfSliders> back = path;
+  back.move(0.6 - 1e-6, 1.0);
+  EXPECT_NEAR(back.force() / 13345e3, 0.134820 - 2.0 * 0.01, 3e-6);
   const double before = path.dissipated();
   path.move(-0.6, 1.0);
   path.move(0.6, 1.0);

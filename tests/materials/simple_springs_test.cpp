@@ -39,6 +39,21 @@ TEST(NonlinearViscous, HasTheEnergyOfTheClosedForm) {
   }
 }
 
+// C = 1.5 MN (s/m)^0.3, 0.25 m at 0.4 Hz: energy of a cycle and force.
+TEST(NonlinearViscous, HasTheLoopOfADamperOfBuildings) {
+  const NonlinearViscous law{.reference_force = 1.5 * MN, .exponent = 0.3, .rounding_speed = 1e-9 * m / s};
+  constexpr double w = 2.0 * std::numbers::pi * 0.4, amplitude = 0.25;
+  constexpr int steps = 400000;
+  double energy = 0.0;
+  for (int i = 0; i < steps; ++i) {
+    const double phase = 2.0 * std::numbers::pi * (i + 0.5) / steps;
+    energy += law.dissipation_rate({}, 0.0, w * amplitude * std::cos(phase)) / 0.4 / steps;
+  }
+  EXPECT_NEAR(energy / 1e3, 1198.649, 1e-3);
+  NoState none;
+  EXPECT_NEAR(law.evaluate({}, 0.0, w * amplitude, none).force / 1e3, 1304.804, 1e-3);
+}
+
 TEST(NonlinearViscous, HasTheForceAtItsReferenceSpeed) {
   const NonlinearViscous law{
       .reference_force = 1.5 * MN, .exponent = 0.3, .reference_speed = 0.5 * m / s, .rounding_speed = 1e-6 * m / s};

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "materials/impact/hertz_damp.hpp"
+#include "materials/storeys/yielding_storey.hpp"
 #include "message_of.hpp"
 
 namespace moat {
@@ -110,6 +111,27 @@ TEST(Moat, FlexibleWallsAreNodesOnSprings) {
       if (block->info(e).name == "moat right") {
         EXPECT_NEAR(block->deformations()[e], -0.11, 1e-15);
       }
+}
+
+TEST(Moat, FlexibleWallsTakeAnyLaw) {
+  Model model;
+  const NodeId base = add(model, Node{.name = "base", .mass = 550 * tonne});
+  FlexibleWall wall{.mass = 20 * tonne, .damping = 3e5 * kg / s, .law = YieldingStorey::typical()};
+  add(model, Moat<HertzDamp>{.around = base, .clearance = 10 * cm, .law = law, .wall = wall});
+  model.prepare();
+  model.trial().displacement[2] = 0.001;
+  model.trial().velocity[2] = 0.1;
+  model.evaluate();
+  Vector force;
+  force = model.internal_forces();
+  EXPECT_NEAR(force[2], 1e6 + 3e4, 1e-3);
+
+  wall.stiffness = 2 * GN / m;
+  EXPECT_EQ(message_of([&] {
+              wall.check(Check{"FlexibleWall", "moat"});
+            }),
+            "FlexibleWall \"moat\": stiffness = 2e+09 N/m is not allowed; it must be left out where law is given. Give "
+            "one of both.");
 }
 
 TEST(Moat, RefusesAnEmptyName) {
