@@ -215,7 +215,8 @@ struct GrantRubber {
   [[nodiscard]] double bound_slope(const Wear& wear, double u, double u_slope, double lowest_slope) const {
     return b2.si() * u * (2.0 * wear.bound * u_slope + wear.bound_slope * lowest_slope * u);
   }
-  /// The work of F1 and of R along a part of a straight move over `distance` m, by Gauss's rule with five points.
+  /// The work of F1 and of R along a part of a straight move over `distance` m, by Gauss's rule with five points on
+  /// panels over which the wear changes little.
   /// `damage` is that at the start of the part; `deformation(share)` gives |d| and its derivative by the distance.
   template <class Deformation>
   [[nodiscard]] double smooth_work(const Damage& damage, double distance, const Deformation& deformation) const {
@@ -223,14 +224,16 @@ struct GrantRubber {
                                            0.953089922969332};
     constexpr std::array<double, 5> weights{0.11846344252809454, 0.23931433524968324, 0.28444444444444444,
                                             0.23931433524968324, 0.11846344252809454};
-    const double start = deformation(0.0).first;
+    const double start = deformation(0.0).first, fastest = std::cbrt(std::max({c1.si(), c2.si(), c4.si()}));
+    const int panels = 1 + static_cast<int>(4.0 * distance * fastest);
     double sum = 0.0;
-    for (std::size_t i = 0; i < points.size(); ++i) {
-      const auto [u, slope] = deformation(points[i]);
-      const Wear wear = wear_of(worn(damage, {start, std::min(start, u), u}));
-      sum += weights[i] * (wear.elastic * secant(u) * u * slope + bound(wear, u));
-    }
-    return sum * distance;
+    for (int panel = 0; panel < panels; ++panel)
+      for (std::size_t i = 0; i < points.size(); ++i) {
+        const auto [u, slope] = deformation((panel + points[i]) / panels);
+        const Wear wear = wear_of(worn(damage, {start, std::min(start, u), u}));
+        sum += weights[i] * (wear.elastic * secant(u) * u * slope + bound(wear, u));
+      }
+    return sum * distance / panels;
   }
   /// The work of the decaying part over a straight move; `along`, N, is the component of R n - F2 at its start in the
   /// direction of the move.
