@@ -19,6 +19,7 @@ constexpr double lenience_in_contact = 16.0;
 
 AccelerationScales::AccelerationScales(const Model& model, double lowest)
     : lowest_{std::max(lowest, std::numeric_limits<double>::min())},
+      resultants_{model},
       building_{connected_parts(model)},
       touching_(building_.size(), 0),
       touched_before_(building_.size(), 0) {
@@ -99,9 +100,10 @@ void AccelerationScales::accepted(const Model& model, double h, PlanVector groun
   const GroundShares shares = model.ground_shares();
   double* __restrict values = own_.data();
   double* __restrict outside = outside_contact_.data();
-  for (int i = 0; i < count; ++i)
-    values[i] =
-        std::max(std::max(values[i] * fade, lowest_), std::abs(acceleration[i] + shares.of(ground_acceleration, i)));
+  resultants_.with([&](const auto& size) {
+    const auto absolute = [&](int i) { return acceleration[i] + shares.of(ground_acceleration, i); };
+    for (int i = 0; i < count; ++i) values[i] = std::max(std::max(values[i] * fade, lowest_), size(i, absolute));
+  });
   up_to_date_ = false;
   if (!any_touching_) {
     for (int i = 0; i < count; ++i) outside[i] = values[i];

@@ -3,14 +3,15 @@
 
 #include <vector>
 
+#include "analyses/resultants.hpp"
 #include "base/vector.hpp"
 #include "model/model.hpp"
 
 namespace moat {
 
 /// The scale of every node's absolute acceleration, m/s^2: its largest magnitude so far, which decays by a factor e in
-/// one second. It is at least a quarter of the largest scale in its building, because an impact at the base soon
-/// reaches a floor that has not moved yet.
+/// one second; in plan that of the resultant of a diaphragm's translations. It is at least a quarter of the largest
+/// scale in its building, because an impact at the base soon reaches a floor that has not moved yet.
 ///
 /// A building here is a set of nodes that elements other than gaps connect: a light body that pounds elsewhere does not
 /// loosen the tolerance of a building. While a building is in contact, accelerations of the impact enter the scales of
@@ -32,6 +33,7 @@ class AccelerationScales {
 
  private:
   double lowest_;
+  Resultants resultants_;
   void raise_to_building();
 
   std::vector<int> building_;                    // of every node: the number of one of its nodes

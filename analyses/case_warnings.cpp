@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "base/check.hpp"
 #include "base/units.hpp"
@@ -44,6 +45,21 @@ std::vector<std::string> bearings_outside(const Model& model) {
   return warnings;
 }
 
+// Corners that friction can press into their edge without an end.
+std::vector<std::string> jamming_corners(const Model& model) {
+  std::vector<std::string> warnings;
+  for (const auto& block : model.blocks()) {
+    const PlanContacts* contacts = block->plan_contacts();
+    for (std::size_t e = 0; contacts != nullptr && e < block->size(); ++e)
+      if (contacts->may_jam(e))
+        warnings.push_back("\"" + block->info(e).name +
+                           "\" can jam: while its corner slides, friction presses it into the edge at least as hard as "
+                           "the contact pushes it back, 1/m_n <= mu |m_nt|. Give less friction, or check the rotary "
+                           "inertia and the place of the corner.");
+  }
+  return warnings;
+}
+
 }  // namespace
 
 std::vector<std::string> motion_warnings(const GroundMotion& motion) {
@@ -57,7 +73,11 @@ std::vector<std::string> motion_warnings(const GroundMotion& motion) {
 
 std::vector<std::string> model_warnings(const Model& model) {
   std::vector<std::string> warnings;
-  if (model.is_plan()) return bearings_outside(model);
+  if (model.is_plan()) {
+    warnings = bearings_outside(model);
+    std::ranges::move(jamming_corners(model), std::back_inserter(warnings));
+    return warnings;
+  }
   for (const auto& block : model.blocks())
     for (std::size_t e = 0; has_gaps(*block) && e < block->size(); ++e) {
       const ElementInfo& info = block->info(e);

@@ -12,8 +12,8 @@ namespace moat {
 /// An acceleration of the ground beyond all records.
 std::vector<std::string> motion_warnings(const GroundMotion& motion);
 
-/// Gaps whose left side is drawn to the right of their right side; in plan, bearings outside the outline of their
-/// floor.
+/// Gaps whose left side is drawn to the right of their right side; in plan, corners that can jam, and bearings outside
+/// the outline of their floor.
 std::vector<std::string> model_warnings(const Model& model);
 
 /// In plan: corners in contact that slid past the end of an edge, and rotations whose neglected second-order

@@ -6,16 +6,6 @@
 namespace moat {
 namespace {
 
-// Gershgorin's bounds, row by row: sum of a row's magnitudes over its mass.
-Vector row_sums(const SparseMatrix& matrix, const Vector& masses) {
-  Vector sums = Vector::Zero(masses.size());
-  for (int column = 0; column < matrix.size; ++column)
-    for (int k = matrix.column_starts[static_cast<std::size_t>(column)];
-         k < matrix.column_starts[static_cast<std::size_t>(column) + 1]; ++k)
-      sums[matrix.row_indices[static_cast<std::size_t>(k)]] += std::abs(matrix.values[static_cast<std::size_t>(k)]);
-  return sums.cwiseQuotient(masses);
-}
-
 // Whether damping coefficients of a column do not add up to zero: the rest couples to the ground.
 bool has_dampers_to_ground(const SparseMatrix& damping) {
   constexpr double round_off = 1e-9;
@@ -40,15 +30,15 @@ double change_by_doubling(StepScheme scheme) { return scheme.order() == 4 ? 8.0 
 }  // namespace
 
 StepControl::StepControl(const Model& model, Options options)
-    : options_{options}, scales_{model, options.lowest_acceleration} {
+    : options_{options}, resultants_{model}, scales_{model, options.lowest_acceleration} {
   SparseMatrix matrix = model.pattern();
   model.assemble_linear_stiffness(StiffnessStage::initial, matrix);
-  const Vector stiffness = row_sums(matrix, model.masses());
+  const Vector stiffness = resultants_.row_sums(matrix).cwiseQuotient(model.masses());
   stiffest_squared_ = stiffness.maxCoeff();
   constexpr double last_digits = 4.0 * std::numeric_limits<double>::epsilon();
   round_off_per_displacement_ = last_digits * stiffness;
   model.assemble_tangent(0.0, 1.0, 0.0, matrix);
-  most_damped_ = row_sums(matrix, model.masses()).maxCoeff();
+  most_damped_ = resultants_.row_sums(matrix).cwiseQuotient(model.masses()).maxCoeff();
   // Absolute motion is smooth inside a step over several samples only if no force follows the velocity of the ground.
   if (has_dampers_to_ground(matrix)) options_.doublings = 0;
   for (int halvings = -options_.doublings; halvings <= options_.max_halvings; ++halvings)
@@ -119,15 +109,21 @@ double StepControl::error_of(const Model& model, const StepTask& step, StepSchem
   // The parabola and the cubic may agree by chance where a force has a corner inside the step. The jump of the jerk
   // still shows the corner.
   const double of_jump = !fourth_order || model.has_corner() ? h : 0.0, of_curve = fourth_order ? 1.0 : 0.0;
-  double largest = 0.0;
-  for (int i = 0; i < count; ++i) {
-    const double curve = 2.0 * (a1[i] - a0[i] + shares.of(rise_of_ground, i)) - h * (j0[i] + j1[i]),
-                 jump = j1[i] - j0[i];
-    const double difference = std::max(of_curve * std::abs(curve), of_jump * std::abs(jump));
-    const double round_off = round_off_per_displacement[i] * std::abs(u1[i]);
-    const double scale = std::max(scales[i], std::abs(a1[i] + shares.of(step.ground_acceleration, i)));
-    largest = std::max(largest, (difference / 12.0 - round_off) / scale);
-  }
+  const double largest = resultants_.with([&](const auto& size) {
+    const auto curve = [&](int i) {
+      return 2.0 * (a1[i] - a0[i] + shares.of(rise_of_ground, i)) - h * (j0[i] + j1[i]);
+    };
+    const auto jump = [&](int i) { return j1[i] - j0[i]; };
+    const auto displacement = [&](int i) { return u1[i]; };
+    const auto acceleration = [&](int i) { return a1[i] + shares.of(step.ground_acceleration, i); };
+    double error = 0.0;
+    for (int i = 0; i < count; ++i) {
+      const double difference = std::max(of_curve * size(i, curve), of_jump * size(i, jump));
+      const double round_off = round_off_per_displacement[i] * size(i, displacement);
+      error = std::max(error, (difference / 12.0 - round_off) / std::max(scales[i], size(i, acceleration)));
+    }
+    return error;
+  });
   return (fourth_order ? 1.0 : stricter_at_second_order) * largest / options_.tolerance;
 }
 
@@ -185,13 +181,18 @@ void StepControl::accepted(const Model& model, double h, PlanVector ground_accel
 void StepControl::watch_round_off(const Model& model) {
   constexpr double harmless_squared_frequency = 1e10;  // 1/s^2
   if (stiffest_squared_ < harmless_squared_frequency) return;
-  for (int i = 0; i < model.degrees_of_freedom(); ++i) {
-    // A displacement has a relative error of about epsilon; times stiffness over mass this is an error of acceleration.
-    const double share = round_off_per_displacement_[i] * std::abs(model.state().displacement[i]) / scales_.values()[i];
-    if (share <= largest_round_off_) continue;
-    largest_round_off_ = share;
-    place_of_round_off_ = NodeId{i};
-  }
+  const Vector& displacement = model.state().displacement;
+  resultants_.with([&](const auto& size) {
+    for (int i = 0; i < model.degrees_of_freedom(); ++i) {
+      // A displacement has a relative error of about epsilon; times stiffness over mass this is an error of
+      // acceleration.
+      const double share =
+          round_off_per_displacement_[i] * size(i, [&](int k) { return displacement[k]; }) / scales_.values()[i];
+      if (share <= largest_round_off_) continue;
+      largest_round_off_ = share;
+      place_of_round_off_ = NodeId{i};
+    }
+  });
 }
 
 void StepControl::changed_inside(const Model& model) {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "analyses/acceleration_scales.hpp"
+#include "analyses/resultants.hpp"
 #include "analyses/step_equations.hpp"
 #include "analyses/step_scheme.hpp"
 #include "model/model.hpp"
@@ -22,7 +23,8 @@ namespace moat {
 ///     fourth order:          h/12 |2 (a1 - a0)/h - j0 - j1|  =  (w h)^3/72 of a vibration of frequency w
 ///     average acceleration:  8 h/12 |j1 - j0|                =  8 (w h)^2/12
 ///
-/// divided by the scale of the acceleration of the node (acceleration_scales.hpp). The largest of all nodes is compared
+/// divided by the scale of the acceleration of the node (acceleration_scales.hpp); of the translations of a diaphragm
+/// the resultants count. The largest of all nodes is compared
 /// with the tolerance. The factor 8 is there because (w h)^2/12 is itself the error of period of average acceleration.
 /// Where the stiffness of a law without located regimes jumps inside a step, the error of the fourth-order scheme is at
 /// least h/12 |j1 - j0|. A step with more than twice the tolerance is repeated. Differences that are round-off of
@@ -107,6 +109,7 @@ class StepControl {
   void watch_round_off(const Model& model);
 
   Options options_;
+  Resultants resultants_;
   AccelerationScales scales_;
   Vector scales_without_bends_;
   std::vector<double> steps_;  // the longest, divided by 1, 2, 4, ...; s

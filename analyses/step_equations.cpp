@@ -6,7 +6,7 @@
 
 namespace moat {
 
-StepEquations::StepEquations(Model& model) : model_{&model} {
+StepEquations::StepEquations(Model& model) : model_{&model}, resultants_{model} {
   model.prepare();
   tangent_ = model.pattern();
   predicted_displacement_.setZero(size());
@@ -181,17 +181,22 @@ bool StepEquations::compute_residual(const Vector& acceleration, Vector& residua
   const GroundShares shares = model_->ground_shares();
   double* __restrict unbalanced = residual.data();
   double* __restrict scales = scales_.data();
-  double sum = 0.0;
-  for (int i = 0; i < count; ++i) {
-    const double inertia = mass[i] * a[i], load = mass[i] * shares.of(task_.ground_acceleration, i);
-    unbalanced[i] = inertia + force[i] + load;
-    scales[i] = std::max(std::max(std::abs(inertia), std::abs(force[i])), std::max(std::abs(load), lowest_scales[i]));
-    sum += scales[i];
-  }
+  const auto inertia = [&](int i) { return mass[i] * a[i]; };
+  const auto inner = [&](int i) { return force[i]; };
+  const auto load = [&](int i) { return mass[i] * shares.of(task_.ground_acceleration, i); };
+  const double sum = resultants_.with([&](const auto& size) {
+    double total = 0.0;
+    for (int i = 0; i < count; ++i) {
+      unbalanced[i] = inertia(i) + force[i] + load(i);
+      scales[i] = std::max(std::max(size(i, inertia), size(i, inner)), std::max(size(i, load), lowest_scales[i]));
+      total += scales[i];
+    }
+    return total;
+  });
   // A floor in plan is one place: forces that cancel in one of its directions leave round-off of those in another.
   for (const PlacedDiaphragm& diaphragm : model_->diaphragms()) {
     const int first = diaphragm.id.x.index;
-    const double largest = std::max({scales[first], scales[first + 1], scales[first + 2]});
+    const double largest = std::max(scales[first], scales[first + 2]);
     for (int i = first; i < first + 3; ++i) scales[i] = largest;
   }
   if (!scheme_.balances_at_end()) {

@@ -3,6 +3,7 @@
 
 #include <limits>
 
+#include "analyses/resultants.hpp"
 #include "analyses/step_scheme.hpp"
 #include "model/model.hpp"
 #include "motions/ground_span.hpp"
@@ -64,6 +65,7 @@ class StepEquations final : public NonlinearSystem {
   void average_start();
 
   Model* model_;
+  Resultants resultants_;
   StepScheme scheme_;
   Factorisation factorisation_;
   SparseMatrix tangent_;

@@ -34,9 +34,7 @@ StepControl::Options control_options(const TransientOptions& options, const Grou
   control.grid_interval = longest_step(options, motion.time_step());
   // In plan no step is longer than the interval of the samples.
   control.doublings = plan ? 0 : doublings_of_longest_step(options, motion.time_step());
-  // Bearings in plan take their path inside a step for straight. The estimate of the error sees only a part of that.
-  constexpr double stricter_in_plan = 3.0;
-  control.tolerance = plan ? options.tolerance / stricter_in_plan : options.tolerance;
+  control.tolerance = options.tolerance;
   control.steps_per_contact = options.steps_per_contact;
   control.max_halvings = options.max_halvings;
   control.scheme = scheme_of(options.integrator);

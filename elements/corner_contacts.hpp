@@ -10,25 +10,16 @@
 #include <vector>
 
 #include "elements/contact_links.hpp"
+#include "elements/corner_grip.hpp"
 #include "elements/plan_ends.hpp"
 #include "model/plan_contacts.hpp"
 
 namespace moat {
 
-/// Coulomb friction of a contact.
-struct ContactFriction {
-  double coefficient = 0.0;           ///< mu, 0 to 1; 0 is no friction
-  double tangential_stiffness = 0.0;  ///< k_t > 0 N/m
-};
-
 /// All contacts of corners with edges that have a normal law of type Law. The normal force F_n is that of ContactLinks
-/// along the normal n. Along the tangent t (model/plan_contacts.hpp) acts Coulomb friction, by return mapping with the
-/// slip s as history:
-///
-///     e = k_t (u_t - s),  F_t = clamp(e, -mu F_n, mu F_n),  s follows where it is clamped
-///
-/// At touch s = u_t. The force on the corner's body is -F_n n - F_t t. Only the normal phases are located: grip changes
-/// stay inside steps, where they are kinks and no jumps.
+/// along the normal n. Along the tangent t (model/plan_contacts.hpp) acts Coulomb friction F_t (corner_grip.hpp). The
+/// force on the corner's body is -F_n n - F_t t. Only the normal phases are located: grip changes stay inside steps,
+/// where they are kinks and no jumps.
 ///
 /// A corner that crosses the line of an edge beside the edge's ends does not touch it, until it comes back. A corner in
 /// contact that slides past an end by more than 1 % of the edge's length is released.
@@ -46,15 +37,18 @@ class CornerContacts final : public ContactLinks<Law, PlanEnds>, public PlanCont
     ContactFriction friction;
     double edge_begin = 0.0, edge_end = 0.0;
     double normal_mass = 0.0, tangential_mass = 0.0;  ///< effective, kg
+    double cross_mobility = 0.0;                      ///< of one direction under a force along the other, 1/kg
   };
 
   std::size_t add(ElementInfo info, const Law& law, const Corner& corner) {
     corners_.push_back(corner);
     const std::size_t count = corners_.size();
-    now_slides_.resize(count);
-    start_slides_.resize(count);
+    now_grips_.resize(count);
+    start_grips_.resize(count);
+    slide_begins_.resize(count, std::numeric_limits<double>::quiet_NaN());
     losses_.resize(count);
     misses_.resize(count, 0);
+    gaps_.resize(count);
     return Base::add(std::move(info), law, corner.normal_mass, corner.ends.along());
   }
 
@@ -75,14 +69,14 @@ class CornerContacts final : public ContactLinks<Law, PlanEnds>, public PlanCont
     Base::evaluate(displacement, velocity, force);
     for (std::size_t i = 0; i < corners_.size(); ++i) {
       const PlanEnds& across = corners_[i].ends.across();
-      Slide& now = now_slides_[i];
-      const bool slid = now.slides;
-      const double stiffness = now.stiffness;
+      CornerGrip& now = now_grips_[i];
+      const double stiffness = now.stiffness(friction(i));
       now.path = across.difference(displacement);
       now.rate = across.difference(velocity);
-      grip(i);
-      friction_changed_ |= slid != now.slides || stiffness != now.stiffness || now.slides;
+      now.follow(start_grips_[i], this->step_, friction(i), this->forces_[i]);
+      friction_changed_ |= stiffness != now.stiffness(friction(i)) || now.follows > 0.0;
       if (force != nullptr && now.force != 0.0) across.add_force(now.force, force);
+      gaps_[i] = {-this->now_.deformations[i], -this->now_.rates[i]};
       if (misses_[i] != 0 && !this->is_touching(i)) keep_open(i);
     }
   }
@@ -90,9 +84,8 @@ class CornerContacts final : public ContactLinks<Law, PlanEnds>, public PlanCont
   void evaluate_rates(const double* acceleration, double* force_rate) override {
     Base::evaluate_rates(acceleration, force_rate);
     for (std::size_t i = 0; i < corners_.size(); ++i) {
-      Slide& now = now_slides_[i];
-      now.force_rate = now.slides ? now.sense * coefficient(i) * this->force_rates_[i] : now.stiffness * now.rate;
-      now.second_rate = corners_[i].ends.across().difference(acceleration);
+      CornerGrip& now = now_grips_[i];
+      now.find_rates(friction(i), this->force_rates_[i], corners_[i].ends.across().difference(acceleration));
       if (force_rate != nullptr && now.force_rate != 0.0)
         corners_[i].ends.across().add_force(now.force_rate, force_rate);
     }
@@ -101,12 +94,10 @@ class CornerContacts final : public ContactLinks<Law, PlanEnds>, public PlanCont
   void add_tangent(double displacement_weight, double velocity_weight, double* values) const override {
     Base::add_tangent(displacement_weight, velocity_weight, values);
     for (std::size_t i = 0; i < corners_.size(); ++i) {
-      const Slide& now = now_slides_[i];
-      const double coupling =
-          now.slides ? now.sense * coefficient(i) *
-                           (displacement_weight * this->stiffnesses_[i] + velocity_weight * this->dampings_[i])
-                     : 0.0;
-      const double stiffness = displacement_weight * now.stiffness;
+      const CornerGrip& now = now_grips_[i];
+      const double coupling = now.follows * now.sense * friction(i).coefficient *
+                              (displacement_weight * this->stiffnesses_[i] + velocity_weight * this->dampings_[i]);
+      const double stiffness = displacement_weight * now.stiffness(friction(i));
       if (coupling != 0.0 || stiffness != 0.0) corners_[i].ends.add_stiffness({0.0, 0.0, coupling, stiffness}, values);
     }
   }
@@ -114,11 +105,10 @@ class CornerContacts final : public ContactLinks<Law, PlanEnds>, public PlanCont
     const bool changed = Base::take_tangent_change();
     return std::exchange(friction_changed_, false) || changed;
   }
-  /// Whether a corner began or ended to slide.
+  /// Whether a corner began to slide.
   bool has_corner() const override {
     for (std::size_t i = 0; i < corners_.size(); ++i)
-      if (now_slides_[i].slides != start_slides_[i].slides || now_slides_[i].stiffness != start_slides_[i].stiffness)
-        return true;
+      if (now_grips_[i].begins_to_slide(start_grips_[i])) return true;
     return false;
   }
 
@@ -126,10 +116,10 @@ class CornerContacts final : public ContactLinks<Law, PlanEnds>, public PlanCont
     Base::scan(step, aim, scan);
     for (std::size_t i = 0; i < corners_.size(); ++i) {
       if (!this->is_touching(i)) continue;
-      const double margin = margin_at_ends(i, now_slides_[i].path);
+      const double margin = margin_at_ends(i, now_grips_[i].path);
       scan.margin = std::min(scan.margin, margin);
       if (margin >= 0.0) continue;
-      const double before = margin_at_ends(i, start_slides_[i].path);
+      const double before = margin_at_ends(i, start_grips_[i].path);
       scan.crossed = true;
       ++scan.crossings;
       scan.fraction = std::min(scan.fraction, std::clamp((before - aim) / (before - margin), 0.0, 1.0));
@@ -138,7 +128,7 @@ class CornerContacts final : public ContactLinks<Law, PlanEnds>, public PlanCont
 
   void change(std::size_t block_index, std::vector<RegimeChange>& changes) override {
     for (std::size_t i = 0; i < corners_.size(); ++i) {
-      if (!this->is_touching(i) || margin_at_ends(i, start_slides_[i].path) >= 0.0) continue;
+      if (!this->is_touching(i) || margin_at_ends(i, start_grips_[i].path) >= 0.0) continue;
       changes.push_back({.block = block_index, .element = i, .rate = this->start_.rates[i]});
       const double stored_before = this->stored(i);
       enter(i, {}, this->start_.rates[i], changes.back());
@@ -155,21 +145,22 @@ class CornerContacts final : public ContactLinks<Law, PlanEnds>, public PlanCont
     for (std::size_t i = 0; i < corners_.size(); ++i) {
       if (kept) add_step(i, step, rule);
       watch_ends(i);
+      slide_begins_[i] = now_grips_[i].slide_begin(start_grips_[i], step, friction(i));
     }
-    start_slides_ = now_slides_;
+    start_grips_ = now_grips_;
     Base::commit(step, rule);
   }
 
   void start_energy_accounts() override {
     Base::start_energy_accounts();
-    start_slides_ = now_slides_;
+    start_grips_ = now_grips_;
     for (std::size_t i = 0; i < corners_.size(); ++i)
-      losses_[i] = {.stored_at_start = stored_by_grip(i, now_slides_[i])};
+      losses_[i] = {.stored_at_start = now_grips_[i].stored(friction(i))};
   }
   ElementEnergy energy(std::size_t i) const override {
     ElementEnergy energy = Base::energy(i);
     energy.work += losses_[i].work;
-    energy.stored += stored_by_grip(i, start_slides_[i]) - losses_[i].stored_at_start;
+    energy.stored += start_grips_[i].stored(friction(i)) - losses_[i].stored_at_start;
     energy.friction = losses_[i].friction;
     return energy;
   }
@@ -179,16 +170,25 @@ class CornerContacts final : public ContactLinks<Law, PlanEnds>, public PlanCont
     double shortest = Base::shortest_contact();
     if (!std::isfinite(shortest)) return shortest;
     for (std::size_t i = 0; i < corners_.size(); ++i)
-      if (this->is_touching(i) && coefficient(i) > 0.0)
-        shortest = std::min(shortest, std::numbers::pi * std::sqrt(corners_[i].tangential_mass /
-                                                                   corners_[i].friction.tangential_stiffness));
+      if (this->is_touching(i) && friction(i).coefficient > 0.0)
+        shortest = std::min(
+            shortest, std::numbers::pi * std::sqrt(corners_[i].tangential_mass / friction(i).tangential_stiffness));
     return shortest;
   }
 
   const CornerPair& pair(std::size_t i) const override { return corners_[i].pair; }
-  double friction_force(std::size_t i) const override { return now_slides_[i].force; }
-  double friction_force_rate(std::size_t i) const override { return now_slides_[i].force_rate; }
+  double friction_force(std::size_t i) const override { return now_grips_[i].force; }
+  double friction_force_rate(std::size_t i) const override { return now_grips_[i].force_rate; }
+  double slide_begin(std::size_t i) const override { return slide_begins_[i]; }
   double tangential_speed_at_touch(std::size_t i) const override { return losses_[i].speed_at_touch; }
+  double distance_at_rest(std::size_t i) const override {
+    return distance_of(i, {this->infos_[i].offset, 0.0}, {}).value;
+  }
+  Distance distance(std::size_t i) const override { return distance_of(i, gaps_[i], now_grips_[i]); }
+  bool may_jam(std::size_t i) const override {
+    const Corner& corner = corners_[i];
+    return 1.0 <= corner.normal_mass * corner.friction.coefficient * std::abs(corner.cross_mobility);
+  }
   int corners_past_an_end() const override { return past_an_end_; }
 
  protected:
@@ -197,65 +197,28 @@ class CornerContacts final : public ContactLinks<Law, PlanEnds>, public PlanCont
     Base::enter(i, next, rate, change);
     if (touched_before || !this->is_touching(i)) return;
     // At touch the spring is relaxed.
-    start_slides_[i].slip = start_slides_[i].path;
-    losses_[i].speed_at_touch = start_slides_[i].rate;
+    start_grips_[i].slip = start_grips_[i].path;
+    losses_[i].speed_at_touch = start_grips_[i].rate;
   }
   /// The slip at touch is known where a step ends, and not inside.
   bool jumps_at_entry(std::size_t i, const State& next, double rate) const override {
-    return (coefficient(i) > 0.0 && !this->is_touching(i)) || Base::jumps_at_entry(i, next, rate);
+    return (friction(i).coefficient > 0.0 && !this->is_touching(i)) || Base::jumps_at_entry(i, next, rate);
   }
 
  private:
-  // The motion along the edge and its friction.
-  struct Slide {
-    double path = 0.0, rate = 0.0, second_rate = 0.0;  // u_t, m, and its rates
-    double slip = 0.0;                                 // s, m
-    double force = 0.0, force_rate = 0.0;              // F_t, N, N/s
-    double stiffness = 0.0;                            // dF_t/du_t, N/m
-    double sense = 0.0;                                // of the sliding: -1 or 1
-    bool slides = false;
-  };
   struct Losses {
     double work = 0.0, friction = 0.0, stored_at_start = 0.0;  // J
     double speed_at_touch = 0.0;                               // m/s
   };
 
-  [[nodiscard]] double coefficient(std::size_t i) const { return corners_[i].friction.coefficient; }
-
-  // Return mapping from the committed slip.
-  void grip(std::size_t i) {
-    Slide& now = now_slides_[i];
-    const double limit = coefficient(i) * std::max(this->forces_[i], 0.0);
-    now.slides = false;
-    now.sense = now.stiffness = now.force = 0.0;
-    if (limit == 0.0) {
-      now.slip = now.path;
-      return;
-    }
-    const double stiffness = corners_[i].friction.tangential_stiffness;
-    const double elastic = stiffness * (now.path - start_slides_[i].slip);
-    if (std::abs(elastic) <= limit) {
-      now.slip = start_slides_[i].slip;
-      now.force = elastic;
-      now.stiffness = stiffness;
-      return;
-    }
-    now.slides = true;
-    now.sense = elastic > 0.0 ? 1.0 : -1.0;
-    now.force = now.sense * limit;
-    now.slip = now.path - now.force / stiffness;
-  }
-
-  [[nodiscard]] double stored_by_grip(std::size_t i, const Slide& slide) const {
-    return slide.force == 0.0 ? 0.0 : 0.5 * slide.force * slide.force / corners_[i].friction.tangential_stiffness;
-  }
+  [[nodiscard]] ContactFriction friction(std::size_t i) const { return corners_[i].friction; }
 
   void add_step(std::size_t i, double step, WorkRule rule) {
-    const Slide &start = start_slides_[i], &now = now_slides_[i];
+    const CornerGrip &start = start_grips_[i], &now = now_grips_[i];
     Losses& losses = losses_[i];
     if (step == 0.0) {
       // The same instant again: where the normal force jumped down, the grip gives up its energy.
-      losses.friction += std::max(stored_by_grip(i, start) - stored_by_grip(i, now), 0.0);
+      losses.friction += std::max(start.stored(friction(i)) - now.stored(friction(i)), 0.0);
       return;
     }
     if (start.force == 0.0 && now.force == 0.0) return;
@@ -264,8 +227,8 @@ class CornerContacts final : public ContactLinks<Law, PlanEnds>, public PlanCont
     losses.work += mean * (now.path - start.path);
     if (rule == WorkRule::mean_force) return;
     // The power is smooth but for kinks: the trapezoidal rule with its correction by the rates at the ends.
-    const auto power_rate = [](const Slide& slide) {
-      return slide.force_rate * slide.rate + slide.force * slide.second_rate;
+    const auto power_rate = [](const CornerGrip& grip) {
+      return grip.force_rate * grip.rate + grip.force * grip.second_rate;
     };
     losses.work += 0.5 * step * (start.force * start.rate + now.force * now.rate) - mean * (now.path - start.path) +
                    step * step / 12.0 * (power_rate(start) - power_rate(now));
@@ -278,39 +241,46 @@ class CornerContacts final : public ContactLinks<Law, PlanEnds>, public PlanCont
     return 0.01 * (corner.edge_end - corner.edge_begin) - beyond;
   }
 
+  [[nodiscard]] Distance distance_of(std::size_t i, Distance gap, const CornerGrip& along) const {
+    const Corner& corner = corners_[i];
+    const double past_end = along.path - corner.edge_end, before_begin = corner.edge_begin - along.path;
+    const double beside = std::max(past_end, before_begin);
+    if (this->is_touching(i)) return gap;
+    // Behind the line of its edge it came from beside it.
+    const double apart = std::abs(gap.value), apart_rate = gap.value < 0.0 ? -gap.rate : gap.rate;
+    if (beside <= 0.0) return {apart, apart_rate};
+    const double value = std::hypot(apart, beside);
+    return {value, (apart * apart_rate + beside * (past_end > before_begin ? along.rate : -along.rate)) / value};
+  }
+
   // After a step: whether an open corner misses the edge. Once behind its line it misses until it comes back.
   void watch_ends(std::size_t i) {
     if (this->is_touching(i)) {
       misses_[i] = 0;
       return;
     }
-    const double path = now_slides_[i].path;
-    const bool behind = misses_[i] != 0 && indentations_behind(i) > 0.0;
+    const double path = now_grips_[i].path;
+    const bool behind = misses_[i] != 0 && gaps_[i].value < 0.0;
     misses_[i] = behind || margin_at_ends(i, path) < 0.0 ? 1 : 0;
   }
 
-  // The true indentation of a corner that misses its edge; keep_open() has changed the sign of a positive one.
-  [[nodiscard]] double indentations_behind(std::size_t i) const { return behind_.empty() ? 0.0 : behind_[i]; }
-
   // A corner that misses stays open: its indentation counts as a distance.
   void keep_open(std::size_t i) {
-    behind_.resize(corners_.size(), 0.0);
-    behind_[i] = this->now_.deformations[i];
     if (this->now_.deformations[i] > 0.0) this->now_.rates[i] = -this->now_.rates[i];
     constexpr double apart = 1e-9;  // m
     this->now_.deformations[i] = -std::abs(this->now_.deformations[i]) - apart;
   }
   void keep_open_at_start(std::size_t i) {
-    behind_.resize(corners_.size(), 0.0);
-    behind_[i] = std::abs(this->start_.deformations[i]);
+    gaps_[i].value = -std::abs(this->start_.deformations[i]);
     this->start_.deformations[i] = -std::abs(this->start_.deformations[i]);
   }
 
   std::vector<Corner> corners_;
-  std::vector<Slide> now_slides_, start_slides_;  // at the last evaluate(), and at the last commit
+  std::vector<CornerGrip> now_grips_, start_grips_;  // at the last evaluate(), and at the last commit
+  std::vector<double> slide_begins_;                 // in the last step, as fractions of it
   std::vector<Losses> losses_;
   std::vector<char> misses_;    // at the last commit: beside its edge
-  std::vector<double> behind_;  // m, where they miss
+  std::vector<Distance> gaps_;  // along the normals, m, at the last evaluate(); negative behind the edge's line
   int past_an_end_ = 0;
   bool friction_changed_ = false;
 };

@@ -28,6 +28,7 @@ CornerGeometry corner_geometry(const Model& model, const std::string& name, cons
   check.that(along > 0.0, "neither body moves along the normal, so that the gap never changes.",
              "Give bodies that move towards each other.");
   geometry.normal_mass = 1.0 / along;
+  geometry.cross_mobility = geometry.ends.cross_mobility(inverse_mass);
   geometry.tangential_mass = across > 0.0 ? 1.0 / across : std::numeric_limits<double>::infinity();
   return geometry;
 }

@@ -69,6 +69,7 @@ struct CornerGeometry {
   PlanVector normal{};
   double edge_begin = 0.0, edge_end = 0.0;          ///< along the tangent from the corner at rest, m
   double normal_mass = 0.0, tangential_mass = 0.0;  ///< effective, kg
+  double cross_mobility = 0.0;                      ///< of one direction under a force along the other, 1/kg
 };
 
 /// Throws InputError unless both bodies are of this model and different, the edge has a length and the corner a
@@ -122,7 +123,8 @@ void add(Model& model, const CornerGap<Law>& gap) {
        .edge_begin = geometry.edge_begin,
        .edge_end = geometry.edge_end,
        .normal_mass = geometry.normal_mass,
-       .tangential_mass = geometry.tangential_mass});
+       .tangential_mass = geometry.tangential_mass,
+       .cross_mobility = geometry.cross_mobility});
 }
 
 // For moat's impact laws these are compiled in the library, so that a script compiles faster.

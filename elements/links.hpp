@@ -199,6 +199,7 @@ class Links : public ElementBlock {
   LinkMotion now_;             // at the last evaluate()
   LinkMotion start_, before_;  // at the last commit, and at the one before
   double last_step_ = 0.0;     // between them, s
+  double step_ = 0.0;          // from the committed to the trial state, s
   std::vector<double> forces_, force_rates_;
   std::vector<double> stiffnesses_, dampings_;  // empty for linear laws
   LinkEnergies<Law> energies_;
@@ -278,7 +279,6 @@ class Links : public ElementBlock {
     law.force_rate(state, x, x, x);
   };
 
-  double step_ = 0.0;  // from the committed to the trial state, s
   bool tangent_changed_ = false;
   std::vector<double> start_stiffnesses_;  // at the last commit, of laws with corners
 };

@@ -115,6 +115,15 @@ class PlanEndsBothWays {
     for (std::size_t i = 0; i < along_.size(); ++i)
       for (std::size_t j = 0; j < along_.size(); ++j) slot_[i][j] = matrix.slot(along_.node(i), along_.node(j));
   }
+  /// The sum of the products of both weights over mass, 1/kg: the change of either difference under a unit impulse
+  /// along the other.
+  template <class InverseMass>
+  [[nodiscard]] double cross_mobility(InverseMass inverse_mass) const {
+    double sum = 0.0;
+    for (std::size_t i = 0; i < along_.size(); ++i)
+      sum += along_.weight(i) * across_.weight(i) * inverse_mass(along_.node(i));
+    return sum;
+  }
   [[nodiscard]] PlanVector difference(const double* values) const {
     return {along_.difference(values), across_.difference(values)};
   }

@@ -62,12 +62,13 @@ class PlanarBlock final : public ElementBlock, public PlanarElements {
     for (std::size_t i = 0; i < size(); ++i) ends_[i].find(infos_[i], matrix);
   }
 
+  void begin_step(double step) override { step_ = step; }
   void evaluate(const double* displacement, const double* velocity, double* force) override {
     for (std::size_t i = 0; i < size(); ++i) {
       Motion& now = now_[i];
       now.deformation = ends_[i].difference(displacement);
       now.rate = ends_[i].difference(velocity);
-      const PlanarResponse response = laws_[i].evaluate(committed_[i], now.deformation, now.rate, trial_[i]);
+      const PlanarResponse response = laws_[i].evaluate(committed_[i], now.deformation, now.rate, step_, trial_[i]);
       tangent_changed_ |= response.stiffness != responses_[i].stiffness || response.damping != responses_[i].damping;
       responses_[i] = response;
       deformations_[i] = size_of(now.deformation);
@@ -81,7 +82,7 @@ class PlanarBlock final : public ElementBlock, public PlanarElements {
     for (std::size_t i = 0; i < size(); ++i) {
       Motion& now = now_[i];
       now.second_rate = ends_[i].difference(acceleration);
-      force_rate_[i] = responses_[i].force_rate + responses_[i].damping * now.second_rate;
+      force_rate_[i] = responses_[i].force_rate;
       second_rates_[i] = rate_of_size(now.deformation, now.second_rate, deformations_[i]);
       force_rates_[i] = rate_of_size(responses_[i].force, force_rate_[i], forces_[i]);
       if (force_rate != nullptr) ends_[i].add_force(force_rate_[i], force_rate);
@@ -104,7 +105,7 @@ class PlanarBlock final : public ElementBlock, public PlanarElements {
     constexpr double jump = 0.2;
     for (std::size_t i = 0; i < size(); ++i) {
       const PlanMatrix &before = start_responses_[i].stiffness, &after = responses_[i].stiffness;
-      if (largest(after + -1.0 * before) > jump * std::max(largest(before), largest(after))) return true;
+      if (size_of(after + -1.0 * before) > jump * std::max(size_of(before), size_of(after))) return true;
     }
     return false;
   }
@@ -144,10 +145,14 @@ class PlanarBlock final : public ElementBlock, public PlanarElements {
     // commit() has left the states of the step's start in trial_, and its motion in before_.
     const Path path{before_[i], start_[i], last_step_};
     State after;
-    return length(laws_[i].evaluate(trial_[i], path.value(fraction), path.rate(fraction), after).force);
+    return length(
+        laws_[i].evaluate(trial_[i], path.value(fraction), path.rate(fraction), fraction * last_step_, after).force);
   }
 
   PlanVector position(std::size_t i) const override { return positions_[i]; }
+  double linear_stiffness(std::size_t i, StiffnessStage stage) const override {
+    return laws_[i].linear_stiffness(stage);
+  }
   PlanVector deformation(std::size_t i) const override { return now_[i].deformation; }
   PlanVector deformation_rate(std::size_t i) const override { return now_[i].rate; }
   PlanVector force(std::size_t i) const override { return responses_[i].force; }
@@ -178,9 +183,8 @@ class PlanarBlock final : public ElementBlock, public PlanarElements {
   }
   // Without the care of std::hypot for numbers near the ends of their range, which costs ten times as much.
   static double size_of(PlanVector vector) { return std::sqrt(dot(vector, vector)); }
-  static double largest(PlanMatrix a) {
-    return std::max(std::max(std::abs(a.xx), std::abs(a.xy)), std::max(std::abs(a.yx), std::abs(a.yy)));
-  }
+  // The same in all axes.
+  static double size_of(PlanMatrix a) { return std::sqrt(a.xx * a.xx + a.xy * a.xy + a.yx * a.yx + a.yy * a.yy); }
 
   void add_step(std::size_t i, double step, WorkRule rule) {
     Account& account = accounts_[i];
@@ -201,7 +205,8 @@ class PlanarBlock final : public ElementBlock, public PlanarElements {
     double work = dot(accounts_[i].force, start_[i].rate) + dot(responses_[i].force, now_[i].rate);
     for (const double x : {first_inside, 1.0 - first_inside}) {
       State after;
-      work += 5.0 * dot(laws_[i].evaluate(committed_[i], path.value(x), path.rate(x), after).force, path.rate(x));
+      work +=
+          5.0 * dot(laws_[i].evaluate(committed_[i], path.value(x), path.rate(x), x * step, after).force, path.rate(x));
     }
     return step / 12.0 * work;
   }
@@ -217,7 +222,7 @@ class PlanarBlock final : public ElementBlock, public PlanarElements {
   std::vector<double> deformations_, rates_, second_rates_, forces_, force_rates_;
   std::vector<Account> accounts_;
   bool keeps_accounts_ = false, tangent_changed_ = false;
-  double last_step_ = 0.0;  // s
+  double step_ = 0.0, last_step_ = 0.0;  // s
 };
 
 }  // namespace moat

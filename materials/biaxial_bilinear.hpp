@@ -20,7 +20,8 @@ namespace moat {
 ///
 /// with k1 = F_y/d_y the initial stiffness, k2 = post_yield_stiffness and Q = (k1 - k2) d_y. Along a line it is
 /// `Bilinear`. The update is exact for straight increments (Krieg & Krieg 1977, Accuracies of numerical solution
-/// methods for the elastic-perfectly plastic model), and so is the dissipation.
+/// methods for the elastic-perfectly plastic model), and so is the dissipation; for curved ones it is of fourth order
+/// (materials/saturating_slip.hpp).
 struct BiaxialBilinear {
   static constexpr std::string_view name = "BiaxialBilinear";
 
@@ -44,9 +45,11 @@ struct BiaxialBilinear {
     return yield_force.si() - post_yield_stiffness.si() * yield_displacement.si();
   }
 
-  PlanarResponse evaluate(const State& committed, PlanVector deformation, PlanVector rate, State& trial) const {
+  PlanarResponse evaluate(const State& committed, PlanVector deformation, PlanVector rate, double interval,
+                          State& trial) const {
     const SaturatingSlip slip{SaturatingSlip::Begins::on_the_circle, yield_displacement.si()};
-    return saturating_response(slip, strength(), post_yield_stiffness.si(), committed, deformation, rate, trial);
+    return saturating_response(slip, strength(), post_yield_stiffness.si(), committed, deformation, rate, interval,
+                               trial);
   }
   double stored_energy(const State& committed, PlanVector deformation) const {
     return 0.5 * post_yield_stiffness.si() * dot(deformation, deformation) +

@@ -18,7 +18,8 @@ namespace moat {
 ///     F = k2 d + Q z,   d_y z' = d' - z max(z.d', 0),   |z| <= 1
 ///
 /// Park, Wen & Ang 1986, Random vibration of hysteretic systems under bi-directional ground motions. The force turns
-/// with the path, whatever the axes. z follows a straight increment in closed form (materials/saturating_slip.hpp).
+/// with the path, whatever the axes. z follows a straight increment in closed form, and a curved one to fourth order
+/// (materials/saturating_slip.hpp).
 struct BiaxialBoucWen {
   static constexpr std::string_view name = "BiaxialBoucWen";
 
@@ -42,10 +43,11 @@ struct BiaxialBoucWen {
             {"post_yield_stiffness", post_yield_stiffness.si(), "N/m"}};
   }
 
-  PlanarResponse evaluate(const State& committed, PlanVector deformation, PlanVector rate, State& trial) const {
+  PlanarResponse evaluate(const State& committed, PlanVector deformation, PlanVector rate, double interval,
+                          State& trial) const {
     const SaturatingSlip slip{SaturatingSlip::Begins::from_the_start, yield_displacement.si()};
     return saturating_response(slip, characteristic_strength.si(), post_yield_stiffness.si(), committed, deformation,
-                               rate, trial);
+                               rate, interval, trial);
   }
   double stored_energy(const State& committed, PlanVector deformation) const {
     return 0.5 * post_yield_stiffness.si() * dot(deformation, deformation) +

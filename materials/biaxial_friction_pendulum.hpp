@@ -30,6 +30,7 @@ struct BiaxialFrictionPendulum {
   struct State {
     PlanVector friction_force{};  ///< q, N
     PlanVector deformation{};     ///< m
+    PlanVector rate{};            ///< m/s
     double heat = 0.0;            ///< J, dissipated so far
 
     friend bool operator==(const State&, const State&) = default;
@@ -45,7 +46,8 @@ struct BiaxialFrictionPendulum {
     return list;
   }
 
-  PlanarResponse evaluate(const State& committed, PlanVector deformation, PlanVector rate, State& trial) const {
+  PlanarResponse evaluate(const State& committed, PlanVector deformation, PlanVector rate, double interval,
+                          State& trial) const {
     const SlidingIsolator line = pendulum.carrying(pendulum.weight);
     const double speed = length(rate), stiffness = line.elastic_stiffness;
     const FrictionCoefficient mu = line.friction.at(speed, line.normal_force);
@@ -55,19 +57,19 @@ struct BiaxialFrictionPendulum {
     // A circle that shrank takes the force along.
     const double start = length(committed.friction_force), given_up = std::max(start - limit, 0.0);
     const PlanVector z = committed.friction_force / (given_up > 0.0 ? start : limit);
-    const SaturatingSlip::Step step = slip.advance(z, increment, rate);
+    const SaturatingSlip::Step step = slip.advance(z, increment, committed.rate, rate, interval);
     trial = {
-        limit * step.z, deformation,
+        limit * step.z, deformation, rate,
         committed.heat + limit * limit / stiffness * step.dissipated + 0.5 * given_up * (start + limit) / stiffness};
 
-    // q is homogeneous of the first degree in the force at the start, the increment and the limit.
-    PlanVector by_limit = step.z - step.derivative * increment;
+    // q is homogeneous of the first degree in the force at the start, the path and the limit.
+    PlanVector by_limit = step.z - step.by_scale;
     if (given_up == 0.0) by_limit = by_limit - step.by_start * z;
     const PlanVector speed_slope = speed > 0.0 ? mu.slope * line.normal_force / speed * rate : PlanVector{};
     const PlanMatrix restoring = PlanMatrix::diagonal(line.restoring_stiffness);
     return {.force = line.restoring_stiffness * deformation + trial.friction_force,
-            .stiffness = restoring + limit * step.derivative,
-            .damping = PlanMatrix::product(by_limit, speed_slope),
+            .stiffness = restoring + limit * step.by_increment,
+            .damping = limit * step.by_rate + PlanMatrix::product(by_limit, speed_slope),
             .force_rate = restoring * rate + limit * step.rate};
   }
   double stored_energy(const State& committed, PlanVector deformation) const {

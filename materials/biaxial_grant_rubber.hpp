@@ -41,7 +41,7 @@ struct BiaxialGrantRubber {
   void check(const Check& check) const { rubber.check(check); }
   [[nodiscard]] std::vector<Parameter> parameters() const { return rubber.parameters(); }
 
-  PlanarResponse evaluate(const State& committed, PlanVector deformation, PlanVector rate, State& trial) const {
+  PlanarResponse evaluate(const State& committed, PlanVector deformation, PlanVector rate, double, State& trial) const {
     const PlanVector increment = deformation - committed.deformation;
     const double size = length(increment);
     constexpr double negligible = 1e-12;  // m

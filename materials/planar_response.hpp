@@ -13,21 +13,22 @@ namespace moat {
 struct PlanarResponse {
   PlanVector force{};      ///< N
   PlanMatrix stiffness{};  ///< dF/d(deformation) of the whole increment from the committed state, N/m
-  PlanMatrix damping{};    ///< dF/d(rate), N s/m
-  /// The rate of the force while the deformation goes on at its rate, without the part of `damping`, N/s. Of a law
-  /// with history it is not stiffness times rate, except where the increment is short.
+  PlanMatrix damping{};    ///< dF/d(rate), N s/m: the rate at the end bends the path of the increment
+  /// The rate of the force while the deformation goes on at its rate, N/s. Of a law with history it is not stiffness
+  /// times rate, except where the increment is short.
   PlanVector force_rate{};
 };
 
 /// A force-deformation law of two components, x and y: the same functions as of a ForceLaw (materials/response.hpp), on
-/// vectors. evaluate() takes the path from the committed deformation, which the state keeps, for straight.
-/// dissipated_energy(from, to) is the heat between two states, J; linear_stiffness() that of a linear analysis, in all
-/// directions alike, N/m.
+/// vectors. The state keeps the committed deformation and its rate; evaluate() takes the path from there for the cubic
+/// through both ends and their rates, `interval` s long; 0 is the committed instant again, or a straight path. The
+/// force depends on the path alone, not on its speed. dissipated_energy(from, to) is the heat between two states, J;
+/// linear_stiffness() that of a linear analysis, in all directions alike, N/m.
 template <class Law>
 concept PlanarLaw = std::is_trivially_copyable_v<typename Law::State> &&
     std::default_initializable<typename Law::State> &&
     requires(const Law& law, const typename Law::State& committed, typename Law::State& trial, PlanVector d) {
-  { law.evaluate(committed, d, d, trial) } -> std::same_as<PlanarResponse>;
+  { law.evaluate(committed, d, d, 0.0, trial) } -> std::same_as<PlanarResponse>;
   { law.stored_energy(committed, d) } -> std::same_as<double>;
   { law.dissipated_energy(committed, committed) } -> std::same_as<double>;
   { law.linear_stiffness(StiffnessStage::initial) } -> std::same_as<double>;

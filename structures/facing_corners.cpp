@@ -31,6 +31,17 @@ bool points_out(const PlanOutline& outline, std::size_t i, bool solid) {
   return (cross(before, after) > 0.0) == solid;
 }
 
+// Whether both faces at a corner lead away from an edge, or along it: another corner of the body is nearer to it
+// otherwise.
+bool faces(const PlanOutline& outline, std::size_t i, const Edge& edge) {
+  constexpr double parallel = 1e-6;
+  const auto leads_away = [&](PlanVector to) {
+    const PlanVector way = to - outline.corner(i);
+    return cross(edge.along(), way) >= -parallel * length(way);
+  };
+  return leads_away(outline.corner(i + 1)) && leads_away(outline.corner(i + outline.size() - 1));
+}
+
 bool within_reach(const Edge& edge, PlanVector point, double reach) {
   const double distance = edge.distance(point), position = edge.position(point);
   return distance > 0.0 && distance <= reach && position >= -reach && position <= edge.size() + reach;
@@ -53,7 +64,7 @@ void add_corners(std::vector<FacingCorner>& list, const PlanOutline& outline, bo
   for (std::size_t e = 0; e < other.size(); ++e) {
     const Edge edge = edge_of(other, e, other_solid);
     for (std::size_t i = 0; i < outline.size(); ++i)
-      if (points_out(outline, i, solid) && within_reach(edge, outline.corner(i), reach))
+      if (points_out(outline, i, solid) && faces(outline, i, edge) && within_reach(edge, outline.corner(i), reach))
         list.push_back({of_first, outline.corners[i], "corner " + std::to_string(i + 1), e, edge.begin, edge.end, 1.0});
   }
 }

@@ -127,11 +127,11 @@ BarePlanHistory bare_plan_tower(const GroundMotion& motion, int divisions) {
     tangent = constant;
     for (Bearing& bearing : bearings) {
       const PlanVector d{bearing.x * u1, bearing.y * u1}, rate{bearing.x * v1, bearing.y * v1};
-      const PlanarResponse response = law.evaluate(bearing.committed, d, rate, bearing.trial);
+      const PlanarResponse response = law.evaluate(bearing.committed, d, rate, h, bearing.trial);
       forces += response.force.x * bearing.x.transpose() + response.force.y * bearing.y.transpose();
-      const Row x = response.stiffness.xx * bearing.x + response.stiffness.xy * bearing.y,
-                y = response.stiffness.yx * bearing.x + response.stiffness.yy * bearing.y;
-      tangent += wd * (bearing.x.transpose() * x + bearing.y.transpose() * y);
+      const PlanMatrix slope = wd * response.stiffness + wv * response.damping;
+      const Row x = slope.xx * bearing.x + slope.xy * bearing.y, y = slope.yx * bearing.x + slope.yy * bearing.y;
+      tangent += bearing.x.transpose() * x + bearing.y.transpose() * y;
     }
     for (Contact& contact : contacts) {
       contact.indentation = contact.normal * u1 - clearance;

@@ -28,8 +28,21 @@ class PlanContacts {
   /// Friction force along the tangent on the body of the edge, N, and its rate, N/s.
   [[nodiscard]] virtual double friction_force(std::size_t element) const = 0;
   [[nodiscard]] virtual double friction_force_rate(std::size_t element) const = 0;
+  /// Where in the last committed step the corner began to slide, so that rates jumped there: a fraction of the step,
+  /// NaN where it did not.
+  [[nodiscard]] virtual double slide_begin(std::size_t element) const = 0;
   /// Speed of the corner along the tangent at the last touch, relative to the edge, m/s.
   [[nodiscard]] virtual double tangential_speed_at_touch(std::size_t element) const = 0;
+  /// The distance of a corner from its edge at rest, and at the last evaluate() with its rate, m and m/s: that from the
+  /// nearer end where the corner is beside the edge. Negative while the corner is indented.
+  struct Distance {
+    double value = 0.0, rate = 0.0;
+  };
+  [[nodiscard]] virtual double distance_at_rest(std::size_t element) const = 0;
+  [[nodiscard]] virtual Distance distance(std::size_t element) const = 0;
+  /// Whether a corner that slides could be pressed into its edge without an end: 1/m_n <= mu |m_nt|, with the mobility
+  /// m_nt of normal motion under a force along the tangent. No law can separate them then.
+  [[nodiscard]] virtual bool may_jam(std::size_t element) const = 0;
   /// How often a corner in contact slid past the end of an edge, so that the contact was released.
   [[nodiscard]] virtual int corners_past_an_end() const = 0;
 

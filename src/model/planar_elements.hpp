@@ -4,6 +4,7 @@
 #include <cstddef>
 
 #include "base/plan_vector.hpp"
+#include "base/stiffness_stage.hpp"
 
 namespace moat {
 
@@ -13,6 +14,8 @@ class PlanarElements {
  public:
   /// Where the element stands at rest, m.
   [[nodiscard]] virtual PlanVector position(std::size_t element) const = 0;
+  /// That of a linear analysis, in all directions alike, N/m.
+  [[nodiscard]] virtual double linear_stiffness(std::size_t element, StiffnessStage stage) const = 0;
   /// Results of the last evaluate() and evaluate_rates(): m, m/s, N, N/s.
   [[nodiscard]] virtual PlanVector deformation(std::size_t element) const = 0;
   [[nodiscard]] virtual PlanVector deformation_rate(std::size_t element) const = 0;

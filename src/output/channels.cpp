@@ -83,6 +83,7 @@ std::vector<std::size_t> Channels::bent_by(const Model& model, const RegimeChang
     }
     plan_.add_bent_by(model, end, bent);
   }
+  plan_.add_friction(change.block, change.element, bent);
   return bent;
 }
 

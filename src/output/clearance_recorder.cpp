@@ -1,11 +1,23 @@
 #include "output/clearance_recorder.hpp"
 
 #include <limits>
+#include <utility>
 
 #include "base/hermite.hpp"
 #include "output/gaps_of.hpp"
 
 namespace moat {
+namespace {
+
+// m, m/s; of a corner minus its distance from the edge.
+std::pair<double, double> indentation_of(const ElementBlock& block, std::size_t element) {
+  const PlanContacts* corners = block.plan_contacts();
+  if (corners == nullptr) return {block.deformations()[element], block.rates()[element]};
+  const auto [value, rate] = corners->distance(element);
+  return {-value, -rate};
+}
+
+}  // namespace
 
 ClearanceRecorder::ClearanceRecorder(const Model& model) : model_{&model} {
   constexpr double none = -std::numeric_limits<double>::infinity();
@@ -19,7 +31,7 @@ void ClearanceRecorder::step(const StepView& view) {
   const double time = view.model.state().time, step = time - time_before_;
   for (Gap& gap : gaps_) {
     const ElementBlock& block = *view.model.blocks()[gap.block];
-    const double indentation = block.deformations()[gap.element], rate = block.rates()[gap.element];
+    const auto [indentation, rate] = indentation_of(block, gap.element);
     if (indentation > gap.largest) {
       gap.largest = indentation;
       gap.time = time;
@@ -42,8 +54,11 @@ void ClearanceRecorder::step(const StepView& view) {
 std::vector<GapClearance> ClearanceRecorder::clearances() const {
   std::vector<GapClearance> list;
   for (const Gap& gap : gaps_) {
-    const ElementInfo& info = model_->blocks()[gap.block]->info(gap.element);
-    list.push_back({.where = info.name, .clearance = info.offset, .left = -gap.largest, .time = gap.time});
+    const ElementBlock& block = *model_->blocks()[gap.block];
+    const ElementInfo& info = block.info(gap.element);
+    const PlanContacts* corners = block.plan_contacts();
+    const double at_rest = corners != nullptr ? corners->distance_at_rest(gap.element) : info.offset;
+    list.push_back({.where = info.name, .clearance = at_rest, .left = -gap.largest, .time = gap.time});
   }
   return list;
 }

@@ -9,7 +9,7 @@
 namespace moat {
 
 /// Keeps the smallest opening of every gap over continuous time: between two instants the cubic through indentations
-/// and their rates counts.
+/// and their rates counts. In plan an opening is the distance of a corner from its edge, also from an end of it.
 class ClearanceRecorder final : public StepObserver {
  public:
   explicit ClearanceRecorder(const Model& model);

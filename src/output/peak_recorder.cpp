@@ -26,6 +26,22 @@ void PeakRecorder::step(const StepView& view) {
     trackers_[i].add(time, values_[i], rates_[i], [&](double fraction, double turned) {
       return channels_.contains_ground(i) ? turned : channels_.value_inside(view, i, fraction, turned);
     });
+  if (model_->is_plan()) add_slide_begins(time_, time);
+  time_ = time;
+}
+
+// Where a corner began to slide inside the step, the rates of its friction and of the accelerations jump.
+void PeakRecorder::add_slide_begins(double start, double end) {
+  for (std::size_t b = 0; b < model_->blocks().size(); ++b) {
+    const PlanContacts* contacts = model_->blocks()[b]->plan_contacts();
+    if (contacts == nullptr || model_->blocks()[b]->contacts()->touching() == 0) continue;
+    for (std::size_t e = 0; e < model_->blocks()[b]->size(); ++e) {
+      const double fraction = contacts->slide_begin(e);
+      if (std::isnan(fraction)) continue;
+      for (const std::size_t channel : channels_.bent_by(*model_, {.block = b, .element = e}))
+        trackers_[channel].add_bend(start + fraction * (end - start));
+    }
+  }
 }
 
 // Channels that contain the motion of the ground may turn at any of its samples. Those that can exceed their peak are

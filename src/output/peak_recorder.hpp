@@ -24,6 +24,7 @@ class PeakRecorder final : public StepObserver {
   [[nodiscard]] std::vector<Peak> peaks() const;
 
  private:
+  void add_slide_begins(double start, double end);
   void add_samples_inside(const GroundSpan& span);
   [[nodiscard]] std::string side_of(std::size_t channel, const Peak& peak) const;
 
@@ -32,6 +33,7 @@ class PeakRecorder final : public StepObserver {
   std::set<std::string> gaps_;         // names
   std::vector<PeakTracker> trackers_;  // one for each channel
   std::vector<double> values_, rates_, values_before_, rates_before_;
+  double time_ = 0.0;              // s, of the last step
   std::vector<GroundBump> bumps_;  // inside the last step
 };
 

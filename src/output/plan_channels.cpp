@@ -102,6 +102,7 @@ void PlanChannels::add_elements(const Model& model, std::vector<Channel>& list) 
           if (!quantity.empty()) list.push_back({quantity.text() + component, info.name, info.listed_under(), unit});
     }
   }
+  frictions_ = list.size();
   for (std::size_t b = 0; b < model.blocks().size(); ++b) {
     const ElementBlock& block = *model.blocks()[b];
     for (std::size_t e = 0; block.plan_contacts() != nullptr && e < block.size(); ++e) {
@@ -174,6 +175,12 @@ void PlanChannels::sample(const StepView& view, double*& value, double*& rate) c
     write(force.y, force_rate.y, value, rate);
     write(torque, torque_rate, value, rate);
   }
+}
+
+void PlanChannels::add_friction(std::size_t block, std::size_t element, std::vector<std::size_t>& bent) const {
+  const auto found = std::ranges::find_if(
+      sliding_, [&](const ElementOfBlock& each) { return each.block == block && each.element == element; });
+  if (found != sliding_.end()) bent.push_back(frictions_ + static_cast<std::size_t>(found - sliding_.begin()));
 }
 
 void PlanChannels::add_bent_by(const Model& model, NodeId body, std::vector<std::size_t>& bent) const {

@@ -37,6 +37,8 @@ class PlanChannels {
 
   /// Writes values and rates and moves both pointers behind them.
   void sample(const StepView& view, double*& value, double*& rate) const;
+  /// Appends the channels of a contact's friction.
+  void add_friction(std::size_t block, std::size_t element, std::vector<std::size_t>& bent) const;
   /// Appends the channels whose rates jump where the acceleration of this body does.
   void add_bent_by(const Model& model, NodeId body, std::vector<std::size_t>& bent) const;
 
@@ -60,6 +62,7 @@ class PlanChannels {
   std::vector<Point> points_;  // two channels each: displacement, acceleration
   std::vector<Drift> corner_drifts_, centre_drifts_;
   std::vector<ElementOfBlock> planar_, sliding_;
+  std::size_t frictions_ = 0;  // channel of the first of sliding_
   std::vector<std::vector<DiaphragmId>> buildings_;
   std::vector<std::size_t> accelerations_;  // channel of every point's acceleration
   std::vector<std::size_t> shears_;         // first channel of every building

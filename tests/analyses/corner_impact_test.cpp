@@ -9,10 +9,12 @@
 #include "analysis_testing.hpp"
 #include "base/units.hpp"
 #include "elements/corner_gap.hpp"
+#include "elements/plan_spring.hpp"
 #include "elements/planar_spring.hpp"
 #include "materials/biaxial_bilinear.hpp"
 #include "materials/impact/exact_hertz_damp.hpp"
 #include "materials/impact/exact_kelvin.hpp"
+#include "materials/linear.hpp"
 
 namespace moat {
 namespace {
@@ -137,24 +139,26 @@ TEST(CornerImpact, TwoCornersOfAFlatFaceTouchAtOnce) {
 
 TEST(CornerImpact, IntoASquareCornerOfTheMoatStaysOnTheDiagonal) {
   // Both walls at once, mu = 0 and equal arms: the slab does not turn, and returns along the diagonal.
-  FreeSlab slab{0.5 * m / s, 0.5 * m / s, rectangle(10 * m, 10 * m)};
-  const PlanPosition corner{5 * m, 5 * m};
-  int wall = 0;
-  for (const auto& [begin, end] : {std::pair{PlanPosition{5.01 * m, -6 * m}, PlanPosition{5.01 * m, 6 * m}},
-                                   std::pair{PlanPosition{6 * m, 5.01 * m}, PlanPosition{-6 * m, 5.01 * m}}})
-    add(slab.model, CornerGap<ExactHertzDamp>{.name = "wall " + std::to_string(++wall),
-                                              .corner = PlanPoint{slab.slab, corner},
-                                              .edge_of = ground,
-                                              .edge_begin = begin,
-                                              .edge_end = end,
-                                              .law = {.stiffness = 1e9 * N / m_3_2, .restitution = restitution}});
-  const CaseResult result = slab.run({});
-  const double vx = slab.model.velocity(slab.slab.x);
-  // Torques cancel: each wall sees the whole mass.
-  EXPECT_NEAR(vx, -restitution * 0.5, 1e-3);
-  EXPECT_NEAR(slab.model.velocity(slab.slab.y), vx, 1e-12);
-  EXPECT_NEAR(slab.model.angular_velocity(slab.slab), 0.0, 1e-12);
-  EXPECT_EQ(result.impacts.size(), 2U);
+  for (const auto& [options, tolerance] : {std::pair{TransientOptions{}, 1e-3}, std::pair{tight(), 1e-5}}) {
+    FreeSlab slab{0.5 * m / s, 0.5 * m / s, rectangle(10 * m, 10 * m)};
+    const PlanPosition corner{5 * m, 5 * m};
+    int wall = 0;
+    for (const auto& [begin, end] : {std::pair{PlanPosition{5.01 * m, -6 * m}, PlanPosition{5.01 * m, 6 * m}},
+                                     std::pair{PlanPosition{6 * m, 5.01 * m}, PlanPosition{-6 * m, 5.01 * m}}})
+      add(slab.model, CornerGap<ExactHertzDamp>{.name = "wall " + std::to_string(++wall),
+                                                .corner = PlanPoint{slab.slab, corner},
+                                                .edge_of = ground,
+                                                .edge_begin = begin,
+                                                .edge_end = end,
+                                                .law = {.stiffness = 1e9 * N / m_3_2, .restitution = restitution}});
+    const CaseResult result = slab.run(options);
+    const double vx = slab.model.velocity(slab.slab.x);
+    // Torques cancel: each wall sees the whole mass.
+    EXPECT_NEAR(vx, -restitution * 0.5, tolerance);
+    EXPECT_NEAR(slab.model.velocity(slab.slab.y), vx, 1e-12);
+    EXPECT_NEAR(slab.model.angular_velocity(slab.slab), 0.0, 1e-12);
+    EXPECT_EQ(result.impacts.size(), 2U);
+  }
 }
 
 TEST(CornerImpact, EnergyIsConservedWithStickAndSlip) {
@@ -197,6 +201,37 @@ TEST(CornerImpact, CornerBesideTheEdgeDoesNotTouch) {
   const CaseResult result = slab.run({});
   EXPECT_TRUE(result.impacts.empty());
   EXPECT_NEAR(slab.model.velocity(slab.slab.x), 0.6, 1e-14);
+  // It passes the end, at (10.01, 5) m, at a distance of 1 m.
+  ASSERT_EQ(result.clearances.size(), 1U);
+  EXPECT_NEAR(result.clearances[0].clearance, std::hypot(0.01, 1.0), 1e-12);
+  EXPECT_NEAR(result.clearances[0].left, 1.0, 1e-9);
+  EXPECT_NEAR(result.clearances[0].time, 0.01 / 0.6, 1e-4);
+}
+
+TEST(CornerImpact, ClearanceLeftIsTheDistanceFromTheEdge) {
+  // At an angle of 30 degrees towards a wall in front of its corner, to be turned round by a spring before it touches:
+  // along the normal of the wall counts. In contact the clearance is negative by the indentation.
+  for (const double x : {10.01, 10.4}) {
+    FreeSlab slab{0.6 * m / s};
+    add(slab.model, PlanSpring<Linear>{.name = "spring",
+                                       .lower = PlanPoint{ground, {}},
+                                       .upper = PlanPoint{slab.slab, {}},
+                                       .law = {.stiffness = Stiffness{mass * 9.0}}});
+    add(slab.model, CornerGap<ExactHertzDamp>{.name = "corner",
+                                              .corner = PlanPoint{slab.slab, {arm_x * m, arm_y * m}},
+                                              .edge_of = ground,
+                                              .edge_begin = PlanPosition{x * m, -8 * m},
+                                              .edge_end = PlanPosition{x * m, 8 * m},
+                                              .law = {.stiffness = 1e9 * N / m_3_2, .restitution = restitution}});
+    const CaseResult result = slab.run({});
+    ASSERT_EQ(result.clearances.size(), 1U);
+    if (result.impacts.empty())
+      EXPECT_NEAR(result.clearances[0].left, 0.4 - 0.6 / 3.0, 1e-6);
+    else
+      EXPECT_NEAR(result.clearances[0].left, -result.impacts[0].largest_indentation,
+                  1e-6 * result.impacts[0].largest_indentation);
+    EXPECT_EQ(result.impacts.empty(), x > 10.1);
+  }
 }
 
 TEST(CornerImpact, LoadedCornerThatSlidesPastTheEndIsReleased) {

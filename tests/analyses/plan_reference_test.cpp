@@ -170,6 +170,14 @@ TEST(PlanReference, WallsWithFriction) {
   expect_energy_closes(result);
 }
 
+TEST(PlanReference, EquationsBalanceToRoundOffInStepsOfAverageAcceleration) {
+  const CaseResult result =
+      reference_case(0.2, {.transient = {.step = 1 * ms, .end = 4 * s, .force_tolerance = 1e-12}});
+  EXPECT_GT(result.energy.friction, 0.0);
+  EXPECT_LT(std::abs(result.energy.equation_residual),
+            1e-9 * std::max(result.energy.largest_input, result.energy.largest_kinetic));
+}
+
 TEST(PlanReference, WallsWithMuchFriction) {
   // The peaks after the second impact depend on it strongly.
   const CaseResult result = reference_case(0.6);

@@ -5,7 +5,9 @@
 
 #include <cmath>
 #include <string>
+#include <vector>
 
+#include "analyses/case_warnings.hpp"
 #include "materials/impact/hertz.hpp"
 #include "message_of.hpp"
 
@@ -137,6 +139,31 @@ TEST(CornerGap, TangentIsTheDerivativeOfTheForces) {
   }
 }
 
+TEST(CornerGap, JamsWhereFrictionPressesTheCornerIn) {
+  // J = m: 1/m_n = 1 + 1, |m_nt| = 3 x 1, so that friction from 2/3 on jams.
+  for (const double friction : {0.66, 0.67}) {
+    Model model;
+    const DiaphragmId body = add(model, Diaphragm{.name = "body", .mass = 1 * kg, .rotary_inertia = 1 * kg * m * m});
+    add(model, CornerGap<Hertz>{.name = "gap",
+                                .corner = PlanPoint{body, {3 * m, 1 * m}},
+                                .edge_of = ground,
+                                .edge_begin = PlanPosition{3.1 * m, -2 * m},
+                                .edge_end = PlanPosition{3.1 * m, 2 * m},
+                                .law = {.stiffness = 1000 * N / m_3_2},
+                                .friction = friction});
+    const std::vector<std::string> warnings = model_warnings(model);
+    if (friction < 2.0 / 3.0) {
+      EXPECT_TRUE(warnings.empty());
+    } else {
+      ASSERT_EQ(warnings.size(), 1U);
+      EXPECT_EQ(warnings[0],
+                "\"gap\" can jam: while its corner slides, friction presses it into the edge at least as hard as the "
+                "contact pushes it back, 1/m_n <= mu |m_nt|. Give less friction, or check the rotary inertia and the "
+                "place of the corner.");
+    }
+  }
+}
+
 TEST(CornerGap, BadInputIsRefused) {
   const auto message = [](auto change) {
     return message_of([&] {
@@ -158,8 +185,15 @@ TEST(CornerGap, BadInputIsRefused) {
       message([](Slabs& slabs) { slabs.gap.edge_end = slabs.gap.edge_begin; }),
       "CornerGap \"gap\": edge_end - edge_begin = 0 is not allowed; it must be a vector of finite length > 0. Give "
       "the direction along which the element acts, for example {1, 0}.");
-  EXPECT_NE(message([](Slabs& slabs) { slabs.gap.friction = -0.1; }).find("friction = -0.1 is not allowed"),
-            std::string::npos);
+  EXPECT_EQ(
+      message([](Slabs& slabs) { slabs.gap.friction = -0.1; }),
+      "CornerGap \"gap\": friction = -0.1 is not allowed; it must be from 0 to 1. Concrete on concrete has 0.4 to "
+      "0.6, steel 0.2 to 0.3.");
+  EXPECT_EQ(message([](Slabs& slabs) {
+              slabs.gap.friction = {0.4, -1 * N / m};
+            }),
+            "CornerGap \"gap\": tangential_stiffness = -1 N/m is not allowed; it must be > 0 N/m and finite. Give the "
+            "stiffness before sliding, or leave it out for 0.85 times that of the normal law.");
   EXPECT_NE(message([](Slabs& slabs) { slabs.gap.share = 1.5; }).find("share = 1.5"), std::string::npos);
 }
 

@@ -42,9 +42,10 @@ using Laws = ::testing::Types<BiaxialBoucWen, BiaxialBilinear>;
 TYPED_TEST_SUITE(BiaxialLaw, Laws);
 
 template <class Law>
-PlanarResponse follow(const Law& law, typename Law::State& state, PlanVector to, PlanVector rate = {}) {
+PlanarResponse follow(const Law& law, typename Law::State& state, PlanVector to, PlanVector rate = {},
+                      double interval = 0.0) {
   typename Law::State after;
-  const PlanarResponse response = law.evaluate(state, to, rate, after);
+  const PlanarResponse response = law.evaluate(state, to, rate, interval, after);
   state = after;
   return response;
 }
@@ -121,25 +122,77 @@ TYPED_TEST(BiaxialLaw, DividedIncrementEndsAtTheSameForce) {
   }
 }
 
-TYPED_TEST(BiaxialLaw, TangentIsTheDerivative) {
+// Straight paths, paths that bend, and paths that turn back, where the area is cut off.
+TYPED_TEST(BiaxialLaw, TangentsAreTheDerivatives) {
   std::mt19937 random{3};
-  std::uniform_real_distribution<double> step{-2.0 * reach, 2.0 * reach};
-  typename TypeParam::State state;
-  PlanVector d;
-  for (int i = 0; i < 400; ++i) {
-    d += {step(random), step(random)};
-    typename TypeParam::State ignored;
-    const PlanarResponse at = this->law.evaluate(state, d, {}, ignored);
-    constexpr double h = 1e-8 * reach;
-    for (const PlanVector direction : {PlanVector{1.0, 0.0}, PlanVector{0.0, 1.0}}) {
-      const PlanVector ahead = this->law.evaluate(state, d + h * direction, {}, ignored).force,
-                       behind = this->law.evaluate(state, d - h * direction, {}, ignored).force;
-      const PlanVector slope = (ahead - behind) / (2.0 * h), tangent = at.stiffness * direction;
-      ASSERT_NEAR(slope.x, tangent.x, 2e-6 * strength / reach) << i;
-      ASSERT_NEAR(slope.y, tangent.y, 2e-6 * strength / reach) << i;
+  std::uniform_real_distribution<double> part{-1.0, 1.0};
+  for (const double interval : {0.0, 0.3, 1.0, 3.0}) {
+    typename TypeParam::State state;
+    PlanVector d;
+    int bent = 0;
+    for (int i = 0; i < 1000; ++i) {
+      const PlanVector increment = (i % 2 == 0 ? 2.0 : 0.2) * reach * PlanVector{part(random), part(random)};
+      d += increment;
+      const PlanVector rate = increment + 0.7 * length(increment) * PlanVector{part(random), part(random)};
+      typename TypeParam::State ignored;
+      const PlanarResponse at = this->law.evaluate(state, d, rate, interval, ignored);
+      bent += length(at.damping * PlanVector{1.0, 0.5}) > 0.0 ? 1 : 0;
+      constexpr double h = 1e-7 * reach;
+      const auto differs = [&](PlanVector ahead, PlanVector behind, PlanVector tangent) {
+        return length((ahead - behind) / (2.0 * h) - tangent) > 1e-5 * strength / reach;
+      };
+      for (const PlanVector direction : {PlanVector{1.0, 0.0}, PlanVector{0.0, 1.0}}) {
+        const auto force = [&](PlanVector by, PlanVector by_rate) {
+          return this->law.evaluate(state, d + by, rate + by_rate, interval, ignored).force;
+        };
+        const PlanVector step = h * direction;
+        ASSERT_FALSE(differs(force(step, {}), force(-step, {}), at.stiffness * direction)) << interval << " " << i;
+        ASSERT_FALSE(differs(force({}, step), force({}, -step), at.damping * direction)) << interval << " " << i;
+      }
+      follow(this->law, state, d, rate, interval);
     }
-    follow(this->law, state, d);
+    EXPECT_EQ(bent > 300, interval > 0.0);
   }
+}
+
+// z' = w - z (z.w) by Runge and Kutta's method, along an ellipse on which z never stops being pulled.
+TYPED_TEST(BiaxialLaw, ErrorOfABentPathIsOfFourthOrder) {
+  const auto rate = [](double t) { return reach * PlanVector{-3.0 * std::sin(t), 5.0 * std::cos(t)}; };
+  const auto place = [](double t) { return reach * PlanVector{3.0 * std::cos(t), 5.0 * std::sin(t)}; };
+  const PlanVector start = std::is_same_v<TypeParam, BiaxialBoucWen> ? PlanVector{0.1, 0.4} : PlanVector{0.6, 0.8};
+  constexpr double duration = 2.0;
+  PlanVector exact = start;
+  constexpr int fine = 20000;
+  const auto slope = [&](double t, PlanVector z) {
+    const PlanVector w = rate(t) / reach;
+    return w - dot(z, w) * z;
+  };
+  double dissipated = 0.0;
+  for (int i = 0; i < fine; ++i) {
+    const double h = duration / fine, t = i * h;
+    const PlanVector k1 = slope(t, exact), k2 = slope(t + 0.5 * h, exact + 0.5 * h * k1),
+                     k3 = slope(t + 0.5 * h, exact + 0.5 * h * k2), k4 = slope(t + h, exact + h * k3);
+    const auto power = [&](double at, PlanVector z) {
+      const double along = dot(z, rate(at) / reach);
+      return along * dot(z, z);
+    };
+    const PlanVector middle = exact + 0.5 * h * k2, end = exact + h / 6.0 * (k1 + 2.0 * k2 + 2.0 * k3 + k4);
+    dissipated += h / 6.0 * (power(t, exact) + 4.0 * power(t + 0.5 * h, middle) + power(t + h, end));
+    exact = end;
+  }
+  std::vector<double> errors, of_heat;
+  for (const int steps : {10, 20, 40, 80}) {
+    typename TypeParam::State state{.z = start, .deformation = place(0.0), .rate = rate(0.0)};
+    const double h = duration / steps;
+    for (int i = 1; i <= steps; ++i) follow(this->law, state, place(i * h), rate(i * h), h);
+    errors.push_back(length(state.z - exact));
+    of_heat.push_back(std::abs(state.dissipated - dissipated));
+  }
+  for (std::size_t i = 1; i < errors.size(); ++i) {
+    EXPECT_NEAR(errors[i - 1] / errors[i], 16.0, 4.0) << i;
+    EXPECT_NEAR(of_heat[i - 1] / of_heat[i], 16.0, 6.0) << i;
+  }
+  EXPECT_LT(errors.back(), 1e-6);
 }
 
 TYPED_TEST(BiaxialLaw, ForceRateIsThatOfTheMotionThatGoesOn) {
@@ -153,7 +206,7 @@ TYPED_TEST(BiaxialLaw, ForceRateIsThatOfTheMotionThatGoesOn) {
     const PlanarResponse at = follow(this->law, state, d, rate);
     typename TypeParam::State ignored;
     constexpr double h = 1e-6;
-    const PlanVector after = this->law.evaluate(state, d + h * rate, rate, ignored).force;
+    const PlanVector after = this->law.evaluate(state, d + h * rate, rate, 0.0, ignored).force;
     ASSERT_NEAR((after.x - at.force.x) / h, at.force_rate.x, 1e-4 * strength);
     ASSERT_NEAR((after.y - at.force.y) / h, at.force_rate.y, 1e-4 * strength);
   }

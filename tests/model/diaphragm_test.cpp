@@ -5,8 +5,11 @@
 
 #include <cmath>
 
+#include "elements/gap.hpp"
 #include "elements/plan_spring.hpp"
 #include "elements/shear_spring.hpp"
+#include "elements/viscous_damper.hpp"
+#include "materials/impact/hertz.hpp"
 #include "materials/linear.hpp"
 #include "message_of.hpp"
 #include "model/model.hpp"
@@ -113,6 +116,20 @@ TEST(Diaphragm, LineAndPlanDoNotMix) {
             }),
             "ShearSpring \"storey\": upper is the diaphragm \"slab\", and this element has no direction in plan. Use a "
             "PlanSpring with the same law, two points and a direction.");
+  EXPECT_EQ(message_of([&] {
+              add(plan, ViscousDamper{.name = "damper", .lower = ground, .upper = slab, .damping = 1 * N * s / m});
+            }),
+            "ViscousDamper \"damper\": upper is the diaphragm \"slab\", and this element has no direction in plan. Use "
+            "a PlanSpring with the same law, two points and a direction.");
+  EXPECT_EQ(message_of([&] {
+              add(plan, Gap<Hertz>{.name = "gap",
+                                   .left = slab.x,
+                                   .right = ground,
+                                   .clearance = 1 * cm,
+                                   .law = {.stiffness = 1 * N / m_3_2}});
+            }),
+            "Gap \"gap\": left is the diaphragm \"slab\", and this element has no direction in plan. Use a PlanSpring "
+            "with the same law, two points and a direction.");
   EXPECT_EQ(message_of([&] {
               add(plan, PlanSpring<Linear>{.name = "spring",
                                            .lower = PlanPoint{slab, {}},

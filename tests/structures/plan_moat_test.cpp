@@ -55,6 +55,22 @@ TEST(PlanMoat, CornersMeetTheWallsOfTheirSides) {
       EXPECT_NEAR(block->info(e).offset, 0.25, 1e-12);
 }
 
+TEST(PlanMoat, CornersDoNotMeetWallsBehindTheirBody) {
+  // 0.5 m deep: the wall behind is within reach, but other corners are nearer to it.
+  Model model;
+  const DiaphragmId base = add_slab(model, "base", rectangle(20 * m, 0.5 * m));
+  add(model, PlanMoat{.around = base, .clearance = 25 * cm, .law = law()});
+  EXPECT_EQ(contacts_of(model).size(), 8U);
+  EXPECT_FALSE(contacts_of(model).contains("moat wall 1 corner 3"));
+  // A base turned inside straight walls: each wall has the one corner that can hit it.
+  Model turned_base;
+  const double half = 5.0 * std::sqrt(2.0);
+  const DiaphragmId diamond = add_slab(turned_base, "base", turned(rectangle(10 * m, 10 * m), pi / 4));
+  add(turned_base,
+      PlanMoat{.around = diamond, .walls = rectangle(2.1 * half * m, 2.1 * half * m), .law = law(), .reach = 20 * m});
+  EXPECT_EQ(contacts_of(turned_base).size(), 4U);
+}
+
 TEST(PlanMoat, FaceLawAtManyPointsIsTheLawOnALine) {
   for (const int points : {0, 3, 5}) {
     Model plan, line;

@@ -21,18 +21,21 @@ struct PlanarTrial {
   double energy = 1e-5;  ///< allowed error of the energy balance along short moves, over the work
   double pieces = 1e-9;  ///< allowed difference where a move is cut in pieces, over `force`
   int pieces_of_work = 2000;
+
+  /// s, of the largest move at the largest rate: its path is a cubic that bends.
+  [[nodiscard]] double interval() const { return move / rate; }
 };
 
-/// Leads a law along straight moves.
+/// Leads a law along moves, which are straight without an interval.
 template <PlanarLaw Law>
 struct PlanarPath {
   const Law& law;
   typename Law::State state{};
   PlanVector deformation{};
 
-  PlanarResponse to(PlanVector target, PlanVector rate = {}) {
+  PlanarResponse to(PlanVector target, PlanVector rate = {}, double interval = 0.0) {
     typename Law::State after;
-    const PlanarResponse response = law.evaluate(state, target, rate, after);
+    const PlanarResponse response = law.evaluate(state, target, rate, interval, after);
     state = after;
     deformation = target;
     return response;
@@ -54,7 +57,8 @@ void expect_turned_paths(const Law& law, const PlanarTrial& trial) {
     for (int i = 0; i < 20; ++i) {
       const PlanVector target = plain.deformation + random_vector(draws, trial.move);
       const PlanVector rate = random_vector(draws, trial.rate);
-      const PlanVector expected = turn(plain.to(target, rate).force), force = turned.to(turn(target), turn(rate)).force;
+      const PlanVector expected = turn(plain.to(target, rate, trial.interval()).force),
+                       force = turned.to(turn(target), turn(rate), trial.interval()).force;
       EXPECT_NEAR(force.x, expected.x, 1e-9 * trial.force);
       EXPECT_NEAR(force.y, expected.y, 1e-9 * trial.force);
       if (::testing::Test::HasFailure()) return;
@@ -71,9 +75,11 @@ void expect_planar_tangents(const Law& law, const PlanarTrial& trial) {
   for (int i = 0; i < 400; ++i) {
     const PlanVector d = path.deformation + random_vector(draws, trial.move), v = random_vector(draws, trial.rate);
     typename Law::State ignored;
-    const PlanarResponse at = law.evaluate(path.state, d, v, ignored);
+    const PlanarResponse at = law.evaluate(path.state, d, v, trial.interval(), ignored);
     const auto compare = [&](PlanVector by_d, PlanVector by_v, PlanVector tangent, double scale) {
-      const auto force = [&](double x) { return law.evaluate(path.state, d + x * by_d, v + x * by_v, ignored).force; };
+      const auto force = [&](double x) {
+        return law.evaluate(path.state, d + x * by_d, v + x * by_v, trial.interval(), ignored).force;
+      };
       const PlanVector central = 0.5 * (force(1.0) - force(-1.0)), right = force(1.0) - at.force;
       ++tried;
       if (length(right - central) > 1e-3 * (length(central) + scale)) {
@@ -91,7 +97,7 @@ void expect_planar_tangents(const Law& law, const PlanarTrial& trial) {
       compare({}, faster * axis, faster * (at.damping * axis), faster * most_damped);
     }
     if (::testing::Test::HasFailure()) return;
-    path.to(d, v);
+    path.to(d, v, trial.interval());
   }
   EXPECT_LT(beside_corners, tried / 20);
 }
@@ -106,7 +112,7 @@ void expect_force_rates(const Law& law, const PlanarTrial& trial) {
     const PlanarResponse at = path.to(path.deformation + random_vector(draws, trial.move), rate);
     typename Law::State ignored;
     const double h = 1e-6 * trial.move / trial.rate;
-    const PlanVector after = law.evaluate(path.state, path.deformation + h * rate, rate, ignored).force;
+    const PlanVector after = law.evaluate(path.state, path.deformation + h * rate, rate, 0.0, ignored).force;
     const double scale = trial.rate * std::max(trial.force / trial.move, law.linear_stiffness(StiffnessStage::initial));
     EXPECT_NEAR((after.x - at.force.x) / h, at.force_rate.x, 1e-3 * scale) << i;
     EXPECT_NEAR((after.y - at.force.y) / h, at.force_rate.y, 1e-3 * scale) << i;
@@ -168,12 +174,13 @@ void expect_planar_purity(const Law& law, const PlanarTrial& trial) {
     const PlanVector d = path.deformation + random_vector(draws, trial.move), v = random_vector(draws, trial.rate);
     const typename Law::State before = path.state;
     typename Law::State first{}, second = before;
-    const PlanarResponse one = law.evaluate(path.state, d, v, first), two = law.evaluate(path.state, d, v, second);
+    const PlanarResponse one = law.evaluate(path.state, d, v, trial.interval(), first),
+                         two = law.evaluate(path.state, d, v, trial.interval(), second);
     EXPECT_EQ(bits(one.force), bits(two.force));
     EXPECT_TRUE(one.stiffness == two.stiffness && one.damping == two.damping);
     EXPECT_TRUE(first == second);
     EXPECT_TRUE(before == path.state);
-    path.to(d, v);
+    path.to(d, v, trial.interval());
   }
 }
 
