@@ -6,6 +6,7 @@
 
 #include "analyses/case_warnings.hpp"
 #include "analyses/periods.hpp"
+#include "analyses/torsion.hpp"
 #include "base/check.hpp"
 #include "base/error.hpp"
 #include "model/building.hpp"
@@ -190,6 +191,7 @@ CaseResult CaseRun::result() const {
         plan_warnings(transient_.model(), result.peaks, result.impacts),
         energy_warnings(result.energy, options_.warn_above_energy_error, options_.transient)})
     result.warnings.insert(result.warnings.end(), warnings.begin(), warnings.end());
+  result.torsion = torsion_of(transient_.model(), result.peaks);
   add_errors(result);
   // Behind the errors: the companion does not know these peaks.
   for (Peak& peak : offered_peaks_.peaks()) result.peaks.push_back(std::move(peak));

@@ -55,26 +55,4 @@ std::vector<PlanMode> plan_modes(Model& model, StiffnessStage stage, int count) 
   return modes;
 }
 
-TorsionalAmplification torsional_amplification(Length y, Length eccentricity, Length b, Length d, double period_ratio) {
-  const Check check{"torsional_amplification", ""};
-  check.positive("y", y);
-  check.not_negative("eccentricity", eccentricity);
-  check.positive("b", b);
-  check.positive("d", d);
-  check.that(period_ratio >= 1.0, "period_ratio", period_ratio, "1", ">= 1");
-  constexpr double least = 1.15;
-  const double formula =
-      1.0 + y.si() / (period_ratio * period_ratio) * 12.0 * eccentricity.si() / (b.si() * b.si() + d.si() * d.si());
-  return {formula, std::max(formula, least)};
-}
-
-double torsional_period_ratio(const std::vector<PlanPosition>& bearings, Length gyration) {
-  const Check check{"torsional_period_ratio", ""};
-  check.that(!bearings.empty(), "no bearings are given.");
-  check.positive("gyration", gyration);
-  double sum = 0.0;
-  for (const PlanPosition& at : bearings) sum += dot(at.si(), at.si());
-  return std::max(std::sqrt(sum / static_cast<double>(bearings.size())) / gyration.si(), 1.0);
-}
-
 }  // namespace moat

@@ -28,20 +28,4 @@ struct PlanMode {
 /// InputError for a model on a line and for count < 1, std::runtime_error where the modes cannot be computed.
 std::vector<PlanMode> plan_modes(Model& model, StiffnessStage stage, int count);
 
-/// Torsional amplification of an isolated building: the largest displacement of a corner over that of the centre of
-/// mass, by ASCE 7-16 Eq. 17.5-3,
-///
-///     D_TM/D_M = 1 + (y/P_T^2) 12 e/(b^2 + d^2) >= 1.15
-///
-/// with the distance y from the centre of rigidity to the corner, across the motion, the eccentricity e, the plan
-/// dimensions b and d, and the ratio P_T of translational to torsional period. All > 0 m; e >= 0.
-struct TorsionalAmplification {
-  double of_formula = 1.0;  ///< without the lower bound
-  double of_code = 1.15;    ///< with it
-};
-TorsionalAmplification torsional_amplification(Length y, Length eccentricity, Length b, Length d, double period_ratio);
-/// P_T = sqrt(sum(x_i^2 + y_i^2)/N)/r_I >= 1 of bearings at these places from the centre of rigidity, with the radius
-/// of gyration r_I, m, of the isolated building.
-double torsional_period_ratio(const std::vector<PlanPosition>& bearings, Length gyration);
-
 }  // namespace moat

@@ -56,6 +56,17 @@ int main(int argc, char** argv) {
       std::printf("  %-22s %-8s %12.5g %-6s %s\n", quantity, where, entry.value, entry.unit.c_str(), entry.at.c_str());
     }
   };
+  // Some angles reach the walls, others do not.
+  const std::vector<double> corners = angles.cases.values("corner_displacement", "base"),
+                            forces = angles.cases.values("impact_force", "moat");
+  std::printf("Angle [deg]   corner displacement [m]   impact force [MN]\n");
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    std::printf("%11g   %23.4f   ", angles.cases.axes().front().values[i], corners[i]);
+    if (forces[i] > 0.0)
+      std::printf("%17.2f\n", forces[i] / 1e6);
+    else
+      std::printf("%17s\n", "none");
+  }
   print("Largest over all angles of incidence", angles);
   print("Largest over accidental eccentricities", shifts);
   return 0;

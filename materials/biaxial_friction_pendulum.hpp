@@ -19,7 +19,8 @@ namespace moat {
 ///     F = (W/R) d + q,   q' = k_0 d' inside |q| < mu(|v|) W, and on the circle with slip along q,   k_0 = mu W/u_y
 ///
 /// Along a line it is `FrictionPendulum`. With constant friction the update is exact for straight increments
-/// (Krieg & Krieg 1977), and so is the dissipation. The circle of a step is that of the speed at its end: friction that
+/// (Krieg & Krieg 1977), and so is the dissipation; the bend of a path counts to fourth order
+/// (materials/saturating_slip.hpp). The circle of a step is that of the speed at its end: friction that
 /// depends on speed is of second order in the step. Neither vertical motion nor overturning acts.
 struct BiaxialFrictionPendulum {
   static constexpr std::string_view name = "BiaxialFrictionPendulum";

@@ -20,9 +20,9 @@ namespace moat {
 ///     F1 = K_S1 K_M (a1 + a2 U^2 + a3 U^4) d
 ///     F2 = R n - g,   R = b1 + K_S2 b2 U^2,   dg = -b3 g |dd|,   n = direction of motion
 ///
-/// g is R n - F2 where the motion took its direction. Along a line it is `GrantRubber`. The force is exact for a
-/// straight increment, whose U falls to the point nearest to the origin and rises behind it; the dissipation follows by
-/// quadrature. Source: Grant, Fenves & Whittaker (2004).
+/// g is R n - F2 where the motion took its direction. Along a line it is `GrantRubber`. Every step is taken as a
+/// straight increment, for which the force is exact: U falls to the point nearest to the origin and rises behind it.
+/// The dissipation follows by quadrature. Source: Grant, Fenves & Whittaker (2004).
 struct BiaxialGrantRubber {
   static constexpr std::string_view name = "BiaxialGrantRubber";
 

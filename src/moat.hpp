@@ -13,6 +13,7 @@
 #include "analyses/property_bounds.hpp"
 #include "analyses/smallest_gap.hpp"
 #include "analyses/study.hpp"
+#include "analyses/torsion.hpp"
 #include "analyses/transient.hpp"
 #include "app/progress_bar.hpp"
 #include "app/results.hpp"

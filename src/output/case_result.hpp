@@ -162,6 +162,22 @@ inline constexpr const char* error_bar_method =
 /// Nodes of the largest model whose report has a drawing.
 inline constexpr int most_drawn_nodes = 300;
 
+/// How an isolated building in plan turned, beside ASCE 7-16 Eq. 17.5-3 (analyses/torsion.hpp).
+struct BuildingTorsion {
+  std::string where;          ///< its base
+  double corner = 0.0;        ///< m, largest displacement of a corner of the base
+  double centre = 0.0;        ///< m, largest displacement of its centre of mass; not at the same time
+  double eccentricity = 0.0;  ///< m, of the whole building's mass from the centre of rigidity of its bearings
+  double period_ratio = 1.0;  ///< P_T
+  double of_formula = 1.0;    ///< D_TM/D_M, without the lower bound
+  double of_code = 1.15;      ///< with it
+
+  /// corner/centre; NaN where nothing moved.
+  [[nodiscard]] double amplification() const {
+    return centre > 0.0 ? corner / centre : std::numeric_limits<double>::quiet_NaN();
+  }
+};
+
 struct CaseResult {
   std::string title;
   Provenance provenance{};
@@ -174,6 +190,7 @@ struct CaseResult {
   std::vector<Peak> peaks;
   std::vector<GapClearance> clearances{};  ///< one for every gap
   std::vector<Impact> impacts;
+  std::vector<BuildingTorsion> torsion{};  ///< in plan, of every building on bearings
   Table histories;
   /// Quantities in `histories` that recorders of the script offered (output/quantity_recorder.hpp).
   std::vector<OfferedQuantity> offered{};

@@ -30,7 +30,7 @@ void FrameImage::draw() {
     names_.append(cell.name.c_str()).push_back('\0');
   }
   for (const char* name : kind_names) kind_names_.append(name).push_back('\0');
-  for (auto* vectors : {&displacement_, &velocity_, &acceleration_}) vectors->resize(corners_.size());
+  for (auto* vectors : {&displacement_, &velocity_, &acceleration_, &contact_force_}) vectors->resize(corners_.size());
   for (auto* values : {&deformation_, &force_, &opening_}) values->resize(kinds_.size(), no_value);
   in_contact_.resize(kinds_.size());
   time_.resize(1);
@@ -48,6 +48,7 @@ void FrameImage::declare() {
   numbers("Displacement", displacement_, 3);
   numbers("Velocity", velocity_, 3);
   numbers("AbsoluteAcceleration", acceleration_, 3);
+  numbers("ContactForce", contact_force_, 3);
   file_.xml("</PointData>\n<CellData>\n");
   file_.array({"Kind"}, std::span<const std::int32_t>{kinds_});
   file_.texts({"Name"}, names_);
@@ -65,6 +66,10 @@ void FrameImage::declare() {
 }
 
 void FrameImage::fill(double time, const FrameData& data) {
+  const auto write_at = [](std::vector<double>& vectors, std::size_t point, PlanVector value) {
+    vectors[3 * point] = value.x;
+    vectors[3 * point + 1] = value.y;
+  };
   for (std::size_t i = 0; i < scene_.points.size(); ++i) {
     const ScenePoint& point = scene_.points[i];
     const bool fixed = point.node < 0;
@@ -75,13 +80,9 @@ void FrameImage::fill(double time, const FrameData& data) {
       return point.on_diaphragm ? PlanVector{values[node], values[node + 1]} + values[node + 2] * turned_left(point.arm)
                                 : values[node] * point.direction;
     };
-    const auto write = [&](std::vector<double>& vectors, PlanVector value) {
-      vectors[3 * i] = value.x;
-      vectors[3 * i + 1] = value.y;
-    };
-    write(displacement_, fixed ? PlanVector{} : w * moved(data.node_displacement));
-    write(velocity_, fixed ? PlanVector{} : w * moved(data.node_velocity));
-    write(acceleration_, fixed ? ground : w * moved(data.node_absolute_acceleration) + (1.0 - w) * ground);
+    write_at(displacement_, i, fixed ? PlanVector{} : w * moved(data.node_displacement));
+    write_at(velocity_, i, fixed ? PlanVector{} : w * moved(data.node_velocity));
+    write_at(acceleration_, i, fixed ? ground : w * moved(data.node_absolute_acceleration) + (1.0 - w) * ground);
   }
   for (std::size_t i = 0; i < scene_.cells.size(); ++i) {
     const SceneCell& cell = scene_.cells[i];
@@ -89,7 +90,12 @@ void FrameImage::fill(double time, const FrameData& data) {
     const auto element = static_cast<std::size_t>(cell.element);
     deformation_[i] = data.deformation[element];
     force_[i] = data.force[element];
-    if (cell.kind == CellKind::gap) opening_[i] = data.deformation[element];
+    if (cell.kind == CellKind::gap) {
+      opening_[i] = data.deformation[element];
+      const PlanVector force = data.contact_force.empty() ? PlanVector{} : data.contact_force[element];
+      write_at(contact_force_, static_cast<std::size_t>(cell.points[0]), force);
+      write_at(contact_force_, static_cast<std::size_t>(cell.points[1]), -force);
+    }
     in_contact_[i] = data.in_contact[element] != 0.0 ? 1 : 0;
   }
   time_[0] = time;

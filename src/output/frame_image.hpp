@@ -31,7 +31,7 @@ class FrameImage {
   void declare();
 
   const Scene& scene_;
-  std::vector<double> corners_, displacement_, velocity_, acceleration_;  // three per point
+  std::vector<double> corners_, displacement_, velocity_, acceleration_, contact_force_;  // three per point
   std::vector<std::int64_t> connectivity_, offsets_;
   std::vector<std::uint8_t> types_;
   std::vector<std::int32_t> kinds_, in_contact_;  // these and the next three: one per cell

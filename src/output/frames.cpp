@@ -54,7 +54,8 @@ SceneNeeds check_scene(const Scene& scene) {
   return {static_cast<std::size_t>(last_node + 1), static_cast<std::size_t>(last_element + 1)};
 }
 
-void require_length(std::string_view name, std::span<const double> values, std::size_t needed) {
+template <class Value>
+void require_length(std::string_view name, std::span<const Value> values, std::size_t needed) {
   if (values.size() < needed)
     throw InputError{"FrameData: " + std::string{name} + " has " + std::to_string(values.size()) +
                      " values, the scene needs " + std::to_string(needed) + ". Give one value per node or element."};
@@ -97,6 +98,7 @@ void FrameWriter::write(double time, const FrameData& data) {
   require_length("deformation", data.deformation, files.needs.elements);
   require_length("force", data.force, files.needs.elements);
   require_length("in_contact", data.in_contact, files.needs.elements);
+  if (!data.contact_force.empty()) require_length("contact_force", data.contact_force, files.needs.elements);
 
   files.image.fill(time, data);
   std::array<char, 32> name;

@@ -20,12 +20,16 @@ struct FrameData {
   std::span<const double> in_contact;                  ///< 1 in contact, 0 not
   double ground_acceleration = 0.0;                    ///< m/s^2, of points fixed to the ground, along x
   double ground_acceleration_y = 0.0;                  ///< along y; 0 on a line
+  /// N, one per element: of a contact on the body of the first point of its cell, the left one or the corner; friction
+  /// included. Empty: none are drawn.
+  std::span<const PlanVector> contact_force{};
 };
 
 /// Writes frames/frame_000000.vtu ... and frames.pvd, which lists them by time, into a results folder.
 ///
 /// In ParaView open frames.pvd and apply Warp By Vector with `Displacement`. Point data, 3 components with x the
-/// direction of shaking: `Displacement` (m), `Velocity` (m/s), `AbsoluteAcceleration` (m/s^2). Cell data: `Kind`
+/// direction of shaking: `Displacement` (m), `Velocity` (m/s), `AbsoluteAcceleration` (m/s^2),
+/// and `ContactForce` (N) at both ends of a gap, on the body there: draw it with the filter Glyph. Cell data: `Kind`
 /// (CellKind as integer, names in the field data `KindNames`), `Deformation` (m), `Force` (N), `Opening` (m, gaps only)
 /// and `InContact` (0 or 1). A cell without element has NaN as deformation, force and opening, which ParaView leaves
 /// out of colour ranges, and so has a cell that is not a gap as opening. A point of weight w shows w times the motion

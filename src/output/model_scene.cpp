@@ -226,6 +226,15 @@ class SceneBuilder {
   std::set<std::string> drawn_walls_;
 };
 
+// Of a contact: on its left node, or on its corner.
+PlanVector force_on_first_point(const ElementBlock& block, std::size_t element) {
+  const double normal_force = block.forces()[element];
+  const PlanContacts* corners = block.plan_contacts();
+  if (corners == nullptr) return {-normal_force, 0.0};
+  const PlanVector normal = corners->pair(element).normal;
+  return -normal_force * normal - corners->friction_force(element) * turned_left(normal);
+}
+
 }  // namespace
 
 Scene scene_of(const Model& model) { return SceneBuilder{model}.build(); }
@@ -256,11 +265,13 @@ void FrameRecorder::write(const StepView& view) {
   deformation_.clear();
   force_.clear();
   in_contact_.clear();
+  contact_force_.clear();
   for (const auto& block : model.blocks()) {
     const Contacts* contacts = block->contacts();
     for (std::size_t e = 0; e < block->size(); ++e) {
       deformation_.push_back(contacts != nullptr ? -block->deformations()[e] : block->deformations()[e]);
       force_.push_back(block->forces()[e]);
+      contact_force_.push_back(contacts != nullptr ? force_on_first_point(*block, e) : PlanVector{});
       in_contact_.push_back(contacts != nullptr && contacts->contact(e).touching ? 1.0 : 0.0);
     }
   }
@@ -271,7 +282,8 @@ void FrameRecorder::write(const StepView& view) {
                                      .force = force_,
                                      .in_contact = in_contact_,
                                      .ground_acceleration = view.ground_acceleration,
-                                     .ground_acceleration_y = view.ground_acceleration_y});
+                                     .ground_acceleration_y = view.ground_acceleration_y,
+                                     .contact_force = contact_force_});
   while (next_ <= model.state().time * (1.0 + 1e-12)) next_ += interval_;
 }
 

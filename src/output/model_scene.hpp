@@ -32,6 +32,7 @@ class FrameRecorder final : public StepObserver {
   double interval_;
   double next_ = 0.0;
   std::vector<double> displacement_, velocity_, acceleration_, deformation_, force_, in_contact_;
+  std::vector<PlanVector> contact_force_;
 };
 
 }  // namespace moat

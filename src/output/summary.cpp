@@ -136,6 +136,16 @@ void write_summary_json(const CaseResult& result, const std::filesystem::path& p
       for (const ImpactName& name : impact_names_in_plan) row[name.name] = impact.*name.value;
     json["impact_table"].push_back(std::move(row));
   }
+  if (!result.torsion.empty()) json["torsion"] = Json::array();
+  for (const BuildingTorsion& torsion : result.torsion)
+    json["torsion"].push_back(Json{{"where", torsion.where},
+                                   {"corner_displacement", torsion.corner},
+                                   {"displacement", torsion.centre},
+                                   {"amplification", torsion.amplification()},
+                                   {"eccentricity", torsion.eccentricity},
+                                   {"period_ratio", torsion.period_ratio},
+                                   {"of_formula", torsion.of_formula},
+                                   {"of_code", torsion.of_code}});
   json["energy"] = json_of(result.energy);
   json["warnings"] = result.warnings;
   json["solver"] = json_of(result.solver);

@@ -1,4 +1,4 @@
-// Modes in plan and torsional amplification.
+// Modes in plan.
 #include "analyses/plan_modes.hpp"
 
 #include <gtest/gtest.h>
@@ -61,27 +61,11 @@ TEST(PlanModes, PeriodsOfAnEccentricSlabAreExact) {
   }
 }
 
-TEST(PlanModes, TorsionalAmplificationIsThatOfTheCode) {
-  // y = 10 m, e = 5 % of 20 m, P_T = sqrt(3).
-  const double r = std::sqrt(544.0 / 12.0);
-  const double ratio =
-      torsional_period_ratio({{10 * m, 6 * m}, {-10 * m, 6 * m}, {10 * m, -6 * m}, {-10 * m, -6 * m}}, r * m);
-  EXPECT_NEAR(ratio, 1.732051, 1e-6);
-  const TorsionalAmplification amplification = torsional_amplification(10 * m, 1 * m, 20 * m, 12 * m, ratio);
-  EXPECT_NEAR(amplification.of_formula, 1.073529, 1e-6);
-  EXPECT_EQ(amplification.of_code, 1.15);
-  EXPECT_EQ(torsional_period_ratio({{}}, r * m), 1.0);
-}
-
 TEST(PlanModes, BadInputIsRefused) {
   Model line;
   add(line, Node{.name = "node", .mass = 1 * kg});
   EXPECT_EQ(testing::message_of([&] { (void)plan_modes(line, StiffnessStage::initial, 1); }),
             "plan_modes: the model moves on a line. Its periods are those of characteristic_periods().");
-  EXPECT_NE(testing::message_of([&] {
-              (void)torsional_amplification(1 * m, 1 * m, 1 * m, 1 * m, 0.5);
-            }).find("period_ratio = 0.5"),
-            std::string::npos);
 }
 
 }  // namespace

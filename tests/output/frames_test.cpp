@@ -14,6 +14,10 @@
 #include <cmath>
 #include <vector>
 
+#include "analyses/transient.hpp"
+#include "elements/corner_gap.hpp"
+#include "materials/impact/hertz_damp.hpp"
+#include "output/model_scene.hpp"
 #include "output_testing.hpp"
 
 namespace moat {
@@ -46,7 +50,8 @@ Scene small_scene() {
 struct Values {
   std::array<double, 2> u{0.1, -0.3}, v{1.0 / 3.0, 2.0}, a{4.0, 8.0};
   std::array<double, 3> deformation{0.01, 0.02, -0.003}, force{1e6, 2e6, -3e7}, in_contact{0.0, 0.0, 1.0};
-  [[nodiscard]] FrameData data() const { return {u, v, a, deformation, force, in_contact, 2.0}; }
+  std::array<PlanVector, 3> contact_force{{{7.0, 7.0}, {8.0, 8.0}, {-3e7, 4e6}}};
+  [[nodiscard]] FrameData data() const { return {u, v, a, deformation, force, in_contact, 2.0, 0.0, contact_force}; }
 };
 
 vtkSmartPointer<vtkUnstructuredGrid> read_grid(const fs::path& path) {
@@ -90,6 +95,16 @@ TEST_F(Frames, ReadBackUnchanged) {
       EXPECT_EQ(array->GetComponent(point, 1), 0.0);
       EXPECT_EQ(array->GetComponent(point, 2), 0.0);
     }
+  }
+
+  // At both ends of the gap, on the body there.
+  vtkDataArray* contact_force = grid->GetPointData()->GetArray("ContactForce");
+  ASSERT_NE(vtkDoubleArray::SafeDownCast(contact_force), nullptr);
+  for (vtkIdType point = 0; point < 7; ++point) {
+    const double sign = point == 5 ? 1.0 : point == 0 ? -1.0 : 0.0;
+    EXPECT_EQ(contact_force->GetComponent(point, 0), sign * -3e7) << point;
+    EXPECT_EQ(contact_force->GetComponent(point, 1), sign * 4e6) << point;
+    EXPECT_EQ(contact_force->GetComponent(point, 2), 0.0);
   }
 
   vtkCellData* cells = grid->GetCellData();
@@ -187,6 +202,45 @@ TEST_F(Frames, RefusesWhatDoesNotFitTheScene) {
   writer.finish();
   EXPECT_THROW(writer.write(2.0, values.data()), InputError);
   EXPECT_EQ(writer.frames(), 1);
+}
+
+TEST_F(Frames, ForcesOfCornersPushThemBackAndAgainstTheirSlide) {
+  using namespace units;
+  Model model;
+  const DiaphragmId slab = add(model, Diaphragm{.name = "slab",
+                                                .mass = 800 * tonne,
+                                                .outline = rectangle(20 * m, 12 * m),
+                                                .initial_velocity_x = 0.6 * m / s,
+                                                .initial_velocity_y = 0.6 * m / s});
+  add(model, CornerGap<HertzDamp>{.name = "corner",
+                                  .corner = PlanPoint{slab, {10 * m, 6 * m}},
+                                  .edge_of = ground,
+                                  .edge_begin = PlanPosition{10.01 * m, -8 * m},
+                                  .edge_end = PlanPosition{10.01 * m, 8 * m},
+                                  .law = {.stiffness = 1e9 * N / m_3_2, .restitution = 0.65},
+                                  .friction = 0.4});
+  Transient analysis{model, GroundMotion{"still", 0.005, std::vector<double>(21, 0.0)}};
+  FrameRecorder recorder{model, folder, 0.005};
+  analysis.attach(recorder);
+  analysis.run();
+  int pushed = 0;
+  for (const auto& entry : fs::directory_iterator{folder / "frames"}) {
+    const auto grid = read_grid(entry.path());
+    vtkDataArray* forces = grid->GetPointData()->GetArray("ContactForce");
+    vtkDataArray* normal = grid->GetCellData()->GetArray("Force");
+    for (vtkIdType i = 0; i < grid->GetNumberOfCells(); ++i) {
+      vtkCell* cell = grid->GetCell(i);
+      if (cell->GetNumberOfPoints() != 2 || !(normal->GetComponent(i, 0) > 0.0)) continue;
+      const double force = normal->GetComponent(i, 0);
+      const vtkIdType corner = cell->GetPointId(0), wall = cell->GetPointId(1);
+      EXPECT_DOUBLE_EQ(forces->GetComponent(corner, 0), -force);
+      EXPECT_DOUBLE_EQ(forces->GetComponent(corner, 1), -0.4 * force);
+      EXPECT_DOUBLE_EQ(forces->GetComponent(wall, 0), force);
+      EXPECT_DOUBLE_EQ(forces->GetComponent(wall, 1), 0.4 * force);
+      ++pushed;
+    }
+  }
+  EXPECT_GT(pushed, 3);
 }
 
 TEST_F(Frames, ReportsAFolderThatCannotBeMade) {
