@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "base/number_format.hpp"
@@ -91,16 +92,24 @@ Chart pounding_chart(const GapDemand& demand, const std::string& title) {
   Chart chart{
       .title = title, .x_label = "gap [cm]", .y_label = "probability of pounding", .series = {}, .y_from_zero = true};
   constexpr double cm = 0.01, share_at_the_end = 0.02, margin = 1.05;
-  const double last = margin * std::max(demand.gap(share_at_the_end).si(), demand.gaps().back()) / cm;
+  double largest = std::max(demand.gap(share_at_the_end).si(), demand.gaps().back());
+  if (!demand.beyond().empty()) largest = std::max(largest, demand.beyond().back());
+  const double last = margin * largest / cm;
   add_curve(
       chart, 0.01 * last, last, "lognormal", demand.fit().confidence(),
       [&](double x) { return demand.probability(Length{cm * x}); },
       [&](double x) { return demand.probability_bounds(Length{cm * x}); });
-  Series counted{.name = "share of the records", .x = {}, .y = {}, .style = Series::Style::markers, .colour = 6};
+  std::string name = "share of " + std::to_string(demand.records()) + " records";
+  if (!demand.beyond().empty())
+    name += ", " + std::to_string(demand.beyond().size()) + " need more than " +
+            to_significant(demand.beyond().front() / cm, 4) + " cm";
+  Series counted{.name = name, .x = {}, .y = {}, .style = Series::Style::markers, .colour = 6};
   const std::vector<double>& gaps = demand.gaps();
-  for (std::size_t i = 0; i < gaps.size(); ++i) {
+  const double known_up_to =
+      demand.beyond().empty() ? std::numeric_limits<double>::infinity() : demand.beyond().front();
+  for (std::size_t i = 0; i < gaps.size() && gaps[i] <= known_up_to; ++i) {
     counted.x.push_back(gaps[i] / cm);
-    counted.y.push_back(static_cast<double>(gaps.size() - 1 - i) / static_cast<double>(gaps.size()));
+    counted.y.push_back(static_cast<double>(demand.records() - 1 - i) / static_cast<double>(demand.records()));
   }
   chart.series.push_back(std::move(counted));
   return chart;

@@ -21,7 +21,7 @@ Chart ida_chart(const std::vector<IdaCurve>& curves, const std::string& title, c
                 const std::string& response_label, double per_unit = 1.0);
 
 /// The probability of pounding against the gap, in cm, with its confidence band, and the share of the records that
-/// need more.
+/// need more, as far as it is known. The legend says how many need more than the largest gap.
 Chart pounding_chart(const GapDemand& demand, const std::string& title);
 
 }  // namespace moat

@@ -4,6 +4,7 @@
 #include <chrono>
 #include <cmath>
 #include <limits>
+#include <span>
 #include <string>
 #include <thread>
 #include <tuple>
@@ -132,6 +133,29 @@ void add_energies(CaseOutcome& outcome, const EnergyBalance& energy) {
   outcome.energy_error = energy_error(energy);
 }
 
+std::vector<FileRead> files_of(const GroundMotion& motion) {
+  std::vector<FileRead> files;
+  for (const FileRead& file : {motion.file(), motion.file_of_second()})
+    if (!file.path.empty() && std::ranges::find(files, file) == files.end()) files.push_back(file);
+  return files;
+}
+
+/// Of the files of a motion; of one made in the program that of its samples.
+std::string hash_of(const GroundMotion& motion) {
+  std::string hashes;
+  for (const FileRead& file : files_of(motion)) hashes += file.sha256;
+  if (!hashes.empty()) return sha256_of(hashes);
+  std::string bytes;
+  const auto add = [&](std::span<const double> numbers) {
+    bytes.append(reinterpret_cast<const char*>(numbers.data()), numbers.size_bytes());
+  };
+  const double time_step = motion.time_step();
+  add({&time_step, 1});
+  add(motion.samples());
+  add(motion.samples_y());
+  return sha256_of(bytes);
+}
+
 CaseOutcome outcome_of_model(Model& model, const GroundMotion& motion, const StudyOptions& options) {
   std::optional<Model> untouched;
   if (options.error_bars) untouched = model;
@@ -150,10 +174,7 @@ CaseOutcome outcome_of_model(Model& model, const GroundMotion& motion, const Stu
       // The case itself is computed; its errors stay unknown.
     }
   }
-  CaseOutcome outcome{.state = CaseState::done,
-                      .record = motion.file().path,
-                      .record_sha256 = motion.file().sha256,
-                      .steps = main.solver.accepted_steps};
+  CaseOutcome outcome{.state = CaseState::done, .files = files_of(motion), .steps = main.solver.accepted_steps};
   StudyRecord& record = outcome.results;
   for (const Peak& peak : main.peaks) {
     record.push_back({peak.quantity, peak.where, peak.unit, peak.magnitude()});
@@ -175,7 +196,7 @@ StudyAxis record_axis(std::string name, const std::vector<GroundMotion>& motions
   std::vector<std::string> names;
   for (const GroundMotion& motion : motions) names.push_back(motion.name());
   StudyAxis axis = StudyAxis::of_names(std::move(name), std::move(names));
-  for (const GroundMotion& motion : motions) axis.hashes.push_back(motion.file().sha256);
+  for (const GroundMotion& motion : motions) axis.hashes.push_back(hash_of(motion));
   return axis;
 }
 
@@ -183,8 +204,7 @@ StudyAxis record_axis(std::string name, const std::vector<PlanMotion>& pairs) {
   std::vector<std::string> names;
   for (const PlanMotion& pair : pairs) names.push_back(pair.first.name() + " + " + pair.second.name());
   StudyAxis axis = StudyAxis::of_names(std::move(name), std::move(names));
-  for (const PlanMotion& pair : pairs)
-    axis.hashes.push_back(sha256_of(pair.first.file().sha256 + pair.second.file().sha256));
+  for (const PlanMotion& pair : pairs) axis.hashes.push_back(sha256_of(hash_of(pair.first) + hash_of(pair.second)));
   return axis;
 }
 

@@ -27,7 +27,8 @@ struct StudyModel {
   GroundMotion motion;
 };
 
-/// An axis of records, called by their names; a study that goes on compares the hashes of their files.
+/// An axis of records, called by their names, which must differ; a study that goes on compares the hashes of their
+/// files, and of motions made in the program those of their samples.
 StudyAxis record_axis(std::string name, const std::vector<GroundMotion>& motions);
 /// The same for pairs: "NWH090 + NWH360".
 StudyAxis record_axis(std::string name, const std::vector<PlanMotion>& pairs);

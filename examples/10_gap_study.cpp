@@ -2,7 +2,7 @@
 //
 // Twenty recorded motions are scaled to one spectral acceleration at the period of the isolated building. For each of
 // them the smallest gap is found that the building does not close. These gaps are a distribution: pounding in a gap is
-// as probable as a record that needs more.
+// as probable as a record that needs more. The report draws it with its confidence band.
 //
 //     ./moat run examples/10_gap_study.cpp
 //     ./moat run examples/10_gap_study.cpp --sa 0.15g --probability 0.05 --out results/rare
@@ -56,10 +56,6 @@ int main(int argc, char** argv) {
                 "A gap of %.1f cm makes pounding %.3g %% probable; 95 %% confidence: %.1f to %.1f cm.",
                 100.0 * demand.gap(probability).si(), 100.0 * probability, 100.0 * band.low, 100.0 * band.high);
   script.answer(text);
-  std::snprintf(text, sizeof text, "Records: %zu with a smallest gap from %.1f to %.1f cm, %zu without solution.",
-                demand.gaps().size(), 100.0 * demand.gaps().front(), 100.0 * demand.gaps().back(),
-                demand.without_solution());
-  script.answer(text);
-  script.show(pounding_chart(demand, "Probability of pounding"));
+  script.answer(demand.description());
   return script.finish();
 }

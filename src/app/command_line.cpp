@@ -37,7 +37,7 @@ void CommandLine::require_new(const std::string& name) const {
   if (app_.get_option_no_throw("--" + name) != nullptr)
     throw InputError{"--" + name + ": there is an option of this name. Name each once; help, record and record-unit, " +
                      "out, force, step, tolerance, integrator, end, frame-interval, check, quiet, json, threads, case, "
-                     "cases and retry are those of Script itself."};
+                     "cases, retry and accept-changes are those of Script itself."};
 }
 
 void CommandLine::add_flag(const std::string& name, bool& value, const std::string& help) {

@@ -41,6 +41,8 @@ Script::Script(int argc, char** argv, std::string title)
     : parts_{std::make_unique<Parts>(argc, argv, std::move(title))} {
   std::set_terminate(report_and_exit);
   parts_->ranks = ranks_of_this_job();
+  // Until every rank has reached the study, the default action of a signal would end the job without order.
+  if (parts_->ranks != nullptr) parts_->signals_of_ranks.emplace();
   // All ranks run the script, and one speaks.
   if (!parts_->speaks() && std::freopen("/dev/null", "w", stdout) == nullptr) std::fclose(stdout);
   if (parts_->line.json_wanted()) parts_->json.emplace();
@@ -101,7 +103,7 @@ ScriptStudy& Script::studies_done() {
 }
 
 int Script::finish() {
-  if (parts_->study) return parts_->study->finish(parts_->origin, parts_->line.title());
+  if (parts_->study) return parts_->study->finish();
   check_options();
   return 0;
 }

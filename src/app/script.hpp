@@ -80,9 +80,10 @@ class Script {
   /// to standard error. The observers are attached before; none may be null.
   int run(Model& model, const GroundMotion& motion, std::initializer_list<StepObserver*> observers = {});
 
-  /// Computes a study on all cores, keeps it in the file NAME.db of the results folder, and writes NAME.csv beside it.
-  /// A study that is there goes on: only cases that it lacks are computed. Adds --out, --threads, --case, --cases,
-  /// --retry, --quiet, --json at the first call, then checks all options, and answers --help by ending the program.
+  /// Computes a study on all cores, keeps it in the file NAME.db of the results folder, and writes NAME.csv and
+  /// report.html beside it, also where it is stopped. A study that is there goes on: only cases that it lacks are
+  /// computed. Adds --out, --threads, --case, --cases, --retry, --accept-changes, --quiet, --json at the first call,
+  /// then checks all options, and answers --help by ending the program.
   ///
   ///     const StudyResult study = script.study({gap, record_axis("record", records)}, [&](const StudyCase& each) {
   ///       StudyModel one{Model{}, records[each.position("record")]};
@@ -109,8 +110,9 @@ class Script {
   void show(const Chart& chart);
   void show(const HeatMap& map);
 
-  /// After the last study: writes report.html, prints where the results are. With --json standard output holds
-  /// { "title", "results_folder", "studies": [ { "name", "file", "cases", "done", "not_converged", "failed", "open" }
+  /// After the last study: writes report.html with all answers, prints where the results are. With --json standard
+  /// output holds { "title", "results_folder", "studies": [ { "name", "file", "cases", "done", "not_converged",
+  /// "failed", "open" }
   /// ], "answers": [ ... ] } alone. Returns the exit code: 0, 3 if cases did not converge, 1 if cases failed.
   int finish();
 

@@ -20,13 +20,17 @@ std::string shell_word(const std::string& word) {
   return text + "'";
 }
 
+std::string variable(const char* name) {
+  const char* value = std::getenv(name);
+  return value != nullptr ? value : "";
+}
+
 }  // namespace
 
 Provenance origin_of_script(const std::vector<std::string>& arguments) {
   Provenance origin = provenance_of_library();
   std::error_code error;
-  const char* source = std::getenv("MOAT_SCRIPT");
-  if (source != nullptr && *source != '\0') {
+  if (const std::string source = variable("MOAT_SCRIPT"); !source.empty()) {
     const fs::path path = fs::absolute(source, error);
     origin.script = path.string();
     origin.script_sha256 = sha256_of_file(path).value_or("");
@@ -37,6 +41,25 @@ Provenance origin_of_script(const std::vector<std::string>& arguments) {
   }
   for (const std::string& argument : arguments) origin.command_line += " " + shell_word(argument);
   return origin;
+}
+
+std::string command_to_go_on(const std::vector<std::string>& arguments, int ranks) {
+  std::error_code error;
+  const std::string launcher = variable("MOAT_LAUNCHER"), source = variable("MOAT_SCRIPT");
+  const std::string script = source.empty() ? "" : fs::absolute(source, error).string();
+  std::string command = "cd " + shell_word(fs::current_path(error).string()) + " && ";
+  if (!launcher.empty() && !script.empty()) {
+    command += shell_word(launcher) + " run ";
+    if (ranks > 0) command += "--ranks " + std::to_string(ranks) + " ";
+    command += shell_word(script);
+  } else {
+    if (!script.empty()) command += "MOAT_SCRIPT=" + shell_word(script) + " ";
+    if (ranks > 0) command += "mpirun -n " + std::to_string(ranks) + " ";
+    command += shell_word(fs::read_symlink("/proc/self/exe", error).string());
+  }
+  for (const std::string& argument : arguments)
+    if (argument != "--retry" && argument != "--accept-changes") command += " " + shell_word(argument);
+  return command;
 }
 
 }  // namespace moat

@@ -12,4 +12,12 @@ namespace moat {
 /// the environment variable MOAT_SCRIPT; without it the path of the program stands in its place, without hash.
 Provenance origin_of_script(const std::vector<std::string>& arguments);
 
+/// The command that goes on with a study of this process, on the same number of ranks, for a shell in any folder:
+///
+///     cd /home/me && /opt/moat/moat run --ranks 4 /home/me/gap.cpp --out 'my study'
+///
+/// The launcher gives its own path in MOAT_LAUNCHER; without it the program itself is named. ranks: 0 for a process by
+/// itself. --retry and --accept-changes are left out: they have been done.
+std::string command_to_go_on(const std::vector<std::string>& arguments, int ranks);
+
 }  // namespace moat

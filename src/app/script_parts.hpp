@@ -11,6 +11,7 @@
 #include "app/script.hpp"
 #include "app/script_origin.hpp"
 #include "app/script_study.hpp"
+#include "app/stop_signals.hpp"
 #include "study/ranks.hpp"
 
 namespace moat {
@@ -26,6 +27,7 @@ struct Script::Parts {
   std::vector<StepObserver*> observers{};
   bool checked = false;  // the whole line
   Ranks* ranks = nullptr;
+  std::optional<StopSignals> signals_of_ranks{};
   [[nodiscard]] bool speaks() const { return ranks == nullptr || ranks->rank() == 0; }
   std::optional<JsonOutput> json{};  // with --json
   std::optional<ScriptStudy> study{};

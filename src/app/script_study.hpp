@@ -1,38 +1,30 @@
-// The studies of a script: their options, their folder, and what they print.
+// The studies of a script: their folder, and what they print.
 #pragma once
 
 #include <filesystem>
 #include <functional>
 #include <optional>
 #include <string>
-#include <utility>
-#include <vector>
 
 #include "analyses/study.hpp"
 #include "app/command_line.hpp"
 #include "app/json_output.hpp"
+#include "app/script_study_options.hpp"
 #include "output/provenance.hpp"
 #include "study/study_report.hpp"
 
 namespace moat {
 
-/// Options of a script with studies.
-struct ScriptStudyOptions {
-  std::filesystem::path folder;
-  int threads = 0;
-  bool quiet = false, retry = false;
-  std::optional<std::pair<std::size_t, std::size_t>> part;
-};
-
-/// Runs the studies of one script in one folder, and keeps what its report will show.
+/// Runs the studies of one script in one folder, and keeps what its report shows.
 class ScriptStudy {
  public:
   /// Adds the options to the line. json: where the result goes too, or null. Throws InputError for a text that cannot
   /// be.
   ScriptStudy(CommandLine& line, Ranks* ranks, const JsonOutput* json);
 
-  /// Computes the cases that the file of the study lacks. Ends the program where the study is stopped by a signal, and
-  /// after the part that --case or --cases asks for.
+  /// Computes the cases that the file of the study lacks, and writes table and report. Ends the program where the study
+  /// is stopped by a signal, and after the part that --case or --cases asks for. Throws InputError for a name that is
+  /// taken or is no name of a file.
   StudyResult run(const StudyCases& cases, const std::function<StudyResult(const StudyOptions&)>& compute,
                   StudyOptions options, const std::string& name, const Provenance& origin, const std::string& title);
 
@@ -40,18 +32,20 @@ class ScriptStudy {
   void answer(const std::string& sentence);
   void show(StudyPicture picture) { report_.pictures.push_back(std::move(picture)); }
 
-  /// Writes the report and prints where it is.
-  int finish(const Provenance& origin, const std::string& title);
-
-  [[nodiscard]] const ScriptStudyOptions& options() const { return options_; }
+  /// Writes the report with the answers and prints where it is.
+  int finish();
 
  private:
-  [[nodiscard]] StudyIdentity identity(const Provenance& origin) const;
-  [[nodiscard]] std::string engine(const StudyOptions& options) const;
+  void check_name(const std::string& name) const;
+  void choose_part(const StudyCases& cases);
+  [[nodiscard]] StudySession session(const Provenance& origin, const std::string& title, int threads) const;
+  void keep(const StudyResult& result, const std::string& name);
   static void print_failures(const StudyResult& result, const std::string& name);
-  void write_json(const std::string& title) const;
+  void write_json() const;
   [[noreturn]] void end_of_part(const StudyResult& result, const std::filesystem::path& file,
                                 const std::string& name) const;
+  [[noreturn]] void end_at_stop(const StudyStopped& stopped, const std::filesystem::path& file,
+                                const std::string& name);
 
   [[nodiscard]] bool speaks() const { return ranks_ == nullptr || ranks_->rank() == 0; }
 

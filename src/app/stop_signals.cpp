@@ -1,16 +1,13 @@
 #include "app/stop_signals.hpp"
 
-#include <array>
 #include <atomic>
 #include <csignal>
 
 namespace moat {
 namespace {
 
-constexpr std::array signals{SIGINT, SIGTERM};
 std::atomic<int> last_signal{0};
 static_assert(std::atomic<int>::is_always_lock_free, "a handler of signals may use nothing else");
-std::array<struct sigaction, signals.size()> before;
 
 }  // namespace
 
@@ -19,18 +16,21 @@ StopSignals::StopSignals() {
     struct sigaction action {};
     action.sa_handler = [](int signal) { last_signal = signal; };
     action.sa_flags = SA_RESETHAND | SA_RESTART;
-    sigaction(signals[i], nullptr, &before[i]);
-    if (before[i].sa_handler != SIG_IGN) sigaction(signals[i], &action, nullptr);
+    sigaction(signals[i], nullptr, &before_[i]);
+    if (before_[i].sa_handler != SIG_IGN) sigaction(signals[i], &action, nullptr);
   }
 }
 
 StopSignals::~StopSignals() {
-  for (std::size_t i = 0; i < signals.size(); ++i) sigaction(signals[i], &before[i], nullptr);
+  for (std::size_t i = 0; i < signals.size(); ++i) sigaction(signals[i], &before_[i], nullptr);
 }
 
 int StopSignals::received() { return last_signal; }
 
-const char* StopSignals::name() { return last_signal == SIGTERM ? "SIGTERM" : "SIGINT"; }
+const char* StopSignals::name() {
+  const int signal = last_signal;
+  return signal == SIGTERM ? "SIGTERM" : signal == SIGUSR1 ? "SIGUSR1" : "SIGINT";
+}
 
 int StopSignals::exit_code() {
   constexpr int of_a_shell = 128;

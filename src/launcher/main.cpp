@@ -46,7 +46,7 @@ int run_command_line(const Places& places, int count, char** words) {
 
   int code = 0;
   CLI::App* const run = app.add_subcommand("run", help::run)->prefix_command()->footer(help::after_run);
-  run->callback([&] { run_script(places, run->remaining()); });
+  run->callback([&] { code = run_script(places, run->remaining()); });
 
   CLI::App* const create = app.add_subcommand("new", help::create)->footer(help::after_new);
   std::string file;

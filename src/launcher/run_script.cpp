@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <cstdlib>
 #include <cstring>
+#include <optional>
 
+#include "launcher/job.hpp"
 #include "launcher/library.hpp"
 #include "launcher/lock.hpp"
 #include "launcher/process.hpp"
@@ -40,19 +42,18 @@ std::string take_ranks(std::vector<std::string>& words) {
 }
 
 /// The job of Open MPI that runs the program on this number of ranks. In a job of Slurm its nodes are used.
-[[noreturn]] void become_ranks(const std::string& ranks, const fs::path& program,
-                               const std::vector<std::string>& options) {
-  Command job{"-n", ranks, "--oversubscribe", "--bind-to", "none", "-x", "MOAT_SCRIPT"};
+int run_ranks(const std::string& ranks, const fs::path& program, const std::vector<std::string>& options) {
+  Command job{"mpirun", "-n",          ranks, "--oversubscribe", "--bind-to", "none",
+              "-x",     "MOAT_SCRIPT", "-x",  "MOAT_LAUNCHER"};
   if (::geteuid() == 0) job.emplace_back("--allow-run-as-root");
   job.push_back(program);
   job.insert(job.end(), options.begin(), options.end());
-  become("/usr/bin/mpirun", "mpirun", job);
-  throw Stop{exit_failed, std::string{"mpirun cannot be started: "} + std::strerror(errno)};
+  return run_job(job);
 }
 
 }  // namespace
 
-void run_script(const Places& places, const std::vector<std::string>& all_words) {
+int run_script(const Places& places, const std::vector<std::string>& all_words) {
   std::vector<std::string> words = all_words;
   const std::string ranks = take_ranks(words);
   if (words.empty())
@@ -66,11 +67,16 @@ void run_script(const Places& places, const std::vector<std::string>& all_words)
     part.cmake_option = "MOAT_MPI";
   }
   bring_up_to_date(places, part);
-  const Lock lock{script.lock_file()};  // until the program has started
+  std::optional<Lock> lock{script.lock_file()};  // until the program has started
   script.bring_up_to_date();
   // For the results, which name the script and its hash.
   ::setenv("MOAT_SCRIPT", fs::absolute(typed).lexically_normal().c_str(), 1);
-  if (!ranks.empty()) become_ranks(ranks, script.program(), {words.begin() + 1, words.end()});
+  // For the command that goes on with a study.
+  ::setenv("MOAT_LAUNCHER", (places.root / "moat").c_str(), 1);
+  if (!ranks.empty()) {
+    lock.reset();
+    return run_ranks(ranks, script.program(), {words.begin() + 1, words.end()});
+  }
   // The script is called by its own name, so that its messages and its results are.
   const std::vector<std::string> options{words.begin() + 1, words.end()};
   if (become(script.program(), typed, options) == ENOEXEC) {  // damaged, by a power cut for example

@@ -68,13 +68,14 @@ void GroundMotion::check_samples(const std::vector<double>& samples, const std::
   }
 }
 
-GroundMotion GroundMotion::with_component_y(std::vector<double> samples) const {
+GroundMotion GroundMotion::with_component_y(std::vector<double> samples, MotionFile file_of_second) const {
   Check{"GroundMotion", name_}.that(samples.size() == samples_.size(), "number of samples of the component along y",
                                     static_cast<double>(samples.size()), "1",
                                     "that of the component along x, " + std::to_string(samples_.size()));
   check_samples(samples, "component along y, ");
   GroundMotion motion = *this;
   motion.samples_y_ = std::move(samples);
+  motion.file_of_second_ = std::move(file_of_second);
   return motion;
 }
 

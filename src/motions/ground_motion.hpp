@@ -7,16 +7,14 @@
 #include <string>
 #include <vector>
 
+#include "base/files_read.hpp"
 #include "base/plan_vector.hpp"
 #include "base/quantity.hpp"
 
 namespace moat {
 
-/// The file a motion was read from.
-struct MotionFile {
-  std::string path{};    ///< absolute; empty for a motion made in the program
-  std::string sha256{};  ///< of its content: 64 hexadecimal digits
-};
+/// The file a motion was read from; without path for a motion made in the program.
+using MotionFile = FileRead;
 
 /// The horizontal acceleration of the ground, sampled at a constant time step.
 ///
@@ -38,6 +36,8 @@ class GroundMotion {
   [[nodiscard]] const std::string& name() const { return name_; }
   [[nodiscard]] const std::vector<std::string>& notes() const { return notes_; }
   [[nodiscard]] const MotionFile& file() const { return file_; }
+  /// The file of the second component of a PlanMotion; without path for one component.
+  [[nodiscard]] const MotionFile& file_of_second() const { return file_of_second_; }
   /// The factor of all accelerations since the motion was read or made.
   [[nodiscard]] double scale_factor() const { return scale_factor_; }
   /// s
@@ -80,7 +80,7 @@ class GroundMotion {
 
   /// The same motion with a second component, along y, m/s^2. Throws InputError unless it has as many samples, all
   /// finite and of at most 1e6 m/s^2.
-  [[nodiscard]] GroundMotion with_component_y(std::vector<double> samples) const;
+  [[nodiscard]] GroundMotion with_component_y(std::vector<double> samples, MotionFile file_of_second = {}) const;
 
   /// One line: name, PGA, PGV, PGV/PGA, time step, duration, number of samples.
   [[nodiscard]] std::string description() const;
@@ -103,7 +103,7 @@ class GroundMotion {
   std::vector<double> samples_;
   std::vector<double> samples_y_{};  // empty for one component
   std::vector<std::string> notes_;
-  MotionFile file_;
+  MotionFile file_, file_of_second_{};
   double scale_factor_ = 1.0;
 };
 

@@ -80,7 +80,7 @@ GroundMotion PlanMotion::resolved() const {
   notes.insert(notes.end(), second.notes().begin(), second.notes().end());
   notes.push_back("angle of incidence " + to_text(degrees) + " deg, counter-clockwise from +x to the first component");
   return GroundMotion{names, finer.time_step(), std::move(x), std::move(notes), first.file()}.with_component_y(
-      std::move(y));
+      std::move(y), second.file());
 }
 
 PlanMotion PlanMotion::scaled_by(double factor) const {

@@ -32,6 +32,7 @@ TextFile read_text_file(const std::filesystem::path& path) {
   read.text.resize(static_cast<std::size_t>(file.gcount()));
   if (file.bad() || read.text.size() != size) refuse_file(path, "the file cannot be read to its end.");
   read.sha256 = sha256_of(read.text);
+  note_file_read(file_of(read));
   constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
   if (read.text.starts_with(byte_order_mark)) read.text.erase(0, byte_order_mark.size());
   // Old Macintosh programs end lines with a carriage return alone.

@@ -17,7 +17,8 @@ struct TextFile {
   std::string sha256;  ///< of the file as it is
 };
 
-/// Throws FileError if the file cannot be read, is no regular file, or has more than 1 GB.
+/// Notes the file (base/files_read.hpp). Throws FileError if it cannot be read, is no regular file, or has more than
+/// 1 GB.
 TextFile read_text_file(const std::filesystem::path& path);
 
 /// As a GroundMotion remembers it.

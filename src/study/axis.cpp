@@ -1,6 +1,9 @@
 #include "study/axis.hpp"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <string_view>
 #include <utility>
 
 #include "base/check.hpp"
@@ -21,6 +24,11 @@ void check(const StudyAxis& axis) {
   check.that(axis.hashes.empty() || axis.hashes.size() == axis.values.size(),
              "the numbers of hashes and values differ.", "Give one hash for every value, or none.");
   for (const double value : axis.values) check.finite("a value", value, axis.unit);
+  check.that(!axis.name.empty(), "it has no name.", "Give it one, for example \"gap\".");
+  // The other columns of the table of a study.
+  constexpr std::array<std::string_view, 6> taken{"case", "state", "reason", "steps", "energy_error", "seconds"};
+  check.that(std::ranges::find(taken, axis.name) == taken.end(), "tables of studies have a column of this name.",
+             "Give it another name.");
 }
 
 std::vector<double> linearly_spaced(double first, double last, int count) {

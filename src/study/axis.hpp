@@ -21,7 +21,8 @@ struct StudyAxis {
   static StudyAxis of_names(std::string name, std::vector<std::string> labels);
 };
 
-/// Throws InputError for an axis without values, a value that is not finite, or labels or hashes of another number.
+/// Throws InputError for an axis without values or name, with the name of another column of the table (state, seconds),
+/// a value that is not finite, or labels or hashes of another number.
 void check(const StudyAxis& axis);
 
 /// `count` values at equal distances, the first `first`, the last `last`. count >= 2.

@@ -39,6 +39,7 @@ StudyCases::StudyCases(std::vector<StudyAxis> axes, std::vector<std::size_t> gro
                                                  " values, and axis \"" + axes_[i - 1].name + "\" has " +
                                                  std::to_string(axes_[i - 1].values.size()) + ".",
                                              "Axes of a list step together: give them equally many.");
+  require_different_labels();
   double cases = 1.0;
   for (const std::size_t length : lengths()) cases *= static_cast<double>(length);
   Check{"Study", ""}.that(cases <= most_cases, "number of cases", cases, "1", "<= 1e9", "Give the axes fewer values.");
@@ -55,6 +56,23 @@ StudyCases StudyCases::times(const StudyCases& inner) const {
   std::vector<std::size_t> groups = groups_;
   for (const std::size_t group : inner.groups_) groups.push_back(groups_.back() + 1 + group);
   return {std::move(axes), std::move(groups)};
+}
+
+void StudyCases::require_different_labels() const {
+  for (std::size_t first = 0; first < axes_.size();) {
+    std::size_t last = first;
+    bool named = true;
+    for (; last < axes_.size() && groups_[last] == groups_[first]; ++last) named = named && !axes_[last].labels.empty();
+    std::set<std::vector<std::string>> known;
+    for (std::size_t i = 0; named && i < axes_[first].labels.size(); ++i) {
+      std::vector<std::string> labels;
+      for (std::size_t axis = first; axis < last; ++axis) labels.push_back(axes_[axis].labels[i]);
+      Check{"StudyAxis", axes_[first].name}.that(known.insert(labels).second,
+                                                 "the label \"" + labels.front() + "\" appears twice.",
+                                                 "Give every value a label of its own.");
+    }
+    first = last;
+  }
 }
 
 std::vector<std::size_t> StudyCases::lengths() const {

@@ -20,7 +20,8 @@ namespace moat {
 class StudyCases {
  public:
   /// Every value of each axis with every value of the others. Throws InputError for no axis, an axis that check()
-  /// refuses, a name that appears twice, and more than 1e9 cases.
+  /// refuses, a name that appears twice, labels that appear twice (in a list: all labels of a case), and more than 1e9
+  /// cases.
   StudyCases(std::initializer_list<StudyAxis> axes) : StudyCases{std::vector<StudyAxis>{axes}} {}
   StudyCases(std::vector<StudyAxis> axes);  // NOLINT(google-explicit-constructor)
 
@@ -41,6 +42,7 @@ class StudyCases {
  private:
   StudyCases(std::vector<StudyAxis> axes, std::vector<std::size_t> groups);
   [[nodiscard]] std::vector<std::size_t> lengths() const;
+  void require_different_labels() const;
 
   std::vector<StudyAxis> axes_;
   std::vector<std::size_t> groups_;  // of every axis
@@ -53,6 +55,7 @@ class StudyCase {
   StudyCase(const StudyCases& cases, std::size_t number) : cases_{&cases}, number_{number} {}
   StudyCase(StudyCases&&, std::size_t) = delete;
 
+  [[nodiscard]] const StudyCases& cases() const { return *cases_; }
   /// Counts from 0.
   [[nodiscard]] std::size_t number() const { return number_; }
   /// Position on an axis, from 0. Throws InputError for an unknown name, as the next two do.

@@ -4,6 +4,7 @@
 #include <chrono>
 #include <exception>
 #include <mutex>
+#include <string_view>
 #include <thread>
 
 #include "base/error.hpp"
@@ -18,9 +19,27 @@ CaseOutcome with_reason(CaseState state, const char* reason) {
   return outcome;
 }
 
+/// Of two results with one name a table could hold one only.
+void require_names_of_their_own(const StudyCase& each, const StudyRecord& record) {
+  std::vector<std::pair<std::string_view, std::string_view>> names;
+  for (const NamedNumber& result : record) names.emplace_back(result.quantity, result.where);
+  std::ranges::sort(names);
+  const auto twice = std::ranges::adjacent_find(names);
+  if (twice != names.end()) {
+    const std::string where = twice->second.empty() ? "" : " of \"" + std::string{twice->second} + "\"";
+    throw InputError{"The result \"" + std::string{twice->first} + "\"" + where +
+                     " appears twice. Give every result of a case a name or a place of its own."};
+  }
+  for (const StudyAxis& axis : each.cases().axes())
+    if (std::ranges::binary_search(names, std::pair<std::string_view, std::string_view>{axis.name, ""}))
+      throw InputError{"The result \"" + axis.name + "\" has the name of an axis. Give it another name."};
+}
+
 CaseOutcome caught(const StudyCase& each, const ComputeCase& compute) {
   try {
-    return compute(each);
+    CaseOutcome outcome = compute(each);
+    require_names_of_their_own(each, outcome.results);
+    return outcome;
   } catch (const ConvergenceError& error) {
     return with_reason(CaseState::not_converged, error.what());
   } catch (const std::exception& error) {
@@ -34,7 +53,10 @@ CaseOutcome caught(const StudyCase& each, const ComputeCase& compute) {
 
 CaseOutcome outcome_of(const StudyCase& each, const ComputeCase& compute) {
   const auto start = std::chrono::steady_clock::now();
+  const FilesOfThisThread read;
   CaseOutcome outcome = caught(each, compute);
+  for (const FileRead& file : read.files())
+    if (std::ranges::find(outcome.files, file) == outcome.files.end()) outcome.files.push_back(file);
   outcome.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return outcome;
 }

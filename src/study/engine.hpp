@@ -26,7 +26,8 @@ using CaseFinished = std::function<void(std::size_t number, CaseOutcome&& outcom
 /// Computes one case; called from several threads at once.
 using ComputeCase = std::function<CaseOutcome(const StudyCase&)>;
 
-/// The outcome of compute(); an exception becomes a state with its message. Adds the seconds it took.
+/// The outcome of compute(), with its seconds and the files it read; an exception becomes a state with its message, and
+/// so do two results with one name, or a result with the name of an axis.
 CaseOutcome outcome_of(const StudyCase& each, const ComputeCase& compute);
 
 /// Hands the numbers of open cases to threads, one after the other.

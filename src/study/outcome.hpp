@@ -6,6 +6,8 @@
 #include <string_view>
 #include <vector>
 
+#include "base/files_read.hpp"
+
 namespace moat {
 
 /// One result of a case.
@@ -32,8 +34,8 @@ struct CaseOutcome {
   CaseState state = CaseState::open;
   std::string reason{};   ///< the message of the exception; empty if the case is done
   StudyRecord results{};  ///< empty unless it is done
-  std::string record{};   ///< absolute path of the file of its motion; empty for a motion made in the program
-  std::string record_sha256{};
+  /// Of its motion, and those that were read while it was computed.
+  std::vector<FileRead> files{};
   long steps = 0;  ///< of its analysis; 0: not known
   /// Error of the energy balance as a fraction of the largest input or kinetic energy; NaN: not known.
   double energy_error = std::numeric_limits<double>::quiet_NaN();

@@ -23,8 +23,11 @@ class Writer {
   void put(const CaseOutcome& outcome) {
     put(outcome.state);
     put(outcome.reason);
-    put(outcome.record);
-    put(outcome.record_sha256);
+    put<std::uint64_t>(outcome.files.size());
+    for (const FileRead& each : outcome.files) {
+      put(each.path);
+      put(each.sha256);
+    }
     put(outcome.steps);
     put(outcome.energy_error);
     put(outcome.seconds);
@@ -64,8 +67,12 @@ class Reader {
     CaseOutcome found;
     found.state = number<CaseState>();
     found.reason = text();
-    found.record = text();
-    found.record_sha256 = text();
+    for (auto left = number<std::uint64_t>(); left > 0; --left) {
+      FileRead each;
+      each.path = text();
+      each.sha256 = text();
+      found.files.push_back(std::move(each));
+    }
     found.steps = number<long>();
     found.energy_error = number<double>();
     found.seconds = number<double>();

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 #include <map>
+#include <tuple>
 
 #include "base/check.hpp"
 
@@ -24,12 +25,13 @@ void add_axes(Table& table, const StudyCases& cases) {
   }
 }
 
-// Cases may have different results (buildings of different height): a column for each that any case has.
+// Cases may have different results (buildings of different height): a column for each that any case has, and one for
+// each unit, so that no numbers of two units are mixed.
 void add_results(Table& table, const std::vector<CaseOutcome>& outcomes) {
-  std::map<std::pair<std::string, std::string>, std::size_t> column_of;
+  std::map<std::tuple<std::string, std::string, std::string>, std::size_t> column_of;
   for (std::size_t number = 0; number < outcomes.size(); ++number) {
     for (const NamedNumber& each : outcomes[number].results) {
-      const auto [found, added] = column_of.try_emplace({each.quantity, each.where}, table.columns.size());
+      const auto [found, added] = column_of.try_emplace({each.quantity, each.where, each.unit}, table.columns.size());
       if (added) table.columns.push_back({each.quantity, each.where, each.unit, std::vector(outcomes.size(), nan)});
       table.columns[found->second].values[number] = each.value;
     }
@@ -76,6 +78,9 @@ StudyResult::StudyResult(StudyCases cases, std::vector<CaseOutcome> outcomes)
 
 Table StudyResult::case_table() const {
   Table table;
+  table.columns.push_back({"case", "", "1", {}});
+  for (std::size_t number = 0; number < outcomes_.size(); ++number)
+    table.columns.front().values.push_back(static_cast<double>(number));
   add_axes(table, cases_);
   Column state{"state", "", "1", {}}, reason{"reason", "", "1", {}}, steps{"steps", "", "1", {}},
       error{"energy_error", "", "1", {}}, seconds{"seconds", "", "s", {}};
@@ -108,11 +113,14 @@ std::vector<std::size_t> StudyResult::numbers(const Fixed& fixed) const {
 }
 
 std::vector<double> StudyResult::values(std::string_view quantity, std::string_view where, const Fixed& fixed) const {
+  const auto is_meant = [&](const Column& each) { return each.quantity == quantity && each.where == where; };
   const auto column =
-      std::ranges::find_if(table_.columns.begin() + static_cast<std::ptrdiff_t>(axes().size()), table_.columns.end(),
-                           [&](const Column& each) { return each.quantity == quantity && each.where == where; });
-  if (column == table_.columns.end())
-    throw InputError{"The study has no result \"" + std::string{quantity} + "\" of \"" + std::string{where} + "\"."};
+      std::find_if(table_.columns.begin() + static_cast<std::ptrdiff_t>(axes().size()), table_.columns.end(), is_meant);
+  const std::string name = "\"" + std::string{quantity} + "\" of \"" + std::string{where} + "\"";
+  if (column == table_.columns.end()) throw InputError{"The study has no result " + name + "."};
+  if (const auto other = std::find_if(column + 1, table_.columns.end(), is_meant); other != table_.columns.end())
+    throw InputError{"The result " + name + " has the unit " + column->unit + " in some cases and " + other->unit +
+                     " in others. Give it one unit, or two names."};
   std::vector<double> chosen;
   for (const std::size_t number : numbers(fixed)) chosen.push_back(column->values[number]);
   return chosen;
@@ -138,7 +146,8 @@ std::string failure_message(const StudyResult& result) {
   if (without_solution > 0) text += ", " + std::to_string(without_solution) + " of them did not converge";
   text += ".";
   for (std::size_t i = 0; i < std::min(most_told, failures.size()); ++i)
-    text += "\n  " + failures[i].description + ": " + failures[i].message;
+    text +=
+        "\n  case " + std::to_string(failures[i].number) + ", " + failures[i].description + ": " + failures[i].message;
   if (failures.size() > most_told) text += "\n  ... and " + std::to_string(failures.size() - most_told) + " more";
   return text;
 }

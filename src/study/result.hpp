@@ -28,7 +28,8 @@ class StudyResult {
   [[nodiscard]] const std::vector<StudyAxis>& axes() const { return cases_.axes(); }
   [[nodiscard]] const std::vector<CaseOutcome>& outcomes() const { return outcomes_; }
   [[nodiscard]] const Table& table() const { return table_; }
-  /// The table with state, reason, steps, energy error and seconds of every case behind the axes, for files.
+  /// The table with the number of every case before the axes, and its state, reason, steps, energy error and seconds
+  /// behind them, for files.
   [[nodiscard]] Table case_table() const;
   /// How many cases are in a state.
   [[nodiscard]] std::size_t count(CaseState state) const;
@@ -38,7 +39,7 @@ class StudyResult {
   ///
   ///     result.values("displacement", "base", {{"record", 2}})   // along the other axes
   ///
-  /// Throws InputError for an unknown result or axis.
+  /// Throws InputError for an unknown result or axis, and for a result with two units.
   [[nodiscard]] std::vector<double> values(std::string_view quantity, std::string_view where,
                                            const Fixed& fixed = {}) const;
 
@@ -64,7 +65,7 @@ class StudyError : public Error {
 
 /// The cases that failed or did not converge, in their order.
 std::vector<StudyError::Failure> failures_of(const StudyResult& result);
-/// "2 of 40 cases failed.", then a line for each of the first five; empty if none did.
+/// "2 of 40 cases failed.", then a line with number and axis values for each of the first five; empty if none did.
 std::string failure_message(const StudyResult& result);
 
 /// A study ended before its last case because StudyOptions::stop asked for it. `result` has the cases up to then.

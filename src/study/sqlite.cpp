@@ -104,8 +104,16 @@ void Database::run(const char* statements) const {
     fail(database_, file_, code);
 }
 
-Transaction::~Transaction() {
-  if (!open_) return;
+void Database::become_one_file() const noexcept {
+  constexpr int milliseconds_to_wait = 500;
+  sqlite3_busy_timeout(database_, milliseconds_to_wait);
+  sqlite3_exec(database_, "PRAGMA journal_mode = DELETE", nullptr, nullptr, nullptr);
+}
+
+Transaction::~Transaction() { undo(); }
+
+void Transaction::undo() {
+  if (!std::exchange(open_, false)) return;
   try {
     database_->run("ROLLBACK");
   } catch (...) {

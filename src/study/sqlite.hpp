@@ -53,6 +53,9 @@ class Database {
 
   [[nodiscard]] Statement prepare(std::string_view text) const;
   void run(const char* statements) const;
+  /// Moves the write-ahead log into the file, so that no other file is needed to read it, not even on a disk that
+  /// cannot be written. Left undone while another process reads the file.
+  void become_one_file() const noexcept;
   [[nodiscard]] const std::filesystem::path& file() const { return file_; }
 
  private:
@@ -60,7 +63,7 @@ class Database {
   sqlite3* database_ = nullptr;
 };
 
-/// All or nothing: what is not committed at its end is undone.
+/// All or nothing: without commit() its statements are undone at its end.
 class Transaction {
  public:
   explicit Transaction(const Database& database) : database_{&database} { database.run("BEGIN IMMEDIATE"); }
@@ -68,6 +71,8 @@ class Transaction {
   Transaction(const Transaction&) = delete;
   Transaction& operator=(const Transaction&) = delete;
   void commit();
+  /// Undoes its statements at once.
+  void undo();
 
  private:
   const Database* database_;

@@ -18,13 +18,17 @@ constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 /// One number for every case.
 struct Response {
-  std::string title, label;
+  std::string quantity, title, label;
   std::vector<double> values;
 };
 
 bool is_shown(const std::string& quantity) {
   return !quantity.ends_with("_error") && !quantity.starts_with("energy_") && !quantity.starts_with("ida_") &&
          quantity != "sensitive";
+}
+
+bool is_of_pounding(const std::string& quantity) {
+  return quantity == "clearance_left" || quantity == "impacts" || quantity.starts_with("impact_");
 }
 
 std::vector<Response> responses_of(const StudyResult& study) {
@@ -38,20 +42,20 @@ std::vector<Response> responses_of(const StudyResult& study) {
     const EngineeringUnit unit = engineering_unit(column.unit);
     const auto [found, added] = known.try_emplace(column.quantity, list.size());
     if (added) {
-      if (list.size() == most_quantities) continue;
       const std::string words = in_words(column.quantity);
       const bool of_places = !column.where.empty();
-      list.push_back({of_places ? (smallest ? "Smallest " : "Largest ") + words : capitalised(words),
+      list.push_back({column.quantity, of_places ? (smallest ? "Smallest " : "Largest ") + words : capitalised(words),
                       words + (unit.symbol == "1" ? "" : " [" + with_raised_digits(unit.symbol) + "]"),
                       std::vector(study.outcomes().size(), nan)});
     }
-    if (found->second >= list.size()) continue;
     std::vector<double>& values = list[found->second].values;
     for (std::size_t i = 0; i < values.size(); ++i) {
       const double value = unit.per_si * column.values[i];
       if (std::isnan(values[i]) || (smallest ? value < values[i] : value > values[i])) values[i] = value;
     }
   }
+  std::ranges::stable_partition(list, is_of_pounding, &Response::quantity);
+  if (list.size() > most_quantities) list.resize(most_quantities);
   return list;
 }
 

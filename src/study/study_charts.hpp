@@ -11,8 +11,8 @@ namespace moat {
 
 /// For every axis of at least three numbers, a chart of each quantity over it: the largest value of all places (of
 /// clearances the smallest), a curve for each combination of the other axes, or their median with the band from 16 to
-/// 84 % where there are more than seven. Errors and energies are left out, and of many quantities all but the first
-/// eight.
+/// 84 % where there are more than seven. Quantities of pounding come first. Errors and energies are left out, and of
+/// many quantities all but the first eight.
 std::vector<Chart> axis_charts(const StudyResult& study);
 
 /// For two axes of at least three numbers each, a map of each of those quantities: the median over the other axes.

@@ -1,5 +1,9 @@
 #include "study/study_report.hpp"
 
+#include <algorithm>
+#include <cctype>
+#include <set>
+
 #include "base/number_format.hpp"
 #include "output/file_io.hpp"
 #include "report/html.hpp"
@@ -10,15 +14,53 @@
 namespace moat {
 namespace {
 
+namespace fs = std::filesystem;
 using html::escaped;
 using html::number_row;
 using html::text_row;
 
 constexpr std::size_t most_failures = 100;
 
+/// The folder of the pictures, in which every one has a name of its own.
+class PictureFolder {
+ public:
+  /// Without the pictures of an earlier report.
+  explicit PictureFolder(fs::path folder) : folder_{std::move(folder)} {
+    std::error_code ignored;  // writing the pictures says more
+    fs::remove_all(folder_, ignored);
+  }
+
+  void write(const std::string& title, const std::string& svg) {
+    std::string name;
+    for (const char c : title) {
+      const bool plain = std::isalnum(static_cast<unsigned char>(c)) != 0;
+      if (plain) name += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+      if (!plain && !name.empty() && name.back() != '_') name += '_';
+    }
+    while (name.ends_with('_')) name.pop_back();
+    std::string free = name;
+    for (int i = 2; !names_.insert(free).second; ++i) free = name + "_" + std::to_string(i);
+    std::error_code ignored;  // writing the file says more
+    fs::create_directories(folder_, ignored);
+    write_file(folder_ / (free + ".svg"), "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n" + svg);
+  }
+
+ private:
+  fs::path folder_;
+  std::set<std::string> names_;
+};
+
+std::string without_unit(const std::string& label) { return label.substr(0, label.find(" [")); }
+
+std::string paragraphs(const std::vector<std::string>& sentences) {
+  std::string html;
+  for (const std::string& sentence : sentences) html += "<p>" + escaped(sentence) + "</p>\n";
+  return html;
+}
+
 std::string case_section(const StudyResult& result) {
   std::string html = "<table>\n" + number_row("Cases", std::to_string(result.cases().count()));
-  for (const CaseState state : {CaseState::done, CaseState::failed, CaseState::not_converged})
+  for (const CaseState state : {CaseState::done, CaseState::failed, CaseState::not_converged, CaseState::open})
     html += number_row("of these " + std::string{name_of(state)}, std::to_string(result.count(state)));
   double seconds = 0.0;
   for (const CaseOutcome& outcome : result.outcomes()) seconds += outcome.seconds;
@@ -36,31 +78,48 @@ std::string failure_section(const StudyResult& result) {
       "<h3>Cases without results</h3>\n<p>A case that did not converge is neither a pass nor a failure of the "
       "structure.</p>\n<table>\n";
   for (std::size_t i = 0; i < std::min(failures.size(), most_failures); ++i)
-    html += text_row(failures[i].description, failures[i].message);
+    html +=
+        text_row("Case " + std::to_string(failures[i].number) + ", " + failures[i].description, failures[i].message);
   html += "</table>\n";
   if (failures.size() > most_failures)
     html += "<p>... and " + std::to_string(failures.size() - most_failures) + " more, in the CSV file.</p>\n";
   return html;
 }
 
+std::string study_section(const NamedStudy& study, const std::set<std::string>& shown, PictureFolder& folder) {
+  std::string html = "<h2>" + escaped(study.name) + "</h2>\n" + case_section(study.result) + paragraphs(study.answers);
+  const std::string prefix = study.name + " ";
+  for (const StudyPicture& picture : study.pictures) {
+    if (shown.contains(picture.title)) continue;
+    html += picture.svg;
+    folder.write(prefix + picture.title, picture.svg);
+  }
+  for (const HeatMap& map : heat_maps(study.result)) {
+    const std::string svg = svg_text(map);
+    html += svg;
+    folder.write(prefix + map.title + " map", svg);
+  }
+  const std::vector<Chart> charts = axis_charts(study.result);
+  if (!charts.empty()) html += svg_text(charts, 1000, 320, 2);
+  for (const Chart& chart : charts)
+    folder.write(prefix + chart.title + " over " + without_unit(chart.x_label), svg_text({chart}, 700, 420));
+  return html + failure_section(study.result);
+}
+
 }  // namespace
 
-void write_study_report(const StudyReport& report, const std::filesystem::path& folder) {
+void write_study_report(const StudyReport& report, const fs::path& folder) {
   std::string page;
+  std::set<std::string> shown;
+  PictureFolder pictures{folder / "pictures"};
   if (!report.answers.empty() || !report.pictures.empty()) page += "<h2>Answers</h2>\n";
-  for (const std::string& answer : report.answers) page += "<p>" + escaped(answer) + "</p>\n";
-  int number = 0;
+  page += paragraphs(report.answers);
   for (const StudyPicture& picture : report.pictures) {
     page += picture.svg;
-    write_file(folder / ("answer_" + std::to_string(++number) + ".svg"),
-               "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n" + picture.svg);
+    shown.insert(picture.title);
+    pictures.write(picture.title, picture.svg);
   }
-  for (const NamedStudy& study : report.studies) {
-    page += "<h2>" + escaped(study.name) + "</h2>\n" + case_section(study.result) + failure_section(study.result);
-    for (const HeatMap& map : heat_maps(study.result)) page += svg_text(map);
-    const std::vector<Chart> charts = axis_charts(study.result);
-    if (!charts.empty()) page += svg_text(charts, 1000, 320, 2);
-  }
+  for (const NamedStudy& study : report.studies) page += study_section(study, shown, pictures);
   page += html::provenance_section(report.provenance);
   write_file(folder / "report.html", html::page(report.title, page));
 }

@@ -10,28 +10,32 @@
 
 namespace moat {
 
-/// A study and its name.
-struct NamedStudy {
-  std::string name;
-  StudyResult result;
-};
-
-/// A picture that answers the question of a study, as SVG.
+/// A picture that answers a question, as SVG.
 struct StudyPicture {
   std::string title;
   std::string svg;
 };
 
+/// A study, its name, and the answers that its results give by themselves.
+struct NamedStudy {
+  std::string name;
+  StudyResult result;
+  std::vector<std::string> answers{};
+  std::vector<StudyPicture> pictures{};
+};
+
 struct StudyReport {
   std::string title;
   Provenance provenance{};
-  std::vector<std::string> answers{};  ///< sentences
+  std::vector<std::string> answers{};  ///< of the script, sentences
+  /// Of the script. A picture of a study with the title of one of these is left out.
   std::vector<StudyPicture> pictures{};
   std::vector<NamedStudy> studies{};
 };
 
-/// Writes report.html: answers, pictures, then cases, failures, curves and maps of every study; and every answer
-/// picture beside it as answer_1.svg, answer_2.svg ... for papers. Throws FileError.
+/// Writes report.html: answers and pictures of the script, then of every study its states, answers, pictures, maps and
+/// curves (pounding first), and cases without results. Every picture is a file of its own too, for papers:
+/// pictures/study_impacts_over_gap.svg. Throws FileError.
 void write_study_report(const StudyReport& report, const std::filesystem::path& folder);
 
 }  // namespace moat

@@ -1,7 +1,6 @@
 #include "study/study_text.hpp"
 
 #include <algorithm>
-#include <numeric>
 #include <vector>
 
 #include "base/check.hpp"
@@ -10,7 +9,7 @@
 namespace moat {
 namespace {
 
-constexpr std::size_t shown_cases = 5;
+constexpr std::size_t shown_cases = 5, shown_sessions = 10;
 
 std::string axis_lines(const StudyCases& cases) {
   std::string text = "axes\n";
@@ -26,19 +25,45 @@ std::string axis_lines(const StudyCases& cases) {
   return text;
 }
 
+/// "cases: 40, of these 38 done, 1 failed, 1 not converged, 0 open"
+std::string state_line(const StudyResult& result) {
+  std::string text = "cases: " + std::to_string(result.cases().count()) + ", of these";
+  for (const CaseState state : {CaseState::done, CaseState::failed, CaseState::not_converged, CaseState::open})
+    text += std::string{state == CaseState::done ? " " : ", "} + std::to_string(result.count(state)) + " " +
+            std::string{name_of(state)};
+  return text + "\n";
+}
+
 std::string slowest_lines(const StudyResult& result) {
   std::vector<std::size_t> numbers;
   for (std::size_t number = 0; number < result.outcomes().size(); ++number)
     if (result.outcomes()[number].state != CaseState::open) numbers.push_back(number);
-  std::ranges::stable_sort(numbers, [&](std::size_t a, std::size_t b) {
-    return result.outcomes()[a].seconds > result.outcomes()[b].seconds;
-  });
   if (numbers.empty()) return "";
-  numbers.resize(std::min(numbers.size(), shown_cases));
+  const std::size_t shown = std::min(numbers.size(), shown_cases);
+  std::ranges::partial_sort(numbers, numbers.begin() + static_cast<std::ptrdiff_t>(shown), {}, [&](std::size_t number) {
+    return std::pair{-result.outcomes()[number].seconds, number};
+  });
   std::string text = "slowest cases\n";
-  for (const std::size_t number : numbers)
-    text += "  " + std::to_string(number) + ": " + to_significant(result.outcomes()[number].seconds, 3) + " s, " +
-            StudyCase{result.cases(), number}.description() + "\n";
+  for (std::size_t i = 0; i < shown; ++i)
+    text += "  case " + std::to_string(numbers[i]) + ", " + StudyCase{result.cases(), numbers[i]}.description() + ": " +
+            to_significant(result.outcomes()[numbers[i]].seconds, 3) + " s\n";
+  return text;
+}
+
+std::string session_lines(const StoredStudy& study) {
+  std::string text = "runs\n";
+  const std::vector<StoredSession>& sessions = study.sessions;
+  const std::size_t first = sessions.size() > shown_sessions ? sessions.size() - shown_sessions : 0;
+  if (first > 0) text += "  ... " + std::to_string(first) + " earlier ones\n";
+  for (std::size_t i = first; i < sessions.size(); ++i) {
+    const StoredSession& session = sessions[i];
+    text += "  " + session.date + "  moat " + session.moat_version + " " + session.git_commit.substr(0, 12) + ", " +
+            session.engine + ", " + std::to_string(session.cases) + " cases, " +
+            (session.ending.empty() ? "running, or killed" : session.ending) + ": " + session.command_line + "\n";
+    if (i > 0 && session.version != sessions[i - 1].version)
+      text += "  changes were accepted before this run:" +
+              differences(study.versions[sessions[i - 1].version], study.versions[session.version]) + "\n";
+  }
   return text;
 }
 
@@ -46,24 +71,13 @@ std::string slowest_lines(const StudyResult& result) {
 
 std::string description_of(const StoredStudy& study) {
   const StudyResult& result = study.result;
-  std::string text;
-  for (const auto& [key, value] : study.properties)
-    if (key == "title" && !value.empty()) text += value + "\n";
-  text += axis_lines(result.cases());
-  const std::size_t all = result.cases().count();
-  text += "cases: " + std::to_string(all) + ", of these";
-  for (const CaseState state : {CaseState::done, CaseState::failed, CaseState::not_converged, CaseState::open})
-    text += std::string{state == CaseState::done ? " " : ", "} + std::to_string(result.count(state)) + " " +
-            std::string{name_of(state)};
+  std::string text = study.title.empty() ? "" : study.title + "\n";
+  text += axis_lines(result.cases()) + state_line(result);
   double seconds = 0.0;
   for (const CaseOutcome& outcome : result.outcomes()) seconds += outcome.seconds;
-  text += "\ntime of all cases: " + to_significant(seconds, 4) + " s\n";
+  text += "time of all cases: " + to_significant(seconds, 4) + " s\n";
   if (const std::string failures = failure_message(result); !failures.empty()) text += failures + "\n";
-  text += slowest_lines(result) + "runs\n";
-  for (const StudySession& session : study.sessions)
-    text += "  " + session.date + "  moat " + session.moat_version + " " + session.git_commit.substr(0, 12) + ", " +
-            session.engine + ": " + session.command_line + "\n";
-  return text;
+  return text + slowest_lines(result) + session_lines(study);
 }
 
 }  // namespace moat

@@ -49,6 +49,19 @@ TEST(PoundingChart, FallsWithTheGap) {
   EXPECT_EQ(chart.series[2].y, (std::vector{0.75, 0.5, 0.25, 0.0}));
 }
 
+TEST(PoundingChart, SaysHowManyRecordsNeedMore) {
+  const StudyResult study =
+      run_study({{.name = "record", .unit = "", .values = {1.0, 2.0, 3.0, 4.0}}}, [](const StudyCase& each) {
+        if (each.number() == 3)
+          return StudyRecord{{"smallest_gap", "", "m", INFINITY}, {"smallest_gap_above", "", "m", 0.35}};
+        return StudyRecord{{"smallest_gap", "", "m", 0.1 * each.value("record")}};
+      });
+  const Chart chart = pounding_chart(GapDemand{study}, "Pounding");
+  expect_band_around_curve(chart);
+  EXPECT_EQ(chart.series[2].y, (std::vector{0.75, 0.5, 0.25})) << "shares of all four";
+  EXPECT_EQ(chart.series[2].name, "share of 4 records, 1 need more than 35 cm");
+}
+
 TEST(IdaChart, HasAllCurvesAndThreeFractiles) {
   const std::vector<IdaCurve> curves{{.record = "a", .levels = {1.0, 2.0}, .responses = {0.01, 0.03}},
                                      {.record = "b", .levels = {1.0, 2.0}, .responses = {0.02, 0.05}}};

@@ -128,6 +128,44 @@ TEST(Study, RefusesAxesThatCannotBe) {
             std::string::npos);
 }
 
+TEST(Study, RefusesNamesThatAppearTwice) {
+  const auto refusal = [](const std::vector<StudyAxis>& axes) {
+    return message_of<InputError>([&] { (void)StudyCases{axes}; });
+  };
+  EXPECT_EQ(refusal({StudyAxis::of_names("record", {"north", "south", "north"})}),
+            "StudyAxis \"record\": the label \"north\" appears twice. Give every value a label of its own.");
+  EXPECT_NE(refusal({StudyAxis::of_names("state", {"a"})}).find("a column of this name"), std::string::npos);
+  EXPECT_NE(refusal({{.name = "", .unit = "", .values = {1.0}}}).find("it has no name"), std::string::npos);
+  // In a list the cases must differ, not every axis.
+  const StudyAxis law = StudyAxis::of_names("law", {"soft", "stiff", "soft"});
+  EXPECT_NO_THROW(StudyCases::list({law, StudyAxis::of_names("record", {"north", "north", "south"})}));
+  EXPECT_THROW(StudyCases::list({law, StudyAxis::of_names("record", {"north", "north", "north"})}), InputError);
+  EXPECT_NO_THROW(StudyCases::list({law, {.name = "mass", .unit = "t", .values = {1.0, 1.0, 1.0}}}));
+}
+
+TEST(Study, DoesNotMixUnits) {
+  const StudyResult result = run_study(two_axes, [](const StudyCase& each) {
+    return StudyRecord{{"drift", "storey 1", each.number() == 3 ? "cm" : "m", 1.0}};
+  });
+  EXPECT_EQ(
+      message_of<InputError>([&] { (void)result.values("drift", "storey 1"); }),
+      "The result \"drift\" of \"storey 1\" has the unit m in some cases and cm in others. Give it one unit, or two "
+      "names.");
+  EXPECT_EQ(result.table().columns.size(), 4u) << "a column for each unit";
+}
+
+TEST(RecordAxis, KnowsTheSamplesOfMotionsMadeInTheProgram) {
+  const GroundMotion a = near_fault_pulse({.pulse_period = 1 * s}), b = near_fault_pulse({.pulse_period = 2 * s});
+  const StudyAxis axis = record_axis("record", std::vector{a, b});
+  EXPECT_EQ(axis.hashes, record_axis("record", std::vector{a, b}).hashes);
+  EXPECT_NE(axis.hashes[0], axis.hashes[1]);
+  EXPECT_NE(axis.hashes[0], record_axis("record", std::vector{a.scaled_by(2.0), b}).hashes[0]);
+  const GroundMotion north{"n", 0.1, {0.0, 1.0}, {}, {"/n", "1"}}, east{"e", 0.1, {0.0, 1.0}, {}, {"/e", "2"}},
+      east_changed{"e", 0.1, {0.0, 1.0}, {}, {"/e", "3"}};
+  EXPECT_NE(record_axis("pair", std::vector{PlanMotion{north, east, {}}}).hashes,
+            record_axis("pair", std::vector{PlanMotion{north, east_changed, {}}}).hashes);
+}
+
 TEST(Study, RefusesNamesItDoesNotKnow) {
   EXPECT_EQ(message_of<InputError>([] {
               (void)StudyCase{two_axes, 0}.value("mass");
@@ -321,7 +359,8 @@ TEST(Study, KnowsCasesThatDoNotConverge) {
                                        {.keep_failures = true});
   EXPECT_EQ(result.outcomes()[1].state, CaseState::not_converged);
   EXPECT_EQ(result.outcomes()[2].state, CaseState::failed);
-  EXPECT_EQ(failure_message(result).substr(0, 57), "2 of 6 cases failed, 1 of them did not converge.\n  gap = ");
+  EXPECT_TRUE(
+      failure_message(result).starts_with("2 of 6 cases failed, 1 of them did not converge.\n  case 1, gap = "));
 }
 
 }  // namespace

@@ -1,36 +1,79 @@
-// A study of many short cases: a pulse on an isolated mass beside a wall. --wait makes every case longer.
+// A study of many short cases: a pulse on an isolated mass beside a wall. With MOAT_TEST_LOG every case that is
+// computed adds a character to this file, and then takes longer, so that a test can disturb the study after a certain
+// case.
 #include <chrono>
+#include <cstdlib>
+#include <fstream>
 #include <moat.hpp>
 #include <thread>
 
 using namespace moat;
 using namespace moat::units;
 
+namespace {
+
+void log_the_case() {
+  const char* log = std::getenv("MOAT_TEST_LOG");
+  if (log == nullptr) return;
+  std::ofstream{log, std::ios::app} << '.';
+  std::this_thread::sleep_for(std::chrono::milliseconds{30});
+}
+
+/// Pulses, or the records of a folder.
+std::vector<GroundMotion> motions_of(const std::string& records, int pulses) {
+  if (!records.empty()) return read_record_folder(records);
+  const char* amplitude = std::getenv("MOAT_TEST_AMPLITUDE");
+  std::vector<GroundMotion> motions;
+  for (int i = 1; i <= pulses; ++i)
+    motions.push_back(near_fault_pulse({.pulse_period = i * s, .amplitude = (amplitude ? 0.5 : 0.8) * m / s}));
+  return motions;
+}
+
+StudyModel mass_in_a_moat(const GroundMotion& motion, Length gap, double stiffness) {
+  StudyModel one{Model{}, motion};
+  const NodeId mass = add(one.model, Node{.name = "mass", .mass = 1000 * tonne});
+  add(one.model, ShearSpring{.name = "spring", .lower = ground, .upper = mass, .stiffness = 10 * MN / m});
+  add(one.model,
+      Moat{.around = mass, .clearance = gap, .law = HertzDamp{.stiffness = stiffness * N / m_3_2, .restitution = 0.6}});
+  return one;
+}
+
+}  // namespace
+
 int main(int argc, char** argv) {
   Script script{argc, argv, "Study of a mass"};
-  const Time wait = script.time("wait", 0 * s, "sleep in every case");
   const Length mass_gap = script.length("last-gap", 30 * cm, "largest gap");
   const int gaps = script.integer("gaps", 20, "how many");
   const int failing = script.integer("failing", -1, "a case that fails");
   const int stuck = script.integer("stuck", -1, "a case that does not converge");
+  const std::string inside = script.text("inside", "", "a record that every case reads");
   const GroundMotion motion = script.motion(near_fault_pulse({.pulse_period = 1 * s})).scaled_to_pga(0.3 * g);
-  const StudyResult study = script.study(
-      {{.name = "gap", .unit = "cm", .values = linearly_spaced(5.0, mass_gap / cm, gaps)},
-       StudyAxis::of_names("stiffness", {"soft", "stiff, \"rigid\""})},
-      [&](const StudyCase& each) {
-        std::this_thread::sleep_for(std::chrono::duration<double>{wait.si()});
-        if (static_cast<int>(each.number()) == failing) throw InputError{"this case fails"};
-        if (static_cast<int>(each.number()) == stuck)
-          throw ConvergenceError{"this case is stuck", 1.0, 0.1, 1.0, "mass"};
-        StudyModel one{Model{}, motion};
-        const NodeId mass = add(one.model, Node{.name = "mass", .mass = 1000 * tonne});
-        add(one.model, ShearSpring{.name = "spring", .lower = ground, .upper = mass, .stiffness = 10 * MN / m});
-        add(one.model,
-            Moat{.around = mass,
-                 .clearance = each.value("gap") * cm,
-                 .law = HertzDamp{.stiffness = (each.value("stiffness") + 1.0) * 1e9 * N / m_3_2, .restitution = 0.6}});
-        return one;
-      });
+  const std::string records = script.text("records", "", "folder of records, a case for each"),
+                    pairs = script.text("pairs", "", "folder of pairs of records, a case for each");
+  const int pulses = script.integer("pulses", 0, "a case for each");
+  if (!pairs.empty()) {
+    const std::vector<PlanMotion> motions = read_record_pairs(pairs);
+    script.study({record_axis("pair", motions)}, [&](const StudyCase& each) {
+      return mass_in_a_moat(motions[each.position("pair")].first, 10 * cm, 1e9);
+    });
+    return script.finish();
+  }
+  if (const std::vector<GroundMotion> motions = motions_of(records, pulses); !motions.empty()) {
+    script.study({record_axis("motion", motions)},
+                 [&](const StudyCase& each) { return mass_in_a_moat(motions[each.position("motion")], 10 * cm, 1e9); });
+    return script.finish();
+  }
+  const StudyResult study =
+      script.study({{.name = "gap", .unit = "cm", .values = linearly_spaced(5.0, mass_gap / cm, gaps)},
+                    StudyAxis::of_names("stiffness", {"soft", "stiff, \"rigid\""})},
+                   [&](const StudyCase& each) {
+                     log_the_case();
+                     if (static_cast<int>(each.number()) == failing) throw InputError{"this case fails"};
+                     if (static_cast<int>(each.number()) == stuck)
+                       throw ConvergenceError{"this case is stuck", 1.0, 0.1, 1.0, "mass"};
+                     return mass_in_a_moat(inside.empty() ? motion : read_motion(inside), each.value("gap") * cm,
+                                           (each.value("stiffness") + 1.0) * 1e9);
+                   });
   double impacts = 0.0;
   for (const double each : study.values("impacts", "")) impacts += each;
   std::printf("%.17g impacts\n", impacts);

@@ -104,39 +104,78 @@ TEST_F(Store, NamesEveryChange) {
 
   StudyAxis gap = cases.axes()[0];
   gap.values.push_back(3.0);
-  EXPECT_NE(refusal({gap, cases.axes()[1]}, identity).find("axis gap: its values (3 -> 4)"), std::string::npos);
+  EXPECT_NE(refusal({gap, cases.axes()[1]}, identity).find("axis gap: its values (3 -> 4), new: 3"), std::string::npos);
   EXPECT_NE(refusal({cases.axes()[1], cases.axes()[0]}, identity).find("axes: gap, record -> record, gap"),
             std::string::npos);
   StudyAxis record = cases.axes()[1];
   record.hashes = {"1", "2"};
-  EXPECT_NE(refusal({cases.axes()[0], record}, identity).find("record north: the content of its file"),
-            std::string::npos);
+  EXPECT_NE(refusal({cases.axes()[0], record}, identity).find("record north: none -> 1"), std::string::npos);
   EXPECT_NO_THROW(open());
 }
 
-TEST_F(Store, SeesARecordThatChanged) {
+CaseOutcome that_read(const std::filesystem::path& path, const std::string& sha256) {
+  CaseOutcome outcome = done({});
+  outcome.files = {{path.string(), sha256}};
+  return outcome;
+}
+
+TEST_F(Store, SeesAFileThatChangedOrIsMissing) {
   const std::filesystem::path record = folder / "north.AT2";
   std::ofstream{record} << "before";
-  CaseOutcome outcome = done({});
-  outcome.record = record;
-  outcome.record_sha256 = sha256_of("before");
-  open().write(0, outcome);
+  open().write(0, that_read(record, sha256_of("before")));
   EXPECT_NO_THROW(open());
   std::ofstream{record} << "after";
-  const std::string message = refusal(cases, identity);
-  EXPECT_NE(message.find("record " + record.string()), std::string::npos) << message;
+  EXPECT_NE(refusal(cases, identity).find("file " + record.string() + ": "), std::string::npos);
+  std::filesystem::remove(record);
+  EXPECT_NE(refusal(cases, identity).find(" -> none"), std::string::npos);
 }
 
-TEST_F(Store, RefusesARecordThatChangesMeanwhile) {
+TEST_F(Store, RefusesAFileThatChangesMeanwhile) {
   StudyStore store = open();
-  CaseOutcome outcome = done({});
-  outcome.record = "/north.AT2";
-  outcome.record_sha256 = "1";
-  store.write(0, outcome);
-  store.write(1, outcome);
-  outcome.record_sha256 = "2";
-  EXPECT_THROW(store.write(2, outcome), InputError);
+  store.write(0, that_read("/north.AT2", "1"));
+  store.write(1, that_read("/north.AT2", "1"));
+  EXPECT_NE(message_of<InputError>([&] { store.write(2, that_read("/north.AT2", "2")); }).find("/north.AT2 changed"),
+            std::string::npos);
   EXPECT_EQ(store.outcomes()[2].state, CaseState::open);
+}
+
+TEST_F(Store, KnowsTheVersionOfEveryCaseAfterAcceptedChanges) {
+  const std::filesystem::path record = folder / "north.AT2";
+  const auto accepted = [&](const StudyIdentity& by) {
+    return StudyStore{file, cases, by, {.engine = "1 thread"}, StudyChanges::accept};
+  };
+  std::ofstream{record} << "before";
+  open().write(0, that_read(record, sha256_of("before")));
+  const StudyIdentity other{{"script", std::string(64, 'b')}};
+  std::ofstream{record} << "after";
+  accepted(other).write(1, that_read(record, sha256_of("after")));
+  EXPECT_NE(refusal(cases, identity).find("script: bbbbbbbbbbbb... -> aaaaaaaaaaaa..."), std::string::npos);
+  // Back to the first state: it is the first version again.
+  std::ofstream{record} << "before";
+  accepted(identity).write(2, that_read(record, sha256_of("before")));
+  { const StudyStore goes_on = open(); }
+  const StoredStudy study = read_study(file);
+  ASSERT_EQ(study.versions.size(), 2u);
+  EXPECT_EQ(study.versions[1], other);
+  std::vector<std::size_t> versions;
+  for (std::size_t i = 0; i < 3; ++i) versions.push_back(study.sessions[study.session_of_case[i]].version);
+  EXPECT_EQ(versions, (std::vector<std::size_t>{0, 1, 0}));
+  EXPECT_EQ(study.result.outcomes()[1].files.at(0).sha256, sha256_of("after"));
+  EXPECT_EQ(study.result.outcomes()[2].files.at(0).sha256, sha256_of("before"));
+  EXPECT_THROW((StudyStore{file, {cases.axes()[0]}, identity, {}, StudyChanges::accept}), InputError);
+}
+
+TEST_F(Store, IsOneFileAtItsEnd) {
+  {
+    StudyStore store = open();
+    store.write(3, done({{"x", "", "1", 7.0}}));
+    store.end_session("finished");
+  }
+  const auto files = [&] { return std::distance(std::filesystem::directory_iterator{file.parent_path()}, {}); };
+  EXPECT_EQ(files(), 1);
+  EXPECT_EQ(read_study(file).sessions.at(0).ending, "finished");
+  EXPECT_EQ(read_study(file).sessions.at(0).cases, 1u);
+  EXPECT_EQ(files(), 1) << "reading leaves nothing behind";
 }
 
 TEST_F(Store, IsComputedByOneProcessAtATime) {
@@ -167,26 +206,6 @@ TEST_F(Store, ForgetsFailuresIfAsked) {
   store.forget_failures();
   EXPECT_EQ(store.outcomes()[0].state, CaseState::done);
   EXPECT_EQ(store.outcomes()[1].state, CaseState::open);
-}
-
-TEST_F(Store, IsMergedFromParts) {
-  const auto part = [&](const std::string& name, std::vector<std::pair<std::size_t, double>> values) {
-    StudyStore store{folder / name, cases, identity, {.title = "A study", .command_line = name}};
-    for (const auto& [number, value] : values) store.write(number, done({{"x", "", "1", value}}));
-  };
-  part("a.db", {{0, 0.0}, {1, 1.0}, {2, 2.0}});
-  part("b.db", {{2, 2.0}, {3, 3.0}});
-  part("c.db", {{3, 3.5}});
-  merge_studies(folder / "all.db", {folder / "a.db", folder / "b.db"});
-  const StoredStudy all = read_study(folder / "all.db");
-  EXPECT_EQ(all.result.count(CaseState::done), 4u);
-  for (std::size_t i = 0; i < 4; ++i) EXPECT_EQ(all.result.values("x", "")[i], static_cast<double>(i));
-  EXPECT_EQ(all.sessions.size(), 2u);
-  EXPECT_EQ(all.properties, read_study(folder / "a.db").properties);
-  EXPECT_NE(message_of<InputError>([&] { merge_studies(folder / "all.db", {folder / "c.db"}); }).find("case 3 of"),
-            std::string::npos);
-  { StudyStore other{folder / "d.db", cases, {identity[0]}, {}}; }
-  EXPECT_THROW(merge_studies(folder / "all.db", {folder / "d.db"}), InputError);
 }
 
 }  // namespace

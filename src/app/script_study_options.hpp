@@ -1,0 +1,28 @@
+// Options of a script with studies.
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "app/command_line.hpp"
+
+namespace moat {
+
+struct ScriptStudyOptions {
+  /// Adds the options to the line and reads them. Throws InputError for a text that cannot be.
+  explicit ScriptStudyOptions(CommandLine& line);
+
+  std::filesystem::path folder;
+  int threads = 0;
+  bool quiet = false, retry = false, accept_changes = false;
+  /// The cases of --case or --cases; an end beyond the last case means the last.
+  std::optional<std::pair<std::size_t, std::size_t>> part{};
+
+  /// Whether numbers depend on an option of this name; not on those of studies.
+  [[nodiscard]] static bool has_influence(const std::string& option);
+};
+
+}  // namespace moat

@@ -1,0 +1,115 @@
+#include "study/study_tables.hpp"
+
+#include <algorithm>
+#include <cstdint>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "base/error.hpp"
+
+namespace moat::study_tables {
+namespace {
+
+using sqlite::Database;
+using sqlite::Statement;
+
+constexpr const char* format = "2";
+
+constexpr const char* schema = R"(
+CREATE TABLE study (key TEXT PRIMARY KEY, value TEXT NOT NULL) WITHOUT ROWID;
+CREATE TABLE axes (axis INTEGER PRIMARY KEY, name TEXT NOT NULL, unit TEXT NOT NULL, cases_group INTEGER NOT NULL);
+CREATE TABLE axis_values (axis INTEGER, position INTEGER, value REAL NOT NULL, label TEXT NOT NULL,
+                          PRIMARY KEY (axis, position)) WITHOUT ROWID;
+CREATE TABLE versions (version INTEGER, name TEXT, value TEXT NOT NULL, PRIMARY KEY (version, name)) WITHOUT ROWID;
+CREATE TABLE sessions (session INTEGER PRIMARY KEY, date TEXT, command TEXT, moat_version TEXT, git_commit TEXT,
+                       engine TEXT, host TEXT, version INTEGER NOT NULL, ending TEXT NOT NULL);
+CREATE TABLE files (file INTEGER PRIMARY KEY, path TEXT NOT NULL, sha256 TEXT NOT NULL);
+CREATE TABLE cases (number INTEGER PRIMARY KEY, parameters TEXT NOT NULL, state TEXT NOT NULL, reason TEXT NOT NULL,
+                    steps INTEGER NOT NULL, energy_error REAL, seconds REAL NOT NULL, session INTEGER NOT NULL);
+CREATE TABLE case_files (number INTEGER, file INTEGER, PRIMARY KEY (number, file)) WITHOUT ROWID;
+CREATE TABLE result_names (result INTEGER PRIMARY KEY, quantity TEXT NOT NULL, place TEXT NOT NULL, unit TEXT NOT NULL,
+                           UNIQUE (quantity, place, unit));
+CREATE TABLE results (number INTEGER, position INTEGER, result INTEGER NOT NULL, value REAL,
+                      PRIMARY KEY (number, position)) WITHOUT ROWID;
+CREATE VIEW case_results AS SELECT number, quantity, place, unit, value FROM results JOIN result_names USING (result);
+CREATE VIEW case_versions AS SELECT number, version, session, date, moat_version, git_commit FROM cases
+                             JOIN sessions USING (session);
+)";
+
+[[noreturn]] void refuse(const Database& database, const std::string& problem) {
+  throw FileError{"study " + database.file().string() + ": " + problem};
+}
+
+}  // namespace
+
+bool exist_in(const Database& database) {
+  Statement tables = database.prepare("SELECT count(*) FROM sqlite_master");
+  tables.step();
+  if (tables.integer(0) == 0) return false;
+  Statement known = database.prepare("SELECT count(*) FROM sqlite_master WHERE name IN ('study', 'cases', 'results')");
+  known.step();
+  if (known.integer(0) != 3) refuse(database, "this is another database. Give another file.");
+  if (const std::string found = property(database, "format"); found != format)
+    refuse(database, "its format is " + found + ", and this moat reads " + format +
+                         ". Use the moat that made it, or begin anew in another file.");
+  return true;
+}
+
+void create(const Database& database, const StudyCases& cases, const std::string& title) {
+  database.run(schema);
+  set_property(database, "format", format);
+  set_property(database, "title", title);
+  set_property(database, "cases", std::to_string(cases.count()));
+  Statement row = database.prepare("INSERT INTO axes VALUES (?, ?, ?, ?)");
+  Statement entry = database.prepare("INSERT INTO axis_values VALUES (?, ?, ?, ?)");
+  for (std::size_t i = 0; i < cases.axes().size(); ++i) {
+    const StudyAxis& axis = cases.axes()[i];
+    const auto number = static_cast<std::int64_t>(i);
+    row.bind(1, number).bind(2, axis.name).bind(3, axis.unit);
+    row.bind(4, static_cast<std::int64_t>(cases.groups()[i])).run();
+    for (std::size_t position = 0; position < axis.values.size(); ++position) {
+      entry.bind(1, number).bind(2, static_cast<std::int64_t>(position)).bind(3, axis.values[position]);
+      entry.bind(4, axis.labels.empty() ? "" : axis.labels[position]).run();
+    }
+  }
+}
+
+StudyCases cases_of(const Database& database) {
+  std::vector<StudyAxis> together;
+  std::optional<StudyCases> cases;
+  const auto end_group = [&] {
+    if (together.empty()) return;
+    const StudyCases group = StudyCases::list(std::exchange(together, {}));
+    cases = cases ? cases->times(group) : group;
+  };
+  Statement axes = database.prepare("SELECT axis, name, unit, cases_group FROM axes ORDER BY axis");
+  for (std::int64_t group = 0; axes.step();) {
+    if (std::exchange(group, axes.integer(3)) != axes.integer(3)) end_group();
+    StudyAxis axis{.name = axes.text(1), .unit = axes.text(2), .values = {}};
+    Statement values = database.prepare("SELECT value, label FROM axis_values WHERE axis = ? ORDER BY position");
+    values.bind(1, axes.integer(0));
+    while (values.step()) {
+      axis.values.push_back(values.real(0));
+      axis.labels.push_back(values.text(1));
+    }
+    if (std::ranges::all_of(axis.labels, &std::string::empty)) axis.labels.clear();
+    together.push_back(std::move(axis));
+  }
+  end_group();
+  if (!cases) refuse(database, "it has no axes. Give another file.");
+  return *cases;
+}
+
+std::string property(const Database& database, const std::string& key) {
+  Statement row = database.prepare("SELECT value FROM study WHERE key = ?");
+  row.bind(1, key);
+  return row.step() ? row.text(0) : "";
+}
+
+void set_property(const Database& database, const std::string& key, const std::string& value) {
+  Statement row = database.prepare("INSERT INTO study VALUES (?, ?) ON CONFLICT DO UPDATE SET value = excluded.value");
+  row.bind(1, key).bind(2, value).run();
+}
+
+}  // namespace moat::study_tables

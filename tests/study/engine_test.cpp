@@ -1,0 +1,52 @@
+// One case, from its computation to its outcome.
+
+#include "study/engine.hpp"
+
+#include <gtest/gtest.h>
+
+#include "base/error.hpp"
+
+namespace moat {
+namespace {
+
+const StudyCases cases{{.name = "gap", .unit = "cm", .values = {10.0}}};
+
+CaseOutcome outcome(const StudyRecord& record) {
+  return outcome_of(StudyCase{cases, 0},
+                    [&](const StudyCase&) { return CaseOutcome{.state = CaseState::done, .results = record}; });
+}
+
+TEST(Case, MayNotHaveTwoResultsOfOneName) {
+  EXPECT_EQ(outcome({{"drift", "storey 1", "m", 1.0}, {"drift", "storey 2", "m", 1.0}}).state, CaseState::done);
+  const CaseOutcome twice =
+      outcome({{"drift", "storey 1", "m", 1.0}, {"x", "", "1", 2.0}, {"drift", "storey 1", "m", 3.0}});
+  EXPECT_EQ(twice.state, CaseState::failed);
+  EXPECT_EQ(
+      twice.reason,
+      "The result \"drift\" of \"storey 1\" appears twice. Give every result of a case a name or a place of its own.");
+  EXPECT_TRUE(twice.results.empty());
+  const CaseOutcome axis = outcome({{"gap", "", "m", 1.0}});
+  EXPECT_EQ(axis.reason, "The result \"gap\" has the name of an axis. Give it another name.");
+  EXPECT_EQ(outcome({{"gap", "left", "m", 1.0}}).state, CaseState::done);
+}
+
+TEST(Case, KnowsTheFilesThatItRead) {
+  const FileRead first{"/first", "1"}, second{"/second", "2"};
+  const CaseOutcome computed = outcome_of(StudyCase{cases, 0}, [&](const StudyCase&) {
+    note_file_read(first);
+    note_file_read(second);
+    note_file_read(second);
+    return CaseOutcome{.state = CaseState::done, .files = {second}};
+  });
+  EXPECT_EQ(computed.files, (std::vector{second, first}));
+  const CaseOutcome failed = outcome_of(StudyCase{cases, 0}, [&](const StudyCase&) -> CaseOutcome {
+    note_file_read(first);
+    throw InputError{"no"};
+  });
+  EXPECT_EQ(failed.files, std::vector{first});
+  EXPECT_TRUE(outcome({}).files.empty());
+  EXPECT_EQ(files_read_by_program(), std::vector<FileRead>{});
+}
+
+}  // namespace
+}  // namespace moat
