@@ -24,7 +24,7 @@ TEST(ImpactLawRecipe, PassesTheTestsOfAllLaws) {
     ASSERT_TRUE(impact.accepts(restitution));
     const AnyContact law = impact.between(1e9, restitution, 5.5e5);
     expect_sound_contact(law, {.deformation = 0.05, .rate = 1.0, .rate_corners = {-30.0, 0.0, 30.0}}, false);
-    EXPECT_NEAR(delivered_restitution(law, 5.5e5, 0.3), impact.delivered(restitution), 1e-8);
+    EXPECT_NEAR(delivered_restitution(law, 5.5e5, 0.3), impact.delivered(1e9, restitution, 5.5e5, 0.3), 1e-8);
   }
   EXPECT_FALSE(impact.accepts(0.0));
 }

@@ -69,10 +69,5 @@ inline double expected_restitution(const BilinearImpact& law, double mass, doubl
   const double beyond = 2.0 * yielding / (k1 * dy + std::sqrt(k1 * k1 * dy * dy + 2.0 * k2 * yielding));
   return std::sqrt(1.0 - (k1 - k2) * dy * beyond / energy);
 }
-/// Most laws deliver the same for any mass, kg, and speed, m/s.
-template <class Law>
-double expected_restitution(const Law& law, double, double) {
-  return expected_restitution(law);
-}
 
 }  // namespace moat::testing

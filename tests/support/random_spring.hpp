@@ -107,13 +107,14 @@ double secant_stiffness(const Law& law, double deformation, double speed = 0.3) 
 }
 
 /// The deformation at which a law is far from linear: three times that where its secant stiffness has changed by half,
-/// from 1 mm to 0.3 m; 0.3 m for a law that is linear.
+/// from 1 mm to 0.3 m, or half more than where a law begins to act; 0.3 m for a law that is linear.
 template <ForceLaw Law>
 double natural_deformation(const Law& law) {
-  constexpr double least = 1e-3, most = 0.3;
+  constexpr double least = 1e-3, most = 0.3, farthest = 1.0;
   const double first = secant_stiffness(law, 0.1 * least);
-  for (double d = least; d < most; d *= 1.3)
-    if (std::abs(secant_stiffness(law, d) - first) > 0.5 * std::abs(first)) return std::min(3.0 * d, most);
+  for (double d = least; d < (first == 0.0 ? farthest : most); d *= 1.3)
+    if (std::abs(secant_stiffness(law, d) - first) > 0.5 * std::abs(first))
+      return std::min(3.0 * d, std::max(most, 1.5 * d));
   return most;
 }
 
