@@ -48,6 +48,8 @@ ScriptStudyOptions::ScriptStudyOptions(CommandLine& line) {
   const std::filesystem::path preset = std::filesystem::path{"results"} / line.program();
   folder = line.look_up("out", preset.string(), "results folder; a study that is there goes on", "FOLDER")
                .value_or(preset.string());
+  if (folder.empty())
+    throw InputError{"--out: the name of the folder is empty. Give one, for example " + preset.string() + "."};
   const auto thread_count = line.look_up("threads", "0", "that compute cases; 0: one per core", "INTEGER");
   const auto one = line.look_up("case", "", "compute this case alone, counted from 0, into a file of its own", "N");
   const auto several = line.look_up("cases", "", "compute the cases A to B - 1 alone, into a file of their own", "A:B");

@@ -152,8 +152,7 @@ std::vector<std::int64_t> sessions_of_cases(const Database& database, std::size_
 std::vector<FileRead> files_of(const Database& database) {
   std::vector<FileRead> files;
   Statement rows = database.prepare(
-      "SELECT path, sha256 FROM files WHERE file = (SELECT max(file) FROM files AS other WHERE other.path = "
-      "files.path) ORDER BY path");
+      "SELECT path, sha256 FROM files WHERE file IN (SELECT max(file) FROM files GROUP BY path) ORDER BY path");
   while (rows.step()) files.push_back({rows.text(0), rows.text(1)});
   return files;
 }

@@ -15,11 +15,6 @@ namespace fs = std::filesystem;
 using sqlite::Database;
 using sqlite::Transaction;
 
-std::vector<FileRead> as_on_disk(std::vector<FileRead> files) {
-  for (FileRead& file : files) file.sha256 = sha256_of_file(file.path).value_or("");
-  return files;
-}
-
 }  // namespace
 
 struct StudyStore::Parts {
@@ -30,28 +25,40 @@ struct StudyStore::Parts {
 
   void begin(const StudyIdentity& identity, const StudySession& from, StudyChanges changes) {
     const Database& database = file.database();
-    const std::size_t before = study_sessions::current_version(database);
-    const std::vector<FileRead> files = case_rows::files_of(database);
-    const std::string changed = differences_from_disk(files);
-    const std::string all =
-        file.is_new() ? "" : differences(study_sessions::versions_of(database)[before], identity) + changed;
-    if (!file.axis_differences().empty() || (!all.empty() && changes == StudyChanges::refuse))
-      file.refuse(file.axis_differences() + all);
+    const std::vector<FileRead> changed = changed_files(identity, changes);
     Transaction transaction{database};
     StoredSession stored;
     static_cast<StudySession&>(stored) = from;
     stored.host = host_name();
     stored.version = study_sessions::version_with(database, identity);
     study_sessions::set_current_version(database, stored.version);
-    if (!changed.empty()) {
-      std::vector<FileRead> others;
-      for (const FileRead& now : as_on_disk(files))
-        if (std::ranges::find(files, now) == files.end()) others.push_back(now);
-      case_rows::accept_files(database, others);
-    }
+    case_rows::accept_files(database, changed);
     session = study_sessions::add(database, stored);
     transaction.commit();
     file.read_rows_again();
+  }
+
+ private:
+  /// Those that cases have read, as they are now. Refuses every change that is not accepted.
+  std::vector<FileRead> changed_files(const StudyIdentity& identity, StudyChanges changes) const {
+    if (file.is_new()) return {};
+    const Database& database = file.database();
+    StudyIdentity before = study_sessions::versions_of(database)[study_sessions::current_version(database)];
+    StudyIdentity now = identity;
+    std::vector<FileRead> changed;
+    for (const FileRead& known : case_rows::files_of(database)) {
+      const FileRead on_disk{known.path, sha256_of_file(known.path).value_or("")};
+      if (on_disk != known) changed.push_back(on_disk);
+      // A file that was read outside of cases too is a part of the identity.
+      const std::string name = "file " + known.path;
+      if (std::ranges::find(identity, name, &StudyIdentity::value_type::first) != identity.end()) continue;
+      before.emplace_back(name, known.sha256);
+      now.emplace_back(name, on_disk.sha256);
+    }
+    const std::string all = differences(before, now);
+    if (!file.axis_differences().empty() || (!all.empty() && changes == StudyChanges::refuse))
+      file.refuse(file.axis_differences() + all);
+    return changed;
   }
 };
 

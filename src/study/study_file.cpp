@@ -25,14 +25,14 @@ StudyFile::StudyFile(const fs::path& file, StudyCases cases, const std::string& 
     : lock_{with_folder(file)}, cases_{std::move(cases)}, database_{file, sqlite::Database::Access::write} {
   database_.run("PRAGMA journal_mode = WAL; PRAGMA synchronous = NORMAL;");
   // A process that was killed before its first transaction left an empty file.
-  is_new_ = !study_tables::exist_in(database_);
-  if (is_new_) {
+  if (!study_tables::exist_in(database_)) {
     sqlite::Transaction transaction{database_};
     study_tables::create(database_, cases_, title);
     transaction.commit();
-  } else {
-    axis_differences_ = differences(study_tables::cases_of(database_), cases_);
   }
+  // One that was killed before its second left a file without session.
+  is_new_ = study_sessions::all_of(database_).empty();
+  axis_differences_ = differences(study_tables::cases_of(database_), cases_);
   read_rows_again();
 }
 

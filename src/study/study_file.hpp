@@ -24,7 +24,7 @@ class StudyFile {
 
   [[nodiscard]] const sqlite::Database& database() const { return database_; }
   [[nodiscard]] const StudyCases& cases() const { return cases_; }
-  /// Whether the file was empty before.
+  /// Whether no process has begun to compute cases.
   [[nodiscard]] bool is_new() const { return is_new_; }
   /// Of the axes in the file from those of the cases; nothing may be written then.
   [[nodiscard]] const std::string& axis_differences() const { return axis_differences_; }

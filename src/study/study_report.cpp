@@ -21,28 +21,35 @@ using html::text_row;
 
 constexpr std::size_t most_failures = 100;
 
+/// "Impacts over gap" as the name of a file: "impacts_over_gap".
+std::string file_name(const std::string& title) {
+  std::string name;
+  for (const char c : title) {
+    const bool plain = std::isalnum(static_cast<unsigned char>(c)) != 0;
+    if (plain) name += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    if (!plain && !name.empty() && name.back() != '_') name += '_';
+  }
+  while (name.ends_with('_')) name.pop_back();
+  return name;
+}
+
 /// The folder of the pictures, in which every one has a name of its own.
 class PictureFolder {
  public:
-  /// Without the pictures of an earlier report.
-  explicit PictureFolder(fs::path folder) : folder_{std::move(folder)} {
-    std::error_code ignored;  // writing the pictures says more
-    fs::remove_all(folder_, ignored);
-  }
+  explicit PictureFolder(fs::path folder) : folder_{std::move(folder)} {}
 
   void write(const std::string& title, const std::string& svg) {
-    std::string name;
-    for (const char c : title) {
-      const bool plain = std::isalnum(static_cast<unsigned char>(c)) != 0;
-      if (plain) name += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-      if (!plain && !name.empty() && name.back() != '_') name += '_';
-    }
-    while (name.ends_with('_')) name.pop_back();
+    const std::string name = file_name(title);
     std::string free = name;
     for (int i = 2; !names_.insert(free).second; ++i) free = name + "_" + std::to_string(i);
     std::error_code ignored;  // writing the file says more
     fs::create_directories(folder_, ignored);
     write_file(folder_ / (free + ".svg"), "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n" + svg);
+  }
+  /// The report before the answers of the script had this picture.
+  void remove(const std::string& title) {
+    std::error_code ignored;
+    fs::remove(folder_ / (file_name(title) + ".svg"), ignored);
   }
 
  private:
@@ -90,7 +97,10 @@ std::string study_section(const NamedStudy& study, const std::set<std::string>& 
   std::string html = "<h2>" + escaped(study.name) + "</h2>\n" + case_section(study.result) + paragraphs(study.answers);
   const std::string prefix = study.name + " ";
   for (const StudyPicture& picture : study.pictures) {
-    if (shown.contains(picture.title)) continue;
+    if (shown.contains(picture.title)) {
+      folder.remove(prefix + picture.title);
+      continue;
+    }
     html += picture.svg;
     folder.write(prefix + picture.title, picture.svg);
   }

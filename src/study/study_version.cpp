@@ -4,7 +4,6 @@
 #include <map>
 
 #include "base/check.hpp"
-#include "base/sha256.hpp"
 
 namespace moat {
 namespace {
@@ -13,10 +12,6 @@ std::string shortened(const std::string& value) {
   constexpr std::size_t hash_length = 64, shown = 12;
   if (value.empty()) return "none";
   return value.size() == hash_length ? value.substr(0, shown) + "..." : value;
-}
-
-std::string line(const std::string& name, const std::string& before, const std::string& now) {
-  return "\n  " + name + ": " + shortened(before) + " -> " + shortened(now);
 }
 
 std::string names_of(const StudyCases& cases) {
@@ -63,7 +58,8 @@ std::string differences(const StudyIdentity& before, const StudyIdentity& now) {
   for (const auto& [name, value] : now) all[name].second = value;
   std::string text;
   for (const auto& [name, values] : all)
-    if (values.first != values.second) text += line(name, values.first, values.second);
+    if (values.first != values.second)
+      text += "\n  " + name + ": " + shortened(values.first) + " -> " + shortened(values.second);
   return text;
 }
 
@@ -76,14 +72,6 @@ std::string differences(const StudyCases& before, const StudyCases& now) {
     if (old.values != axis.values || old.labels != axis.labels) text += value_differences(old, axis);
   }
   if (text.empty() && before.groups() != now.groups()) text = "\n  the way in which axes are combined";
-  return text;
-}
-
-std::string differences_from_disk(const std::vector<FileRead>& files) {
-  std::string text;
-  for (const FileRead& file : files)
-    if (const std::string now = sha256_of_file(file.path).value_or(""); now != file.sha256)
-      text += line("file " + file.path, file.sha256, now);
   return text;
 }
 

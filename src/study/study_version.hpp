@@ -5,7 +5,6 @@
 #include <utility>
 #include <vector>
 
-#include "base/files_read.hpp"
 #include "study/cases.hpp"
 
 namespace moat {
@@ -24,8 +23,5 @@ std::string differences(const StudyIdentity& before, const StudyIdentity& now);
 
 /// Differences of names, units, values and labels.
 std::string differences(const StudyCases& before, const StudyCases& now);
-
-/// Of files from their contents now; one that is missing is a difference.
-std::string differences_from_disk(const std::vector<FileRead>& files);
 
 }  // namespace moat

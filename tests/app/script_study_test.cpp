@@ -218,6 +218,7 @@ TEST_F(ScriptStudyRun, ChecksItsOptions) {
         std::string::npos)
         << refused.errors;
   }
+  EXPECT_NE(run({"--out", ""}).errors.find("--out: the name of the folder is empty"), std::string::npos);
   EXPECT_FALSE(fs::exists(folder / "results"));
 }
 

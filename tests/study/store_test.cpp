@@ -11,6 +11,7 @@
 #include "base/sha256.hpp"
 #include "message_of.hpp"
 #include "run_program.hpp"
+#include "study/study_file.hpp"
 
 namespace moat {
 namespace {
@@ -163,6 +164,15 @@ TEST_F(Store, KnowsTheVersionOfEveryCaseAfterAcceptedChanges) {
   EXPECT_EQ(study.result.outcomes()[1].files.at(0).sha256, sha256_of("after"));
   EXPECT_EQ(study.result.outcomes()[2].files.at(0).sha256, sha256_of("before"));
   EXPECT_THROW((StudyStore{file, {cases.axes()[0]}, identity, {}, StudyChanges::accept}), InputError);
+}
+
+TEST_F(Store, GoesOnWithFilesOfAProcessKilledAtItsBeginning) {
+  std::filesystem::create_directories(file.parent_path());
+  std::ofstream{file};
+  EXPECT_NO_THROW(open()) << "an empty file";
+  std::filesystem::remove(file);
+  { const StudyFile without_session{file, cases, "A study"}; }
+  EXPECT_NO_THROW(open());
 }
 
 TEST_F(Store, IsOneFileAtItsEnd) {

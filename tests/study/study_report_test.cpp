@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <fstream>
+
 #include "run_program.hpp"
 
 namespace moat {
@@ -57,12 +59,14 @@ TEST_F(StudyReportFile, PrefersThePicturesOfTheScript) {
   EXPECT_NE(page({.title = "A study", .studies = {{"fine", study(), {}, {automatic}}}}).find("automatic"),
             std::string::npos);
   EXPECT_TRUE(has("fine_fragility"));
+  std::ofstream{folder / "pictures" / "holidays.svg"} << "of the user";
   const std::string html =
       page({.title = "A study", .pictures = {own, other, other}, .studies = {{"fine", study(), {}, {automatic}}}});
   EXPECT_EQ(html.find("automatic"), std::string::npos);
   EXPECT_NE(html.find("<svg>own</svg>"), std::string::npos);
   EXPECT_TRUE(has("fragility") && has("other") && has("other_2"));
   EXPECT_FALSE(has("fine_fragility")) << "of an earlier report";
+  EXPECT_TRUE(has("holidays")) << "other files stay";
 }
 
 }  // namespace
