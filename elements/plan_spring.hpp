@@ -15,17 +15,17 @@ namespace moat {
 /// the positions of the points. Reports deformation [m] and force [N] under its name, unless the names are empty.
 template <ForceLaw Law>
 struct PlanSpring {
-  std::string name;
-  Required<PlanPoint> lower;
-  Required<PlanPoint> upper;
+  std::string name;           ///< Unique in its model.
+  Required<PlanPoint> lower;  ///< Below.
+  Required<PlanPoint> upper;  ///< Above.
   /// Any length > 0.
   PlanVector direction{1.0, 0.0};
-  Law law;
-  std::string deformation_quantity = "deformation";
-  std::string force_quantity = "force";
+  Law law;                                           ///< Its force.
+  std::string deformation_quantity = "deformation";  ///< Under which the deformation is reported, m.
+  std::string force_quantity = "force";              ///< Under which the force is reported, N.
   /// Where its peaks are listed together with those of others; its own name if empty.
   std::string place{};
-  bool isolates = false;
+  bool isolates = false;  ///< Whether it separates a building from the ground.
 };
 
 /// Throws InputError for points that are not of this model or on the same body, a direction without length, a name
@@ -44,7 +44,8 @@ void add(Model& model, const PlanSpring<Law>& spring) {
                                                .deformation_quantity = spring.deformation_quantity,
                                                .force_quantity = spring.force_quantity,
                                                .isolates = spring.isolates,
-                                               .drawn_as = DrawnAs::nothing},
+                                               .drawn_as = DrawnAs::nothing,
+                                               .direction = direction},
                                               spring.law, PlanEnds{model, lower, upper, direction});
 }
 

@@ -40,6 +40,11 @@ void install_packages(const Places& places, const std::vector<std::string>& list
   if (const int code = run(command); code != 0) throw Stop{code, ""};
 }
 
+void unpack_packages(const Places& places, const std::string& list) {
+  const Command command{places.root / "moat", "--unpack", places.build / "unpacked", list};
+  if (const int code = run(command); code != 0) throw Stop{code, ""};
+}
+
 void bring_up_to_date(const Places& places, const Part& part) {
   if (!places.build_is_ours()) return;
   const fs::path stamp = places.build / "packages_are_installed";

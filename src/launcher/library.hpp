@@ -27,4 +27,8 @@ void bring_up_to_date(const Places& places, const Part& part);
 /// Installs the packages of these lists (cmake/packages) that are missing. Throws Stop where that fails.
 void install_packages(const Places& places, const std::vector<std::string>& lists);
 
+/// Unpacks the packages of this list, which conflict with installed ones, into <build>/unpacked. Throws Stop where that
+/// fails.
+void unpack_packages(const Places& places, const std::string& list);
+
 }  // namespace moat::launcher

@@ -23,6 +23,7 @@ int run_tests(const Places& places, const TestOptions& options) {
             .cmake_option = "MOAT_BUILD_TESTS"};
   if (options.all) part.package_lists.emplace_back("all");
   bring_up_to_date(places, part);
+  if (options.all) unpack_packages(places, "unpacked");
 
   const std::filesystem::path report = places.build / "test_report.xml";
   std::filesystem::remove(report);

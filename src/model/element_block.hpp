@@ -12,6 +12,7 @@
 
 #include "base/label.hpp"
 #include "base/parameter.hpp"
+#include "base/plan_vector.hpp"
 #include "base/reported_quantity.hpp"
 #include "base/sparse_matrix.hpp"
 #include "base/stiffness_stage.hpp"
@@ -53,6 +54,8 @@ struct ElementInfo {
   DrawnAs drawn_as = DrawnAs::other;
   /// m. Where a gap is drawn; not a number: at the height of its nodes.
   double drawn_height = std::numeric_limits<double>::quiet_NaN();
+  /// In plan, of an element with one direction: a vector of length 1 along its force.
+  PlanVector direction{};
 
   [[nodiscard]] const std::string& listed_under() const { return place.empty() ? name : place.text(); }
 };

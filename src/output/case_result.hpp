@@ -28,7 +28,7 @@ struct Peak {
   /// Empty for sums and for a gap by itself.
   std::string side{};
 
-  [[nodiscard]] double magnitude() const { return std::abs(value); }
+  [[nodiscard]] double magnitude() const { return std::abs(value); }  ///< >= 0, in `unit`.
 };
 
 /// How near the two sides of a gap came.
@@ -60,7 +60,8 @@ struct Impact {
   double restitution = 0.0;          ///< of the law alone, replayed in free flight at the same approach speed
   double energy_lost = 0.0;          ///< J; in plan without the loss by friction
   // In plan:
-  std::string corner{}, edge{};         ///< that met; empty on a line
+  /// The corner and the edge that met; empty on a line.
+  std::string corner{}, edge{};
   double tangential_speed = 0.0;        ///< m/s, of the corner along the edge at first touch
   double largest_friction_force = 0.0;  ///< N
   double friction_loss = 0.0;           ///< J
@@ -69,7 +70,7 @@ struct Impact {
 
 /// Energy dissipated by the elements reported at one place.
 struct DissipatedEnergy {
-  std::string where;
+  std::string where;   ///< The place.
   double value = 0.0;  ///< J
 };
 
@@ -91,10 +92,10 @@ struct EnergyBalance {
   double equation_residual = 0.0;
   /// Work of all elements less the energy they stored and dissipated: the error of the time integration.
   double integration_error = 0.0;
-  double largest_input = 0.0;    ///< over time
-  double largest_kinetic = 0.0;  ///< over time; errors are judged against the larger of these two
-  std::string worst_element{};   ///< with the largest error
-  double worst_element_error = 0.0;
+  double largest_input = 0.0;        ///< over time
+  double largest_kinetic = 0.0;      ///< over time; errors are judged against the larger of these two
+  std::string worst_element{};       ///< with the largest error
+  double worst_element_error = 0.0;  ///< J
 
   std::vector<DissipatedEnergy> bearings{};  ///< hysteretic, by place: bearings and other elements that yield
   std::vector<DissipatedEnergy> gaps{};      ///< impact, by gap
@@ -102,25 +103,25 @@ struct EnergyBalance {
 
 /// The cost of the solution.
 struct SolverStatistics {
-  long accepted_steps = 0;
-  long rejected_steps = 0;  ///< cut because Newton did not converge
-  long repeated_steps = 0;  ///< repeated shorter because the error estimate was too large
-  long event_solves = 0;    ///< solved again for a change of regime: to end there, or with the new regime
-  long events = 0;          ///< touches, separations and other changes of regime, also inside steps
-  long changes_inside = 0;  ///< of these, inside a step that went on (EventTreatment::inside_the_step)
-  long newton_iterations = 0;
-  long factorisations = 0;
-  double cpu_seconds = 0.0;
-  double longest_step = 0.0;  ///< s, of the accepted steps
+  long accepted_steps = 0;     ///< Taken.
+  long rejected_steps = 0;     ///< cut because Newton did not converge
+  long repeated_steps = 0;     ///< repeated shorter because the error estimate was too large
+  long event_solves = 0;       ///< solved again for a change of regime: to end there, or with the new regime
+  long events = 0;             ///< touches, separations and other changes of regime, also inside steps
+  long changes_inside = 0;     ///< of these, inside a step that went on (EventTreatment::inside_the_step)
+  long newton_iterations = 0;  ///< In all steps.
+  long factorisations = 0;     ///< Of the tangent.
+  double cpu_seconds = 0.0;    ///< Time of the processor, s.
+  double longest_step = 0.0;   ///< s, of the accepted steps
 };
 
 /// The second run of the same case with finer steps, the companion, and its verdict. It has no part in any number of
 /// the main run but Peak::error.
 struct ErrorBars {
-  bool checked = false;               ///< the companion ran to its end: every peak has an error
-  std::string companion{};            ///< how it was computed, one sentence; why there is none if it was not
-  std::size_t companion_impacts = 0;  ///< the main run's are CaseResult::impacts
-  SolverStatistics companion_solver{};
+  bool checked = false;                 ///< the companion ran to its end: every peak has an error
+  std::string companion{};              ///< how it was computed, one sentence; why there is none if it was not
+  std::size_t companion_impacts = 0;    ///< the main run's are CaseResult::impacts
+  SolverStatistics companion_solver{};  ///< Its cost.
   /// The two runs differ in their number of impacts, or there are unsettled peaks.
   bool sensitive = false;
   std::string reason{};           ///< of `sensitive`, one sentence
@@ -129,7 +130,7 @@ struct ErrorBars {
 
 /// The motion as it was applied.
 struct MotionFacts {
-  std::string name;
+  std::string name;                  ///< Of the thing.
   double peak_acceleration = 0.0;    ///< m/s^2
   double peak_velocity = 0.0;        ///< m/s
   double time_step = 0.0;            ///< s
@@ -150,7 +151,7 @@ struct BuildingParts {
 
 /// A period with the name of the part that vibrates.
 struct NamedPeriod {
-  std::string name;
+  std::string name;    ///< Of the thing.
   double value = 0.0;  ///< s
 };
 
@@ -178,25 +179,26 @@ struct BuildingTorsion {
   }
 };
 
+/// Everything that one run produced.
 struct CaseResult {
-  std::string title;
-  Provenance provenance{};
-  MotionFacts motion;
-  ModelFacts model{};
+  std::string title;        ///< Of the script.
+  Provenance provenance{};  ///< Command, script, version, date.
+  MotionFacts motion;       ///< As applied.
+  ModelFacts model{};       ///< The whole model.
   /// For drawings; its indices of nodes are those of `model.nodes`. Empty for models of more than `most_drawn_nodes`.
   Scene scene{};
-  std::vector<BuildingParts> buildings;
-  std::vector<NamedPeriod> periods;
-  std::vector<Peak> peaks;
+  std::vector<BuildingParts> buildings;    ///< In the order of the model.
+  std::vector<NamedPeriod> periods;        ///< Of every building.
+  std::vector<Peak> peaks;                 ///< One for every quantity and place.
   std::vector<GapClearance> clearances{};  ///< one for every gap
-  std::vector<Impact> impacts;
+  std::vector<Impact> impacts;             ///< In the order of their starts.
   std::vector<BuildingTorsion> torsion{};  ///< in plan, of every building on bearings
-  Table histories;
+  Table histories;                         ///< Every quantity at every sample of the motion.
   /// Quantities in `histories` that recorders of the script offered (output/quantity_recorder.hpp).
   std::vector<OfferedQuantity> offered{};
-  EnergyBalance energy;
-  SolverStatistics solver;
-  ErrorBars error_bars{};
+  EnergyBalance energy;                  ///< At the end.
+  SolverStatistics solver;               ///< Cost.
+  ErrorBars error_bars{};                ///< How the errors of peaks were estimated.
   std::vector<std::string> warnings;     ///< problems of accuracy or input, with the remedy
   std::vector<std::string> assumptions;  ///< one sentence each: scheme, step, damping, sign conventions ...
 };

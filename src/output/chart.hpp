@@ -10,7 +10,9 @@
 
 namespace moat {
 
+/// A curve of a chart.
 struct Series {
+  /// How it is drawn.
   enum class Style {
     line,
     dashed,
@@ -19,18 +21,21 @@ struct Series {
   };
 
   std::string name;  ///< in the legend; empty: not listed there
+  /// Coordinates of its points, as many of both.
   std::vector<double> x, y;
-  Style style = Style::line;
+  Style style = Style::line;  ///< How it is drawn.
   /// Position in the palette of seven colours, from 0; by default that of the series in its chart.
   std::optional<std::size_t> colour = {};
 };
 
+/// Curves over one pair of axes.
 struct Chart {
-  std::string title;
-  std::string x_label, y_label;  ///< with units: "time [s]"
-  std::vector<Series> series;
-  bool logarithmic_x = false;
-  bool logarithmic_y = false;
+  std::string title;  ///< Above it.
+  /// With units: "time [s]".
+  std::string x_label, y_label;
+  std::vector<Series> series;  ///< In the order of the legend.
+  bool logarithmic_x = false;  ///< All x are then > 0.
+  bool logarithmic_y = false;  ///< All y are then > 0.
   /// The y axis starts at zero, for values that are never negative; not together with logarithmic_y.
   bool y_from_zero = false;
   /// First and last x of the axis; points outside are not drawn. Without it the axis holds everything.

@@ -29,13 +29,14 @@ class FrameImage {
  private:
   void draw();
   void declare();
+  [[nodiscard]] double drift(const SceneCell& cell) const;
 
   const Scene& scene_;
   std::vector<double> corners_, displacement_, velocity_, acceleration_, contact_force_;  // three per point
   std::vector<std::int64_t> connectivity_, offsets_;
   std::vector<std::uint8_t> types_;
-  std::vector<std::int32_t> kinds_, in_contact_;  // these and the next three: one per cell
-  std::vector<double> deformation_, force_, opening_;
+  std::vector<std::int32_t> kinds_, in_contact_;  // these and the next ones: one per cell
+  std::vector<double> deformation_, force_, opening_, impact_force_, isolator_force_, drift_, storey_shear_;
   std::string names_, kind_names_;
   std::vector<double> time_;
   VtkXml file_{"UnstructuredGrid"};

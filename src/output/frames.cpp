@@ -12,6 +12,7 @@
 
 #include "base/check.hpp"
 #include "base/error.hpp"
+#include "embedded/paraview_script.hpp"
 #include "output/file_io.hpp"
 #include "output/frame_image.hpp"
 #include "output/results_folder.hpp"
@@ -48,6 +49,8 @@ SceneNeeds check_scene(const Scene& scene) {
     for (const int point : cell.points)
       check.that(point >= 0 && static_cast<std::size_t>(point) < scene.points.size(), "point", point, "1",
                  "the index of one of the " + std::to_string(scene.points.size()) + " points of the scene");
+    check.that(cell.storey >= -1 && cell.storey < static_cast<int>(scene.storeys.size()), "storey", cell.storey, "1",
+               "the index of one of the " + std::to_string(scene.storeys.size()) + " storeys of the scene, or -1");
     check.that(cell.element >= -1, "element", cell.element, "1", "the index of an element, or -1 for none");
     last_element = std::max(last_element, cell.element);
   }
@@ -58,7 +61,8 @@ template <class Value>
 void require_length(std::string_view name, std::span<const Value> values, std::size_t needed) {
   if (values.size() < needed)
     throw InputError{"FrameData: " + std::string{name} + " has " + std::to_string(values.size()) +
-                     " values, the scene needs " + std::to_string(needed) + ". Give one value per node or element."};
+                     " values, the scene needs " + std::to_string(needed) +
+                     ". Give one value per node, element or storey."};
 }
 
 }  // namespace
@@ -70,6 +74,7 @@ struct FrameWriter::Files {
     fs::create_directories(folder, error);
     if (error) throw FileError{folder.string() + ": cannot be created (" + error.message() + ")."};
     collection = std::make_unique<VtkCollection>(folder_ / results_file::frames);
+    write_file(folder_ / results_file::paraview_script, embedded::paraview_script);
   }
 
   Scene scene;
@@ -99,6 +104,7 @@ void FrameWriter::write(double time, const FrameData& data) {
   require_length("force", data.force, files.needs.elements);
   require_length("in_contact", data.in_contact, files.needs.elements);
   if (!data.contact_force.empty()) require_length("contact_force", data.contact_force, files.needs.elements);
+  require_length("storey_shear", data.storey_shear, files.scene.storeys.size());
 
   files.image.fill(time, data);
   std::array<char, 32> name;

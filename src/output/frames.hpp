@@ -9,8 +9,8 @@
 
 namespace moat {
 
-/// The state of a model at one time, SI units. The three node spans have one value per node of the scene, the three
-/// element spans one per element; they are only read during FrameWriter::write.
+/// The state of a model at one time, SI units. The three node spans have one value per node of the scene, the
+/// three element spans one per element, storey_shear one per storey; they are only read during FrameWriter::write.
 struct FrameData {
   std::span<const double> node_displacement;           ///< m, relative to the ground
   std::span<const double> node_velocity;               ///< m/s, relative to the ground
@@ -23,17 +23,21 @@ struct FrameData {
   /// N, one per element: of a contact on the body of the first point of its cell, the left one or the corner; friction
   /// included. Empty: none are drawn.
   std::span<const PlanVector> contact_force{};
+  std::span<const double> storey_shear{};  ///< N, of all springs between the same floors
 };
 
-/// Writes frames/frame_000000.vtu ... and frames.pvd, which lists them by time, into a results folder.
+/// Writes frames/frame_000000.vtu ... and frames.pvd, which lists them by time, into a results folder, and beside them
+/// moat.py, which draws them in ParaView: `paraview --script=moat.py`.
 ///
-/// In ParaView open frames.pvd and apply Warp By Vector with `Displacement`. Point data, 3 components with x the
-/// direction of shaking: `Displacement` (m), `Velocity` (m/s), `AbsoluteAcceleration` (m/s^2),
-/// and `ContactForce` (N) at both ends of a gap, on the body there: draw it with the filter Glyph. Cell data: `Kind`
-/// (CellKind as integer, names in the field data `KindNames`), `Deformation` (m), `Force` (N), `Opening` (m, gaps only)
-/// and `InContact` (0 or 1). A cell without element has NaN as deformation, force and opening, which ParaView leaves
-/// out of colour ranges, and so has a cell that is not a gap as opening. A point of weight w shows w times the motion
-/// of its node; its absolute acceleration is w times that of the node plus (1 - w) times that of the ground.
+/// Without it open frames.pvd and apply Warp By Vector with `Displacement`. Point data, 3 components with x the
+/// direction of shaking: `Displacement` (m), `Velocity` (m/s), `AbsoluteAcceleration` (m/s^2), and
+/// `ContactForce` (N) at both ends of a gap, on the body there: draw it with the filter Glyph. Cell data: `Kind`
+/// (CellKind as integer, names in the field data `KindNames`), `Deformation` (m), `Force` (N) and `InContact` (0 or 1)
+/// of every element; of storeys `Drift` (m) and `StoreyShear` (N), of bearings `IsolatorForce` (N), of gaps `Opening`
+/// (m) and `ImpactForce` (N). In plan a storey has a line at every corner of its floor: drift is that of the corner,
+/// and drift, shear and forces of bearings are lengths of vectors. A field that a cell does not have is NaN, which
+/// ParaView leaves out of colour ranges. A point of weight w shows w times the motion of its node; its absolute
+/// acceleration is w times that of the node plus (1 - w) times that of the ground.
 ///
 /// After every write the .pvd is complete, so a run that stops early leaves a file ParaView opens.
 class FrameWriter {

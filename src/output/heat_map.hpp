@@ -9,10 +9,12 @@ namespace moat {
 
 /// Cells from left to right and from bottom to top.
 struct HeatMap {
-  std::string title;
-  std::string x_label, y_label;                 ///< with units: "gap [cm]"
-  std::string value_label;                      ///< with unit: "drift [cm]"
-  std::vector<std::string> x_values, y_values;  ///< names of columns and rows, at least one each
+  std::string title;  ///< Above it.
+  /// With units: "gap [cm]".
+  std::string x_label, y_label;
+  std::string value_label;  ///< with unit: "drift [cm]"
+  /// Names of columns and rows, at least one each.
+  std::vector<std::string> x_values, y_values;
   /// values[row][column]; NaN: none, drawn in grey.
   std::vector<std::vector<double>> values;
 };

@@ -1,8 +1,10 @@
 #include "output/model_scene.hpp"
 
 #include <cmath>
+#include <map>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "base/check.hpp"
@@ -89,7 +91,14 @@ class SceneBuilder {
          info.name,
          {point(low.x - half, low.z, low.node, low.spread), point(low.x + half, low.z, low.node, low.spread),
           point(high.x + half, top, high.node, high.spread), point(high.x - half, top, high.node, high.spread)},
-         number});
+         number,
+         kind == CellKind::storey ? storey(info.first, info.second) : -1});
+  }
+
+  int storey(NodeId below, NodeId above) {
+    const auto [found, is_new] = storeys_.try_emplace({below, above}, static_cast<int>(scene_.storeys.size()));
+    if (is_new) scene_.storeys.emplace_back(below, above);
+    return found->second;
   }
 
   // A gap has its right node first and its left node second.
@@ -124,6 +133,7 @@ class SceneBuilder {
   // In plan floors are extruded outlines, walls stand along their edges, bearings and contacts are lines.
   Scene build_in_plan() {
     for (const PlacedDiaphragm& diaphragm : model_.diaphragms()) add_floor(diaphragm);
+    for (const Building& building : model_.buildings()) add_storeys_in_plan(building);
     int number = 0;
     for (const auto& block : model_.blocks())
       for (std::size_t e = 0; e < block->size(); ++e, ++number) {
@@ -182,6 +192,25 @@ class SceneBuilder {
               diaphragm.height - slab_thickness, diaphragm.height, diaphragm.id.x);
   }
 
+  // A line at every corner of the floor above, where columns could stand.
+  void add_storeys_in_plan(const Building& building) {
+    NodeId below = building.base;
+    for (const NodeId above : building.floors) {
+      const PlacedDiaphragm* floor = model_.diaphragm_of(above);
+      if (floor == nullptr) continue;
+      for (std::size_t i = 0; i < floor->outline.size(); ++i) {
+        const PlanVector corner = floor->outline.corner(i);
+        scene_.cells.push_back({CellKind::storey,
+                                "storey under " + floor->name,
+                                {plan_point(corner, height_of(below), below, spread_of(above)),
+                                 plan_point(corner, floor->height - slab_thickness, above, spread_of(above))},
+                                -1,
+                                storey(below, above)});
+      }
+      below = above;
+    }
+  }
+
   double height_of(NodeId body) const {
     const PlacedDiaphragm* diaphragm = model_.diaphragm_of(body);
     return diaphragm != nullptr ? diaphragm->height : 0.0;
@@ -224,6 +253,7 @@ class SceneBuilder {
   const std::vector<PlanVector> spread_;  // of nodes
   Scene scene_;
   std::set<std::string> drawn_walls_;
+  std::map<std::pair<NodeId, NodeId>, int> storeys_;
 };
 
 // Of a contact: on its left node, or on its corner.
@@ -240,8 +270,12 @@ PlanVector force_on_first_point(const ElementBlock& block, std::size_t element) 
 Scene scene_of(const Model& model) { return SceneBuilder{model}.build(); }
 
 FrameRecorder::FrameRecorder(const Model& model, const std::filesystem::path& folder, double interval)
-    // Checked before the writer makes files.
-    : writer_{(Check{"FrameRecorder", ""}.positive("interval", interval, "s"), folder), scene_of(model)},
+    : FrameRecorder{model, folder, interval, scene_of(model)} {}
+
+FrameRecorder::FrameRecorder(const Model& model, const std::filesystem::path& folder, double interval, Scene scene)
+    : storey_shears_{model, scene.storeys},
+      // Checked before the writer makes files.
+      writer_{(Check{"FrameRecorder", ""}.positive("interval", interval, "s"), folder), std::move(scene)},
       interval_{interval} {}
 
 void FrameRecorder::start(const StepView& view) { write(view); }
@@ -283,7 +317,8 @@ void FrameRecorder::write(const StepView& view) {
                                      .in_contact = in_contact_,
                                      .ground_acceleration = view.ground_acceleration,
                                      .ground_acceleration_y = view.ground_acceleration_y,
-                                     .contact_force = contact_force_});
+                                     .contact_force = contact_force_,
+                                     .storey_shear = storey_shears_.evaluate(model)});
   while (next_ <= model.state().time * (1.0 + 1e-12)) next_ += interval_;
 }
 

@@ -7,12 +7,14 @@
 #include "output/frames.hpp"
 #include "output/scene.hpp"
 #include "output/step_observer.hpp"
+#include "output/storey_shears.hpp"
 
 namespace moat {
 
 /// The picture of a model: a slab for every node, a panel for every storey and bearing, a line for every gap, a
-/// wall where a gap ends at the ground. Elements are numbered through all blocks in their order. Dampers are not
-/// drawn.
+/// wall where a gap ends at the ground. In plan a prism for every floor, a line for every
+/// bearing and contact of a corner, a line for every storey at each corner of its floor, and walls. Elements are
+/// numbered through all blocks in their order. Dampers are not drawn.
 Scene scene_of(const Model& model);
 
 /// Writes a frame at the start, then at the first grid time at or after each multiple of the interval.
@@ -28,6 +30,9 @@ class FrameRecorder final : public StepObserver {
  private:
   void write(const StepView& view);
 
+  FrameRecorder(const Model& model, const std::filesystem::path& folder, double interval, Scene scene);
+
+  StoreyShears storey_shears_;
   FrameWriter writer_;
   double interval_;
   double next_ = 0.0;

@@ -8,8 +8,8 @@
 namespace moat {
 
 /// The peaks, grouped by quantity in engineering units, each with its unit, its error where that is known
-/// ("-53.28 +- 0.02") and the time it was reached. A quantity with more than 12 places has two rows, the largest and the
-/// smallest magnitude of its places, which say how many there are. Empty without peaks.
+/// ("-53.28 +- 0.02") and the time it was reached. A quantity with more than 12 places has two rows, the largest and
+/// the smallest magnitude of its places, which say how many there are. Empty without peaks.
 std::string peak_table(const CaseResult& result);
 
 /// The smallest opening of every gap in the same form, with the clearance at rest; of more than 12 gaps that with most

@@ -16,13 +16,16 @@ inline constexpr const char* impacts = "impacts.csv";
 inline constexpr const char* report = "report.html";
 inline constexpr const char* charts = "charts.svg";
 inline constexpr const char* frames = "frames.pvd";
+/// Draws the frames in ParaView.
+inline constexpr const char* paraview_script = "moat.py";
 /// Sub-folder of the frames frame_000000.vtu, frame_000001.vtu ...
 inline constexpr const char* frames_folder = "frames";
 /// Sub-folder of single charts: displacement.svg, displacement.csv ...
 inline constexpr const char* charts_folder = "charts";
 inline constexpr std::array all_folders{frames_folder, charts_folder};
 /// Overwriting replaces these, the frames and the single charts, and nothing else.
-inline constexpr std::array all_at_top{summary, histories_csv, histories_vtt, impacts, report, charts, frames};
+inline constexpr std::array all_at_top{summary, histories_csv, histories_vtt, impacts,
+                                       report,  charts,        frames,        paraview_script};
 }  // namespace results_file
 
 /// How a folder is treated that already holds something.

@@ -2,9 +2,11 @@
 #pragma once
 
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "base/plan_vector.hpp"
+#include "model/node.hpp"
 
 namespace moat {
 
@@ -31,11 +33,14 @@ struct SceneCell {
   /// Indices of 2 (line), 4 (quad, in order around it) or more (polygon) points.
   std::vector<int> points;
   int element = -1;  ///< index into the per-element spans of FrameData; -1: none
+  int storey = -1;   ///< index into Scene::storeys and FrameData::storey_shear; -1: none
 };
 
 struct Scene {
   std::vector<ScenePoint> points;
   std::vector<SceneCell> cells;
+  /// The bodies below and above each storey.
+  std::vector<std::pair<NodeId, NodeId>> storeys{};
 };
 
 }  // namespace moat

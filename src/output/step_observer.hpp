@@ -10,7 +10,7 @@ namespace moat {
 
 /// The committed state after an accepted step.
 struct StepView {
-  const Model& model;
+  const Model& model;                ///< At the time of the step.
   double ground_acceleration = 0.0;  ///< m/s^2, at the state's time; in plan its x component
   bool on_grid = true;               ///< false where the step was cut or ended at a located event, between grid times
   WorkRule work_rule = WorkRule::mean_force;  ///< of the step that led here
@@ -18,7 +18,7 @@ struct StepView {
   const GroundSpan* ground_span = nullptr;
   double ground_acceleration_y = 0.0;  ///< m/s^2; 0 on a line
 
-  [[nodiscard]] PlanVector ground() const { return {ground_acceleration, ground_acceleration_y}; }
+  [[nodiscard]] PlanVector ground() const { return {ground_acceleration, ground_acceleration_y}; }  ///< m/s^2.
   /// m/s^2; of a diaphragm's rotation times its gyration.
   [[nodiscard]] double absolute_acceleration(NodeId node) const {
     if (node == moat::ground) return ground_acceleration;
@@ -39,7 +39,9 @@ class StepObserver {
 
   /// The state at the start, before the first step.
   virtual void start(const StepView& view) = 0;
+  /// After every accepted step.
   virtual void step(const StepView& view) = 0;
+  /// After a located change of regime.
   virtual void event(const StepView&, std::span<const RegimeChange>) {}
   /// After the last step, also when a step failed and the analysis ends early.
   virtual void finish(const StepView&) {}

@@ -40,10 +40,11 @@ Scene small_scene() {
                   {.x = -1.0, .z = -0.5, .node = -1},
                   {.x = -2.0, .z = 0.0, .node = -1},
                   {.x = -1.0, .z = -0.2, .node = 0, .weight = 0.25}};
-  scene.cells = {{CellKind::storey, "storey 1", {0, 1, 3, 2}, 0},
+  scene.cells = {{CellKind::storey, "storey 1", {0, 1, 3, 2}, 0, 0},
                  {CellKind::bearing, "bearing", {4, 6}, 1},
                  {CellKind::gap, "moat left", {5, 0}, 2},
                  {CellKind::wall, "wall left", {4, 5}, -1}};
+  scene.storeys = {{NodeId{0}, NodeId{1}}};
   return scene;
 }
 
@@ -51,7 +52,10 @@ struct Values {
   std::array<double, 2> u{0.1, -0.3}, v{1.0 / 3.0, 2.0}, a{4.0, 8.0};
   std::array<double, 3> deformation{0.01, 0.02, -0.003}, force{1e6, 2e6, -3e7}, in_contact{0.0, 0.0, 1.0};
   std::array<PlanVector, 3> contact_force{{{7.0, 7.0}, {8.0, 8.0}, {-3e7, 4e6}}};
-  [[nodiscard]] FrameData data() const { return {u, v, a, deformation, force, in_contact, 2.0, 0.0, contact_force}; }
+  std::array<double, 1> shear{7e5};
+  [[nodiscard]] FrameData data() const {
+    return {u, v, a, deformation, force, in_contact, 2.0, 0.0, contact_force, shear};
+  }
 };
 
 vtkSmartPointer<vtkUnstructuredGrid> read_grid(const fs::path& path) {
@@ -64,7 +68,8 @@ vtkSmartPointer<vtkUnstructuredGrid> read_grid(const fs::path& path) {
 TEST_F(Frames, ReadBackUnchanged) {
   const Values values;
   FrameWriter writer{folder, small_scene()};
-  writer.write(0.0, FrameData{values.v, values.v, values.v, values.force, values.force, values.force});
+  writer.write(
+      0.0, FrameData{values.v, values.v, values.v, values.force, values.force, values.force, 0.0, 0.0, values.contact_force, values.shear});
   writer.write(1.0 / 3.0, values.data());
   writer.finish();
   EXPECT_EQ(writer.frames(), 2);
@@ -118,8 +123,20 @@ TEST_F(Frames, ReadBackUnchanged) {
     EXPECT_EQ(cell_value("Force", cell), values.force[static_cast<std::size_t>(cell)]);
     EXPECT_EQ(cell_value("InContact", cell), values.in_contact[static_cast<std::size_t>(cell)]);
   }
-  EXPECT_EQ(cell_value("Opening", 2), -0.003);
-  for (const vtkIdType other : {0, 1, 3}) EXPECT_TRUE(std::isnan(cell_value("Opening", other)));
+  // Each field belongs to one kind of cell: storey 0, bearing 1, gap 2.
+  struct OfOneKind {
+    const char* name;
+    vtkIdType cell;
+    double value;
+  };
+  for (const OfOneKind& field :
+       {OfOneKind{"Opening", 2, -0.003}, OfOneKind{"ImpactForce", 2, -3e7}, OfOneKind{"IsolatorForce", 1, 2e6},
+        OfOneKind{"StoreyShear", 0, 7e5}, OfOneKind{"Drift", 0, -0.3 - 0.1}})
+    for (vtkIdType cell = 0; cell < 4; ++cell)
+      if (cell == field.cell)
+        EXPECT_EQ(cell_value(field.name, cell), field.value) << field.name;
+      else
+        EXPECT_TRUE(std::isnan(cell_value(field.name, cell))) << field.name << cell;
   EXPECT_TRUE(std::isnan(cell_value("Deformation", 3)));
   EXPECT_TRUE(std::isnan(cell_value("Force", 3)));
   EXPECT_EQ(cell_value("InContact", 3), 0.0);

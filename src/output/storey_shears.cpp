@@ -1,0 +1,34 @@
+#include "output/storey_shears.hpp"
+
+#include <map>
+
+namespace moat {
+
+StoreyShears::StoreyShears(const Model& model, const std::vector<std::pair<NodeId, NodeId>>& storeys)
+    : sums_(storeys.size()), shears_(storeys.size()) {
+  std::map<std::pair<NodeId, NodeId>, std::size_t> numbers;
+  for (const auto& storey : storeys) numbers.emplace(storey, numbers.size());
+  for (std::size_t b = 0; b < model.blocks().size(); ++b) {
+    const ElementBlock& block = *model.blocks()[b];
+    if (block.contacts() != nullptr) continue;
+    for (std::size_t e = 0; e < block.size(); ++e) {
+      const ElementInfo& info = block.info(e);
+      const auto storey = numbers.find({info.first, info.second});
+      if (storey != numbers.end() && !info.force_quantity.empty()) parts_.push_back({b, e, storey->second});
+    }
+  }
+}
+
+std::span<const double> StoreyShears::evaluate(const Model& model) {
+  for (PlanVector& sum : sums_) sum = {};
+  for (const Part& part : parts_) {
+    const ElementBlock& block = *model.blocks()[part.block];
+    const PlanVector along = model.is_plan() ? block.info(part.element).direction : PlanVector{1.0, 0.0};
+    sums_[part.storey] +=
+        block.planar() != nullptr ? block.planar()->force(part.element) : block.forces()[part.element] * along;
+  }
+  for (std::size_t i = 0; i < sums_.size(); ++i) shears_[i] = model.is_plan() ? length(sums_[i]) : sums_[i].x;
+  return shears_;
+}
+
+}  // namespace moat

@@ -1,0 +1,34 @@
+// Shear of storeys that several elements carry together.
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "base/plan_vector.hpp"
+#include "model/model.hpp"
+
+namespace moat {
+
+/// The shear of storeys: the sum of the forces of all springs between the body below and the body above. Dashpots,
+/// which report no force, are left out.
+class StoreyShears {
+ public:
+  /// storeys: the bodies below and above each.
+  StoreyShears(const Model& model, const std::vector<std::pair<NodeId, NodeId>>& storeys);
+
+  /// Of the last evaluation of the model, N, one for each storey: on a line with its sign, in plan the length of the
+  /// sum of vectors. Valid until the next call.
+  std::span<const double> evaluate(const Model& model);
+
+ private:
+  struct Part {
+    std::size_t block, element, storey;
+  };
+  std::vector<Part> parts_;
+  std::vector<PlanVector> sums_;
+  std::vector<double> shears_;
+};
+
+}  // namespace moat
