@@ -39,6 +39,12 @@ std::vector<CompletionWords> completion_words() {
           {"completion", {"bash"}}};
 }
 
+void require_sources(const Places& places, const std::string& command) {
+  if (!std::filesystem::exists(places.root / "CMakeLists.txt"))
+    throw Stop{exit_usage, command + " needs the sources of moat, and this is an installed package.\n" +
+                               "Clone the sources and call ./moat " + command + " there."};
+}
+
 int run_command_line(const Places& places, int count, char** words) {
   CLI::App app{help::moat, "./moat"};
   app.require_subcommand(1);
@@ -59,6 +65,7 @@ int run_command_line(const Places& places, int count, char** words) {
   TestOptions test_options;
   test->add_flag("--all", test_options.all, "nothing may be skipped; see below");
   test->callback([&] {
+    require_sources(places, "test");
     test_options.words = test->remaining();
     code = run_tests(places, test_options);
   });
@@ -68,6 +75,7 @@ int run_command_line(const Places& places, int count, char** words) {
     const std::vector<std::string> rest = bench->remaining();
     for (const std::string& word : rest)
       if (word == "-h" || word == "--help") throw CLI::CallForHelp{};
+    require_sources(places, "bench");
     run_benchmark(places, rest);
   });
 
@@ -94,7 +102,10 @@ int run_command_line(const Places& places, int count, char** words) {
   CLI::App* const check = app.add_subcommand("check", help::check)->footer(help::after_check);
   std::vector<std::string> names;
   check->add_option("NAME", names, "one or more of " + joined(check_names(), ", ") + "; all if none is given");
-  check->callback([&] { code = run_checks(places, names); });
+  check->callback([&] {
+    require_sources(places, "check");
+    code = run_checks(places, names);
+  });
 
   CLI::App* const completion = app.add_subcommand("completion", help::completion)->footer(help::after_completion);
   std::string shell;

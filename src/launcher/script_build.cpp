@@ -93,8 +93,12 @@ void ScriptBuild::drop_if_older_than_its_files() const {
 }
 
 void ScriptBuild::bring_up_to_date() const {
-  ScriptRule rule{.compile = lines_of(text_of(places_.build / "script_compile.txt")),
-                  .link = lines_of(text_of(places_.build / "script_link.txt")),
+  // An installed package can be moved: its words name places by {root}.
+  const auto words = [&](const char* file) {
+    return lines_of(replaced(text_of(places_.build / file), "{root}", places_.root.string()));
+  };
+  ScriptRule rule{.compile = words("script_compile.txt"),
+                  .link = words("script_link.txt"),
                   .script = script_,
                   .precompiled_header = places_.build / "script_header" / "moat.hpp.gch"};
   if (!fs::exists(rule.precompiled_header)) rule.precompiled_header.clear();  // other compilers than GCC have none

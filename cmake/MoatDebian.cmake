@@ -1,0 +1,60 @@
+# The command `moat` as a part of the installation, and a Debian package of the whole: `cpack -G DEB` in the build folder.
+#
+# With it `moat run tower.cpp` works without the sources: the programs lie in lib/moat/bin, the compiler's words for
+# scripts in lib/moat, examples and lists of packages in share/moat. There {root} stands for share/moat, so that the tree
+# may be moved.
+
+set(_programs ${CMAKE_INSTALL_LIBDIR}/moat)
+set(_root share/moat)
+install(TARGETS moat_launcher moat_study moat_motion moat_report RUNTIME DESTINATION ${_programs}/bin)
+set_target_properties(moat_study moat_motion moat_report PROPERTIES INSTALL_RPATH "$ORIGIN/../..")
+
+configure_file(${CMAKE_CURRENT_LIST_DIR}/debian/moat.in ${CMAKE_BINARY_DIR}/debian/moat @ONLY)
+install(PROGRAMS ${CMAKE_BINARY_DIR}/debian/moat DESTINATION ${CMAKE_INSTALL_BINDIR})
+
+set(_library {root}/../../${CMAKE_INSTALL_LIBDIR})
+get_target_property(_eigen Eigen3::Eigen INTERFACE_INCLUDE_DIRECTORIES)
+list(JOIN _eigen "\n-isystem\n" _eigen)
+file(CONFIGURE OUTPUT ${CMAKE_BINARY_DIR}/debian/script_compile.txt CONTENT "g++
+-std=c++20
+-O1
+-DNDEBUG
+-Wall
+-Wextra
+-fno-elide-type
+-isystem
+{root}/src
+-isystem
+@_eigen@
+")
+file(CONFIGURE OUTPUT ${CMAKE_BINARY_DIR}/debian/script_link.txt CONTENT "@_library@/libmoat.so
+-Xlinker
+-rpath
+-Xlinker
+@_library@
+-fuse-ld=gold
+")
+install(FILES ${CMAKE_BINARY_DIR}/debian/script_compile.txt ${CMAKE_BINARY_DIR}/debian/script_link.txt
+  DESTINATION ${_programs})
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/examples DESTINATION ${_root} FILES_MATCHING PATTERN *.cpp PATTERN project/*)
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/cmake/packages DESTINATION ${_root}/cmake)
+install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION share/doc/moat RENAME copyright)
+# Headers: for scripts, and for the launcher, which reads the fields of structs from them.
+install(CODE "file(CREATE_LINK ../../${CMAKE_INSTALL_INCLUDEDIR}/moat
+  \"\$ENV{DESTDIR}\${CMAKE_INSTALL_PREFIX}/${_root}/src\" SYMBOLIC)")
+
+set(CPACK_GENERATOR DEB)
+set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
+set(CPACK_PACKAGE_NAME moat)
+set(CPACK_PACKAGE_CONTACT "moat developers <moat@localhost>")
+set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "${PROJECT_DESCRIPTION}")
+set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
+set(CPACK_DEBIAN_PACKAGE_SECTION science)
+# To compile a script, and to run it: the libraries behind libmoat.so in Debian 12.
+set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS OFF)
+string(JOIN ", " CPACK_DEBIAN_PACKAGE_DEPENDS g++ ninja-build libeigen3-dev libc6 libgcc-s1 libstdc++6 libklu1
+  libsqlite3-0 libssl3 libtrilinos-nox-13.2 libtrilinos-teuchos-13.2)
+set(CPACK_DEBIAN_PACKAGE_SUGGESTS "cmake, openmpi-bin, paraview, python3-paraview")
+set(CPACK_STRIP_FILES OFF)
+set(CPACK_VERBATIM_VARIABLES ON)
+include(CPack)
