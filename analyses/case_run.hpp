@@ -25,15 +25,16 @@ enum class ErrorBarMode {
   never,
 };
 
+/// Options of one case.
 struct CaseOptions {
-  std::string title{};
-  TransientOptions transient{};
+  std::string title{};           ///< In reports.
+  TransientOptions transient{};  ///< Of the analysis: step, tolerance, end.
   /// >= 0 s. Interval of the histories, which have rows exactly at its multiples; 0: that of the motion's samples.
   Time history_interval{};
   /// > 0. Integration error, and residual of the equations, as a fraction of the largest input or kinetic energy, above
   /// which there is a warning.
   double warn_above_energy_error = 1e-3;
-  ErrorBarMode error_bars = ErrorBarMode::automatic;
+  ErrorBarMode error_bars = ErrorBarMode::automatic;  ///< When the second run is made.
 };
 
 /// A time history with peaks, clearances and their errors, impacts, histories, periods and solver statistics.
@@ -63,8 +64,8 @@ class CaseRun {
   /// The main run, then the companion. Throws as Transient::run does in the main run.
   void run();
 
-  [[nodiscard]] const Transient& transient() const { return transient_; }
-  [[nodiscard]] CaseResult result() const;
+  [[nodiscard]] const Transient& transient() const { return transient_; }  ///< The analysis behind the case.
+  [[nodiscard]] CaseResult result() const;                                 ///< All that was recorded up to now.
 
  private:
   void run_companion();

@@ -15,8 +15,8 @@ namespace moat {
 
 /// The response to one record, at ascending levels.
 struct IdaCurve {
-  std::string record;
-  std::vector<double> levels, responses;
+  std::string record;                     ///< Its name.
+  std::vector<double> levels, responses;  ///< Intensities and largest responses, one beside the other.
   /// Levels whose analysis failed or did not converge. They are no points: neither safe nor collapsed.
   std::vector<double> without_solution{};
   /// Of a hunt: a curve whose last response is above it ended there, and counts as larger at higher levels.
@@ -57,10 +57,11 @@ std::vector<IdaCurve> ida_curves(const StudyResult& hunts);
 
 /// Responses that 16, 50 and 84 % of the records do not exceed, at one level.
 struct IdaFractiles {
-  double level = 0.0;
-  double low = 0.0, median = 0.0, high = 0.0;  ///< infinite where too many records have exceeded their limit
-  std::size_t records = 0;                     ///< that have a response at this level, or exceeded their limit below it
-  std::size_t without_solution = 0;            ///< whose analysis did not converge just there
+  double level = 0.0;  ///< Intensity.
+  /// Quantiles of the response; infinite where too many records have exceeded their limit.
+  double low = 0.0, median = 0.0, high = 0.0;
+  std::size_t records = 0;           ///< that have a response at this level, or exceeded their limit below it
+  std::size_t without_solution = 0;  ///< whose analysis did not converge just there
 };
 /// At every level that any curve has, each curve interpolated between its levels. A curve that ended above its response
 /// limit counts as infinite at higher levels; one that ended otherwise, or begins above the level, does not count

@@ -21,7 +21,8 @@ struct PlanMode {
 
   /// "x", "y", "torsion", or "x-torsion" and the like where a direction has at least a fifth of the kinetic energy.
   [[nodiscard]] std::string character() const;
-  double along_x = 0.0, along_y = 0.0;  ///< shares of its kinetic energy
+  /// Shares of its kinetic energy.
+  double along_x = 0.0, along_y = 0.0;
 };
 
 /// The slowest modes of the model, at most `count`. `stage` says which stiffness bearings that yield have. Throws

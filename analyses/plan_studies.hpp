@@ -12,15 +12,15 @@ namespace moat {
 
 /// The largest value of one result over the cases of a study.
 struct EnvelopeEntry {
-  std::string quantity, where, unit;
-  double value = 0.0;
-  std::string at;  ///< the case that reached it: "incidence = 30 deg"
+  std::string quantity, where, unit;  ///< Those of a Peak.
+  double value = 0.0;                 ///< In `unit`.
+  std::string at;                     ///< the case that reached it: "incidence = 30 deg"
 };
 
 /// All cases of a study and the largest of every result.
 struct EnvelopeStudy {
-  StudyResult cases;
-  std::vector<EnvelopeEntry> envelope;
+  StudyResult cases;                    ///< One for every angle.
+  std::vector<EnvelopeEntry> envelope;  ///< Largest value of every peak over the angles.
 
   /// Throws InputError for an unknown result.
   [[nodiscard]] const EnvelopeEntry& largest(std::string_view quantity, std::string_view where) const;

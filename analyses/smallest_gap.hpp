@@ -64,7 +64,7 @@ class GapDemand {
   [[nodiscard]] const std::vector<double>& beyond() const { return beyond_; }
   /// gaps() and beyond() together.
   [[nodiscard]] std::size_t records() const { return gaps_.size() + beyond_.size(); }
-  [[nodiscard]] std::size_t without_solution() const { return without_solution_; }
+  [[nodiscard]] std::size_t without_solution() const { return without_solution_; }  ///< Cases that did not converge.
   /// "18 records with a smallest gap from 12.1 to 30.2 cm, 2 that need more than 50 cm, 0 without solution."
   [[nodiscard]] std::string description() const;
   /// Of the smallest gaps, lognormal.
@@ -78,7 +78,7 @@ class GapDemand {
   [[nodiscard]] Length empirical_gap(double share_that_pounds) const;
   /// Of pounding in this gap, > 0, by the fit.
   [[nodiscard]] double probability(Length gap) const;
-  [[nodiscard]] Bounds probability_bounds(Length gap) const;
+  [[nodiscard]] Bounds probability_bounds(Length gap) const;  ///< Its confidence bounds.
 
  private:
   std::vector<double> gaps_, beyond_;  // m

@@ -23,8 +23,8 @@ namespace moat {
 
 /// The model and the motion of one case.
 struct StudyModel {
-  Model model;
-  GroundMotion motion;
+  Model model;          ///< The structure of this case.
+  GroundMotion motion;  ///< The motion of this case.
 };
 
 /// An axis of records, called by their names, which must differ; a study that goes on compares the hashes of their
@@ -33,6 +33,7 @@ StudyAxis record_axis(std::string name, const std::vector<GroundMotion>& motions
 /// The same for pairs: "NWH090 + NWH360".
 StudyAxis record_axis(std::string name, const std::vector<PlanMotion>& pairs);
 
+/// Options of run_study().
 struct StudyOptions {
   /// >= 0. Threads that compute cases; 0: one per core. Results do not depend on it.
   int threads = 0;

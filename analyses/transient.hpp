@@ -48,6 +48,7 @@ class Transient {
   /// accounts, these start here.
   void attach(StepObserver& observer);
 
+  /// Whether the end of the analysis is reached.
   [[nodiscard]] bool finished() const { return grid_.finished(model_->state().time); }
   /// One accepted step, and the changes of regime inside it or at its end if there are any. Observers attached since
   /// the last step get the start first.
@@ -58,10 +59,10 @@ class Transient {
   /// step; true ends the run there.
   void run(const std::function<bool()>& stop = {});
 
-  [[nodiscard]] const Model& model() const { return *model_; }
-  [[nodiscard]] const GroundMotion& motion() const { return motion_; }
-  [[nodiscard]] const SolverStatistics& statistics() const { return statistics_; }
-  [[nodiscard]] double end_time() const { return grid_.end(); }
+  [[nodiscard]] const Model& model() const { return *model_; }                      ///< The model at the time reached.
+  [[nodiscard]] const GroundMotion& motion() const { return motion_; }              ///< As it is applied.
+  [[nodiscard]] const SolverStatistics& statistics() const { return statistics_; }  ///< Cost up to now.
+  [[nodiscard]] double end_time() const { return grid_.end(); }                     ///< s
   /// One sentence each: scheme, step, tolerances.
   [[nodiscard]] std::vector<std::string> assumptions() const;
   /// Settings that can make the results inaccurate, with advice.

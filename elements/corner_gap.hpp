@@ -24,6 +24,7 @@ struct CornerFriction {
   /// indentation of 10 mm (Mindlin 1949: 2 (1 - nu)/(2 - nu) = 0.89 for nu = 0.2).
   std::optional<Stiffness> tangential_stiffness{};
 
+  /// Coefficient >= 0; stiffness along the wall > 0 N/m, chosen by the law without one.
   CornerFriction(double friction_coefficient = 0.0, std::optional<Stiffness> stiffness = {})
       : coefficient{friction_coefficient}, tangential_stiffness{stiffness} {}
 };
@@ -44,16 +45,16 @@ struct CornerFriction {
 /// [m], compression positive, and `friction_force` [N], along t on the edge's body.
 template <ImpactLaw Law>
 struct CornerGap {
-  std::string name;
+  std::string name;  ///< Unique in its model.
   /// Where its peak is listed together with that of others; its own name if empty.
   std::string place{};
-  Required<PlanPoint> corner;
+  Required<PlanPoint> corner;  ///< That hits the edge.
   /// A diaphragm, a wall (a node with a direction), or `ground`.
   Required<NodeId> edge_of;
-  Required<PlanPosition> edge_begin;
-  Required<PlanPosition> edge_end;
-  Law law;
-  CornerFriction friction{};
+  Required<PlanPosition> edge_begin;  ///< One end of the edge, the corner on the left of the way from it.
+  Required<PlanPosition> edge_end;    ///< Its other end.
+  Law law;                            ///< Its force.
+  CornerFriction friction{};          ///< Along the wall.
   /// > 0, <= 1: of the law's force, where several points of a face divide it.
   double share = 1.0;
   /// Effective mass for the law, > 0 kg. Zero stands for that of the corner: 1/m_n = sum of weight^2/mass.
@@ -65,11 +66,14 @@ struct CornerGap {
 /// Where a corner and an edge are, and how they move.
 struct CornerGeometry {
   double clearance = 0.0;  ///< at rest, m
-  PlanEndsBothWays ends;
-  PlanVector normal{};
-  double edge_begin = 0.0, edge_end = 0.0;          ///< along the tangent from the corner at rest, m
-  double normal_mass = 0.0, tangential_mass = 0.0;  ///< effective, kg
-  double cross_mobility = 0.0;                      ///< of one direction under a force along the other, 1/kg
+  PlanEndsBothWays ends;   ///< Motion of the corner relative to the edge, along normal and tangent.
+  PlanVector normal{};     ///< Of length 1, from the body of the corner to that of the edge.
+  /// Along the tangent from the corner at rest, m.
+  double edge_begin = 0.0, edge_end = 0.0;
+  /// Effective, kg.
+  double normal_mass = 0.0, tangential_mass = 0.0;
+  /// Of one direction under a force along the other, 1/kg.
+  double cross_mobility = 0.0;
 };
 
 /// Throws InputError unless both bodies are of this model and different, the edge has a length and the corner a

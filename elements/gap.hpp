@@ -35,14 +35,14 @@ concept ImpactLaw = requires(const Law& law, const Check& check, double effectiv
 /// a node on both sides counts once with the difference of its weights; the ground's mass is infinite.
 template <ImpactLaw Law>
 struct Gap {
-  std::string name;
+  std::string name;  ///< Unique in its model.
   /// Where its peak is listed together with that of other gaps; its own name if empty.
   std::string place{};
-  Required<MemberPoint> left;
-  Required<MemberPoint> right;
+  Required<MemberPoint> left;   ///< The body on the left.
+  Required<MemberPoint> right;  ///< The body on the right.
   /// > 0 m, free distance at rest.
   Required<Length> clearance;
-  Law law;
+  Law law;  ///< Its force.
 };
 
 /// Throws InputError unless all nodes of both points are of this model, shares are from 0 to below 1, and two ends at

@@ -28,11 +28,11 @@ concept IsolatorLaw = ForceLaw<Law> || WeightBearing<Law>;
 /// under its name, positive to the right, and the quantities of its law. Characteristic periods hold the node above it.
 template <IsolatorLaw Law>
 struct Isolator {
-  std::string name = "bearings";
-  NodeId lower = ground;
+  std::string name = "bearings";  ///< Unique in its model.
+  NodeId lower = ground;          ///< Below.
   /// The floor on it. A ShearBuilding sets it; give it when you add an isolator yourself.
   NodeId upper{};
-  Law law;
+  Law law;  ///< Its force.
   /// >= 1: of equal bearings side by side, each with this law.
   int count = 1;
   /// > 0 N on all of them, for laws that need it (pendulums, sliders); a ShearBuilding sets it.

@@ -26,8 +26,8 @@ struct BearingDesign {
 ///
 /// Reports `isolator_force` [N] and `isolator_deformation` [m] under its name, positive to the right.
 struct LeadRubberBearing {
-  std::string name = "bearings";
-  NodeId lower = ground;
+  std::string name = "bearings";  ///< Unique in its model.
+  NodeId lower = ground;          ///< Below.
   /// The node above. A ShearBuilding sets it; give it when you add a bearing yourself.
   NodeId upper{};
   /// F_y > 0 N.

@@ -11,26 +11,26 @@ namespace moat {
 /// Reports `deformation` and `force` as resultants and, with "_x" and "_y", as components.
 template <PlanarLaw Law>
 struct PlanarSpring {
-  std::string name;
-  Required<PlanPoint> lower;
-  Required<PlanPoint> upper;
-  Law law;
-  std::string deformation_quantity = "deformation";
-  std::string force_quantity = "force";
+  std::string name;                                  ///< Unique in its model.
+  Required<PlanPoint> lower;                         ///< Below.
+  Required<PlanPoint> upper;                         ///< Above.
+  Law law;                                           ///< Its force.
+  std::string deformation_quantity = "deformation";  ///< Under which the deformation is reported, m.
+  std::string force_quantity = "force";              ///< Under which the force is reported, N.
   /// Where its peaks are listed together with those of others; its own name if empty.
   std::string place{};
-  bool isolates = false;
+  bool isolates = false;  ///< Whether it separates a building from the ground.
 };
 
 /// A bearing under a floor: a PlanarSpring between the ground and the floor above, at a position in plan. Reports
 /// `isolator_force` [N] and `isolator_deformation` [m]. Its resistance to twisting is neglected.
 template <PlanarLaw Law>
 struct PlanBearing {
-  std::string name;
+  std::string name;  ///< Unique in its model.
   /// The floor on it.
   Required<DiaphragmId> under;
-  PlanPosition at{};
-  Law law;
+  PlanPosition at{};  ///< Where it stands at rest.
+  Law law;            ///< Its force.
   /// Where its peaks are listed together with those of others; its own name if empty.
   std::string place{};
 };

@@ -8,20 +8,20 @@ namespace moat {
 
 /// A linear spring between the rotations of two floors: M = stiffness * (theta_upper - theta_lower). Not reported.
 struct RotationSpring {
-  std::string name;
+  std::string name;  ///< Unique in its model.
   /// A diaphragm or `ground`.
   Required<NodeId> lower;
-  Required<NodeId> upper;
+  Required<NodeId> upper;  ///< Above.
   /// > 0 N m/rad.
   Required<Energy> stiffness;
 };
 
 /// A linear dashpot between them: M = damping * (theta'_upper - theta'_lower). Not reported.
 struct RotationDamper {
-  std::string name;
+  std::string name;  ///< Unique in its model.
   /// A diaphragm or `ground`.
   Required<NodeId> lower;
-  Required<NodeId> upper;
+  Required<NodeId> upper;  ///< Above.
   /// > 0 N m s/rad.
   Required<Quantity<1, 4, -1>> damping;
 };

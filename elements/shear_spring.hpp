@@ -15,9 +15,9 @@ namespace moat {
 /// Reports `drift` [m] and `storey_shear` [N] under its name. Damping is an element of its own
 /// (ViscousDamper), so that the storey shear is that of the columns.
 struct ShearSpring {
-  std::string name;
-  Required<NodeId> lower;
-  Required<NodeId> upper;
+  std::string name;        ///< Unique in its model.
+  Required<NodeId> lower;  ///< Below.
+  Required<NodeId> upper;  ///< Above.
   /// > 0 N/m.
   Required<Stiffness> stiffness;
 };

@@ -13,12 +13,12 @@ namespace moat {
 /// `check(const Check&)`, that is called. Reports deformation [m] and force [N] under its name.
 template <ForceLaw Law>
 struct Spring {
-  std::string name;
-  Required<NodeId> lower;
-  Required<NodeId> upper;
-  Law law;
-  std::string deformation_quantity = "deformation";
-  std::string force_quantity = "force";
+  std::string name;                                  ///< Unique in its model.
+  Required<NodeId> lower;                            ///< Below.
+  Required<NodeId> upper;                            ///< Above.
+  Law law;                                           ///< Its force.
+  std::string deformation_quantity = "deformation";  ///< Under which the deformation is reported, m.
+  std::string force_quantity = "force";              ///< Under which the force is reported, N.
 };
 
 /// Throws InputError for unknown or equal nodes, a name that is taken, or a parameter that the law refuses.

@@ -15,10 +15,10 @@ namespace moat {
 /// law. If the law has `check(const Check&)`, that is called.
 template <ForceLaw Law>
 struct Storey {
-  std::string name;
-  Required<NodeId> lower;
-  Required<NodeId> upper;
-  Law law;
+  std::string name;        ///< Unique in its model.
+  Required<NodeId> lower;  ///< Below.
+  Required<NodeId> upper;  ///< Above.
+  Law law;                 ///< Its force.
 };
 
 /// Throws InputError for unknown or equal nodes, a name that is taken, or a parameter that the law refuses.

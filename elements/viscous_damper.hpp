@@ -8,9 +8,9 @@ namespace moat {
 /// A linear dashpot: F = damping * (v_upper - v_lower). Rayleigh damping of a superstructure is made of
 /// these: the stiffness part in each storey, the mass part from each floor to the base. Not reported.
 struct ViscousDamper {
-  std::string name;
-  Required<NodeId> lower;
-  Required<NodeId> upper;
+  std::string name;        ///< Unique in its model.
+  Required<NodeId> lower;  ///< Below.
+  Required<NodeId> upper;  ///< Above.
   /// > 0 N s/m.
   Required<DampingCoefficient> damping;
 };

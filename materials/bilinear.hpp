@@ -59,7 +59,7 @@ struct Bilinear {
             {"post_yield_stiffness", post_yield_stiffness.si(), "N/m"}};
   }
 
-  [[nodiscard]] double initial_stiffness() const { return yield_force.si() / yield_displacement.si(); }
+  [[nodiscard]] double initial_stiffness() const { return yield_force.si() / yield_displacement.si(); }  ///< N/m
 
   Response evaluate(const State& committed, double deformation, double, State& trial) const {
     const double post_yield = post_yield_stiffness.si();

@@ -16,7 +16,7 @@ namespace moat {
 struct LocatedBilinear {
   static constexpr std::string_view name = "LocatedBilinear";
 
-  Bilinear law;
+  Bilinear law;  ///< Whose corners are located.
 
   struct State {
     double slip = 0.0;  ///< m

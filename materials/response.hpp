@@ -32,7 +32,7 @@ struct Interval {
   double start_deformation = 0.0;  ///< m
   double start_rate = 0.0;         ///< m/s
 
-  [[nodiscard]] double path(double deformation) const { return deformation - start_deformation; }
+  [[nodiscard]] double path(double deformation) const { return deformation - start_deformation; }  ///< m
 };
 
 /// The parts that all laws have.

@@ -30,11 +30,13 @@ concept DamperLaw = ForceLaw<Law> && Law::is_damper;
 /// named "dampers" and report `damper_force` [N] and `damper_deformation` [m]. Names that repeat are numbered.
 class Isolation {
  public:
-  Isolation(LeadRubberBearing bearing) { take(std::move(bearing)); }
+  Isolation(LeadRubberBearing bearing) { take(std::move(bearing)); }  ///< Lead-rubber bearings.
+  /// An isolator of any law.
   template <IsolatorLaw Law>
   Isolation(Isolator<Law> isolator) {
     take(std::move(isolator));
   }
+  /// A law alone.
   template <IsolatorLaw Law>
   Isolation(Law law) {
     if constexpr (DamperLaw<Law>)
@@ -62,7 +64,7 @@ class Isolation {
   }
   /// Whether ends are given, which the building sets.
   [[nodiscard]] bool has_lower() const { return has_lower_; }
-  [[nodiscard]] bool has_upper() const { return has_upper_; }
+  [[nodiscard]] bool has_upper() const { return has_upper_; }  ///< Whether the script gave its upper node.
 
  private:
   struct Part {

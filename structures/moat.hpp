@@ -73,19 +73,19 @@ enum class Sides { left, right, both };
 ///
 ///     wall |<- clearance ->[ around ]<- clearance ->| wall
 ///
-/// Gaps "<name> left" and "<name> right", whose impact forces share the place <name>; a moat on one side alone is one
+/// Gaps "NAME left" and "NAME right", whose impact forces share the place NAME; a moat on one side alone is one
 /// gap "<name>". The walls are fixed to the ground, or nodes "<name> left wall", "<name> right wall" or "<name> wall"
 /// on springs where `wall` is given; then `wall_force` [N] and `wall_deformation` [m] are reported too, and
 /// `backfill_force` [N] and `soil_gap` [m] of "<name> left backfill" and so on where soil is behind.
 template <ImpactLaw Law>
 struct Moat {
-  std::string name = "moat";
-  Required<NodeId> around;
+  std::string name = "moat";  ///< Unique in its model.
+  Required<NodeId> around;    ///< The floor that hits the walls.
   /// > 0 m, on each side at rest.
   Required<Length> clearance;
-  Law law;
-  Sides sides = Sides::both;
-  std::optional<FlexibleWall> wall{};
+  Law law;                             ///< Its force.
+  Sides sides = Sides::both;           ///< Where there are walls.
+  std::optional<FlexibleWall> wall{};  ///< Rigid without.
 };
 
 /// Adds a flexible wall and returns its node.

@@ -33,7 +33,7 @@ namespace moat {
 struct PlanBuilding {
   /// Put before the names of all parts ("north base", "north floor 1") where a model has several buildings.
   std::string name{};
-  Required<PlanOutline> outline;
+  Required<PlanOutline> outline;  ///< Of all floors, seen from above.
   /// >= 1.
   Required<int> storeys;
   /// > 0 kg, each floor above the base.
@@ -44,7 +44,7 @@ struct PlanBuilding {
   PlanPosition base_mass_offset{};
   /// One for all storeys, or a list from the lowest up.
   StoreyColumns columns;
-  RayleighDamping damping{};
+  RayleighDamping damping{};  ///< Of the superstructure.
   /// > 0 kg; give it together with bearings.
   Mass base_mass{};
   /// Under the base; fixed to the ground if left out.
@@ -55,9 +55,9 @@ struct PlanBuilding {
 
 /// The parts of a building in plan that was added.
 struct PlanBuildingParts {
-  std::string name;
-  DiaphragmId base;  ///< not specified() for a fixed building
-  std::vector<DiaphragmId> floors;
+  std::string name;                 ///< Of the building.
+  DiaphragmId base;                 ///< not specified() for a fixed building
+  std::vector<DiaphragmId> floors;  ///< From the lowest up, without the base.
 
   /// Base, unless the building is fixed, and floors.
   [[nodiscard]] std::vector<DiaphragmId> diaphragms() const;

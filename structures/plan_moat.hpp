@@ -22,39 +22,39 @@ namespace moat {
 ///          wall 1
 ///
 /// Every pair of a corner and a wall within reach is an element "<name> wall 2 corner 3"; their impact forces share the
-/// place <name>. The walls are fixed to the ground, or nodes "<name> wall 2" that move along their normals on springs
+/// place NAME. The walls are fixed to the ground, or nodes "NAME wall 2" that move along their normals on springs
 /// where `wall` is given; then `wall_force` [N] and `wall_deformation` [m] are reported too, and friction acts against
 /// the fixed ground.
 template <ImpactLaw Law>
 struct PlanMoat {
-  std::string name = "moat";
+  std::string name = "moat";  ///< Unique in its model.
   /// A diaphragm with an outline.
   Required<DiaphragmId> around;
   /// > 0 m, <= reach: the walls are the outline moved outwards by it. Leave it out where `walls` are given.
   Length clearance{};
   /// A polygon around the outline, counter-clockwise.
   PlanOutline walls{};
-  Law law;
-  CornerFriction friction{};
+  Law law;                    ///< Its force.
+  CornerFriction friction{};  ///< Along the walls.
   /// Whether the law is that of a corner or of a whole face.
   Share share = Share::per_corner;
   /// 0, or >= 3 points of every face that divide the law of the face.
   int points_per_face = 0;
   /// > 0 m: walls farther away from a corner are left out.
   Length reach = 1.0 * units::m;
-  std::optional<FlexibleWall> wall{};
+  std::optional<FlexibleWall> wall{};  ///< Rigid without.
 };
 
 /// Two bodies beside each other, at any angle: corners of each hit edges of the other. Elements "<name> second edge 1
 /// corner 3" (a corner of the first body), and "<name> first edge 2 corner 4".
 template <ImpactLaw Law>
 struct PlanNeighbours {
-  std::string name = "neighbours";
+  std::string name = "neighbours";  ///< Unique in its model.
   /// Diaphragms with outlines.
   Required<DiaphragmId> first;
-  Required<DiaphragmId> second;
-  Law law;
-  CornerFriction friction{};
+  Required<DiaphragmId> second;  ///< The other floor.
+  Law law;                       ///< Its force.
+  CornerFriction friction{};     ///< Along the walls.
   /// > 0 m: pairs farther apart are left out.
   Length reach = 1.0 * units::m;
 };
@@ -62,8 +62,8 @@ struct PlanNeighbours {
 /// The walls of a moat and the corners that face them. Throws InputError for a clearance that is not > 0 m or above the
 /// reach, both or neither of clearance and walls, a diaphragm without outline, and as corners_facing_walls() does.
 struct MoatLayout {
-  PlanOutline walls;
-  std::vector<FacingCorner> corners;
+  PlanOutline walls;                  ///< As built.
+  std::vector<FacingCorner> corners;  ///< Those that may meet an edge.
 };
 MoatLayout moat_layout(const Model& model, const std::string& name, DiaphragmId around, Length clearance,
                        const PlanOutline& walls, const Facing& facing);

@@ -17,14 +17,14 @@ namespace moat {
 
 /// Friction coefficient mu at a speed |v| m/s and a normal force N > 0 N, with its slope dmu/d|v|, s/m.
 struct FrictionCoefficient {
-  double value = 0.0;
-  double slope = 0.0;
+  double value = 0.0;  ///< mu
+  double slope = 0.0;  ///< dmu/d|v|, s/m
 };
 
 /// The same coefficient at all speeds: 0 < mu <= 0.3.
 struct Coulomb {
   static constexpr std::string_view name = "Coulomb";
-  Required<double> coefficient;
+  Required<double> coefficient;  ///< mu
 
   [[nodiscard]] FrictionCoefficient at(double, double) const { return {coefficient, 0.0}; }
   void check(const Check& check) const { check.above_up_to("friction.coefficient", coefficient, 0.0, 0.3, "1"); }
@@ -76,6 +76,7 @@ struct VelocityPressureDependent {
   /// 0 < rate <= 300 s/m.
   Required<decltype(units::s / units::m)> rate;
 
+  /// Coefficient at high speed under a normal force, N.
   [[nodiscard]] double fast(double normal_force) const {
     return at_zero_pressure - reduction * std::tanh(pressure_factor.si() * normal_force / area.si());
   }
@@ -105,13 +106,13 @@ struct VelocityPressureDependent {
 /// Source: VelNormalFrcDep of OpenSees; a triple pendulum tested at E-Defense has slow_exponent 0.8, fast_exponent 0.7.
 struct VelocityForceDependent {
   static constexpr std::string_view name = "VelocityForceDependent";
-  Required<double> slow_at_reference;
-  Required<double> fast_at_reference;
+  Required<double> slow_at_reference;  ///< 0 < mu <= fast_at_reference.
+  Required<double> fast_at_reference;  ///< <= 0.3.
   /// N_ref > 0 N.
   Required<Force> reference_force;
   /// 0 < exponent <= 1.
   double slow_exponent = 1.0;
-  double fast_exponent = 1.0;
+  double fast_exponent = 1.0;  ///< The same.
   /// 0 < rate <= 300 s/m.
   Required<decltype(units::s / units::m)> rate;
 
@@ -144,16 +145,18 @@ struct VelocityForceDependent {
 ///     .friction = VelocityDependent{.slow = 0.03, .fast = 0.06, .rate = 50 * s / m}
 class Friction {
  public:
+  /// All models.
   using Model = std::variant<Coulomb, VelocityDependent, VelocityPressureDependent, VelocityForceDependent>;
 
-  Friction(double coefficient) : model_{Coulomb{coefficient}} {}
+  Friction(double coefficient) : model_{Coulomb{coefficient}} {}  ///< Coulomb's, 0 < mu <= 0.3.
+  /// One of the models.
   template <class Any>
   requires std::constructible_from<Model, const Any&> Friction(const Any& model) : model_{model} {}
 
   [[nodiscard]] FrictionCoefficient at(double speed, double normal_force) const {
     return std::visit([&](const auto& model) { return model.at(speed, normal_force); }, model_);
   }
-  [[nodiscard]] bool is_constant() const { return std::holds_alternative<Coulomb>(model_); }
+  [[nodiscard]] bool is_constant() const { return std::holds_alternative<Coulomb>(model_); }  ///< At all speeds.
   /// At high speed.
   [[nodiscard]] double fast(double normal_force) const {
     constexpr double very_fast = 1e3;  // m/s

@@ -24,10 +24,10 @@ struct DoublePendulum {
 
   /// L_1, L_2 > 0 m: effective radii.
   Required<Length> first_radius;
-  Required<Length> second_radius;
+  Required<Length> second_radius;  ///< L_2
   /// 0 < mu_1 <= mu_2 <= 0.3.
   Required<double> first_friction;
-  Required<double> second_friction;
+  Required<double> second_friction;  ///< mu_2
   /// u_y > 0 m: elastic move of the first surface before it slides.
   Length yield_displacement = 1.0 * units::mm;
   /// W > 0 N; that of the building if left out.

@@ -23,7 +23,7 @@ struct FlatSlider {
   static constexpr std::string_view name = "FlatSlider";
   static constexpr std::string_view formula = "F = k_r d + q, abs(q) <= mu W; stick and slip located";
 
-  Required<Friction> friction;
+  Required<Friction> friction;  ///< Coefficient, or a model of friction.
   /// k_r >= 0 N/m.
   Stiffness restoring_stiffness{};
   /// u_y > 0 m.

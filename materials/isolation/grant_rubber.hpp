@@ -38,22 +38,22 @@ struct GrantRubber {
   static constexpr std::string_view formula =
       "elastic with odd powers up to d^5, wearing; hysteretic part decays to R(d)";
 
-  using PerArea = decltype(1.0 / (units::m * units::m));
-  using PerVolume = decltype(1.0 / (units::m * units::m * units::m));
+  using PerArea = decltype(1.0 / (units::m * units::m));               ///< 1/m^2
+  using PerVolume = decltype(1.0 / (units::m * units::m * units::m));  ///< 1/m^3
 
   /// a1 > 0 N/m; a2 N/m^3; a3 >= 0 N/m^5. F1 must grow with d: a2^2 <= 20/9 a1 a3.
   Required<Stiffness> a1;
-  Required<decltype(Stiffness{} * PerArea{})> a2;
-  Required<decltype(Stiffness{} * PerArea{} * PerArea{})> a3;
+  Required<decltype(Stiffness{} * PerArea{})> a2;              ///< N/m^3
+  Required<decltype(Stiffness{} * PerArea{} * PerArea{})> a3;  ///< N/m^5
   /// b1 >= 0 N; b2 >= 0 N/m^2; b3 > 0 1/m.
   Required<Force> b1;
-  Required<decltype(Force{} * PerArea{})> b2;
-  Required<decltype(1.0 / units::m)> b3;
+  Required<decltype(Force{} * PerArea{})> b2;  ///< N/m^2
+  Required<decltype(1.0 / units::m)> b3;       ///< 1/m
   /// c1, c2, c4 >= 0 1/m^3; 0 < c3 <= 1.
   PerVolume c1{};
-  PerVolume c2{};
-  double c3 = 1.0;
-  PerVolume c4{};
+  PerVolume c2{};   ///< 1/m^3
+  double c3 = 1.0;  ///< 1
+  PerVolume c4{};   ///< 1/m^3
   /// > 0 m: up to which the parameters were fitted; 0 if unknown. A larger one brings a warning.
   Length fitted_deformation{};
 

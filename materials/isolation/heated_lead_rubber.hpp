@@ -73,7 +73,7 @@ struct HeatedLeadRubber {
   };
   static constexpr std::array<ReportedQuantity, 2> quantities{
       {{"lead_temperature_rise", "K"}, {"characteristic_strength", "N"}}};
-  static constexpr double time_of_rate = 1.0, threshold = 1e-9;  // as LocatedBilinear
+  static constexpr double time_of_rate = 1.0, threshold = 1e-9;  ///< as LocatedBilinear
 
   /// The bearing of the experiment of Kalpakidis, Constantinou & Whittaker (2010): 508 mm wide, lead of 139.7 mm.
   static HeatedLeadRubber typical() {

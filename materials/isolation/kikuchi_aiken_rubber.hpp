@@ -40,27 +40,29 @@ struct KikuchiAikenRubber {
   static constexpr std::string_view formula =
       "loops from G_eq and h_eq of the compound over the largest strain; Masing";
 
+  /// The compounds with a fit.
   using Compound = RubberCompound::Kind;
 
   /// A > 0 m^2: of the rubber.
   Required<decltype(units::m * units::m)> area;
   /// H > 0 m: of all layers of rubber.
   Required<Length> height;
-  Compound compound = Compound::x06;
+  Compound compound = Compound::x06;  ///< Of this bearing.
 
+  /// A turn of the deformation.
   struct Reversal {
     double x = 0.0, q = 0.0;      ///< q = Q2/f_m
     double alpha = 1.0, b = 0.0;  ///< of the branch that begins here
     friend bool operator==(const Reversal&, const Reversal&) = default;
   };
-  static constexpr std::size_t most_reversals = 64;
+  static constexpr std::size_t most_reversals = 64;  ///< That are remembered.
   struct State {
-    double strain = 0.0, largest = 0.0;  ///< g, g_m
-    double heat = 0.0;                   ///< J, dissipated so far
-    int direction = 0;                   ///< of motion
-    int reversals = 0;
-    std::array<Reversal, most_reversals> stack{};
-    Course course{};
+    double strain = 0.0, largest = 0.0;            ///< g, g_m
+    double heat = 0.0;                             ///< J, dissipated so far
+    int direction = 0;                             ///< of motion
+    int reversals = 0;                             ///< That are remembered now.
+    std::array<Reversal, most_reversals> stack{};  ///< The last on top.
+    Course course{};                               ///< Where its next corner lies.
 
     friend bool operator==(const State&, const State&) = default;
   };

@@ -33,16 +33,16 @@ struct TriplePendulum {
 
   /// L_1 > 0 m, of both inner surfaces; L_2, L_3 > L_1, of the lower and upper outer surface.
   Required<Length> inner_radius;
-  Required<Length> lower_radius;
-  Required<Length> upper_radius;
+  Required<Length> lower_radius;  ///< L_2
+  Required<Length> upper_radius;  ///< L_3
   /// 0 < mu_1 < mu_2 <= mu_3 <= 0.3.
   Required<double> inner_friction;
-  Required<double> lower_friction;
-  Required<double> upper_friction;
+  Required<double> lower_friction;  ///< mu_2
+  Required<double> upper_friction;  ///< mu_3
   /// d_1, d_2, d_3 > 0 m.
   Required<Length> inner_capacity;
-  Required<Length> lower_capacity;
-  Required<Length> upper_capacity;
+  Required<Length> lower_capacity;  ///< d_2
+  Required<Length> upper_capacity;  ///< d_3
   /// u_y > 0 m: elastic move before the inner surfaces slide.
   Length yield_displacement = 1.0 * units::mm;
   /// W > 0 N; that of the building if left out.

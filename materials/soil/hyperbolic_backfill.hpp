@@ -41,10 +41,11 @@ struct HyperbolicBackfill {
   /// K_ur >= K_max, N/m; K_max if left out.
   Stiffness unloading_stiffness{};
 
+  /// Of the contact of wall and soil.
   enum class Regime : int { open, elastic, virgin };
   struct State {
-    double largest = 0.0;  ///< y_m, m
-    Regime regime = Regime::open;
+    double largest = 0.0;          ///< y_m, m
+    Regime regime = Regime::open;  ///< That holds now.
 
     friend bool operator==(const State&, const State&) = default;
   };

@@ -44,8 +44,8 @@ struct BaberNoori {
   double exponent = 2.0;
   /// dA, dnu, deta >= 0 1/J: loss of strength and stiffness, of strength alone, of stiffness alone.
   decltype(1.0 / units::J) loss_of_both{};
-  decltype(1.0 / units::J) loss_of_strength{};
-  decltype(1.0 / units::J) loss_of_stiffness{};
+  decltype(1.0 / units::J) loss_of_strength{};   ///< dnu
+  decltype(1.0 / units::J) loss_of_stiffness{};  ///< deta
   /// 0 <= zeta0 < 1; 0: no pinching.
   double pinching = 0.0;
   /// p >= 0 1/J.
@@ -54,8 +54,8 @@ struct BaberNoori {
   double pinching_place = 0.1;
   /// psi0 > 0 m, dpsi >= 0 m/J, lambda > 0: the width of the pinch.
   Length pinching_width = 5.0 * units::cm;
-  decltype(units::m / units::J) widening{};
-  double coupling = 0.5;
+  decltype(units::m / units::J) widening{};  ///< dpsi
+  double coupling = 0.5;                     ///< lambda
 
   struct State {
     double deformation = 0.0;  ///< m

@@ -46,7 +46,7 @@ struct ImkBilinear {
   Required<Force> yield_force;
   /// U_p, U_pc > 0 m: from yield to the cap, from the cap to zero.
   Required<Length> hardening_drift;
-  Required<Length> weakening_drift;
+  Required<Length> weakening_drift;  ///< U_pc
   /// U_u > U_y, m: failure.
   Required<Length> ultimate_drift;
   /// F_max/F_y >= 1.
@@ -55,11 +55,12 @@ struct ImkBilinear {
   double residual_ratio = 0.0;
   /// lambda > 0 m for strength (with the cap) and for the stiffness of unloading; none if left out.
   Length strength_capacity{};
-  Length stiffness_capacity{};
+  Length stiffness_capacity{};  ///< lambda, of the stiffness of unloading
   /// c > 0: exponents of both.
   double strength_exponent = 1.0;
-  double stiffness_exponent = 1.0;
+  double stiffness_exponent = 1.0;  ///< c, of the stiffness of unloading
 
+  /// Of the backbone, and of the way back to it.
   enum class Branch : int { elastic, slack, hardening, weakening, residual, failed };
   /// One direction of the backbone.
   struct Side {
@@ -73,7 +74,7 @@ struct ImkBilinear {
     double softened = 1.0;                     ///< K_u/k_e
     std::array<double, 2> weakened{1.0, 1.0};  ///< F_y over that at first, right and left
     std::array<double, 2> lowered{1.0, 1.0};   ///< the cap line over that at first
-    Branch branch = Branch::elastic;
+    Branch branch = Branch::elastic;           ///< That it is on.
     int side = 0;   ///< sign of the force since it last crossed zero; 0 before the first yield
     int bound = 0;  ///< of the bound it follows: +1, -1
 

@@ -43,7 +43,7 @@ struct PDelta {
   [[nodiscard]] std::vector<Parameter> parameters() const {
     return {{"weight", weight.si(), "N"}, {"height", height.si(), "m"}};
   }
-  [[nodiscard]] double stiffness() const { return -weight.si() / height.si(); }
+  [[nodiscard]] double stiffness() const { return -weight.si() / height.si(); }  ///< N/m, negative
 
   Response evaluate(const State&, double deformation, double, State&) const {
     return {stiffness() * deformation, stiffness(), 0.0};

@@ -43,7 +43,7 @@ class ScriptStudy;
 /// SIGINT (Ctrl-C) and SIGTERM (the results up to then are there).
 class Script {
  public:
-  Script(int argc, char** argv, std::string title);
+  Script(int argc, char** argv, std::string title);  ///< The arguments of main(), and a title for reports.
   ~Script();
   Script(const Script&) = delete;
   Script& operator=(const Script&) = delete;
@@ -51,16 +51,17 @@ class Script {
   /// Throw InputError for text that is not a number with a unit of the right dimension. A name is made of letters,
   /// digits, - and _, and may be used once.
   Length length(const std::string& name, Length preset, const std::string& help);
-  Time time(const std::string& name, Time preset, const std::string& help);
-  Mass mass(const std::string& name, Mass preset, const std::string& help);
-  Force force(const std::string& name, Force preset, const std::string& help);
-  Speed speed(const std::string& name, Speed preset, const std::string& help);
-  Acceleration acceleration(const std::string& name, Acceleration preset, const std::string& help);
-  Stiffness stiffness(const std::string& name, Stiffness preset, const std::string& help);
+  Time time(const std::string& name, Time preset, const std::string& help);     ///< --name "2 s"
+  Mass mass(const std::string& name, Mass preset, const std::string& help);     ///< --name "500 t"
+  Force force(const std::string& name, Force preset, const std::string& help);  ///< --name "1.9 MN"
+  Speed speed(const std::string& name, Speed preset, const std::string& help);  ///< --name "0.8 m/s"
+  Acceleration acceleration(const std::string& name, Acceleration preset, const std::string& help);  ///< --name 0.4g
+  Stiffness stiffness(const std::string& name, Stiffness preset, const std::string& help);  ///< --name "1 GN/m"
+  /// --name "2e9 N/m^1.5"
   HertzStiffness hertz_stiffness(const std::string& name, HertzStiffness preset, const std::string& help);
-  double number(const std::string& name, double preset, const std::string& help);
-  int integer(const std::string& name, int preset, const std::string& help);
-  std::string text(const std::string& name, const std::string& preset, const std::string& help);
+  double number(const std::string& name, double preset, const std::string& help);                 ///< --name 0.65
+  int integer(const std::string& name, int preset, const std::string& help);                      ///< --name 5
+  std::string text(const std::string& name, const std::string& preset, const std::string& help);  ///< --name word
 
   /// Adds --record FILE (PEER AT2, COSMOS, ESM, or two columns with --record-unit g) and returns that motion, else the
   /// preset.
@@ -101,14 +102,15 @@ class Script {
   /// value of an option, and FileError where it cannot be written.
   StudyResult study(const StudyCases& cases, const std::function<StudyModel(const StudyCase&)>& make,
                     const StudyOptions& options = {}, const std::string& name = "study");
+  /// The same for cases that compute their results themselves.
   StudyResult study(const StudyCases& cases, const std::function<StudyRecord(const StudyCase&)>& compute,
                     const StudyOptions& options = {}, const std::string& name = "study");
 
   /// Puts a sentence, and prints it; or a picture, into the report of the studies. Pictures are written as SVG too.
   /// Call them after the first study; before it they throw InputError.
   void answer(const std::string& sentence);
-  void show(const Chart& chart);
-  void show(const HeatMap& map);
+  void show(const Chart& chart);  ///< A picture for the report.
+  void show(const HeatMap& map);  ///< A map for the report.
 
   /// After the last study: writes report.html with all answers, prints where the results are. With --json standard
   /// output holds { "title", "results_folder", "studies": [ { "name", "file", "cases", "done", "not_converged",

@@ -29,6 +29,7 @@ class FileError : public Error {
 /// All results before `time` have been recorded.
 class ConvergenceError : public Error {
  public:
+  /// The fields below, in their order.
   ConvergenceError(const std::string& message, double time_s, double step_s, double residual_ratio, std::string worst)
       : Error{message},
         time{time_s},
@@ -36,10 +37,10 @@ class ConvergenceError : public Error {
         residual{residual_ratio},
         worst_degree_of_freedom{std::move(worst)} {}
 
-  double time;      ///< start of the failed step, s
-  double step;      ///< its last length, s
-  double residual;  ///< largest out-of-balance force over the largest force in the equations
-  std::string worst_degree_of_freedom;
+  double time;                          ///< start of the failed step, s
+  double step;                          ///< its last length, s
+  double residual;                      ///< largest out-of-balance force over the largest force in the equations
+  std::string worst_degree_of_freedom;  ///< With the largest out-of-balance force.
 };
 
 }  // namespace moat

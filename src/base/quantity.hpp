@@ -21,10 +21,10 @@ namespace moat {
 template <int mass, int half_length, int time>
 class Quantity {
  public:
-  static constexpr int mass_exponent = mass;
-  static constexpr int half_length_exponent = half_length;
-  static constexpr int time_exponent = time;
-  static constexpr bool dimensionless = mass == 0 && half_length == 0 && time == 0;
+  static constexpr int mass_exponent = mass;                                         ///< Of kg.
+  static constexpr int half_length_exponent = half_length;                           ///< Of the square root of m.
+  static constexpr int time_exponent = time;                                         ///< Of s.
+  static constexpr bool dimensionless = mass == 0 && half_length == 0 && time == 0;  ///< A plain number.
 
   /// Zero.
   constexpr Quantity() = default;
@@ -36,22 +36,26 @@ class Quantity {
   /// The value in SI units (m, kg, s, N, ...).
   [[nodiscard]] constexpr double si() const { return si_; }
 
-  constexpr operator double() const requires(dimensionless) { return si_; }
+  constexpr operator double() const requires(dimensionless) { return si_; }  ///< A number without dimension.
 
-  constexpr Quantity operator-() const { return Quantity{-si_}; }
-  constexpr Quantity operator+() const { return *this; }
+  constexpr Quantity operator-() const { return Quantity{-si_}; }  ///< With the other sign.
+  constexpr Quantity operator+() const { return *this; }           ///< Itself.
+  /// Adds.
   constexpr Quantity& operator+=(Quantity other) {
     si_ += other.si_;
     return *this;
   }
+  /// Subtracts.
   constexpr Quantity& operator-=(Quantity other) {
     si_ -= other.si_;
     return *this;
   }
+  /// Multiplies.
   constexpr Quantity& operator*=(double factor) {
     si_ *= factor;
     return *this;
   }
+  /// Divides.
   constexpr Quantity& operator/=(double divisor) {
     si_ /= divisor;
     return *this;

@@ -18,14 +18,16 @@ class Required {
  public:
   Required() = delete;
 
+  /// From any value that converts to T.
   template <class Source>
   requires(std::convertible_to<Source, T> &&
            !std::same_as<std::remove_cvref_t<Source>, Required>) constexpr Required(Source&& value)
       : value_(std::forward<Source>(value)) {}
 
-  constexpr operator const T&() const { return value_; }
-  [[nodiscard]] constexpr const T& value() const { return value_; }
+  constexpr operator const T&() const { return value_; }             ///< The value.
+  [[nodiscard]] constexpr const T& value() const { return value_; }  ///< The value.
 
+  /// Of a quantity, in SI units.
   [[nodiscard]] constexpr double si() const requires requires(const T& quantity) { quantity.si(); }
   { return value_.si(); }
 

@@ -15,13 +15,19 @@ namespace units {
 
 using std::numbers::pi;
 
+/// Metre, millimetre, centimetre, kilometre.
 inline constexpr Length m{1.0}, mm{1e-3}, cm{1e-2}, km{1e3};
+/// Second, millisecond, minute.
 inline constexpr Time s{1.0}, ms{1e-3}, minute{60.0};
+/// Kilogram, tonne of 1000 kg.
 inline constexpr Mass kg{1.0}, tonne{1e3};
+/// Newton and its multiples.
 inline constexpr Force N{1.0}, kN{1e3}, MN{1e6}, GN{1e9};
+/// Joule and its multiples.
 inline constexpr Energy J{1.0}, kJ{1e3}, MJ{1e6};
-inline constexpr Frequency Hz{1.0};
-inline constexpr Acceleration g{standard_gravity};
+inline constexpr Frequency Hz{1.0};                 ///< Hertz, 1/s.
+inline constexpr Acceleration g{standard_gravity};  ///< 9.80665 m/s^2.
+/// Radian, degree.
 inline constexpr double rad = 1.0, deg = pi / 180.0;
 /// m^1.5: `N / m_3_2` is the unit of a Hertz stiffness.
 inline constexpr Quantity<0, 3, 0> m_3_2{1.0};

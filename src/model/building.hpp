@@ -30,7 +30,7 @@ struct Building {
 
   /// Base, unless that is the ground, and floors.
   [[nodiscard]] std::vector<NodeId> nodes() const;
-  [[nodiscard]] NodeId top() const { return floors.empty() ? base : floors.back(); }
+  [[nodiscard]] NodeId top() const { return floors.empty() ? base : floors.back(); }  ///< The highest floor.
   /// Where its base shear is listed.
   [[nodiscard]] std::string base_name() const { return name.empty() ? "base" : name + " base"; }
 };

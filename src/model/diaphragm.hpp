@@ -18,10 +18,11 @@ namespace moat {
 /// All three are nodes, so that model.displacement(base.x) and every recorder know them. w is in m, its inertia is the
 /// mass, and its force is moment / gyration; model.rotation(base) is theta.
 struct DiaphragmId {
+  /// Of ux, uy and w.
   NodeId x{}, y{}, r{};
 
-  [[nodiscard]] constexpr bool specified() const { return x.specified(); }
-  [[nodiscard]] constexpr std::array<NodeId, 3> degrees_of_freedom() const { return {x, y, r}; }
+  [[nodiscard]] constexpr bool specified() const { return x.specified(); }                        ///< Made by add().
+  [[nodiscard]] constexpr std::array<NodeId, 3> degrees_of_freedom() const { return {x, y, r}; }  ///< All three.
   /// Stands for the whole floor where a Building or a recorder takes a node.
   constexpr operator NodeId() const { return x; }
   friend constexpr bool operator==(const DiaphragmId& a, const DiaphragmId& b) {
@@ -31,6 +32,7 @@ struct DiaphragmId {
 
 /// Sides along x and y.
 struct PlanSize {
+  /// > 0 m
   Length x{}, y{};
 };
 
@@ -54,27 +56,28 @@ struct Diaphragm {
   RotaryInertia rotary_inertia{};
   /// > 0 m: sides of a uniform rectangle.
   PlanSize size{};
-  PlanPosition centre_of_mass{};
+  PlanPosition centre_of_mass{};  ///< In coordinates of the whole model.
   /// The floor's edge: its corners report their displacements and accelerations, and can touch walls.
   PlanOutline outline{};
   /// At time zero, relative to the ground.
   PlanPosition initial_displacement{};
-  Angle initial_rotation{};
+  Angle initial_rotation{};  ///< At time zero.
+  /// Of the centre of mass at time zero.
   Speed initial_velocity_x{}, initial_velocity_y{};
-  Frequency initial_angular_velocity{};
+  Frequency initial_angular_velocity{};  ///< rad/s, at time zero.
   /// For drawings only.
   Length height{};
 };
 
 /// A diaphragm of a model, in SI.
 struct PlacedDiaphragm {
-  std::string name;
-  DiaphragmId id;
+  std::string name;             ///< Unique in its model.
+  DiaphragmId id;               ///< Its degrees of freedom.
   double mass = 0.0;            ///< kg
   double gyration = 0.0;        ///< r = sqrt(J/m), m
   PlanVector centre_of_mass{};  ///< m
-  PlanOutline outline{};
-  double height = 0.0;  ///< m
+  PlanOutline outline{};        ///< The floor's edge.
+  double height = 0.0;          ///< m
 
   /// The shares of (ux, uy, w) in the displacement of a point, m, along a direction.
   [[nodiscard]] std::array<double, 3> weights(PlanVector point, PlanVector direction) const {

@@ -34,6 +34,7 @@ struct MotionState {
 
 /// How the ground moves every degree of freedom: the shares of its two components. On a line all are 1 and 0.
 struct GroundShares {
+  /// One share per degree of freedom.
   const double *x, *y;
 
   /// The component of a vector of the ground, an acceleration for example, along degree of freedom i.
@@ -52,7 +53,7 @@ class Model {
   NodeId add_node(Node node);
   /// Throws InputError for a bad parameter, a name that exists, and in a model with nodes on a line.
   DiaphragmId add_diaphragm(const Diaphragm& diaphragm);
-  [[nodiscard]] const std::vector<PlacedDiaphragm>& diaphragms() const { return diaphragms_; }
+  [[nodiscard]] const std::vector<PlacedDiaphragm>& diaphragms() const { return diaphragms_; }  ///< All, as added.
   /// Throws InputError for one that is not of this model.
   [[nodiscard]] const PlacedDiaphragm& diaphragm(DiaphragmId id) const;
   /// The diaphragm to which a degree of freedom belongs; null for other nodes and the ground.
@@ -61,15 +62,15 @@ class Model {
   [[nodiscard]] std::span<const NodeId> body_of(NodeId node) const;
   /// Whether it has diaphragms: it moves in plan, not on a line.
   [[nodiscard]] bool is_plan() const { return !diaphragms_.empty(); }
-  [[nodiscard]] int node_count() const { return static_cast<int>(nodes_.size()); }
-  [[nodiscard]] const Node& node(NodeId id) const;
-  [[nodiscard]] const std::vector<Node>& nodes() const { return nodes_; }
+  [[nodiscard]] int node_count() const { return static_cast<int>(nodes_.size()); }  ///< Without the ground.
+  [[nodiscard]] const Node& node(NodeId id) const;                         ///< One of the model; not the ground.
+  [[nodiscard]] const std::vector<Node>& nodes() const { return nodes_; }  ///< In the order of their numbers.
   /// The node's name; "ground" for the ground.
   [[nodiscard]] std::string_view node_name(NodeId id) const;
-  [[nodiscard]] bool has_element(const std::string& name) const;
+  [[nodiscard]] bool has_element(const std::string& name) const;  ///< Whether the name is taken.
   /// Throws InputError unless id is the ground or a node of this model; the object of `check` and the field are named.
   void require_node(NodeId id, const Check& check, std::string_view field) const;
-  [[nodiscard]] bool has_node(const std::string& name) const;
+  [[nodiscard]] bool has_node(const std::string& name) const;  ///< Whether the name is taken.
   /// Throws InputError if the name is empty or taken by another element.
   void register_element(std::string_view kind, const std::string& name);
 
@@ -80,7 +81,8 @@ class Model {
   /// Throws InputError for a building without nodes, an unknown or repeated node, a node of another building, or a
   /// name that is taken.
   void add_building(Building building);
-  [[nodiscard]] const std::vector<Building>& buildings() const { return buildings_; }
+  [[nodiscard]] const std::vector<Building>& buildings() const { return buildings_; }  ///< As added.
+  /// All elements.
   [[nodiscard]] const std::vector<CopyablePointer<ElementBlock>>& blocks() const { return blocks_; }
 
   /// Gives degrees of freedom their numbers and the matrix its pattern. Called by analyses; cheap when
@@ -89,7 +91,7 @@ class Model {
   /// Whether nothing was added since prepare().
   [[nodiscard]] bool prepared() const { return prepared_; }
 
-  [[nodiscard]] int degrees_of_freedom() const { return node_count(); }
+  [[nodiscard]] int degrees_of_freedom() const { return node_count(); }  ///< One per node.
   /// The diagonal of the mass matrix, kg.
   [[nodiscard]] const Vector& masses() const { return masses_; }
   /// The model must be prepared.
@@ -100,10 +102,11 @@ class Model {
   /// Committed motion of a node relative to the ground: m, m/s, m/s^2, m/s^3. Zero for the ground. The model must be
   /// prepared: an analysis of it exists, or prepare() was called.
   [[nodiscard]] double displacement(NodeId node) const { return state_.displacement[entry(node)]; }
-  [[nodiscard]] double velocity(NodeId node) const { return state_.velocity[entry(node)]; }
-  [[nodiscard]] double acceleration(NodeId node) const { return state_.acceleration[entry(node)]; }
+  [[nodiscard]] double velocity(NodeId node) const { return state_.velocity[entry(node)]; }          ///< m/s, relative.
+  [[nodiscard]] double acceleration(NodeId node) const { return state_.acceleration[entry(node)]; }  ///< m/s^2.
   /// rad, rad/s, counter-clockwise, of a diaphragm.
   [[nodiscard]] double rotation(DiaphragmId id) const { return displacement(id.r) / diaphragm(id).gyration; }
+  /// rad/s
   [[nodiscard]] double angular_velocity(DiaphragmId id) const { return velocity(id.r) / diaphragm(id).gyration; }
   /// kg; the model must be prepared. Not for the ground.
   [[nodiscard]] double mass(NodeId node) const { return masses_[node.index]; }
@@ -114,7 +117,7 @@ class Model {
   [[nodiscard]] const MotionState& state() const { return state_; }
   /// The state that evaluate() uses; analyses fill it.
   [[nodiscard]] MotionState& trial() { return trial_; }
-  [[nodiscard]] const MotionState& trial() const { return trial_; }
+  [[nodiscard]] const MotionState& trial() const { return trial_; }  ///< To read.
 
   /// Computes all elements at the trial state.
   void evaluate();
@@ -142,7 +145,7 @@ class Model {
   void commit(WorkRule rule = WorkRule::mean_force);
   /// Starts the energy accounts of all elements at the committed state; they are kept from then on.
   void start_energy_accounts();
-  [[nodiscard]] bool keeps_energy_accounts() const { return keeps_energy_accounts_; }
+  [[nodiscard]] bool keeps_energy_accounts() const { return keeps_energy_accounts_; }  ///< Once started.
   /// Looks for changes of regime between the committed and the trial state, `step` seconds apart;
   /// `aim` <= 0 m is the margin at which a located step should end.
   [[nodiscard]] RegimeScan scan_regimes(double step, double aim) const;

@@ -15,10 +15,10 @@ namespace moat {
 
 /// Names a node of a model. Made by add(model, Node{...}); only `ground` exists beforehand.
 struct NodeId {
-  static constexpr int unspecified = -2;
-  int index = unspecified;
+  static constexpr int unspecified = -2;  ///< Index of a node that was not given.
+  int index = unspecified;                ///< In its model; -1: the ground.
 
-  [[nodiscard]] constexpr bool specified() const { return index != unspecified; }
+  [[nodiscard]] constexpr bool specified() const { return index != unspecified; }  ///< Made by add().
   friend constexpr auto operator<=>(NodeId, NodeId) = default;
 };
 
@@ -41,8 +41,8 @@ struct Node {
   Speed initial_velocity{};
   /// For drawings only: position along the shaking, height, and half the width of the floor.
   Length x{};
-  Length height{};
-  Length half_width = 5.0 * units::m;
+  Length height{};                     ///< For drawings.
+  Length half_width = 5.0 * units::m;  ///< For drawings.
   /// For models in plan only, where it must be given: the direction of its motion, of length 1. A node on a line moves
   /// along the shaking.
   std::optional<PlanVector> direction{};

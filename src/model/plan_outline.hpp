@@ -13,9 +13,10 @@ namespace moat {
 
 /// A point in plan, in coordinates of the whole model: x to the right, y up.
 struct PlanPosition {
+  /// Coordinates.
   Length x{}, y{};
 
-  [[nodiscard]] constexpr PlanVector si() const { return {x.si(), y.si()}; }
+  [[nodiscard]] constexpr PlanVector si() const { return {x.si(), y.si()}; }  ///< m
 };
 
 /// A polygon in plan without holes. Corners are counted from 1, counter-clockwise; edge i leads from corner i to the
@@ -28,8 +29,8 @@ struct PlanOutline {
   /// At least three, counter-clockwise, in coordinates of the whole model.
   std::vector<PlanPosition> corners{};
 
-  [[nodiscard]] bool empty() const { return corners.empty(); }
-  [[nodiscard]] std::size_t size() const { return corners.size(); }
+  [[nodiscard]] bool empty() const { return corners.empty(); }       ///< Without corners.
+  [[nodiscard]] std::size_t size() const { return corners.size(); }  ///< Number of corners.
   /// m; of corner i % size(), counted from 0.
   [[nodiscard]] PlanVector corner(std::size_t i) const { return corners[i % corners.size()].si(); }
   /// m^2, of the enclosed area.

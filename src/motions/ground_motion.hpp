@@ -33,9 +33,9 @@ class GroundMotion {
   GroundMotion(std::string name, double time_step, std::vector<double> samples, std::vector<std::string> notes = {},
                MotionFile file = {});
 
-  [[nodiscard]] const std::string& name() const { return name_; }
-  [[nodiscard]] const std::vector<std::string>& notes() const { return notes_; }
-  [[nodiscard]] const MotionFile& file() const { return file_; }
+  [[nodiscard]] const std::string& name() const { return name_; }                 ///< In outputs.
+  [[nodiscard]] const std::vector<std::string>& notes() const { return notes_; }  ///< For reports.
+  [[nodiscard]] const MotionFile& file() const { return file_; }                  ///< Where it was read.
   /// The file of the second component of a PlanMotion; without path for one component.
   [[nodiscard]] const MotionFile& file_of_second() const { return file_of_second_; }
   /// The factor of all accelerations since the motion was read or made.
@@ -67,8 +67,8 @@ class GroundMotion {
   /// Largest absolute value over continuous time from 0 to duration(), not only at the samples. Of two components the
   /// largest resultant; of velocity and displacement then that at the samples.
   [[nodiscard]] Acceleration peak_acceleration() const;
-  [[nodiscard]] Speed peak_velocity() const;
-  [[nodiscard]] Length peak_displacement() const;
+  [[nodiscard]] Speed peak_velocity() const;       ///< Of the ground.
+  [[nodiscard]] Length peak_displacement() const;  ///< Of the ground.
 
   /// The same motion with every acceleration multiplied by a finite factor. A note says so.
   [[nodiscard]] GroundMotion scaled_by(double factor) const;

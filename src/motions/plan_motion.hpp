@@ -24,6 +24,7 @@ namespace moat {
 /// unequal sampling intervals the longer must be a multiple of the shorter, so that linear resampling is exact; a
 /// shorter motion is continued by zeros.
 struct PlanMotion {
+  /// The components, with as many samples at the same interval.
   GroundMotion first, second;
   /// > -360 deg, < 360 deg.
   Angle incidence{};
@@ -31,7 +32,7 @@ struct PlanMotion {
   /// The components along x and y, on the finer of both sampling intervals. Throws InputError for an angle outside
   /// its range or sampling intervals that do not divide each other.
   [[nodiscard]] GroundMotion resolved() const;
-  operator GroundMotion() const { return resolved(); }
+  operator GroundMotion() const { return resolved(); }  ///< As analyses take it.
 
   /// The same pair, turned by a further angle.
   [[nodiscard]] PlanMotion rotated(Angle angle) const { return {first, second, incidence + angle}; }

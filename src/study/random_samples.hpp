@@ -12,22 +12,25 @@ namespace moat {
 
 /// Equal density from low to high; low < high.
 struct UniformDistribution {
+  /// Ends of the interval.
   double low, high;
 };
 /// standard_deviation > 0.
 struct NormalDistribution {
+  /// Of the values; the deviation > 0.
   double mean, standard_deviation;
 };
 /// ln x is normal with mean ln median and standard deviation `dispersion`; both > 0.
 struct LognormalDistribution {
+  /// Of the values, > 0; dispersion: standard deviation of their logarithm.
   double median, dispersion;
 };
 
 /// A parameter with a distribution; its numbers are in `unit`.
 struct RandomVariable {
-  std::string name;
-  std::string unit;
-  std::variant<UniformDistribution, NormalDistribution, LognormalDistribution> distribution;
+  std::string name;                                                                           ///< Of the axis.
+  std::string unit;                                                                           ///< Of its values.
+  std::variant<UniformDistribution, NormalDistribution, LognormalDistribution> distribution;  ///< Of its values.
 };
 
 enum class Sampling {
