@@ -95,13 +95,18 @@ std::vector<std::string> model_warnings(const Model& model) {
 std::vector<std::string> plan_warnings(const Model& model, const std::vector<Peak>& peaks,
                                        const std::vector<Impact>& impacts) {
   std::vector<std::string> warnings;
-  int past_an_end = 0;
-  for (const auto& block : model.blocks())
-    if (const PlanContacts* contacts = block->plan_contacts()) past_an_end += contacts->corners_past_an_end();
-  if (past_an_end > 0)
-    warnings.push_back(std::to_string(past_an_end) +
-                       " times a corner in contact slid past the end of an edge and was released; the energy it had "
-                       "stored counts as lost in the impact. Check the outline of the wall there.");
+  for (const auto& block : model.blocks()) {
+    const PlanContacts* contacts = block->plan_contacts();
+    for (std::size_t e = 0; contacts != nullptr && e < block->size(); ++e) {
+      const int times = contacts->times_left(e);
+      if (times == 0) continue;
+      warnings.push_back(
+          "\"" + block->info(e).name + "\": the corner left its edge in contact, " + std::to_string(times) +
+          (times == 1 ? " time" : " times") +
+          ". It slid past an end and was released; the energy it had stored counts as lost in the impact. "
+          "Check the outline of the wall there.");
+    }
+  }
   double largest_indentation = 0.0;
   for (const Impact& impact : impacts) largest_indentation = std::max(largest_indentation, impact.largest_indentation);
   for (const PlacedDiaphragm& diaphragm : model.diaphragms()) {

@@ -48,6 +48,7 @@ class CornerContacts final : public ContactLinks<Law, PlanEnds>, public PlanCont
     slide_begins_.resize(count, std::numeric_limits<double>::quiet_NaN());
     losses_.resize(count);
     misses_.resize(count, 0);
+    times_left_.resize(count, 0);
     gaps_.resize(count);
     return Base::add(std::move(info), law, corner.normal_mass, corner.ends.along());
   }
@@ -135,7 +136,7 @@ class CornerContacts final : public ContactLinks<Law, PlanEnds>, public PlanCont
       this->energies_.release(i, stored_before - this->stored(i));
       misses_[i] = 1;
       keep_open_at_start(i);
-      ++past_an_end_;
+      ++times_left_[i];
     }
     Base::change(block_index, changes);
   }
@@ -189,7 +190,7 @@ class CornerContacts final : public ContactLinks<Law, PlanEnds>, public PlanCont
     const Corner& corner = corners_[i];
     return 1.0 <= corner.normal_mass * corner.friction.coefficient * std::abs(corner.cross_mobility);
   }
-  int corners_past_an_end() const override { return past_an_end_; }
+  int times_left(std::size_t i) const override { return times_left_[i]; }
 
  protected:
   void enter(std::size_t i, const State& next, double rate, RegimeChange& change) override {
@@ -281,7 +282,7 @@ class CornerContacts final : public ContactLinks<Law, PlanEnds>, public PlanCont
   std::vector<Losses> losses_;
   std::vector<char> misses_;    // at the last commit: beside its edge
   std::vector<Distance> gaps_;  // along the normals, m, at the last evaluate(); negative behind the edge's line
-  int past_an_end_ = 0;
+  std::vector<int> times_left_;
   bool friction_changed_ = false;
 };
 

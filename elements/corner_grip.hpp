@@ -93,7 +93,11 @@ struct CornerGrip {
       reach = before + 0.5 * rise * top;
       share = top * top;
     }
-    if (reach <= way * slip) return;
+    // At the same instant again, after an event elsewhere, it goes on sliding.
+    constexpr double round_off = 1e-12;  // of the path under the limit
+    const bool goes_on =
+        step == 0.0 && start.slides() && start.sense == way && reach >= way * slip - round_off * flexibility * limit;
+    if (reach <= way * slip && !goes_on) return;
     slip = way * reach;
     sense = way;
     follows = share;

@@ -43,8 +43,8 @@ class PlanContacts {
   /// Whether a corner that slides could be pressed into its edge without an end: 1/m_n <= mu |m_nt|, with the mobility
   /// m_nt of normal motion under a force along the tangent. No law can separate them then.
   [[nodiscard]] virtual bool may_jam(std::size_t element) const = 0;
-  /// How often a corner in contact slid past the end of an edge, so that the contact was released.
-  [[nodiscard]] virtual int corners_past_an_end() const = 0;
+  /// How often the corner left its edge in contact: it slid past an end, so that the contact was released.
+  [[nodiscard]] virtual int times_left(std::size_t element) const = 0;
 
  protected:
   ~PlanContacts() = default;

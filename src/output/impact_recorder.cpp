@@ -59,7 +59,9 @@ void ImpactRecorder::event(const StepView& view, std::span<const RegimeChange> c
     if (touching && known == ongoing_.end()) {
       open(view, gap);
     } else if (!touching && known != ongoing_.end()) {
-      close(view, *known, gap.time, gap.rate, true);
+      const PlanContacts* sliding = view.model.blocks()[gap.block]->plan_contacts();
+      const bool left_edge = sliding != nullptr && sliding->times_left(gap.element) > known->left_before;
+      close(view, *known, gap.time, gap.rate, !left_edge);
       ongoing_.erase(known);
     }
   }
@@ -79,6 +81,7 @@ void ImpactRecorder::open(const StepView& view, RegimeChange gap, bool closed_at
     impacts_.back().corner = sliding->pair(gap.element).corner.text();
     impacts_.back().edge = sliding->pair(gap.element).edge.text();
     impacts_.back().tangential_speed = sliding->tangential_speed_at_touch(gap.element);
+    ongoing_.back().left_before = sliding->times_left(gap.element);
   }
   listed_.push_back({gap, speed > 0.0 && !closed_at_start});
 }

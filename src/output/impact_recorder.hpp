@@ -40,6 +40,7 @@ class ImpactRecorder final : public StepObserver {
     std::size_t impact;
     PeakTracker indentation, force, friction;
     double dissipated_before, friction_before;  // J
+    int left_before = 0;                        // how often the corner had left its edge in contact
   };
 
   void follow(const StepView& view, bool after_event);

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 
@@ -98,6 +99,14 @@ TEST(CornerGrip, BeginOfSlidingIsWhereTheForceMeetsItsLimit) {
   later.rate = 1.0;
   later.follow(now, 0.01, friction, 1e6 / friction.coefficient);
   EXPECT_TRUE(std::isnan(later.slide_begin(now, 0.01, friction)));
+  // The same instant again: its rates stay those of sliding, unless the limit rose.
+  for (const double factor : {1.0, 0.5, 1.1}) {
+    CornerGrip again = now;
+    again.follow(now, 0.0, friction, factor * 1e6 / friction.coefficient);
+    EXPECT_EQ(again.slides(), factor <= 1.0);
+    EXPECT_NEAR(again.force, std::min(factor, 1.0) * 1e6, 1e-3);
+    EXPECT_FALSE(again.begins_to_slide(now));
+  }
   // One way and back in the same step: bound to the limit at the end.
   CornerGrip back;
   back.path = -0.03;
