@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 #include <string_view>
+#include <utility>
 
 #include "base/check.hpp"
 

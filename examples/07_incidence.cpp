@@ -17,7 +17,7 @@ using namespace moat::units;
 int main(int argc, char** argv) {
   Script script{argc, argv, "Angles of incidence and accidental eccentricities"};
   const double step = script.number("step", 30.0, "step of the angle in degrees, a whole part of 360");
-  const Length clearance = script.length("clearance", 25 * cm, "free distance to the walls");
+  const Length clearance = script.length("clearance", 23 * cm, "free distance to the walls");
 
   const PlanBuilding building{.outline = rectangle(20 * m, 12 * m),
                               .storeys = 2,
