@@ -82,7 +82,7 @@ class PlanarBlock final : public ElementBlock, public PlanarElements {
     for (std::size_t i = 0; i < size(); ++i) {
       Motion& now = now_[i];
       now.second_rate = ends_[i].difference(acceleration);
-      force_rate_[i] = responses_[i].force_rate;
+      force_rate_[i] = responses_[i].force_rate + responses_[i].viscosity * now.second_rate;
       second_rates_[i] = rate_of_size(now.deformation, now.second_rate, deformations_[i]);
       force_rates_[i] = rate_of_size(responses_[i].force, force_rate_[i], forces_[i]);
       if (force_rate != nullptr) ends_[i].add_force(force_rate_[i], force_rate);

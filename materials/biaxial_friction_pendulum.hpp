@@ -67,11 +67,14 @@ struct BiaxialFrictionPendulum {
     PlanVector by_limit = step.z - step.by_scale;
     if (given_up == 0.0) by_limit = by_limit - step.by_start * z;
     const PlanVector speed_slope = speed > 0.0 ? mu.slope * line.normal_force / speed * rate : PlanVector{};
+    constexpr double round_off = 1e-9;
+    const bool slides = dot(step.z, step.z) >= 1.0 - round_off && dot(step.z, rate) > 0.0;
     const PlanMatrix restoring = PlanMatrix::diagonal(line.restoring_stiffness);
     return {.force = line.restoring_stiffness * deformation + trial.friction_force,
             .stiffness = restoring + limit * step.by_increment,
             .damping = limit * step.by_rate + PlanMatrix::product(by_limit, speed_slope),
-            .force_rate = restoring * rate + limit * step.rate};
+            .force_rate = restoring * rate + limit * step.rate,
+            .viscosity = slides ? PlanMatrix::product(step.z, speed_slope) : PlanMatrix{}};
   }
   double stored_energy(const State& committed, PlanVector deformation) const {
     const SlidingIsolator line = pendulum.carrying(pendulum.weight);
