@@ -84,8 +84,8 @@ TEST(Study, TellsWhichCasesFailedAfterComputingAllOthers) {
   } catch (const StudyError& error) {
     EXPECT_STREQ(error.what(),
                  "2 of 6 cases failed.\n"
-                 "  gap = 10 cm, record = south: too stiff\n"
-                 "  gap = 40 cm, record = north: an exception that is not a std::exception");
+                 "  case 1, gap = 10 cm, record = south: too stiff\n"
+                 "  case 4, gap = 40 cm, record = north: an exception that is not a std::exception");
     ASSERT_EQ(error.failures.size(), 2u);
     EXPECT_EQ(error.failures[1].number, 4u);
     const std::vector<double> sums = error.result.values("sum", "");

@@ -61,7 +61,7 @@ TEST_F(StudyOnRanks, KnowsTheFilesThatOtherRanksRead) {
 }
 
 TEST_F(StudyOnRanks, ARankThatIsKilledLeavesItsCasesOpen) {
-  const std::vector<std::string> arguments{"--gaps", "60", "--out", "a", "--threads", "1"};
+  const std::vector<std::string> arguments{"--gaps", "200", "--out", "a", "--threads", "1"};
   std::mt19937 random{7};
   for (int kill = 0; kill < 6; ++kill) {
     const std::size_t after = computed_cases() + std::uniform_int_distribution<std::size_t>{2, 8}(random);
@@ -82,12 +82,12 @@ TEST_F(StudyOnRanks, ARankThatIsKilledLeavesItsCasesOpen) {
   EXPECT_GT(read_study(file("a")).result.count(CaseState::open), 0u);
   end_of_disturbances();
   ASSERT_EQ(run_ranks(2, arguments).exit_code, 0);
-  EXPECT_EQ(contents_of(file("a")), undisturbed({"--gaps", "60"}));
-  EXPECT_EQ(answer_of(file("a"), "SELECT count(*) FROM cases"), "120");
+  EXPECT_EQ(contents_of(file("a")), undisturbed({"--gaps", "200"}));
+  EXPECT_EQ(answer_of(file("a"), "SELECT count(*) FROM cases"), "400");
 }
 
 TEST_F(StudyOnRanks, EndsInOrderAtTheSignalThatMpirunHandsOn) {
-  const std::vector<std::string> arguments{"--gaps", "60", "--out", "a"};
+  const std::vector<std::string> arguments{"--gaps", "200", "--out", "a"};
   const RunningProgram study{MPIRUN, job(2, arguments), folder};
   ASSERT_TRUE(wait_for_cases(6));
   study.send(SIGUSR1);
@@ -99,12 +99,12 @@ TEST_F(StudyOnRanks, EndsInOrderAtTheSignalThatMpirunHandsOn) {
   EXPECT_FALSE(fs::exists(folder / "a/study.db-wal"));
   end_of_disturbances();
   ASSERT_EQ(run_ranks(3, arguments).exit_code, 0);
-  EXPECT_EQ(contents_of(file("a")), undisturbed({"--gaps", "60"}));
+  EXPECT_EQ(contents_of(file("a")), undisturbed({"--gaps", "200"}));
 }
 
 // mpirun itself kills the ranks at SIGTERM, within two seconds: the cases in flight may be lost, and no others.
 TEST_F(StudyOnRanks, IsWholeAfterMpirunWasTerminated) {
-  const std::vector<std::string> arguments{"--gaps", "60", "--out", "a"};
+  const std::vector<std::string> arguments{"--gaps", "200", "--out", "a"};
   const RunningProgram study{MPIRUN, job(2, arguments), folder};
   ASSERT_TRUE(wait_for_cases(6));
   study.send(SIGTERM);
@@ -112,7 +112,7 @@ TEST_F(StudyOnRanks, IsWholeAfterMpirunWasTerminated) {
   EXPECT_EQ(answer_of(file("a"), "PRAGMA integrity_check"), "ok");
   end_of_disturbances();
   ASSERT_EQ(run_ranks(2, arguments).exit_code, 0);
-  EXPECT_EQ(contents_of(file("a")), undisturbed({"--gaps", "60"}));
+  EXPECT_EQ(contents_of(file("a")), undisturbed({"--gaps", "200"}));
 }
 
 }  // namespace

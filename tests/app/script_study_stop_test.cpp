@@ -17,8 +17,8 @@ using testing::RunningProgram;
 
 using StoppedStudy = testing::DisturbedStudy;
 
-const std::vector<std::string> question{"--gaps", "60"};
-const std::vector<std::string> in_a{"--gaps", "60", "--out", "a", "--threads", "2"};
+const std::vector<std::string> question{"--gaps", "200"};
+const std::vector<std::string> in_a{"--gaps", "200", "--out", "a", "--threads", "2"};
 
 TEST_F(StoppedStudy, SurvivesBeingKilledTenTimes) {
   std::mt19937 random{20260101};
@@ -32,13 +32,13 @@ TEST_F(StoppedStudy, SurvivesBeingKilledTenTimes) {
     if (!fs::exists(file("a"))) continue;
     EXPECT_EQ(answer_of(file("a"), "PRAGMA integrity_check"), "ok");
   }
-  EXPECT_LT(read_study(file("a")).result.count(CaseState::done), 120u);
+  EXPECT_LT(read_study(file("a")).result.count(CaseState::done), 400u);
   end_of_disturbances();
   ASSERT_EQ(run(in_a).exit_code, 0);
   EXPECT_EQ(contents_of(file("a")), undisturbed(question));
   EXPECT_EQ(answer_of(file("a"), "PRAGMA integrity_check"), "ok");
   EXPECT_GT(answer_of(file("a"), "SELECT count(DISTINCT session) FROM cases"), "1");
-  EXPECT_EQ(answer_of(file("a"), "SELECT count(*) FROM cases"), "120");
+  EXPECT_EQ(answer_of(file("a"), "SELECT count(*) FROM cases"), "400");
   EXPECT_EQ(answer_of(file("a"), "SELECT count(*) FROM results"),
             answer_of(file("undisturbed"), "SELECT count(*) FROM results"));
 }
@@ -52,7 +52,7 @@ std::string command_to_go_on(const std::string& errors) {
 }
 
 TEST_F(StoppedStudy, EndsInOrderAtASignal) {
-  const std::vector<std::string> arguments{"--gaps", "60", "--out", "it's my study", "--threads", "2", "--retry"};
+  const std::vector<std::string> arguments{"--gaps", "200", "--out", "it's my study", "--threads", "2", "--retry"};
   std::string command;
   for (const auto& [signal, code] : {std::pair{SIGINT, 130}, std::pair{SIGTERM, 143}, std::pair{SIGUSR1, 138}}) {
     const std::size_t before = computed_cases();
