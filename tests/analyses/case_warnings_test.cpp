@@ -1,4 +1,4 @@
-// Warnings about energies that are not numbers and equations that do not balance, with useful advice.
+// Warnings about energies that are not numbers, equations that do not balance, and strains beyond a fit.
 
 #include "analyses/case_warnings.hpp"
 
@@ -9,8 +9,11 @@
 #include "analyses/case_run.hpp"
 #include "analysis_testing.hpp"
 #include "elements/gap.hpp"
+#include "elements/isolator.hpp"
 #include "elements/shear_spring.hpp"
 #include "materials/impact/hertz.hpp"
+#include "materials/isolation/kikuchi_aiken_rubber.hpp"
+#include "motions/near_fault_pulse.hpp"
 
 namespace moat {
 namespace {
@@ -40,6 +43,19 @@ TEST(EnergyWarnings, ANumberThatIsNotFiniteIsNoGoodBalance) {
             std::string::npos);
   EXPECT_NE(only({.equation_residual = nan, .largest_kinetic = 1.0}, adapted).find("not a finite number"),
             std::string::npos);
+}
+
+TEST(StrainWarnings, NameTheRubberBeyondItsFit) {
+  const auto warnings = [](Length height) {
+    Model model;
+    const NodeId node = add(model, Node{.name = "floor", .mass = 100 * tonne});
+    add(model, Isolator<KikuchiAikenRubber>{.upper = node, .law = {.area = 0.1 * m * m, .height = height}});
+    std::string all;
+    for (const std::string& each : run_case(model, near_fault_pulse({}).scaled_to_pga(0.4 * g)).warnings) all += each;
+    return all;
+  };
+  EXPECT_NE(warnings(1 * cm).find("The strain of \"bearings\" reached "), std::string::npos);
+  EXPECT_EQ(warnings(30 * cm).find("The strain"), std::string::npos);
 }
 
 TEST(EnergyWarnings, ARunIntoInfinityWarns) {
