@@ -23,7 +23,7 @@ struct FrameData {
   /// N, one per element: of a contact on the body of the first point of its cell, the left one or the corner; friction
   /// included. Empty: none are drawn.
   std::span<const PlanVector> contact_force{};
-  std::span<const double> storey_shear{};  ///< N, of all springs between the same floors
+  std::span<const double> storey_shear{};  ///< N, of all elements between the same floors
 };
 
 /// Writes frames/frame_000000.vtu ... and frames.pvd, which lists them by time, into a results folder, and beside them

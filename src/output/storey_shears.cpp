@@ -14,7 +14,9 @@ StoreyShears::StoreyShears(const Model& model, const std::vector<std::pair<NodeI
     for (std::size_t e = 0; e < block.size(); ++e) {
       const ElementInfo& info = block.info(e);
       const auto storey = numbers.find({info.first, info.second});
-      if (storey != numbers.end() && !info.force_quantity.empty()) parts_.push_back({b, e, storey->second});
+      const bool carries = model.is_plan() ? block.planar() != nullptr || dot(info.direction, info.direction) > 0.0
+                                           : !info.force_quantity.empty();
+      if (storey != numbers.end() && carries) parts_.push_back({b, e, storey->second});
     }
   }
 }

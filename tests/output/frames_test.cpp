@@ -209,7 +209,7 @@ TEST_F(Frames, RefusesWhatDoesNotFitTheScene) {
   FrameData data = values.data();
   data.force = data.force.first(2);
   EXPECT_EQ(message_of<InputError>([&] { writer.write(0.0, data); }),
-            "FrameData: force has 2 values, the scene needs 3. Give one value per node or element.");
+            "FrameData: force has 2 values, the scene needs 3. Give one value per node, element or storey.");
   data = values.data();
   data.node_velocity = {};
   EXPECT_THROW(writer.write(0.0, data), InputError);
