@@ -11,8 +11,8 @@
 
 namespace moat {
 
-/// The shear of storeys: the sum of the forces between the body below and the body above. On a line that of the springs,
-/// which report a force, without dashpots; in plan that of columns, bearings and dashpots together.
+/// The shear of storeys: the sum of the forces between the body below and the body above. On a line that of the
+/// springs, which report a force, without dashpots; in plan that of columns, bearings and dashpots together.
 class StoreyShears {
  public:
   /// storeys: the bodies below and above each.
