@@ -22,7 +22,7 @@ fi
 # What `cpack -G DEB` does, without building anything on the way.
 cmake --install "$build" --prefix "$folder/stage/usr" >install.log
 cpack -G DEB --config "$build/CPackConfig.cmake" -B "$folder/made" -D CPACK_INSTALL_CMAKE_PROJECTS= \
-  -D "CPACK_INSTALLED_DIRECTORIES=$folder/stage/usr;/" >cpack.log 2>&1 || { cat cpack.log && fail "cpack"; }
+  -D "CPACK_INSTALLED_DIRECTORIES=$folder/stage;/" >cpack.log 2>&1 || { cat cpack.log && fail "cpack"; }
 packages=("$folder"/made/moat_*.deb)
 [[ -s ${packages[0]} ]] || fail "there is no package"
 depends=$(dpkg-deb -f "${packages[0]}" Depends)
@@ -47,8 +47,8 @@ printf '%s\n' "SYNTHETIC" "Test" "ACCELERATION TIME SERIES IN UNITS OF G" "NPTS=
 "$moat" motion a.AT2 | grep -q "0.1 g" || fail "moat motion"
 
 # Errors are explained with the headers of the package.
-sed 's/\.storeys = 3/.storey = 3/' tower.cpp >wrong.cpp
+sed 's/\.floor_mass =/.floor_masses =/' tower.cpp >wrong.cpp
 ! "$moat" run wrong.cpp 2>wrong.log || fail "a wrong script was compiled"
-grep -q "did you mean storeys" wrong.log || { cat wrong.log && fail "the error was not explained"; }
+grep -q "did you mean floor_mass" wrong.log || { cat wrong.log && fail "the error was not explained"; }
 ! "$moat" test 2>test.log || fail "moat test without sources"
 grep -q "needs the sources" test.log || { cat test.log && fail "moat test does not say that it needs the sources"; }
