@@ -14,7 +14,7 @@
 #include "app/stop_signals.hpp"
 #include "base/check.hpp"
 #include "base/error.hpp"
-#include "output/model_scene.hpp"
+#include "output/frame_recorder.hpp"
 #include "output/results_folder.hpp"
 
 namespace moat {

@@ -17,7 +17,7 @@
 #include "analyses/transient.hpp"
 #include "elements/corner_gap.hpp"
 #include "materials/impact/hertz_damp.hpp"
-#include "output/model_scene.hpp"
+#include "output/frame_recorder.hpp"
 #include "output_testing.hpp"
 
 namespace moat {
@@ -68,8 +68,8 @@ vtkSmartPointer<vtkUnstructuredGrid> read_grid(const fs::path& path) {
 TEST_F(Frames, ReadBackUnchanged) {
   const Values values;
   FrameWriter writer{folder, small_scene()};
-  writer.write(
-      0.0, FrameData{values.v, values.v, values.v, values.force, values.force, values.force, 0.0, 0.0, values.contact_force, values.shear});
+  writer.write(0.0, FrameData{values.v, values.v, values.v, values.force, values.force, values.force, 0.0, 0.0,
+                              values.contact_force, values.shear});
   writer.write(1.0 / 3.0, values.data());
   writer.finish();
   EXPECT_EQ(writer.frames(), 2);
