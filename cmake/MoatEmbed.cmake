@@ -1,6 +1,6 @@
 # moat_embed(target variable file...): the text of files, one behind the other, as a constant of the program.
 #
-# A source of the target includes "embedded/<variable>.hpp" and has `std::string_view moat::embedded::<variable>`. The
+# A source of the target includes <embedded/VARIABLE.hpp> and has `std::string_view moat::embedded::VARIABLE`. The
 # header is made again when a file changes. Included, this file defines the function; as a script (cmake -P) it writes
 # the header.
 
