@@ -1,10 +1,10 @@
 #include "report/page.hpp"
 
+#include <embedded/page_css.hpp>
+#include <embedded/page_js.hpp>
 #include <fstream>
 #include <iterator>
 
-#include "embedded/page_css.hpp"
-#include "embedded/page_js.hpp"
 #include "output/chart_style.hpp"
 #include "report/html.hpp"
 

@@ -145,8 +145,6 @@ std::vector<std::string> broken_rules(const std::vector<SourceFile>& sources) {
       if (is_header(source.path) && belongs_behind_a_cpp_file(include.name)) {
         broken.push_back(place + "includes " + include.name + " in a header; it belongs in a .cpp file");
       }
-      // Made by moat_embed while the library is built.
-      if (include.name.starts_with("embedded/")) continue;
       const std::optional<std::string> target = resolve(source.path, include);
       if (!target) {
         if (include.quoted) broken.push_back(place + "includes \"" + include.name + "\", no file of the project");

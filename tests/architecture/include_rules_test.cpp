@@ -88,10 +88,6 @@ TEST(IncludeRules, RefuseTheGplEverywhere) {
                       "src/solvers/bad.cpp:2 includes Eigen/UmfPackSupport, which is under the GPL"));
 }
 
-TEST(IncludeRules, AcceptTextsThatAreEmbedded) {
-  EXPECT_EQ(broken_with({"src/output/page.cpp", "#include \"embedded/page_css.hpp\"\n"}), sentences());
-}
-
 TEST(IncludeRules, RefuseAQuotedNameThatIsNoFileOfTheProject) {
   EXPECT_EQ(broken_with({"src/base/bad.cpp", "#include \"base/eror.hpp\"\n"}),
             sentences("src/base/bad.cpp:1 includes \"base/eror.hpp\", no file of the project"));

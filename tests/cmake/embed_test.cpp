@@ -1,7 +1,7 @@
 // moat_embed() of cmake/MoatEmbed.cmake.
 #include <gtest/gtest.h>
 
-#include "embedded/both_texts.hpp"
+#include <embedded/both_texts.hpp>
 #include "run_program.hpp"
 
 namespace moat {
