@@ -30,10 +30,10 @@ struct BiaxialGrantRubber {
   GrantRubber rubber;
 
   struct State {
-    PlanVector deformation{};  ///< m
-    PlanVector hysteretic{};   ///< F2, N
-    GrantRubber::Damage damage{};
-    double heat = 0.0;  ///< J, dissipated so far
+    PlanVector deformation{};      ///< m
+    PlanVector hysteretic{};       ///< F2, N
+    GrantRubber::Damage damage{};  ///< Thresholds and wear so far.
+    double heat = 0.0;             ///< J, dissipated so far
 
     friend bool operator==(const State&, const State&) = default;
   };

@@ -55,6 +55,7 @@ struct FlexibleWall {
   void check(const Check& check) const;
   /// The law between the ground and the face, which has the damping of an elastic wall, and the dashpot beside others.
   [[nodiscard]] WallLaw acting_law() const;
+  /// The damping coefficient of that dashpot, N s/m; 0 where the law has the damping.
   [[nodiscard]] DampingCoefficient dashpot() const {
     return law || yield_force.si() > 0.0 ? damping : DampingCoefficient{};
   }

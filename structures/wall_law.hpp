@@ -15,6 +15,7 @@ namespace moat {
 /// `wall_force` [N] and `wall_deformation` [m], and the quantities of the law.
 class WallLaw {
  public:
+  /// A copy of the law.
   template <ForceLaw Law>
   WallLaw(Law law)
       : on_line_{[law](Model& model, const std::string& name, NodeId face) {
@@ -35,6 +36,7 @@ class WallLaw {
                                      .force_quantity = force});
         }} {}
 
+  /// Of a wall of a model on a line.
   void add_to(Model& model, const std::string& name, NodeId face) const { on_line_(model, name, face); }
   /// Of a wall that moves in this direction, of length 1.
   void add_in_plan(Model& model, const std::string& name, NodeId face, PlanVector direction) const {

@@ -35,9 +35,9 @@ struct PressureTemperatureVelocity {
   Required<Length> slider_radius;
   /// 0 <= a <= 300 s/m.
   decltype(units::s / units::m) rate = 100.0 * units::s / units::m;
-  bool depends_on_pressure = true;
-  bool depends_on_speed = true;
-  Weakening weakening = Weakening::to_half;
+  bool depends_on_pressure = true;           ///< Whether mu falls with pressure.
+  bool depends_on_speed = true;              ///< Whether mu rises with speed.
+  Weakening weakening = Weakening::to_half;  ///< How far mu falls with temperature.
   /// D > 0 m^2/s, of the steel.
   double diffusivity = 4.44e-6;
   /// k > 0 W/(m K), of the steel.
@@ -45,8 +45,8 @@ struct PressureTemperatureVelocity {
   /// T_0, degrees Celsius, from -50 to 100.
   double initial_temperature = 20.0;
 
-  static constexpr std::size_t memory_size = 12;
-  /// Of the exponentials, s and s^-1/2.
+  static constexpr std::size_t memory_size = 12;  ///< Number of exponentials.
+  /// Of the exponentials, s.
   static constexpr std::array<double, memory_size> memory_times = [] {
     constexpr double shortest = 4e-4, ratio = 3.21166;
     std::array<double, memory_size> times{};
@@ -57,25 +57,31 @@ struct PressureTemperatureVelocity {
     }
     return times;
   }();
+  /// Of the exponentials, s^-1/2.
   static constexpr std::array<double, memory_size> memory_weights{31.0271,  18.8793,  10.0178,   5.84403,
                                                                   3.12446,  1.81896,  0.971398,  0.569888,
                                                                   0.293971, 0.202913, 0.0152448, 0.181184};
-  /// What the sum lacks below 1 ms, s^1/2.
+  /// The part of the integral that the sum lacks below 1 ms, s^1/2.
   static constexpr double memory_rest = 0.017077;
 
+  /// Of mu at a pressure, Pa.
   [[nodiscard]] double pressure_factor(double pressure) const {
     return depends_on_pressure ? std::pow(0.7, 0.02e-6 * (pressure - reference_pressure.si())) : 1.0;
   }
+  /// Of mu at a speed, m/s.
   [[nodiscard]] double speed_factor(double speed) const {
     return depends_on_speed ? 1.0 - 0.5 * std::exp(-rate.si() * speed) : 1.0;
   }
+  /// Rate of speed_factor() with speed, s/m.
   [[nodiscard]] double speed_slope(double speed) const {
     return depends_on_speed ? 0.5 * rate.si() * std::exp(-rate.si() * speed) : 0.0;
   }
+  /// Of mu at a temperature, degrees Celsius.
   [[nodiscard]] double temperature_factor(double celsius) const {
     const Fit fit = fit_of(weakening);
     return fit.scale * (std::pow(0.7, fit.rate * celsius) + fit.rest);
   }
+  /// Rate of temperature_factor() with temperature, 1/K.
   [[nodiscard]] double temperature_slope(double celsius) const {
     const Fit fit = fit_of(weakening);
     return fit.scale * fit.rate * std::log(0.7) * std::pow(0.7, fit.rate * celsius);

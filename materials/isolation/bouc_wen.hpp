@@ -55,7 +55,7 @@ struct BoucWen {
     double deformation = 0.0;  ///< m
     double z = 0.0;            ///< 1
     double heat = 0.0;         ///< J, dissipated so far
-    Course course{};
+    Course course{};           ///< Where the next corner of the loop lies.
 
     friend bool operator==(const State&, const State&) = default;
   };

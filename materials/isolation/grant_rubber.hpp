@@ -69,9 +69,9 @@ struct GrantRubber {
   struct State {
     double deformation = 0.0;  ///< m
     double hysteretic = 0.0;   ///< F2, N
-    Damage damage{};
-    double heat = 0.0;  ///< J, dissipated so far
-    Course course{};
+    Damage damage{};           ///< Thresholds and wear so far.
+    double heat = 0.0;         ///< J, dissipated so far
+    Course course{};           ///< Where the next corner of the loop lies.
 
     friend bool operator==(const State&, const State&) = default;
   };
@@ -176,9 +176,12 @@ struct GrantRubber {
   };
   /// K_S1 K_M and K_S2, with their derivatives by the lowest |d| of the move, 1/m.
   struct Wear {
-    double elastic, bound;
-    double elastic_slope = 0.0, bound_slope = 0.0;
+    double elastic;              ///< K_S1 K_M
+    double bound;                ///< K_S2
+    double elastic_slope = 0.0;  ///< Of K_S1 K_M.
+    double bound_slope = 0.0;    ///< Of K_S2.
   };
+  /// Thresholds and wear after a move.
   [[nodiscard]] static Damage worn(Damage damage, const Radii& radii) {
     damage.mullins += radii.start - radii.lowest;
     if (radii.lowest < damage.lower) {
@@ -191,6 +194,7 @@ struct GrantRubber {
     }
     return damage;
   }
+  /// At rest, without derivatives.
   [[nodiscard]] Wear wear_of(const Damage& damage) const {
     return {std::exp(-c1.si() * cube(damage.scragging)) * softened(damage),
             std::exp(-c2.si() * cube(damage.scragging))};
@@ -204,14 +208,17 @@ struct GrantRubber {
     wear.bound_slope = -3.0 * c2.si() * square * wear.bound * scragging_slope;
     return wear;
   }
-  /// F1/(K_S1 K_M d) and d(F1/(K_S1 K_M))/d|d|, N/m; the energy of F1/(K_S1 K_M) at a square of |d|, J.
+  /// F1/(K_S1 K_M d), N/m.
   [[nodiscard]] double secant(double u) const { return a1.si() + u * u * (a2.si() + a3.si() * u * u); }
+  /// d(F1/(K_S1 K_M))/d|d|, N/m.
   [[nodiscard]] double tangent(double u) const { return a1.si() + u * u * (3.0 * a2.si() + 5.0 * a3.si() * u * u); }
+  /// The energy of F1/(K_S1 K_M) at a square of |d|, J.
   [[nodiscard]] double potential(double square) const {
     return square * (a1.si() / 2.0 + square * (a2.si() / 4.0 + square * a3.si() / 6.0));
   }
-  /// R, N, and its derivative, N/m, from those of |d| and of the lowest |d| of the move.
+  /// R, N.
   [[nodiscard]] double bound(const Wear& wear, double u) const { return b1.si() + wear.bound * b2.si() * u * u; }
+  /// The derivative of R, N/m, from those of |d| and of the lowest |d| of the move.
   [[nodiscard]] double bound_slope(const Wear& wear, double u, double u_slope, double lowest_slope) const {
     return b2.si() * u * (2.0 * wear.bound * u_slope + wear.bound_slope * lowest_slope * u);
   }

@@ -61,7 +61,7 @@ struct BaberNoori {
     double deformation = 0.0;  ///< m
     double z = 0.0;            ///< m
     double energy = 0.0;       ///< e, J
-    Course course{};
+    Course course{};           ///< Where the next corner of the loop lies.
 
     friend bool operator==(const State&, const State&) = default;
   };

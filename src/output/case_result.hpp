@@ -65,7 +65,7 @@ struct Impact {
   double tangential_speed = 0.0;        ///< m/s, of the corner along the edge at first touch
   double largest_friction_force = 0.0;  ///< N
   double friction_loss = 0.0;           ///< J
-  ContactLoop loop{};
+  ContactLoop loop{};                   ///< Of its force over its indentation.
 };
 
 /// Energy dissipated by the elements reported at one place.
