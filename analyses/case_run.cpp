@@ -169,23 +169,24 @@ void CaseRun::run_companion() {
 
 CaseResult CaseRun::result() const {
   const GroundMotion& motion = transient_.motion();
-  CaseResult result{.title = options_.title,
-                    .provenance = provenance_of_library(),
-                    .motion = facts_of(motion),
-                    .model = facts_of(transient_.model()),
-                    .scene = transient_.model().node_count() <= most_drawn_nodes ? scene_of(transient_.model()) : Scene{},
-                    .buildings = parts_of_buildings(transient_.model()),
-                    .periods = periods_,
-                    .peaks = peaks_.peaks(),
-                    .clearances = clearances_.clearances(),
-                    .impacts = impacts_.impacts(),
-                    .histories = histories_.table(),
-                    .offered = offered_.list(),
-                    .energy = energy_.balance(transient_.model()),
-                    .solver = transient_.statistics(),
-                    .error_bars = {},
-                    .warnings = transient_.warnings(),
-                    .assumptions = transient_.assumptions()};
+  CaseResult result{
+      .title = options_.title,
+      .provenance = provenance_of_library(),
+      .motion = facts_of(motion),
+      .model = facts_of(transient_.model()),
+      .scene = transient_.model().node_count() <= most_drawn_nodes ? scene_of(transient_.model()) : Scene{},
+      .buildings = parts_of_buildings(transient_.model()),
+      .periods = periods_,
+      .peaks = peaks_.peaks(),
+      .clearances = clearances_.clearances(),
+      .impacts = impacts_.impacts(),
+      .histories = histories_.table(),
+      .offered = offered_.list(),
+      .energy = energy_.balance(transient_.model()),
+      .solver = transient_.statistics(),
+      .error_bars = {},
+      .warnings = transient_.warnings(),
+      .assumptions = transient_.assumptions()};
   for (const auto& warnings :
        {motion_warnings(motion), model_warnings(transient_.model()), strain_warnings(result.peaks),
         plan_warnings(transient_.model(), result.peaks, result.impacts),

@@ -4,8 +4,8 @@
 
 #include "analyses/case_run.hpp"
 #include "elements/shear_spring.hpp"
-#include "report/history_charts.hpp"
 #include "output/separation.hpp"
+#include "report/history_charts.hpp"
 
 namespace moat::testing {
 namespace {
