@@ -25,6 +25,15 @@ constexpr double top = 44.0, bottom = 58.0, right = 120.0, scale_width = 18.0, s
 constexpr int digits = 3;
 constexpr const char* no_value = "#c8c8c8";
 
+// Without an exponent where the number is not very large.
+std::string cell_number(double value) {
+  constexpr double small = 1e3, very_large = 1e7;
+  const double magnitude = std::abs(value);
+  if (magnitude < small || magnitude >= very_large) return to_significant(value, digits);
+  const double unit = std::pow(10.0, std::floor(std::log10(magnitude)) - (digits - 1));
+  return to_fixed(std::round(value / unit) * unit, 0);
+}
+
 struct Colour {
   double red, green, blue;
 };
@@ -130,7 +139,7 @@ std::string svg_text(const HeatMap& map, int width, int height) {
       // Cells overlap by a little, so that no line shows between them.
       svg.rectangle(corner, cell_width + 0.3, cell_height + 0.3,
                     std::isfinite(value) ? text_of(colour_at(range.share(value))) : no_value);
-      const std::string number = std::isfinite(value) ? to_significant(value, digits) : "";
+      const std::string number = std::isfinite(value) ? cell_number(value) : "";
       constexpr double plate_margin = 3.0, plate_height = 16.0;
       const double room = text_width(number, tick_size) + 4.0 * plate_margin;
       if (number.empty() || room > cell_width || plate_height + plate_margin > cell_height) continue;

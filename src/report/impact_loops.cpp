@@ -12,7 +12,7 @@ namespace {
 Chart loop_of(const Impact& impact) {
   const double length = engineering_unit("m").per_si, force = engineering_unit("N").per_si;
   Chart chart;
-  chart.title = impact.where + " at " + to_fixed(impact.start, 3) + " s";
+  chart.title = title_of(impact);
   chart.x_label = axis_label("indentation", "m");
   chart.y_label = axis_label("impact force", "N");
   Series series{.name = "", .x = impact.loop.indentation, .y = impact.loop.force};
@@ -23,6 +23,8 @@ Chart loop_of(const Impact& impact) {
 }
 
 }  // namespace
+
+std::string title_of(const Impact& impact) { return to_fixed(impact.start, 3) + " s, " + impact.where; }
 
 std::vector<Chart> impact_loops(const std::vector<Impact>& impacts) {
   std::vector<const Impact*> drawn;

@@ -7,6 +7,7 @@
 #include "output/engineering_unit.hpp"
 #include "output/impact_columns.hpp"
 #include "report/html.hpp"
+#include "report/impact_loops.hpp"
 
 namespace moat::html {
 namespace {
@@ -73,7 +74,7 @@ std::string loop_section(const CaseResult& result, const std::vector<Chart>& loo
           "<th class=\"number\" scope=\"col\">delivered by it</th>"
           "<th class=\"number\" scope=\"col\">rebound ratio in this run</th></tr>\n";
   for (const Impact& impact : result.impacts) {
-    const std::string title = impact.where + " at " + to_fixed(impact.start, 3) + " s";
+    const std::string title = title_of(impact);
     if (std::ranges::find(loops, title, &Chart::title) == loops.end()) continue;
     const std::string requested = requested_restitution(result.model, impact.where);
     html += "<tr><td>" + escaped(title) + "</td><td class=\"number\">" + (requested.empty() ? "-" : requested) +

@@ -4,6 +4,7 @@
 
 #include "output/chart_table.hpp"
 #include "output/csv_writer.hpp"
+#include "output/file_name.hpp"
 #include "output/results_folder.hpp"
 #include "report/energy_chart.hpp"
 #include "report/floor_profiles.hpp"
@@ -14,25 +15,6 @@
 #include "report/orbit_charts.hpp"
 
 namespace moat {
-namespace {
-
-// "Absolute acceleration" -> "absolute_acceleration".
-std::string file_name(const std::string& title) {
-  std::string name;
-  for (const char c : title) {
-    const bool upper = c >= 'A' && c <= 'Z';
-    const bool kept = upper || (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9');
-    if (kept)
-      name += upper ? static_cast<char>(c - 'A' + 'a') : c;
-    else if (!name.empty() && name.back() != '_')
-      name += '_';
-  }
-  while (!name.empty() && name.back() == '_') name.pop_back();
-  return name.empty() ? "chart" : name;
-}
-
-}  // namespace
-
 ResultCharts result_charts(const CaseResult& result) {
   ResultCharts charts{.histories = history_charts(result),
                       .floor_profiles = floor_profiles(result),
@@ -59,7 +41,7 @@ void write_charts(const ResultCharts& charts, const std::filesystem::path& folde
   std::set<std::string> taken;
   for (const Chart* chart : charts.all()) {
     if (taken.empty()) std::filesystem::create_directories(singles);
-    const std::string title = file_name(chart->title);
+    const std::string title = file_name_of(chart->title);
     std::string name = title;
     for (int number = 2; !taken.insert(name).second; ++number) name = title + "_" + std::to_string(number);
     write_svg(*chart, singles / (name + ".svg"));

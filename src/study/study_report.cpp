@@ -1,11 +1,11 @@
 #include "study/study_report.hpp"
 
 #include <algorithm>
-#include <cctype>
 #include <set>
 
 #include "base/number_format.hpp"
 #include "output/file_io.hpp"
+#include "output/file_name.hpp"
 #include "report/html.hpp"
 #include "report/input_sections.hpp"
 #include "report/page.hpp"
@@ -21,25 +21,13 @@ using html::text_row;
 
 constexpr std::size_t most_failures = 100;
 
-/// "Impacts over gap" as the name of a file: "impacts_over_gap".
-std::string file_name(const std::string& title) {
-  std::string name;
-  for (const char c : title) {
-    const bool plain = std::isalnum(static_cast<unsigned char>(c)) != 0;
-    if (plain) name += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-    if (!plain && !name.empty() && name.back() != '_') name += '_';
-  }
-  while (name.ends_with('_')) name.pop_back();
-  return name;
-}
-
 /// The folder of the pictures, in which every one has a name of its own.
 class PictureFolder {
  public:
   explicit PictureFolder(fs::path folder) : folder_{std::move(folder)} {}
 
   void write(const std::string& title, const std::string& svg) {
-    const std::string name = file_name(title);
+    const std::string name = file_name_of(title);
     std::string free = name;
     for (int i = 2; !names_.insert(free).second; ++i) free = name + "_" + std::to_string(i);
     std::error_code ignored;  // writing the file says more
@@ -49,7 +37,7 @@ class PictureFolder {
   /// The report before the answers of the script had this picture.
   void remove(const std::string& title) {
     std::error_code ignored;
-    fs::remove(folder_ / (file_name(title) + ".svg"), ignored);
+    fs::remove(folder_ / (file_name_of(title) + ".svg"), ignored);
   }
 
  private:
@@ -59,9 +47,10 @@ class PictureFolder {
 
 std::string without_unit(const std::string& label) { return label.substr(0, label.find(" [")); }
 
-std::string paragraphs(const std::vector<std::string>& sentences) {
+std::string paragraphs(const std::vector<std::string>& sentences, const std::set<std::string>& shown = {}) {
   std::string html;
-  for (const std::string& sentence : sentences) html += "<p>" + escaped(sentence) + "</p>\n";
+  for (const std::string& sentence : sentences)
+    if (!shown.contains(sentence)) html += "<p>" + escaped(sentence) + "</p>\n";
   return html;
 }
 
@@ -94,7 +83,8 @@ std::string failure_section(const StudyResult& result) {
 }
 
 std::string study_section(const NamedStudy& study, const std::set<std::string>& shown, PictureFolder& folder) {
-  std::string html = "<h2>" + escaped(study.name) + "</h2>\n" + case_section(study.result) + paragraphs(study.answers);
+  std::string html =
+      "<h2>" + escaped(study.name) + "</h2>\n" + case_section(study.result) + paragraphs(study.answers, shown);
   const std::string prefix = study.name + " ";
   for (const StudyPicture& picture : study.pictures) {
     if (shown.contains(picture.title)) {
@@ -120,7 +110,8 @@ std::string study_section(const NamedStudy& study, const std::set<std::string>& 
 
 void write_study_report(const StudyReport& report, const fs::path& folder) {
   std::string page;
-  std::set<std::string> shown;
+  // Sentences and titles that are not shown once more.
+  std::set<std::string> shown{report.answers.begin(), report.answers.end()};
   PictureFolder pictures{folder / "pictures"};
   if (!report.answers.empty() || !report.pictures.empty()) page += "<h2>Answers</h2>\n";
   page += paragraphs(report.answers);

@@ -45,6 +45,14 @@ TEST(HeatMap, OfOneValueCanBeDrawn) {
   EXPECT_NO_THROW((void)svg_text(same));
 }
 
+TEST(HeatMap, WritesLargeNumbersWithoutExponent) {
+  HeatMap large = map();
+  large.values = {{60921.0, 1234.0, 0.5}, {-60921.0, 2.5e8, 999.0}};
+  const std::string svg = svg_text(large);
+  for (const char* number : {">60900<", ">1230<", ">0.5<", ">-60900<", ">2.5e+08<", ">999<"})
+    EXPECT_NE(svg.find(number), std::string::npos) << number;
+}
+
 TEST(HeatMap, RefusesWhatDoesNotFit) {
   const auto refused = [](const HeatMap& wrong) {
     return testing::message_of<InputError>([&] { (void)svg_text(wrong); });

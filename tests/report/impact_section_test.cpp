@@ -41,7 +41,7 @@ TEST(ImpactSection, ShowsTheRestitutionAskedAndDelivered) {
   result.model.elements = {{"moat left", "HertzDamp", "base", "ground", {{"restitution", 0.65, "1"}}}};
   const std::string html = html::impact_section(result, impact_loops(result.impacts));
   EXPECT_EQ(count(html, "<svg "), 1u);
-  EXPECT_NE(html.find("moat left at 3.250 s</td><td class=\"number\">0.65</td><td class=\"number\">0.7748</td><td "
+  EXPECT_NE(html.find("3.250 s, moat left</td><td class=\"number\">0.65</td><td class=\"number\">0.7748</td><td "
                       "class=\"number\">0.5</td>"),
             std::string::npos);
 }
@@ -63,10 +63,10 @@ TEST(ImpactLoops, AreTheStrongestInOrderOfTime) {
   for (int i = 0; i < 20; ++i) impacts.push_back(impact_of("gap", i, i < 15 ? 100.0 - i : 1000.0));
   const std::vector<Chart> loops = impact_loops(impacts);
   ASSERT_EQ(loops.size(), most_impact_loops);
-  EXPECT_EQ(loops.front().title, "gap at 0.000 s");
-  EXPECT_EQ(loops[6].title, "gap at 6.000 s");
-  EXPECT_EQ(loops[7].title, "gap at 15.000 s");
-  EXPECT_EQ(loops.back().title, "gap at 19.000 s");
+  EXPECT_EQ(loops.front().title, "0.000 s, gap");
+  EXPECT_EQ(loops[6].title, "6.000 s, gap");
+  EXPECT_EQ(loops[7].title, "15.000 s, gap");
+  EXPECT_EQ(loops.back().title, "19.000 s, gap");
 }
 
 TEST(ImpactLoops, EncloseTheEnergyLost) {
