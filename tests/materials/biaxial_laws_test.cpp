@@ -96,8 +96,8 @@ TYPED_TEST(BiaxialLaw, TurnedPathTurnsTheForce) {
       d += {step(random), step(random)};
       const PlanVector expected = turn(follow(this->law, plain, d).force);
       const PlanVector force = follow(this->law, turned_state, turn(d)).force;
-      ASSERT_NEAR(force.x, expected.x, 1e-9 * strength);
-      ASSERT_NEAR(force.y, expected.y, 1e-9 * strength);
+      ASSERT_NEAR(force.x, expected.x, 1e-12 * strength);
+      ASSERT_NEAR(force.y, expected.y, 1e-12 * strength);
       ASSERT_LE(length(plain.z), 1.0 + 1e-12);
     }
   }
