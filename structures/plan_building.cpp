@@ -10,11 +10,10 @@
 #include "elements/rotation_link.hpp"
 #include "materials/linear.hpp"
 #include "materials/viscous.hpp"
+#include "structures/plan_stiffness.hpp"
 
 namespace moat {
 namespace {
-
-using Matrix = Eigen::MatrixXd;
 
 // A spring of a storey: at a place along a direction, N/m, or against rotation, N m/rad.
 struct StoreySpring {
@@ -73,66 +72,6 @@ std::vector<StoreySpring> springs_of_storey(const Check& check, const PlanColumn
     add_both(line.at, line.column.along_x(), line.column.along_y(), name);
   }
   return springs;
-}
-
-// The stiffness of these floors for small motions, all others held.
-Matrix stiffness_of_floors(const Model& model, const std::vector<DiaphragmId>& floors) {
-  Model copy = model;
-  copy.prepare();
-  SparseMatrix sparse = copy.pattern();
-  copy.assemble_linear_stiffness(StiffnessStage::initial, sparse);
-  std::vector<int> rows;
-  for (const DiaphragmId& id : floors)
-    for (const NodeId node : id.degrees_of_freedom()) rows.push_back(node.index);
-  const Matrix whole{sparse.view()};
-  const auto count = static_cast<Eigen::Index>(rows.size());
-  Matrix stiffness{count, count};
-  for (Eigen::Index i = 0; i < count; ++i)
-    for (Eigen::Index j = 0; j < count; ++j)
-      stiffness(i, j) = whole(rows[static_cast<std::size_t>(i)], rows[static_cast<std::size_t>(j)]);
-  return stiffness;
-}
-
-RayleighFactors factors_of_stiffness(double ratio, const Model& model, const std::vector<DiaphragmId>& floors,
-                                     Matrix stiffness) {
-  Eigen::VectorXd root_of_mass{stiffness.rows()};
-  for (std::size_t i = 0; i < floors.size(); ++i)
-    root_of_mass.segment<3>(static_cast<Eigen::Index>(3 * i)).setConstant(std::sqrt(model.diaphragm(floors[i]).mass));
-  for (Eigen::Index i = 0; i < stiffness.rows(); ++i)
-    for (Eigen::Index j = 0; j < stiffness.cols(); ++j) stiffness(i, j) /= root_of_mass[i] * root_of_mass[j];
-  const Eigen::SelfAdjointEigenSolver<Matrix> solver{stiffness};
-  // The share of a mode, of unit length, in translation along a direction, and altogether.
-  const auto share_along = [&](Eigen::Index mode, PlanVector direction) {
-    double sum = 0.0;
-    for (Eigen::Index i = 0; i < stiffness.rows(); i += 3) {
-      const double along = dot(direction, {solver.eigenvectors()(i, mode), solver.eigenvectors()(i + 1, mode)});
-      sum += along * along;
-    }
-    return sum;
-  };
-  const auto translation = [&](Eigen::Index mode) {
-    return share_along(mode, {1.0, 0.0}) + share_along(mode, {0.0, 1.0});
-  };
-  constexpr double half = 0.5 - 1e-9;
-  std::vector<double> frequencies;
-  PlanVector direction;
-  for (Eigen::Index mode = 0; mode < stiffness.rows() && frequencies.size() < 2; ++mode) {
-    const double all = translation(mode);
-    if (all < half) continue;
-    if (frequencies.empty()) {
-      PlanVector participation;
-      for (Eigen::Index i = 0; i < stiffness.rows(); i += 3)
-        participation +=
-            root_of_mass[i] * PlanVector{solver.eigenvectors()(i, mode), solver.eigenvectors()(i + 1, mode)};
-      direction = participation / length(participation);
-    } else if (share_along(mode, direction) < half * all) {
-      continue;
-    }
-    frequencies.push_back(std::sqrt(solver.eigenvalues()[mode]));
-  }
-  if (frequencies.empty()) frequencies.push_back(std::sqrt(std::max(solver.eigenvalues()[0], 0.0)));
-  if (frequencies.size() < 2) return {0.0, 2.0 * ratio / frequencies[0]};
-  return rayleigh_factors(ratio, frequencies[0], frequencies[1]);
 }
 
 // A law between two floors, at a place along a direction.
@@ -237,9 +176,9 @@ class Builder {
     }
   }
 
-  void require_stiffness(const std::string& storey, const Matrix& stiffness) const {
+  void require_stiffness(const std::string& storey, const Eigen::MatrixXd& stiffness) const {
     constexpr double round_off = 1e-9;
-    const Eigen::SelfAdjointEigenSolver<Matrix> solver{stiffness, Eigen::EigenvaluesOnly};
+    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver{stiffness, Eigen::EigenvaluesOnly};
     check_.that(solver.eigenvalues()[0] > round_off * solver.eigenvalues()[2],
                 storey + " does not resist every motion in plan: the smallest eigenvalue of its stiffness is " +
                     to_text(std::max(solver.eigenvalues()[0], 0.0)) + " N/m.",
@@ -293,13 +232,6 @@ PlanBuildingParts add(Model& model, const PlanBuilding& building) {
   check_parameters(building);
   require_new_name(model, building);
   return Builder{model, building}.build();
-}
-
-RayleighFactors rayleigh_factors_in_plan(double ratio, const Model& model, const std::vector<DiaphragmId>& floors) {
-  const Check check{"RayleighDamping", ""};
-  check.that(ratio >= 0.0 && ratio < 1.0, "ratio", ratio, "1", ">= 0 and < 1", "5 % of critical is 0.05.");
-  check.that(!floors.empty(), "there are no floors.");
-  return factors_of_stiffness(ratio, model, floors, stiffness_of_floors(model, floors));
 }
 
 }  // namespace moat

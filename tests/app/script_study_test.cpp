@@ -141,6 +141,14 @@ TEST_F(ScriptStudyRun, GoesOnWithMotionsMadeInTheProgram) {
   EXPECT_NE(other.errors.find("\n  motion near-fault pulse 1 s: "), std::string::npos) << other.errors;
 }
 
+TEST_F(ScriptStudyRun, RefusesTwoStudiesOfOneName) {
+  const ProgramResult result = run({"--out", "a", "--pulses", "1", "--times", "2"});
+  EXPECT_EQ(result.exit_code, 1);
+  EXPECT_NE(result.errors.find("there is a study of this name. Give every study of a script a name of its own"),
+            std::string::npos)
+      << result.errors;
+}
+
 TEST_F(ScriptStudyRun, GoesOnAfterAChangeThatIsAccepted) {
   write_record("r.AT2", "0.0 0.1 -0.1 0.0");
   ASSERT_EQ(run({"--out", "a", "--inside", "r.AT2", "--failing", "3"}).exit_code, 1);

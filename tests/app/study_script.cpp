@@ -51,6 +51,7 @@ int main(int argc, char** argv) {
   const std::string records = script.text("records", "", "folder of records, a case for each"),
                     pairs = script.text("pairs", "", "folder of pairs of records, a case for each");
   const int pulses = script.integer("pulses", 0, "a case for each");
+  const int times = script.integer("times", 1, "studies of one name");
   if (!pairs.empty()) {
     const std::vector<PlanMotion> motions = read_record_pairs(pairs);
     script.study({record_axis("pair", motions)}, [&](const StudyCase& each) {
@@ -59,8 +60,10 @@ int main(int argc, char** argv) {
     return script.finish();
   }
   if (const std::vector<GroundMotion> motions = motions_of(records, pulses); !motions.empty()) {
-    script.study({record_axis("motion", motions)},
-                 [&](const StudyCase& each) { return mass_in_a_moat(motions[each.position("motion")], 10 * cm, 1e9); });
+    for (int i = 0; i < times; ++i)
+      script.study({record_axis("motion", motions)}, [&](const StudyCase& each) {
+        return mass_in_a_moat(motions[each.position("motion")], 10 * cm, 1e9);
+      });
     return script.finish();
   }
   const StudyResult study =
