@@ -12,7 +12,7 @@ namespace {
 double next_grid_time(double time, double step) {
   const double position = time / step;
   const double coincident = std::max(1e-6, 8.0 * std::numeric_limits<double>::epsilon() * position);
-  return (std::floor(position + coincident) + 1.0) * step;
+  return static_cast<double>(static_cast<long>(position + coincident) + 1) * step;
 }
 
 }  // namespace
@@ -46,7 +46,6 @@ GroundSpan StepGrid::span(double start, double end) const {
 }
 
 StepTask StepGrid::first_part(const StepTask& step, double h) const {
-  if (h == step.length) return step;
   return task(step.start_time, step.start_time + h, h);
 }
 

@@ -24,7 +24,11 @@ void StepSolver::begin(Stepper& stepper) {
   stepper.begin(whole_);
 }
 
-StepTask StepSolver::first_part(double h) const { return grid_->first_part(whole_, h); }
+const StepTask& StepSolver::first_part(double h) {
+  if (h == whole_.length) return whole_;
+  part_ = grid_->first_part(whole_, h);
+  return part_;
+}
 
 bool StepSolver::solve(double h) { return stepper_->solve(first_part(h)); }
 

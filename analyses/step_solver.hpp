@@ -21,7 +21,7 @@ class StepSolver {
   [[nodiscard]] Stepper& stepper() const { return *stepper_; }
   /// The whole step, and its first h seconds.
   [[nodiscard]] const StepTask& whole() const { return whole_; }
-  [[nodiscard]] StepTask first_part(double h) const;
+  [[nodiscard]] const StepTask& first_part(double h);
 
   /// Solves the first h seconds into the trial state. False if that did not converge.
   bool solve(double h);
@@ -49,7 +49,7 @@ class StepSolver {
   double location_tolerance_, force_tolerance_;
   int max_cuts_;
   Stepper* stepper_;
-  StepTask whole_;
+  StepTask whole_, part_;
 };
 
 }  // namespace moat

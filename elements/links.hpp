@@ -75,10 +75,7 @@ class Links : public ElementBlock {
       const std::size_t end = std::min(begin + chunk, size());
       deform(begin, end, displacement, velocity);
       apply_laws(begin, end);
-      if (force == nullptr) continue;
-      const Ends* ends = ends_.data();
-      const double* forces = forces_.data();
-      for (std::size_t i = begin; i < end; ++i) ends[i].add_force(forces[i], force);
+      if (force != nullptr) scatter(begin, end, forces_.data(), force);
     }
   }
 
@@ -97,8 +94,7 @@ class Links : public ElementBlock {
       else
         force_rates[i] = tangents.stiffness * rates[i] + tangents.damping * second_rates[i];
     }
-    if (force_rate == nullptr) return;
-    for (std::size_t i = 0; i < size(); ++i) ends[i].add_force(force_rates[i], force_rate);
+    if (force_rate != nullptr) scatter(0, size(), force_rates, force_rate);
   }
 
   void add_tangent(double displacement_weight, double velocity_weight, double* values) const override {
@@ -139,7 +135,7 @@ class Links : public ElementBlock {
     if (energies_.kept()) energies_.add_step({laws_, committed_, trial_, start_, now_, forces_, step}, rule);
     if (keeps_start()) {
       before_.swap(start_);
-      start_ = now_;
+      start_.copy(now_);
       if constexpr (has_unlocated_corners) start_stiffnesses_ = stiffnesses_;
       last_step_ = step;
     }
@@ -227,6 +223,11 @@ class Links : public ElementBlock {
       deformations[i] = ends[i].difference(displacement) - offsets[i];
       rates[i] = ends[i].difference(velocity);
     }
+  }
+
+  void scatter(std::size_t begin, std::size_t end, const double* values, double* __restrict sums) const {
+    const Ends* ends = ends_.data();
+    for (std::size_t i = begin; i < end; ++i) ends[i].add_force(values[i], sums);
   }
 
   // A loop over arrays that do not overlap: for most laws the compiler turns it into vector code.

@@ -42,6 +42,7 @@ class GroundMotion {
   [[nodiscard]] double scale_factor() const { return scale_factor_; }
   /// s
   [[nodiscard]] double time_step() const { return time_step_; }
+  [[nodiscard]] double samples_per_second() const { return samples_per_second_; }  ///< 1/s
   /// Time of the last sample, (number of samples - 1) * time_step, s.
   [[nodiscard]] double duration() const { return duration_; }
   /// m/s^2

@@ -4,15 +4,9 @@
 
 namespace moat {
 
-GroundSpan::GroundSpan(const GroundMotion& motion, double start, double end)
-    : motion_{&motion}, start_{start}, end_{end} {
-  constexpr double round_off = 1e-6;  // of an interval
-  const double samples_per_second = 1.0 / motion.time_step();
-  first_sample_ = static_cast<long>(start * samples_per_second + round_off) + 1;
-  last_sample_ = static_cast<long>(end * samples_per_second - round_off);
-  if (is_straight()) return;
-  start_acceleration_ = motion.acceleration_at(start);
-  slope_ = (motion.acceleration_at(end) - start_acceleration_) / length();
+void GroundSpan::find_line() {
+  start_acceleration_ = motion_->acceleration_at(start_);
+  slope_ = (motion_->acceleration_at(end_) - start_acceleration_) / length();
 }
 
 // Between two samples the deviation is linear.

@@ -31,7 +31,12 @@ struct GroundBump {
 /// A part of a motion: from `start` to `end`, 0 <= start < end <= motion.duration(), s. The motion must outlive it.
 class GroundSpan {
  public:
-  GroundSpan(const GroundMotion& motion, double start, double end);
+  GroundSpan(const GroundMotion& motion, double start, double end) : motion_{&motion}, start_{start}, end_{end} {
+    constexpr double round_off = 1e-6;  // of an interval
+    first_sample_ = static_cast<long>(start * motion.samples_per_second() + round_off) + 1;
+    last_sample_ = static_cast<long>(end * motion.samples_per_second() - round_off);
+    if (!is_straight()) find_line();
+  }
 
   /// s
   [[nodiscard]] double start() const { return start_; }
@@ -58,6 +63,7 @@ class GroundSpan {
   };
   [[nodiscard]] Path path_to(double time) const;
   void advance_to_sample(Path& path, long sample) const;
+  void find_line();
   [[nodiscard]] double deviation_of(double acceleration, double time) const {
     return acceleration - (start_acceleration_ + slope_ * (time - start_));
   }

@@ -6,37 +6,9 @@ namespace moat {
 
 Channels::Channels(const Model& model) {
   for (int i = 0; i < model.node_count(); ++i) add_node(model, NodeId{i});
-  for (std::size_t b = 0; b < model.blocks().size(); ++b) {
-    const ElementBlock& block = *model.blocks()[b];
-    BlockChannels of_block{b, {}};
-    for (std::size_t e = 0; e < block.size(); ++e) {
-      const ElementInfo& info = block.info(e);
-      if (!info.deformation_quantity.empty()) {
-        // The indentation of an open gap is zero.
-        of_ground_.push_back(block.contacts() != nullptr ? OfGround::nothing
-                             : info.first == ground      ? OfGround::minus_displacement
-                             : info.second == ground     ? OfGround::displacement
-                                                         : OfGround::nothing);
-        list_.push_back({info.deformation_quantity.text(), info.name, info.listed_under(), "m"});
-        of_block.elements.push_back({e, block.contacts() != nullptr ? Shown::indentation : Shown::deformation});
-      }
-      if (!info.force_quantity.empty()) {
-        if (!block.constant_tangent()) of_laws_.push_back({list_.size(), b, e});
-        of_ground_.push_back(OfGround::nothing);
-        list_.push_back({info.force_quantity.text(), info.name, info.listed_under(), "N"});
-        of_block.elements.push_back({e, Shown::force});
-        const auto quantities = block.law_quantities(e);
-        for (std::size_t q = 0; q < quantities.size(); ++q) {
-          of_ground_.push_back(OfGround::nothing);
-          list_.push_back(
-              {std::string{quantities[q].name}, info.name, info.listed_under(), std::string{quantities[q].unit}});
-          of_block.elements.push_back({e, Shown::law_quantity, q});
-        }
-      }
-    }
-    if (!of_block.elements.empty()) blocks_.push_back(std::move(of_block));
-  }
+  for (std::size_t b = 0; b < model.blocks().size(); ++b) add_elements(model, b);
   base_shear_of_node_.assign(model.nodes().size(), -1);
+  first_in_plan_ = list_.size();
   if (model.is_plan()) {
     plan_ = PlanChannels{model, list_};
     // No step in plan is longer than the interval of the samples.
@@ -44,12 +16,44 @@ Channels::Channels(const Model& model) {
     return;
   }
   for (const Building& building : model.buildings()) {
-    building_nodes_.push_back(building.nodes());
-    for (const NodeId node : building_nodes_.back())
+    base_shears_.push_back({list_.size(), building.nodes()});
+    for (const NodeId node : base_shears_.back().nodes)
       base_shear_of_node_[static_cast<std::size_t>(node.index)] = static_cast<int>(list_.size());
     list_.push_back({"total_base_shear", building.base_name(), building.base_name(), "N"});
     of_ground_.push_back(OfGround::nothing);
   }
+}
+
+void Channels::add_elements(const Model& model, std::size_t b) {
+  const ElementBlock& block = *model.blocks()[b];
+  BlockChannels of_block{b, {}, {}, {}, {}};
+  for (std::size_t e = 0; e < block.size(); ++e) {
+    const ElementInfo& info = block.info(e);
+    if (!info.deformation_quantity.empty()) {
+      const bool indentation = block.contacts() != nullptr;
+      // The indentation of an open gap is zero.
+      of_ground_.push_back(indentation             ? OfGround::nothing
+                           : info.first == ground  ? OfGround::minus_displacement
+                           : info.second == ground ? OfGround::displacement
+                                                   : OfGround::nothing);
+      (indentation ? of_block.indentations : of_block.deformations).push_back({e, list_.size()});
+      list_.push_back({info.deformation_quantity.text(), info.name, info.listed_under(), "m"});
+    }
+    if (info.force_quantity.empty()) continue;
+    if (!block.constant_tangent()) of_laws_.push_back({list_.size(), b, e});
+    of_ground_.push_back(OfGround::nothing);
+    of_block.forces.push_back({e, list_.size()});
+    list_.push_back({info.force_quantity.text(), info.name, info.listed_under(), "N"});
+    const auto quantities = block.law_quantities(e);
+    for (std::size_t q = 0; q < quantities.size(); ++q) {
+      of_ground_.push_back(OfGround::nothing);
+      of_block.law_quantities.push_back({e, list_.size(), q});
+      list_.push_back(
+          {std::string{quantities[q].name}, info.name, info.listed_under(), std::string{quantities[q].unit}});
+    }
+  }
+  if (!of_block.deformations.empty() || !of_block.indentations.empty() || !of_block.forces.empty())
+    blocks_.push_back(std::move(of_block));
 }
 
 void Channels::add_node(const Model& model, NodeId id) {
@@ -102,50 +106,57 @@ void Channels::sample(const StepView& view, std::vector<double>& values, std::ve
                *acceleration = state.acceleration.data(), *jerk = state.jerk.data();
   const GroundShares shares = view.model.ground_shares();
   const PlanVector ground_acceleration = view.ground();
-  for (std::size_t i = 0; i < view.model.nodes().size(); ++i) {
-    value[0] = displacement[i];
-    value[1] = rate[0] = velocity[i];
-    rate[1] = acceleration[i];
-    value[2] = acceleration[i] + shares.of(ground_acceleration, static_cast<int>(i));
-    rate[2] = jerk[i];
-    value += 3;
-    rate += 3;
+  const int count = view.model.node_count();
+  for (int i = 0; i < count; ++i) {
+    const std::size_t channel = of_node(NodeId{i});
+    value[channel] = displacement[i];
+    value[channel + 1] = rate[channel] = velocity[i];
+    rate[channel + 1] = acceleration[i];
+    value[channel + 2] = acceleration[i] + shares.of(ground_acceleration, i);
+    rate[channel + 2] = jerk[i];
   }
   for (const Rotation& rotation : rotations_) {
     for (std::size_t k = rotation.channel; k < rotation.channel + 3; ++k) {
-      values[k] *= rotation.per_metre;
-      rates[k] *= rotation.per_metre;
+      value[k] *= rotation.per_metre;
+      rate[k] *= rotation.per_metre;
     }
   }
-  for (const BlockChannels& channels : blocks_) {
-    const ElementBlock& block = *view.model.blocks()[channels.block];
-    const double *deformations = block.deformations().data(), *deformation_rates = block.rates().data(),
-                 *forces = block.forces().data(), *force_rates = block.force_rates().data();
-    for (const ElementChannel& channel : channels.elements) {
-      if (channel.shown == Shown::law_quantity) {
-        *value++ = block.law_quantity(channel.element, channel.quantity);
-        *rate++ = 0.0;
-        continue;
-      }
-      const bool force = channel.shown == Shown::force;
-      *value = force ? forces[channel.element] : deformations[channel.element];
-      *rate = force ? force_rates[channel.element] : deformation_rates[channel.element];
-      // An open gap is not indented.
-      if (channel.shown == Shown::indentation && *value < 0.0) *value = *rate = 0.0;
-      ++value;
-      ++rate;
-    }
-  }
-  plan_.sample(view, value, rate);
-  for (const std::vector<NodeId>& building : building_nodes_) {
-    // The force from outside is minus the inertia of base and floors.
+  for (const BlockChannels& channels : blocks_) sample(*view.model.blocks()[channels.block], channels, value, rate);
+  for (const BaseShear& shear : base_shears_) {
     double inertia = 0.0, inertia_rate = 0.0;
-    for (const NodeId node : building) {
-      inertia += view.model.mass(node) * view.absolute_acceleration(node);
-      inertia_rate += view.model.mass(node) * view.model.jerk(node);
+    for (const NodeId node : shear.nodes) {
+      const double mass = view.model.mass(node);
+      inertia += mass * value[of_node(node) + 2];
+      inertia_rate += mass * rate[of_node(node) + 2];
     }
-    *value++ = -inertia;
-    *rate++ = -inertia_rate;
+    value[shear.channel] = -inertia;
+    rate[shear.channel] = -inertia_rate;
+  }
+  value += first_in_plan_;
+  rate += first_in_plan_;
+  plan_.sample(view, value, rate);
+}
+
+void Channels::sample(const ElementBlock& block, const BlockChannels& channels, double* values, double* rates) {
+  const double *forces = block.forces().data(), *force_rates = block.force_rates().data();
+  for (const auto& [element, channel] : channels.forces) {
+    values[channel] = forces[element];
+    rates[channel] = force_rates[element];
+  }
+  const double *deformations = block.deformations().data(), *deformation_rates = block.rates().data();
+  for (const auto& [element, channel] : channels.deformations) {
+    values[channel] = deformations[element];
+    rates[channel] = deformation_rates[element];
+  }
+  // An open gap is not indented.
+  for (const auto& [element, channel] : channels.indentations) {
+    const bool closed = deformations[element] >= 0.0;
+    values[channel] = closed ? deformations[element] : 0.0;
+    rates[channel] = closed ? deformation_rates[element] : 0.0;
+  }
+  for (const auto& [element, channel, quantity] : channels.law_quantities) {
+    values[channel] = block.law_quantity(element, quantity);
+    rates[channel] = 0.0;
   }
 }
 

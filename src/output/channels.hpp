@@ -47,16 +47,20 @@ class Channels {
  private:
   void add_node(const Model& model, NodeId id);
 
-  enum class Shown { deformation, indentation, force, law_quantity };
-  struct ElementChannel {
-    std::size_t element;
-    Shown shown;
-    std::size_t quantity = 0;  // of the law
+  // An element and its channel.
+  struct Source {
+    std::size_t element, channel;
+  };
+  struct LawSource {
+    std::size_t element, channel, quantity;
   };
   struct BlockChannels {
     std::size_t block;
-    std::vector<ElementChannel> elements;
+    std::vector<Source> deformations, indentations, forces;
+    std::vector<LawSource> law_quantities;
   };
+  void add_elements(const Model& model, std::size_t block);
+  static void sample(const ElementBlock& block, const BlockChannels& channels, double* values, double* rates);
 
   // A channel whose value inside a step comes from its law.
   struct LawChannel {
@@ -76,7 +80,13 @@ class Channels {
     double per_metre;
   };
   std::vector<Rotation> rotations_;
-  std::vector<std::vector<NodeId>> building_nodes_;
+  std::size_t first_in_plan_ = 0;  // channel
+  // The base shear of a building is minus the inertia of its base and floors.
+  struct BaseShear {
+    std::size_t channel;
+    std::vector<NodeId> nodes;
+  };
+  std::vector<BaseShear> base_shears_;
   std::vector<int> base_shear_of_node_;  // channel; -1 if there is none
 };
 

@@ -9,7 +9,7 @@
 
 namespace moat {
 
-PeakRecorder::PeakRecorder(const Model& model) : model_{&model}, channels_{model}, trackers_(channels_.list().size()) {
+PeakRecorder::PeakRecorder(const Model& model) : model_{&model}, channels_{model}, peaks_{channels_.list().size()} {
   for (const auto& block : model.blocks())
     for (std::size_t e = 0; has_gaps(*block) && e < block->size(); ++e) gaps_.insert(block->info(e).name);
 }
@@ -17,21 +17,23 @@ PeakRecorder::PeakRecorder(const Model& model) : model_{&model}, channels_{model
 void PeakRecorder::start(const StepView& view) { step(view); }
 
 void PeakRecorder::step(const StepView& view) {
-  values_before_.swap(values_);
-  rates_before_.swap(rates_);
-  channels_.sample(view, values_, rates_);
-  const double time = view.model.state().time;
+  sample(view);
+  peaks_.add([&](std::size_t channel, double fraction, double turned) {
+    return channels_.value_inside(view, channel, fraction, turned);
+  });
   if (view.ground_span != nullptr) add_samples_inside(*view.ground_span);
-  for (std::size_t i = 0; i < trackers_.size(); ++i)
-    trackers_[i].add(time, values_[i], rates_[i], [&](double fraction, double turned) {
-      return channels_.contains_ground(i) ? turned : channels_.value_inside(view, i, fraction, turned);
-    });
-  if (model_->is_plan()) add_slide_begins(time_, time);
-  time_ = time;
+  if (model_->is_plan()) add_slide_begins();
+}
+
+void PeakRecorder::sample(const StepView& view) {
+  CommonInstant& next = peaks_.next();
+  next.time = view.model.state().time;
+  channels_.sample(view, next.values, next.rates);
 }
 
 // Where a corner began to slide inside the step, the rates of its friction and of the accelerations jump.
-void PeakRecorder::add_slide_begins(double start, double end) {
+void PeakRecorder::add_slide_begins() {
+  const double start = peaks_.start().time, end = peaks_.last().time;
   for (std::size_t b = 0; b < model_->blocks().size(); ++b) {
     const PlanContacts* contacts = model_->blocks()[b]->plan_contacts();
     if (contacts == nullptr || model_->blocks()[b]->contacts()->touching() == 0) continue;
@@ -39,7 +41,7 @@ void PeakRecorder::add_slide_begins(double start, double end) {
       const double fraction = contacts->slide_begin(e);
       if (std::isnan(fraction)) continue;
       for (const std::size_t channel : channels_.bent_by(*model_, {.block = b, .element = e}))
-        trackers_[channel].add_bend(start + fraction * (end - start));
+        peaks_.add_bend(channel, start + fraction * (end - start));
     }
   }
 }
@@ -54,36 +56,40 @@ void PeakRecorder::add_samples_inside(const GroundSpan& span) {
     largest_bump = std::max({largest_bump, std::abs(bump.displacement), std::abs(bump.velocity)});
     bumps_.push_back(bump);
   });
-  for (std::size_t i = 0; i < trackers_.size(); ++i) {
+  for (std::size_t i = 0; i < peaks_.size(); ++i) {
     if (!channels_.contains_ground(i)) continue;
+    const Instant start = peaks_.start_of(i), end = peaks_.last_of(i);
     // A cubic leaves the range of its ends by at most 4/27 h of each rate.
-    const double reach = std::max(std::abs(values_[i]), std::abs(values_before_[i])) +
-                         0.15 * h * (std::abs(rates_[i]) + std::abs(rates_before_[i]));
-    if (reach + 2.0 * largest_bump <= trackers_[i].magnitude()) continue;
-    const HermiteCubic cubic{values_before_[i], rates_before_[i], values_[i], rates_[i], h};
+    const double reach =
+        std::max(std::abs(start.value), std::abs(end.value)) + 0.15 * h * (std::abs(start.rate) + std::abs(end.rate));
+    if (reach + 2.0 * largest_bump <= peaks_.magnitude(i)) continue;
+    const HermiteCubic cubic{start.value, start.rate, end.value, end.rate, h};
+    PeakTracker path;
+    path.restart(start.time, start.value, start.rate);
     for (const GroundBump& bump : bumps_) {
       const Channels::Inside more = channels_.with_ground(i, bump);
-      trackers_[i].add(bump.time, cubic.value(bump.fraction) + more.value, cubic.rate(bump.fraction) + more.rate);
+      path.add(bump.time, cubic.value(bump.fraction) + more.value, cubic.rate(bump.fraction) + more.rate);
     }
+    path.add(end.time, end.value, end.rate);
+    peaks_.keep(i, path.time(), path.value());
   }
 }
 
 void PeakRecorder::event(const StepView& view, std::span<const RegimeChange> changes) {
   if (!values_jump(changes)) {
     for (const RegimeChange& change : changes)
-      for (const std::size_t channel : channels_.bent_by(*model_, change)) trackers_[channel].add_bend(change.time);
+      for (const std::size_t channel : channels_.bent_by(*model_, change)) peaks_.add_bend(channel, change.time);
     return;
   }
-  channels_.sample(view, values_, rates_);
-  for (std::size_t i = 0; i < trackers_.size(); ++i)
-    trackers_[i].restart(view.model.state().time, values_[i], rates_[i]);
+  sample(view);
+  peaks_.restart();
 }
 
 std::vector<Peak> PeakRecorder::peaks() const {
   std::vector<Peak> peaks;
   std::vector<std::size_t> channel_of_peak;
   std::map<std::pair<std::string, std::string>, std::size_t> index;
-  for (std::size_t i = 0; i < trackers_.size(); ++i) {
+  for (std::size_t i = 0; i < peaks_.size(); ++i) {
     const Channel& channel = channels_.list()[i];
     const auto [found, inserted] = index.try_emplace({channel.quantity, channel.place}, peaks.size());
     if (inserted) {
@@ -91,9 +97,9 @@ std::vector<Peak> PeakRecorder::peaks() const {
       channel_of_peak.push_back(i);
     }
     Peak& peak = peaks[found->second];
-    if (trackers_[i].magnitude() > peak.magnitude()) {
-      peak.value = trackers_[i].value();
-      peak.time = trackers_[i].time();
+    if (peaks_.magnitude(i) > peak.magnitude()) {
+      peak.value = peaks_.value(i);
+      peak.time = peaks_.time(i);
       channel_of_peak[found->second] = i;
     }
   }
@@ -104,9 +110,9 @@ std::vector<Peak> PeakRecorder::peaks() const {
     Peak sum{"sum_of_floor_inertia_maxima", building.base_name(), 0.0, "N", 0.0};
     for (const NodeId node : building.nodes()) {
       const std::size_t acceleration = Channels::of_node(node) + 2;
-      sum.value += model_->mass(node) * trackers_[acceleration].magnitude();
+      sum.value += model_->mass(node) * peaks_.magnitude(acceleration);
       // The maxima are not simultaneous; the last of them completes the sum.
-      sum.time = std::max(sum.time, trackers_[acceleration].time());
+      sum.time = std::max(sum.time, peaks_.time(acceleration));
     }
     peaks.push_back(sum);
   }

@@ -7,7 +7,7 @@
 
 #include "output/case_result.hpp"
 #include "output/channels.hpp"
-#include "output/peak_tracker.hpp"
+#include "output/peak_trackers.hpp"
 
 namespace moat {
 
@@ -24,16 +24,15 @@ class PeakRecorder final : public StepObserver {
   [[nodiscard]] std::vector<Peak> peaks() const;
 
  private:
-  void add_slide_begins(double start, double end);
+  void sample(const StepView& view);
+  void add_slide_begins();
   void add_samples_inside(const GroundSpan& span);
   [[nodiscard]] std::string side_of(std::size_t channel, const Peak& peak) const;
 
   const Model* model_;
   Channels channels_;
-  std::set<std::string> gaps_;         // names
-  std::vector<PeakTracker> trackers_;  // one for each channel
-  std::vector<double> values_, rates_, values_before_, rates_before_;
-  double time_ = 0.0;              // s, of the last step
+  std::set<std::string> gaps_;     // names
+  PeakTrackers peaks_;             // of all channels
   std::vector<GroundBump> bumps_;  // inside the last step
 };
 

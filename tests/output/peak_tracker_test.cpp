@@ -120,39 +120,6 @@ TEST(PeakTracker, RepeatedInstantsDoNoHarm) {
   EXPECT_LT(tracker.magnitude(), 2.5);
 }
 
-/// Straight before and after the bend, so that both extrapolations are exact.
-TEST(PeakTracker, ABendInsideTheLastStepCounts) {
-  PeakTracker tracker;
-  tracker.add(0.0, -1.0, -2.0);
-  tracker.add(1.0, -3.0, -2.0);
-  // Down to -4.2 at 1.6 s, then up by 0.5 per second to -4 at 2 s.
-  tracker.add(2.0, -4.0, 0.5, [](double, double) { return 0.0; });
-  EXPECT_EQ(tracker.value(), -4.0);
-  tracker.add_bend(1.6);
-  EXPECT_NEAR(tracker.value(), -4.2, 1e-14);
-  EXPECT_EQ(tracker.time(), 1.6);
-}
-
-/// A parabola on both sides of the bend, with one curvature.
-TEST(PeakTracker, ABendIsExtrapolatedWithTheCurvatureBeforeIt) {
-  PeakTracker tracker;
-  for (const double t : {0.0, 1.0, 2.0}) tracker.add(t, t * t, 2.0 * t);
-  const auto after = [](double t) { return 6.25 - 5.0 * (t - 2.5) + (t - 2.5) * (t - 2.5); };
-  tracker.add(3.0, after(3.0), -4.0, [](double, double) { return 0.0; });
-  EXPECT_EQ(tracker.magnitude(), 4.0);
-  tracker.add_bend(2.5);
-  EXPECT_NEAR(tracker.value(), 6.25, 1e-14);
-  EXPECT_EQ(tracker.time(), 2.5);
-}
-
-TEST(PeakTracker, ABendOutsideTheLastStepIsLeftAlone) {
-  PeakTracker tracker;
-  for (const double t : {0.0, 1.0, 2.0}) tracker.add(t, t, 1.0);
-  for (const double t : {0.5, 1.0, 2.0, 2.5}) tracker.add_bend(t);
-  EXPECT_EQ(tracker.value(), 2.0);
-  EXPECT_EQ(tracker.time(), 2.0);
-}
-
 TEST(PeakTracker, WithoutSamplesThereIsNothing) {
   const PeakTracker tracker;
   EXPECT_EQ(tracker.magnitude(), 0.0);

@@ -1,0 +1,127 @@
+#include "output/peak_trackers.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+#include <vector>
+
+namespace moat {
+namespace {
+
+/// One quantity followed by PeakTrackers.
+class One {
+ public:
+  template <class Inside>
+  void add(double time, double value, double rate, const Inside& inside) {
+    set(time, value, rate);
+    trackers_.add([&](std::size_t, double fraction, double turned) { return inside(fraction, turned); });
+  }
+  void add(double time, double value, double rate) {
+    add(time, value, rate, [](double, double turned) { return turned; });
+  }
+  void add_bend(double time) { trackers_.add_bend(0, time); }
+
+  [[nodiscard]] double value() const { return trackers_.value(0); }
+  [[nodiscard]] double magnitude() const { return trackers_.magnitude(0); }
+  [[nodiscard]] double time() const { return trackers_.time(0); }
+
+ private:
+  void set(double time, double value, double rate) { trackers_.next() = {time, {value}, {rate}}; }
+
+  PeakTrackers trackers_{1};
+};
+
+/// Many quantities at common instants have the peaks that each of them has alone.
+TEST(PeakTrackers, FollowEveryQuantityAsOneTrackerDoes) {
+  constexpr std::size_t count = 7;
+  std::mt19937 random{5};
+  std::uniform_real_distribution<double> number{-1.0, 1.0};
+  PeakTrackers trackers{count};
+  std::vector<PeakTracker> alone(count);
+  double time = 0.0;
+  for (int step = 0; step < 200; ++step) {
+    time += 1.0 + 0.9 * number(random);
+    const bool restarts = step % 17 == 0;
+    CommonInstant& next = trackers.next();
+    next.time = time;
+    for (std::size_t i = 0; i < count; ++i) {
+      next.values[i] = number(random);
+      next.rates[i] = number(random);
+      if (restarts)
+        alone[i].restart(time, next.values[i], next.rates[i]);
+      else
+        alone[i].add(time, next.values[i], next.rates[i]);
+    }
+    if (restarts)
+      trackers.restart();
+    else
+      trackers.add([](std::size_t, double, double turned) { return turned; });
+    for (std::size_t i = 0; i < count; ++i) {
+      ASSERT_EQ(trackers.value(i), alone[i].value()) << step << " " << i;
+      ASSERT_EQ(trackers.time(i), alone[i].time()) << step << " " << i;
+    }
+  }
+}
+
+TEST(PeakTrackers, TellWhoseValueInsideAStepIsAskedFor) {
+  PeakTrackers trackers{2};
+  trackers.next() = {0.0, {4.0, 0.0}, {1.0, 1.0}};
+  trackers.restart();
+  trackers.next() = {1.0, {4.0, 1.0}, {-1.0, 1.0}};
+  trackers.add([](std::size_t quantity, double fraction, double) {
+    EXPECT_EQ(quantity, 0U);
+    EXPECT_NEAR(fraction, 0.5, 1e-12);
+    return 4.125;
+  });
+  EXPECT_EQ(trackers.value(0), 4.125);
+  EXPECT_NEAR(trackers.time(0), 0.5, 1e-12);
+  EXPECT_EQ(trackers.value(1), 1.0);
+}
+
+TEST(PeakTrackers, AValueBetweenTheInstantsCounts) {
+  PeakTrackers trackers{2};
+  trackers.next() = {1.0, {1.0, 1.0}, {0.0, 0.0}};
+  trackers.restart();
+  trackers.keep(1, 0.5, -3.0);
+  trackers.keep(1, 0.7, 2.0);
+  EXPECT_EQ(trackers.value(0), 1.0);
+  EXPECT_EQ(trackers.value(1), -3.0);
+  EXPECT_EQ(trackers.time(1), 0.5);
+}
+
+/// Straight before and after the bend, so that both extrapolations are exact.
+TEST(PeakTrackers, ABendInsideTheLastStepCounts) {
+  One tracker;
+  tracker.add(0.0, -1.0, -2.0);
+  tracker.add(1.0, -3.0, -2.0);
+  // Down to -4.2 at 1.6 s, then up by 0.5 per second to -4 at 2 s.
+  tracker.add(2.0, -4.0, 0.5, [](double, double) { return 0.0; });
+  EXPECT_EQ(tracker.value(), -4.0);
+  tracker.add_bend(1.6);
+  EXPECT_NEAR(tracker.value(), -4.2, 1e-14);
+  EXPECT_EQ(tracker.time(), 1.6);
+}
+
+/// A parabola on both sides of the bend, with one curvature.
+TEST(PeakTrackers, ABendIsExtrapolatedWithTheCurvatureBeforeIt) {
+  One tracker;
+  for (const double t : {0.0, 1.0, 2.0}) tracker.add(t, t * t, 2.0 * t);
+  const auto after = [](double t) { return 6.25 - 5.0 * (t - 2.5) + (t - 2.5) * (t - 2.5); };
+  tracker.add(3.0, after(3.0), -4.0, [](double, double) { return 0.0; });
+  EXPECT_EQ(tracker.magnitude(), 4.0);
+  tracker.add_bend(2.5);
+  EXPECT_NEAR(tracker.value(), 6.25, 1e-14);
+  EXPECT_EQ(tracker.time(), 2.5);
+}
+
+TEST(PeakTrackers, ABendOutsideTheLastStepIsLeftAlone) {
+  One tracker;
+  for (const double t : {0.0, 1.0, 2.0}) tracker.add(t, t, 1.0);
+  for (const double t : {0.5, 1.0, 2.0, 2.5}) tracker.add_bend(t);
+  EXPECT_EQ(tracker.value(), 2.0);
+  EXPECT_EQ(tracker.time(), 2.0);
+}
+
+}  // namespace
+}  // namespace moat
