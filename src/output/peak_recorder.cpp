@@ -59,10 +59,7 @@ void PeakRecorder::add_samples_inside(const GroundSpan& span) {
   for (std::size_t i = 0; i < peaks_.size(); ++i) {
     if (!channels_.contains_ground(i)) continue;
     const Instant start = peaks_.start_of(i), end = peaks_.last_of(i);
-    // A cubic leaves the range of its ends by at most 4/27 h of each rate.
-    const double reach =
-        std::max(std::abs(start.value), std::abs(end.value)) + 0.15 * h * (std::abs(start.rate) + std::abs(end.rate));
-    if (reach + 2.0 * largest_bump <= peaks_.magnitude(i)) continue;
+    if (reach_of_cubic(start, end) + 2.0 * largest_bump <= peaks_.magnitude(i)) continue;
     const HermiteCubic cubic{start.value, start.rate, end.value, end.rate, h};
     PeakTracker path;
     path.restart(start.time, start.value, start.rate);

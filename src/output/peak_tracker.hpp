@@ -1,6 +1,7 @@
 // The largest magnitude of a quantity over continuous time.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 
 #include "base/hermite.hpp"
@@ -14,13 +15,21 @@ struct Instant {
   double rate = 0.0;  ///< per second
 };
 
+/// A bound of the magnitude of the cubic through two instants: it leaves the range of its ends by at most 4/27 of the
+/// step times each rate.
+inline double reach_of_cubic(const Instant& start, const Instant& end) {
+  constexpr double share = 0.15;
+  return std::max(std::abs(start.value), std::abs(end.value)) +
+         share * (end.time - start.time) * (std::abs(start.rate) + std::abs(end.rate));
+}
+
 /// Where the cubic through two instants turns: calls found(time, value) if a peak there may exceed `magnitude`.
 /// `inside(fraction, value)` returns the value of the quantity at a fraction of the step where the cubic has an
 /// extremum with the given value.
 template <class Inside, class Found>
 void find_turn(const Instant& start, const Instant& end, double magnitude, const Inside& inside, const Found& found) {
   const double step = end.time - start.time;
-  if (step <= 0.0) return;
+  if (step <= 0.0 || reach_of_cubic(start, end) <= magnitude) return;
   const HermiteCubic cubic{start.value, start.rate, end.value, end.rate, step};
   const double x = cubic.turn();
   const double turned = cubic.value(x);

@@ -21,7 +21,7 @@ struct CommonInstant {
 /// calls add() or restart().
 class PeakTrackers {
  public:
-  explicit PeakTrackers(std::size_t count) : values_(count, 0.0), times_(count, 0.0) {
+  explicit PeakTrackers(std::size_t count) : values_(count), times_(count) {
     // Without rates at first, so that nothing turns.
     for (CommonInstant& instant : instants_) instant = {0.0, std::vector<double>(count), std::vector<double>(count)};
   }
