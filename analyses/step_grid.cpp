@@ -20,6 +20,19 @@ double next_grid_time(double time, double step) {
 StepGrid::StepGrid(const GroundMotion& motion, double start, double end)
     : motion_{&motion}, end_{end}, ground_{motion.components_at(start)} {}
 
+GroundSpan StepGrid::span(double start, double end) const {
+  return motion_ended_ ? GroundSpan{*motion_, end, end} : GroundSpan{*motion_, start, end};
+}
+
+StepTask StepGrid::task(double start, double end, double length) const {
+  StepTask step{.length = length, .end_time = end, .ground_acceleration_at_start = ground_, .start_time = start};
+  if (!motion_ended_) step.ground_acceleration = motion_->components_at(end);
+  step.ground_jerk = (1.0 / length) * (step.ground_acceleration - ground_);
+  if (motion_->has_two_components()) return step;
+  if (const GroundSpan motion = span(start, end); !motion.is_straight()) step.ground_deviation = motion.deviation();
+  return step;
+}
+
 StepTask StepGrid::next_step(double time, double length) const {
   double target = std::min(next_grid_time(time, length), end_);
   if (!motion_ended_) target = std::min(target, motion_->duration());
@@ -28,21 +41,12 @@ StepTask StepGrid::next_step(double time, double length) const {
   return task(time, target, exact);
 }
 
-StepTask StepGrid::task(double start, double end, double length) const {
-  const PlanVector at_end = motion_ended_ ? PlanVector{} : motion_->components_at(end);
-  StepTask step{length, end, at_end, (at_end - ground_) / length, ground_, start};
-  if (!motion_->has_two_components()) step.ground_deviation = span(start, end).deviation();
-  return step;
-}
-
 void StepGrid::accepted(const StepTask& step) {
   ground_ = step.ground_acceleration;
-  span_ = span(step.start_time, step.end_time);
-  if (span_->is_straight()) span_.reset();
-}
-
-GroundSpan StepGrid::span(double start, double end) const {
-  return motion_ended_ ? GroundSpan{*motion_, end, end} : GroundSpan{*motion_, start, end};
+  if (const GroundSpan motion = span(step.start_time, step.end_time); !motion.is_straight())
+    span_ = motion;
+  else
+    span_.reset();
 }
 
 StepTask StepGrid::first_part(const StepTask& step, double h) const {
