@@ -18,13 +18,16 @@ folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
 cd "$folder"
 export HOME=$folder
+# -noreset: without it the screen starts anew when ParaView, which asks first what it can do, ends its first connection;
+# a second connection at that moment is refused.
+pvbatch_on_screen() { xvfb-run -a -s "-screen 0 1280x1024x24 -noreset" pvbatch "$@"; }
 echo 'from paraview.simple import PVDReader' >import.py
-xvfb-run -a pvbatch import.py >python.log 2>&1 || skip "unpack python3-paraview to draw the frames"
+pvbatch_on_screen import.py >python.log 2>&1 || skip "unpack python3-paraview to draw the frames"
 
 "$line_script" --end "4 s" --frame-interval "20 ms" --out line --quiet
 "$plan_script" --end "6 s" --frame-interval "50 ms" --out plan --quiet
 draw() {
-  xvfb-run -a pvbatch "$@" >draw.log 2>&1 || { cat draw.log && exit 1; }
+  pvbatch_on_screen "$@" >draw.log 2>&1 || { cat draw.log && exit 1; }
 }
 for results in line plan; do
   draw "$results/moat.py" --picture "$folder/$results.png" --time 3.4 --size 640 480
