@@ -73,6 +73,10 @@ std::map<std::string, std::string> versions_of(const std::vector<std::string>& p
 
 int doctor(const Places& places) {
   print_machine(places);
+  if (places.installed()) {
+    std::puts("moat is installed as a package: apt looks after the packages that it needs.");
+    return 0;
+  }
   if (output_of({"dpkg-query", "--version"}).exit_code != 0) {
     std::puts(
         "This is not Debian: packages cannot be looked up. moat needs what corresponds to these Debian packages:");

@@ -18,7 +18,7 @@ Exit code: 0 done; 1 failed: bad input, or a build that stops; 2 wrong usage; 3 
 step that did not converge.
 
 Every command explains itself: ./moat run --help. Progress goes to standard error. Compiled scripts and logs are kept
-in build/, or in ~/.cache/moat (XDG_CACHE_HOME) where the checkout cannot be written; ./moat doctor shows where.)";
+in build/, or in ~/.cache/moat (XDG_CACHE_HOME) where that cannot be written; ./moat doctor shows where.)";
 
 inline constexpr char run[] = "Compile and run an input script";
 inline constexpr char after_run[] = R"(
@@ -41,7 +41,7 @@ Exit code: that of the script; 1 when building fails, 2 for wrong usage, 3 when 
 
 inline constexpr char create[] = "Start a script of your own";
 inline constexpr char after_new[] = R"(
-Writes a short script for you to change. An existing file is never overwritten.
+Writes a short script for you to change; "tower" means tower.cpp. An existing file is never overwritten.
 
   ./moat new ~/study/tower.cpp && ./moat run ~/study/tower.cpp
   ./moat new tower --project                      a folder with CMakeLists.txt, tower.cpp and README.md, for programs
@@ -118,15 +118,15 @@ wrong usage, 3 when packages cannot be installed.)";
 
 inline constexpr char study[] = "Show, export or merge the files of studies";
 inline constexpr char after_study[] = R"(
-./moat study show FILE
-./moat study export FILE [--out FILE.csv]
+./moat study show DIR
+./moat study export DIR [--out FILE.csv]
 ./moat study merge INTO PART...
 
 A script with script.study() keeps its cases in a file, results/<script>/study.db, and goes on from it when it is run
-again. The file may be read while the script computes.
+again. DIR is this folder, or such a file, which may be read while the script computes.
 
-  ./moat study show results/10_gap_study/study.db      progress, failures, slowest cases
-  ./moat study export results/10_gap_study/study.db    one row per case as CSV, for pandas, R and MATLAB
+  ./moat study show results/10_gap_study               progress, failures, slowest cases
+  ./moat study export results/10_gap_study             one row per case as CSV, for pandas, R and MATLAB
   ./moat study merge all.db part_*.db                  cases that --case and --cases computed, in one file
 
 Exit code: 0 done, 1 a file that cannot be read, or studies that differ, 2 wrong usage.)";

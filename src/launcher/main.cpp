@@ -10,6 +10,7 @@
 #include "launcher/completion.hpp"
 #include "launcher/doctor.hpp"
 #include "launcher/help.hpp"
+#include "launcher/installed_text.hpp"
 #include "launcher/library_program.hpp"
 #include "launcher/new_project.hpp"
 #include "launcher/new_script.hpp"
@@ -40,13 +41,14 @@ std::vector<CompletionWords> completion_words() {
 }
 
 void require_sources(const Places& places, const std::string& command) {
-  if (!std::filesystem::exists(places.root / "CMakeLists.txt"))
+  if (places.installed())
     throw Stop{exit_usage, command + " needs the sources of moat, and this is an installed package.\n" +
-                               "Clone the sources and call ./moat " + command + " there."};
+                               "Clone the sources and call it there."};
 }
 
 int run_command_line(const Places& places, int count, char** words) {
-  CLI::App app{help::moat, "./moat"};
+  CLI::App app{help::moat, places.installed() ? "moat" : "./moat"};
+  const auto help_of = [&] { return as_installed(app.help(), places); };
   app.require_subcommand(1);
   app.footer(help::after_moat);
 
@@ -79,18 +81,19 @@ int run_command_line(const Places& places, int count, char** words) {
     run_benchmark(places, rest);
   });
 
-  const auto library_command = [&](const char* name, const char* description, const char* footer) {
+  const auto library_command = [&](const char* name, const char* argument, const char* description,
+                                   const char* footer) {
     CLI::App* const command = app.add_subcommand(name, description)->prefix_command()->footer(footer);
-    command->callback([&places, command] {
+    command->callback([&places, command, argument] {
       const std::vector<std::string> rest = command->remaining();
       const std::string& word = command->get_name();
-      if (rest.empty()) throw Stop{exit_usage, word + " needs at least one word.\nSee ./moat " + word + " --help."};
+      if (rest.empty()) throw Stop{exit_usage, word + " needs " + argument + ".\nSee ./moat " + word + " --help."};
       if (rest.front() == "-h" || rest.front() == "--help") throw CLI::CallForHelp{};
       become_library_program(places, command->get_name(), rest);
     });
   };
-  library_command("motion", help::motion, help::after_motion);
-  library_command("report", help::report, help::after_report);
+  library_command("motion", "the name of an accelerogram", help::motion, help::after_motion);
+  library_command("report", "the folder of results", help::report, help::after_report);
 
   CLI::App* const study = app.add_subcommand("study", help::study)->prefix_command()->footer(help::after_study);
   study->callback([&] {
@@ -115,7 +118,7 @@ int run_command_line(const Places& places, int count, char** words) {
   app.add_subcommand("doctor", help::doctor)->callback([&] { code = launcher::doctor(places); });
 
   if (count == 1) {
-    std::fputs(app.help().c_str(), stderr);
+    std::fputs(help_of().c_str(), stderr);
     return exit_usage;
   }
   static char help_option[] = "--help";
@@ -123,7 +126,7 @@ int run_command_line(const Places& places, int count, char** words) {
   try {
     app.parse(count, words);
   } catch (const CLI::CallForHelp&) {
-    std::fputs(app.help().c_str(), stdout);
+    std::fputs(help_of().c_str(), stdout);
   } catch (const CLI::ParseError& error) {
     throw Stop{exit_usage, std::string{error.what()} + "\nSee ./moat --help."};
   }
@@ -136,11 +139,13 @@ int run_command_line(const Places& places, int count, char** words) {
 int main(int count, char** words) {
   using namespace moat::launcher;
   constexpr int folders = 3;
+  Places places;
   try {
     if (count <= folders) throw Stop{exit_usage, "This program is called by the script moat."};
-    return run_command_line({.root = words[1], .build = words[2], .work = words[3]}, count - folders, words + folders);
+    places = {.root = words[1], .build = words[2], .work = words[3]};
+    return run_command_line(places, count - folders, words + folders);
   } catch (const Stop& stop) {
-    for (const std::string& line : lines_of(stop.what())) say(line);
+    for (const std::string& line : lines_of(as_installed(stop.what(), places))) say(line);
     return stop.exit_code;
   } catch (const std::exception& error) {
     say(std::string{"error: "} + error.what());

@@ -1,13 +1,16 @@
 #include "launcher/new_script.hpp"
 
+#include "launcher/installed_text.hpp"
 #include "launcher/phase.hpp"
 #include "launcher/stop.hpp"
 #include "launcher/text.hpp"
 
 namespace moat::launcher {
 
-void new_script(const Places& places, const std::filesystem::path& file) {
+void new_script(const Places& places, const std::filesystem::path& typed) {
   namespace fs = std::filesystem;
+  fs::path file = typed;
+  if (!file.has_extension() && file.has_filename()) file += ".cpp";
   const std::string name = file.string();
   if (file.extension() != ".cpp")
     throw Stop{exit_usage, name + " does not end in .cpp.\nFor example: ./moat new tower.cpp"};
@@ -18,7 +21,7 @@ void new_script(const Places& places, const std::filesystem::path& file) {
   if (!fs::is_directory(folder)) throw Stop{exit_usage, "There is no folder " + folder.string() + ".\nMake it first."};
   const std::string stem = replaced(replaced(file.stem().string(), "\\", "\\\\"), "\"", "\\\"");
   write_text(file, replaced(text_of(places.root / "examples" / "starter.cpp"), "\"starter\"", "\"" + stem + "\""));
-  say("Wrote " + name + ". Run it with: ./moat run " + shell_quoted(name));
+  say("Wrote " + name + ". Run it with: " + as_installed("./moat run ", places) + shell_quoted(name));
 }
 
 }  // namespace moat::launcher

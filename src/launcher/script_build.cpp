@@ -1,7 +1,5 @@
 #include "launcher/script_build.hpp"
 
-#include <sys/stat.h>
-
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
@@ -10,8 +8,10 @@
 #include "launcher/compile_errors.hpp"
 #include "launcher/phase.hpp"
 #include "launcher/process.hpp"
+#include "launcher/script_header.hpp"
 #include "launcher/stop.hpp"
 #include "launcher/text.hpp"
+#include "launcher/time_of_change.hpp"
 
 namespace moat::launcher {
 namespace {
@@ -25,17 +25,6 @@ std::string ninja_words(const std::vector<std::string>& words) {
   std::vector<std::string> quoted;
   for (const std::string& word : words) quoted.push_back(shell_quoted(word));
   return ninja_value(joined(quoted));
-}
-
-// Time of the last change of a file's contents or name. Unlike the time of writing it cannot be set back: a file that
-// was copied or moved here with an old date counts as new.
-timespec time_of_change(const fs::path& file) {
-  struct stat status {};
-  return ::stat(file.c_str(), &status) == 0 ? status.st_ctim : timespec{};
-}
-
-bool later(const timespec& a, const timespec& b) {
-  return a.tv_sec != b.tv_sec ? a.tv_sec > b.tv_sec : a.tv_nsec > b.tv_nsec;
 }
 
 // Folders of scripts that were not run for two weeks.
@@ -83,12 +72,11 @@ ScriptBuild::ScriptBuild(const Places& places, const fs::path& typed)
 
 void ScriptBuild::drop_if_older_than_its_files() const {
   std::error_code ignored;
-  const timespec built = time_of_change(program());
   std::vector<fs::path> files{script_};
   for (const std::string& line : lines_of(output_of({MOAT_NINJA, "-C", folder_, "-t", "deps", "program"}).text))
     if (line.starts_with("    ")) files.emplace_back(line.substr(4));
   const bool changed =
-      std::any_of(files.begin(), files.end(), [&](const fs::path& file) { return later(time_of_change(file), built); });
+      std::any_of(files.begin(), files.end(), [&](const fs::path& file) { return changed_after(file, program()); });
   if (changed || (fs::exists(program()) && fs::file_size(program()) == 0)) fs::remove(program(), ignored);
 }
 
@@ -100,8 +88,8 @@ void ScriptBuild::bring_up_to_date() const {
   ScriptRule rule{.compile = words("script_compile.txt"),
                   .link = words("script_link.txt"),
                   .script = script_,
-                  .precompiled_header = places_.build / "script_header" / "moat.hpp.gch"};
-  if (!fs::exists(rule.precompiled_header)) rule.precompiled_header.clear();  // other compilers than GCC have none
+                  .precompiled_header = {}};
+  rule.precompiled_header = precompiled_header(places_, rule.compile);
   fs::create_directories(folder_);
   write_text(folder_ / "build.ninja", ninja_file(rule));
   drop_if_older_than_its_files();

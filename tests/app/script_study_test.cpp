@@ -205,7 +205,7 @@ TEST_F(ScriptStudyRun, FailuresAreStatesAndCanBeRetried) {
       << shown.output;
   EXPECT_NE(shown.output.find("this case is stuck"), std::string::npos) << shown.output;
   EXPECT_NE(shown.output.find("slowest cases"), std::string::npos) << shown.output;
-  ASSERT_EQ(study_command({"export", "a/study.db", "--out", "b.csv"}).exit_code, 0);
+  ASSERT_EQ(study_command({"export", "a", "--out", "b.csv"}).exit_code, 0);
   EXPECT_EQ(text_of(folder / "b.csv"), text_of(folder / "a/study.csv"));
   EXPECT_EQ(run({"--failing", "3", "--stuck", "7", "--out", "a", "--retry"}).exit_code, 3);
   EXPECT_EQ(answer_of(file("a"), "SELECT count(DISTINCT session) FROM cases"), "2");

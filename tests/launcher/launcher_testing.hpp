@@ -16,11 +16,15 @@ class InSmallCheckout : public moat::testing::InTemporaryFolder {
   InSmallCheckout() {
     for (const auto& path : {places.root / "src", places.build, places.root / "examples", folder / "study"})
       std::filesystem::create_directories(path);
+    write_text(places.root / "CMakeLists.txt", "");
     write_text(places.root / "src" / "moat.hpp", "#pragma once\n");
     write_text(places.build / "script_compile.txt",
                std::string{COMPILER} + "\n-Wall\n-isystem\n" + (places.root / "src").string() + "\n");
     write_text(places.build / "script_link.txt", "");
   }
+
+  /// An installed package has no sources.
+  void become_a_package() const { std::filesystem::remove(places.root / "CMakeLists.txt"); }
 
   /// Writes <folder>/study/<name>, a script that prints a text.
   std::filesystem::path write_script(const std::string& name, const std::string& text) const {

@@ -36,6 +36,11 @@ TEST_F(NewScript, BearsItsOwnName) {
   EXPECT_EQ(text_of(folder / "a \"big\" one.cpp"), "Script script{argc, argv, \"a \\\"big\\\" one\"};\n");
 }
 
+TEST_F(NewScript, NeedsNoEnding) {
+  EXPECT_NE(told(folder / "bridge").find("Wrote " + (folder / "bridge.cpp").string()), std::string::npos);
+  EXPECT_EQ(text_of(folder / "bridge.cpp"), "Script script{argc, argv, \"bridge\"};\n");
+}
+
 TEST_F(NewScript, IsSuggestedToRunByACommandThatCanBeCopied) {
   const std::string file = folder / "a b.cpp";
   EXPECT_NE(told(file).find("./moat run '" + file + "'\n"), std::string::npos);

@@ -1,0 +1,14 @@
+// When files changed.
+#pragma once
+
+#include <filesystem>
+
+namespace moat::launcher {
+
+/// Whether the contents or the name of a file changed after those of another, or the other does not exist.
+///
+/// Unlike the time of writing this time cannot be set back: a file that was copied, moved or unpacked with an old date
+/// counts as new.
+bool changed_after(const std::filesystem::path& file, const std::filesystem::path& other);
+
+}  // namespace moat::launcher
