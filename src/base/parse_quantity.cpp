@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <charconv>
 #include <cmath>
 #include <cstdlib>
@@ -52,6 +53,14 @@ std::optional<int> power_in_halves(std::string_view text) {
   return static_cast<int>(halves);
 }
 
+// " Did you mean cm?" for CM; empty where no symbol has these letters.
+std::string meant_by(std::string_view name) {
+  const auto same = [](unsigned char a, unsigned char b) { return std::tolower(a) == std::tolower(b); };
+  for (const Symbol& known : symbols)
+    if (std::ranges::equal(known.name, name, same)) return " Did you mean " + std::string{known.name} + "?";
+  return "";
+}
+
 void multiply(Unit& unit, std::string_view factor, int sign, std::string_view what, std::string_view text) {
   const std::size_t caret = factor.find('^');
   const std::string_view name = factor.substr(0, caret);
@@ -71,7 +80,8 @@ void multiply(Unit& unit, std::string_view factor, int sign, std::string_view wh
     return;
   }
   refuse(what, text,
-         "has an unknown unit \"" + std::string{name} + "\". Known are m mm cm km s ms min kg t tonne N kN " +
+         "has an unknown unit \"" + std::string{name} + "\"." + meant_by(name) +
+             " Known are m mm cm km s ms min kg t tonne N kN " +
              "MN GN J kJ MJ Hz and g (gravity), joined by / or a blank, with powers as in N/m^1.5.");
 }
 
@@ -103,6 +113,23 @@ Unit parse_unit(std::string_view unit_text, std::string_view what, std::string_v
   return unit;
 }
 
+// The number with units that it may have: "0.4 g" or "0.4 m/s^2".
+std::string with_unit(std::string_view number, int mass, int half_length, int time) {
+  const std::string wanted = unit_symbol(mass, half_length, time), begin = '"' + std::string{number} + ' ';
+  std::string first;
+  for (const char* usual : {"cm", "g", "kN", "tonne", "MN/m", "kN/m", "cm/s"})
+    if (const Unit unit = parse_unit(usual, "", "");
+        first.empty() && unit.mass == mass && unit.half_length == half_length && unit.time == time)
+      first = begin + usual + "\" or ";
+  return first + begin + wanted + '"';
+}
+
+[[noreturn]] void refuse_percent(std::string_view what, std::string_view text, double percent) {
+  std::array<char, 32> digits{};
+  const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), percent / 100.0).ptr;
+  refuse(what, text, "is in percent. Write it as a plain number: " + std::string{digits.data(), end} + ".");
+}
+
 }  // namespace
 
 double parse_si(std::string_view text, std::string_view what, int mass, int half_length, int time) {
@@ -126,12 +153,18 @@ double parse_si(std::string_view text, std::string_view what, int mass, int half
     refuse(what, text, "has a decimal comma. Write decimals with a point: 1.5.");
   const bool has_unit = unit_text.find_first_not_of(" \t") != std::string_view::npos;
   if (!has_unit && wanted != "1")
-    refuse(what, text, "has no unit. Write the unit behind the number, in " + wanted + " for example.");
+    refuse(what, text,
+           "has no unit. Write " +
+               with_unit(text.substr(start, static_cast<std::size_t>(end - text.data()) - start), mass, half_length,
+                         time) +
+               ".");
+  if (wanted == "1" && has_unit && unit_text.substr(unit_text.find_first_not_of(" \t")) == "%")
+    refuse_percent(what, text, number);
   const Unit unit = parse_unit(unit_text, what, text);
   if (unit.mass != mass || unit.half_length != half_length || unit.time != time)
     refuse(what, text,
-           "is in " + unit_symbol(unit.mass, unit.half_length, unit.time) + ", but it must be in " +
-               (wanted == "1" ? std::string{"no unit: a plain number"} : wanted + " or multiples of it") + ".");
+           "is in " + unit_symbol(unit.mass, unit.half_length, unit.time) + ", but it must be " +
+               (wanted == "1" ? std::string{"a plain number"} : "in " + wanted + " or multiples of it") + ".");
   if (has_unit && wanted == "1") refuse(what, text, "has a unit, but it must be a plain number.");
   const double value = number * unit.si;
   if (!std::isfinite(value)) refuse(what, text, "is too large.");

@@ -5,6 +5,7 @@
 #include <optional>
 #include <regex>
 
+#include "base/nearest_name.hpp"
 #include "launcher/compiler_output.hpp"
 #include "launcher/dimension_names.hpp"
 #include "launcher/struct_fields.hpp"
@@ -96,7 +97,7 @@ const std::vector<Pattern>& patterns() {
        [](const std::smatch& match, const Diagnostic& place, const fs::path& root) {
          const std::string type = plain_name(match[1], root);
          const std::vector<std::string> fields = fields_of(type, root);
-         const std::string nearest = nearest_field(fields, match[2]);
+         const std::string nearest = nearest_name(fields, match[2]);
          std::string hint;
          if (!nearest.empty())
            hint = "; did you mean " + nearest + "?";

@@ -1,7 +1,6 @@
 #include "launcher/struct_fields.hpp"
 
 #include <algorithm>
-#include <numeric>
 #include <regex>
 
 #include "launcher/text.hpp"
@@ -10,22 +9,6 @@ namespace moat::launcher {
 namespace {
 
 namespace fs = std::filesystem;
-
-// How many letters must be put in, taken out or exchanged (Levenshtein).
-std::size_t distance(const std::string& a, const std::string& b) {
-  std::vector<std::size_t> row(b.size() + 1);
-  std::iota(row.begin(), row.end(), std::size_t{0});
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    std::size_t diagonal = row[0];
-    row[0] = i + 1;
-    for (std::size_t j = 0; j < b.size(); ++j) {
-      const std::size_t exchanged = diagonal + (a[i] == b[j] ? 0 : 1);
-      diagonal = row[j + 1];
-      row[j + 1] = std::min({exchanged, row[j] + 1, row[j + 1] + 1});
-    }
-  }
-  return row.back();
-}
 
 // Declarations of data members stand alone on their line, indented by two.
 std::vector<std::string> fields_in(const std::string& header, const std::string& name) {
@@ -87,18 +70,6 @@ std::string name_in_scripts(const std::string& type, const fs::path& root) {
   for (const Alias& alias : aliases_in(headers_of(root)))
     if (alias.type == type) return alias.name;
   return plain;
-}
-
-std::string nearest_field(const std::vector<std::string>& fields, const std::string& misspelt) {
-  std::string nearest;
-  std::size_t least = 1 + misspelt.size() / 3;
-  for (const std::string& field : fields)
-    if (const std::size_t letters = distance(field, misspelt); letters <= least) {
-      nearest = field;
-      least = letters - 1;
-      if (letters == 0) break;
-    }
-  return nearest;
 }
 
 }  // namespace moat::launcher

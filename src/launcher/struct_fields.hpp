@@ -15,7 +15,4 @@ std::vector<std::string> fields_of(const std::string& name, const std::filesyste
 /// if a header has the line `using HertzDamp = ViscousHertzLaw<HertzDampFactor>;`.
 std::string name_in_scripts(const std::string& type, const std::filesystem::path& root);
 
-/// The field that differs in the fewest letters from a misspelt one; empty if none is near.
-std::string nearest_field(const std::vector<std::string>& fields, const std::string& misspelt);
-
 }  // namespace moat::launcher

@@ -90,14 +90,13 @@ TEST_F(ScriptOptions, OrderDoesNotMatter) {
 }
 
 TEST_F(ScriptOptions, RefusesAValueWithoutOrWithAWrongUnit) {
-  expect_refusal({"--length", "12"}, 1,
-                 "moat: error: --length: \"12\" has no unit. Write the unit behind the number, in m for example.\n");
-  expect_refusal({"--length=12"}, 1,
-                 "moat: error: --length: \"12\" has no unit. Write the unit behind the number, in m for example.\n");
+  expect_refusal({"--length", "12"}, 1, "moat: error: --length: \"12\" has no unit. Write \"12 cm\" or \"12 m\".\n");
+  expect_refusal({"--length=12"}, 1, "moat: error: --length: \"12\" has no unit. Write \"12 cm\" or \"12 m\".\n");
   expect_refusal({"--length", "12 kg"}, 1,
                  "moat: error: --length: \"12 kg\" is in kg, but it must be in m or multiples of it.\n");
-  expect_refusal({"--number", "5 cm"}, 1,
-                 "moat: error: --number: \"5 cm\" is in m, but it must be in no unit: a plain number.\n");
+  expect_refusal({"--number", "5 cm"}, 1, "moat: error: --number: \"5 cm\" is in m, but it must be a plain number.\n");
+  expect_refusal({"--number", "5%"}, 1,
+                 "moat: error: --number: \"5%\" is in percent. Write it as a plain number: 0.05.\n");
   for (const char* text : {"2.5", "two", "3 ", "99999999999"})
     expect_refusal({"--integer", text}, 1,
                    "moat: error: --integer: \"" + std::string{text} + "\" is not a whole number.\n");
@@ -117,10 +116,22 @@ TEST_F(ScriptOptions, TheIntegratorIsChosenByName) {
 }
 
 TEST_F(ScriptOptions, RefusesWhatItDoesNotKnow) {
-  for (const std::string argument : {"--lenght", "-x", "junk", "--leng"})
-    expect_refusal(
-        {argument}, 2,
-        "The following argument was not expected: " + argument + "\nRun with --help for more information.\n");
+  const std::string script = std::filesystem::path{OPTION_SCRIPT}.stem(), no_option = script + " has no option ";
+  for (const auto& [argument, text] :
+       {std::pair<std::string, std::string>{"--lenght", no_option + "--lenght. Did you mean --length?"},
+        {"--lenght=12 cm", no_option + "--lenght. Did you mean --length?"},
+        {"--leng", no_option + "--leng. Did you mean --length?"},
+        {"-length", no_option + "-length. Did you mean --length?"},
+        {"--colour", no_option + "--colour."},
+        {"-x", no_option + "-x."},
+        {"cm",
+         "\"cm\" belongs to no option. A value with a blank stands in quotes: "
+         "--length \"12 cm\"."}})
+    expect_refusal({argument}, 2, "moat: error: " + text + "\nmoat: --help lists all options.\n");
+  expect_refusal({"--colour", "red"}, 2,
+                 "moat: error: " + no_option +
+                     "--colour.\nmoat: error: \"red\" belongs to no option. A value with a "
+                     "blank stands in quotes: --length \"12 cm\".\nmoat: --help lists all options.\n");
 }
 
 TEST_F(ScriptOptions, RefusesAPositionalArgumentAfterAnOption) {
@@ -143,7 +154,7 @@ TEST_F(ScriptOptions, RefusesAnOptionGivenTwice) {
 TEST_F(ScriptOptions, RefusesAnOptionWithoutItsValue) {
   const ProgramResult last = testing::run_program(OPTION_SCRIPT, {"--length"}, folder);
   EXPECT_EQ(last.exit_code, 2);
-  EXPECT_NE(last.errors.find("--length"), std::string::npos) << last.errors;
+  EXPECT_TRUE(last.errors.starts_with("moat: error: --length")) << last.errors;
   // Another option where the value should be is no number.
   EXPECT_EQ(testing::run_program(OPTION_SCRIPT, {"--length", "--quiet"}, folder).exit_code, 1);
   EXPECT_EQ(testing::run_program(OPTION_SCRIPT, {"--length", ""}, folder).exit_code, 1);

@@ -84,15 +84,19 @@ TEST(ParseQuantity, WithoutDimensionAPlainNumber) {
 }
 
 TEST(ParseQuantity, WithoutDimensionTakesNoUnit) {
-  EXPECT_EQ(refusal<Dimensionless>("5 cm"), "--value: \"5 cm\" is in m, but it must be in no unit: a plain number.");
+  EXPECT_EQ(refusal<Dimensionless>("5 cm"), "--value: \"5 cm\" is in m, but it must be a plain number.");
+  EXPECT_EQ(refusal<Dimensionless>("5%"), "--value: \"5%\" is in percent. Write it as a plain number: 0.05.");
+  EXPECT_EQ(refusal<Dimensionless>("7 %"), "--value: \"7 %\" is in percent. Write it as a plain number: 0.07.");
   // Centimetres per metre would be a factor of 0.01 that nobody sees.
   EXPECT_EQ(refusal<Dimensionless>("5 cm/m"), "--value: \"5 cm/m\" has a unit, but it must be a plain number.");
 }
 
 TEST(ParseQuantity, RefusesANumberWithoutUnit) {
-  for (const char* text : {"12", "12 ", "-3e2"})
-    EXPECT_EQ(refusal<Length>(text), "--value: \"" + std::string{text} +
-                                         "\" has no unit. Write the unit behind the number, in m for example.");
+  EXPECT_EQ(refusal<Length>("12"), "--value: \"12\" has no unit. Write \"12 cm\" or \"12 m\".");
+  EXPECT_EQ(refusal<Length>("-3e2 "), "--value: \"-3e2 \" has no unit. Write \"-3e2 cm\" or \"-3e2 m\".");
+  EXPECT_EQ(refusal<Acceleration>("0.4"), "--value: \"0.4\" has no unit. Write \"0.4 g\" or \"0.4 m/s^2\".");
+  EXPECT_EQ(refusal<Stiffness>("5"), "--value: \"5\" has no unit. Write \"5 MN/m\" or \"5 N/m\".");
+  EXPECT_EQ(refusal<Frequency>("5"), "--value: \"5\" has no unit. Write \"5 1/s\".");
 }
 
 TEST(ParseQuantity, RefusesWhatIsNoNumber) {
@@ -116,18 +120,21 @@ TEST(ParseQuantity, RefusesAValueBelowTheSmallestNumber) {
 }
 
 TEST(ParseQuantity, RefusesAnUnknownUnitByName) {
-  for (const auto& [text, unit] : {std::pair{"12 furlong", "furlong"},
-                                   {"12 CM", "CM"},
-                                   {"0x10 m", "x10"},
-                                   {"12 cm 3", "3"},
-                                   {"12 kN/M", "M"},
-                                   {"1e m", "e"},
-                                   {"12 ^2", ""}})
+  for (const auto& [text, unit] :
+       {std::pair{"12 furlong", "furlong"}, {"0x10 m", "x10"}, {"12 cm 3", "3"}, {"1e m", "e"}, {"12 ^2", ""}})
     EXPECT_EQ(
         refusal<Length>(text),
         "--value: \"" + std::string{text} + "\" has an unknown unit \"" + unit +
             "\". Known are m mm cm km s ms min kg t tonne N kN MN GN J kJ MJ Hz and g (gravity), joined by / or a "
             "blank, with powers as in N/m^1.5.");
+}
+
+TEST(ParseQuantity, SuggestsTheUnitWithTheseLetters) {
+  for (const auto& [text, unit] :
+       {std::pair{"12 CM", "\"CM\". Did you mean cm?"}, {"12 kN/M", "\"M\". Did you mean m?"}})
+    EXPECT_NE(refusal<Length>(text).find(" has an unknown unit " + std::string{unit} + " Known are m "),
+              std::string::npos)
+        << refusal<Length>(text);
 }
 
 TEST(ParseQuantity, RefusesAnotherDimensionAndNamesBoth) {

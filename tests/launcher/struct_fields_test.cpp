@@ -35,13 +35,5 @@ TEST_F(StructFields, AreThoseOfTheTemplateBehindAName) {
   EXPECT_EQ(name_in_scripts("Plain", folder), "Plain");
 }
 
-TEST(NearestField, DiffersInFewLetters) {
-  const std::vector<std::string> fields{"name", "floor_mass", "floors", "base_mass"};
-  EXPECT_EQ(nearest_field(fields, "floor_masses"), "floor_mass");
-  EXPECT_EQ(nearest_field(fields, "flor_mass"), "floor_mass");
-  EXPECT_EQ(nearest_field(fields, "nam"), "name");
-  EXPECT_EQ(nearest_field(fields, "height"), "");
-}
-
 }  // namespace
 }  // namespace moat::launcher
