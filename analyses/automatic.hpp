@@ -17,7 +17,7 @@ namespace moat {
 /// are many samples long. For larger models they are slower, because their matrices are full.
 struct Automatic {
   static constexpr std::string_view name = "automatic";
-  static constexpr int most_degrees_of_freedom = 16;
+  static constexpr int most_degrees_of_freedom = 16;  ///< Of a model, for exact steps; more are solved by Newmark.
 
   [[nodiscard]] std::optional<StepScheme> scheme() const { return std::nullopt; }
   void check(const Check&) const {}

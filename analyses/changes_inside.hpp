@@ -11,6 +11,7 @@ namespace moat {
 /// from the interpolated motion, and the step is solved with the regimes that follow.
 class ChangesInside {
  public:
+  /// The step must outlive this object.
   ChangesInside(StepSolver& step, EventTreatment treatment) : step_{&step}, treatment_{treatment} {}
 
   /// Whether a step with this number of crossings keeps its end instead of ending at the first change: by

@@ -12,6 +12,7 @@ namespace moat {
 /// one that closes thousands of times chatters.
 class ChatterGuard {
  public:
+  /// Changes of one element's regime in one second, > 0.
   explicit ChatterGuard(int largest_per_second) : largest_per_second_{largest_per_second} {}
 
   /// Throws Error that names the element, if one changed too often.

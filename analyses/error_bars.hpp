@@ -27,10 +27,10 @@ std::string companion_description(const TransientOptions& companion);
 
 /// Peaks, clearances and number of impacts of one run, and its cost.
 struct PeaksAndImpacts {
-  std::vector<Peak> peaks;
-  std::size_t impacts = 0;
-  SolverStatistics solver;
-  std::vector<GapClearance> clearances{};
+  std::vector<Peak> peaks;                 ///< of every quantity and place
+  std::size_t impacts = 0;                 ///< number of touches
+  SolverStatistics solver;                 ///< steps, iterations, seconds
+  std::vector<GapClearance> clearances{};  ///< of every gap
 };
 
 /// Runs the model and returns its peaks and impacts. The observer, if any, gets every step. stop: asked before every

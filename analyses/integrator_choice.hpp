@@ -11,8 +11,8 @@ namespace moat {
 
 /// An integrator that is not Automatic, and the sentence that says why it was chosen.
 struct IntegratorChoice {
-  Integrator integrator;
-  std::string reason;
+  Integrator integrator;  ///< Newmark or ExactBetweenEvents
+  std::string reason;     ///< a sentence for reports
 };
 
 /// Chooses for Automatic: ExactBetweenEvents, with its steps of at most `longest_step` s in `exact`, or Newmark. The

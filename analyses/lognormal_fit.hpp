@@ -18,7 +18,8 @@ struct KnownInterval {
 
 /// Lower and upper end; an end that the data leave open is 0 or infinite.
 struct Bounds {
-  double low = 0.0;
+  double low = 0.0;  ///< >= 0
+  /// >= low.
   double high = std::numeric_limits<double>::infinity();
 };
 
@@ -38,17 +39,25 @@ class LognormalFit {
   explicit LognormalFit(std::vector<KnownInterval> intervals, double confidence = 0.95,
                         const std::string& what = "values");
 
+  /// F(median) = 1/2, > 0.
   [[nodiscard]] double median() const { return median_; }
+  /// Standard deviation of ln(x), > 0.
   [[nodiscard]] double dispersion() const { return dispersion_; }
+  /// Probability of all bounds, > 0, < 1, as given.
   [[nodiscard]] double confidence() const { return confidence_; }
+  /// With the confidence given.
   [[nodiscard]] Bounds median_bounds() const;
+  /// With the confidence given.
   [[nodiscard]] Bounds dispersion_bounds() const;
   /// x > 0.
   [[nodiscard]] double probability(double x) const;
+  /// Of F(x), x > 0.
   [[nodiscard]] Bounds probability_bounds(double x) const;
   /// The x that a share of all values, > 0 and < 1, does not exceed.
   [[nodiscard]] double quantile(double share) const;
+  /// Of quantile(share), 0 < share < 1.
   [[nodiscard]] Bounds quantile_bounds(double share) const;
+  /// The data, as given.
   [[nodiscard]] const std::vector<KnownInterval>& intervals() const { return intervals_; }
   /// The sum of their counts.
   [[nodiscard]] double count() const;

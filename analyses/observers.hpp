@@ -11,8 +11,10 @@ namespace moat {
 /// Calls observers in the order in which they were added. Each gets the start before its first step.
 class Observers {
  public:
+  /// The observer must outlive this object.
   void add(StepObserver& observer) { followers_.push_back({&observer, false}); }
 
+  /// Starts those that were not started before.
   void start(const StepView& view) {
     for (Follower& follower : followers_) {
       if (follower.started) continue;
@@ -20,12 +22,15 @@ class Observers {
       follower.observer->start(view);
     }
   }
+  /// After every committed step.
   void step(const StepView& view) const {
     for (const Follower& follower : followers_) follower.observer->step(view);
   }
+  /// After every change of regime.
   void event(const StepView& view, std::span<const RegimeChange> changes) const {
     for (const Follower& follower : followers_) follower.observer->event(view, changes);
   }
+  /// After the last step.
   void finish(const StepView& view) const {
     for (const Follower& follower : followers_) follower.observer->finish(view);
   }

@@ -15,6 +15,7 @@ namespace moat {
 /// for itself.
 class Resultants {
  public:
+  /// The model must be complete.
   explicit Resultants(const Model& model);
 
   /// Returns judge(size), where size(i, component) is the size at degree of freedom i of a quantity whose components

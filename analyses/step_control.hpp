@@ -43,23 +43,27 @@ namespace moat {
 /// inside them is integrated exactly (motions/ground_span.hpp).
 class StepControl {
  public:
+  /// How steps are chosen.
   struct Options {
-    double fixed_step = 0.0;     ///< s; 0: adaptive
-    double grid_interval = 0.0;  ///< s; the longest adaptive step of second order
-    int doublings = 0;           ///< of the grid interval, for the longest step of fourth order
-    double tolerance = 3e-5;
-    int steps_per_contact = 32;
-    int max_halvings = 24;
+    double fixed_step = 0.0;             ///< s; 0: adaptive
+    double grid_interval = 0.0;          ///< s; the longest adaptive step of second order
+    int doublings = 0;                   ///< of the grid interval, for the longest step of fourth order
+    double tolerance = 3e-5;             ///< > 0, of the error of one step over its scale
+    int steps_per_contact = 32;          ///< > 0; the shortest contact is divided into these
+    int max_halvings = 24;               ///< of the grid interval, for the shortest step
     std::optional<StepScheme> scheme{};  ///< of every step; none: chosen here
     double lowest_acceleration = 0.0;    ///< m/s^2; errors are judged on no smaller scale
   };
+  /// One step to take.
   struct Step {
     double length = 0.0;  ///< s
-    StepScheme scheme{};
+    StepScheme scheme{};  ///< the numbers of the method
   };
 
+  /// The model must be complete.
   StepControl(const Model& model, Options options);
 
+  /// Whether lengths follow from errors.
   [[nodiscard]] bool adaptive() const { return options_.fixed_step <= 0.0; }
   /// The step to try next from the committed state.
   [[nodiscard]] Step next_step(const Model& model);
@@ -94,6 +98,7 @@ class StepControl {
   /// Largest round-off of a node's acceleration over its scale so far, and where. Looked for in adapted steps of models
   /// with a squared frequency above 1e10 1/s^2 only.
   [[nodiscard]] double largest_round_off() const { return largest_round_off_; }
+  /// The node of the largest round-off.
   [[nodiscard]] NodeId place_of_round_off() const { return place_of_round_off_; }
 
  private:

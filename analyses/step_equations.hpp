@@ -31,6 +31,7 @@ struct StepTask {
 /// step, and steps that end at a located event can be very short.
 class StepEquations final : public NonlinearSystem {
  public:
+  /// The model must outlive the equations.
   explicit StepEquations(Model& model);
 
   /// Sets up a step from the model's committed state. `guess` := accelerations to start from. Where the factors of the
@@ -55,6 +56,7 @@ class StepEquations final : public NonlinearSystem {
   /// Whether the guess of begin() is the result of a Newton step.
   [[nodiscard]] bool has_extrapolated() const { return has_extrapolated_; }
 
+  /// Of the tangent, so far.
   [[nodiscard]] long factorisations() const { return factorisation_.count(); }
 
  private:

@@ -16,7 +16,9 @@ class StepGrid {
   /// `motion` must outlive this object. `start` < `end`, s.
   StepGrid(const GroundMotion& motion, double start, double end);
 
+  /// s
   [[nodiscard]] double end() const { return end_; }
+  /// Whether a time in s is the end, but for round-off.
   [[nodiscard]] bool finished(double time) const { return time >= end_ * (1.0 - 1e-12); }
   /// The ground's acceleration at the committed state, m/s^2.
   [[nodiscard]] PlanVector ground_acceleration() const { return ground_; }

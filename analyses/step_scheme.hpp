@@ -22,15 +22,18 @@ namespace moat {
 /// Forces that depend on velocity are evaluated with v1 = v'0 + h^2/12 j0 + h (2/3 a0 + 1/3 a1), where j1 is
 /// extrapolated from a0, j0 and a1, j1 = 2 (a1 - a0)/h - j0. All of it is of fourth order, over steps of any lengths.
 struct StepScheme {
-  double beta = 0.25;
-  double gamma = 0.5;
-  double mass_share = 1.0;   ///< of the inertia at the end of the step
-  double force_share = 1.0;  ///< of forces and loads at the end of the step
-  bool corrects_velocity = false;
+  double beta = 0.25;              ///< 0 <= beta, of the displacement
+  double gamma = 0.5;              ///< 0 <= gamma, of the velocity
+  double mass_share = 1.0;         ///< of the inertia at the end of the step
+  double force_share = 1.0;        ///< of forces and loads at the end of the step
+  bool corrects_velocity = false;  ///< needs beta = 1/12
 
+  /// Beta = 1/4, gamma = 1/2: second order, stable for steps of any length.
   static constexpr StepScheme average_acceleration() { return {}; }
+  /// Beta = 1/12 with corrected velocities.
   static constexpr StepScheme fourth_order() { return {.beta = 1.0 / 12.0, .corrects_velocity = true}; }
 
+  /// Of the error of displacements in the length of the step.
   [[nodiscard]] constexpr int order() const { return corrects_velocity ? 4 : 2; }
   /// Whether the equation is that of the end of the step alone.
   [[nodiscard]] constexpr bool balances_at_end() const { return mass_share == 1.0 && force_share == 1.0; }
@@ -42,6 +45,7 @@ struct StepScheme {
 
   /// du1/da1 and dv1/da1.
   [[nodiscard]] constexpr double displacement_weight(double h) const { return beta * h * h; }
+  /// Dv1/da1 over a step of h s, s.
   [[nodiscard]] constexpr double velocity_weight(double h) const { return corrects_velocity ? h / 3.0 : gamma * h; }
 
   friend bool operator==(const StepScheme&, const StepScheme&) = default;

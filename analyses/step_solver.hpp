@@ -18,9 +18,11 @@ class StepSolver {
 
   /// Sets up the next step by this stepper.
   void begin(Stepper& stepper);
+  /// The stepper of the last begin().
   [[nodiscard]] Stepper& stepper() const { return *stepper_; }
   /// The whole step, and its first h seconds.
   [[nodiscard]] const StepTask& whole() const { return whole_; }
+  /// 0 < h <= the whole step, s. Valid until the next call.
   [[nodiscard]] const StepTask& first_part(double h);
 
   /// Solves the first h seconds into the trial state. False if that did not converge.
@@ -33,10 +35,14 @@ class StepSolver {
   [[nodiscard]] RegimeScan scan(double h) const { return model_->scan_regimes(h, aim()); }
   /// m, < 0.
   [[nodiscard]] double aim() const { return -0.5 * location_tolerance_; }
+  /// M, > 0: the band of margins in which a located step ends.
   [[nodiscard]] double location_tolerance() const { return location_tolerance_; }
 
+  /// The model as given.
   [[nodiscard]] Model& model() const { return *model_; }
+  /// The implicit steps as given.
   [[nodiscard]] ImplicitSteps& implicit() const { return *implicit_; }
+  /// Counts what is solved here.
   [[nodiscard]] SolverStatistics& statistics() const { return *statistics_; }
 
  private:

@@ -11,8 +11,8 @@ namespace moat {
 
 /// Sentences and pictures for the report.
 struct StudyAnswers {
-  std::vector<std::string> sentences{};
-  std::vector<StudyPicture> pictures{};
+  std::vector<std::string> sentences{};  ///< one answer each
+  std::vector<StudyPicture> pictures{};  ///< one question each
 };
 
 /// Where all axes are of names (records, laws): of smallest gaps "Probability of pounding" against the gap, with the

@@ -7,6 +7,19 @@ function note(pattern, sentence) {
   if ($0 ~ pattern) $0 = "/** " sentence " */ " $0
 }
 
+function notes_of_all() {
+  if ($0 !~ /\/\/\//) note("[)] (const )?(noexcept )?override[ ;]", "As the function of the base class says.")
+  note("^  [A-Za-z]+[(][A-Za-z]+&&[)] noexcept", "Moves.")
+  note("^  [A-Za-z]+& operator=[(][A-Za-z]+&&[)] noexcept", "Moves.")
+}
+
+function notes_of_integrators() {
+  note("^  static constexpr std::string_view name =", "Of the option `--integrator`.")
+  note("std::optional<StepScheme> scheme\\(\\)", "The numbers of an implicit step; empty where there are none.")
+  note("^  void check\\(const Check", "Throws InputError for a number outside its range.")
+  note("std::string description\\(\\)", "Name and numbers, for reports.")
+}
+
 function notes_of_laws() {
   note("^struct [A-Za-z0-9]*Factor \\{", "The damping factor z(e) of the law below.")
   note("^  static constexpr std::string_view name =", "Of the law, in reports and options.")
@@ -76,6 +89,8 @@ function expand_list(    line, behind, count, parts, type, i) {
 
 {
   original = $0
+  notes_of_all()
+  if (FILENAME ~ /analyses\//) notes_of_integrators()
   if (FILENAME ~ /materials\//) notes_of_laws()
   if ($0 ~ /^ *(static |inline |constexpr |const )*[A-Za-z_][A-Za-z_0-9:]*(<[^(]*>)? [*]?[a-zA-Z_0-9]+( = [^;()]*| *[{][^;]*)?, [^()]*;( *\/\/\/<.*)?$/ && $0 !~ /^ *(using|return|friend|template)/)
     expand_list()

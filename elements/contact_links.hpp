@@ -25,6 +25,7 @@ class ContactLinks : public LinksWithRegimes<Law, Ends>, public Contacts {
   using Base = LinksWithRegimes<Law, Ends>;
 
  public:
+  /// Touch, approach speed and phase of a contact.
   using State = ContactState;
 
   /// Appends an element. effective_mass > 0 kg is used to estimate the duration of a contact, and the approach speed of
@@ -34,6 +35,7 @@ class ContactLinks : public LinksWithRegimes<Law, Ends>, public Contacts {
     const Ends ends{info};
     return add(std::move(info), law, effective_mass, ends);
   }
+  /// As above, with ends that are not the nodes of `info`.
   std::size_t add(ElementInfo info, const Law& law, double effective_mass, const Ends& ends) {
     effective_masses_.push_back(effective_mass);
     durations_.push_back(0.0);
@@ -125,6 +127,7 @@ class ContactLinks : public LinksWithRegimes<Law, Ends>, public Contacts {
     return std::abs(first) > of_its_size * std::abs(last);
   }
 
+  /// Whether a contact has touched and not opened, at the committed state.
   [[nodiscard]] bool is_touching(std::size_t i) const { return this->committed_[i].phase != ContactPhase::open; }
 
  private:

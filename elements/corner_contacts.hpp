@@ -28,18 +28,20 @@ class CornerContacts final : public ContactLinks<Law, PlanEnds>, public PlanCont
   using Base = ContactLinks<Law, PlanEnds>;
 
  public:
+  /// Touch, approach speed and phase of a contact.
   using State = ContactState;
 
   /// One contact. The edge reaches from `edge_begin` to `edge_end` > edge_begin along t, from the corner at rest, m.
   struct Corner {
-    CornerPair pair;
-    PlanEndsBothWays ends;  ///< along n and t, of the corner relative to the edge
-    ContactFriction friction;
-    double edge_begin = 0.0, edge_end = 0.0;
+    CornerPair pair;                                  ///< names and places
+    PlanEndsBothWays ends;                            ///< along n and t, of the corner relative to the edge
+    ContactFriction friction;                         ///< along the edge
+    double edge_begin = 0.0, edge_end = 0.0;          ///< along t, m
     double normal_mass = 0.0, tangential_mass = 0.0;  ///< effective, kg
     double cross_mobility = 0.0;                      ///< of one direction under a force along the other, 1/kg
   };
 
+  /// Appends a contact and returns its index.
   std::size_t add(ElementInfo info, const Law& law, const Corner& corner) {
     corners_.push_back(corner);
     const std::size_t count = corners_.size();

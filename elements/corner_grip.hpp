@@ -24,14 +24,16 @@ struct ContactFriction {
 /// the start and its value at the end. With the value at the end alone the corner would stick from the start of a step
 /// in which it still slides, and every sticking would begin with an error of second order that stays until it ends.
 struct CornerGrip {
-  double path = 0.0, rate = 0.0, second_rate = 0.0;  // u_t, m, and its rates
-  double slip = 0.0;                                 // s, m
-  double force = 0.0, force_rate = 0.0;              // F_t, N, N/s
-  double limit = 0.0, limit_rate = 0.0;              // mu F_n, N, N/s
-  double sense = 0.0;                                // of sliding in the step: -1 or 1; 0 where it sticks throughout
-  double follows = 0.0;                              // dF_t/d(sense limit), 0 to 1: 1 where it slides at the end
+  double path = 0.0, rate = 0.0, second_rate = 0.0;  ///< u_t, m, and its rates
+  double slip = 0.0;                                 ///< s, m
+  double force = 0.0, force_rate = 0.0;              ///< F_t, N, N/s
+  double limit = 0.0, limit_rate = 0.0;              ///< mu F_n, N, N/s
+  double sense = 0.0;                                ///< of sliding in the step: -1 or 1; 0 where it sticks throughout
+  double follows = 0.0;                              ///< dF_t/d(sense limit), 0 to 1: 1 where it slides at the end
 
+  /// Whether there is friction now.
   [[nodiscard]] bool holds() const { return limit > 0.0; }
+  /// Whether the corner slides at the end of the step.
   [[nodiscard]] bool slides() const { return follows == 1.0; }
   /// dF_t/du_t, N/m.
   [[nodiscard]] double stiffness(ContactFriction friction) const {

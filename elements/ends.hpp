@@ -18,16 +18,21 @@ namespace moat {
 class NodePair {
  public:
   NodePair() = default;
+  /// The nodes come with each call.
   explicit NodePair(const ElementInfo&) {}
 
+  /// Adds the pairs of degrees of freedom that stiffness couples.
   void add_couplings(const ElementInfo& info, PatternBuilder& pattern) const {
     pattern.couple(info.first.index, info.second.index);
   }
+  /// Keeps the positions of both ends in global arrays.
   void find_entries(const ElementInfo& info, const SparseMatrix& matrix) {
     first_ = info.first == ground ? matrix.size : info.first.index;
     second_ = info.second == ground ? matrix.size : info.second.index;
   }
+  /// Of a global array: value at `second` minus value at `first`.
   [[nodiscard]] double difference(const double* values) const { return values[second_] - values[first_]; }
+  /// Adds the force to `second` and takes it from `first`, N.
   void add_force(double force, double* forces) const {
     forces[second_] += force;
     forces[first_] -= force;
@@ -36,6 +41,7 @@ class NodePair {
   /// The positions of an element's stiffness in the values of the matrix.
   class Slots {
    public:
+    /// Keeps the positions in the values of the matrix.
     void find(const NodePair&, const ElementInfo& info, const SparseMatrix& matrix) {
       const int first = info.first.index, second = info.second.index;
       first_first_ = matrix.slot(first, first);
@@ -43,6 +49,7 @@ class NodePair {
       second_first_ = matrix.slot(second, first);
       second_second_ = matrix.slot(second, second);
     }
+    /// Adds a stiffness between both ends, N/m.
     void add_stiffness(const NodePair&, double stiffness, double* values) const {
       values[second_second_] += stiffness;
       values[first_first_] += stiffness;
@@ -64,14 +71,17 @@ class NodePair {
 ///
 /// A node alone is such a point with share 0. NodeId converts to a point, so that either can be given.
 struct MemberPoint {
-  NodeId node{};
-  NodeId other{};
+  NodeId node{};       ///< where share is 0
+  NodeId other{};      ///< where share is 1
   double share = 0.0;  ///< 0 <= share < 1
 
   MemberPoint() = default;
+  /// A node alone.
   MemberPoint(NodeId at) : node{at}, other{at} {}
+  /// 0 <= share_of_upper < 1.
   MemberPoint(NodeId lower, NodeId upper, double share_of_upper) : node{lower}, other{upper}, share{share_of_upper} {}
 
+  /// Whether the point is a node.
   [[nodiscard]] bool is_node() const { return share == 0.0; }
 };
 
@@ -82,7 +92,9 @@ class PointPair {
 
  public:
   PointPair() = default;
+  /// The nodes of `info`.
   explicit PointPair(const ElementInfo& info) : PointPair{info.first, info.second} {}
+  /// Both points at rest at equal displacements.
   PointPair(const MemberPoint& first, const MemberPoint& second)
       : node_{first.node.index, first.other.index, second.node.index, second.other.index},
         weight_{first.share - 1.0, -first.share, 1.0 - second.share, second.share} {
@@ -108,31 +120,38 @@ class PointPair {
     return sum;
   }
 
+  /// Adds the pairs of degrees of freedom that stiffness couples.
   void add_couplings(const ElementInfo&, PatternBuilder& pattern) const {
     for (std::size_t i = 0; i < count; ++i)
       for (std::size_t j = 0; j < i; ++j)
         if (weight_[i] != 0.0 && weight_[j] != 0.0) pattern.couple(node_[i], node_[j]);
   }
+  /// Keeps the positions of the nodes in global arrays.
   void find_entries(const ElementInfo&, const SparseMatrix& matrix) {
     for (std::size_t i = 0; i < count; ++i) entry_[i] = node_[i] == ground_index ? matrix.size : node_[i];
   }
+  /// Of a global array: value at the second point minus value at the first.
   [[nodiscard]] double difference(const double* values) const {
     double sum = 0.0;
     for (std::size_t i = 0; i < count; ++i) sum += weight_[i] * values[entry_[i]];
     return sum;
   }
+  /// Adds the force to the second point and takes it from the first, N.
   void add_force(double force, double* forces) const {
     for (std::size_t i = 0; i < count; ++i) forces[entry_[i]] += weight_[i] * force;
   }
 
+  /// The positions of an element's stiffness in the values of the matrix.
   class Slots {
    public:
+    /// Keeps the positions in the values of the matrix.
     void find(const PointPair& ends, const ElementInfo&, const SparseMatrix& matrix) {
       for (std::size_t i = 0; i < count; ++i)
         for (std::size_t j = 0; j < count; ++j)
           slot_[i][j] = ends.weight_[i] != 0.0 && ends.weight_[j] != 0.0 ? matrix.slot(ends.node_[i], ends.node_[j])
                                                                          : matrix.nonzeros();
     }
+    /// Adds a stiffness between both points, N/m.
     void add_stiffness(const PointPair& ends, double stiffness, double* values) const {
       for (std::size_t i = 0; i < count; ++i)
         for (std::size_t j = 0; j < count; ++j) values[slot_[i][j]] += ends.weight_[i] * ends.weight_[j] * stiffness;

@@ -9,9 +9,10 @@
 
 namespace moat {
 
+/// An end of an element, and the field that names it in messages.
 struct NamedEnd {
-  std::string_view field;
-  NodeId node;
+  std::string_view field;  ///< "lower"
+  NodeId node;             ///< the node given there
 };
 
 /// Throws InputError unless both ends are nodes of the model (or the ground) and differ; returns the

@@ -24,6 +24,7 @@ namespace moat {
 template <ForceLaw Law>
 class LinkEnergies {
  public:
+  /// History of one element.
   using State = typename Law::State;
 
   /// Whether the law computes its dissipation from its states: it slides, independent of the rate.
@@ -33,15 +34,19 @@ class LinkEnergies {
 
   /// Laws, states and motion at both ends of a step of `length` s; the states at its end are the trial ones.
   struct Step {
-    const std::vector<Law>& laws;
-    const std::vector<State>&committed, &trial;
-    const LinkMotion &start, &end;
-    const std::vector<double>& forces;  // at the end, N
-    double length;
+    const std::vector<Law>& laws;         ///< of all elements
+    const std::vector<State>& committed;  ///< at the start
+    const std::vector<State>& trial;      ///< at the end
+    const LinkMotion& start;              ///< at the start
+    const LinkMotion& end;                ///< at the end
+    const std::vector<double>& forces;    ///< at the end, N
+    double length;                        ///< s, >= 0
   };
 
+  /// Whether start() was called.
   [[nodiscard]] bool kept() const { return kept_; }
 
+  /// Makes room for more elements.
   void resize(std::size_t count) {
     if (kept_) accounts_.resize(count);
   }
@@ -57,6 +62,7 @@ class LinkEnergies {
                       .stored_at_start = laws[i].stored_energy(committed[i], now.deformations[i])};
   }
 
+  /// Adds work and dissipation of a step to every account.
   void add_step(const Step& step, WorkRule rule) {
     for (std::size_t i = 0; i < accounts_.size(); ++i) {
       Account& account = accounts_[i];

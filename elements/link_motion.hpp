@@ -10,8 +10,9 @@ namespace moat {
 
 /// Deformation of every link of a block at one instant, with its first two rates: m, m/s, m/s^2.
 struct LinkMotion {
-  std::vector<double> deformations, rates, second_rates;
+  std::vector<double> deformations, rates, second_rates;  ///< m, m/s, m/s^2
 
+  /// Of all three; new entries are zero.
   void resize(std::size_t count) {
     for (auto* values : {&deformations, &rates, &second_rates}) values->resize(count, 0.0);
   }
@@ -29,6 +30,7 @@ struct LinkMotion {
       own_second_rate[i] = second_rate[i];
     }
   }
+  /// Exchanges all three.
   void swap(LinkMotion& other) {
     deformations.swap(other.deformations);
     rates.swap(other.rates);

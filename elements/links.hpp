@@ -31,6 +31,7 @@ namespace moat {
 template <ForceLaw Law, class Ends = NodePair>
 class Links : public ElementBlock {
  public:
+  /// History of one element.
   using State = typename Law::State;
 
   /// Appends an element and returns its index.
@@ -38,6 +39,7 @@ class Links : public ElementBlock {
     const Ends ends{info};
     return add(std::move(info), law, ends);
   }
+  /// As above, with ends that are not the nodes of `info`.
   std::size_t add(ElementInfo info, const Law& law, const Ends& ends) {
     ends_.push_back(ends);
     offsets_.push_back(info.offset);
@@ -47,7 +49,9 @@ class Links : public ElementBlock {
     return infos_.size() - 1;
   }
 
+  /// As it was added.
   [[nodiscard]] const Law& law(std::size_t element) const { return laws_[element]; }
+  /// History at the committed state.
   [[nodiscard]] const State& committed(std::size_t element) const { return committed_[element]; }
 
   std::unique_ptr<ElementBlock> clone() const override { return std::make_unique<Links>(*this); }
@@ -179,26 +183,27 @@ class Links : public ElementBlock {
  protected:
   /// Without history and without regimes: both tangents are constants of the law.
   static constexpr bool is_linear = LinearWithinRegimes<Law> && !LawWithRegimes<Law> && std::is_empty_v<State>;
-  static constexpr bool has_unlocated_corners = !is_linear && !LawWithRegimes<Law>;
+  static constexpr bool has_unlocated_corners =
+      !is_linear && !LawWithRegimes<Law>;  ///< Its force has corners inside steps, which nobody locates.
 
   /// Stored energy at the committed state, J.
   [[nodiscard]] double stored(std::size_t i) const {
     return laws_[i].stored_energy(committed_[i], start_.deformations[i]);
   }
 
-  std::vector<ElementInfo> infos_;
-  std::vector<Law> laws_;
-  std::vector<Ends> ends_;
-  std::vector<typename Ends::Slots> slots_;
-  std::vector<double> offsets_;
-  std::vector<State> committed_, trial_;
-  LinkMotion now_;             // at the last evaluate()
-  LinkMotion start_, before_;  // at the last commit, and at the one before
-  double last_step_ = 0.0;     // between them, s
-  double step_ = 0.0;          // from the committed to the trial state, s
-  std::vector<double> forces_, force_rates_;
-  std::vector<double> stiffnesses_, dampings_;  // empty for linear laws
-  LinkEnergies<Law> energies_;
+  std::vector<ElementInfo> infos_;              ///< one per element, like all arrays below
+  std::vector<Law> laws_;                       ///< as added
+  std::vector<Ends> ends_;                      ///< as added
+  std::vector<typename Ends::Slots> slots_;     ///< positions in the tangent
+  std::vector<double> offsets_;                 ///< m, of the deformation
+  std::vector<State> committed_, trial_;        ///< histories at both states
+  LinkMotion now_;                              ///< at the last evaluate()
+  LinkMotion start_, before_;                   ///< at the last commit, and at the one before
+  double last_step_ = 0.0;                      ///< between them, s
+  double step_ = 0.0;                           ///< from the committed to the trial state, s
+  std::vector<double> forces_, force_rates_;    ///< of the last evaluate(), N, N/s
+  std::vector<double> stiffnesses_, dampings_;  ///< of the last evaluate(), N/m, N s/m; empty for linear laws
+  LinkEnergies<Law> energies_;                  ///< their accounts
 
  private:
   struct Tangents {

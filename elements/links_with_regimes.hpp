@@ -20,6 +20,7 @@ class LinksWithRegimes : public Links<Law, Ends>, public Regimes {
   using Base = Links<Law, Ends>;
 
  public:
+  /// History of one element.
   using State = typename Law::State;
 
   std::unique_ptr<ElementBlock> clone() const override { return std::make_unique<LinksWithRegimes>(*this); }
@@ -85,6 +86,7 @@ class LinksWithRegimes : public Links<Law, Ends>, public Regimes {
   virtual void enter(std::size_t i, const State& next, double, RegimeChange&) { this->committed_[i] = next; }
   /// Whether a contact opens inside the trial step, and whether it still pulls there.
   [[nodiscard]] virtual bool opens(std::size_t) const { return false; }
+  /// Whether it still pulls there, so that the force jumps to zero.
   [[nodiscard]] virtual bool jumps_at_opening(std::size_t) const { return false; }
   /// Whether the force jumps where a link enters `next` inside the trial step.
   [[nodiscard]] virtual bool jumps_at_entry(std::size_t, const State&, double) const { return false; }

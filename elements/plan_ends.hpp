@@ -16,7 +16,7 @@ namespace moat {
 /// never the ground. Global arrays are those of NodePair (elements/ends.hpp).
 class PlanEnds {
  public:
-  static constexpr std::size_t most = 6;
+  static constexpr std::size_t most = 6;  ///< Degrees of freedom.
 
   /// Whether degrees of freedom without a weight in this direction are kept, because another direction has one.
   enum class Keep { weighted, all };
@@ -37,8 +37,11 @@ class PlanEnds {
     return result;
   }
 
+  /// Number of degrees of freedom, <= most.
   [[nodiscard]] std::size_t size() const { return count_; }
+  /// Index of the degree of freedom i, 0 <= i < size().
   [[nodiscard]] int node(std::size_t i) const { return node_[i]; }
+  /// Of the degree of freedom i, 0 <= i < size().
   [[nodiscard]] double weight(std::size_t i) const { return weight_[i]; }
 
   /// The sum of weight^2/mass, 1/kg: the change of the difference under a unit impulse. `inverse_mass` is called with
@@ -50,26 +53,33 @@ class PlanEnds {
     return sum;
   }
 
+  /// Adds the pairs of degrees of freedom that stiffness couples.
   void add_couplings(const ElementInfo&, PatternBuilder& pattern) const {
     for (std::size_t i = 0; i < count_; ++i)
       for (std::size_t j = 0; j < i; ++j) pattern.couple(node_[i], node_[j]);
   }
+  /// Nothing to keep: indices are known from the start.
   void find_entries(const ElementInfo&, const SparseMatrix&) {}
+  /// Of a global array: the sum of weight * value.
   [[nodiscard]] double difference(const double* values) const {
     double sum = 0.0;
     for (std::size_t i = 0; i < count_; ++i) sum += weight_[i] * values[node_[i]];
     return sum;
   }
+  /// Adds weight * force to every degree of freedom.
   void add_force(double force, double* forces) const {
     for (std::size_t i = 0; i < count_; ++i) forces[node_[i]] += weight_[i] * force;
   }
 
+  /// The positions of an element's stiffness in the values of the matrix.
   class Slots {
    public:
+    /// Keeps the positions in the values of the matrix.
     void find(const PlanEnds& ends, const ElementInfo&, const SparseMatrix& matrix) {
       for (std::size_t i = 0; i < ends.count_; ++i)
         for (std::size_t j = 0; j < ends.count_; ++j) slot_[i][j] = matrix.slot(ends.node_[i], ends.node_[j]);
     }
+    /// Adds a stiffness along the direction, N/m.
     void add_stiffness(const PlanEnds& ends, double stiffness, double* values) const {
       for (std::size_t i = 0; i < ends.count_; ++i)
         for (std::size_t j = 0; j < ends.count_; ++j)
@@ -100,17 +110,22 @@ class PlanEndsBothWays {
 
  public:
   PlanEndsBothWays() = default;
+  /// Along a direction of length 1, and across, turned by +90 degrees.
   PlanEndsBothWays(const Model& model, const PlanPoint& first, const PlanPoint& second, PlanVector direction)
       : along_{model, first, second, direction, PlanEnds::Keep::all},
         across_{model, first, second, turned_left(direction), PlanEnds::Keep::all} {}
 
+  /// The difference along the direction.
   [[nodiscard]] const PlanEnds& along() const { return along_; }
+  /// The difference across it.
   [[nodiscard]] const PlanEnds& across() const { return across_; }
 
+  /// Adds the pairs of degrees of freedom that stiffness couples.
   void add_couplings(PatternBuilder& pattern) const {
     for (std::size_t i = 0; i < along_.size(); ++i)
       for (std::size_t j = 0; j < i; ++j) pattern.couple(along_.node(i), along_.node(j));
   }
+  /// Keeps the positions in the values of the matrix.
   void find(const ElementInfo&, const SparseMatrix& matrix) {
     for (std::size_t i = 0; i < along_.size(); ++i)
       for (std::size_t j = 0; j < along_.size(); ++j) slot_[i][j] = matrix.slot(along_.node(i), along_.node(j));
@@ -124,13 +139,16 @@ class PlanEndsBothWays {
       sum += along_.weight(i) * across_.weight(i) * inverse_mass(along_.node(i));
     return sum;
   }
+  /// Of a global array: along and across.
   [[nodiscard]] PlanVector difference(const double* values) const {
     return {along_.difference(values), across_.difference(values)};
   }
+  /// Adds a force, along and across, N.
   void add_force(PlanVector force, double* forces) const {
     for (std::size_t i = 0; i < along_.size(); ++i)
       forces[along_.node(i)] += along_.weight(i) * force.x + across_.weight(i) * force.y;
   }
+  /// Adds a stiffness, along and across, N/m.
   void add_stiffness(PlanMatrix stiffness, double* values) const {
     for (std::size_t i = 0; i < along_.size(); ++i) {
       const double a = along_.weight(i), b = across_.weight(i);

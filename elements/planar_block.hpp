@@ -26,6 +26,7 @@ namespace moat {
 template <PlanarLaw Law>
 class PlanarBlock final : public ElementBlock, public PlanarElements {
  public:
+  /// History of one element.
   using State = typename Law::State;
 
   /// Appends an element and returns its index.

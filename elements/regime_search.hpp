@@ -22,6 +22,7 @@ double first_fall(const Function& function, double beyond, double aim) {
 template <LawWithRegimes Law>
 class MarginPath {
  public:
+  /// The law and its history must outlive this object.
   MarginPath(const Law& law, const typename Law::State& committed, const HermiteCubic& path)
       : law_{&law}, committed_{&committed}, path_{path} {}
 

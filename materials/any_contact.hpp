@@ -18,11 +18,14 @@ namespace moat {
 class AnyContact {
  public:
   using State = ContactState;
+  /// All forms of contact.
   using Form = std::variant<ViscousHertzContact, RootDampedHertzContact, ViscousLinearContact, BilinearContact>;
 
+  /// Any law that is one of the forms, or converts to one.
   template <class Law>
   requires std::constructible_from<Form, const Law&> AnyContact(const Law& law) : form_{law} {}
 
+  /// The form that it is.
   [[nodiscard]] const Form& form() const { return form_; }
 
   /// Of the form that it is.
@@ -51,6 +54,7 @@ class AnyContact {
   State next_regime(const State& committed, double indentation, double rate) const {
     return std::visit([&](const auto& law) { return law.next_regime(committed, indentation, rate); }, form_);
   }
+  /// Of the form that it is, s.
   double contact_duration(double effective_mass, double approach_speed) const {
     return std::visit([&](const auto& law) { return law.contact_duration(effective_mass, approach_speed); }, form_);
   }

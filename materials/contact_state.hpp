@@ -34,10 +34,10 @@ inline Separation separation(bool may_pull) { return may_pull ? Separation::at_o
 ///       +----------------+  +----------------------------------+   |
 ///       +----------------------------------------------------------+  gap opens
 struct ContactState {
-  ContactPhase phase = ContactPhase::open;
-  double approach_speed = 0.0;  ///< m/s, >= least_approach_speed while not open
-  double slip = 0.0;            ///< m, in this contact, of laws that yield
-  int yields = 0;               ///< +1, -1: with the motion in this direction; 0: elastic
+  ContactPhase phase = ContactPhase::open;  ///< open, loaded or released
+  double approach_speed = 0.0;              ///< m/s, >= least_approach_speed while not open
+  double slip = 0.0;                        ///< m, in this contact, of laws that yield
+  int yields = 0;                           ///< +1, -1: with the motion in this direction; 0: elastic
 
   friend bool operator==(const ContactState&, const ContactState&) = default;
 };

@@ -18,24 +18,24 @@ namespace moat {
 struct HeatedSlidingIsolator {
   static constexpr std::string_view name = "HeatedSlidingIsolator";
 
-  double restoring_stiffness = 0.0;  ///< N/m
-  double elastic_stiffness = 0.0;    ///< N/m
-  double normal_force = 0.0;         ///< N
-  PressureTemperatureVelocity friction;
+  double restoring_stiffness = 0.0;      ///< N/m
+  double elastic_stiffness = 0.0;        ///< N/m
+  double normal_force = 0.0;             ///< N
+  PressureTemperatureVelocity friction;  ///< Friction of the surface.
 
   struct State {
-    double slip = 0.0;            ///< m
-    double friction_force = 0.0;  ///< N
-    double rise = 0.0;            ///< of the temperature of the surface, K
-    double flux = 0.0;            ///< W/m^2
-    std::array<double, PressureTemperatureVelocity::memory_size> memory{};
-    int direction = 0;  ///< of sliding; 0: sticks
+    double slip = 0.0;                                                      ///< m
+    double friction_force = 0.0;                                            ///< N
+    double rise = 0.0;                                                      ///< of the temperature of the surface, K
+    double flux = 0.0;                                                      ///< W/m^2
+    std::array<double, PressureTemperatureVelocity::memory_size> memory{};  ///< of the heat that flowed in earlier
+    int direction = 0;                                                      ///< of sliding; 0: sticks
 
     friend bool operator==(const State&, const State&) = default;
   };
   static constexpr std::array<ReportedQuantity, 3> quantities{
       {{"friction_coefficient", "1"}, {"isolator_slip", "m"}, {"surface_temperature", "degC"}}};
-  static constexpr double time_of_rate = 1.0, threshold = 1e-9;
+  static constexpr double time_of_rate = 1.0, threshold = 1e-9;  ///< Constants of the search for a change of regime.
 
   Response evaluate(const State& committed, double deformation, double rate, Interval interval, State& trial) const {
     trial = committed;
@@ -106,6 +106,7 @@ struct HeatedSlidingIsolator {
     return index == 1 ? state.slip : friction.initial_temperature + state.rise;
   }
 
+  /// Of the slider on the surface, N/m^2.
   [[nodiscard]] double pressure() const {
     return normal_force / (std::numbers::pi * friction.slider_radius.si() * friction.slider_radius.si());
   }

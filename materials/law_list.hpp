@@ -17,9 +17,10 @@ constexpr std::string_view alias_of() {
 /// Laws of one family. Names, tests and the tables of the guide are made from this list.
 template <class... Laws>
 struct LawList {
+  /// Number of laws.
   static constexpr int size = sizeof...(Laws);
 
-  /// Calls action.template operator()<Law>() for every law, in the order of the list:
+  /// Calls `action.template operator()<Law>()` for every law, in the order of the list:
   ///
   ///     AllImpactLaws::for_each([]<class Law>() { std::cout << Law::name << "\n"; });
   template <class Action>

@@ -12,7 +12,7 @@ namespace moat {
 /// regimes and reported quantities are those of one of them.
 template <ForceLaw Law>
 struct Repeated {
-  Law law;
+  Law law;             ///< one of them
   double count = 1.0;  ///< > 0
 
   using State = typename Law::State;
@@ -44,6 +44,7 @@ struct Repeated {
   double linear_stiffness(StiffnessStage stage) const { return count * law.linear_stiffness(stage); }
 
   static constexpr bool linear_within_regimes = LinearWithinRegimes<Law>;
+  /// That of the law.
   [[nodiscard]] bool is_linear_within_regimes() const requires requires(const Law& law) {
     law.is_linear_within_regimes();
   }

@@ -30,10 +30,10 @@ namespace moat {
 struct RootDampedHertzContact {
   static constexpr std::string_view name = "RootDampedHertzContact";
 
-  double stiffness = 0.0;      ///< k > 0, N/m^1.5
-  double damping = 0.0;        ///< c >= 0, N s/m^1.25
-  bool approach_only = false;  ///< whether the dashpot acts only while the bodies approach
-  Separation separation = Separation::at_zero_force;
+  double stiffness = 0.0;                             ///< k > 0, N/m^1.5
+  double damping = 0.0;                               ///< c >= 0, N s/m^1.25
+  bool approach_only = false;                         ///< whether the dashpot acts only while the bodies approach
+  Separation separation = Separation::at_zero_force;  ///< how contact ends
 
   using State = ContactState;
 

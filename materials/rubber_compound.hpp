@@ -15,13 +15,14 @@ namespace moat {
 /// The fits hold up to g = 4.1; beyond, the skeleton G_eq g goes on along its tangent and the rest stays. Source:
 /// KikuchiAikenHDR of OpenSees, after Kikuchi & Aiken (1997).
 struct RubberCompound {
+  /// The compounds that were fitted.
   enum class Kind : int {
     x06,  ///< Bridgestone X0.6
     x04,  ///< Bridgestone X0.4
   };
-  static constexpr double largest_strain = 4.1;
+  static constexpr double largest_strain = 4.1;  ///< Of the fit; beyond it the skeleton goes on straight.
 
-  Kind kind = Kind::x06;
+  Kind kind = Kind::x06;  ///< the compound
 
   /// At a strain > 0: G_eq N/m^2, h_eq, u, n.
   [[nodiscard]] double shear_modulus(double g) const {
@@ -32,16 +33,19 @@ struct RubberCompound {
             : (g < 2.0 ? 0.38073 * std::pow(g, -0.42052) : 0.46499 + g * (-0.12723 + 0.0184823 * g));
     return 1e6 * mega;
   }
+  /// H_eq, 1.
   [[nodiscard]] double damping_ratio(double g) const {
     g = std::min(g, largest_strain);
     return kind == Kind::x06 ? 0.23834 + g * (-0.028108 + 8.7664e-5 * g)
                              : 0.22184 + g * (0.0059574 + g * (-0.0072693 + 0.0014267 * g));
   }
+  /// U, 1: the share of the hysteretic force.
   [[nodiscard]] double hysteretic_share(double g) const {
     g = std::min(g, largest_strain);
     return kind == Kind::x06 ? 0.44236 + g * (-0.062943 - 0.0037571 * g)
                              : 0.42715 + g * (-0.041644 + g * (0.0070867 - 0.0019158 * g));
   }
+  /// N, 1: of the elastic force.
   [[nodiscard]] double elastic_exponent(double g) const {
     g = std::min(g, largest_strain);
     if (kind == Kind::x06) return g < 1.5 ? 1.0 : 0.91173 + g * (-0.59184 + 0.43379 * g);
@@ -67,6 +71,7 @@ struct RubberCompound {
 
   /// c and b of the branches: b adds the damping that a at its limit leaves at large strain.
   [[nodiscard]] double second_decay() const { return kind == Kind::x06 ? 5.0 : 5.5; }
+  /// B, 1, >= 0.
   [[nodiscard]] double second_size(double g) const {
     if (g <= (kind == Kind::x06 ? 1.4 : 1.5)) return 0.0;
     const double a = decay(g), c = second_decay();
@@ -81,6 +86,7 @@ struct RubberCompound {
     }
     return shear_modulus(g) * g;
   }
+  /// Slope of the skeleton over g, N/m^2.
   [[nodiscard]] double skeleton_slope(double g) const {
     g = std::min(g, largest_strain);
     if (kind == Kind::x06)

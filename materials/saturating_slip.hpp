@@ -11,7 +11,7 @@ namespace moat {
 
 /// The history of a saturating law: z = its hysteretic force over the strength, |z| <= 1, at a deformation.
 struct SaturatingState {
-  PlanVector z{};
+  PlanVector z{};            ///< of length <= 1
   PlanVector deformation{};  ///< m
   PlanVector rate{};         ///< m/s, of the deformation
   double dissipated = 0.0;   ///< over strength times yield displacement, since the start
@@ -43,13 +43,15 @@ struct SaturatingState {
 /// Magnus 1954, On the exponential solution of differential equations for a linear operator; Iserles & Norsett 1999.
 class SaturatingSlip {
  public:
+  /// Where the step begins: at the z of its start, or on the circle |z| = 1.
   enum class Begins { from_the_start, on_the_circle };
 
   /// `reach`: d_y > 0, m.
   SaturatingSlip(Begins begins, double reach) : begins_{begins}, reach_{reach} {}
 
+  /// The end of a step, and its derivatives.
   struct Step {
-    PlanVector z;
+    PlanVector z;             ///< at the end
     PlanMatrix by_increment;  ///< derivative of z, 1/m
     PlanMatrix by_rate;       ///< derivative by the rate at the end, s/m
     PlanMatrix by_start;      ///< derivative by z at the start

@@ -22,22 +22,23 @@ namespace moat {
 /// Both are exact for any length of a monotone step. Turns and all corners are located. Tension positive.
 struct SeriesOfSliders {
   static constexpr std::string_view name = "SeriesOfSliders";
-  static constexpr std::size_t most = 3;
+  static constexpr std::size_t most = 3;  ///< Branches, at most.
 
+  /// One slider: a spring beside friction, with a stop.
   struct Branch {
     double stiffness = 0.0;                                     ///< k_i > 0 N/m
     double friction = 0.0;                                      ///< f_i > 0 N
     double capacity = std::numeric_limits<double>::infinity();  ///< b_i > 0 m
   };
-  std::array<Branch, most> branches{};
-  std::size_t count = 0;
-  double elastic_stiffness = 0.0;  ///< k_e > 0 N/m, of every branch
-  double stop_stiffness = 0.0;     ///< k_stop > 0 N/m
+  std::array<Branch, most> branches{};  ///< the first `count` of them exist
+  std::size_t count = 0;                ///< 1 to most
+  double elastic_stiffness = 0.0;       ///< k_e > 0 N/m, of every branch
+  double stop_stiffness = 0.0;          ///< k_stop > 0 N/m
 
   struct State {
     std::array<double, most> slips{};  ///< s_i, m
     double deformation = 0.0;          ///< m
-    Course course{};
+    Course course{};                   ///< turns of the deformation
 
     friend bool operator==(const State&, const State&) = default;
   };

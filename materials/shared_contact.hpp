@@ -11,11 +11,12 @@ namespace moat {
 /// The force of a contact law times a share > 0: several points of a face divide the law of the face among them.
 template <ContactLaw Law>
 struct SharedContact {
-  Law law;
-  double share = 1.0;
+  Law law;             ///< of the whole face
+  double share = 1.0;  ///< > 0, of its force
 
   using State = ContactState;
 
+  /// Of the law of the face.
   [[nodiscard]] std::string_view name() const { return name_of(law); }
   [[nodiscard]] std::vector<Parameter> parameters() const {
     std::vector<Parameter> list = parameters_of(law);

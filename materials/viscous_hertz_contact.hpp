@@ -28,9 +28,9 @@ namespace moat {
 struct ViscousHertzContact {
   static constexpr std::string_view name = "ViscousHertzContact";
 
-  double stiffness = 0.0;       ///< k > 0, N/m^1.5
-  double damping_factor = 0.0;  ///< z >= 0, dimensionless
-  Separation separation = Separation::at_zero_force;
+  double stiffness = 0.0;                             ///< k > 0, N/m^1.5
+  double damping_factor = 0.0;                        ///< z >= 0, dimensionless
+  Separation separation = Separation::at_zero_force;  ///< how contact ends
 
   using State = ContactState;
 

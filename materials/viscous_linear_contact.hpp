@@ -27,10 +27,10 @@ namespace moat {
 struct ViscousLinearContact {
   static constexpr std::string_view name = "ViscousLinearContact";
 
-  double stiffness = 0.0;      ///< k > 0, N/m
-  double damping = 0.0;        ///< c >= 0, N s/m
-  bool approach_only = false;  ///< whether the dashpot acts only while the bodies approach
-  Separation separation = Separation::at_zero_force;
+  double stiffness = 0.0;                             ///< k > 0, N/m
+  double damping = 0.0;                               ///< c >= 0, N s/m
+  bool approach_only = false;                         ///< whether the dashpot acts only while the bodies approach
+  Separation separation = Separation::at_zero_force;  ///< how contact ends
 
   using State = ContactState;
 

@@ -13,9 +13,9 @@ namespace moat {
 /// A point of one body and the edge of another that it can hit.
 struct FacingCorner {
   bool of_first = true;  ///< the point belongs to the first body and the edge to the second; else the other way round
-  PlanPosition at;
-  std::string corner;       ///< "corner 2", or "point 3 of edge 1" between two corners
-  std::size_t edge = 0;     ///< counted from 0
+  PlanPosition at;       ///< at rest
+  std::string corner;    ///< "corner 2", or "point 3 of edge 1" between two corners
+  std::size_t edge = 0;  ///< counted from 0
   PlanPosition begin, end;  ///< of the edge; the point is on the left of the way from begin to end
   double share = 1.0;       ///< of the law's force
 };
@@ -28,8 +28,8 @@ enum class Share {
 
 /// How corners and edges are paired.
 struct Facing {
-  Length reach = 1.0 * units::m;  ///< edges farther away than this are left out
-  Share share = Share::per_corner;
+  Length reach = 1.0 * units::m;    ///< edges farther away than this are left out
+  Share share = Share::per_corner;  ///< whole laws, or shares of one
   /// 0, or >= 3: points along every face that is parallel to the edge; they divide the law of the face.
   int points_per_face = 0;
 };

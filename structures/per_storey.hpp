@@ -19,15 +19,19 @@ namespace moat {
 template <class T>
 class PerStorey {
  public:
+  /// The same for every storey.
   PerStorey(T every) : values_{every} {}
   /// Also from what converts to a value: any law for the law of a storey.
   template <std::convertible_to<T> Any>
   requires(!std::same_as<Any, T>) PerStorey(const Any& every) : values_{every} {}
+  /// One value per storey, from the lowest up.
   PerStorey(std::initializer_list<T> list) : values_{list}, is_list_{true} {}
+  /// One value per storey, from the lowest up.
   PerStorey(std::vector<T> list) : values_{std::move(list)}, is_list_{true} {}
 
   /// Of storey or floor 1, 2, ...
   [[nodiscard]] const T& of(int storey) const { return values_[is_list_ ? static_cast<std::size_t>(storey - 1) : 0]; }
+  /// Of storeys 1 to `storeys`.
   [[nodiscard]] std::vector<T> list(int storeys) const {
     return is_list_ ? values_ : std::vector<T>(static_cast<std::size_t>(storeys), values_.front());
   }

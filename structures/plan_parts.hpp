@@ -26,8 +26,8 @@ namespace moat {
 ///     1 . 2 . 3
 template <class Item>
 struct Grid {
-  int along_x, along_y;
-  Item item;
+  int along_x, along_y;  ///< how many, >= 1
+  Item item;             ///< at every point
 };
 
 /// The columns or walls of a storey on a vertical line: springs along x and y.
@@ -37,7 +37,9 @@ struct StoreyColumn {
   /// >= 0 N/m, not both zero.
   Stiffness stiffness_x{}, stiffness_y{};
 
+  /// N/m
   [[nodiscard]] Stiffness along_x() const { return stiffness.si() != 0.0 ? stiffness : stiffness_x; }
+  /// N/m
   [[nodiscard]] Stiffness along_y() const { return stiffness.si() != 0.0 ? stiffness : stiffness_y; }
 };
 
@@ -69,8 +71,8 @@ std::vector<PlanPosition> grid_points(const Check& check, const std::string& fie
 
 /// A column line at a position.
 struct ColumnLine {
-  PlanPosition at{};
-  StoreyColumn column;
+  PlanPosition at{};    ///< on the floor
+  StoreyColumn column;  ///< its springs
 };
 
 /// A storey as a whole: forces at its centre of rigidity.
@@ -79,21 +81,25 @@ struct ColumnLine {
 struct StoreyStiffness {
   /// > 0 N/m.
   Required<Stiffness> x;
-  Required<Stiffness> y;
+  Required<Stiffness> y;  ///< > 0 N/m
   /// > 0 N m/rad, about the centre of rigidity.
   Required<Energy> rotation;
-  PlanPosition centre_of_rigidity{};
+  PlanPosition centre_of_rigidity{};  ///< on the floor
 };
 
 /// The lateral stiffness of a storey: column lines on a grid or anywhere, or the storey as a whole.
 class PlanColumns {
  public:
+  /// Equal columns on a grid.
   PlanColumns(Grid<StoreyColumn> columns) : grid_{columns}, is_grid_{true} {}
+  /// Column lines anywhere.
   PlanColumns(std::vector<ColumnLine> lines) : lines_{std::move(lines)} {}
+  /// The storey as a whole.
   PlanColumns(StoreyStiffness whole) : whole_{whole} {}
 
   /// Column lines; none where the storey is given as a whole.
   [[nodiscard]] std::vector<ColumnLine> lines(const Check& check, const PlanOutline& outline) const;
+  /// Empty where column lines are given.
   [[nodiscard]] const std::optional<StoreyStiffness>& whole() const { return whole_; }
 
  private:
@@ -106,8 +112,10 @@ class PlanColumns {
 /// The columns of all storeys: one PlanColumns for all, or a list from the lowest up.
 class StoreyColumns {
  public:
+  /// The same for every storey.
   template <std::convertible_to<PlanColumns> Every>
   StoreyColumns(Every every) : list_{PlanColumns{std::move(every)}} {}
+  /// One per storey, from the lowest up.
   StoreyColumns(std::vector<PlanColumns> list) : list_{std::move(list)}, is_list_{true} {}
 
   /// Of storey 1, 2, ...
@@ -138,6 +146,7 @@ class PlanBearings {
   /// One bearing, of any such law.
   class Placed {
    public:
+    /// A bearing at a position on the floor.
     template <BearingInPlan Bearing>
     Placed(PlanPosition at, Bearing bearing) : at_{at} {
       add_ = [bearing](Model& model, const Names& names, DiaphragmId under, PlanPosition at_place, Force weight) {
@@ -154,14 +163,17 @@ class PlanBearings {
       };
     }
 
+    /// On the floor, as given.
     [[nodiscard]] PlanPosition at() const { return at_; }
+    /// The same bearing at another position.
     [[nodiscard]] Placed moved_to(PlanPosition at) const {
       Placed copy = *this;
       copy.at_ = at;
       return copy;
     }
+    /// Names of the element and of the place that its peaks are listed under.
     struct Names {
-      std::string name, place;
+      std::string name, place;  ///< unique, and common to all bearings of a building
     };
     /// `weight` is that on this bearing.
     void add_to(Model& model, const Names& names, DiaphragmId under, Force weight) const {
@@ -173,12 +185,16 @@ class PlanBearings {
     std::function<void(Model&, const Names&, DiaphragmId, PlanPosition, Force)> add_;
   };
 
+  /// Equal bearings on a grid.
   template <class Law>
   PlanBearings(Grid<Law> bearings)
       : along_x_{bearings.along_x}, along_y_{bearings.along_y}, list_{Placed{PlanPosition{}, bearings.item}} {}
+  /// Bearings anywhere.
   PlanBearings(std::vector<Placed> list) : list_{std::move(list)} {}
+  /// Bearings anywhere.
   PlanBearings(std::initializer_list<Placed> list) : list_{list} {}
 
+  /// At their positions on the outline. Throws InputError for a grid of less than 1 x 1.
   [[nodiscard]] std::vector<Placed> placed(const Check& check, const PlanOutline& outline) const;
 
  private:

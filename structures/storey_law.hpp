@@ -13,6 +13,7 @@ namespace moat {
 /// Any law for the storeys of a building: `YieldingStorey`, `BaberNoori`, one of the script's own.
 class StoreyLaw {
  public:
+  /// Keeps a copy of the law.
   template <ForceLaw Law>
   StoreyLaw(Law law)
       : initial_stiffness_{law.linear_stiffness(StiffnessStage::initial)},
@@ -22,6 +23,7 @@ class StoreyLaw {
 
   /// N/m.
   [[nodiscard]] double initial_stiffness() const { return initial_stiffness_; }
+  /// Adds a storey with this law between two nodes. Throws InputError for a bad parameter.
   void add_to(Model& model, const std::string& name, NodeId lower, NodeId upper) const {
     add_(model, name, lower, upper);
   }

@@ -45,23 +45,28 @@ class Check {
   /// A condition that is not about one number: throws `Kind "name": problem advice`.
   void that(bool allowed, std::string_view problem, std::string_view advice = {}) const;
 
+  /// Throws InputError unless the value is > 0 and finite.
   template <int m, int l, int t>
   void positive(std::string_view parameter, Quantity<m, l, t> value, std::string_view advice = {}) const {
     if (!(value.si() > 0.0 && std::isfinite(value.si()))) positive(parameter, value.si(), unit_symbol(m, l, t), advice);
   }
+  /// Throws InputError unless the value is >= 0 and finite.
   template <int m, int l, int t>
   void not_negative(std::string_view parameter, Quantity<m, l, t> value, std::string_view advice = {}) const {
     if (!(value.si() >= 0.0 && std::isfinite(value.si())))
       not_negative(parameter, value.si(), unit_symbol(m, l, t), advice);
   }
+  /// Throws InputError unless the value is finite.
   template <int m, int l, int t>
   void finite(std::string_view parameter, Quantity<m, l, t> value, std::string_view advice = {}) const {
     if (!std::isfinite(value.si())) finite(parameter, value.si(), unit_symbol(m, l, t), advice);
   }
+  /// Throws InputError unless the value is given, > 0 and finite.
   template <class Q>
   void positive(std::string_view parameter, const Required<Q>& value, std::string_view advice = {}) const {
     positive(parameter, value.value(), advice);
   }
+  /// Throws InputError unless the value is given, >= 0 and finite.
   template <class Q>
   void not_negative(std::string_view parameter, const Required<Q>& value, std::string_view advice = {}) const {
     not_negative(parameter, value.value(), advice);

@@ -26,6 +26,7 @@ class HermiteCubic {
     return slope0 <= far_beyond * (2.0 * rise + slope1) && slope1 <= far_beyond * (2.0 * rise + slope0);
   }
 
+  /// At x, 0 at the left end and 1 at the right.
   [[nodiscard]] double value(double x) const {
     return value_ + x * (rise_ + (1.0 - x) * ((1.0 - x) * left_ + x * right_));
   }
@@ -64,6 +65,7 @@ class HermiteQuintic {
     c_[5] = 6.0 * rise - 3.0 * (slope0 + slope1) - bend0 + bend1;
   }
 
+  /// At x, 0 at the left end and 1 at the right.
   [[nodiscard]] double value(double x) const {
     return c_[0] + x * (c_[1] + x * (c_[2] + x * (c_[3] + x * (c_[4] + x * c_[5]))));
   }

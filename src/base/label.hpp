@@ -13,11 +13,16 @@ namespace moat {
 class Label {
  public:
   Label() : Label{std::string_view{}} {}
+  /// Keeps the text where it is new.
   Label(std::string_view text);
+  /// Keeps the text where it is new.
   Label(const std::string& text) : Label{std::string_view{text}} {}
+  /// Keeps the text where it is new; not null.
   Label(const char* text) : Label{std::string_view{text}} {}
 
+  /// The text, for as long as the program runs.
   [[nodiscard]] const std::string& text() const { return *text_; }
+  /// Whether the text has no characters.
   [[nodiscard]] bool empty() const { return text_->empty(); }
 
   // The same text is at the same place.

@@ -7,8 +7,9 @@ namespace moat {
 
 /// Two components of a quantity in plan: x to the right, y up.
 struct PlanVector {
-  double x = 0.0, y = 0.0;
+  double x = 0.0, y = 0.0;  ///< along x and y
 
+  /// Adds the other.
   constexpr PlanVector& operator+=(PlanVector other) {
     x += other.x;
     y += other.y;
@@ -31,7 +32,7 @@ struct PlanVector {
 
 /// The derivative of one plan vector by another: rows are components of the first.
 struct PlanMatrix {
-  double xx = 0.0, xy = 0.0, yx = 0.0, yy = 0.0;
+  double xx = 0.0, xy = 0.0, yx = 0.0, yy = 0.0;  ///< first index: of the result; second: of the argument
 
   /// factor times identity.
   [[nodiscard]] static constexpr PlanMatrix diagonal(double factor) { return {factor, 0.0, 0.0, factor}; }

@@ -7,7 +7,7 @@ namespace moat {
 
 /// An interval at whose ends a function has different signs.
 struct Bracket {
-  double low, high;
+  double low, high;  ///< the root is between them
 };
 
 /// Narrows an interval around a zero of a continuous function until it is `width` long or has only its last digits

@@ -13,11 +13,12 @@ inline constexpr int ground_index = -1;
 /// Compressed columns. `values` has one entry more than there are nonzeros: the slot of everything
 /// that couples to the ground, so that elements scatter without a test for the ground.
 struct SparseMatrix {
-  int size = 0;
+  int size = 0;                    ///< number of degrees of freedom
   std::vector<int> column_starts;  ///< size + 1
   std::vector<int> row_indices;    ///< ascending within each column
   std::vector<double> values;      ///< nonzeros + 1
 
+  /// Number of entries of the pattern.
   [[nodiscard]] int nonzeros() const { return static_cast<int>(row_indices.size()); }
 
   /// Position of entry (row, column) in `values`; the last position where either is the ground.
@@ -33,6 +34,7 @@ struct SparseMatrix {
 /// Collects which degrees of freedom couple.
 class PatternBuilder {
  public:
+  /// Size >= 0 degrees of freedom.
   explicit PatternBuilder(int size);
 
   /// Entries (a, a), (a, b), (b, a), (b, b); the ground is ignored.

@@ -18,6 +18,7 @@ struct ContactView {
 /// The side of an ElementBlock whose elements are contacts.
 class Contacts {
  public:
+  /// Of one element, at the committed state.
   [[nodiscard]] virtual ContactView contact(std::size_t element) const = 0;
   /// Number of contacts in progress.
   [[nodiscard]] virtual int touching() const = 0;

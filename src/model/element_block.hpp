@@ -30,9 +30,10 @@ enum class DrawnAs { nothing, storey, bearing, gap, other };
 
 /// Name and parameters of a law, for reports.
 struct LawAsGiven {
-  std::string name;
-  std::vector<Parameter> parameters;
+  std::string name;                   ///< as the script calls it
+  std::vector<Parameter> parameters;  ///< in SI units
 
+  /// Name and parameters in SI units.
   LawAsGiven(std::string law, std::vector<Parameter> values) : name{std::move(law)}, parameters{std::move(values)} {}
 };
 
@@ -51,12 +52,13 @@ struct ElementInfo {
   std::shared_ptr<const LawAsGiven> law_as_given{};
   /// Whether it carries a building on the ground and lets it move: characteristic periods hold the floor above it.
   bool isolates = false;
-  DrawnAs drawn_as = DrawnAs::other;
+  DrawnAs drawn_as = DrawnAs::other;  ///< in pictures and in ParaView
   /// m. Where a gap is drawn; not a number: at the height of its nodes.
   double drawn_height = std::numeric_limits<double>::quiet_NaN();
   /// In plan, of an element with one direction: a vector of length 1 along its force.
   PlanVector direction{};
 
+  /// Name under which its peaks are listed.
   [[nodiscard]] const std::string& listed_under() const { return place.empty() ? name : place.text(); }
 };
 
@@ -76,11 +78,15 @@ class ElementBlock {
  public:
   virtual ~ElementBlock() = default;
 
+  /// A copy of all elements with their states.
   [[nodiscard]] virtual std::unique_ptr<ElementBlock> clone() const = 0;
+  /// Number of elements.
   [[nodiscard]] virtual std::size_t size() const = 0;
+  /// As it was added.
   [[nodiscard]] virtual const ElementInfo& info(std::size_t element) const = 0;
   /// The name of an element's law and its parameters, for reports.
   [[nodiscard]] virtual std::string law_name(std::size_t) const { return "law of the script"; }
+  /// Names, values and units of the parameters of its law.
   [[nodiscard]] virtual std::vector<Parameter> parameters(std::size_t) const { return {}; }
 
   /// Adds the pairs of degrees of freedom that its elements couple.
@@ -124,23 +130,29 @@ class ElementBlock {
 
   /// Results of the last evaluate(), one entry per element: m, m/s, N.
   [[nodiscard]] virtual std::span<const double> deformations() const = 0;
+  /// Of deformations, m/s.
   [[nodiscard]] virtual std::span<const double> rates() const = 0;
+  /// N
   [[nodiscard]] virtual std::span<const double> forces() const = 0;
   /// Results of the last evaluate_rates(): rates of the rates above, m/s^2, and of the forces, N/s.
   [[nodiscard]] virtual std::span<const double> second_rates() const = 0;
+  /// N/s
   [[nodiscard]] virtual std::span<const double> force_rates() const = 0;
   /// Force at a fraction of the last committed step: the law itself, on the deformation and rate interpolated there.
   [[nodiscard]] virtual double force_inside(std::size_t element, double fraction) const = 0;
 
   /// Quantities that its elements report besides deformation and force, and their values at the committed state.
   [[nodiscard]] virtual std::span<const ReportedQuantity> law_quantities(std::size_t) const { return {}; }
+  /// Its value at the committed state, in SI units.
   [[nodiscard]] virtual double law_quantity(std::size_t, std::size_t) const { return 0.0; }
 
   /// The side of a block whose elements change their regime at located instants; null without.
   [[nodiscard]] virtual Regimes* regimes() { return nullptr; }
+  /// The side of a block whose elements change their regime at located instants; null without.
   [[nodiscard]] virtual const Regimes* regimes() const { return nullptr; }
   /// The side of a block whose elements are contacts; null without.
   [[nodiscard]] virtual Contacts* contacts() { return nullptr; }
+  /// The side of a block whose elements are contacts; null without.
   [[nodiscard]] virtual const Contacts* contacts() const { return nullptr; }
   /// The side of a block whose elements deform in two directions at once; null without.
   [[nodiscard]] virtual const PlanarElements* planar() const { return nullptr; }

@@ -15,14 +15,16 @@ struct ElementEnergy {
   bool hysteretic = false;  ///< dissipates by sliding, at any speed; else viscous
   double friction = 0.0;    ///< dissipated by friction in a contact, in addition
 
+  /// Work that is neither stored nor dissipated.
   [[nodiscard]] double error() const { return work - stored - dissipated - friction; }
 };
 
 /// Sums over many elements, J.
 struct EnergySums {
-  double work = 0.0, stored = 0.0, error = 0.0;
-  double viscous = 0.0, hysteretic = 0.0, by_impact = 0.0, by_friction = 0.0;  // dissipated
+  double work = 0.0, stored = 0.0, error = 0.0;                                ///< sums of those of the elements
+  double viscous = 0.0, hysteretic = 0.0, by_impact = 0.0, by_friction = 0.0;  ///< dissipated
 
+  /// Adds those of one element.
   void add(bool is_contact, const ElementEnergy& energy) {
     work += energy.work;
     stored += energy.stored;

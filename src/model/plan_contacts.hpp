@@ -24,9 +24,11 @@ struct CornerPair {
 /// The side of an ElementBlock whose elements are contacts of corners with walls: they slide along these.
 class PlanContacts {
  public:
+  /// Names and places of a contact.
   [[nodiscard]] virtual const CornerPair& pair(std::size_t element) const = 0;
   /// Friction force along the tangent on the body of the edge, N, and its rate, N/s.
   [[nodiscard]] virtual double friction_force(std::size_t element) const = 0;
+  /// Rate of that force, N/s.
   [[nodiscard]] virtual double friction_force_rate(std::size_t element) const = 0;
   /// Where in the last committed step the corner began to slide, so that rates jumped there: a fraction of the step,
   /// NaN where it did not.
@@ -36,9 +38,11 @@ class PlanContacts {
   /// The distance of a corner from its edge at rest, and at the last evaluate() with its rate, m and m/s: that from the
   /// nearer end where the corner is beside the edge. Negative while the corner is indented.
   struct Distance {
-    double value = 0.0, rate = 0.0;
+    double value = 0.0, rate = 0.0;  ///< m, m/s
   };
+  /// m
   [[nodiscard]] virtual double distance_at_rest(std::size_t element) const = 0;
+  /// At the last evaluate().
   [[nodiscard]] virtual Distance distance(std::size_t element) const = 0;
   /// Whether a corner that slides could be pressed into its edge without an end: 1/m_n <= mu |m_nt|, with the mobility
   /// m_nt of normal motion under a force along the tangent. No law can separate them then.

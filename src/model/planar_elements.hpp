@@ -18,8 +18,11 @@ class PlanarElements {
   [[nodiscard]] virtual double linear_stiffness(std::size_t element, StiffnessStage stage) const = 0;
   /// Results of the last evaluate() and evaluate_rates(): m, m/s, N, N/s.
   [[nodiscard]] virtual PlanVector deformation(std::size_t element) const = 0;
+  /// m/s
   [[nodiscard]] virtual PlanVector deformation_rate(std::size_t element) const = 0;
+  /// N
   [[nodiscard]] virtual PlanVector force(std::size_t element) const = 0;
+  /// N/s
   [[nodiscard]] virtual PlanVector force_rate(std::size_t element) const = 0;
 
  protected:

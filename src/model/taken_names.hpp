@@ -17,6 +17,7 @@ namespace moat {
 /// bits name, or in the next free one. std::unordered_set would ask for memory for every hash.
 class TakenNames {
  public:
+  /// Remembers a name; a second time changes nothing.
   void add(std::string_view name) {
     if (3 * (count_ + 1) > 2 * places_.size()) grow();
     std::size_t& place = places_[place_of(hash_of(name))];

@@ -31,6 +31,7 @@ struct GroundBump {
 /// A part of a motion: from `start` to `end`, 0 <= start < end <= motion.duration(), s. The motion must outlive it.
 class GroundSpan {
  public:
+  /// 0 <= start < end <= motion.duration(), s, which is not checked.
   GroundSpan(const GroundMotion& motion, double start, double end) : motion_{&motion}, start_{start}, end_{end} {
     constexpr double round_off = 1e-6;  // of an interval
     first_sample_ = static_cast<long>(start * motion.samples_per_second() + round_off) + 1;
@@ -40,6 +41,7 @@ class GroundSpan {
 
   /// s
   [[nodiscard]] double start() const { return start_; }
+  /// s
   [[nodiscard]] double length() const { return end_ - start_; }
   /// Whether the acceleration is linear in all of it.
   [[nodiscard]] bool is_straight() const { return first_sample_ > last_sample_; }
@@ -47,7 +49,9 @@ class GroundSpan {
   [[nodiscard]] double acceleration_at(double time) const { return motion_->acceleration_at(time); }
   /// From the start to a time inside.
   [[nodiscard]] GroundDeviation deviation_at(double time) const { return path_to(time).sum; }
+  /// At the end.
   [[nodiscard]] GroundDeviation deviation() const { return is_straight() ? GroundDeviation{} : deviation_at(end_); }
+  /// At a time inside, s.
   [[nodiscard]] GroundBump bump_at(double time) const { return bump_at(path_to(time), deviation()); }
   /// Calls visit(bump) at every sample strictly inside, in order.
   template <class Visit>

@@ -18,8 +18,10 @@ namespace moat {
 /// Displacement and velocity are relative to the ground, accelerations absolute.
 class Channels {
  public:
+  /// The model must be complete.
   explicit Channels(const Model& model);
 
+  /// In the order of values.
   [[nodiscard]] const std::vector<Channel>& list() const { return list_; }
   /// The channel of this quantity at this node or element; -1 if there is none.
   [[nodiscard]] int find(std::string_view quantity, std::string_view where) const;
@@ -32,8 +34,9 @@ class Channels {
 
   /// What the motion of the ground inside a step adds to a channel and to its rate, beyond cubics.
   struct Inside {
-    double value = 0.0, rate = 0.0;
+    double value = 0.0, rate = 0.0;  ///< in units of the channel, and per second
   };
+  /// The bump is that of the instant inside the step.
   [[nodiscard]] Inside with_ground(std::size_t channel, const GroundBump& bump) const;
   /// Whether a channel is relative to the ground.
   [[nodiscard]] bool contains_ground(std::size_t channel) const { return of_ground_[channel] != OfGround::nothing; }

@@ -12,6 +12,7 @@ namespace moat {
 /// and their rates counts. In plan an opening is the distance of a corner from its edge, also from an end of it.
 class ClearanceRecorder final : public StepObserver {
  public:
+  /// The model must be complete.
   explicit ClearanceRecorder(const Model& model);
 
   void start(const StepView& view) override { step(view); }

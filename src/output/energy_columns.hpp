@@ -8,10 +8,11 @@
 
 namespace moat {
 
+/// One term of the balance of energies.
 struct EnergyColumn {
-  const char* name;   ///< in files
-  const char* words;  ///< in the report
-  double EnergyBalance::*value;
+  const char* name;              ///< in files
+  const char* words;             ///< in the report
+  double EnergyBalance::*value;  ///< its field, J
 };
 
 /// Where the input went: input = the sum of the others, but for errors. The last exists in plan only.

@@ -6,8 +6,9 @@
 
 namespace moat {
 
+/// A unit that engineers read.
 struct EngineeringUnit {
-  std::string symbol;
+  std::string symbol;   ///< "cm"
   double per_si = 1.0;  ///< value in this unit = per_si * value in SI
 };
 

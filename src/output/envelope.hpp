@@ -5,8 +5,9 @@
 
 namespace moat {
 
+/// Points of a curve.
 struct Curve {
-  std::vector<double> x, y;
+  std::vector<double> x, y;  ///< of equal length
 };
 
 /// Thins a curve for a picture of `width` x `height` pixels (both > 0); x and y of equal length, finite.

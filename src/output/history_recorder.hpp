@@ -30,6 +30,7 @@ class HistoryRecorder final : public StepObserver {
   /// listed since. Throws InputError for one that has a column already.
   void add(const OfferedQuantities& quantities);
 
+  /// All columns, from the start to the last recorded time.
   [[nodiscard]] Table table() const;
 
  private:

@@ -11,16 +11,17 @@ namespace moat {
 
 /// A corner or an edge that met, in plan.
 struct ImpactName {
-  const char* name;
-  const char* meaning;  ///< a sentence for readers
-  std::string Impact::*value;
+  const char* name;            ///< of the column
+  const char* meaning;         ///< a sentence for readers
+  std::string Impact::*value;  ///< its field
 };
 
+/// A number of an impact.
 struct ImpactColumn {
-  const char* name;
-  const char* unit;     ///< SI symbol
-  const char* meaning;  ///< a sentence for readers
-  double Impact::*value;
+  const char* name;        ///< of the column
+  const char* unit;        ///< SI symbol
+  const char* meaning;     ///< a sentence for readers
+  double Impact::*value;   ///< its field, in SI units
   int least_decimals = 0;  ///< in the report
 };
 

@@ -17,6 +17,7 @@ class ImpactCounter final : public StepObserver {
   void step(const StepView&) override {}
   void event(const StepView& view, std::span<const RegimeChange> changes) override;
 
+  /// Number of touches so far.
   [[nodiscard]] std::size_t count() const { return count_; }
 
  private:

@@ -10,29 +10,32 @@ namespace moat {
 
 class Model;
 
+/// A node, for files and pictures.
 struct NodeFacts {
-  std::string name;
+  std::string name;     ///< unique in its model
   double mass = 0.0;    ///< kg
   double x = 0.0;       ///< m, of drawings
   double height = 0.0;  ///< m, of drawings
 };
 
+/// A parameter of a law.
 struct ParameterFacts {
-  std::string name;  ///< as scripts write it: "stiffness"
-  double value = 0.0;
-  std::string unit;  ///< SI symbol
+  std::string name;    ///< as scripts write it: "stiffness"
+  double value = 0.0;  ///< in SI units
+  std::string unit;    ///< SI symbol
 };
 
+/// An element, for files and pictures.
 struct ElementFacts {
-  std::string name;
-  std::string law;            ///< name of the law; empty where it is not known
-  std::string first, second;  ///< names of the nodes it joins; "ground" for the ground
-  std::vector<ParameterFacts> parameters;
+  std::string name;                        ///< unique in its model
+  std::string law;                         ///< name of the law; empty where it is not known
+  std::string first, second;               ///< names of the nodes it joins; "ground" for the ground
+  std::vector<ParameterFacts> parameters;  ///< of its law
 };
 
 /// A floor in plan.
 struct DiaphragmFacts {
-  std::string name;
+  std::string name;                   ///< unique in its model
   double gyration = 0.0;              ///< m
   PlanVector centre_of_mass{};        ///< m
   std::vector<PlanVector> outline{};  ///< corners, m
@@ -50,12 +53,13 @@ struct CornerFacts {
   bool edge_is_wall = false;            ///< of the ground, or of a wall; else of another floor
 };
 
+/// The whole model, for files and pictures.
 struct ModelFacts {
-  std::vector<NodeFacts> nodes;
-  std::vector<ElementFacts> elements;
+  std::vector<NodeFacts> nodes;        ///< in the order of the model
+  std::vector<ElementFacts> elements;  ///< in the order of the model
   // In plan.
-  std::vector<DiaphragmFacts> diaphragms{};
-  std::vector<CornerFacts> corners{};
+  std::vector<DiaphragmFacts> diaphragms{};  ///< in plan
+  std::vector<CornerFacts> corners{};        ///< in plan
 };
 
 /// All nodes and elements of a model with their parameters.

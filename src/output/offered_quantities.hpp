@@ -14,6 +14,7 @@ class OfferedQuantities {
   /// The recorder must outlive the list. Throws InputError for an empty name, unit, or a quantity that is listed.
   void add(const QuantityRecorder& recorder);
 
+  /// In the order of values.
   [[nodiscard]] const std::vector<OfferedQuantity>& list() const { return list_; }
   /// values := all quantities at the committed state.
   void sample(const StepView& view, std::vector<double>& values) const;
@@ -38,6 +39,7 @@ class OfferedPeaks final : public StepObserver {
   void step(const StepView& view) override;
   void event(const StepView& view, std::span<const RegimeChange>) override { step(view); }
 
+  /// One for every quantity.
   [[nodiscard]] std::vector<Peak> peaks() const;
 
  private:

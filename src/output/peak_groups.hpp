@@ -8,8 +8,9 @@
 
 namespace moat {
 
+/// One place of a quantity, as text.
 struct PeakRow {
-  std::string where;
+  std::string where;    ///< node or element
   std::string value;    ///< in the group's unit
   std::string missing;  ///< decimals that other values of the group have and this one has not: ".00"
   std::string error;    ///< in the group's unit; empty where it is not known
@@ -17,10 +18,11 @@ struct PeakRow {
   std::string side;     ///< "left", "right", or the element that reached it
 };
 
+/// The places of one quantity.
 struct PeakGroup {
-  std::string quantity;  ///< in words
-  std::string unit;      ///< engineering unit
-  std::vector<PeakRow> rows;
+  std::string quantity;       ///< in words
+  std::string unit;           ///< engineering unit
+  std::vector<PeakRow> rows;  ///< in the order of the peaks
 };
 
 /// Groups by quantity and unit, in the order they first appear. A group's largest value has 4 significant digits and

@@ -15,12 +15,14 @@ namespace moat {
 /// `sum_of_floor_inertia_maxima` of every building: the sum of mass times peak absolute acceleration.
 class PeakRecorder final : public StepObserver {
  public:
+  /// The model must be complete.
   explicit PeakRecorder(const Model& model);
 
   void start(const StepView& view) override;
   void step(const StepView& view) override;
   void event(const StepView& view, std::span<const RegimeChange> changes) override;
 
+  /// One for every channel that has a peak.
   [[nodiscard]] std::vector<Peak> peaks() const;
 
  private:

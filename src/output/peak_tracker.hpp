@@ -52,6 +52,7 @@ class PeakTracker {
       find_turn(last_, now, magnitude(), inside, [this](double when, double turned) { keep(when, turned); });
     last_ = now;
   }
+  /// As above, where a cubic between two calls is exact.
   void add(double time, double value, double rate) {
     add(time, value, rate, [](double, double turned) { return turned; });
   }
@@ -64,6 +65,7 @@ class PeakTracker {
 
   /// The value with the largest magnitude, the first of equal ones; 0 if there is none.
   [[nodiscard]] double value() const { return value_; }
+  /// Of the peak, >= 0.
   [[nodiscard]] double magnitude() const { return std::abs(value_); }
   /// When value() was reached, s.
   [[nodiscard]] double time() const { return time_; }

@@ -9,20 +9,21 @@ namespace moat {
 
 /// The files that moat writes into a results folder.
 namespace results_file {
-inline constexpr const char* summary = "summary.json";
-inline constexpr const char* histories_csv = "histories.csv";
-inline constexpr const char* histories_vtt = "histories.vtt";
-inline constexpr const char* impacts = "impacts.csv";
-inline constexpr const char* report = "report.html";
-inline constexpr const char* charts = "charts.svg";
-inline constexpr const char* frames = "frames.pvd";
+inline constexpr const char* summary = "summary.json";         ///< Everything in numbers, as JSON.
+inline constexpr const char* histories_csv = "histories.csv";  ///< Histories as text.
+inline constexpr const char* histories_vtt = "histories.vtt";  ///< Histories for ParaView.
+inline constexpr const char* impacts = "impacts.csv";          ///< A row for every impact.
+inline constexpr const char* report = "report.html";           ///< The report.
+inline constexpr const char* charts = "charts.svg";            ///< All histories as pictures.
+inline constexpr const char* frames = "frames.pvd";            ///< The frames, for ParaView.
 /// Draws the frames in ParaView.
 inline constexpr const char* paraview_script = "moat.py";
 /// Sub-folder of the frames frame_000000.vtu, frame_000001.vtu ...
 inline constexpr const char* frames_folder = "frames";
 /// Sub-folder of single charts: displacement.svg, displacement.csv ...
 inline constexpr const char* charts_folder = "charts";
-inline constexpr std::array all_folders{frames_folder, charts_folder};
+inline constexpr std::array all_folders{frames_folder,
+                                        charts_folder};  ///< Folders that overwriting empties of files of moat.
 /// Overwriting replaces these, the frames and the single charts, and nothing else.
 inline constexpr std::array all_at_top{summary, histories_csv, histories_vtt, impacts,
                                        report,  charts,        frames,        paraview_script};

@@ -18,8 +18,8 @@ struct ScenePoint {
   int node = -1;                     ///< index into the spans of FrameData; -1: fixed to the ground
   double weight = 1.0;               ///< share of the node's motion, 0 (ground) to 1
   PlanVector direction{1.0, 0.0};    ///< of the node's motion
-  bool on_diaphragm = false;
-  PlanVector arm{};  ///< from the centre of mass, over the diaphragm's gyration: theta times this is w
+  bool on_diaphragm = false;         ///< moves with all three of a diaphragm
+  PlanVector arm{};                  ///< from the centre of mass, over the diaphragm's gyration: theta times this is w
   /// m. A drawing with displacements f times larger moves the point (f - 1) times this (output/scene_spread.hpp).
   PlanVector spread{};
 };
@@ -27,18 +27,20 @@ struct ScenePoint {
 /// Written as the integer cell data `Kind`; the names are in the field data `KindNames`.
 enum class CellKind { floor = 0, storey = 1, bearing = 2, gap = 3, wall = 4, other = 5 };
 
+/// A drawn part of the model.
 struct SceneCell {
-  CellKind kind = CellKind::other;
-  std::string name;
+  CellKind kind = CellKind::other;  ///< of the part
+  std::string name;                 ///< of the element or floor
   /// Indices of 2 (line), 4 (quad, in order around it) or more (polygon) points.
   std::vector<int> points;
   int element = -1;  ///< index into the per-element spans of FrameData; -1: none
   int storey = -1;   ///< index into Scene::storeys and FrameData::storey_shear; -1: none
 };
 
+/// The model, drawn.
 struct Scene {
-  std::vector<ScenePoint> points;
-  std::vector<SceneCell> cells;
+  std::vector<ScenePoint> points;  ///< in the order of files
+  std::vector<SceneCell> cells;    ///< in the order of files
   /// The bodies below and above each storey.
   std::vector<std::pair<NodeId, NodeId>> storeys{};
 };

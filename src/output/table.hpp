@@ -8,19 +8,21 @@
 
 namespace moat {
 
+/// One column of numbers.
 struct Column {
-  std::string quantity;  ///< "time", "displacement", ...
-  std::string where;     ///< "base", "storey 1", ...; empty for time
-  std::string unit;      ///< SI symbol
-  std::vector<double> values;
+  std::string quantity;        ///< "time", "displacement", ...
+  std::string where;           ///< "base", "storey 1", ...; empty for time
+  std::string unit;            ///< SI symbol
+  std::vector<double> values;  ///< in that unit
   /// Names of the values, for example of records; empty, or one for each value. CSV files hold them instead of numbers.
   std::vector<std::string> labels{};
 };
 
 /// Columns of equal length.
 struct Table {
-  std::vector<Column> columns;
+  std::vector<Column> columns;  ///< of equal length
 
+  /// Number of values of every column.
   [[nodiscard]] std::size_t rows() const { return columns.empty() ? 0 : columns.front().values.size(); }
   /// The values of one column. Throws InputError for an unknown one, with the places that the quantity has.
   [[nodiscard]] const std::vector<double>& values(std::string_view quantity, std::string_view where = "") const;

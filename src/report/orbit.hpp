@@ -12,9 +12,11 @@ namespace moat {
 /// Displacements of the points of a diaphragm, from the columns of a table that must outlive it.
 class Orbit {
  public:
+  /// Columns of the same table, in m.
   Orbit(const Column& time, const Column& x, const Column& y, const Column& rotation)
       : time_{time}, x_{x}, y_{y}, rotation_{rotation} {}
 
+  /// Number of rows of the table.
   [[nodiscard]] std::size_t rows() const { return time_.values.size(); }
   /// Of a point with this arm from the centre of mass, m.
   [[nodiscard]] PlanVector displacement(std::size_t row, PlanVector arm) const {

@@ -9,6 +9,7 @@
 
 namespace moat {
 
+/// All charts of a run.
 struct ResultCharts {
   std::vector<Chart> histories;       ///< report/history_charts.hpp
   std::vector<Chart> floor_profiles;  ///< report/floor_profiles.hpp
@@ -25,8 +26,8 @@ struct ResultCharts {
 /// Throws InputError where columns of the histories differ in length.
 ResultCharts result_charts(const CaseResult& result);
 
-/// For papers: charts/<title>.svg and charts/<title>.csv, the numbers of its curves, for every chart, and charts.svg
-/// with all histories. Names of files have small letters, digits and underscores. Throws FileError.
+/// For papers: `charts/<title>.svg` and `charts/<title>.csv`, the numbers of its curves, for every chart, and
+/// charts.svg with all histories. Names of files have small letters, digits and underscores. Throws FileError.
 void write_charts(const ResultCharts& charts, const std::filesystem::path& folder);
 
 }  // namespace moat

@@ -8,6 +8,7 @@
 
 namespace moat {
 
+/// A mode of undamped vibration.
 struct Mode {
   double angular_frequency = 0.0;  ///< rad/s
   Vector shape;                    ///< scaled so that shape^T M shape = 1, M in kg

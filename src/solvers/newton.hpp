@@ -12,6 +12,7 @@ class NonlinearSystem {
  public:
   virtual ~NonlinearSystem() = default;
 
+  /// Number of unknowns.
   [[nodiscard]] virtual int size() const = 0;
 
   /// residual := r(x). False if x is outside the domain of the equations.
@@ -28,6 +29,7 @@ class NonlinearSystem {
   virtual bool compute_direction(const Vector& residual, Vector& direction) = 0;
 };
 
+/// When to stop.
 struct NewtonOptions {
   /// Largest residual over its row's scale. 0 < tolerance < 1.
   double tolerance = 1e-10;
@@ -35,9 +37,10 @@ struct NewtonOptions {
   int max_iterations = 20;
 };
 
+/// How it ended.
 struct NewtonReport {
-  bool converged = false;
-  int iterations = 0;
+  bool converged = false;           ///< within the tolerance
+  int iterations = 0;               ///< >= 0
   double residual = 0.0;            ///< largest residual over its row's scale; NaN where it is not a number
   int worst_degree_of_freedom = 0;  ///< where it is
 };

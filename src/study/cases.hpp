@@ -23,6 +23,7 @@ class StudyCases {
   /// refuses, a name that appears twice, labels that appear twice (in a list: all labels of a case), and more than 1e9
   /// cases.
   StudyCases(std::initializer_list<StudyAxis> axes) : StudyCases{std::vector<StudyAxis>{axes}} {}
+  /// Every combination of the axes.
   StudyCases(std::vector<StudyAxis> axes);  // NOLINT(google-explicit-constructor)
 
   /// Case i takes the i-th value of every axis. Throws as the constructor, and for axes of different length.
@@ -30,7 +31,9 @@ class StudyCases {
   /// Every case of this with every case of the other, whose axes run faster. Throws as the constructor.
   [[nodiscard]] StudyCases times(const StudyCases& inner) const;
 
+  /// Number of cases.
   [[nodiscard]] std::size_t count() const;
+  /// In the order in which names of cases list them.
   [[nodiscard]] const std::vector<StudyAxis>& axes() const { return axes_; }
   /// The group that each axis belongs to, from 0, ascending.
   [[nodiscard]] const std::vector<std::size_t>& groups() const { return groups_; }
@@ -55,6 +58,7 @@ class StudyCase {
   StudyCase(const StudyCases& cases, std::size_t number) : cases_{&cases}, number_{number} {}
   StudyCase(StudyCases&&, std::size_t) = delete;
 
+  /// The cases that this one belongs to.
   [[nodiscard]] const StudyCases& cases() const { return *cases_; }
   /// Counts from 0.
   [[nodiscard]] std::size_t number() const { return number_; }

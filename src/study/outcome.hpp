@@ -15,7 +15,7 @@ struct NamedNumber {
   std::string quantity;  ///< "displacement"
   std::string where;     ///< "base"; may be empty
   std::string unit;      ///< SI symbol
-  double value = 0.0;
+  double value = 0.0;    ///< in that unit
 };
 using StudyRecord = std::vector<NamedNumber>;
 
@@ -31,9 +31,9 @@ enum class CaseState {
 
 /// The end of one case.
 struct CaseOutcome {
-  CaseState state = CaseState::open;
-  std::string reason{};   ///< the message of the exception; empty if the case is done
-  StudyRecord results{};  ///< empty unless it is done
+  CaseState state = CaseState::open;  ///< how far it came
+  std::string reason{};               ///< the message of the exception; empty if the case is done
+  StudyRecord results{};              ///< empty unless it is done
   /// Of its motion, and those that were read while it was computed.
   std::vector<FileRead> files{};
   long steps = 0;  ///< of its analysis; 0: not known

@@ -24,9 +24,13 @@ class StudyResult {
   /// One outcome for every case.
   StudyResult(StudyCases cases, std::vector<CaseOutcome> outcomes);
 
+  /// All of them, computed or not.
   [[nodiscard]] const StudyCases& cases() const { return cases_; }
+  /// The axes of the cases.
   [[nodiscard]] const std::vector<StudyAxis>& axes() const { return cases_.axes(); }
+  /// One for every case, in their order.
   [[nodiscard]] const std::vector<CaseOutcome>& outcomes() const { return outcomes_; }
+  /// A row for every case: its values of the axes and its results, NaN where it has none.
   [[nodiscard]] const Table& table() const { return table_; }
   /// The table with the number of every case before the axes, and its state, reason, steps, energy error and seconds
   /// behind them, for files.
@@ -52,15 +56,17 @@ class StudyResult {
 /// Some cases of a study failed. The others were computed: `result` has them.
 class StudyError : public Error {
  public:
+  /// A case without results.
   struct Failure {
     std::size_t number;       ///< of the case
     std::string description;  ///< its axis values
     std::string message;      ///< of the exception
   };
+  /// The message names the cases that failed.
   explicit StudyError(StudyResult computed);
 
   std::vector<Failure> failures;  ///< in the order of the cases
-  StudyResult result;
+  StudyResult result;             ///< of all cases
 };
 
 /// The cases that failed or did not converge, in their order.
@@ -71,9 +77,10 @@ std::string failure_message(const StudyResult& result);
 /// A study ended before its last case because StudyOptions::stop asked for it. `result` has the cases up to then.
 class StudyStopped : public Error {
  public:
+  /// The message counts the cases that are left.
   explicit StudyStopped(StudyResult computed);
 
-  StudyResult result;
+  StudyResult result;  ///< of the cases up to then
 };
 
 }  // namespace moat

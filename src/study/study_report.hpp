@@ -12,25 +12,26 @@ namespace moat {
 
 /// A picture that answers a question, as SVG.
 struct StudyPicture {
-  std::string title;
-  std::string svg;
+  std::string title;  ///< in words
+  std::string svg;    ///< a whole file
 };
 
 /// A study, its name, and the answers that its results give by themselves.
 struct NamedStudy {
-  std::string name;
-  StudyResult result;
-  std::vector<std::string> answers{};
-  std::vector<StudyPicture> pictures{};
+  std::string name;                      ///< of its file
+  StudyResult result;                    ///< of its cases
+  std::vector<std::string> answers{};    ///< sentences
+  std::vector<StudyPicture> pictures{};  ///< by the study itself
 };
 
+/// All that the report of studies shows.
 struct StudyReport {
-  std::string title;
-  Provenance provenance{};
+  std::string title;                   ///< of the script
+  Provenance provenance{};             ///< where the numbers come from
   std::vector<std::string> answers{};  ///< of the script, sentences
   /// Of the script. A picture of a study with the title of one of these is left out.
   std::vector<StudyPicture> pictures{};
-  std::vector<NamedStudy> studies{};
+  std::vector<NamedStudy> studies{};  ///< in the order of the script
 };
 
 /// Writes report.html: answers and pictures of the script, then of every study its states, answers, pictures, maps and

@@ -16,17 +16,17 @@ class Database;
 
 /// Where and by whom cases are computed.
 struct StudySession {
-  std::string title{};
-  std::string command_line{};
-  std::string moat_version{};
-  std::string git_commit{};
-  std::string date{};    ///< UTC
-  std::string engine{};  ///< "2 threads", "4 ranks"
+  std::string title{};         ///< of the study
+  std::string command_line{};  ///< that started it
+  std::string moat_version{};  ///< that computes
+  std::string git_commit{};    ///< of the library
+  std::string date{};          ///< UTC
+  std::string engine{};        ///< "2 threads", "4 ranks"
 };
 
 /// A session as it is in the file of a study.
 struct StoredSession : StudySession {
-  std::string host{};
+  std::string host{};  ///< name of the machine
   /// "finished", "stopped by SIGINT", "part 0:100 finished"; empty while it runs, and where it was killed.
   std::string ending{};
   std::size_t version = 0;  ///< index of its StudyIdentity

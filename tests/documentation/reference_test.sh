@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# reference_test.sh SOURCE DOXYFILE: no symbol that a script can use is undocumented, and no comment is malformed.
+# reference_test.sh SOURCE DOXYFILE: no symbol of an installed header is undocumented, and no comment is malformed.
 set -euo pipefail
 
 source=$1
@@ -18,6 +18,12 @@ cd "$source"
 doxygen "$folder/Doxyfile" >/dev/null
 pages=$(find "$folder/reference/html" -name '*.html' | wc -l)
 ((pages > 100)) || { echo "FAILED: there are only $pages pages" && exit 1; }
+# Every installed header is read.
+build=$(dirname "$doxyfile")
+cmake --install "$build" --prefix "$folder/installed" >/dev/null
+installed=$(find "$folder/installed/include/moat" -name '*.hpp' | wc -l)
+read=$(sed -n 's/^INPUT  *= //p' "$doxyfile" | wc -w)
+((read == installed)) || { echo "FAILED: $read headers are read and $installed are installed" && exit 1; }
 if [[ -s $folder/warnings ]]; then
   echo "FAILED: $(wc -l <"$folder/warnings") warnings"
   cat "$folder/warnings"
