@@ -33,6 +33,7 @@ moat doctor
 moat new tower
 moat run tower.cpp --out tower
 grep -q "<svg" tower/report.html
+grep -qi "dygraph" tower/report.html
 moat report tower
 moat run tower.cpp --json | grep -q '"impacts"'
 moat run /usr/share/moat/examples/05_plan.cpp --end "1 s" --quiet
