@@ -4,6 +4,7 @@
 #include <future>
 
 #include "base/number_format.hpp"
+#include "output/at_the_end.hpp"
 #include "output/csv_writer.hpp"
 #include "output/energy_columns.hpp"
 #include "output/peak_table.hpp"
@@ -78,8 +79,8 @@ std::string energy_lines(const EnergyBalance& energy) {
 
 std::string terminal_summary(const CaseResult& result) {
   return period_lines(result.periods) + "\n" + peak_table(result) + clearance_table(result) +
-         error_bar_line(result.error_bars) + energy_lines(result.energy) + "\n" +
-         count_of(static_cast<long>(result.impacts.size()), "impact") + ", " +
+         table_at_the_end(isolators_at_the_end(result.histories)) + error_bar_line(result.error_bars) +
+         energy_lines(result.energy) + "\n" + count_of(static_cast<long>(result.impacts.size()), "impact") + ", " +
          std::to_string(result.solver.accepted_steps) + " steps, " + std::to_string(result.solver.newton_iterations) +
          " Newton iterations, " + to_significant(result.solver.cpu_seconds, 3) + " s of processor time\n";
 }

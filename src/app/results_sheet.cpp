@@ -5,6 +5,7 @@
 #include <iterator>
 #include <limits>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "base/error.hpp"
 #include "base/number_format.hpp"
@@ -54,8 +55,10 @@ CaseResult essence_of(const Json& summary) {
   result.motion.peak_acceleration = motion.at("peak_acceleration");
   result.motion.peak_velocity = motion.at("peak_velocity");
   result.motion.duration = motion.at("duration");
+  const std::set<std::string> constant = summary.value("constant_quantities", std::set<std::string>{});
   for (const Json& each : summary.at("peaks")) {
     const Peak peak = peak_in(each);
+    if (constant.contains(peak.quantity)) continue;
     const auto same =
         std::ranges::find_if(result.peaks, [&](const Peak& known) { return known.quantity == peak.quantity; });
     if (same == result.peaks.end())

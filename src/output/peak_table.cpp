@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <set>
 #include <type_traits>
 #include <utility>
 #include <vector>
 
+#include "output/constant_quantities.hpp"
 #include "output/peak_groups.hpp"
 
 namespace moat {
@@ -55,6 +57,9 @@ std::vector<Entry> shortened(const std::vector<Entry>& entries, const Key& key_o
   return kept;
 }
 
+std::pair<std::string, std::string> quantity_of(const Peak& peak) { return {peak.quantity, peak.unit}; }
+double magnitude_of(const Peak& peak) { return peak.magnitude(); }
+
 std::string table_of(const std::vector<PeakGroup>& groups, const std::string& heading) {
   std::size_t where_width = 0, value_width = 0, error_width = 0, time_width = 0;
   for (const PeakGroup& group : groups) {
@@ -83,9 +88,14 @@ std::string table_of(const std::vector<PeakGroup>& groups, const std::string& he
 }  // namespace
 
 std::string peak_table(const CaseResult& result) {
-  const auto quantity = [](const Peak& peak) { return std::pair{peak.quantity, peak.unit}; };
-  return table_of(group_peaks(shortened(result.peaks, quantity, [](const Peak& peak) { return peak.magnitude(); })),
-                  "peak ");
+  const std::set<std::string> constant = constant_quantities(result.histories);
+  std::vector<Peak> peaks = result.peaks;
+  std::erase_if(peaks, [&](const Peak& peak) { return constant.contains(peak.quantity); });
+  return table_of(group_peaks(shortened(peaks, quantity_of, magnitude_of)), "peak ");
+}
+
+std::string table_at_the_end(const std::vector<Peak>& isolators) {
+  return isolators.empty() ? "" : table_of(group_peaks(shortened(isolators, quantity_of, magnitude_of)), "");
 }
 
 std::string clearance_table(const CaseResult& result) {

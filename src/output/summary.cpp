@@ -2,6 +2,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "output/at_the_end.hpp"
+#include "output/constant_quantities.hpp"
 #include "output/energy_columns.hpp"
 #include "output/file_io.hpp"
 #include "output/impact_columns.hpp"
@@ -126,6 +128,11 @@ void write_summary_json(const CaseResult& result, const std::filesystem::path& p
                                       {"clearance_left", gap.left},
                                       {"time", gap.time},
                                       {"error", gap.error}});
+  json["isolators_at_the_end"] = Json::array();
+  for (const Peak& isolator : isolators_at_the_end(result.histories))
+    json["isolators_at_the_end"].push_back(
+        Json{{"where", isolator.where}, {"deformation", isolator.value}, {"time", isolator.time}});
+  json["constant_quantities"] = constant_quantities(result.histories);
   json["error_bars"] = json_of(result.error_bars);
   json["impacts"] = result.impacts.size();
   json["impact_table"] = Json::array();

@@ -2,9 +2,12 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 #include <string_view>
 #include <vector>
 
+#include "output/at_the_end.hpp"
+#include "output/constant_quantities.hpp"
 #include "output/engineering_unit.hpp"
 #include "output/peak_groups.hpp"
 #include "report/html.hpp"
@@ -65,13 +68,18 @@ std::vector<Peak> shown(const std::vector<Peak>& peaks) {
 }  // namespace
 
 std::string peak_section(const CaseResult& result) {
-  const std::vector<Peak> peaks = shown(result.peaks);
+  const std::set<std::string> constant = constant_quantities(result.histories);
+  std::vector<Peak> changing = result.peaks;
+  std::erase_if(changing, [&](const Peak& peak) { return constant.contains(peak.quantity); });
+  const std::vector<Peak> peaks = shown(changing);
   std::string html = "<h2>Peaks</h2>\n" + error_bar_note(result.error_bars) +
                      "<p>Positive to the right; forces and deformations of gaps are positive in compression.";
-  if (peaks.size() < result.peaks.size())
+  if (peaks.size() < changing.size())
     html += " Shown are the largest " + std::to_string(most_places) +
             " places of each quantity; summary.json has all " + std::to_string(result.peaks.size()) + " peaks.";
-  html += "</p>\n<div class=\"columns wide\">\n";
+  if (!constant.empty()) html += " Not listed, because it never changes: ";
+  for (const std::string& quantity : constant) html += (quantity == *constant.begin() ? "" : ", ") + in_words(quantity);
+  html += (constant.empty() ? "</p>" : ".</p>") + std::string{"\n<div class=\"columns wide\">\n"};
   for (const PeakGroup& group : group_peaks(peaks))
     html += table_of(group, result.error_bars.checked, "side", result.error_bars);
   return html + "</div>\n";
@@ -90,6 +98,14 @@ std::string clearance_section(const CaseResult& result) {
               : "") +
          ". Negative: the two sides indented each other by so much.</p>\n<div class=\"wide\">\n" +
          table_of(clearance_group(least), result.error_bars.checked, "at rest", {}) + "</div>\n";
+}
+
+std::string section_at_the_end(const CaseResult& result) {
+  const std::vector<Peak> isolators = shown(isolators_at_the_end(result.histories));
+  if (isolators.empty()) return "";
+  return "<h2>At the end</h2>\n<p>The deformation of isolators when the analysis ends: their residual offset, if the "
+         "building has come to rest.</p>\n<div class=\"wide\">\n" +
+         table_of(group_peaks(isolators).front(), false, "", {}) + "</div>\n";
 }
 
 }  // namespace moat::html

@@ -16,4 +16,7 @@ std::string peak_section(const CaseResult& result);
 /// The smallest opening of every gap; empty without gaps.
 std::string clearance_section(const CaseResult& result);
 
+/// The deformation of every isolator at the end; empty without isolators.
+std::string section_at_the_end(const CaseResult& result);
+
 }  // namespace moat::html

@@ -94,13 +94,14 @@ std::string input_section(const CaseResult& result) {
 }  // namespace
 
 void write_report_html(const CaseResult& result, const ResultCharts& charts, const std::filesystem::path& folder) {
-  const std::string body =
-      html::summary_section(result) + html::warning_section(result) + html::drawing_section(result) +
-      plan_section(result) + history_section(charts.histories) +
-      grid_of("Largest values over height", charts.floor_profiles, 2, 300) +
-      grid_of("Isolators", charts.isolator_loops, 2, 340) + html::impact_section(result, charts.impact_loops) +
-      energy_section(result, charts.energy) + grid_of("Floor response spectra", charts.floor_spectra, 2, 320) +
-      html::peak_section(result) + html::clearance_section(result) + period_section(result) + input_section(result);
+  const std::string body = html::summary_section(result) + html::warning_section(result) +
+                           html::drawing_section(result) + plan_section(result) + history_section(charts.histories) +
+                           grid_of("Largest values over height", charts.floor_profiles, 2, 300) +
+                           grid_of("Isolators", charts.isolator_loops, 2, 340) +
+                           html::impact_section(result, charts.impact_loops) + energy_section(result, charts.energy) +
+                           grid_of("Floor response spectra", charts.floor_spectra, 2, 320) +
+                           html::peak_section(result) + html::clearance_section(result) +
+                           html::section_at_the_end(result) + period_section(result) + input_section(result);
   write_file(folder / results_file::report,
              html::page_with_script(result.title, body, html::page_data(result, charts.histories)));
 }

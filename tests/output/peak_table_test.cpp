@@ -67,6 +67,20 @@ TEST(PeakTable, ShowsTheLargestAndTheSmallestOfManyPlaces) {
             "  base                        25.00   at 3.000 s\n");
 }
 
+TEST(PeakTable, LeavesOutWhatNeverChanges) {
+  CaseResult result;
+  result.peaks = {{"displacement", "base", 0.25, "m", 3.0}, {"friction_coefficient", "bearings", 0.05, "1", 0.0}};
+  EXPECT_NE(peak_table(result).find("friction"), std::string::npos);
+  result.histories.columns = {{"friction_coefficient", "bearings", "1", {0.05, 0.05}}};
+  EXPECT_EQ(peak_table(result), "peak displacement [cm]\n  base  25.00   at 3.000 s\n");
+}
+
+TEST(TableAtTheEnd, ShowsIsolators) {
+  EXPECT_EQ(table_at_the_end({}), "");
+  EXPECT_EQ(table_at_the_end({{"isolator_deformation_at_the_end", "bearings", -0.0123, "m", 21.4}}),
+            "isolator deformation at the end [cm]\n  bearings  -1.230   at 21.400 s\n");
+}
+
 TEST(ClearanceTable, ShowsTheLargestAndTheSmallestOfManyGaps) {
   CaseResult result;
   for (int gap = 1; gap <= 13; ++gap)

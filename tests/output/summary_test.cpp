@@ -128,6 +128,8 @@ TEST_F(Summary, WritesNullForWhatIsNotKnown) {
     EXPECT_TRUE(json["provenance"].at(field).is_null()) << field;
   EXPECT_TRUE(json["motion"]["file"].is_null());
   EXPECT_EQ(json["clearances"], Json::array());
+  EXPECT_EQ(json["isolators_at_the_end"], Json::array());
+  EXPECT_EQ(json["constant_quantities"], Json::array());
 }
 
 TEST_F(Summary, StaysValidWithoutResultsOrFiniteNumbers) {

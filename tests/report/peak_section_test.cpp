@@ -27,6 +27,25 @@ TEST(PeakSection, ShowsErrorsAndTheirMethod) {
   EXPECT_EQ(count(html, "class=\"unsettled\""), 1u);
 }
 
+TEST(PeakSection, NamesWhatNeverChanges) {
+  CaseResult result;
+  result.peaks = {{"displacement", "base", 0.25, "m", 3.0}, {"friction_coefficient", "bearings", 0.05, "1", 0.0}};
+  result.histories.columns = {{"friction_coefficient", "bearings", "1", {0.05, 0.05}}};
+  const std::string html = html::peak_section(result);
+  EXPECT_NE(html.find("Not listed, because it never changes: friction coefficient.</p>"), std::string::npos) << html;
+  EXPECT_EQ(html.find("0.05"), std::string::npos) << html;
+}
+
+TEST(SectionAtTheEnd, ShowsTheOffsetOfIsolators) {
+  CaseResult result;
+  EXPECT_EQ(html::section_at_the_end(result), "");
+  result.histories.columns = {{"time", "", "s", {0.0, 21.4}},
+                              {"isolator_deformation", "bearings", "m", {0.0, -0.0123}}};
+  const std::string html = html::section_at_the_end(result);
+  EXPECT_NE(html.find("<td>bearings</td><td class=\"number\">-1.230</td>"), std::string::npos) << html;
+  EXPECT_NE(html.find("21.400"), std::string::npos) << html;
+}
+
 TEST(PeakSection, SaysWhyThereAreNoErrors) {
   CaseResult result;
   result.error_bars.companion = "No error bars: a reason.";
