@@ -21,6 +21,8 @@ namespace moat {
 ///       "peaks": [ { "quantity", "where", "value": with its sign, "unit", "time", "error": estimated, same unit, null
 ///                    if not known, "side" } ],
 ///       "clearances": [ { "where", "clearance", "clearance_left": negative while indented, "time", "error" } ],
+///       "isolators_at_the_end": [ { "where", "deformation", "time" } ],
+///       "constant_quantities": [ names of quantities that never change ],
 ///       "error_bars": { "checked", "method", "companion", "companion_impacts",
 ///                       "companion_solver": { the fields of SolverStatistics }, "sensitive", "reason",
 ///                       "unsettled": [ { "quantity", "where" } ] }, three of them null if not checked,
