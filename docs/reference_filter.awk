@@ -25,6 +25,7 @@ function notes_of_laws() {
   note("^  static constexpr std::string_view name =", "Of the law, in reports and options.")
   note("^  static constexpr std::string_view alias =", "Another name of the option.")
   note("^  static constexpr std::string_view formula =", "Of the law, for tables.")
+  note("^  static constexpr std::string_view assumption =", "Its limits, for reports.")
   note("^  static constexpr bool linear_within_regimes =", "The force is linear from one change of regime to the next.")
   note("^  static constexpr bool divides_by_restitution =", "Whether the damping grows as 1/e; e >= 0.001 then.")
   note("^  static constexpr bool is_damper =", "It carries no static force.")

@@ -14,6 +14,15 @@ constexpr std::string_view alias_of() {
     return {};
 }
 
+/// The limits of a law in one or two sentences, for reports: Law::assumption; empty where it says none.
+template <class Law>
+constexpr std::string_view assumption_of() {
+  if constexpr (requires { Law::assumption; })
+    return Law::assumption;
+  else
+    return {};
+}
+
 /// Laws of one family. Names, tests and the tables of the guide are made from this list.
 template <class... Laws>
 struct LawList {

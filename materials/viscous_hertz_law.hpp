@@ -31,6 +31,7 @@ struct ViscousHertzLaw {
   static constexpr std::string_view name = Factor::name;
   static constexpr std::string_view alias = alias_of<Factor>();
   static constexpr std::string_view formula = Factor::formula;
+  static constexpr std::string_view assumption = assumption_of<Factor>();
 
   /// k > 0 N/m^1.5.
   Required<HertzStiffness> stiffness;

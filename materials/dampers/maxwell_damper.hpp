@@ -27,6 +27,7 @@ namespace moat {
 struct MaxwellDamper {
   static constexpr std::string_view name = "MaxwellDamper";
   static constexpr std::string_view formula = "F = K (d - x), dx/dt = (F/C)^(1/alpha)";
+  static constexpr std::string_view assumption = "Without force at the start.";
 
   /// K > 0 N/m.
   Required<Stiffness> brace_stiffness;

@@ -25,6 +25,7 @@ namespace moat {
 struct NonlinearViscous {
   static constexpr std::string_view name = "NonlinearViscous";
   static constexpr std::string_view formula = "F = C abs(v)^alpha sgn(v)";
+  static constexpr std::string_view assumption = "Rounded at low speed, where the power law has an infinite slope.";
 
   /// > 0 N, at reference_speed.
   Required<Force> reference_force;

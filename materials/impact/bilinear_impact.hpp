@@ -27,6 +27,8 @@ namespace moat {
 struct BilinearImpact {
   static constexpr std::string_view name = "BilinearImpact";
   static constexpr std::string_view formula = "K1 = K_eff + dE/(a d_m^2), K2 = K_eff - dE/((1 - a) d_m^2)";
+  static constexpr std::string_view assumption =
+      "Its restitution is right only where the indentation reaches the design value d_m.";
 
   /// k_h > 0 N/m^1.5.
   Required<HertzStiffness> stiffness;

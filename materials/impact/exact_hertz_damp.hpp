@@ -11,6 +11,8 @@ namespace moat {
 struct ExactHertzDampFactor {
   static constexpr std::string_view name = "ExactHertzDamp";
   static constexpr std::string_view formula = "z solves ln((1 + z)/(1 - z e)) = z (1 + e)";
+  static constexpr std::string_view assumption =
+      "Delivers its restitution in free impact at approach speeds from 1e-4 m/s up.";
   static constexpr bool divides_by_restitution = true;
 
   static double of(double e) { return damping_factor_of_viscous_hertz(e); }

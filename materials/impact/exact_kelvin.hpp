@@ -25,6 +25,7 @@ namespace moat {
 struct ExactKelvin {
   static constexpr std::string_view name = "ExactKelvin";
   static constexpr std::string_view formula = "xi solves e = exp(-2 a cot a), cos a = xi";
+  static constexpr std::string_view assumption = "The force jumps at touch. Delivers its restitution in free impact.";
 
   /// k > 0 N/m.
   Required<Stiffness> stiffness;

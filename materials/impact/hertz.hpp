@@ -20,6 +20,7 @@ namespace moat {
 struct Hertz {
   static constexpr std::string_view name = "Hertz";
   static constexpr std::string_view formula = "k d^1.5";
+  static constexpr std::string_view assumption = "Elastic: no energy is lost in a contact.";
 
   /// k > 0 N/m^1.5.
   Required<HertzStiffness> stiffness;

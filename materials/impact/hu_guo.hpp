@@ -11,6 +11,7 @@ struct HuGuoFactor {
   static constexpr std::string_view name = "HuGuo";
   static constexpr std::string_view alias = "ModifiedHertzDamp";
   static constexpr std::string_view formula = "z = 3 (1 - e)/(2 e)";
+  static constexpr std::string_view assumption = "An approximation; delivers 0.646 for a restitution of 0.65.";
   static constexpr bool divides_by_restitution = true;
 
   static double of(double e) { return 1.5 * (1.0 - e) / e; }

@@ -27,6 +27,8 @@ struct Kelvin {
   static constexpr std::string_view name = "Kelvin";
   static constexpr std::string_view alias = "Anagnostopoulos";
   static constexpr std::string_view formula = "xi = -ln e/sqrt(pi^2 + ln^2 e)";
+  static constexpr std::string_view assumption =
+      "The force jumps at touch. Without pulling it delivers more than it is given: 0.675 for 0.65.";
 
   /// k > 0 N/m.
   Required<Stiffness> stiffness;

@@ -23,6 +23,7 @@ namespace moat {
 struct KelvinByDampingRatio {
   static constexpr std::string_view name = "KelvinByDampingRatio";
   static constexpr std::string_view formula = "xi itself";
+  static constexpr std::string_view assumption = "The force jumps at touch.";
 
   /// k > 0 N/m.
   Required<Stiffness> stiffness;

@@ -19,6 +19,7 @@ namespace moat {
 struct LinearElastic {
   static constexpr std::string_view name = "LinearElastic";
   static constexpr std::string_view formula = "k d";
+  static constexpr std::string_view assumption = "Elastic: no energy is lost in a contact.";
 
   /// k > 0 N/m.
   Required<Stiffness> stiffness;

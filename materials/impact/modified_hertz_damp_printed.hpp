@@ -35,6 +35,8 @@ struct ModifiedHertzDampPrinted {
   static constexpr std::string_view name = "ModifiedHertzDampPrinted";
   static constexpr std::string_view formula =
       "damping on approach only, unless `.approach_only = false`; xi = sqrt(5) (1 - e^2)/(10 e^2)";
+  static constexpr std::string_view assumption =
+      "The force as its paper prints it; when the dashpot acts is a choice, by default on approach only.";
 
   /// k > 0 N/m^1.5.
   Required<HertzStiffness> stiffness;

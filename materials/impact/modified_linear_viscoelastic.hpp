@@ -25,6 +25,8 @@ namespace moat {
 struct ModifiedLinearViscoelastic {
   static constexpr std::string_view name = "ModifiedLinearViscoelastic";
   static constexpr std::string_view formula = "damping on approach only; xi = (1 - e^2)/(e (e (pi - 2) + 2))";
+  static constexpr std::string_view assumption =
+      "Damping on approach only, the force jumps at touch; delivers 0.654 for a restitution of 0.65.";
 
   /// k > 0 N/m.
   Required<Stiffness> stiffness;

@@ -26,6 +26,7 @@ struct NonlinearViscoelastic {
   static constexpr std::string_view name = "NonlinearViscoelastic";
   static constexpr std::string_view formula =
       "damping on approach only; xi = 9 sqrt(5) (1 - e^2)/(2 e (e (9 pi - 16) + 16))";
+  static constexpr std::string_view assumption = "Damping on approach only; delivers 0.647 for a restitution of 0.65.";
 
   /// k > 0 N/m^1.5.
   Required<HertzStiffness> stiffness;

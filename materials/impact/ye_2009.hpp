@@ -10,6 +10,7 @@ namespace moat {
 struct Ye2009Factor {
   static constexpr std::string_view name = "Ye2009";
   static constexpr std::string_view formula = "z = 8 (1 - e)/(5 e)";
+  static constexpr std::string_view assumption = "An approximation; delivers 0.630 for a restitution of 0.65.";
   static constexpr bool divides_by_restitution = true;
 
   static double of(double e) { return 1.6 * (1.0 - e) / e; }

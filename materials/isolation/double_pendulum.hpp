@@ -21,6 +21,7 @@ namespace moat {
 struct DoublePendulum {
   static constexpr std::string_view name = "DoublePendulum";
   static constexpr std::string_view formula = "two sliders in series";
+  static constexpr std::string_view assumption = "The weight is constant, and friction does not depend on speed.";
 
   /// L_1, L_2 > 0 m: effective radii.
   Required<Length> first_radius;

@@ -22,6 +22,8 @@ namespace moat {
 struct FlatSlider {
   static constexpr std::string_view name = "FlatSlider";
   static constexpr std::string_view formula = "F = k_r d + q, abs(q) <= mu W; stick and slip located";
+  static constexpr std::string_view assumption =
+      "The weight is constant: neither vertical motion nor overturning acts.";
 
   Required<Friction> friction;  ///< Coefficient, or a model of friction.
   /// k_r >= 0 N/m.

@@ -28,6 +28,8 @@ namespace moat {
 struct FrictionPendulum {
   static constexpr std::string_view name = "FrictionPendulum";
   static constexpr std::string_view formula = "F = (W/R) d + q, abs(q) <= mu W; stick and slip located";
+  static constexpr std::string_view assumption =
+      "The weight is constant: neither vertical motion nor overturning acts. The surface counts as a parabola.";
 
   /// R > 0 m.
   Required<Length> radius;

@@ -37,6 +37,8 @@ struct GrantRubber {
   static constexpr std::string_view name = "GrantRubber";
   static constexpr std::string_view formula =
       "elastic with odd powers up to d^5, wearing; hysteretic part decays to R(d)";
+  static constexpr std::string_view assumption =
+      "Fitted to one specimen and scaled by area and height. Scragging never heals.";
 
   using PerArea = decltype(1.0 / (units::m * units::m));               ///< 1/m^2
   using PerVolume = decltype(1.0 / (units::m * units::m * units::m));  ///< 1/m^3

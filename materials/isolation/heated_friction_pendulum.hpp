@@ -20,6 +20,8 @@ namespace moat {
 struct HeatedFrictionPendulum {
   static constexpr std::string_view name = "HeatedFrictionPendulum";
   static constexpr std::string_view formula = "pendulum, mu falls with pressure and temperature, rises with speed";
+  static constexpr std::string_view assumption =
+      "The weight is constant: neither vertical motion nor overturning acts. The surface counts as a parabola.";
 
   /// R > 0 m, effective.
   Required<Length> radius;

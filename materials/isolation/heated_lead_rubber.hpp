@@ -37,6 +37,8 @@ namespace moat {
 struct HeatedLeadRubber {
   static constexpr std::string_view name = "HeatedLeadRubber";
   static constexpr std::string_view formula = "bilinear with Q = Q0 exp(-E2 T), T of the lead by heat balance";
+  static constexpr std::string_view assumption =
+      "Heat flows from the lead into the steel plates; the parameters are those of one bearing.";
 
   /// Q0 > 0 N: at the temperature of the start.
   Required<Force> strength;

@@ -39,6 +39,8 @@ struct KikuchiAikenRubber {
   static constexpr std::string_view name = "KikuchiAikenRubber";
   static constexpr std::string_view formula =
       "loops from G_eq and h_eq of the compound over the largest strain; Masing";
+  static constexpr std::string_view assumption =
+      "Fitted up to a shear strain of 4.1; beyond, the skeleton goes on along its tangent.";
 
   /// The compounds with a fit.
   using Compound = RubberCompound::Kind;

@@ -30,6 +30,7 @@ namespace moat {
 struct TriplePendulum {
   static constexpr std::string_view name = "TriplePendulum";
   static constexpr std::string_view formula = "three sliders in series, with stops";
+  static constexpr std::string_view assumption = "The weight is constant, and friction does not depend on speed.";
 
   /// L_1 > 0 m, of both inner surfaces; L_2, L_3 > L_1, of the lower and upper outer surface.
   Required<Length> inner_radius;

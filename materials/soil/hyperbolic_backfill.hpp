@@ -31,6 +31,7 @@ namespace moat {
 struct HyperbolicBackfill {
   static constexpr std::string_view name = "HyperbolicBackfill";
   static constexpr std::string_view formula = "F = y/(1/K_max + R_f y/F_ult); unloads along K_ur; no tension";
+  static constexpr std::string_view assumption = "No tension: a gap stays where the wall comes back.";
 
   /// K_max > 0 N/m: at first loading.
   Required<Stiffness> initial_stiffness;

@@ -33,6 +33,8 @@ namespace moat {
 struct BaberNoori {
   static constexpr std::string_view name = "BaberNoori";
   static constexpr std::string_view formula = "Bouc-Wen whose stiffness and strength fall with the energy; may pinch";
+  static constexpr std::string_view assumption =
+      "All work but that of the part alpha k counts as dissipated, though some of it comes back.";
 
   /// k > 0 N/m.
   Required<Stiffness> stiffness;

@@ -39,6 +39,7 @@ namespace moat {
 struct ImkBilinear {
   static constexpr std::string_view name = "ImkBilinear";
   static constexpr std::string_view formula = "hardens, weakens beyond a cap, deteriorates with the energy, fails";
+  static constexpr std::string_view assumption = "The same in both directions; a failure lets the force drop to zero.";
 
   /// k_e > 0 N/m.
   Required<Stiffness> stiffness;

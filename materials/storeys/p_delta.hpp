@@ -22,6 +22,7 @@ namespace moat {
 struct PDelta {
   static constexpr std::string_view name = "PDelta";
   static constexpr std::string_view formula = "F = -(P/h) d";
+  static constexpr std::string_view assumption = "Drifts below a tenth of the height of the storey.";
 
   /// P > 0 N: of everything above the storey.
   Required<Force> weight;

@@ -8,6 +8,7 @@
 
 #include "analyses/case_run.hpp"
 #include "app/command_line.hpp"
+#include "app/law_assumptions.hpp"
 #include "app/progress_bar.hpp"
 #include "app/results.hpp"
 #include "app/script_parts.hpp"
@@ -207,6 +208,8 @@ Script::Outcome Script::compute(CaseRun& run, const Model& model, const RunOptio
   }
   outcome.result = run.result();
   outcome.result.provenance = parts_->origin;
+  const std::vector<std::string> of_laws = law_assumptions(outcome.result.model);
+  outcome.result.assumptions.insert(outcome.result.assumptions.end(), of_laws.begin(), of_laws.end());
   // Readers of the files must not take them for those of a whole run.
   if (!outcome.failure.empty())
     outcome.result.warnings.insert(outcome.result.warnings.begin(),

@@ -1,0 +1,24 @@
+#include "app/law_assumptions.hpp"
+
+#include <set>
+#include <string_view>
+
+#include "materials/impact_laws.hpp"
+#include "materials/spring_laws.hpp"
+
+namespace moat {
+
+std::vector<std::string> law_assumptions(const ModelFacts& model) {
+  std::set<std::string_view> used;
+  for (const ElementFacts& element : model.elements) used.insert(element.law);
+  std::vector<std::string> sentences;
+  const auto add = [&]<class Law>() {
+    if (constexpr std::string_view assumption = assumption_of<Law>(); !assumption.empty() && used.contains(Law::name))
+      sentences.push_back(std::string{Law::name} + ": " + std::string{assumption});
+  };
+  AllSpringLaws::for_each(add);
+  AllImpactLaws::for_each(add);
+  return sentences;
+}
+
+}  // namespace moat
