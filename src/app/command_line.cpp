@@ -6,8 +6,8 @@
 #include <filesystem>
 #include <iostream>
 
+#include "app/usage_errors.hpp"
 #include "base/error.hpp"
-#include "base/nearest_name.hpp"
 
 namespace moat {
 
@@ -70,28 +70,11 @@ std::optional<std::string> CommandLine::look_up(const std::string& name, const s
   return given ? std::optional{value} : std::nullopt;
 }
 
-std::string CommandLine::explanation_of_extra(const std::string& argument) const {
-  if (!argument.starts_with('-') || argument == "-" || argument == "--")
-    return "\"" + argument + "\" belongs to no option. A value with a blank stands in quotes: --" +
-           (known_.empty() ? "length" : known_.front().first) + " \"12 cm\".";
-  const std::string option = argument.substr(0, argument.find('='));
-  std::vector<std::string> names;
-  for (const CLI::Option* known : app_.get_options())
-    for (const std::string& name : known->get_lnames()) names.push_back("--" + name);
-  const std::string nearest = nearest_name(names, option);
-  return program_ + " has no option " + option + "." + (nearest.empty() ? "" : " Did you mean " + nearest + "?");
-}
-
 bool CommandLine::parse() {
   try {
     app_.parse(std::vector<std::string>{arguments_.rbegin(), arguments_.rend()});
-  } catch (const CLI::ExtrasError&) {
-    for (const std::string& argument : app_.remaining())
-      std::cerr << "moat: error: " << explanation_of_extra(argument) << "\n";
-    std::cerr << "moat: --help lists all options.\n";
-    return false;
   } catch (const CLI::ParseError& error) {
-    std::cerr << "moat: error: " << error.what() << "\nmoat: --help lists all options.\n";
+    std::cerr << usage_error(app_, program_, error);
     return false;
   }
   for (const auto& [name, value] : flags_)

@@ -42,7 +42,6 @@ class CommandLine {
 
  private:
   void require_new(const std::string& name) const;
-  [[nodiscard]] std::string explanation_of_extra(const std::string& argument) const;
 
   CLI::App app_;
   std::string program_ = "script";

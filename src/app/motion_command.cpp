@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "app/motion_sheet.hpp"
+#include "app/usage_errors.hpp"
 #include "base/error.hpp"
 #include "base/parse_quantity.hpp"
 #include "motions/read_motion.hpp"
@@ -59,8 +60,11 @@ int main(int argc, char** argv) {
   app.add_flag("--json", options.json, "print JSON, all numbers in SI units");
   try {
     app.parse(argc, argv);
+  } catch (const CLI::Success& wish) {
+    return app.exit(wish);
   } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? 0 : 2;
+    std::fputs(usage_error(app, "moat motion", error).c_str(), stderr);
+    return 2;
   }
   try {
     show(options);

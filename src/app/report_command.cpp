@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "app/results_sheet.hpp"
+#include "app/usage_errors.hpp"
 #include "base/error.hpp"
 
 namespace {
@@ -34,8 +35,11 @@ int main(int argc, char** argv) {
   app.add_flag("--open", open, "open report.html too, with xdg-open");
   try {
     app.parse(argc, argv);
+  } catch (const CLI::Success& wish) {
+    return app.exit(wish);
   } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? 0 : 2;
+    std::fputs(usage_error(app, "moat report", error).c_str(), stderr);
+    return 2;
   }
   try {
     const ResultsSheet sheet = read_results(folder);

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "app/usage_errors.hpp"
 #include "base/error.hpp"
 #include "output/csv_writer.hpp"
 #include "study/store.hpp"
@@ -31,7 +32,14 @@ int main(int argc, char** argv) {
   CLI::App* const merge = app.add_subcommand("merge", "Put the cases of parts into one study");
   merge->add_option("INTO", file, "the study to make or to add to")->required();
   merge->add_option("PART", parts, "studies")->required();
-  CLI11_PARSE(app, argc, argv);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::Success& wish) {
+    return app.exit(wish);
+  } catch (const CLI::ParseError& error) {
+    std::fputs(usage_error(app, "moat study", error).c_str(), stderr);
+    return 2;
+  }
   if (!*merge && std::filesystem::is_directory(file)) file = std::filesystem::path{file} / "study.db";
   try {
     if (*show) std::fputs(description_of(read_study(file)).c_str(), stdout);

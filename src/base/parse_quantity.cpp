@@ -124,9 +124,12 @@ std::string with_unit(std::string_view number, int mass, int half_length, int ti
   return first + begin + wanted + '"';
 }
 
-[[noreturn]] void refuse_percent(std::string_view what, std::string_view text, double percent) {
+[[noreturn]] void refuse_unit_of_plain_number(std::string_view what, std::string_view text, double number,
+                                              std::string_view unit_text) {
+  if (unit_text.substr(unit_text.find_first_not_of(" \t")) != "%")
+    refuse(what, text, "has a unit, but it must be a plain number.");
   std::array<char, 32> digits{};
-  const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), percent / 100.0).ptr;
+  const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), number / 100.0).ptr;
   refuse(what, text, "is in percent. Write it as a plain number: " + std::string{digits.data(), end} + ".");
 }
 
@@ -158,14 +161,12 @@ double parse_si(std::string_view text, std::string_view what, int mass, int half
                with_unit(text.substr(start, static_cast<std::size_t>(end - text.data()) - start), mass, half_length,
                          time) +
                ".");
-  if (wanted == "1" && has_unit && unit_text.substr(unit_text.find_first_not_of(" \t")) == "%")
-    refuse_percent(what, text, number);
+  if (wanted == "1" && has_unit) refuse_unit_of_plain_number(what, text, number, unit_text);
   const Unit unit = parse_unit(unit_text, what, text);
   if (unit.mass != mass || unit.half_length != half_length || unit.time != time)
     refuse(what, text,
-           "is in " + unit_symbol(unit.mass, unit.half_length, unit.time) + ", but it must be " +
-               (wanted == "1" ? std::string{"a plain number"} : "in " + wanted + " or multiples of it") + ".");
-  if (has_unit && wanted == "1") refuse(what, text, "has a unit, but it must be a plain number.");
+           "is in " + unit_symbol(unit.mass, unit.half_length, unit.time) + ", but it must be " + "in " + wanted +
+               " or multiples of it.");
   const double value = number * unit.si;
   if (!std::isfinite(value)) refuse(what, text, "is too large.");
   return value;

@@ -2,9 +2,11 @@
 // the user's words.
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cstdio>
 #include <string_view>
 
+#include "base/nearest_name.hpp"
 #include "launcher/bench.hpp"
 #include "launcher/checks.hpp"
 #include "launcher/completion.hpp"
@@ -44,6 +46,18 @@ void require_sources(const Places& places, const std::string& command) {
   if (places.installed())
     throw Stop{exit_usage, command + " needs the sources of moat, and this is an installed package.\n" +
                                "Clone the sources and call it there."};
+}
+
+void require_known_command(const CLI::App& app, const std::string& word) {
+  if (word.starts_with('-') || word == "help") return;
+  std::vector<std::string> names;
+  for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; }))
+    names.push_back(command->get_name());
+  if (std::ranges::find(names, word) != names.end()) return;
+  const std::string nearest = nearest_name(names, word);
+  throw Stop{exit_usage, "There is no command " + word + "." +
+                             (nearest.empty() ? "" : " Did you mean " + nearest + "?") + "\nThere are " +
+                             joined(names, ", ") + "."};
 }
 
 int run_command_line(const Places& places, int count, char** words) {
@@ -121,6 +135,7 @@ int run_command_line(const Places& places, int count, char** words) {
     std::fputs(help_of().c_str(), stderr);
     return exit_usage;
   }
+  require_known_command(app, words[1]);
   static char help_option[] = "--help";
   if (std::string_view{words[1]} == "help") words[1] = help_option;
   try {

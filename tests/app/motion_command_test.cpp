@@ -83,7 +83,11 @@ TEST_F(MotionCommand, RefusesWithTheRemedy) {
   EXPECT_NE(result.errors.find("there is no such file"), std::string::npos);
   EXPECT_EQ(motion({"constant.AT2", "--damping", "2"}).exit_code, 1);
   EXPECT_EQ(motion({}).exit_code, 2);
-  EXPECT_EQ(motion({"constant.AT2", "--frobnicate"}).exit_code, 2);
+  const auto unknown = motion({"constant.AT2", "--dampin", "0.05"});
+  EXPECT_EQ(unknown.exit_code, 2);
+  EXPECT_EQ(
+      unknown.errors,
+      "moat: error: moat motion has no option --dampin. Did you mean --damping?\nmoat: --help lists all options.\n");
   EXPECT_EQ(motion({"--help"}).exit_code, 0);
 }
 

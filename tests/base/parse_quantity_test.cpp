@@ -84,7 +84,9 @@ TEST(ParseQuantity, WithoutDimensionAPlainNumber) {
 }
 
 TEST(ParseQuantity, WithoutDimensionTakesNoUnit) {
-  EXPECT_EQ(refusal<Dimensionless>("5 cm"), "--value: \"5 cm\" is in m, but it must be a plain number.");
+  for (const char* text : {"5 cm", "30deg"})
+    EXPECT_EQ(refusal<Dimensionless>(text),
+              "--value: \"" + std::string{text} + "\" has a unit, but it must be a plain number.");
   EXPECT_EQ(refusal<Dimensionless>("5%"), "--value: \"5%\" is in percent. Write it as a plain number: 0.05.");
   EXPECT_EQ(refusal<Dimensionless>("7 %"), "--value: \"7 %\" is in percent. Write it as a plain number: 0.07.");
   // Centimetres per metre would be a factor of 0.01 that nobody sees.

@@ -76,6 +76,10 @@ TEST_F(CommandLine, RefusesWrongUsageWithAHint) {
   }
 }
 
+TEST_F(CommandLine, SuggestsACommandThatIsMeant) {
+  EXPECT_EQ(launch({"rum"}).errors.substr(0, 48), "moat: There is no command rum. Did you mean run?");
+}
+
 TEST_F(CommandLine, NewScriptRunsUnderItsOwnNameAndTheSecondTimeInSilence) {
   ASSERT_EQ(launch({"new", "my tower.cpp"}).exit_code, 0);
   const auto first = launch({"run", "my tower.cpp", "--help"});

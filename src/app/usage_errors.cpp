@@ -1,0 +1,38 @@
+#include "app/usage_errors.hpp"
+
+#include <vector>
+
+#include "base/nearest_name.hpp"
+
+namespace moat {
+namespace {
+
+bool is_option(const std::string& word) { return word.size() > 1 && word.front() == '-' && word != "--"; }
+
+std::string unknown_option(const CLI::App& parser, const std::string& program, const std::string& word) {
+  const std::string option = word.substr(0, word.find('='));
+  std::vector<std::string> names;
+  for (const CLI::Option* known : parser.get_options())
+    for (const std::string& name : known->get_lnames()) names.push_back("--" + name);
+  const std::string nearest = nearest_name(names, option);
+  return program + " has no option " + option + "." + (nearest.empty() ? "" : " Did you mean " + nearest + "?");
+}
+
+}  // namespace
+
+std::string usage_error(const CLI::App& parser, const std::string& program, const CLI::ParseError& error) {
+  std::string lines;
+  bool behind_unknown = false;  // such a word is the value of the unknown option
+  for (const std::string& word : parser.remaining(true)) {
+    if (is_option(word))
+      lines += "moat: error: " + unknown_option(parser, program, word) + "\n";
+    else if (!behind_unknown)
+      lines +=
+          "moat: error: \"" + word + "\" belongs to no option. A value with a blank stands in quotes: \"12 cm\".\n";
+    behind_unknown = is_option(word) && word.find('=') == std::string::npos;
+  }
+  if (lines.empty()) lines = "moat: error: " + std::string{error.what()} + "\n";
+  return lines + "moat: --help lists all options.\n";
+}
+
+}  // namespace moat
