@@ -8,8 +8,8 @@
 #include <sstream>
 
 #include "base/error.hpp"
+#include "measuring/command_output.hpp"
 #include "peers/opensees_model.hpp"
-#include "performance/command_output.hpp"
 
 namespace moat::peers {
 namespace {

@@ -9,13 +9,13 @@
 #include <string>
 #include <vector>
 
+#include "measuring/error_curve.hpp"
+#include "measuring/five_peaks.hpp"
+#include "measuring/measure.hpp"
+#include "measuring/record.hpp"
 #include "output/peak_recorder.hpp"
 #include "paper/paper_building.hpp"
 #include "peers/opensees.hpp"
-#include "performance/error_curve.hpp"
-#include "performance/five_peaks.hpp"
-#include "performance/measure.hpp"
-#include "performance/record.hpp"
 #include "performance/street.hpp"
 
 namespace moat::peers {

@@ -1,8 +1,8 @@
 // The building without any library of structures: two methods in one loop.
 #pragma once
 
+#include "measuring/five_peaks.hpp"
 #include "motions/ground_motion.hpp"
-#include "performance/five_peaks.hpp"
 
 namespace moat::performance {
 

@@ -8,8 +8,8 @@
 #include <set>
 
 #include "base/error.hpp"
+#include "measuring/command_output.hpp"
 #include "output/file_io.hpp"
-#include "performance/command_output.hpp"
 
 namespace moat::performance {
 namespace {

@@ -5,8 +5,8 @@
 #include <moat.hpp>
 #include <optional>
 
-#include "performance/error_curve.hpp"
-#include "performance/measure.hpp"
+#include "measuring/error_curve.hpp"
+#include "measuring/measure.hpp"
 #include "performance/methods.hpp"
 #include "performance/octave.hpp"
 #include "performance/sections.hpp"

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "measuring/five_peaks.hpp"
 #include "motions/ground_motion.hpp"
-#include "performance/five_peaks.hpp"
 
 namespace moat::performance {
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "analyses/case_run.hpp"
-#include "performance/five_peaks.hpp"
+#include "measuring/five_peaks.hpp"
 
 namespace moat::performance {
 

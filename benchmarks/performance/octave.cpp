@@ -5,7 +5,7 @@
 #include <iomanip>
 #include <sstream>
 
-#include "performance/command_output.hpp"
+#include "measuring/command_output.hpp"
 
 namespace moat::performance {
 

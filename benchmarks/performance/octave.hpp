@@ -4,8 +4,8 @@
 #include <filesystem>
 #include <optional>
 
+#include "measuring/five_peaks.hpp"
 #include "motions/ground_motion.hpp"
-#include "performance/five_peaks.hpp"
 
 namespace moat::performance {
 

@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "base/error.hpp"
+#include "measuring/measure.hpp"
+#include "measuring/record.hpp"
 #include "performance/compare.hpp"
-#include "performance/measure.hpp"
-#include "performance/record.hpp"
 #include "performance/sections.hpp"
 #include "performance/street_run.hpp"
 

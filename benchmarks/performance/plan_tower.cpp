@@ -22,22 +22,19 @@ BiaxialBoucWen bearing_law() {
   return {.characteristic_strength = 184 * kN, .yield_displacement = 10 * mm, .post_yield_stiffness = 1.6 * MN / m};
 }
 
-std::array<PlanVector, 4> corners() {
-  return {PlanVector{-half_x, -half_y}, {half_x, -half_y}, {half_x, half_y}, {-half_x, half_y}};
-}
+PlanOutline outline() { return rectangle(2.0 * half_x * m, 2.0 * half_y * m); }
 
 }  // namespace
 
 Model plan_tower() {
   Model model;
-  const PlanOutline outline = rectangle(2.0 * half_x * m, 2.0 * half_y * m);
-  const DiaphragmId base = add(model, Diaphragm{.name = "base", .mass = base_mass * kg, .outline = outline}),
+  const DiaphragmId base = add(model, Diaphragm{.name = "base", .mass = base_mass * kg, .outline = outline()}),
                     floor = add(model, Diaphragm{.name = "floor",
                                                  .mass = floor_mass * kg,
                                                  .centre_of_mass = {floor_centre.x * m, floor_centre.y * m},
-                                                 .outline = outline});
+                                                 .outline = outline()});
   for (std::size_t i = 0; i < 4; ++i) {
-    const PlanPosition at = outline.corners[i];
+    const PlanPosition at = outline().corners[i];
     for (const PlanVector direction : {PlanVector{1.0, 0.0}, PlanVector{0.0, 1.0}})
       add(model,
           PlanSpring<Linear>{.name = "column " + std::to_string(i + 1) + (direction.x > 0.0 ? " x" : " y"),
@@ -86,13 +83,13 @@ struct Contact {
   Row normal, tangent;
   double slip = 0.0, trial_slip = 0.0, approach_speed = 0.0;
   bool touching = false;
-  double force = 0.0, indentation = 0.0, rate = 0.0, path = 0.0;
+  double indentation = 0.0, rate = 0.0;
 };
 
 }  // namespace
 
 BarePlanHistory bare_plan_tower(const GroundMotion& motion, int divisions) {
-  const double h = motion.time_step() / divisions, end = 12.0;
+  const double h = motion.time_step() / divisions;
   const double z = 0.75 * (1.0 - restitution * restitution);
   Vector6 mass, share_x = Vector6::Zero(), share_y = Vector6::Zero();
   mass << base_mass, base_mass, base_mass, floor_mass, floor_mass, floor_mass;
@@ -101,7 +98,7 @@ BarePlanHistory bare_plan_tower(const GroundMotion& motion, int divisions) {
   std::array<Bearing, 4> bearings;
   std::array<Contact, 8> contacts;
   for (std::size_t i = 0; i < 4; ++i) {
-    const PlanVector at = corners()[i];
+    const PlanVector at = outline().corner(i);
     for (const PlanVector direction : {PlanVector{1.0, 0.0}, PlanVector{0.0, 1.0}}) {
       const Row row = row_of_column(at, direction);
       stiffness += column_stiffness * row.transpose() * row;
@@ -136,21 +133,20 @@ BarePlanHistory bare_plan_tower(const GroundMotion& motion, int divisions) {
     for (Contact& contact : contacts) {
       contact.indentation = contact.normal * u1 - clearance;
       contact.rate = contact.normal * v1;
-      contact.path = contact.tangent * u1;
-      contact.force = 0.0;
-      contact.trial_slip = contact.path;
+      const double path = contact.tangent * u1;
+      contact.trial_slip = path;
       if (!contact.touching || contact.indentation <= 0.0) continue;
       const double elastic = hertz_stiffness * contact.indentation * std::sqrt(contact.indentation),
                    factor = 1.0 + z * contact.rate / contact.approach_speed;
-      contact.force = std::max(elastic * factor, 0.0);
-      if (contact.force == 0.0) continue;
+      const double force = elastic * factor;
+      if (force <= 0.0) continue;
       const double along =
           wd * 1.5 * elastic / contact.indentation * factor + wv * elastic * z / contact.approach_speed;
-      forces += contact.force * contact.normal.transpose();
+      forces += force * contact.normal.transpose();
       tangent += along * contact.normal.transpose() * contact.normal;
-      const double grip = grip_stiffness * (contact.path - contact.slip), limit = friction * contact.force;
+      const double grip = grip_stiffness * (path - contact.slip), limit = friction * force;
       const double held = std::clamp(grip, -limit, limit);
-      contact.trial_slip = contact.path - held / grip_stiffness;
+      contact.trial_slip = path - held / grip_stiffness;
       forces += held * contact.tangent.transpose();
       if (held == grip)
         tangent += wd * grip_stiffness * contact.tangent.transpose() * contact.tangent;
@@ -160,7 +156,7 @@ BarePlanHistory bare_plan_tower(const GroundMotion& motion, int divisions) {
   };
 
   BarePlanHistory history;
-  const auto count = static_cast<long>(std::llround(end / h));
+  const auto count = static_cast<long>(std::llround(bare_plan_end / h));
   for (long step = 1; step <= count; ++step, ++history.steps) {
     const PlanVector ground = motion.components_at(static_cast<double>(step) * h);
     const Vector6 load = mass.cwiseProduct(ground.x * share_x + ground.y * share_y);
@@ -170,9 +166,8 @@ BarePlanHistory bare_plan_tower(const GroundMotion& motion, int divisions) {
       evaluate(predicted_u + wd * a1, predicted_v + wv * a1);
       const Vector6 residual = mass.cwiseProduct(a1) + forces + load;
       constexpr double tolerance = 1e-8;
-      if (residual.lpNorm<Eigen::Infinity>() <=
-          tolerance * std::max(forces.lpNorm<Eigen::Infinity>(), load.lpNorm<Eigen::Infinity>()))
-        break;
+      const double scale = std::max(forces.lpNorm<Eigen::Infinity>(), load.lpNorm<Eigen::Infinity>());
+      if (residual.lpNorm<Eigen::Infinity>() <= tolerance * scale) break;
       a1 -= tangent.partialPivLu().solve(residual);
     }
     u = predicted_u + wd * a1;
@@ -181,15 +176,11 @@ BarePlanHistory bare_plan_tower(const GroundMotion& motion, int divisions) {
     for (Bearing& bearing : bearings) bearing.committed = bearing.trial;
     for (Contact& contact : contacts) {
       contact.slip = contact.trial_slip;
-      history.largest_impact_force = std::max(history.largest_impact_force, contact.force);
       const bool inside = contact.indentation > 0.0;
       if (inside && !contact.touching) contact.approach_speed = std::max(contact.rate, 1e-4);
       contact.touching = inside;
     }
     history.largest_base_x = std::max(history.largest_base_x, std::abs(u[0]));
-    for (const PlanVector& corner : corners())
-      history.largest_corner_displacement = std::max(
-          history.largest_corner_displacement, length(PlanVector{u[0], u[1]} + u[2] / gyration * turned_left(corner)));
   }
   return history;
 }

@@ -12,14 +12,15 @@ Model plan_tower();
 GroundMotion plan_tower_motion();
 
 struct BarePlanHistory {
-  double largest_base_x = 0.0, largest_corner_displacement = 0.0;  ///< m, at ends of steps
-  double largest_impact_force = 0.0;                               ///< N
+  double largest_base_x = 0.0;  ///< m, at ends of steps
   long steps = 0, iterations = 0;
 };
 
+inline constexpr double bare_plan_end = 12.0;  // s
+
 /// The same tower without any library of structures: Newmark's average acceleration and Newton's method with a dense
-/// 6 x 6 matrix, `divisions` >= 1 steps from one sample to the next, for 12 s. Touches are not located: a contact
-/// begins at the end of the step in which its corner crosses the wall.
+/// 6 x 6 matrix, `divisions` >= 1 steps from one sample to the next, up to bare_plan_end. Touches are not located: a
+/// contact begins at the end of the step in which its corner crosses the wall.
 BarePlanHistory bare_plan_tower(const GroundMotion& motion, int divisions);
 
 }  // namespace moat::performance

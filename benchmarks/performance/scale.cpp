@@ -1,6 +1,7 @@
+#include <boost/math/statistics/linear_regression.hpp>
 #include <cmath>
 
-#include "performance/measure.hpp"
+#include "measuring/measure.hpp"
 #include "performance/sections.hpp"
 #include "performance/street_run.hpp"
 
@@ -25,17 +26,11 @@ std::string named(double degrees_of_freedom) { return "street of " + count_text(
 
 /// Of log y over log x.
 double slope(const std::vector<double>& x, const std::vector<double>& y) {
-  double mean_x = 0.0, mean_y = 0.0, xx = 0.0, xy = 0.0;
-  const auto count = static_cast<double>(x.size());
-  for (std::size_t i = 0; i < x.size(); ++i) {
-    mean_x += std::log(x[i]) / count;
-    mean_y += std::log(y[i]) / count;
-  }
-  for (std::size_t i = 0; i < x.size(); ++i) {
-    xx += (std::log(x[i]) - mean_x) * (std::log(x[i]) - mean_x);
-    xy += (std::log(x[i]) - mean_x) * (std::log(y[i]) - mean_y);
-  }
-  return xy / xx;
+  const auto log = [](std::vector<double> values) {
+    for (double& value : values) value = std::log(value);
+    return values;
+  };
+  return boost::math::statistics::simple_ordinary_least_squares(log(x), log(y)).second;
 }
 
 void add_steps(Size& size, const StreetReport& report) {

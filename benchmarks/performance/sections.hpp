@@ -3,7 +3,7 @@
 
 #include <filesystem>
 
-#include "performance/record.hpp"
+#include "measuring/record.hpp"
 
 namespace moat::performance {
 

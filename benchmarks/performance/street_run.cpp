@@ -8,9 +8,9 @@
 
 #include "analyses/step_equations.hpp"
 #include "base/error.hpp"
+#include "measuring/command_output.hpp"
+#include "measuring/measure.hpp"
 #include "output/energy_ledger.hpp"
-#include "performance/command_output.hpp"
-#include "performance/measure.hpp"
 #include "performance/street.hpp"
 
 namespace moat::performance {

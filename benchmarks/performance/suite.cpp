@@ -3,9 +3,9 @@
 #include <filesystem>
 #include <moat.hpp>
 
+#include "measuring/measure.hpp"
 #include "paper/paper_building.hpp"
 #include "paper/records.hpp"
-#include "performance/measure.hpp"
 #include "performance/sections.hpp"
 
 namespace moat::performance {

@@ -6,9 +6,9 @@
 
 #include <memory>
 
+#include "measuring/five_peaks.hpp"
 #include "model/model.hpp"
 #include "motions/ground_motion.hpp"
-#include "performance/five_peaks.hpp"
 
 namespace moat::performance {
 

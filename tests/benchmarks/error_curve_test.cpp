@@ -1,13 +1,13 @@
 // How the figures of ./moat bench performance are read off.
 
-#include "performance/error_curve.hpp"
+#include "measuring/error_curve.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <string>
 
-#include "performance/measure.hpp"
+#include "measuring/measure.hpp"
 
 namespace moat::performance {
 namespace {

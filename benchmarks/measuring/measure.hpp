@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "performance/record.hpp"
+#include "measuring/record.hpp"
 
 namespace moat::performance {
 

@@ -1,4 +1,4 @@
-#include "performance/measure.hpp"
+#include "measuring/measure.hpp"
 
 #include <algorithm>
 #include <cmath>

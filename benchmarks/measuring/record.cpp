@@ -1,4 +1,4 @@
-#include "performance/record.hpp"
+#include "measuring/record.hpp"
 
 #include <algorithm>
 #include <cstdio>
