@@ -64,15 +64,11 @@ CaseOutcome outcome_of(const StudyCase& each, const ComputeCase& compute) {
 void compute_on_threads(const StudyCases& cases, const std::vector<std::size_t>& numbers, const ComputeCase& compute,
                         const CaseFinished& finished, const std::function<bool()>& stop, std::size_t threads) {
   OpenCases open{numbers, stop};
-  std::mutex taking, telling;
+  std::mutex telling;
   std::exception_ptr failure;
-  const auto take = [&](std::size_t& number) {
-    const std::lock_guard lock{taking};
-    return open.next(number);
-  };
   const auto work = [&] {
     std::size_t number = 0;
-    while (take(number)) {
+    while (open.next(number)) {
       CaseOutcome outcome = outcome_of(StudyCase{cases, number}, compute);
       const std::lock_guard lock{telling};
       if (failure) return;
@@ -80,7 +76,6 @@ void compute_on_threads(const StudyCases& cases, const std::vector<std::size_t>&
         finished(number, std::move(outcome));
       } catch (...) {
         failure = std::current_exception();
-        const std::lock_guard no_more{taking};
         open.close();
       }
     }

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <mutex>
 #include <utility>
 #include <vector>
 
@@ -30,25 +31,30 @@ using ComputeCase = std::function<CaseOutcome(const StudyCase&)>;
 /// so do two results with one name, or a result with the name of an axis.
 CaseOutcome outcome_of(const StudyCase& each, const ComputeCase& compute);
 
-/// Hands the numbers of open cases to threads, one after the other.
+/// Hands the numbers of open cases to threads, one after the other. Safe to call from several threads.
 class OpenCases {
  public:
-  /// stop: asked before every case; true hands out no more. May be empty.
+  /// stop: asked before every case, by one thread at a time; true hands out no more. May be empty.
   OpenCases(std::vector<std::size_t> numbers, std::function<bool()> stop)
       : numbers_{std::move(numbers)}, stop_{std::move(stop)} {}
 
   /// The next number and true, or false if there is none.
   bool next(std::size_t& number) {
+    const std::lock_guard lock{mutex_};
     if (next_ >= numbers_.size() || (stop_ && stop_())) return false;
     number = numbers_[next_++];
     return true;
   }
   /// Hands out no more.
-  void close() { next_ = numbers_.size(); }
+  void close() {
+    const std::lock_guard lock{mutex_};
+    next_ = numbers_.size();
+  }
 
  private:
   std::vector<std::size_t> numbers_;
   std::function<bool()> stop_;
+  std::mutex mutex_;
   std::size_t next_ = 0;
 };
 

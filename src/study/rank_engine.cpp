@@ -32,13 +32,12 @@ std::size_t number_in(const std::string& text) {
 /// The cases that rank 0 computes itself, on threads of its own.
 class OwnCases {
  public:
-  OwnCases(const StudyCases& cases, const ComputeCase& compute, const std::function<bool(std::size_t&)>& take,
-           std::size_t threads)
+  OwnCases(const StudyCases& cases, const ComputeCase& compute, OpenCases& open, std::size_t threads)
       : running_{threads} {
     for (std::size_t i = 0; i < threads; ++i)
-      threads_.emplace_back([this, &cases, &compute, take] {
+      threads_.emplace_back([this, &cases, &compute, &open] {
         std::size_t number = 0;
-        while (take(number)) {
+        while (open.next(number)) {
           CaseOutcome outcome = outcome_of(StudyCase{cases, number}, compute);
           const std::lock_guard lock{mutex_};
           ended_.emplace_back(number, std::move(outcome));
@@ -67,19 +66,13 @@ void compute_as_first_rank(Ranks& ranks, const StudyCases& cases, const std::vec
                            const ComputeCase& compute, const CaseFinished& finished, const std::function<bool()>& stop,
                            std::size_t threads) {
   OpenCases open{numbers, stop};
-  std::mutex taking;
   std::exception_ptr failure;
-  const auto take = [&](std::size_t& number) {
-    const std::lock_guard lock{taking};
-    return open.next(number);
-  };
   const auto keep = [&](std::size_t number, CaseOutcome&& outcome) {
     if (failure) return;
     try {
       finished(number, std::move(outcome));
     } catch (...) {
       failure = std::current_exception();
-      const std::lock_guard no_more{taking};
       open.close();
     }
   };
@@ -88,14 +81,15 @@ void compute_as_first_rank(Ranks& ranks, const StudyCases& cases, const std::vec
   int working = ranks.count() - 1;
   const auto hand_out = [&](int to) {
     int& flying = in_flight[static_cast<std::size_t>(to)];
-    for (std::size_t number = 0; flying < cases_ahead && take(number); ++flying) ranks.send(to, std::to_string(number));
+    for (std::size_t number = 0; flying < cases_ahead && open.next(number); ++flying)
+      ranks.send(to, std::to_string(number));
     if (flying > 0) return;
     ranks.send(to, end_of_work);
     --working;
   };
   for (int rank = 1; rank < ranks.count(); ++rank) hand_out(rank);
 
-  OwnCases own{cases, compute, take, threads};
+  OwnCases own{cases, compute, open, threads};
   while (true) {
     const bool own_ended = own.all_ended();
     auto ended = own.take_ended();

@@ -23,16 +23,7 @@ CaseResult run(const LawCase& law, const GroundMotion& motion, const TransientOp
   return run_case(model, motion, {.transient = options});
 }
 
-class AdaptiveStep : public ::testing::TestWithParam<const char*> {
- protected:
-  void SetUp() override {
-    if (const std::string missing = why_missing(record()); !missing.empty()) GTEST_SKIP() << missing;
-    motion_ = std::make_unique<GroundMotion>(reference_motion(record()));
-  }
-  static std::string record() { return GetParam(); }
-
-  std::unique_ptr<GroundMotion> motion_;
-};
+using AdaptiveStep = OnReferenceRecords;
 
 // moat claims half a thousandth; these are ten times better.
 constexpr double claimed = 5e-4;

@@ -339,16 +339,7 @@ TEST(ExactBetweenEvents, AsksForNoMemoryOnceItsMatricesAreKnown) {
   EXPECT_GT(analysis.statistics().events, events + 10);
 }
 
-class ExactOnRecords : public ::testing::TestWithParam<const char*> {
- protected:
-  void SetUp() override {
-    if (const std::string missing = why_missing(record()); !missing.empty()) GTEST_SKIP() << missing;
-    motion_ = std::make_unique<GroundMotion>(reference_motion(record()));
-  }
-  static std::string record() { return GetParam(); }
-
-  std::unique_ptr<GroundMotion> motion_;
-};
+using ExactOnRecords = OnReferenceRecords;
 
 TEST_P(ExactOnRecords, EveryLawIsWithinAThousandthOfTheReferenceWithDefaults) {
   for (const LawCase& law : all_laws()) {

@@ -10,7 +10,7 @@
 #include "materials/impact/hertz_damp.hpp"
 #include "message_of.hpp"
 #include "motions/near_fault_pulse.hpp"
-#include "structures/plan_building.hpp"
+#include "small_plan_building.hpp"
 #include "structures/plan_moat.hpp"
 
 namespace moat {
@@ -20,15 +20,8 @@ using namespace units;
 using testing::message_of;
 
 PlanBuilding building() {
-  return {.outline = rectangle(20 * m, 12 * m),
-          .storeys = 1,
-          .floor_mass = 700 * tonne,
-          .columns = grid(2, 2, {.stiffness = 100 * MN / m}),
-          .base_mass = 800 * tonne,
-          .bearings =
-              grid(2, 2,
-                   LeadRubberBearing{
-                       .yield_force = 200 * kN, .yield_displacement = 1 * cm, .post_yield_stiffness = 1.5 * MN / m})};
+  return testing::small_plan_building(
+      1, {.yield_force = 200 * kN, .yield_displacement = 1 * cm, .post_yield_stiffness = 1.5 * MN / m});
 }
 
 Model model_of(const PlanBuilding& each) {

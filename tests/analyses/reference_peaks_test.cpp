@@ -27,14 +27,8 @@ struct Precision {
   double tolerance;
 };
 
-class ReferencePeaks : public ::testing::TestWithParam<const char*> {
+class ReferencePeaks : public OnReferenceRecords {
  protected:
-  void SetUp() override {
-    if (const std::string missing = why_missing(record()); !missing.empty()) GTEST_SKIP() << missing;
-    motion_ = std::make_unique<GroundMotion>(reference_motion(record()));
-  }
-  static std::string record() { return GetParam(); }
-
   CaseResult run(Model& model, Time step) const { return run_case(model, *motion_, {.transient = {.step = step}}); }
 
   static void expect(const Row& row, const std::string& column, double unit, double computed, double tolerance) {
@@ -55,8 +49,6 @@ class ReferencePeaks : public ::testing::TestWithParam<const char*> {
     expect(row, "sum_of_floor_inertia_maxima_kN", 1e3, peak(result, "sum_of_floor_inertia_maxima", "base"), tolerance);
     expect(row, "largest_drift_cm", 0.01, largest(result, "drift"), tolerance);
   }
-
-  std::unique_ptr<GroundMotion> motion_;
 };
 
 TEST_P(ReferencePeaks, HertzDamp) {

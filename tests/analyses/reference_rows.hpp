@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <fstream>
 #include <map>
+#include <memory>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -77,5 +78,17 @@ inline std::string why_missing(const std::string& record) {
 inline GroundMotion reference_motion(const std::string& record) {
   return read_motion(record_file(record)).scaled_to_pga(0.4 * units::g);
 }
+
+/// Tests on the records that INSTANTIATE_TEST_SUITE_P names; skipped where one is missing.
+class OnReferenceRecords : public ::testing::TestWithParam<const char*> {
+ protected:
+  void SetUp() override {
+    if (const std::string missing = why_missing(record()); !missing.empty()) GTEST_SKIP() << missing;
+    motion_ = std::make_unique<GroundMotion>(reference_motion(record()));
+  }
+  static std::string record() { return GetParam(); }
+
+  std::unique_ptr<GroundMotion> motion_;
+};
 
 }  // namespace moat::testing

@@ -10,7 +10,7 @@
 #include "message_of.hpp"
 #include "motions/near_fault_pulse.hpp"
 #include "motions/plan_motion.hpp"
-#include "structures/plan_building.hpp"
+#include "small_plan_building.hpp"
 
 namespace moat {
 namespace {
@@ -33,15 +33,10 @@ TEST(Torsion, AmplificationIsThatOfTheCode) {
 }
 
 PlanBuilding building() {
-  return {.outline = rectangle(20 * m, 12 * m, {3 * m, -2 * m}),
-          .storeys = 2,
-          .floor_mass = 700 * tonne,
-          .columns = grid(2, 2, {.stiffness = 100 * MN / m}),
-          .base_mass = 800 * tonne,
-          .bearings =
-              grid(2, 2,
-                   LeadRubberBearing{
-                       .yield_force = 200 * kN, .yield_displacement = 1 * cm, .post_yield_stiffness = 1.6 * MN / m})};
+  PlanBuilding building = testing::small_plan_building(
+      2, {.yield_force = 200 * kN, .yield_displacement = 1 * cm, .post_yield_stiffness = 1.6 * MN / m});
+  building.outline = rectangle(20 * m, 12 * m, {3 * m, -2 * m});
+  return building;
 }
 
 TEST(Torsion, OfARunStandsBesideTheFormula) {

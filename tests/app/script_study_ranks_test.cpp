@@ -10,16 +10,10 @@
 #define MPIRUN ""
 #endif
 
-namespace moat {
+namespace moat::testing {
 namespace {
 
-namespace fs = std::filesystem;
-using testing::answer_of;
-using testing::contents_of;
-using testing::ProgramResult;
-using testing::RunningProgram;
-
-class StudyOnRanks : public testing::DisturbedStudy {
+class StudyOnRanks : public DisturbedStudy {
  protected:
   void SetUp() override {
     if (std::string{MPIRUN}.empty())
@@ -33,7 +27,7 @@ class StudyOnRanks : public testing::DisturbedStudy {
     return words;
   }
   ProgramResult run_ranks(int ranks, const std::vector<std::string>& arguments) const {
-    return testing::run_program(MPIRUN, job(ranks, arguments), folder);
+    return run_program(MPIRUN, job(ranks, arguments), folder);
   }
 };
 
@@ -116,4 +110,4 @@ TEST_F(StudyOnRanks, IsWholeAfterMpirunWasTerminated) {
 }
 
 }  // namespace
-}  // namespace moat
+}  // namespace moat::testing

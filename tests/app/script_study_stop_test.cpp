@@ -6,16 +6,10 @@
 
 #include "study_runs.hpp"
 
-namespace moat {
+namespace moat::testing {
 namespace {
 
-namespace fs = std::filesystem;
-using testing::answer_of;
-using testing::contents_of;
-using testing::ProgramResult;
-using testing::RunningProgram;
-
-using StoppedStudy = testing::DisturbedStudy;
+using StoppedStudy = DisturbedStudy;
 
 const std::vector<std::string> question{"--gaps", "200"};
 const std::vector<std::string> in_a{"--gaps", "200", "--out", "a", "--threads", "2"};
@@ -75,7 +69,7 @@ TEST_F(StoppedStudy, EndsInOrderAtASignal) {
     EXPECT_NE(shown.output.find(ending), std::string::npos) << shown.output;
   end_of_disturbances();
   // As a user pastes it, in any folder.
-  const ProgramResult pasted = testing::run_program("/bin/sh", {"-c", "cd / && " + command}, folder);
+  const ProgramResult pasted = run_program("/bin/sh", {"-c", "cd / && " + command}, folder);
   ASSERT_EQ(pasted.exit_code, 0) << command << "\n" << pasted.errors;
   EXPECT_EQ(contents_of(file("it's my study")), undisturbed(question));
 }
@@ -86,10 +80,10 @@ TEST_F(StoppedStudy, AFullDiskLeavesAllFinishedCases) {
   fs::create_directories(disk);
   const std::string in_disk =
       "mount -t tmpfs -o size=250k none '" + disk.string() + "' && cd '" + disk.string() + "' && ";
-  if (testing::run_program("/usr/bin/unshare", {"-rm", "sh", "-c", in_disk + "true"}, folder).exit_code != 0)
+  if (run_program("/usr/bin/unshare", {"-rm", "sh", "-c", in_disk + "true"}, folder).exit_code != 0)
     GTEST_SKIP() << "this user may not mount a small disk (unshare -rm)";
   const std::string study = std::string{STUDY_SCRIPT} + " --gaps 300 --out a --quiet";
-  const ProgramResult full = testing::run_program(
+  const ProgramResult full = run_program(
       "/usr/bin/unshare",
       {"-rm", "sh", "-c", in_disk + study + "; code=$?; cp -r a '" + folder.string() + "/'; exit $code"}, folder);
   EXPECT_EQ(full.exit_code, 1) << full.errors;
@@ -105,4 +99,4 @@ TEST_F(StoppedStudy, AFullDiskLeavesAllFinishedCases) {
 }
 
 }  // namespace
-}  // namespace moat
+}  // namespace moat::testing

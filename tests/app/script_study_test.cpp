@@ -6,16 +6,10 @@
 
 #include "study_runs.hpp"
 
-namespace moat {
+namespace moat::testing {
 namespace {
 
-namespace fs = std::filesystem;
-using testing::answer_of;
-using testing::contents_of;
-using testing::ProgramResult;
-using testing::text_of;
-
-using ScriptStudyRun = testing::StudyRuns;
+using ScriptStudyRun = StudyRuns;
 
 TEST_F(ScriptStudyRun, LeavesItsFileAndATable) {
   const ProgramResult result = run({});
@@ -52,10 +46,10 @@ TEST_F(ScriptStudyRun, RefusesAnotherQuestion) {
 TEST_F(ScriptStudyRun, SeesAChangedScript) {
   std::ofstream{folder / "tower.cpp"} << "one";
   const std::vector<std::string> command{"MOAT_SCRIPT=" + (folder / "tower.cpp").string(), STUDY_SCRIPT, "--out", "a"};
-  ASSERT_EQ(testing::run_program("/usr/bin/env", command, folder).exit_code, 0);
-  ASSERT_EQ(testing::run_program("/usr/bin/env", command, folder).exit_code, 0);
+  ASSERT_EQ(run_program("/usr/bin/env", command, folder).exit_code, 0);
+  ASSERT_EQ(run_program("/usr/bin/env", command, folder).exit_code, 0);
   std::ofstream{folder / "tower.cpp"} << "two";
-  const ProgramResult other = testing::run_program("/usr/bin/env", command, folder);
+  const ProgramResult other = run_program("/usr/bin/env", command, folder);
   EXPECT_EQ(other.exit_code, 1);
   EXPECT_NE(other.errors.find("\n  script: "), std::string::npos) << other.errors;
 }
@@ -63,9 +57,9 @@ TEST_F(ScriptStudyRun, SeesAChangedScript) {
 TEST_F(ScriptStudyRun, SeesAChangedProgram) {
   const fs::path program = folder / "program";
   fs::copy_file(STUDY_SCRIPT, program);
-  ASSERT_EQ(testing::run_program(program, {"--out", "a"}, folder).exit_code, 0);
+  ASSERT_EQ(run_program(program, {"--out", "a"}, folder).exit_code, 0);
   std::ofstream{program, std::ios::app} << "changed";
-  const ProgramResult other = testing::run_program(program, {"--out", "a"}, folder);
+  const ProgramResult other = run_program(program, {"--out", "a"}, folder);
   EXPECT_EQ(other.exit_code, 1);
   EXPECT_NE(other.errors.find("\n  program: "), std::string::npos) << other.errors;
 }
@@ -74,10 +68,10 @@ TEST_F(ScriptStudyRun, SeesAChangedLibrary) {
   const fs::path library = folder / fs::path{LIBRARY}.filename();
   fs::copy_file(LIBRARY, library);
   const std::vector<std::string> command{"LD_LIBRARY_PATH=" + folder.string(), STUDY_SCRIPT, "--out", "a"};
-  ASSERT_EQ(testing::run_program("/usr/bin/env", command, folder).exit_code, 0);
-  ASSERT_EQ(testing::run_program("/usr/bin/env", command, folder).exit_code, 0);
+  ASSERT_EQ(run_program("/usr/bin/env", command, folder).exit_code, 0);
+  ASSERT_EQ(run_program("/usr/bin/env", command, folder).exit_code, 0);
   std::ofstream{library, std::ios::app} << "changed";
-  const ProgramResult other = testing::run_program("/usr/bin/env", command, folder);
+  const ProgramResult other = run_program("/usr/bin/env", command, folder);
   EXPECT_EQ(other.exit_code, 1);
   EXPECT_NE(other.errors.find("\n  library: "), std::string::npos) << other.errors;
 }
@@ -238,4 +232,4 @@ TEST_F(ScriptStudyRun, TheCommandRefusesOtherFiles) {
 }
 
 }  // namespace
-}  // namespace moat
+}  // namespace moat::testing

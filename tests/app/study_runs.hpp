@@ -19,7 +19,9 @@
 
 namespace moat::testing {
 
-inline std::string answer_of(const std::filesystem::path& database, const char* query) {
+namespace fs = std::filesystem;
+
+inline std::string answer_of(const fs::path& database, const char* query) {
   sqlite3* open = nullptr;
   std::string answer;
   EXPECT_EQ(sqlite3_open_v2(database.c_str(), &open, SQLITE_OPEN_READWRITE, nullptr), SQLITE_OK);
@@ -33,7 +35,7 @@ inline std::string answer_of(const std::filesystem::path& database, const char* 
 }
 
 /// Everything but times and places, in every bit.
-inline std::string contents_of(const std::filesystem::path& file) {
+inline std::string contents_of(const fs::path& file) {
   const StoredStudy study = read_study(file);
   std::ostringstream text;
   text << std::hexfloat << study.title << "\n";
@@ -58,7 +60,7 @@ class StudyRuns : public InTemporaryFolder {
   ProgramResult study_command(std::vector<std::string> arguments) const {
     return run_program(STUDY_COMMAND, std::move(arguments), folder);
   }
-  std::filesystem::path file(const std::string& out) const { return folder / out / "study.db"; }
+  fs::path file(const std::string& out) const { return folder / out / "study.db"; }
   /// The contents of a study that nothing disturbed, in another folder.
   std::string undisturbed(std::vector<std::string> arguments) const {
     arguments.insert(arguments.end(), {"--out", "undisturbed", "--quiet"});
@@ -83,7 +85,7 @@ class DisturbedStudy : public StudyRuns {
 
   std::size_t computed_cases() const {
     std::error_code none;
-    const auto size = std::filesystem::file_size(folder / "log", none);
+    const auto size = fs::file_size(folder / "log", none);
     return none ? 0 : size;
   }
   /// False if that does not happen within a minute.

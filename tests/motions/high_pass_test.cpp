@@ -38,7 +38,7 @@ std::complex<double> response_at(const std::vector<double>& impulse, double freq
   return sum;
 }
 
-class HighPassOfOrder : public testing::TestWithParam<int> {};
+class HighPassOfOrder : public ::testing::TestWithParam<int> {};
 
 TEST_P(HighPassOfOrder, HasTheAmplitudeOfButterworth) {
   const int order = GetParam();
@@ -59,7 +59,7 @@ TEST_P(HighPassOfOrder, LeadsByFortyFiveDegreesPerOrderAtTheCorner) {
   EXPECT_NEAR(std::abs(response_at(impulse_response(order), corner) - expected), 0.0, 1e-10);
 }
 
-INSTANTIATE_TEST_SUITE_P(Orders, HighPassOfOrder, testing::Values(1, 2, 3, 4, 5, 8));
+INSTANTIATE_TEST_SUITE_P(Orders, HighPassOfOrder, ::testing::Values(1, 2, 3, 4, 5, 8));
 
 TEST(HighPass, IsCausalAndTheSameAtAllTimes) {
   const std::vector<double> early = impulse_response(5);

@@ -11,10 +11,12 @@
 #include <string_view>
 #include <system_error>
 
+#include "message_of.hpp"
+
 namespace moat {
 
 /// A folder of its own for every test, removed at its end.
-class MotionFiles : public testing::Test {
+class MotionFiles : public ::testing::Test {
  protected:
   MotionFiles() {
     std::string pattern = (std::filesystem::temp_directory_path() / "moat_motions_XXXXXX").string();
@@ -38,15 +40,6 @@ class MotionFiles : public testing::Test {
   std::filesystem::path folder_;
 };
 
-/// The message of the Exception that an action throws; another exception passes through and fails the test.
-template <class Exception, class Action>
-std::string message_of(Action action) {
-  try {
-    action();
-  } catch (const Exception& error) {
-    return error.what();
-  }
-  return "nothing was thrown";
-}
+using testing::message_of;
 
 }  // namespace moat

@@ -8,6 +8,7 @@
 
 #include "analyses/case_run.hpp"
 #include "moat.hpp"
+#include "small_plan_building.hpp"
 
 namespace moat::testing_report {
 
@@ -46,17 +47,10 @@ inline CaseResult line_result(Time end = 5.0 * units::s) {
 inline CaseResult plan_result(Time end = 4.0 * units::s) {
   using namespace units;
   Model model;
-  const auto tower =
-      add(model, PlanBuilding{.outline = rectangle(20 * m, 12 * m),
-                              .storeys = 1,
-                              .floor_mass = 700 * tonne,
-                              .mass_offset = {1 * m, 0.6 * m},
-                              .columns = grid(2, 2, {.stiffness = 100 * MN / m}),
-                              .base_mass = 800 * tonne,
-                              .bearings = grid(2, 2,
-                                               LeadRubberBearing{.yield_force = 184 * kN,
-                                                                 .yield_displacement = 1 * cm,
-                                                                 .post_yield_stiffness = 1.6 * MN / m})});
+  PlanBuilding building = testing::small_plan_building(
+      1, {.yield_force = 184 * kN, .yield_displacement = 1 * cm, .post_yield_stiffness = 1.6 * MN / m});
+  building.mass_offset = {1 * m, 0.6 * m};
+  const auto tower = add(model, building);
   add(model, PlanMoat{.around = tower.base,
                       .clearance = 20 * cm,
                       .law = HertzDamp{.stiffness = 1e9 * N / m_3_2, .restitution = 0.65},

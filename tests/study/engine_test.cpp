@@ -4,6 +4,15 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <cstddef>
+#include <latch>
+#include <numeric>
+#include <thread>
+#include <vector>
+
 #include "base/error.hpp"
 
 namespace moat {
@@ -46,6 +55,34 @@ TEST(Case, KnowsTheFilesThatItRead) {
   EXPECT_EQ(failed.files, std::vector{first});
   EXPECT_TRUE(outcome({}).files.empty());
   EXPECT_EQ(files_read_by_program(), std::vector<FileRead>{});
+}
+
+TEST(OpenCases, HandOutEveryNumberOnceToManyThreads) {
+  std::vector<std::size_t> numbers(2000);
+  std::iota(numbers.begin(), numbers.end(), std::size_t{0});
+  std::atomic<int> asking = 0;
+  bool one_at_a_time = true;
+  OpenCases open{numbers, [&] {
+                   if (++asking > 1) one_at_a_time = false;
+                   std::this_thread::sleep_for(std::chrono::microseconds{1});
+                   --asking;
+                   return false;
+                 }};
+  std::vector<std::vector<std::size_t>> taken(4);
+  std::latch together{4};
+  {
+    std::vector<std::jthread> threads;
+    for (auto& mine : taken)
+      threads.emplace_back([&] {
+        together.arrive_and_wait();
+        for (std::size_t number = 0; open.next(number);) mine.push_back(number);
+      });
+  }
+  std::vector<std::size_t> all;
+  for (const auto& mine : taken) all.insert(all.end(), mine.begin(), mine.end());
+  std::ranges::sort(all);
+  EXPECT_EQ(all, numbers);
+  EXPECT_TRUE(one_at_a_time);
 }
 
 }  // namespace
