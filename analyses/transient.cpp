@@ -7,40 +7,14 @@
 
 #include "analyses/event_location.hpp"
 #include "analyses/integrator_choice.hpp"
+#include "analyses/transient_setup.hpp"
 #include "analyses/transient_texts.hpp"
-#include "base/check.hpp"
 #include "base/error.hpp"
 
 namespace moat {
 namespace {
 
 double process_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
-
-double end_of(const TransientOptions& options, const Model& model, const GroundMotion& motion) {
-  const double end = options.end.si() > 0.0 ? options.end.si() : motion.duration();
-  Check{"Transient", motion.name()}.that(
-      model.state().time < end,
-      "the model stands at t = " + to_text(model.state().time) + " s, and the analysis ends at " + to_text(end) + " s.",
-      "Copy the model before its first analysis to use it again, or give a later TransientOptions::end.");
-  return end;
-}
-
-StepControl::Options control_options(const TransientOptions& options, const GroundMotion& motion, bool plan) {
-  // Scales of acceleration are at least this share of the peak ground acceleration. A node with a smaller acceleration
-  // is at rest, or free.
-  constexpr double least_share_of_ground = 0.02;
-  StepControl::Options control;
-  control.fixed_step = options.step.si();
-  control.grid_interval = longest_step(options, motion.time_step());
-  // In plan no step is longer than the interval of the samples.
-  control.doublings = plan ? 0 : doublings_of_longest_step(options, motion.time_step());
-  control.tolerance = options.tolerance;
-  control.steps_per_contact = options.steps_per_contact;
-  control.max_halvings = options.max_halvings;
-  control.scheme = scheme_of(options.integrator);
-  control.lowest_acceleration = least_share_of_ground * motion.peak_acceleration().si();
-  return control;
-}
 
 }  // namespace
 
@@ -49,13 +23,11 @@ Transient::Transient(Model& model, GroundMotion motion, TransientOptions options
       motion_{std::move(motion)},
       options_{checked(options, motion)},
       grid_{motion_, model.state().time, end_of(options_, model, motion_)},
-      implicit_{model, options_, control_options(options_, motion_, model.is_plan())},
+      implicit_{model, options_, control_options(options_, model, motion_)},
       step_{model, options_, grid_, implicit_, statistics_},
       inside_{step_, options_.events},
       chatter_{options_.max_events_per_second} {
-  Check{"Transient", motion_.name()}.that(model.is_plan() || !motion_.has_two_components(),
-                                          "the motion has two components, and the model moves on a line.",
-                                          "Give one component, or make the model of diaphragms.");
+  check_components(model, motion_);
   const double longest = longest_step(options_, motion_.time_step());
   if (is_automatic(options_.integrator)) {
     const IntegratorChoice choice = choose_integrator(model, options_, longest, exact_);
