@@ -1,4 +1,4 @@
-// What Automatic stands for, for one model.
+// The integrator that Automatic takes for one model.
 #pragma once
 
 #include <optional>

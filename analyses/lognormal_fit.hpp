@@ -7,7 +7,7 @@
 
 namespace moat {
 
-/// What is known of one value: it lies above `above` and is at most `up_to`.
+/// The bounds of one value: it lies above `above` and is at most `up_to`.
 ///
 ///     {2.0, 3.0}   between two levels       {2.0, inf}   more than 2, not reached      {2.0, 2.0}   exactly 2
 struct KnownInterval {

@@ -21,7 +21,7 @@ class PerStorey {
  public:
   /// The same for every storey.
   PerStorey(T every) : values_{every} {}
-  /// Also from what converts to a value: any law for the law of a storey.
+  /// Also from a type that converts to a value: any law for the law of a storey.
   template <std::convertible_to<T> Any>
   requires(!std::same_as<Any, T>) PerStorey(const Any& every) : values_{every} {}
   /// One value per storey, from the lowest up.

@@ -28,7 +28,7 @@ namespace moat {
 ///
 /// o is the direction of motion; alpha_i lets a branch meet the reversal before its own. A branch that passes that
 /// reversal continues the one before (Masing), the last one ends on the skeleton. a and b give the loop at g_m the
-/// measured damping h_eq: (1 - e^(-2 a))/a = 1 - pi h_eq/(2 u), a at most its limit; b adds what that leaves at large
+/// measured damping h_eq: (1 - e^(-2 a))/a = 1 - pi h_eq/(2 u), a at most its limit; b adds the rest at large
 /// strain. Below g = 0.05 it is elastic. The compounds hold up to g = 4.1; beyond, the skeleton goes on along its
 /// tangent: look at the reported `shear_strain`. 64 reversals are remembered; beyond, the two innermost are forgotten.
 ///

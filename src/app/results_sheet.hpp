@@ -11,7 +11,7 @@
 
 namespace moat {
 
-/// What a folder of results holds: one run, or studies.
+/// The contents of a folder of results: one run, or studies.
 struct ResultsSheet {
   std::filesystem::path folder;
   std::filesystem::path page;  ///< report.html; empty if there is none

@@ -1,4 +1,4 @@
-// What the numbers of a script's studies depend on.
+// The inputs on which the numbers of a script's studies depend.
 #pragma once
 
 #include "app/command_line.hpp"

@@ -1,4 +1,4 @@
-// What a Script holds. Included by .cpp files alone.
+// The parts of a Script. Included by .cpp files alone.
 #pragma once
 
 #include <optional>

@@ -1,4 +1,4 @@
-// The studies of a script: their folder, and what they print.
+// The studies of a script: their folder, and their output.
 #pragma once
 
 #include <filesystem>
@@ -15,7 +15,7 @@
 
 namespace moat {
 
-/// Runs the studies of one script in one folder, and keeps what its report shows.
+/// Runs the studies of one script in one folder, and keeps the contents of its report.
 class ScriptStudy {
  public:
   /// Adds the options to the line. json: where the result goes too, or null. Throws InputError for a text that cannot

@@ -18,7 +18,7 @@ struct GroundDeviation {
 };
 
 /// The motion of the ground at an instant inside a step, minus the cubics through its values and rates at both ends of
-/// the step. This is what an interpolated relative motion lacks.
+/// the step. An interpolated relative motion lacks this part.
 struct GroundBump {
   double time = 0.0;                  ///< s
   double fraction = 0.0;              ///< of the step

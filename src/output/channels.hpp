@@ -32,7 +32,7 @@ class Channels {
   /// capacity. Displacements and velocities relative to the ground follow its motion inside the step.
   [[nodiscard]] double value_inside(const StepView& view, std::size_t channel, double fraction, double of_cubic) const;
 
-  /// What the motion of the ground inside a step adds to a channel and to its rate, beyond cubics.
+  /// The share of the motion of the ground inside a step in a channel and in its rate, beyond cubics.
   struct Inside {
     double value = 0.0, rate = 0.0;  ///< in units of the channel, and per second
   };

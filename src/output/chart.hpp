@@ -45,7 +45,7 @@ struct Chart {
 /// The chart as SVG text, `width` x `height` pixels; several charts fill `columns` columns, row by row, each
 /// `height` high, with their plot areas aligned. A legend that finds no room beside the title gets rows of its own,
 /// which make its panel higher; texts that are longer than the plot area are shortened. Long series are thinned to
-/// about two points per pixel and keep their peaks. Title and description say in words what is drawn. The text has no
+/// about two points per pixel and keep their peaks. Title and description say the same in words. The text has no
 /// prolog and no ids, so it may be placed inside an HTML page, several times.
 ///
 /// Throws InputError for no chart or a size below 200 x 150 pixels for each, and where a chart has no point to draw, a

@@ -31,7 +31,7 @@ bool write_all(int file, Pieces pieces) {
   std::vector<iovec> parts;
   parts.reserve(pieces.size());
   for (const std::string_view piece : pieces)
-    // writev does not change what it reads.
+    // writev does not change its input.
     if (!piece.empty()) parts.push_back({const_cast<char*>(piece.data()), piece.size()});
   for (std::size_t first = 0; first < parts.size();) {
     const auto written = writev(file, &parts[first], static_cast<int>(std::min(most_at_once, parts.size() - first)));

@@ -15,7 +15,7 @@ void write_file(const std::filesystem::path& path, std::string_view contents);
 void write_file(const std::filesystem::path& path, std::span<const std::string_view> pieces);
 
 /// The same in half the time, for a file that nobody looks for before another file names it: it is written in its
-/// place, and what has its name there is removed first. A write that fails leaves nothing.
+/// place, and a file of its name is removed first. A write that fails leaves nothing.
 void write_unlisted_file(const std::filesystem::path& path, std::span<const std::string_view> pieces);
 
 }  // namespace moat

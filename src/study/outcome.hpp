@@ -1,4 +1,4 @@
-// What a case of a study leaves.
+// The outcome of one case of a study.
 #pragma once
 
 #include <limits>

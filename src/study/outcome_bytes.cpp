@@ -45,7 +45,7 @@ class Writer {
   std::string bytes_;
 };
 
-// Reads what a Writer of the same program wrote.
+// Reads the bytes of a Writer of the same program.
 class Reader {
  public:
   explicit Reader(const std::string& bytes) : bytes_{&bytes} {}

@@ -57,7 +57,7 @@ class OwnCases {
   std::atomic<std::size_t> running_;
   std::mutex mutex_;
   std::vector<std::pair<std::size_t, CaseOutcome>> ended_;
-  std::vector<std::jthread> threads_;  // last: they end before what they use
+  std::vector<std::jthread> threads_;  // last: they end before the members that they use
 };
 
 }  // namespace

@@ -22,13 +22,13 @@ enum class StudyChanges {
 };
 
 /// A study in a file. Every case is written when it ends, in a transaction of its own: after `kill -9` at any moment
-/// the file holds all cases that had ended. After a power cut it may lack those of the last seconds; what it has is
+/// the file holds all cases that had ended. After a power cut it may lack those of the last seconds; all others are
 /// whole. While a study runs, FILE-wal and FILE-shm belong to it, and FILE.lock keeps a second process away; at an
 /// orderly end FILE alone remains. Tables:
 ///
 ///     study          key, value: title, number of cases, current version
 ///     axes           axis, name, unit, cases_group      axis_values   axis, position, value, label
-///     versions       version, name, value: what the numbers depended on
+///     versions       version, name, value: the inputs of the numbers
 ///     sessions       session, date, command, moat_version, git_commit, engine, host, version, ending
 ///     cases          number, parameters (JSON), state, reason, steps, energy_error, seconds, session
 ///     files          file, path, sha256                 case_files    number, file

@@ -1,4 +1,4 @@
-// What the numbers of a study depend on, and how it has changed.
+// The inputs on which the numbers of a study depend, and their changes.
 #pragma once
 
 #include <string>
@@ -9,7 +9,7 @@
 
 namespace moat {
 
-/// What the numbers of a study depend on besides its axes, as pairs of name and value: hashes of script, program,
+/// The inputs of the numbers of a study besides its axes, as pairs of name and value: hashes of script, program,
 /// library and files, options of the script.
 using StudyIdentity = std::vector<std::pair<std::string, std::string>>;
 

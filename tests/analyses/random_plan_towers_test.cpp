@@ -1,4 +1,4 @@
-// Towers in plan drawn at random: what the default tolerance leaves of the peaks' error, and that axes do not matter.
+// Towers in plan drawn at random: the error of the peaks with the default tolerance, and that axes do not matter.
 
 #include <gtest/gtest.h>
 

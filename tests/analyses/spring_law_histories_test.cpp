@@ -98,7 +98,7 @@ ShearBuilding two_storeys() {
           .isolation = lead_rubber};
 }
 
-// Alone if it carries weight, else beside lead-rubber bearings; what it reports is among the peaks.
+// Alone if it carries weight, else beside lead-rubber bearings; its quantities are among the peaks.
 TEST(EverySpringLaw, ActsUnderABuilding) {
   AllSpringLaws::for_each([]<class Law>() {
     SCOPED_TRACE(Law::name);

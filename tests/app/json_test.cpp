@@ -28,7 +28,7 @@ TEST_F(JsonRun, StandardOutputIsTheSummaryAlone) {
   const std::string results = printed.at("results_folder").get<std::string>();
   printed.erase("results_folder");
   EXPECT_EQ(printed, json::parse(text_of(folder / results / "summary.json")));
-  // What a person reads goes to standard error.
+  // The text for people goes to standard error.
   EXPECT_NE(result.errors.find("peak displacement [cm]"), std::string::npos) << result.errors;
 }
 

@@ -1,4 +1,4 @@
-// Studies of a script: their file, what they depend on, their parts and states.
+// Studies of a script: their file, the inputs they depend on, their parts and states.
 
 #include <gtest/gtest.h>
 

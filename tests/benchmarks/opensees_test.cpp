@@ -1,4 +1,4 @@
-// What ./moat bench peers gives to OpenSees, and what it reads. OpenSees itself is not needed here.
+// The input of OpenSees by ./moat bench peers, and the reading of its output. OpenSees itself is not needed here.
 
 #include "peers/opensees.hpp"
 

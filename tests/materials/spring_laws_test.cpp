@@ -1,4 +1,4 @@
-// What every law of isolators, dampers, storeys and soil must do with parameters drawn at random. The tests of each law
+// Duties of every law of isolators, dampers, storeys and soil, with parameters drawn at random. The tests of each law
 // have its own properties.
 #include "materials/spring_laws.hpp"
 

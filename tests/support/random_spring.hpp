@@ -20,7 +20,7 @@
 
 namespace moat::testing {
 
-/// Multiplies every number in a field by a random factor of its own; what is zero, and left out, stays.
+/// Multiplies every number in a field by a random factor of its own; fields that are zero, or left out, stay.
 template <class Field>
 void vary(RandomDraws& draws, Field& field) {
   constexpr double least = 0.4, most = 2.5;
