@@ -7,6 +7,7 @@
 #include <string>
 
 #include "base/check.hpp"
+#include "base/hermite.hpp"
 
 namespace moat {
 namespace {
@@ -17,19 +18,11 @@ constexpr double longest_period = 1000.0;  // s
 
 /// The largest absolute value of the cubic through values and slopes at both ends of a step.
 double peak_of_cubic(double value_0, double slope_0, double value_1, double slope_1, double step) {
-  double peak = std::max(std::abs(value_0), std::abs(value_1));
+  const double peak = std::max(std::abs(value_0), std::abs(value_1));
   // Steps are short against the period: without a change of sign of the slope there is no extremum inside.
   if (slope_0 * slope_1 >= 0.0) return peak;
-  const double rise = (value_1 - value_0) / step;
-  // Slope at the fraction x of the step: slope_0 + 2 b x + 3 c x^2; one root inside, because its sign changes.
-  const double b = 3.0 * rise - 2.0 * slope_0 - slope_1;
-  const double c = slope_0 + slope_1 - 2.0 * rise;
-  const double root = std::sqrt(std::max(0.0, b * b - 3.0 * c * slope_0));
-  const double sum = -(b + std::copysign(root, b));
-  for (const double x : {c != 0.0 ? sum / (3.0 * c) : 0.0, sum != 0.0 ? slope_0 / sum : 0.0}) {
-    if (x > 0.0 && x < 1.0) peak = std::max(peak, std::abs(value_0 + step * x * (slope_0 + x * (b + x * c))));
-  }
-  return peak;
+  const HermiteCubic cubic{value_0, slope_0, value_1, slope_1, step};
+  return std::max(peak, std::abs(cubic.value(cubic.turn())));
 }
 
 /// One oscillator under a ground acceleration that is linear over a step of constant length.
