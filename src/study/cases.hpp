@@ -24,7 +24,7 @@ class StudyCases {
   /// cases.
   StudyCases(std::initializer_list<StudyAxis> axes) : StudyCases{std::vector<StudyAxis>{axes}} {}
   /// Every combination of the axes.
-  StudyCases(std::vector<StudyAxis> axes);  // NOLINT(google-explicit-constructor)
+  StudyCases(std::vector<StudyAxis> axes);
 
   /// Case i takes the i-th value of every axis. Throws as the constructor, and for axes of different length.
   static StudyCases list(std::vector<StudyAxis> axes);
