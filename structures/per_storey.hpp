@@ -19,6 +19,8 @@ namespace moat {
 template <class T>
 class PerStorey {
  public:
+  /// A field that is left out does not compile, as with Required. Without this it would be an empty list.
+  PerStorey() = delete;
   /// The same for every storey.
   PerStorey(T every) : values_{every} {}
   /// Also from a type that converts to a value: any law for the law of a storey.

@@ -48,6 +48,8 @@ TEST_F(CompileErrors, NameTheMissingField) {
                "tower.cpp:6: field clearance of Moat is missing");
   expect_first("int main() {" + wall + "add(model, Moat{.around = base, .clearance = 1 * m}); }",
                "tower.cpp:6: field law of Moat is missing");
+  expect_first("const ShearBuilding building{.storeys = 5, .storey_stiffness = 1 * GN / m};",
+               "tower.cpp:4: field floor_mass of ShearBuilding is missing");
 }
 
 TEST_F(CompileErrors, NameTheDimensionOfAMissingFieldWithoutName) {
