@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <fstream>
+#include <regex>
 #include <sstream>
 
 #include "impact_cases.hpp"
@@ -35,6 +36,22 @@ TEST_P(FreeImpact, DeliversItAtAnyStiffnessMassAndSpeed) {
 
 INSTANTIATE_TEST_SUITE_P(ImpactLaws, FreeImpact, ::testing::ValuesIn(all_impact_cases()),
                          [](const auto& test) { return test.param.name; });
+
+/// "delivers 0.623 for a restitution of 0.65": the figures in the limits of the laws.
+TEST(FreeImpact, DeliversWhatTheLimitsOfTheLawsSay) {
+  int stated = 0;
+  AllImpactLaws::for_each([&]<class Law>() {
+    const std::string limits{assumption_of<Law>()};
+    std::smatch figures;
+    if (!std::regex_search(limits, figures, std::regex{"(0\\.[0-9]+) for (?:a restitution of )?(0\\.[0-9]+)"})) return;
+    ++stated;
+    const ImpactCase impact = impact_case<Law>("", false, [](Law&) {});
+    EXPECT_NEAR(delivered_restitution(impact.between(1e9, std::stod(figures[2]), 5.5e5), 5.5e5, 0.3),
+                std::stod(figures[1]), 5.1e-4)
+        << limits;
+  });
+  EXPECT_GE(stated, 5);
+}
 
 TEST(FreeImpact, EndsWhereTheApproachIsDampedHardAndTheWayBackIsSlow) {
   // The time scale of the dashpot is so short against the way back that a fraction of it is less than the last digit of
