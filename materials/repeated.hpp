@@ -26,8 +26,8 @@ struct Repeated {
     return times(law.evaluate(committed, deformation, rate, interval, trial));
   }
   double force_rate(const State& state, double deformation, double rate, double second_rate) const requires
-      requires(const Law& law) {
-    law.force_rate(state, deformation, rate, second_rate);
+      requires(const Law& each) {
+    each.force_rate(state, deformation, rate, second_rate);
   }
   { return count * law.force_rate(state, deformation, rate, second_rate); }
 
@@ -37,16 +37,16 @@ struct Repeated {
   double dissipation_rate(const State& committed, double deformation, double rate) const {
     return count * law.dissipation_rate(committed, deformation, rate);
   }
-  double dissipated_energy(const State& from, const State& to) const requires requires(const Law& law) {
-    law.dissipated_energy(from, to);
+  double dissipated_energy(const State& from, const State& to) const requires requires(const Law& each) {
+    each.dissipated_energy(from, to);
   }
   { return count * law.dissipated_energy(from, to); }
   double linear_stiffness(StiffnessStage stage) const { return count * law.linear_stiffness(stage); }
 
   static constexpr bool linear_within_regimes = LinearWithinRegimes<Law>;
   /// That of the law.
-  [[nodiscard]] bool is_linear_within_regimes() const requires requires(const Law& law) {
-    law.is_linear_within_regimes();
+  [[nodiscard]] bool is_linear_within_regimes() const requires requires(const Law& each) {
+    each.is_linear_within_regimes();
   }
   { return law.is_linear_within_regimes(); }
 
