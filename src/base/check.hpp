@@ -5,6 +5,7 @@
 #include <concepts>
 #include <string>
 #include <string_view>
+#include <type_traits>
 
 #include "base/quantity.hpp"
 #include "base/required.hpp"
@@ -22,9 +23,10 @@ class Check {
   /// kind is the type a user wrote ("Gap"); name is the object's own name, may be empty. Both must outlive the check: a
   /// message is formed only when a check fails.
   Check(std::string_view kind, std::string_view name) : kind_{kind}, name_{name} {}
-  /// A name that ends with the expression.
-  template <std::same_as<std::string> Temporary>
-  Check(std::string_view kind, Temporary&& name) = delete;
+  /// A name that ends with the expression, also a constant one: `empty ? "" : title`.
+  template <class Temporary>
+  requires std::same_as<std::remove_const_t<Temporary>, std::string> Check(std::string_view kind, Temporary&& name)
+  = delete;
 
   /// value > 0 and finite.
   void positive(std::string_view parameter, double value, std::string_view unit, std::string_view advice = {}) const;

@@ -1,6 +1,7 @@
 #include "output/chart.hpp"
 
 #include <algorithm>
+#include <string_view>
 
 #include "base/check.hpp"
 #include "output/chart_description.hpp"
@@ -50,7 +51,8 @@ std::string draw(const std::vector<Chart>& charts, int width, int height, int co
 }  // namespace
 
 std::string svg_text(const std::vector<Chart>& charts, int width, int height, int columns) {
-  const Check check{"Chart", charts.empty() ? "" : charts.front().title};
+  const std::string_view title = charts.empty() ? std::string_view{} : charts.front().title;
+  const Check check{"Chart", title};
   check.that(!charts.empty(), "there is no chart to draw.", "Give at least one.");
   check.that(columns >= 1, "columns", columns, "1", ">= 1");
   check.that(width / columns >= 200, "width", width, "pixels", ">= 200 pixels for every column");

@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <limits>
+#include <string>
+#include <type_traits>
 
 #include "base/error.hpp"
 #include "base/units.hpp"
@@ -23,6 +25,11 @@ std::string message_of(Action action) {
 }
 
 const Check check{"Gap", "moat left"};
+
+// A check keeps a view of its name: a temporary does not compile, whether constant or not.
+static_assert(!std::is_constructible_v<Check, const char*, std::string>);
+static_assert(!std::is_constructible_v<Check, const char*, const std::string>);
+static_assert(std::is_constructible_v<Check, const char*, const std::string&>);
 
 TEST(Check, NamesObjectParameterValueRangeUnitAndAdvice) {
   EXPECT_EQ(message_of([] { check.positive("clearance", -10 * cm, "Give the distance at rest."); }),

@@ -222,7 +222,10 @@ TEST_F(ChartToSvg, LeavesOutWhatIsOutsideTheRange) {
 
 TEST_F(ChartToSvg, RefusesWhatCannotBeDrawn) {
   EXPECT_THROW(svg_text({}), InputError);
-  EXPECT_THROW(svg_text({sine()}, 100, 400), InputError);
+  EXPECT_EQ(message_of<InputError>([&] { svg_text({sine()}, 100, 400); }),
+            "Chart \"" + sine().title +
+                "\": width = 100 pixels is not allowed; it must be >= 200 pixels for every "
+                "column.");
   EXPECT_THROW(svg_text({Chart{.title = "empty", .x_label = "", .y_label = "", .series = {}}}), InputError);
   Chart chart = sine();
   chart.series[1].y.pop_back();
