@@ -42,7 +42,7 @@ class StepSolver {
   [[nodiscard]] Model& model() const { return *model_; }
   /// The implicit steps as given.
   [[nodiscard]] ImplicitSteps& implicit() const { return *implicit_; }
-  /// Counts what is solved here.
+  /// Counts of the steps solved here.
   [[nodiscard]] SolverStatistics& statistics() const { return *statistics_; }
 
  private:

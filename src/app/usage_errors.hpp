@@ -6,7 +6,7 @@
 
 namespace moat {
 
-/// Lines for standard error that say what is wrong with a line that this parser refused. An unknown option is answered
+/// Lines for standard error that name the mistake in a line that this parser refused. An unknown option is answered
 /// with the one that it resembles; `program` names the owner of the options.
 std::string usage_error(const CLI::App& parser, const std::string& program, const CLI::ParseError& error);
 

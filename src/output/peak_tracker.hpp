@@ -10,9 +10,9 @@ namespace moat {
 
 /// A quantity at an instant.
 struct Instant {
-  double time = 0.0;  ///< s
-  double value = 0.0;
-  double rate = 0.0;  ///< per second
+  double time = 0.0;   ///< s
+  double value = 0.0;  ///< in the unit of the quantity
+  double rate = 0.0;   ///< per second
 };
 
 /// A bound of the magnitude of the cubic through two instants: it leaves the range of its ends by at most 4/27 of the

@@ -12,21 +12,24 @@ namespace moat {
 
 /// Many quantities at an instant.
 struct CommonInstant {
-  double time = 0.0;  ///< s
-  std::vector<double> values;
-  std::vector<double> rates;  ///< per second
+  double time = 0.0;           ///< s
+  std::vector<double> values;  ///< each in its unit
+  std::vector<double> rates;   ///< per second
 };
 
 /// Follows many quantities through common instants, each of them as PeakTracker does. The caller fills next() and then
 /// calls add() or restart().
 class PeakTrackers {
  public:
+  /// `count` quantities.
   explicit PeakTrackers(std::size_t count) : values_(count), times_(count) {
     // Without rates at first, so that nothing turns.
     for (CommonInstant& instant : instants_) instant = {0.0, std::vector<double>(count), std::vector<double>(count)};
   }
 
+  /// The number of quantities.
   [[nodiscard]] std::size_t size() const { return values_.size(); }
+  /// For the caller to fill, with as many values and rates as quantities.
   [[nodiscard]] CommonInstant& next() { return instants_[(newest_ + 1) % kept]; }
   [[nodiscard]] const CommonInstant& last() const { return before(0); }   ///< The end of the last step.
   [[nodiscard]] const CommonInstant& start() const { return before(1); }  ///< Its start.
@@ -78,7 +81,7 @@ class PeakTrackers {
 
   /// The value with the largest magnitude, the first of equal ones; 0 if there is none.
   [[nodiscard]] double value(std::size_t i) const { return values_[i]; }
-  [[nodiscard]] double magnitude(std::size_t i) const { return std::abs(values_[i]); }
+  [[nodiscard]] double magnitude(std::size_t i) const { return std::abs(values_[i]); }  ///< Of value().
   /// When value() was reached, s.
   [[nodiscard]] double time(std::size_t i) const { return times_[i]; }
 
