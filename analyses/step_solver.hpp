@@ -35,7 +35,7 @@ class StepSolver {
   [[nodiscard]] RegimeScan scan(double h) const { return model_->scan_regimes(h, aim()); }
   /// m, < 0.
   [[nodiscard]] double aim() const { return -0.5 * location_tolerance_; }
-  /// M, > 0: the band of margins in which a located step ends.
+  /// m, > 0: the band of margins in which a located step ends.
   [[nodiscard]] double location_tolerance() const { return location_tolerance_; }
 
   /// The model as given.
