@@ -132,6 +132,7 @@ void Channels::sample(const StepView& view, std::vector<double>& values, std::ve
     value[shear.channel] = -inertia;
     rate[shear.channel] = -inertia_rate;
   }
+  if (!view.model.is_plan()) return;
   value += first_in_plan_;
   rate += first_in_plan_;
   plan_.sample(view, value, rate);
