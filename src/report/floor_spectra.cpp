@@ -43,7 +43,7 @@ std::vector<Chart> floor_spectra(const CaseResult& result) {
     if ((*component == '\0') != result.model.diaphragms.empty()) continue;
     Chart chart;
     chart.title = "Floor response spectra" + (*component == '\0' ? "" : std::string{" along "} + component[1]);
-    chart.x_label = "period [s]";
+    chart.x_label = "period of an oscillator with 5 % damping [s]";
     chart.y_label = axis_label("pseudo-acceleration", "m/s^2");
     chart.logarithmic_x = true;
     chart.y_from_zero = true;

@@ -6,6 +6,7 @@
 #include "base/number_format.hpp"
 #include "output/engineering_unit.hpp"
 #include "output/impact_columns.hpp"
+#include "report/chart_grid.hpp"
 #include "report/html.hpp"
 #include "report/impact_loops.hpp"
 
@@ -63,12 +64,21 @@ std::string requested_restitution(const ModelFacts& model, const std::string& ga
 
 std::string ratio(double value) { return std::isfinite(value) ? to_significant(value, 4) : "none"; }
 
+// Three charts beside each other, or two if a title is long, so that none is cut.
+int width_for_titles(const std::vector<Chart>& charts) {
+  constexpr std::size_t letters_of_a_third = 22;
+  constexpr int third = 333, half = 500;
+  return std::ranges::all_of(charts, [](const Chart& chart) { return chart.title.size() <= letters_of_a_third; })
+             ? third
+             : half;
+}
+
 std::string loop_section(const CaseResult& result, const std::vector<Chart>& loops) {
   if (loops.empty()) return "";
   std::string html = "<h3>Force over indentation</h3>\n";
   if (loops.size() < result.impacts.size())
     html += "<p>The " + std::to_string(loops.size()) + " impacts with the largest forces.</p>\n";
-  html += svg_text(loops, 1000, 260, 3) +
+  html += chart_grid(loops, width_for_titles(loops), 260) +
           "<div class=\"wide\"><table>\n<tr><th scope=\"col\">Impact</th>"
           "<th class=\"number\" scope=\"col\">Restitution asked of the law</th>"
           "<th class=\"number\" scope=\"col\">delivered by it</th>"

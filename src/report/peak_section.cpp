@@ -29,12 +29,14 @@ std::string error_bar_note(const ErrorBars& bars) {
          std::to_string(bars.companion_impacts) + " impacts.</p>\n";
 }
 
-// `last` heads the column behind the times.
+// `last` heads the column behind the times, unless it is empty.
 std::string table_of(const PeakGroup& group, bool with_errors, std::string_view last, const ErrorBars& bars) {
   std::string html = "<table>\n<tr class=\"group\"><th scope=\"col\">" + escaped(capitalised(group.quantity)) +
                      "</th><th class=\"number\" scope=\"col\">" + escaped(with_raised_digits(group.unit)) + "</th>";
   if (with_errors) html += "<th scope=\"col\">error</th>";
-  html += "<th class=\"number\" scope=\"col\">at s</th><th scope=\"col\">" + std::string{last} + "</th></tr>\n";
+  const bool has_last = std::ranges::any_of(group.rows, [](const PeakRow& peak) { return !peak.side.empty(); });
+  html += "<th class=\"number\" scope=\"col\">at s</th><th scope=\"col\">" + std::string{has_last ? last : ""} +
+          "</th></tr>\n";
   for (const PeakRow& peak : group.rows) {
     const bool unsettled = std::ranges::any_of(bars.unsettled, [&](const Peak& each) {
       return in_words(each.quantity) == group.quantity && each.where == peak.where;
@@ -72,8 +74,11 @@ std::string peak_section(const CaseResult& result) {
   std::vector<Peak> changing = result.peaks;
   std::erase_if(changing, [&](const Peak& peak) { return constant.contains(peak.quantity); });
   const std::vector<Peak> peaks = shown(changing);
-  std::string html = "<h2>Peaks</h2>\n" + error_bar_note(result.error_bars) +
-                     "<p>Positive to the right; forces and deformations of gaps are positive in compression.";
+  std::string html =
+      "<h2>Peaks</h2>\n" + error_bar_note(result.error_bars) +
+      (result.model.diaphragms.empty() ? "<p>Positive to the right"
+                                       : "<p>x is positive to the right, y up in plan, rotations counter-clockwise") +
+      "; forces and deformations of gaps are positive in compression.";
   if (peaks.size() < changing.size())
     html += " Shown are the largest " + std::to_string(most_places) +
             " places of each quantity; summary.json has all " + std::to_string(result.peaks.size()) + " peaks.";

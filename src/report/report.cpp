@@ -6,6 +6,7 @@
 #include "output/energy_columns.hpp"
 #include "output/file_io.hpp"
 #include "output/results_folder.hpp"
+#include "report/chart_grid.hpp"
 #include "report/drawing.hpp"
 #include "report/html.hpp"
 #include "report/impact_section.hpp"
@@ -34,7 +35,8 @@ std::string energy_section(const CaseResult& result, const std::vector<Chart>& c
   static const std::vector<DissipatedEnergy> no_parts;
   const EnergyBalance& energy = result.energy;
   const auto kilojoule = [](double joule) { return number_with_unit(joule, "J"); };
-  std::string html = "<h2>Energy</h2>\n" + (charts.empty() ? std::string{} : svg_text(charts, 1000, 320)) +
+  std::string html = "<h2>Energy</h2>\n" +
+                     (charts.empty() ? std::string{} : html::wide_picture(svg_text(charts, 1000, 320))) +
                      "<details><summary>At the end of the run</summary>\n<table>\n";
   for (const EnergyColumn& column : energy_columns(energy.in_plan)) {
     html += number_row(column.words, kilojoule(energy.*column.value));
@@ -65,8 +67,8 @@ std::string solver_section(const CaseResult& result) {
   return html + "</ul>\n";
 }
 
-std::string grid_of(const char* title, const std::vector<Chart>& charts, int columns, int height) {
-  return charts.empty() ? "" : std::string{"<h2>"} + title + "</h2>\n" + svg_text(charts, 1000, height, columns);
+std::string grid_of(const char* title, const std::vector<Chart>& charts, int height) {
+  return charts.empty() ? "" : std::string{"<h2>"} + title + "</h2>\n" + html::chart_grid(charts, 500, height);
 }
 
 // One figure for each, which the page's script makes a chart that zooms.
@@ -81,7 +83,7 @@ std::string history_section(const std::vector<Chart>& charts) {
 
 std::string plan_section(const CaseResult& result) {
   std::string html;
-  for (const std::string& view : plan_views(result)) html += "<h2>Orbit</h2>\n" + view;
+  for (const std::string& view : plan_views(result)) html += "<h2>Orbit</h2>\n" + html::wide_picture(view);
   return html;
 }
 
@@ -96,12 +98,12 @@ std::string input_section(const CaseResult& result) {
 void write_report_html(const CaseResult& result, const ResultCharts& charts, const std::filesystem::path& folder) {
   const std::string body = html::summary_section(result) + html::warning_section(result) +
                            html::drawing_section(result) + plan_section(result) + history_section(charts.histories) +
-                           grid_of("Largest values over height", charts.floor_profiles, 2, 300) +
-                           grid_of("Isolators", charts.isolator_loops, 2, 340) +
+                           grid_of("Largest values over height", charts.floor_profiles, 300) +
+                           grid_of("Isolators", charts.isolator_loops, 340) +
                            html::impact_section(result, charts.impact_loops) + energy_section(result, charts.energy) +
-                           grid_of("Floor response spectra", charts.floor_spectra, 2, 320) +
-                           html::peak_section(result) + html::clearance_section(result) +
-                           html::section_at_the_end(result) + period_section(result) + input_section(result);
+                           grid_of("Floor response spectra", charts.floor_spectra, 320) + html::peak_section(result) +
+                           html::clearance_section(result) + html::section_at_the_end(result) + period_section(result) +
+                           input_section(result);
   write_file(folder / results_file::report,
              html::page_with_script(result.title, body, html::page_data(result, charts.histories)));
 }

@@ -49,7 +49,8 @@ std::string energy_card(const EnergyBalance& energy) {
   if (!(scale > 0.0)) return "";
   const double error = std::max(std::abs(energy.integration_error), std::abs(energy.equation_residual));
   return card("Error of the energy balance", to_significant(100.0 * error / scale, 2) + " <small>%</small>",
-              "of " + number_with_unit(scale, "J"));
+              std::string{"of the largest "} + (scale > energy.largest_input ? "kinetic energy, " : "input, ") +
+                  number_with_unit(scale, "J"));
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include "base/number_format.hpp"
 #include "output/file_io.hpp"
 #include "output/file_name.hpp"
+#include "report/chart_grid.hpp"
 #include "report/html.hpp"
 #include "report/input_sections.hpp"
 #include "report/page.hpp"
@@ -91,16 +92,16 @@ std::string study_section(const NamedStudy& study, const std::set<std::string>& 
       folder.remove(prefix + picture.title);
       continue;
     }
-    html += picture.svg;
+    html += html::wide_picture(picture.svg);
     folder.write(prefix + picture.title, picture.svg);
   }
   for (const HeatMap& map : heat_maps(study.result)) {
     const std::string svg = svg_text(map);
-    html += svg;
+    html += html::wide_picture(svg);
     folder.write(prefix + map.title + " map", svg);
   }
   const std::vector<Chart> charts = axis_charts(study.result);
-  if (!charts.empty()) html += svg_text(charts, 1000, 320, 2);
+  if (!charts.empty()) html += html::chart_grid(charts, 500, 320);
   for (const Chart& chart : charts)
     folder.write(prefix + chart.title + " over " + without_unit(chart.x_label), svg_text({chart}, 700, 420));
   return html + failure_section(study.result);
@@ -116,7 +117,7 @@ void write_study_report(const StudyReport& report, const fs::path& folder) {
   if (!report.answers.empty() || !report.pictures.empty()) page += "<h2>Answers</h2>\n";
   page += paragraphs(report.answers);
   for (const StudyPicture& picture : report.pictures) {
-    page += picture.svg;
+    page += html::wide_picture(picture.svg);
     shown.insert(picture.title);
     pictures.write(picture.title, picture.svg);
   }

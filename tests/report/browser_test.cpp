@@ -34,6 +34,11 @@ constexpr std::string_view behind_page = R"js(<script>
   verdict.pictures = document.querySelectorAll("svg").length;
   verdict.without_marks = [...document.querySelectorAll("svg")].filter(
     (svg) => !svg.querySelector("polyline, polygon, path, circle, rect + rect")).length;
+  const letters = [...document.querySelectorAll("svg text")].map((text) => {
+    const svg = text.ownerSVGElement;
+    return svg.getBoundingClientRect().width / svg.viewBox.baseVal.width * Number(text.getAttribute("font-size"));
+  }).filter((size) => size > 0);
+  verdict.smallest_letter = Math.min(100, ...letters);
   const controls = document.querySelector(".controls");
   if (controls) {
     const control = (name) => controls.querySelector("[name=" + name + "]");
@@ -64,12 +69,17 @@ constexpr std::string_view behind_page = R"js(<script>
     verdict.jumped_to = moatReport.time();
   }
   verdict.problems = window.problems;
-  const text = document.createElement("pre");
-  text.id = "verdict";
-  text.textContent = JSON.stringify(verdict);
-  document.body.append(text);
+  parent.postMessage(JSON.stringify(verdict), "*");
 })();
 </script>)js";
+
+// Holds the page in a frame, which may be as narrow as a phone: a window of the browser is at least 500 pixels wide.
+std::string page_around(const std::string& page, int width) {
+  return "<!DOCTYPE html><body><script>addEventListener(\"message\", (event) => {"
+         "const text = document.createElement(\"pre\"); text.id = \"verdict\"; text.textContent = event.data;"
+         "document.body.append(text); });</script><iframe src=\"" +
+         page + "\" width=\"" + std::to_string(width) + "\" height=\"900\"></iframe></body>\n";
+}
 
 bool has_browser() { return std::system("command -v chromium >/dev/null 2>&1") == 0; }  // NOLINT(concurrency-mt-unsafe)
 
@@ -84,14 +94,15 @@ class ReportInABrowser : public testing::InFolder {
     std::string html = testing::read_file(folder / "report.html");
     html.insert(html.find("<head>") + 6, before_page);
     html.insert(html.rfind("</body>"), behind_page);
-    const fs::path page = folder / "tested.html", output = folder / "page_after";
-    std::ofstream{page} << html;
+    const fs::path page = folder / "around.html", output = folder / "page_after";
+    std::ofstream{folder / "tested.html"} << html;
+    std::ofstream{page} << page_around("tested.html", width);
     const std::string command =
         "chromium --headless --no-sandbox --disable-gpu --disable-quic --no-first-run --disable-background-networking "
         "--disable-component-update --disable-sync --hide-scrollbars --virtual-time-budget=60000 "
         "--blink-settings=preferredColorScheme=" +
         std::string{dark ? "0" : "1"} + " --user-data-dir='" + (folder / "browser").string() +
-        "' --window-size=" + std::to_string(width) + ",900 --dump-dom 'file://" + page.string() + "' >'" +
+        "' --window-size=" + std::to_string(width + 100) + ",1000 --dump-dom 'file://" + page.string() + "' >'" +
         output.string() + "' 2>'" + (folder / "messages").string() + "'";
     EXPECT_EQ(std::system(command.c_str()), 0) << command;  // NOLINT(concurrency-mt-unsafe)
     const std::string after = testing::read_file(output), mark = "<pre id=\"verdict\">";
@@ -119,8 +130,10 @@ class ReportInABrowser : public testing::InFolder {
         if (verdict.is_null()) continue;
         EXPECT_EQ(verdict["problems"], nlohmann::json::array());
         EXPECT_EQ(verdict["dark"], dark);
+        EXPECT_EQ(verdict["width"], width);
         EXPECT_EQ(verdict["clipped"], false) << verdict;
         EXPECT_EQ(verdict["without_marks"], 0);
+        EXPECT_GE(verdict["smallest_letter"], 8.0) << "pixels; on a phone charts stand below each other, or scroll";
         EXPECT_GT(verdict["pictures"], 0);
         check(verdict);
       }

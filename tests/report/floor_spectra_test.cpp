@@ -49,6 +49,7 @@ TEST(FloorSpectra, HaveOneChartForEachComponentInPlan) {
   const std::vector<Chart> charts = floor_spectra(testing_report::plan_result());
   ASSERT_EQ(charts.size(), 2u);
   EXPECT_EQ(charts[0].title, "Floor response spectra along x");
+  EXPECT_EQ(charts[0].x_label, "period of an oscillator with 5 % damping [s]");
   EXPECT_EQ(charts[1].series.size(), 2u) << "base and top";
 }
 

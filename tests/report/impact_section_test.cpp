@@ -25,6 +25,13 @@ TEST(ImpactSection, ExplainsEveryColumn) {
   EXPECT_NE(html.find("data-time=\"3.25\""), std::string::npos);
 }
 
+TEST(ImpactSection, CutsNoTitleOfALoop) {
+  CaseResult result;
+  result.impacts = {impact_of("moat wall 2 corner 3", 3.25, 2.5e7)};
+  const std::string html = html::impact_section(result, impact_loops(result.impacts));
+  EXPECT_NE(html.find(">3.250 s, moat wall 2 corner 3</text>"), std::string::npos);
+}
+
 TEST(ImpactSection, SeparatesImpactsMillisecondsApart) {
   CaseResult result;
   result.impacts = {impact_of("a", 12.5512, 1.0), impact_of("a", 12.5538, 1.0)};

@@ -36,6 +36,21 @@ TEST(PeakSection, NamesWhatNeverChanges) {
   EXPECT_EQ(html.find("0.05"), std::string::npos) << html;
 }
 
+TEST(PeakSection, NamesSidesWhereTheyAreAndTheDirectionsOfPlan) {
+  CaseResult result;
+  result.peaks = {{"displacement", "base", 0.25, "m", 3.0}};
+  result.peaks.front().side = "right";
+  std::string html = html::peak_section(result);
+  EXPECT_NE(html.find(">side</th>"), std::string::npos) << html;
+  EXPECT_NE(html.find("<p>Positive to the right;"), std::string::npos) << html;
+  result.peaks = {{"displacement_y", "base", 0.25, "m", 3.0}};
+  result.model.diaphragms.emplace_back();
+  html = html::peak_section(result);
+  EXPECT_EQ(html.find(">side</th>"), std::string::npos) << html;
+  EXPECT_NE(html.find("<p>x is positive to the right, y up in plan, rotations counter-clockwise;"), std::string::npos)
+      << html;
+}
+
 TEST(SectionAtTheEnd, ShowsTheOffsetOfIsolators) {
   CaseResult result;
   EXPECT_EQ(html::section_at_the_end(result), "");

@@ -31,6 +31,15 @@ TEST(SummarySection, ShowsTheLargestOfEachQuantityWithItsError) {
   EXPECT_EQ(count(html, "class=\"card\""), 4u) << "no energy, no drift, no acceleration";
 }
 
+TEST(SummarySection, NamesTheEnergyThatItsErrorIsComparedWith) {
+  CaseResult result = example();
+  result.energy.largest_input = 5e6;
+  result.energy.largest_kinetic = 2e6;
+  EXPECT_NE(html::summary_section(result).find("of the largest input, 5000 kJ"), std::string::npos);
+  result.energy.largest_kinetic = 8e6;
+  EXPECT_NE(html::summary_section(result).find("of the largest kinetic energy, 8000 kJ"), std::string::npos);
+}
+
 TEST(SummarySection, ShadesWhatIsNotSettled) {
   CaseResult result = example();
   result.error_bars.unsettled = {result.peaks[1]};
