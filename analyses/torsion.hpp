@@ -19,6 +19,7 @@ struct TorsionalAmplification {
   double of_formula = 1.0;  ///< without the lower bound
   double of_code = 1.15;    ///< with it
 };
+/// Throws InputError for a parameter outside its range.
 TorsionalAmplification torsional_amplification(Length y, Length eccentricity, Length b, Length d, double period_ratio);
 /// P_T = sqrt(sum(x_i^2 + y_i^2)/N)/r_I >= 1 of bearings at these places from the centre of rigidity, with the radius
 /// of gyration r_I, m, of the isolated building.

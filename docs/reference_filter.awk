@@ -8,6 +8,7 @@ function note(pattern, sentence) {
 }
 
 function notes_of_all() {
+  note("^extern template", "Compiled in the library.")
   if ($0 !~ /\/\/\//) note("[)] (const )?(noexcept )?override[ ;]", "As the function of the base class says.")
   note("^  [A-Za-z]+[(][A-Za-z]+&&[)] noexcept", "Moves.")
   note("^  [A-Za-z]+& operator=[(][A-Za-z]+&&[)] noexcept", "Moves.")

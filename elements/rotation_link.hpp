@@ -28,6 +28,7 @@ struct RotationDamper {
 
 /// Throw InputError for a bad parameter, bodies that do not turn or are the same, or a name that is taken.
 void add(Model& model, const RotationSpring& spring);
+/// As for a spring.
 void add(Model& model, const RotationDamper& damper);
 
 }  // namespace moat

@@ -9,6 +9,7 @@
 
 namespace moat {
 
+/// The state of a gap.
 enum class ContactPhase : std::uint8_t {
   open,      ///< apart
   loaded,    ///< touching, the law acts

@@ -99,6 +99,7 @@ std::string_view name_of(const Law& law) {
   else
     return "law";
 }
+/// Names, values and units of the parameters of a law; none for a law that does not list them.
 template <class Law>
 std::vector<Parameter> parameters_of(const Law& law) {
   if constexpr (requires { law.parameters(); })

@@ -65,6 +65,7 @@ struct MoatLayout {
   PlanOutline walls;                  ///< As built.
   std::vector<FacingCorner> corners;  ///< Those that may meet an edge.
 };
+/// As MoatLayout says.
 MoatLayout moat_layout(const Model& model, const std::string& name, DiaphragmId around, Length clearance,
                        const PlanOutline& walls, const Facing& facing);
 /// Throws InputError for a diaphragm without outline, and as corners_facing_each_other() does.

@@ -43,6 +43,7 @@ struct StoreyColumn {
   [[nodiscard]] Stiffness along_y() const { return stiffness.si() != 0.0 ? stiffness : stiffness_y; }
 };
 
+/// Equal columns in rows along x and y.
 inline Grid<StoreyColumn> grid(int along_x, int along_y, StoreyColumn column) { return {along_x, along_y, column}; }
 
 /// The law of two components of a lead-rubber bearing: it yields on a circle.
@@ -60,6 +61,7 @@ concept BearingInPlan = PlanarLaw<Bearing> || requires(const Bearing& bearing) {
   { in_plan(bearing, weight) } -> PlanarLaw;
 };
 
+/// Equal bearings in rows along x and y.
 template <BearingInPlan Bearing>
 Grid<Bearing> grid(int along_x, int along_y, Bearing bearing) {
   return {along_x, along_y, std::move(bearing)};

@@ -23,9 +23,11 @@ struct PlanVector {
   friend constexpr bool operator==(PlanVector, PlanVector) = default;
 };
 
+/// The scalar product.
 [[nodiscard]] constexpr double dot(PlanVector a, PlanVector b) { return a.x * b.x + a.y * b.y; }
 /// Positive if b lies counter-clockwise of a.
 [[nodiscard]] constexpr double cross(PlanVector a, PlanVector b) { return a.x * b.y - a.y * b.x; }
+/// sqrt(x^2 + y^2).
 [[nodiscard]] inline double length(PlanVector a) { return std::hypot(a.x, a.y); }
 /// By 90 degrees, counter-clockwise.
 [[nodiscard]] constexpr PlanVector turned_left(PlanVector a) { return {-a.y, a.x}; }

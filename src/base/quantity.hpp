@@ -89,25 +89,37 @@ class Quantity {
   double si_ = 0.0;
 };
 
+/// The dimensions multiply too.
 template <int m1, int l1, int t1, int m2, int l2, int t2>
 constexpr Quantity<m1 + m2, l1 + l2, t1 + t2> operator*(Quantity<m1, l1, t1> a, Quantity<m2, l2, t2> b) {
   return Quantity<m1 + m2, l1 + l2, t1 + t2>{a.si() * b.si()};
 }
 
+/// The dimensions divide too.
 template <int m1, int l1, int t1, int m2, int l2, int t2>
 constexpr Quantity<m1 - m2, l1 - l2, t1 - t2> operator/(Quantity<m1, l1, t1> a, Quantity<m2, l2, t2> b) {
   return Quantity<m1 - m2, l1 - l2, t1 - t2>{a.si() / b.si()};
 }
 
+/// 1
 using Dimensionless = Quantity<0, 0, 0>;
+/// kg
 using Mass = Quantity<1, 0, 0>;
+/// m
 using Length = Quantity<0, 2, 0>;
+/// s
 using Time = Quantity<0, 0, 1>;
+/// 1/s
 using Frequency = Quantity<0, 0, -1>;
+/// m/s
 using Speed = Quantity<0, 2, -1>;
+/// m/s^2
 using Acceleration = Quantity<0, 2, -2>;
+/// N
 using Force = Quantity<1, 2, -2>;
+/// J
 using Energy = Quantity<1, 4, -2>;
+/// W
 using Power = Quantity<1, 4, -3>;
 /// N/m
 using Stiffness = Quantity<1, 0, -2>;

@@ -3,6 +3,7 @@
 
 namespace moat {
 
+/// The branch of a law whose stiffness is asked for.
 enum class StiffnessStage {
   initial,     ///< before first yield
   post_yield,  ///< on the branch after yield, for elements that have one

@@ -6,6 +6,7 @@
 
 namespace moat {
 
+/// Whether every sequence of bytes is a character of UTF-8.
 bool is_utf8(std::string_view text);
 
 /// With a replacement character for every sequence of bytes that is not UTF-8.

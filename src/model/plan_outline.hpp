@@ -50,6 +50,7 @@ struct PlanOutline {
 [[nodiscard]] PlanOutline rectangle(Length x, Length y, PlanPosition centre = {});
 /// Turned counter-clockwise about `centre`.
 [[nodiscard]] PlanPosition turned(PlanPosition point, Angle angle, PlanPosition centre = {});
+/// All corners turned so.
 [[nodiscard]] PlanOutline turned(const PlanOutline& outline, Angle angle, PlanPosition centre = {});
 /// All edges moved outwards by `distance` >= 0.
 [[nodiscard]] PlanOutline offset_outwards(const PlanOutline& outline, Length distance);

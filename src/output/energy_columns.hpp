@@ -25,6 +25,7 @@ inline constexpr std::array all_energy_columns{
     EnergyColumn{"impact", "Lost in impacts", &EnergyBalance::impact},
     EnergyColumn{"friction", "Lost by friction along walls", &EnergyBalance::friction},
 };
+/// In their order; friction along walls in plan only.
 inline constexpr std::span<const EnergyColumn> energy_columns(bool in_plan) {
   return std::span{all_energy_columns}.first(all_energy_columns.size() - (in_plan ? 0 : 1));
 }

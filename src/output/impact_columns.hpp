@@ -25,6 +25,7 @@ struct ImpactColumn {
   int least_decimals = 0;  ///< in the report
 };
 
+/// In their order.
 inline constexpr std::array impact_columns{
     ImpactColumn{"start", "s", "Instant of the first touch.", &Impact::start, 4},
     ImpactColumn{"duration", "s", "From the first touch until the gap opens again.", &Impact::duration},
@@ -43,6 +44,7 @@ inline constexpr std::array impact_columns{
 /// The further ones in plan; a model on a line has none of them.
 inline constexpr std::array impact_names_in_plan{ImpactName{"corner", "The corner that struck.", &Impact::corner},
                                                  ImpactName{"edge", "The wall or edge that it struck.", &Impact::edge}};
+/// The further numbers in plan.
 inline constexpr std::array impact_columns_in_plan{
     ImpactColumn{"tangential_speed", "m/s", "Speed of the corner along the edge at the first touch.",
                  &Impact::tangential_speed},

@@ -17,11 +17,13 @@ struct NamedNumber {
   std::string unit;      ///< SI symbol
   double value = 0.0;    ///< in that unit
 };
+/// The numbers of one case.
 using StudyRecord = std::vector<NamedNumber>;
 
 /// The value of one entry. Throws InputError if there is none of this name and place.
 double value_of(const StudyRecord& record, std::string_view quantity, std::string_view where);
 
+/// How far a case has come.
 enum class CaseState {
   open,           ///< not computed yet
   done,           ///< has its results

@@ -33,6 +33,7 @@ struct RandomVariable {
   std::variant<UniformDistribution, NormalDistribution, LognormalDistribution> distribution;  ///< Of its values.
 };
 
+/// How samples are drawn.
 enum class Sampling {
   independent,  ///< every sample for itself
   /// Every variable has exactly one sample in each of `count` intervals of equal probability (McKay, Beckman & Conover

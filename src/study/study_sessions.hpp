@@ -41,10 +41,12 @@ std::vector<StudyIdentity> versions_of(const sqlite::Database& database);
 std::size_t version_with(const sqlite::Database& database, const StudyIdentity& identity);
 /// The version that the study goes on with.
 std::size_t current_version(const sqlite::Database& database);
+/// From now on.
 void set_current_version(const sqlite::Database& database, std::size_t version);
 
 /// Returns the number of the session.
 std::int64_t add(const sqlite::Database& database, const StoredSession& session);
+/// How the session ended.
 void set_ending(const sqlite::Database& database, std::int64_t session, const std::string& ending);
 /// In their order.
 std::vector<StoredSession> all_of(const sqlite::Database& database);
