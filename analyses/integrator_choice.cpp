@@ -13,6 +13,8 @@ IntegratorChoice newmark(const std::string& reason) {
 
 IntegratorChoice choose_integrator(Model& model, const TransientOptions& options, double longest_step,
                                    std::optional<ExactSteps>& exact) {
+  if (is_exact(options.integrator)) exact.emplace(model, longest_step);
+  if (!is_automatic(options.integrator)) return {options.integrator, {}};
   if (options.step.si() > 0.0) return newmark("the step is fixed.");
   if (model.degrees_of_freedom() > Automatic::most_degrees_of_freedom)
     return newmark("exact steps cost more for a model of more than " +

@@ -1,4 +1,4 @@
-// The integrator that Automatic takes for one model.
+// The integrator of an analysis.
 #pragma once
 
 #include <optional>
@@ -11,12 +11,13 @@ namespace moat {
 
 /// An integrator that is not Automatic, and the sentence that says why it was chosen.
 struct IntegratorChoice {
-  Integrator integrator;  ///< Newmark or ExactBetweenEvents
-  std::string reason;     ///< a sentence for reports
+  Integrator integrator;  ///< that of the options; Newmark or ExactBetweenEvents for Automatic
+  std::string reason;     ///< a sentence for reports; empty if the options give the integrator
 };
 
-/// Chooses for Automatic: ExactBetweenEvents, with its steps of at most `longest_step` s in `exact`, or Newmark. The
-/// model must be prepared.
+/// The integrator of the options, or the one that Automatic takes for this model, which must be prepared. For
+/// ExactBetweenEvents, its steps of at most `longest_step` s are made in `exact`. Throws InputError where the options
+/// ask for exact steps and the model is not linear between events.
 IntegratorChoice choose_integrator(Model& model, const TransientOptions& options, double longest_step,
                                    std::optional<ExactSteps>& exact);
 

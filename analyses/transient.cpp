@@ -1,11 +1,11 @@
 #include "analyses/transient.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <ctime>
 #include <utility>
 
 #include "analyses/event_location.hpp"
+#include "analyses/hidden_motion.hpp"
 #include "analyses/integrator_choice.hpp"
 #include "analyses/transient_setup.hpp"
 #include "analyses/transient_texts.hpp"
@@ -28,14 +28,10 @@ Transient::Transient(Model& model, GroundMotion motion, TransientOptions options
       inside_{step_, options_.events},
       chatter_{options_.max_events_per_second} {
   check_components(model, motion_);
-  const double longest = longest_step(options_, motion_.time_step());
-  if (is_automatic(options_.integrator)) {
-    const IntegratorChoice choice = choose_integrator(model, options_, longest, exact_);
-    options_.integrator = choice.integrator;
-    choice_ = choice.reason;
-  } else if (is_exact(options_.integrator)) {
-    exact_.emplace(model, longest);
-  }
+  const IntegratorChoice choice =
+      choose_integrator(model, options_, longest_step(options_, motion_.time_step()), exact_);
+  options_.integrator = choice.integrator;
+  choice_ = choice.reason;
   constexpr std::size_t most_at_one_instant = 64;  // more is rare
   changes_.reserve(most_at_one_instant);
   balance();
@@ -81,28 +77,12 @@ double Transient::take_step() {
     const double h = step_.solve_cutting(step_.whole().length);
     // Changes that were foreseen belong to the whole step.
     const bool cut = h != step_.whole().length && !changes_.empty();
-    const bool hides = may_hide_motion(h);
+    const bool hides = implicit_.control().may_leave_samples() && hides_motion(step_, grid_, h, margin_);
     if (hides) implicit_.control().stay_within_samples();
     if (!cut && !hides && stepper.accepts(step_.first_part(h), changes_)) return h;
     model_->undo_changes_inside();
     foresee = foresee && !cut;
   }
-}
-
-// Whether the ground moves so much inside the trial step that an element near its margin, or a peak, would be missed:
-// both are looked for on smooth paths between the ends of the step.
-bool Transient::may_hide_motion(double h) const {
-  if (!implicit_.control().may_leave_samples()) return false;
-  const MotionState &start = model_->state(), &end = model_->trial();
-  const GroundSpan span = grid_.span(start.time, end.time);
-  if (span.is_straight()) return false;
-  constexpr double negligible = 1e-4;  // of the displacement
-  double bump = 0.0;                   // m
-  span.for_each_bump_inside([&](const GroundBump& b) { bump = std::max(bump, std::abs(b.displacement)); });
-  const double displacement =
-      std::max(start.displacement.lpNorm<Eigen::Infinity>(), end.displacement.lpNorm<Eigen::Infinity>());
-  // At its start the step is as far from the next change as the scan of the step before found.
-  return bump > negligible * displacement || 2.0 * bump > std::min(margin_, step_.scan(h).margin);
 }
 
 // Elements change their regime in the trial step of length h: crosses the changes or ends the step at the first.

@@ -70,7 +70,6 @@ class Transient {
 
  private:
   double take_step();
-  [[nodiscard]] bool may_hide_motion(double h) const;
   double treat_crossing(double h, const RegimeScan& seen);
   void commit(const StepTask& step);
   void change_regimes_at_end();

@@ -29,7 +29,7 @@ namespace moat {
 /// This class serves laws that are smooth everywhere; LinksWithRegimes and ContactLinks add the rest. Take the type
 /// from LinkBlock<Law> (elements/link_block.hpp).
 template <ForceLaw Law, class Ends = NodePair>
-class Links : public ElementBlock {
+class Links : public ElementBlock, public ElementLaws {
  public:
   /// History of one element.
   using State = typename Law::State;
@@ -57,6 +57,7 @@ class Links : public ElementBlock {
   std::unique_ptr<ElementBlock> clone() const override { return std::make_unique<Links>(*this); }
   std::size_t size() const override { return ends_.size(); }
   const ElementInfo& info(std::size_t element) const override { return infos_[element]; }
+  const ElementLaws* laws() const override { return this; }
   std::string law_name(std::size_t element) const override { return std::string{name_of(laws_[element])}; }
   std::vector<Parameter> parameters(std::size_t element) const override { return parameters_of(laws_[element]); }
 
@@ -162,14 +163,12 @@ class Links : public ElementBlock {
     if constexpr (requires(const Law& law, const State& state) { law.quantity(quantity, state, 0.0, 0.0); })
       return laws_[i].quantity(quantity, committed_[i], now_.deformations[i], now_.rates[i]);
     else
-      return ElementBlock::law_quantity(i, quantity);
+      throw std::logic_error{"Links: a law without quantities was asked for one"};
   }
 
-  std::span<const double> deformations() const override { return now_.deformations; }
-  std::span<const double> rates() const override { return now_.rates; }
-  std::span<const double> second_rates() const override { return now_.second_rates; }
-  std::span<const double> forces() const override { return forces_; }
-  std::span<const double> force_rates() const override { return force_rates_; }
+  ElementResults results() const override {
+    return {now_.deformations, now_.rates, forces_, now_.second_rates, force_rates_};
+  }
 
   double force_inside(std::size_t i, double fraction) const override {
     if (!keeps_start()) throw std::logic_error{"Links: a linear element's force needs no law to interpolate"};

@@ -21,10 +21,10 @@ namespace moat {
 ///
 ///     deformation d = u(second) - u(first), in x and y;  the law's force pulls `second` back and `first` along.
 ///
-/// deformations() and forces() are the resultants |d| and |F|; planar() has the components. Corners of the force are
-/// not located; has_corner() shows them.
+/// Deformations and forces of results() are the resultants |d| and |F|; planar() has the components. Corners of the
+/// force are not located; has_corner() shows them.
 template <PlanarLaw Law>
-class PlanarBlock final : public ElementBlock, public PlanarElements {
+class PlanarBlock final : public ElementBlock, public ElementLaws, public PlanarElements {
  public:
   /// History of one element.
   using State = typename Law::State;
@@ -52,6 +52,7 @@ class PlanarBlock final : public ElementBlock, public PlanarElements {
   std::unique_ptr<ElementBlock> clone() const override { return std::make_unique<PlanarBlock>(*this); }
   std::size_t size() const override { return infos_.size(); }
   const ElementInfo& info(std::size_t element) const override { return infos_[element]; }
+  const ElementLaws* laws() const override { return this; }
   std::string law_name(std::size_t element) const override { return std::string{name_of(laws_[element])}; }
   std::vector<Parameter> parameters(std::size_t element) const override { return parameters_of(laws_[element]); }
   const PlanarElements* planar() const override { return this; }
@@ -136,11 +137,11 @@ class PlanarBlock final : public ElementBlock, public PlanarElements {
             .hysteretic = true};
   }
 
-  std::span<const double> deformations() const override { return deformations_; }
-  std::span<const double> rates() const override { return rates_; }
-  std::span<const double> second_rates() const override { return second_rates_; }
-  std::span<const double> forces() const override { return forces_; }
-  std::span<const double> force_rates() const override { return force_rates_; }
+  ElementResults results() const override { return {deformations_, rates_, forces_, second_rates_, force_rates_}; }
+  std::span<const ReportedQuantity> law_quantities(std::size_t) const override { return {}; }
+  double law_quantity(std::size_t, std::size_t) const override {
+    throw std::logic_error{"PlanarBlock: a law without quantities was asked for one"};
+  }
 
   double force_inside(std::size_t i, double fraction) const override {
     // commit() has left the states of the step's start in trial_, and its motion in before_.

@@ -60,9 +60,8 @@ OpenSeesTags write_opensees_model(const Model& model, std::ostream& tcl) {
     for (std::size_t e = 0; e < block->size(); ++e) {
       ++tag;
       const ElementInfo& info = block->info(e);
-      const LawAsGiven* given = info.law_as_given.get();
-      write_material(given != nullptr ? given->name : block->law_name(e),
-                     given != nullptr ? given->parameters : block->parameters(e), info.offset, tag, tcl);
+      const LawAsGiven law = law_of(*block, e);
+      write_material(law.name, law.parameters, info.offset, tag, tcl);
       // Both programs measure second minus first; a gap's deformation is compression here and extension there.
       const bool is_gap = block->contacts() != nullptr;
       const NodeId first = is_gap ? info.second : info.first, second = is_gap ? info.first : info.second;

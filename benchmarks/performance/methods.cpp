@@ -38,11 +38,12 @@ Ladder moat_adaptive(const MoatRun& run) {
   return ladder;
 }
 
-Ladder moat_fixed(const GroundMotion& motion, const MoatRun& run) {
+Ladder moat_fixed(const GroundMotion& motion, const Newmark& newmark, const MoatRun& run) {
   Ladder ladder;
   for (const int divisions : {1, 2, 3, 4, 6, 8, 12, 16}) {
     const Time step = motion.time_step() / divisions * units::s;
-    ladder.push_back({to_text(1e3 * step.si()) + " ms", [run, step] { return run({.step = step}); }});
+    ladder.push_back({newmark.description() + ", " + to_text(1e3 * step.si()) + " ms",
+                      [run, newmark, step] { return run({.integrator = newmark, .step = step}); }});
   }
   return ladder;
 }
@@ -109,7 +110,9 @@ std::vector<Method> methods(const GroundMotion& motion, bool quick) {
   std::vector<Method> list{{names::moat_adaptive, {moat_adaptive(peaks)}},
                            {names::moat_recorded, {moat_adaptive(everything(ErrorBarMode::never))}},
                            {names::moat_checked, {moat_adaptive(everything(ErrorBarMode::always))}},
-                           {names::moat_fixed, {moat_fixed(motion, peaks)}},
+                           {names::moat_fixed,
+                            {moat_fixed(motion, Newmark::average_acceleration(), peaks),
+                             moat_fixed(motion, Newmark::fourth_order(), peaks)}},
                            {names::moat_exact, {moat_exact(peaks)}},
                            {names::moat_exact_recorded, {moat_exact(everything(ErrorBarMode::never))}},
                            sundials(names::cvode_bdf, motion, {bdf}),

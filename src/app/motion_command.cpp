@@ -30,7 +30,7 @@ GroundMotion read(const std::string& file, const Options& options) {
   try {
     return read_motion(file);
   } catch (const MissingUnit& error) {
-    throw InputError{std::string{error.what()} + " Here: --unit g"};
+    throw InputError{error.problem() + " Give the unit: --unit g, or --unit cm/s^2."};
   }
 }
 

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "app/study_json.hpp"
 #include "base/error.hpp"
 #include "base/number_format.hpp"
 #include "base/units.hpp"
@@ -100,6 +101,16 @@ std::string text_of_run(const CaseResult& run, std::size_t impacts) {
   return text;
 }
 
+Json json_of(const std::string& file, const StoredStudy& study) {
+  Json json{{"file", file}, {"title", study.title}};
+  json.update(counts_of(study.result));
+  json["failures"] = Json::array();
+  for (const StudyError::Failure& failure : failures_of(study.result))
+    json["failures"].push_back(
+        Json{{"case", failure.number}, {"description", failure.description}, {"reason", failure.message}});
+  return json;
+}
+
 }  // namespace
 
 ResultsSheet read_results(const fs::path& folder) {
@@ -123,8 +134,7 @@ ResultsSheet read_results(const fs::path& folder) {
   for (const fs::directory_entry& entry : fs::directory_iterator{folder})
     if (entry.path().extension() == ".db") files.push_back(entry.path());
   std::ranges::sort(files);
-  for (const fs::path& file : files)
-    sheet.studies.emplace_back(file.filename().string(), description_of(read_study(file)));
+  for (const fs::path& file : files) sheet.studies.emplace_back(file.filename().string(), read_study(file));
   if (!sheet.run && sheet.studies.empty())
     throw FileError{folder.string() +
                     ": there are no results here, neither summary.json nor a study. A script names "
@@ -135,7 +145,7 @@ ResultsSheet read_results(const fs::path& folder) {
 std::string text_of(const ResultsSheet& sheet) {
   std::string text;
   if (sheet.run) text += text_of_run(*sheet.run, sheet.impacts);
-  for (const auto& [name, description] : sheet.studies) text += name + "\n" + description;
+  for (const auto& [name, study] : sheet.studies) text += name + "\n" + description_of(study);
   if (!sheet.page.empty()) text += "\nThe whole report: " + sheet.page.string() + "\n";
   return text;
 }
@@ -160,13 +170,16 @@ std::string json_of(const ResultsSheet& sheet) {
                                            {"error", peak.error}});
     json["smallest_clearance"] = nullptr;
     for (const GapClearance& gap : run.clearances)
-      json["smallest_clearance"] = {
-          {"where", gap.where}, {"clearance", gap.clearance}, {"clearance_left", gap.left}, {"time", gap.time}};
+      json["smallest_clearance"] = {{"where", gap.where},
+                                    {"clearance", gap.clearance},
+                                    {"clearance_left", gap.left},
+                                    {"unit", "m"},
+                                    {"time", gap.time}};
     json["impacts"] = sheet.impacts;
     json["warnings"] = run.warnings;
   }
   json["studies"] = Json::array();
-  for (const auto& [name, description] : sheet.studies) json["studies"].push_back(name);
+  for (const auto& [name, study] : sheet.studies) json["studies"].push_back(json_of(name, study));
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

@@ -18,8 +18,8 @@ struct ResultsSheet {
   /// Of summary.json, for a run. Of `peaks` the largest of each quantity, of `clearances` the smallest.
   std::optional<CaseResult> run{};
   std::size_t impacts = 0;
-  /// The files *.db, by name, with their descriptions.
-  std::vector<std::pair<std::string, std::string>> studies{};
+  /// The files *.db, by name.
+  std::vector<std::pair<std::string, StoredStudy>> studies{};
 };
 
 /// Throws FileError for a folder that does not exist, that holds no results, or whose summary.json is not one.

@@ -88,7 +88,7 @@ GroundMotion Script::read(const std::string& file, const std::optional<std::stri
   try {
     return read_motion(file);
   } catch (const MissingUnit& error) {
-    throw InputError{std::string{error.what()} + " Here: --record-unit g"};
+    throw InputError{error.problem() + " Give the unit: --record-unit g, or --record-unit cm/s^2."};
   }
 }
 

@@ -12,6 +12,7 @@
 #include "app/script_origin.hpp"
 #include "app/script_parts.hpp"
 #include "app/stop_signals.hpp"
+#include "app/study_json.hpp"
 #include "base/check.hpp"
 #include "output/csv_writer.hpp"
 
@@ -171,14 +172,11 @@ void ScriptStudy::write_json() const {
   if (json_ == nullptr || !speaks()) return;
   using Json = nlohmann::ordered_json;
   Json json{{"title", report_.title}, {"results_folder", options_.folder.string()}, {"studies", Json::array()}};
-  for (const NamedStudy& study : report_.studies)
-    json["studies"].push_back(Json{{"name", study.name},
-                                   {"file", (options_.folder / (study.name + ".db")).string()},
-                                   {"cases", study.result.cases().count()},
-                                   {"done", study.result.count(CaseState::done)},
-                                   {"not_converged", study.result.count(CaseState::not_converged)},
-                                   {"failed", study.result.count(CaseState::failed)},
-                                   {"open", study.result.count(CaseState::open)}});
+  for (const NamedStudy& study : report_.studies) {
+    Json entry{{"name", study.name}, {"file", (options_.folder / (study.name + ".db")).string()}};
+    entry.update(counts_of(study.result));
+    json["studies"].push_back(std::move(entry));
+  }
   json["answers"] = report_.answers;
   json_->write(json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
 }

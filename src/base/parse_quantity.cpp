@@ -162,6 +162,8 @@ double parse_si(std::string_view text, std::string_view what, int mass, int half
                          time) +
                ".");
   if (wanted == "1" && has_unit) refuse_unit_of_plain_number(what, text, number, unit_text);
+  if (has_unit && unit_text.substr(unit_text.find_first_not_of(" \t")) == "%")
+    refuse(what, text, "is in percent, but it must be in " + wanted + " or multiples of it.");
   const Unit unit = parse_unit(unit_text, what, text);
   if (unit.mass != mass || unit.half_length != half_length || unit.time != time)
     refuse(what, text,

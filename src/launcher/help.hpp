@@ -183,5 +183,10 @@ For those who change moat. Runs checks one after the other, goes on when one fai
   ./moat check                                    all)";
 
 inline constexpr char doctor[] = "Show what is installed and what is missing";
+inline constexpr char after_doctor[] = R"(
+Shows machine, compiler, the folders that moat uses, and the version of every package that moat or one of its commands
+needs. It names the command that installs what is missing, and changes nothing.
+
+Exit code: 0 moat can run, 1 something that it needs is missing.)";
 
 }  // namespace moat::launcher::help

@@ -1,5 +1,8 @@
 #include "launcher/library.hpp"
 
+#include <unistd.h>
+
+#include "launcher/checkout_changes.hpp"
 #include "launcher/lock.hpp"
 #include "launcher/phase.hpp"
 #include "launcher/stop.hpp"
@@ -16,11 +19,21 @@ bool packages_changed(const fs::path& stamp) {
   return fs::exists(database) && (!fs::exists(stamp) || fs::last_write_time(database) > fs::last_write_time(stamp));
 }
 
-// Checked without the lock: a script need not wait for another moat that builds the tests.
+// Checked without the lock: a script need not wait for another moat that builds the tests. Ninja is not asked again
+// where nothing has changed since it found no work.
 bool is_current(const Places& places, const Part& part) {
+  const fs::path stamp = places.build / ("no_work_for_" + joined(part.targets, "_"));
+  if (!library_may_have_changed(places, stamp)) return true;
+  const fs::path new_stamp = stamp.string() + "." + std::to_string(::getpid());
+  write_text(new_stamp, "");  // a change while Ninja looks is later than this
   Command ask{MOAT_NINJA, "-C", places.build, "-n"};
   ask.insert(ask.end(), part.targets.begin(), part.targets.end());
-  return output_of(ask).text.find("ninja: no work to do.") != std::string::npos;
+  const bool current = output_of(ask).text.find("ninja: no work to do.") != std::string::npos;
+  if (current)
+    fs::rename(new_stamp, stamp);
+  else
+    fs::remove(new_stamp);
+  return current;
 }
 
 // Tests live in the same build folder. Switching them on adds targets and leaves the library's commands as they are:

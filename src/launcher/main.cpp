@@ -129,7 +129,9 @@ int run_command_line(const Places& places, int count, char** words) {
   completion->add_option("SHELL", shell, "bash")->required()->check(CLI::IsMember({"bash"}));
   completion->callback([&] { std::fputs(bash_completion(app, completion_words()).c_str(), stdout); });
 
-  app.add_subcommand("doctor", help::doctor)->callback([&] { code = launcher::doctor(places); });
+  app.add_subcommand("doctor", help::doctor)->footer(help::after_doctor)->callback([&] {
+    code = launcher::doctor(places);
+  });
 
   if (count == 1) {
     std::fputs(help_of().c_str(), stderr);

@@ -70,14 +70,17 @@ ScriptBuild::ScriptBuild(const Places& places, const fs::path& typed)
   folder_ = places_.scripts() / (script_.stem().string() + "-" + hash);
 }
 
-void ScriptBuild::drop_if_older_than_its_files() const {
-  std::error_code ignored;
+bool ScriptBuild::is_newer_than_its_files(const fs::path& precompiled_header) const {
+  // The first line says whether Ninja finished this very program: "program: #deps 3, deps mtime 1700000000 (VALID)".
+  const std::vector<std::string> lines = lines_of(output_of({MOAT_NINJA, "-C", folder_, "-t", "deps", "program"}).text);
+  if (lines.empty() || !lines.front().ends_with("(VALID)")) return false;
   std::vector<fs::path> files{script_};
-  for (const std::string& line : lines_of(output_of({MOAT_NINJA, "-C", folder_, "-t", "deps", "program"}).text))
+  if (!precompiled_header.empty()) files.push_back(precompiled_header);
+  for (const std::string& line : lines)
     if (line.starts_with("    ")) files.emplace_back(line.substr(4));
-  const bool changed =
-      std::any_of(files.begin(), files.end(), [&](const fs::path& file) { return changed_after(file, program()); });
-  if (changed || (fs::exists(program()) && fs::file_size(program()) == 0)) fs::remove(program(), ignored);
+  std::error_code missing;
+  return fs::file_size(program(), missing) > 0 && !missing &&
+         std::ranges::none_of(files, [&](const fs::path& file) { return changed_after(file, program()); });
 }
 
 void ScriptBuild::bring_up_to_date() const {
@@ -91,8 +94,12 @@ void ScriptBuild::bring_up_to_date() const {
                   .precompiled_header = {}};
   rule.precompiled_header = precompiled_header(places_, rule.compile);
   fs::create_directories(folder_);
-  write_text(folder_ / "build.ninja", ninja_file(rule));
-  drop_if_older_than_its_files();
+  const std::string words_before = text_of(folder_ / "build.ninja"), words_now = ninja_file(rule);
+  write_text(folder_ / "build.ninja", words_now);  // its date says when the script was run
+  const bool is_newer = is_newer_than_its_files(rule.precompiled_header);
+  if (is_newer && words_now == words_before) return;
+  // Ninja compares dates of writing, which moving and copying a file keep.
+  if (!is_newer) fs::remove(program());
   fs::remove(folder_ / "diagnostics");
   const int code = phase(places_.logs(), "compile", typed_.filename().string(), {MOAT_NINJA, "-C", folder_, "program"});
   if (code != 0) fail();

@@ -11,7 +11,7 @@ namespace moat::launcher {
 
 /// The build file for one script: text for Ninja, with the program's name, `program`, as its one target.
 ///
-/// The compiler reports the files that the script includes, and Ninja compares their dates. A change of the compiler's
+/// The compiler reports the files that the script includes, and Ninja keeps the list. A change of the compiler's
 /// words counts as a change as well. Diagnostics go to the file `diagnostics`.
 struct ScriptRule {
   /// The compiler with its options, and the arguments behind the name of the script.
@@ -39,7 +39,8 @@ class ScriptBuild {
   [[nodiscard]] std::filesystem::path lock_file() const { return folder_ / "lock"; }
 
  private:
-  void drop_if_older_than_its_files() const;
+  // Whether the program is whole and no file that it was made of has changed since.
+  [[nodiscard]] bool is_newer_than_its_files(const std::filesystem::path& precompiled_header) const;
   [[noreturn]] void fail() const;
 
   Places places_;

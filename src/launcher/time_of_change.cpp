@@ -5,16 +5,23 @@
 namespace moat::launcher {
 namespace {
 
-timespec time_of_change(const std::filesystem::path& file) {
+struct stat status_of(const std::filesystem::path& file) {
   struct stat status {};
-  return ::stat(file.c_str(), &status) == 0 ? status.st_ctim : timespec{};
+  if (::stat(file.c_str(), &status) != 0) return {};
+  return status;
 }
+
+bool is_later(timespec a, timespec b) { return a.tv_sec != b.tv_sec ? a.tv_sec > b.tv_sec : a.tv_nsec > b.tv_nsec; }
 
 }  // namespace
 
 bool changed_after(const std::filesystem::path& file, const std::filesystem::path& other) {
-  const timespec a = time_of_change(file), b = time_of_change(other);
-  return a.tv_sec != b.tv_sec ? a.tv_sec > b.tv_sec : a.tv_nsec > b.tv_nsec;
+  return is_later(status_of(file).st_ctim, status_of(other).st_ctim);
+}
+
+bool changed_since_written(const std::filesystem::path& file, const std::filesystem::path& stamp) {
+  const timespec written = status_of(stamp).st_mtim;
+  return written.tv_sec == 0 || !is_later(written, status_of(file).st_ctim);
 }
 
 }  // namespace moat::launcher

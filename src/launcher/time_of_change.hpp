@@ -11,4 +11,7 @@ namespace moat::launcher {
 /// counts as new.
 bool changed_after(const std::filesystem::path& file, const std::filesystem::path& other);
 
+/// Whether a file or folder changed at the instant at which `stamp` was written or later, or there is no stamp.
+bool changed_since_written(const std::filesystem::path& file, const std::filesystem::path& stamp);
+
 }  // namespace moat::launcher

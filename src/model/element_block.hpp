@@ -11,12 +11,11 @@
 #include <vector>
 
 #include "base/label.hpp"
-#include "base/parameter.hpp"
 #include "base/plan_vector.hpp"
-#include "base/reported_quantity.hpp"
 #include "base/sparse_matrix.hpp"
 #include "base/stiffness_stage.hpp"
 #include "model/contacts.hpp"
+#include "model/element_laws.hpp"
 #include "model/energy_accounts.hpp"
 #include "model/node.hpp"
 #include "model/plan_contacts.hpp"
@@ -27,15 +26,6 @@ namespace moat {
 
 /// How an element is drawn.
 enum class DrawnAs { nothing, storey, bearing, gap, other };
-
-/// Name and parameters of a law, for reports.
-struct LawAsGiven {
-  std::string name;                   ///< as the script calls it
-  std::vector<Parameter> parameters;  ///< in SI units
-
-  /// Name and parameters in SI units.
-  LawAsGiven(std::string law, std::vector<Parameter> values) : name{std::move(law)}, parameters{std::move(values)} {}
-};
 
 /// The name of an element, the nodes it joins and the quantities it reports.
 struct ElementInfo {
@@ -62,6 +52,15 @@ struct ElementInfo {
   [[nodiscard]] const std::string& listed_under() const { return place.empty() ? name : place.text(); }
 };
 
+/// Results of the elements of a block, one entry per element.
+struct ElementResults {
+  std::span<const double> deformations;  ///< of the last evaluate(), m
+  std::span<const double> rates;         ///< of deformations, m/s
+  std::span<const double> forces;        ///< of the last evaluate(), N
+  std::span<const double> second_rates;  ///< of the last evaluate_rates(), m/s^2
+  std::span<const double> force_rates;   ///< of the last evaluate_rates(), N/s
+};
+
 /// All elements of one type, in contiguous arrays. Analyses know elements only through this class; one virtual call
 /// serves a whole block.
 ///
@@ -72,8 +71,8 @@ struct ElementInfo {
 /// Arrays of displacements, velocities and forces have one entry per degree of freedom and one more, the last, for the
 /// ground.
 ///
-/// Functions with a body here are optional: `LinkBlock` (elements/link_block.hpp) makes a block of any law, and the
-/// sides of a block that only some elements have are interfaces of their own (regimes(), contacts()).
+/// Functions with a body here are optional. The sides that only some blocks have are interfaces of their own: laws(),
+/// regimes(), contacts(), planar(), plan_contacts(). `LinkBlock` (elements/link_block.hpp) makes a block of any law.
 class ElementBlock {
  public:
   virtual ~ElementBlock() = default;
@@ -84,10 +83,6 @@ class ElementBlock {
   [[nodiscard]] virtual std::size_t size() const = 0;
   /// As it was added.
   [[nodiscard]] virtual const ElementInfo& info(std::size_t element) const = 0;
-  /// The name of an element's law and its parameters, for reports.
-  [[nodiscard]] virtual std::string law_name(std::size_t) const { return "law of the script"; }
-  /// Names, values and units of the parameters of its law.
-  [[nodiscard]] virtual std::vector<Parameter> parameters(std::size_t) const { return {}; }
 
   /// Adds the pairs of degrees of freedom that its elements couple.
   virtual void add_couplings(PatternBuilder& pattern) const = 0;
@@ -128,24 +123,11 @@ class ElementBlock {
   /// Energy account of an element since then. Throws std::logic_error where none was started.
   [[nodiscard]] virtual ElementEnergy energy(std::size_t element) const = 0;
 
-  /// Results of the last evaluate(), one entry per element: m, m/s, N.
-  [[nodiscard]] virtual std::span<const double> deformations() const = 0;
-  /// Of deformations, m/s.
-  [[nodiscard]] virtual std::span<const double> rates() const = 0;
-  /// N
-  [[nodiscard]] virtual std::span<const double> forces() const = 0;
-  /// Results of the last evaluate_rates(): rates of the rates above, m/s^2, and of the forces, N/s.
-  [[nodiscard]] virtual std::span<const double> second_rates() const = 0;
-  /// N/s
-  [[nodiscard]] virtual std::span<const double> force_rates() const = 0;
-  /// Force at a fraction of the last committed step: the law itself, on the deformation and rate interpolated there.
-  [[nodiscard]] virtual double force_inside(std::size_t element, double fraction) const = 0;
+  /// Views that stay valid until elements are added.
+  [[nodiscard]] virtual ElementResults results() const = 0;
 
-  /// Quantities that its elements report besides deformation and force, and their values at the committed state.
-  [[nodiscard]] virtual std::span<const ReportedQuantity> law_quantities(std::size_t) const { return {}; }
-  /// Its value at the committed state, in SI units.
-  [[nodiscard]] virtual double law_quantity(std::size_t, std::size_t) const { return 0.0; }
-
+  /// The side of a block that names its laws and their own quantities; null without.
+  [[nodiscard]] virtual const ElementLaws* laws() const { return nullptr; }
   /// The side of a block whose elements change their regime at located instants; null without.
   [[nodiscard]] virtual Regimes* regimes() { return nullptr; }
   /// The side of a block whose elements change their regime at located instants; null without.
@@ -159,6 +141,13 @@ class ElementBlock {
   /// The side of a block whose contacts slide along walls; null without.
   [[nodiscard]] virtual const PlanContacts* plan_contacts() const { return nullptr; }
 };
+
+/// The law of an element as a report names it: as the script gave it, else as its block names it.
+[[nodiscard]] inline LawAsGiven law_of(const ElementBlock& block, std::size_t element) {
+  if (const LawAsGiven* given = block.info(element).law_as_given.get()) return *given;
+  if (const ElementLaws* laws = block.laws()) return {laws->law_name(element), laws->parameters(element)};
+  return {"law of the script", {}};
+}
 
 /// Adds up the energies of a block's elements.
 inline void add_energies(const ElementBlock& block, EnergySums& sums) {

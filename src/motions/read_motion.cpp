@@ -66,8 +66,8 @@ GroundMotion read_motion(const std::filesystem::path& path, std::optional<Accele
   }
   if (!unit)
     throw MissingUnit{"read_motion \"" + file.path.string() + "\": this is not a " + names_of_formats(" or ") +
-                      " file; as two columns of text it does not say the unit of its accelerations. Give the unit: "
-                      "read_motion(file, 1 * g), or 1 * m / s / s."};
+                          " file; as two columns of text it does not say the unit of its accelerations.",
+                      "Give the unit: read_motion(file, 1 * g), or 1 * m / s / s."};
   return parse_two_columns(file, *unit);
 }
 

@@ -14,7 +14,14 @@ namespace moat {
 /// A file whose format does not say the unit of its accelerations.
 class MissingUnit : public InputError {
  public:
-  using InputError::InputError;
+  /// `problem` names the file; `advice` says how a script gives the unit.
+  MissingUnit(const std::string& problem, const std::string& advice)
+      : InputError{problem + " " + advice}, problem_{problem} {}
+  /// The message without its advice, for programs whose users give the unit in another way.
+  [[nodiscard]] const std::string& problem() const { return problem_; }
+
+ private:
+  std::string problem_;
 };
 
 /// Reads a file in the format of PEER (parse_peer_at2), COSMOS (parse_cosmos) or ESM (parse_esm), or two columns of

@@ -16,12 +16,17 @@ constexpr double steps_per_period = 64.0;
 constexpr double shortest_period_in_time_steps = 0.01;
 constexpr double longest_period = 1000.0;  // s
 
-/// The largest absolute value of the cubic through values and slopes at both ends of a step.
-double peak_of_cubic(double value_0, double slope_0, double value_1, double slope_1, double step) {
-  const double peak = std::max(std::abs(value_0), std::abs(value_1));
-  // Steps are short against the period: without a change of sign of the slope there is no extremum inside.
-  if (slope_0 * slope_1 >= 0.0) return peak;
-  const HermiteCubic cubic{value_0, slope_0, value_1, slope_1, step};
+/// A quantity with its rate.
+struct Moving {
+  double value = 0.0, rate = 0.0;
+};
+
+/// The largest absolute value inside and at the end of a step, of the cubic through values and rates at both ends.
+double peak_of_cubic(Moving start, Moving end, double step) {
+  const double peak = std::abs(end.value);
+  // Steps are short against the period: without a change of sign of the rate there is no extremum inside.
+  if (start.rate * end.rate >= 0.0) return peak;
+  const HermiteCubic cubic{start.value, start.rate, end.value, end.rate, step};
   return std::max(peak, std::abs(cubic.value(cubic.turn())));
 }
 
@@ -31,7 +36,9 @@ class Oscillator {
   Oscillator(double circular_frequency, double damping_ratio, double step)
       : stiffness_{circular_frequency * circular_frequency},
         damping_{2.0 * damping_ratio * circular_frequency},
-        step_{step} {
+        step_{step},
+        flexibility_{1.0 / stiffness_},
+        rate_of_load_{flexibility_ / step} {
     const double decay = damping_ratio * circular_frequency;
     const double damped = circular_frequency * std::sqrt(1.0 - damping_ratio * damping_ratio);
     const double fading = std::exp(-decay * step);
@@ -46,45 +53,43 @@ class Oscillator {
   /// Moves on by one step and notes the peaks on the way.
   void advance(double ground_0, double ground_1) {
     // The particular solution shift + rate * t follows the linear load; the rest vibrates freely.
-    const double slope = (ground_1 - ground_0) / step_;
-    const double rate = -slope / stiffness_;
-    const double shift = -(ground_0 + damping_ * rate) / stiffness_;
-    const double free_displacement = displacement_ - shift;
-    const double free_velocity = velocity_ - rate;
-    const double displacement = displacement_from_displacement_ * free_displacement +
-                                displacement_from_velocity_ * free_velocity + shift + rate * step_;
-    const double velocity =
-        velocity_from_displacement_ * free_displacement + velocity_from_velocity_ * free_velocity + rate;
+    const double rate = (ground_0 - ground_1) * rate_of_load_;
+    const double shift = -(ground_0 + damping_ * rate) * flexibility_;
+    const double free_displacement = motion_.value - shift;
+    const double free_velocity = motion_.rate - rate;
+    const Moving motion{
+        displacement_from_displacement_ * free_displacement + displacement_from_velocity_ * free_velocity + shift +
+            rate * step_,
+        velocity_from_displacement_ * free_displacement + velocity_from_velocity_ * free_velocity + rate};
+    // The load may have jumped since the last step, and the rate of acceleration with it.
+    acceleration_.rate = jerk(acceleration_.value, motion_.rate, ground_0);
+    Moving acceleration{-damping_ * motion.rate - stiffness_ * motion.value, 0.0};
+    acceleration.rate = jerk(acceleration.value, motion.rate, ground_1);
 
-    peak_displacement_ =
-        std::max(peak_displacement_, peak_of_cubic(displacement_, velocity_, displacement, velocity, step_));
-    peak_acceleration_ = std::max(
-        peak_acceleration_,
-        peak_of_cubic(absolute_acceleration(displacement_, velocity_), jerk(displacement_, velocity_, ground_0),
-                      absolute_acceleration(displacement, velocity), jerk(displacement, velocity, ground_1), step_));
-    displacement_ = displacement;
-    velocity_ = velocity;
+    peak_displacement_ = std::max(peak_displacement_, peak_of_cubic(motion_, motion, step_));
+    peak_acceleration_ = std::max(peak_acceleration_, peak_of_cubic(acceleration_, acceleration, step_));
+    motion_ = motion;
+    acceleration_ = acceleration;
   }
 
   [[nodiscard]] double peak_displacement() const { return peak_displacement_; }
   [[nodiscard]] double peak_acceleration() const { return peak_acceleration_; }
 
  private:
-  [[nodiscard]] double absolute_acceleration(double displacement, double velocity) const {
-    return -damping_ * velocity - stiffness_ * displacement;
-  }
   /// Rate of the absolute acceleration.
-  [[nodiscard]] double jerk(double displacement, double velocity, double ground) const {
-    return -damping_ * (absolute_acceleration(displacement, velocity) - ground) - stiffness_ * velocity;
+  [[nodiscard]] double jerk(double absolute_acceleration, double velocity, double ground) const {
+    return -damping_ * (absolute_acceleration - ground) - stiffness_ * velocity;
   }
 
   double stiffness_;  // per mass
   double damping_;    // per mass
   double step_;
+  double flexibility_;   // 1 / stiffness
+  double rate_of_load_;  // 1 / (stiffness step)
   double displacement_from_displacement_, displacement_from_velocity_;
   double velocity_from_displacement_, velocity_from_velocity_;
-  double displacement_ = 0.0;
-  double velocity_ = 0.0;
+  Moving motion_;        // displacement and velocity
+  Moving acceleration_;  // absolute
   double peak_displacement_ = 0.0;
   double peak_acceleration_ = 0.0;
 };

@@ -26,6 +26,7 @@ Channels::Channels(const Model& model) {
 
 void Channels::add_elements(const Model& model, std::size_t b) {
   const ElementBlock& block = *model.blocks()[b];
+  const ElementLaws* laws = block.laws();
   BlockChannels of_block{b, {}, {}, {}, {}};
   for (std::size_t e = 0; e < block.size(); ++e) {
     const ElementInfo& info = block.info(e);
@@ -40,11 +41,12 @@ void Channels::add_elements(const Model& model, std::size_t b) {
       list_.push_back({info.deformation_quantity.text(), info.name, info.listed_under(), "m"});
     }
     if (info.force_quantity.empty()) continue;
-    if (!block.constant_tangent()) of_laws_.push_back({list_.size(), b, e});
+    if (laws != nullptr && !block.constant_tangent()) of_laws_.push_back({list_.size(), b, e});
     of_ground_.push_back(OfGround::nothing);
     of_block.forces.push_back({e, list_.size()});
     list_.push_back({info.force_quantity.text(), info.name, info.listed_under(), "N"});
-    const auto quantities = block.law_quantities(e);
+    if (laws == nullptr) continue;
+    const auto quantities = laws->law_quantities(e);
     for (std::size_t q = 0; q < quantities.size(); ++q) {
       of_ground_.push_back(OfGround::nothing);
       of_block.law_quantities.push_back({e, list_.size(), q});
@@ -139,12 +141,13 @@ void Channels::sample(const StepView& view, std::vector<double>& values, std::ve
 }
 
 void Channels::sample(const ElementBlock& block, const BlockChannels& channels, double* values, double* rates) {
-  const double *forces = block.forces().data(), *force_rates = block.force_rates().data();
+  const ElementResults results = block.results();
+  const double *forces = results.forces.data(), *force_rates = results.force_rates.data();
   for (const auto& [element, channel] : channels.forces) {
     values[channel] = forces[element];
     rates[channel] = force_rates[element];
   }
-  const double *deformations = block.deformations().data(), *deformation_rates = block.rates().data();
+  const double *deformations = results.deformations.data(), *deformation_rates = results.rates.data();
   for (const auto& [element, channel] : channels.deformations) {
     values[channel] = deformations[element];
     rates[channel] = deformation_rates[element];
@@ -156,7 +159,7 @@ void Channels::sample(const ElementBlock& block, const BlockChannels& channels, 
     rates[channel] = closed ? deformation_rates[element] : 0.0;
   }
   for (const auto& [element, channel, quantity] : channels.law_quantities) {
-    values[channel] = block.law_quantity(element, quantity);
+    values[channel] = block.laws()->law_quantity(element, quantity);
     rates[channel] = 0.0;
   }
 }
@@ -182,7 +185,7 @@ double Channels::value_inside(const StepView& view, std::size_t channel, double 
                           .value;
   const auto found = std::ranges::lower_bound(of_laws_, channel, {}, &LawChannel::channel);
   if (found == of_laws_.end() || found->channel != channel) return of_cubic;
-  return view.model.blocks()[found->block]->force_inside(found->element, fraction);
+  return view.model.blocks()[found->block]->laws()->force_inside(found->element, fraction);
 }
 
 }  // namespace moat

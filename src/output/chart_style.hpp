@@ -43,6 +43,6 @@ inline constexpr double tick_size = 13.0;
 inline constexpr double line_width = 1.6;
 inline constexpr double marker_radius = 3.0;
 
-inline constexpr double band_opacity = 0.2;
+inline constexpr double band_opacity = 0.35;
 
 }  // namespace moat::chart_style

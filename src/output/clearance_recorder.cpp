@@ -12,7 +12,7 @@ namespace {
 // m, m/s; of a corner minus its distance from the edge.
 std::pair<double, double> indentation_of(const ElementBlock& block, std::size_t element) {
   const PlanContacts* corners = block.plan_contacts();
-  if (corners == nullptr) return {block.deformations()[element], block.rates()[element]};
+  if (corners == nullptr) return {block.results().deformations[element], block.results().rates[element]};
   const auto [value, rate] = corners->distance(element);
   return {-value, -rate};
 }

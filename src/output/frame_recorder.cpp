@@ -10,7 +10,7 @@ namespace {
 
 // Of a contact: on its left node, or on its corner.
 PlanVector force_on_first_point(const ElementBlock& block, std::size_t element) {
-  const double normal_force = block.forces()[element];
+  const double normal_force = block.results().forces[element];
   const PlanContacts* corners = block.plan_contacts();
   if (corners == nullptr) return {-normal_force, 0.0};
   const PlanVector normal = corners->pair(element).normal;
@@ -53,8 +53,9 @@ void FrameRecorder::write(const StepView& view) {
   for (const auto& block : model.blocks()) {
     const Contacts* contacts = block->contacts();
     for (std::size_t e = 0; e < block->size(); ++e) {
-      deformation_.push_back(contacts != nullptr ? -block->deformations()[e] : block->deformations()[e]);
-      force_.push_back(block->forces()[e]);
+      deformation_.push_back(contacts != nullptr ? -block->results().deformations[e]
+                                                 : block->results().deformations[e]);
+      force_.push_back(block->results().forces[e]);
       contact_force_.push_back(contacts != nullptr ? force_on_first_point(*block, e) : PlanVector{});
       in_contact_.push_back(contacts != nullptr && contacts->contact(e).touching ? 1.0 : 0.0);
     }

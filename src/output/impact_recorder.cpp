@@ -27,8 +27,9 @@ void ImpactRecorder::follow(const StepView& view, bool after_event) {
     const ElementBlock& block = *view.model.blocks()[contact.gap.block];
     const std::size_t element = contact.gap.element;
     const PlanContacts* sliding = block.plan_contacts();
-    const double indentation = block.deformations()[element], rate = block.rates()[element];
-    const double force = block.forces()[element], force_rate = block.force_rates()[element];
+    const ElementResults results = block.results();
+    const double indentation = results.deformations[element], rate = results.rates[element];
+    const double force = results.forces[element], force_rate = results.force_rates[element];
     ContactLoop& loop = impacts_[contact.impact].loop;
     loop.indentation.push_back(indentation);
     loop.force.push_back(force);
@@ -39,8 +40,9 @@ void ImpactRecorder::follow(const StepView& view, bool after_event) {
         contact.friction.restart(time, sliding->friction_force(element), sliding->friction_force_rate(element));
     } else {
       contact.indentation.add(time, indentation, rate);
-      contact.force.add(time, force, force_rate,
-                        [&](double fraction, double) { return block.force_inside(element, fraction); });
+      contact.force.add(time, force, force_rate, [&](double fraction, double of_cubic) {
+        return block.laws() != nullptr ? block.laws()->force_inside(element, fraction) : of_cubic;
+      });
       if (sliding != nullptr)
         contact.friction.add(time, sliding->friction_force(element), sliding->friction_force_rate(element));
     }

@@ -1,6 +1,7 @@
 #include "output/model_facts.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "model/building.hpp"
 #include "model/model.hpp"
@@ -11,14 +12,14 @@ namespace {
 
 ElementFacts facts_of(const Model& model, const ElementBlock& block, std::size_t element) {
   const ElementInfo& info = block.info(element);
-  const LawAsGiven* given = info.law_as_given.get();
+  LawAsGiven law = law_of(block, element);
   ElementFacts facts{.name = info.name,
-                     .law = given != nullptr ? given->name : block.law_name(element),
+                     .law = std::move(law.name),
                      .first = std::string{model.node_name(info.first)},
                      .second = std::string{model.node_name(info.second)},
                      .parameters = {}};
   if (has_gaps(block)) facts.parameters.push_back({"clearance", info.offset, "m"});
-  for (const Parameter& each : given != nullptr ? given->parameters : block.parameters(element))
+  for (const Parameter& each : law.parameters)
     facts.parameters.push_back({std::string{each.name}, each.value, std::string{each.unit}});
   return facts;
 }

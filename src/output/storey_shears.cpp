@@ -27,7 +27,7 @@ std::span<const double> StoreyShears::evaluate(const Model& model) {
     const ElementBlock& block = *model.blocks()[part.block];
     const PlanVector along = model.is_plan() ? block.info(part.element).direction : PlanVector{1.0, 0.0};
     sums_[part.storey] +=
-        block.planar() != nullptr ? block.planar()->force(part.element) : block.forces()[part.element] * along;
+        block.planar() != nullptr ? block.planar()->force(part.element) : block.results().forces[part.element] * along;
   }
   for (std::size_t i = 0; i < sums_.size(); ++i) shears_[i] = model.is_plan() ? length(sums_[i]) : sums_[i].x;
   return shears_;

@@ -110,7 +110,7 @@ void write_summary_json(const CaseResult& result, const std::filesystem::path& p
   json["model"] = json_of(result.model);
   json["periods"] = Json::array();
   for (const NamedPeriod& period : result.periods)
-    json["periods"].push_back(Json{{"name", period.name}, {"value", period.value}});
+    json["periods"].push_back(Json{{"name", period.name}, {"value", period.value}, {"unit", "s"}});
   json["assumptions"] = result.assumptions;
   json["peaks"] = Json::array();
   for (const Peak& peak : result.peaks)
@@ -126,15 +126,18 @@ void write_summary_json(const CaseResult& result, const std::filesystem::path& p
     json["clearances"].push_back(Json{{"where", gap.where},
                                       {"clearance", gap.clearance},
                                       {"clearance_left", gap.left},
+                                      {"unit", "m"},
                                       {"time", gap.time},
                                       {"error", gap.error}});
   json["isolators_at_the_end"] = Json::array();
   for (const Peak& isolator : isolators_at_the_end(result.histories))
     json["isolators_at_the_end"].push_back(
-        Json{{"where", isolator.where}, {"deformation", isolator.value}, {"time", isolator.time}});
+        Json{{"where", isolator.where}, {"deformation", isolator.value}, {"unit", "m"}, {"time", isolator.time}});
   json["constant_quantities"] = constant_quantities(result.histories);
   json["error_bars"] = json_of(result.error_bars);
   json["impacts"] = result.impacts.size();
+  json["impact_units"] = Json::object();
+  for (const ImpactColumn& column : columns_of(result.impacts)) json["impact_units"][column.name] = column.unit;
   json["impact_table"] = Json::array();
   for (const Impact& impact : result.impacts) {
     Json row{{"where", impact.where}};

@@ -56,7 +56,8 @@ struct EventLog final : StepObserver {
     for (const RegimeChange& change : changes) {
       const ElementBlock& block = *view.model.blocks()[change.block];
       entries.push_back({view.model.state().time, block.info(change.element).name,
-                         -block.deformations()[change.element], block.contacts()->contact(change.element).touching});
+                         -block.results().deformations[change.element],
+                         block.contacts()->contact(change.element).touching});
     }
   }
   void finish(const StepView&) override {}

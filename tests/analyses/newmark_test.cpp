@@ -122,7 +122,8 @@ TEST(Newmark, AverageAccelerationConservesEnergyExactly) {
     double sum = 0.0;
     for (int i = 0; i < 5; ++i) sum += 0.5 * model.masses()[i] * state.velocity[i] * state.velocity[i];
     for (const auto& block : model.blocks())
-      for (std::size_t e = 0; e < block->size(); ++e) sum += 0.5 * block->forces()[e] * block->deformations()[e];
+      for (std::size_t e = 0; e < block->size(); ++e)
+        sum += 0.5 * block->results().forces[e] * block->results().deformations[e];
     return sum;
   };
   const double start = energy();

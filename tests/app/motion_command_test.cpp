@@ -77,7 +77,7 @@ TEST_F(MotionCommand, RefusesWithTheRemedy) {
   ProgramResult result = motion({"columns.txt"});
   EXPECT_EQ(result.exit_code, 1);
   EXPECT_EQ(result.output, "");
-  EXPECT_NE(result.errors.find("Here: --unit g"), std::string::npos) << result.errors;
+  EXPECT_NE(result.errors.find("Give the unit: --unit g,"), std::string::npos) << result.errors;
   result = motion({"none.AT2"});
   EXPECT_EQ(result.exit_code, 1);
   EXPECT_NE(result.errors.find("there is no such file"), std::string::npos);

@@ -62,7 +62,12 @@ TEST_F(ReportCommand, ShowsStudies) {
   const ProgramResult result = report({"out"});
   ASSERT_EQ(result.exit_code, 0) << result.errors;
   EXPECT_NE(result.output.find("study.db"), std::string::npos) << result.output;
-  EXPECT_EQ(json::parse(report({"out", "--json"}).output).at("studies").at(0), "study.db");
+  const json study = json::parse(report({"out", "--json"}).output).at("studies").at(0);
+  EXPECT_EQ(study.at("file"), "study.db");
+  EXPECT_EQ(study.at("cases").get<int>(), study.at("done").get<int>() + study.at("not_converged").get<int>() +
+                                              study.at("failed").get<int>() + study.at("open").get<int>());
+  EXPECT_EQ(study.at("failures").size(),
+            study.at("failed").get<std::size_t>() + study.at("not_converged").get<std::size_t>());
 }
 
 TEST_F(ReportCommand, OpensThePageWithTheBrowserOfTheDesktop) {

@@ -88,6 +88,8 @@ TEST(ParseQuantity, WithoutDimensionTakesNoUnit) {
     EXPECT_EQ(refusal<Dimensionless>(text),
               "--value: \"" + std::string{text} + "\" has a unit, but it must be a plain number.");
   EXPECT_EQ(refusal<Dimensionless>("5%"), "--value: \"5%\" is in percent. Write it as a plain number: 0.05.");
+  EXPECT_EQ(refusal<Acceleration>("40%"),
+            "--value: \"40%\" is in percent, but it must be in m/s^2 or multiples of it.");
   EXPECT_EQ(refusal<Dimensionless>("7 %"), "--value: \"7 %\" is in percent. Write it as a plain number: 0.07.");
   // Centimetres per metre would be a factor of 0.01 that nobody sees.
   EXPECT_EQ(refusal<Dimensionless>("5 cm/m"), "--value: \"5 cm/m\" has a unit, but it must be a plain number.");

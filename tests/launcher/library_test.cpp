@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <chrono>
+#include <thread>
+
 #include "launcher/lock.hpp"
 #include "launcher/stop.hpp"
 #include "launcher_testing.hpp"
@@ -14,8 +17,8 @@ class BringUpToDate : public InSmallCheckout {
   BringUpToDate() {
     write_text(places.build / "build.ninja",
                "rule copy\n  command = cp $in $out\nrule fail\n  command = echo the reason why; false\n"
-               "build library: copy source\nbuild broken: fail\n");
-    write_text(places.build / "source", "first");
+               "build library: copy ../../src/source\nbuild broken: fail\n");
+    write_text(places.root / "src" / "source", "first");
     write_text(places.build / "packages_are_installed", "");
   }
   const Part library{.what = "the library", .targets = {"library"}};
@@ -24,7 +27,9 @@ class BringUpToDate : public InSmallCheckout {
 TEST_F(BringUpToDate, BuildsWhatHasChanged) {
   bring_up_to_date(places, library);
   EXPECT_EQ(text_of(places.build / "library"), "first");
-  write_text(places.build / "source", "second");
+  bring_up_to_date(places, library);                           // Ninja finds no work, and is not asked again
+  std::this_thread::sleep_for(std::chrono::milliseconds{20});  // longer than the clock of the file system ticks
+  write_text(places.root / "src" / "source", "second");
   bring_up_to_date(places, library);
   EXPECT_EQ(text_of(places.build / "library"), "second");
 }

@@ -25,5 +25,20 @@ TEST_F(TimeOfChange, IsThatOfTheFileAndNotItsDate) {
   EXPECT_FALSE(changed_after(first, second));
 }
 
+TEST_F(TimeOfChange, IsComparedWithTheWritingOfAStamp) {
+  namespace fs = std::filesystem;
+  const auto tick = [] { std::this_thread::sleep_for(std::chrono::milliseconds{20}); };
+  const fs::path file = folder / "file", stamp = folder / "stamp";
+  write_text(file, "");
+  EXPECT_TRUE(changed_since_written(file, stamp)) << "there is no stamp";
+  tick();
+  write_text(folder / "new stamp", "");
+  EXPECT_FALSE(changed_since_written(file, folder / "new stamp"));
+  tick();
+  write_text(file, "");
+  fs::rename(folder / "new stamp", stamp);
+  EXPECT_TRUE(changed_since_written(file, stamp)) << "a new name does not make a stamp later";
+}
+
 }  // namespace
 }  // namespace moat::launcher

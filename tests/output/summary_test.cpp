@@ -57,7 +57,7 @@ TEST_F(Summary, ReadsBackWithEveryField) {
                             "elements": [{"name": "storey 1", "law": "Linear", "first": "base", "second": "floor 1",
                                           "parameters": {"stiffness": {"value": 2e9, "unit": "N/m"}}}]})"));
   EXPECT_EQ(json["clearances"], Json::parse(R"([{"where": "moat left", "clearance": 0.5, "clearance_left": 0.2,
-                                                 "time": 3.5, "error": null}])"));
+                                                 "unit": "m", "time": 3.5, "error": null}])"));
   EXPECT_EQ(json["periods"][1]["name"], "fixed base");
   EXPECT_EQ(json["periods"][1]["value"].get<double>(), 1.0 / 3.0);
   EXPECT_EQ(json["assumptions"], Json::parse(R"(["Average acceleration.", "Signs: tension positive."])"));
@@ -69,6 +69,7 @@ TEST_F(Summary, ReadsBackWithEveryField) {
   EXPECT_EQ(json["peaks"][2]["side"], "left");
   ASSERT_TRUE(json["impacts"].is_number_integer());
   EXPECT_EQ(json["impacts"], 2);
+  EXPECT_EQ(json["impact_units"]["approach_speed"], "m/s");
   ASSERT_EQ(json["impact_table"].size(), 2u);
   EXPECT_EQ(json["impact_table"][0],
             Json::parse(R"({"where": "moat left", "start": 3.25, "duration": 0.125, "approach_speed": 0.5,

@@ -31,6 +31,10 @@ constexpr std::string_view behind_page = R"js(<script>
   const wait = (milliseconds) => new Promise((done) => setTimeout(done, milliseconds));
   const verdict = { width: innerWidth, dark: matchMedia("(prefers-color-scheme: dark)").matches };
   verdict.clipped = document.documentElement.scrollWidth > innerWidth + 1;
+  verdict.beyond_the_edge = [...document.body.querySelectorAll("*")].filter(
+    (each) => verdict.clipped && !each.closest(".wide-picture, .wide") &&
+      each.getBoundingClientRect().right > innerWidth + 1).slice(0, 9).map(
+    (each) => each.tagName + "." + each.className + " " + (each.textContent || "").slice(0, 40));
   verdict.pictures = document.querySelectorAll("svg").length;
   verdict.without_marks = [...document.querySelectorAll("svg")].filter(
     (svg) => !svg.querySelector("polyline, polygon, path, circle, rect + rect")).length;

@@ -41,8 +41,8 @@ TEST(Moat, OneSideClosesWhereTheOtherOpens) {
   for (const double displacement : {0.12, -0.12}) {
     model.trial().displacement[0] = displacement;
     model.evaluate();
-    EXPECT_DOUBLE_EQ(gaps.deformations()[0], -displacement - 0.1);
-    EXPECT_DOUBLE_EQ(gaps.deformations()[1], displacement - 0.1);
+    EXPECT_DOUBLE_EQ(gaps.results().deformations[0], -displacement - 0.1);
+    EXPECT_DOUBLE_EQ(gaps.results().deformations[1], displacement - 0.1);
   }
 }
 
@@ -109,7 +109,7 @@ TEST(Moat, FlexibleWallsAreNodesOnSprings) {
   for (const auto& block : model.blocks())
     for (std::size_t e = 0; e < block->size(); ++e)
       if (block->info(e).name == "moat right") {
-        EXPECT_NEAR(block->deformations()[e], -0.11, 1e-15);
+        EXPECT_NEAR(block->results().deformations[e], -0.11, 1e-15);
       }
 }
 
