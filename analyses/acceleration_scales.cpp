@@ -36,6 +36,7 @@ AccelerationScales::AccelerationScales(const Model& model, double lowest)
 }
 
 void AccelerationScales::regimes_changed(const Model& model) {
+  if (!any_touching_) outside_contact_ = own_;
   touched_before_.swap(touching_);
   std::ranges::fill(touching_, 0);
   const auto building_of = [&](int node) {
@@ -105,10 +106,7 @@ void AccelerationScales::accepted(const Model& model, double h, PlanVector groun
     for (int i = 0; i < count; ++i) values[i] = std::max(std::max(values[i] * fade, lowest_), size(i, absolute));
   });
   up_to_date_ = false;
-  if (!any_touching_) {
-    for (int i = 0; i < count; ++i) outside[i] = values[i];
-    return;
-  }
+  if (!any_touching_) return;
   // `outside` excludes accelerations of impacts: while a building is in contact it only decays.
   for (int i = 0; i < count; ++i) {
     const bool touching = touching_[static_cast<std::size_t>(building_[static_cast<std::size_t>(i)])] != 0;

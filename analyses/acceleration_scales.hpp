@@ -43,7 +43,7 @@ class AccelerationScales {
   Vector values_;                           // scales that errors are judged on, if they are up to date
   bool up_to_date_ = false;
   Vector own_;              // of each node alone
-  Vector outside_contact_;  // the same, without contacts
+  Vector outside_contact_;  // the same, without contacts; kept while there are any
   Vector of_building_;      // largest, at the index building_ names
   // Nodes that follow each other in one building.
   struct Run {

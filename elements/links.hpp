@@ -73,33 +73,57 @@ class Links : public ElementBlock, public ElementLaws {
     }
   }
 
-  void evaluate(const double* displacement, const double* velocity, double* force) override {
-    // Chunks of 512, so that arrays written by one loop are still in L1 for the next.
-    constexpr std::size_t chunk = 512;
-    for (std::size_t begin = 0; begin < size(); begin += chunk) {
-      const std::size_t end = std::min(begin + chunk, size());
-      deform(begin, end, displacement, velocity);
-      apply_laws(begin, end);
-      if (force != nullptr) scatter(begin, end, forces_.data(), force);
+  void evaluate(const double* displacement, const double* velocity, double* __restrict force) override {
+    const Law* laws = laws_.data();
+    const Ends* ends = ends_.data();
+    const State* committed = committed_.data();
+    const double* offsets = offsets_.data();
+    State* __restrict trial = trial_.data();
+    double* __restrict deformations = now_.deformations.data();
+    double* __restrict rates = now_.rates.data();
+    double* __restrict forces = forces_.data();
+    double* __restrict stiffnesses = stiffnesses_.data();
+    double* __restrict dampings = dampings_.data();
+    const std::size_t count = size();
+    bool changed = false;
+    for (std::size_t i = 0; i < count; ++i) {
+      const double deformation = ends[i].difference(displacement) - offsets[i], rate = ends[i].difference(velocity);
+      Interval interval;
+      if constexpr (TimeDependentLaw<Law>) interval = {step_, start_.deformations[i], start_.rates[i]};
+      const Response response = respond(laws[i], committed[i], deformation, rate, interval, trial[i]);
+      deformations[i] = deformation;
+      rates[i] = rate;
+      forces[i] = response.force;
+      if constexpr (!is_linear) {
+        changed |= (stiffnesses[i] != response.stiffness) | (dampings[i] != response.damping);
+        stiffnesses[i] = response.stiffness;
+        dampings[i] = response.damping;
+      }
+      if (force != nullptr) ends[i].add_force(response.force, force);
     }
+    if (changed) tangent_changed_ = true;
   }
 
   void begin_step(double step) override { step_ = step; }
 
-  void evaluate_rates(const double* acceleration, double* force_rate) override {
+  void evaluate_rates(const double* acceleration, double* __restrict force_rate) override {
     const Ends* ends = ends_.data();
     const double* rates = now_.rates.data();
     double* __restrict second_rates = now_.second_rates.data();
     double* __restrict force_rates = force_rates_.data();
-    for (std::size_t i = 0; i < size(); ++i) {
+    const std::size_t count = size();
+    for (std::size_t i = 0; i < count; ++i) {
       const Tangents tangents = tangents_of(i);
-      second_rates[i] = ends[i].difference(acceleration);
+      const double second_rate = ends[i].difference(acceleration);
+      double of_force;
       if constexpr (knows_force_rate)
-        force_rates[i] = laws_[i].force_rate(trial_[i], now_.deformations[i], rates[i], second_rates[i]);
+        of_force = laws_[i].force_rate(trial_[i], now_.deformations[i], rates[i], second_rate);
       else
-        force_rates[i] = tangents.stiffness * rates[i] + tangents.damping * second_rates[i];
+        of_force = tangents.stiffness * rates[i] + tangents.damping * second_rate;
+      second_rates[i] = second_rate;
+      force_rates[i] = of_force;
+      if (force_rate != nullptr) ends[i].add_force(of_force, force_rate);
     }
-    if (force_rate != nullptr) scatter(0, size(), force_rates, force_rate);
   }
 
   void add_tangent(double displacement_weight, double velocity_weight, double* values) const override {
@@ -166,9 +190,7 @@ class Links : public ElementBlock, public ElementLaws {
       throw std::logic_error{"Links: a law without quantities was asked for one"};
   }
 
-  ElementResults results() const override {
-    return {now_.deformations, now_.rates, forces_, now_.second_rates, force_rates_};
-  }
+  ElementResults results() const override { return {now_.deformations, now_.rates, forces_, force_rates_}; }
 
   double force_inside(std::size_t i, double fraction) const override {
     if (!keeps_start()) throw std::logic_error{"Links: a linear element's force needs no law to interpolate"};
@@ -216,46 +238,6 @@ class Links : public ElementBlock, public ElementLaws {
     } else {
       return {stiffnesses_[i], dampings_[i]};
     }
-  }
-
-  void deform(std::size_t begin, std::size_t end, const double* displacement, const double* velocity) {
-    const Ends* ends = ends_.data();
-    const double* offsets = offsets_.data();
-    double* __restrict deformations = now_.deformations.data();
-    double* __restrict rates = now_.rates.data();
-    for (std::size_t i = begin; i < end; ++i) {
-      deformations[i] = ends[i].difference(displacement) - offsets[i];
-      rates[i] = ends[i].difference(velocity);
-    }
-  }
-
-  void scatter(std::size_t begin, std::size_t end, const double* values, double* __restrict sums) const {
-    const Ends* ends = ends_.data();
-    for (std::size_t i = begin; i < end; ++i) ends[i].add_force(values[i], sums);
-  }
-
-  // A loop over arrays that do not overlap: for most laws the compiler turns it into vector code.
-  void apply_laws(std::size_t begin, std::size_t end) {
-    const Law* laws = laws_.data();
-    const State* committed = committed_.data();
-    const double *deformations = now_.deformations.data(), *rates = now_.rates.data();
-    State* __restrict trial = trial_.data();
-    double* __restrict forces = forces_.data();
-    double* __restrict stiffnesses = stiffnesses_.data();
-    double* __restrict dampings = dampings_.data();
-    bool changed = false;
-    for (std::size_t i = begin; i < end; ++i) {
-      Interval interval;
-      if constexpr (TimeDependentLaw<Law>) interval = {step_, start_.deformations[i], start_.rates[i]};
-      const Response response = respond(laws[i], committed[i], deformations[i], rates[i], interval, trial[i]);
-      forces[i] = response.force;
-      if constexpr (!is_linear) {
-        changed |= (stiffnesses[i] != response.stiffness) | (dampings[i] != response.damping);
-        stiffnesses[i] = response.stiffness;
-        dampings[i] = response.damping;
-      }
-    }
-    if (changed) tangent_changed_ = true;
   }
 
   // Changes of regime, forces inside a step and energies need the motion at the last commits.

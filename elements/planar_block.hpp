@@ -44,7 +44,7 @@ class PlanarBlock final : public ElementBlock, public ElementLaws, public Planar
     start_.resize(count);
     before_.resize(count);
     force_rate_.resize(count);
-    for (auto* values : {&deformations_, &rates_, &second_rates_, &forces_, &force_rates_}) values->resize(count, 0.0);
+    for (auto* values : {&deformations_, &rates_, &forces_, &force_rates_}) values->resize(count, 0.0);
     if (keeps_accounts_) accounts_.resize(count);
     return count - 1;
   }
@@ -85,7 +85,6 @@ class PlanarBlock final : public ElementBlock, public ElementLaws, public Planar
       Motion& now = now_[i];
       now.second_rate = ends_[i].difference(acceleration);
       force_rate_[i] = responses_[i].force_rate + responses_[i].viscosity * now.second_rate;
-      second_rates_[i] = rate_of_size(now.deformation, now.second_rate, deformations_[i]);
       force_rates_[i] = rate_of_size(responses_[i].force, force_rate_[i], forces_[i]);
       if (force_rate != nullptr) ends_[i].add_force(force_rate_[i], force_rate);
     }
@@ -137,7 +136,7 @@ class PlanarBlock final : public ElementBlock, public ElementLaws, public Planar
             .hysteretic = true};
   }
 
-  ElementResults results() const override { return {deformations_, rates_, forces_, second_rates_, force_rates_}; }
+  ElementResults results() const override { return {deformations_, rates_, forces_, force_rates_}; }
   std::span<const ReportedQuantity> law_quantities(std::size_t) const override { return {}; }
   double law_quantity(std::size_t, std::size_t) const override {
     throw std::logic_error{"PlanarBlock: a law without quantities was asked for one"};
@@ -221,7 +220,7 @@ class PlanarBlock final : public ElementBlock, public ElementLaws, public Planar
   std::vector<PlanarResponse> responses_, start_responses_;  // of the last evaluate(), and at the last commit
   std::vector<Motion> now_, start_, before_;                 // at the last evaluate(), commit, and the one before
   std::vector<PlanVector> force_rate_;
-  std::vector<double> deformations_, rates_, second_rates_, forces_, force_rates_;
+  std::vector<double> deformations_, rates_, forces_, force_rates_;
   std::vector<Account> accounts_;
   bool keeps_accounts_ = false, tangent_changed_ = false;
   double step_ = 0.0, last_step_ = 0.0;  // s

@@ -57,7 +57,6 @@ struct ElementResults {
   std::span<const double> deformations;  ///< of the last evaluate(), m
   std::span<const double> rates;         ///< of deformations, m/s
   std::span<const double> forces;        ///< of the last evaluate(), N
-  std::span<const double> second_rates;  ///< of the last evaluate_rates(), m/s^2
   std::span<const double> force_rates;   ///< of the last evaluate_rates(), N/s
 };
 
