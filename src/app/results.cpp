@@ -22,17 +22,19 @@ void write_results(const CaseResult& result, const std::filesystem::path& folder
   const auto written = [&](const std::string& part) {
     if (progress) progress(++done, parts, " (" + part + ")");
   };
-  // The longest file, written beside the others. Without a free thread it is written at get().
-  std::future<void> histories = std::async(std::launch::async | std::launch::deferred,
-                                           [&] { write_csv(result.histories, folder / results_file::histories_csv); });
+  // The longest file and the many small ones are written beside the others. Without a free thread they are written at
+  // get().
+  const auto beside = [](auto write) { return std::async(std::launch::async | std::launch::deferred, write); };
+  std::future<void> histories = beside([&] { write_csv(result.histories, folder / results_file::histories_csv); });
+  const ResultCharts charts = result_charts(result);
+  std::future<void> files_of_charts = beside([&] { write_charts(charts, folder); });
   write_csv(result.impacts, folder / results_file::impacts);
   written(results_file::impacts);
   write_vtt(result.histories, folder / results_file::histories_vtt);
   written(results_file::histories_vtt);
-  const ResultCharts charts = result_charts(result);
   write_report_html(result, charts, folder);
   written(results_file::report);
-  write_charts(charts, folder);
+  files_of_charts.get();
   written("charts");
   histories.get();
   written(results_file::histories_csv);
