@@ -2,11 +2,12 @@
 
 #include <unistd.h>
 
-#include "launcher/checkout_changes.hpp"
+#include "launcher/library_changes.hpp"
 #include "launcher/lock.hpp"
 #include "launcher/phase.hpp"
 #include "launcher/stop.hpp"
 #include "launcher/text.hpp"
+#include "launcher/time_of_change.hpp"
 
 namespace moat::launcher {
 namespace {
@@ -16,7 +17,7 @@ namespace fs = std::filesystem;
 // The package database changes with every upgrade and removal, which may take away a library.
 bool packages_changed(const fs::path& stamp) {
   const fs::path database = "/var/lib/dpkg/status";
-  return fs::exists(database) && (!fs::exists(stamp) || fs::last_write_time(database) > fs::last_write_time(stamp));
+  return fs::exists(database) && changed_since_written(database, stamp);
 }
 
 // Checked without the lock: a script need not wait for another moat that builds the tests. Ninja is not asked again

@@ -96,10 +96,9 @@ void ScriptBuild::bring_up_to_date() const {
   fs::create_directories(folder_);
   const std::string words_before = text_of(folder_ / "build.ninja"), words_now = ninja_file(rule);
   write_text(folder_ / "build.ninja", words_now);  // its date says when the script was run
-  const bool is_newer = is_newer_than_its_files(rule.precompiled_header);
-  if (is_newer && words_now == words_before) return;
-  // Ninja compares dates of writing, which moving and copying a file keep.
-  if (!is_newer) fs::remove(program());
+  if (words_now == words_before && is_newer_than_its_files(rule.precompiled_header)) return;
+  // Ninja compares dates of writing, which moving and copying a file keep: without a program it must build.
+  fs::remove(program());
   fs::remove(folder_ / "diagnostics");
   const int code = phase(places_.logs(), "compile", typed_.filename().string(), {MOAT_NINJA, "-C", folder_, "program"});
   if (code != 0) fail();

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <chrono>
+#include <sstream>
 #include <thread>
 
 #include "launcher/lock.hpp"
@@ -20,6 +21,8 @@ class BringUpToDate : public InSmallCheckout {
                "build library: copy ../../src/source\nbuild broken: fail\n");
     write_text(places.root / "src" / "source", "first");
     write_text(places.build / "packages_are_installed", "");
+    std::istringstream folders{"cmake " LIBRARY_FOLDERS};
+    for (std::string name; folders >> name;) std::filesystem::create_directories(places.root / name);
   }
   const Part library{.what = "the library", .targets = {"library"}};
 };

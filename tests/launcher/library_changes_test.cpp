@@ -1,4 +1,4 @@
-#include "launcher/checkout_changes.hpp"
+#include "launcher/library_changes.hpp"
 
 #include <gtest/gtest.h>
 
@@ -13,17 +13,18 @@ namespace {
 
 namespace fs = std::filesystem;
 
-class CheckoutChanges : public InSmallCheckout {
+class LibraryChanges : public InSmallCheckout {
  protected:
-  CheckoutChanges() {
+  LibraryChanges() {
     std::istringstream folders{LIBRARY_FOLDERS};
     for (std::string name; folders >> name;) fs::create_directories(places.root / name / "inside");
     for (const char* name : {"cmake", ".git/logs"}) fs::create_directories(places.root / name);
     write_text(places.root / "CMakePresets.json", "");
     write_text(places.root / ".git/logs/HEAD", "");
-    for (const char* name : {"build.ninja", ".ninja_log", "CMakeCache.txt", "libmoat.so"})
+    for (const char* name : {"src", "script_header"}) fs::create_directories(places.build / name);
+    for (const char* name :
+         {"build.ninja", ".ninja_log", "CMakeCache.txt", "src/libmoat.so", "script_header/moat.hpp.gch"})
       write_text(places.build / name, "");
-    write_text(places.build / "script_link.txt", (places.build / "libmoat.so").string() + "\n-Xlinker\n");
     write_stamp();
   }
   void write_stamp() const {
@@ -38,13 +39,13 @@ class CheckoutChanges : public InSmallCheckout {
   const fs::path stamp = folder / "stamp";
 };
 
-TEST_F(CheckoutChanges, AreNoneAtFirstAndWithoutAStampAlways) {
+TEST_F(LibraryChanges, AreNoneAtFirstAndWithoutAStampAlways) {
   EXPECT_FALSE(may_have_changed());
   fs::remove(stamp);
   EXPECT_TRUE(may_have_changed());
 }
 
-TEST_F(CheckoutChanges, AreSeenInEveryFolderOfTheLibrary) {
+TEST_F(LibraryChanges, AreSeenInEveryFolderOfTheLibrary) {
   std::istringstream folders{LIBRARY_FOLDERS " cmake"};
   for (std::string name; folders >> name;) {
     const fs::path file = places.root / name / "new.hpp", deeper = places.root / name / "inside" / "new.hpp";
@@ -62,18 +63,21 @@ TEST_F(CheckoutChanges, AreSeenInEveryFolderOfTheLibrary) {
   }
 }
 
-TEST_F(CheckoutChanges, AreSeenInCommitAndBuild) {
+TEST_F(LibraryChanges, AreSeenInCommitAndBuild) {
   for (const fs::path& file : {places.root / ".git/logs/HEAD", places.root / "CMakeLists.txt",
                                places.build / "build.ninja", places.build / ".ninja_log"}) {
     write_text(file, "another");
     EXPECT_TRUE(may_have_changed()) << file;
     write_stamp();
   }
-  fs::remove(places.build / "libmoat.so");
-  EXPECT_TRUE(may_have_changed()) << "the library went away";
+  for (const char* file : {"src/libmoat.so", "script_header/moat.hpp.gch"}) {
+    fs::remove(places.build / file);
+    EXPECT_TRUE(may_have_changed()) << file << " went away";
+    write_stamp();
+  }
 }
 
-TEST_F(CheckoutChanges, AreNotThoseOfOtherFiles) {
+TEST_F(LibraryChanges, AreNotThoseOfOtherFiles) {
   write_text(folder / "study" / "tower.cpp", "");
   write_text(places.root / "README.md", "");
   EXPECT_FALSE(may_have_changed());
