@@ -47,7 +47,8 @@ struct Newmark {
                "1/12 with corrects_velocity", "Use Newmark::fourth_order().");
   }
   [[nodiscard]] std::string description() const {
-    return "Newmark's method, beta = " + to_text(beta.value_or(0.25)) + ", gamma = 1/2";
+    return "Newmark's method, beta = " + to_text(beta.value_or(0.25)) + ", gamma = 1/2" +
+           (corrects_velocity ? ", velocities corrected" : "");
   }
 
   friend bool operator==(const Newmark&, const Newmark&) = default;

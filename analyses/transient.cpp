@@ -77,8 +77,7 @@ double Transient::take_step() {
     const double h = step_.solve_cutting(step_.whole().length);
     // Changes that were foreseen belong to the whole step.
     const bool cut = h != step_.whole().length && !changes_.empty();
-    const bool hides =
-        &stepper == &implicit_ && implicit_.control().may_leave_samples() && hides_motion(step_, grid_, h, margin_);
+    const bool hides = stepper.may_leave_samples() && hides_motion(step_, grid_, h, margin_);
     if (hides) implicit_.control().stay_within_samples();
     if (!cut && !hides && stepper.accepts(step_.first_part(h), changes_)) return h;
     model_->undo_changes_inside();
