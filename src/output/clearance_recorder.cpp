@@ -12,7 +12,10 @@ namespace {
 // m, m/s; of a corner minus its distance from the edge.
 std::pair<double, double> indentation_of(const ElementBlock& block, std::size_t element) {
   const PlanContacts* corners = block.plan_contacts();
-  if (corners == nullptr) return {block.results().deformations[element], block.results().rates[element]};
+  if (corners == nullptr) {
+    const ElementResults results = block.results();
+    return {results.deformations[element], results.rates[element]};
+  }
   const auto [value, rate] = corners->distance(element);
   return {-value, -rate};
 }

@@ -52,10 +52,10 @@ void FrameRecorder::write(const StepView& view) {
   contact_force_.clear();
   for (const auto& block : model.blocks()) {
     const Contacts* contacts = block->contacts();
+    const ElementResults results = block->results();
     for (std::size_t e = 0; e < block->size(); ++e) {
-      deformation_.push_back(contacts != nullptr ? -block->results().deformations[e]
-                                                 : block->results().deformations[e]);
-      force_.push_back(block->results().forces[e]);
+      deformation_.push_back(contacts != nullptr ? -results.deformations[e] : results.deformations[e]);
+      force_.push_back(results.forces[e]);
       contact_force_.push_back(contacts != nullptr ? force_on_first_point(*block, e) : PlanVector{});
       in_contact_.push_back(contacts != nullptr && contacts->contact(e).touching ? 1.0 : 0.0);
     }

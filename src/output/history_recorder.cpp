@@ -77,9 +77,9 @@ void HistoryRecorder::take(const StepView& view, bool with_energies) {
   now_.ground_acceleration = view.ground();
   channels_.sample(view, now_.values, now_.rates);
   for (const auto& [b, e] : gaps_) {
-    const ElementBlock& block = *view.model.blocks()[b];
-    now_.values.push_back(-block.results().deformations[e]);
-    now_.rates.push_back(-block.results().rates[e]);
+    const ElementResults results = view.model.blocks()[b]->results();
+    now_.values.push_back(-results.deformations[e]);
+    now_.rates.push_back(-results.rates[e]);
   }
   if (offered_ != nullptr) offered_->sample(view, now_.offered);
   if (ledger_ == nullptr || !with_energies) return;

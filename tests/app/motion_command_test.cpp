@@ -51,6 +51,8 @@ TEST_F(MotionCommand, JsonIsInSiUnits) {
   const json printed = json::parse(result.output).at(0);
   constexpr double g = 9.80665;
   EXPECT_EQ(printed.at("name"), "constant");
+  EXPECT_EQ(printed.at("units").at("arias_intensity"), "m/s");
+  EXPECT_EQ(printed.at("units").at("peak_acceleration"), "m/s^2");
   EXPECT_NEAR(printed.at("peak_acceleration").get<double>(), 0.5 * g, 1e-9);
   EXPECT_NEAR(printed.at("arias_intensity").get<double>(), std::numbers::pi / (2.0 * g) * 0.25 * g * g * 4.0, 1e-9);
   EXPECT_NEAR(printed.at("significant_duration").at("start").get<double>(), 0.2, 1e-9);

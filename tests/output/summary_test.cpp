@@ -59,6 +59,7 @@ TEST_F(Summary, ReadsBackWithEveryField) {
   EXPECT_EQ(json["clearances"], Json::parse(R"([{"where": "moat left", "clearance": 0.5, "clearance_left": 0.2,
                                                  "unit": "m", "time": 3.5, "error": null}])"));
   EXPECT_EQ(json["periods"][1]["name"], "fixed base");
+  EXPECT_EQ(json["periods"][1]["unit"], "s");
   EXPECT_EQ(json["periods"][1]["value"].get<double>(), 1.0 / 3.0);
   EXPECT_EQ(json["assumptions"], Json::parse(R"(["Average acceleration.", "Signs: tension positive."])"));
   ASSERT_EQ(json["peaks"].size(), 4u);
