@@ -32,6 +32,10 @@ AccelerationScales::AccelerationScales(const Model& model, double lowest)
     if (runs_.empty() || runs_.back().building != building) runs_.push_back({i, i, building});
     runs_.back().end = i + 1;
   }
+  const std::size_t nodes_of_contact = model.is_plan() ? 6 : 2;
+  std::size_t contacts = 0;
+  for (const auto& block : model.blocks()) contacts += block->contacts() != nullptr ? block->size() : 0;
+  raised_.reserve(nodes_of_contact * contacts);
   regimes_changed(model);
 }
 
@@ -39,32 +43,28 @@ void AccelerationScales::regimes_changed(const Model& model) {
   if (!any_touching_) outside_contact_ = own_;
   touched_before_.swap(touching_);
   std::ranges::fill(touching_, 0);
-  const auto building_of = [&](int node) {
-    return static_cast<std::size_t>(building_[static_cast<std::size_t>(node)]);
-  };
-  const auto for_each_contact = [&](auto action) {
-    for (const auto& block : model.blocks()) {
-      const Contacts* contacts = block->contacts();
-      if (contacts == nullptr || contacts->touching() == 0) continue;
-      for (std::size_t e = 0; e < block->size(); ++e) {
-        const ContactView contact = contacts->contact(e);
-        if (!contact.touching) continue;
-        for (const NodeId end : {block->info(e).first, block->info(e).second})
-          for (const NodeId node : model.body_of(end)) action(node.index, contact);
-      }
+  raised_.clear();
+  for (const auto& block : model.blocks()) {
+    const Contacts* contacts = block->contacts();
+    if (contacts == nullptr || contacts->touching() == 0) continue;
+    for (std::size_t e = 0; e < block->size(); ++e) {
+      const ContactView contact = contacts->contact(e);
+      if (!contact.touching) continue;
+      for (const NodeId end : {block->info(e).first, block->info(e).second})
+        for (const NodeId node : model.body_of(end)) {
+          touching_[static_cast<std::size_t>(building_[static_cast<std::size_t>(node.index)])] = 1;
+          raised_.push_back({node.index, lenience_in_contact * contact.expected_force / model.masses()[node.index]});
+        }
     }
-  };
-  any_touching_ = false;
-  for_each_contact([&](int node, const ContactView&) {
-    any_touching_ = true;
-    touching_[building_of(node)] = 1;
-  });
+  }
+  any_touching_ = !raised_.empty();
   // The last contact of a building has ended: its scales return to those without contact.
-  for (int i = 0; i < static_cast<int>(building_.size()); ++i)
-    if (touched_before_[building_of(i)] != 0 && touching_[building_of(i)] == 0) own_[i] = outside_contact_[i];
-  for_each_contact([&](int node, const ContactView& contact) {
-    own_[node] = std::max(own_[node], lenience_in_contact * contact.expected_force / model.masses()[node]);
-  });
+  for (const Run& run : runs_) {
+    const auto building = static_cast<std::size_t>(run.building);
+    if (touched_before_[building] == 0 || touching_[building] != 0) continue;
+    for (int i = run.begin; i < run.end; ++i) own_[i] = outside_contact_[i];
+  }
+  for (const Raised& raised : raised_) own_[raised.node] = std::max(own_[raised.node], raised.acceleration);
   up_to_date_ = false;
 }
 
@@ -108,9 +108,9 @@ void AccelerationScales::accepted(const Model& model, double h, PlanVector groun
   up_to_date_ = false;
   if (!any_touching_) return;
   // `outside` excludes accelerations of impacts: while a building is in contact it only decays.
-  for (int i = 0; i < count; ++i) {
-    const bool touching = touching_[static_cast<std::size_t>(building_[static_cast<std::size_t>(i)])] != 0;
-    outside[i] = touching ? std::max(outside[i] * fade, lowest_) : values[i];
+  for (const Run& run : runs_) {
+    const bool touching = touching_[static_cast<std::size_t>(run.building)] != 0;
+    for (int i = run.begin; i < run.end; ++i) outside[i] = touching ? std::max(outside[i] * fade, lowest_) : values[i];
   }
 }
 

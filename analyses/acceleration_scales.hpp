@@ -32,9 +32,10 @@ class AccelerationScales {
   [[nodiscard]] const Vector& values();
 
  private:
+  void raise_to_building();
+
   double lowest_;
   Resultants resultants_;
-  void raise_to_building();
 
   std::vector<int> building_;                    // of every node: the number of one of its nodes
   std::vector<char> touching_, touched_before_;  // of every building, now and before the last change
@@ -50,6 +51,12 @@ class AccelerationScales {
     int begin, end, building;
   };
   std::vector<Run> runs_;
+  // A node in contact and the acceleration that its contact lets expect.
+  struct Raised {
+    int node;
+    double acceleration;  // m/s^2
+  };
+  std::vector<Raised> raised_;
 };
 
 }  // namespace moat

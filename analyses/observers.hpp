@@ -1,6 +1,7 @@
 // The observers of one analysis.
 #pragma once
 
+#include <exception>
 #include <span>
 #include <vector>
 
@@ -30,9 +31,17 @@ class Observers {
   void event(const StepView& view, std::span<const RegimeChange> changes) const {
     for (const Follower& follower : followers_) follower.observer->event(view, changes);
   }
-  /// After the last step.
+  /// After the last step. All are finished, also if one of them throws; the first exception goes on.
   void finish(const StepView& view) const {
-    for (const Follower& follower : followers_) follower.observer->finish(view);
+    std::exception_ptr failure;
+    for (const Follower& follower : followers_) {
+      try {
+        follower.observer->finish(view);
+      } catch (...) {
+        if (!failure) failure = std::current_exception();
+      }
+    }
+    if (failure) std::rethrow_exception(failure);
   }
 
  private:

@@ -119,8 +119,9 @@ double StepControl::error_of(const Model& model, const StepTask& step, StepSchem
     double error = 0.0;
     for (int i = 0; i < count; ++i) {
       const double difference = std::max(of_curve * size(i, curve), of_jump * size(i, jump));
-      const double round_off = round_off_per_displacement[i] * size(i, displacement);
-      error = std::max(error, (difference / 12.0 - round_off) / std::max(scales[i], size(i, acceleration)));
+      const double beyond_round_off = difference / 12.0 - round_off_per_displacement[i] * size(i, displacement);
+      const double scale = std::max(scales[i], size(i, acceleration));
+      if (beyond_round_off > error * scale) error = beyond_round_off / scale;
     }
     return error;
   });

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace moat {
 
@@ -19,6 +20,7 @@ StepEquations::StepEquations(Model& model) : model_{&model}, resultants_{model} 
 void StepEquations::begin(const StepTask& task, StepScheme scheme, Vector& guess) {
   task_ = task;
   scheme_ = scheme;
+  is_at_guess_ = false;
   const double h = task.length;
   const MotionState& start = model_->state();
   const double *u = start.displacement.data(), *v = start.velocity.data(), *a = start.acceleration.data(),
@@ -115,6 +117,7 @@ void StepEquations::average_start() {
 void StepEquations::predict(const StepTask& task, StepScheme scheme, Vector& guess) {
   begin(task, scheme, guess);
   move(guess);
+  is_at_guess_ = true;
   model_->evaluate_regimes();
 }
 
@@ -171,7 +174,7 @@ void StepEquations::move(const Vector& acceleration) {
 
 bool StepEquations::compute_residual(const Vector& acceleration, Vector& residual) {
   const int count = size();
-  move(acceleration);
+  if (!std::exchange(is_at_guess_, false)) move(acceleration);
   model_->evaluate();
 
   const double* a = acceleration.data();

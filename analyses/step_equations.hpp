@@ -39,6 +39,7 @@ class StepEquations final : public NonlinearSystem {
   /// solution where nothing changes its stiffness.
   void begin(const StepTask& task, StepScheme scheme, Vector& guess);
   /// begin(), and the trial state that the guess leads to; only elements that can change their regime are evaluated.
+  /// The next compute_residual() is that of the guess.
   void predict(const StepTask& task, StepScheme scheme, Vector& guess);
   /// After the last compute_residual(): jerks of the trial state, and its velocities where the scheme corrects them.
   void complete();
@@ -86,6 +87,7 @@ class StepEquations final : public NonlinearSystem {
   long linear_version_ = -1;
   Vector unbalanced_;
   bool has_extrapolated_ = false;
+  bool is_at_guess_ = false;  // the trial state, since predict()
   // The velocities with which forces were evaluated; complete() corrects velocities after that.
   struct EvaluatedVelocity {
     double time = std::numeric_limits<double>::quiet_NaN();  // s

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <ctime>
+#include <exception>
 #include <utility>
 
 #include "analyses/event_location.hpp"
@@ -161,7 +162,11 @@ void Transient::run(const std::function<bool()>& stop) {
   try {
     while (!finished() && !(stop && stop())) advance();
   } catch (...) {
-    end();
+    try {
+      end();
+    } catch (const std::exception&) {
+      // The first failure counts.
+    }
     throw;
   }
   end();

@@ -173,11 +173,19 @@ class ForceBalanceTest final : public NOX::StatusTest::Generic {
     const auto& iterate = static_cast<const NoxGroup&>(solver.getSolutionGroup());
     report.iterations = solver.getNumIterations();
     report.converged = false;
-    const moat::Vector& residual = iterate.residual();
-    const double sum = residual.cwiseAbs().sum();
-    report.residual =
-        (residual.array().abs() / iterate.system().residual_scales().array()).maxCoeff(&report.worst_degree_of_freedom);
-    // The sum is NaN if any residual is; maxCoeff() compares, and a comparison with NaN is false.
+    const moat::Vector &residual = iterate.residual(), &scales = iterate.system().residual_scales();
+    double sum = 0.0;
+    report.residual = 0.0;
+    report.worst_degree_of_freedom = 0;
+    for (int i = 0; i < static_cast<int>(residual.size()); ++i) {
+      const double magnitude = std::abs(residual[i]);
+      sum += magnitude;
+      // Few residuals exceed all before them: hardly anything is divided.
+      if (magnitude <= report.residual * scales[i]) continue;
+      report.residual = magnitude / scales[i];
+      report.worst_degree_of_freedom = i;
+    }
+    // The sum is NaN if any residual is. Comparisons with NaN are false.
     if (!iterate.isF() || !std::isfinite(sum)) {
       report_no_number(residual);
       status_ = NOX::StatusTest::Failed;
