@@ -19,17 +19,18 @@ namespace {
 // Constants of the bars. They were chosen on the random models of ./moat bench accuracy, whose tables in
 // docs/verification.md show how many true errors lie within the bars and how wide these are.
 namespace caution {
-/// Times Richardson's estimate: not all errors shrink to a quarter.
+/// Richardson's estimate is multiplied by it, because not all errors shrink to a quarter.
 constexpr double factor = 4.0;
-/// The same where the numbers of impacts differ. The difference of the runs is then the distance of two different
-/// motions and does not show the convergence of an error.
+/// Replaces `factor` where the numbers of impacts differ. The difference of the runs is then the distance of two
+/// different motions and does not show the convergence of an error.
 constexpr double factor_of_different_impacts = 8.0;
 /// The relative difference of a peak counts as at least this share of the median of the peaks of its unit, and of all
 /// peaks.
 constexpr double share_of_unit = 0.5, share_of_all = 0.2;
-/// Share of the tolerance, where changes of stiffness are not located.
+/// An error is at least this share of the tolerance where changes of stiffness are not located.
 constexpr double share_of_tolerance = 0.25;
-/// Of the peak itself, and of the largest peak of the unit: round-off, force tolerance and location.
+/// Round-off, force tolerance and location leave errors of these shares of the peak itself and of the largest peak of
+/// its unit.
 constexpr double round_off_of_peak = 1e-8, round_off = 1e-10;
 }  // namespace caution
 

@@ -33,7 +33,7 @@ std::string nearest_element(const StepSolver& step, double h) {
     block->regimes()->scan(h, step.aim(), scan);
     if (scan.margin >= least) continue;
     least = scan.margin;
-    name = block->info(0).name + (block->size() > 1 ? " or another element with its law" : "");
+    name = block->info(scan.nearest).name;
   }
   return name;
 }

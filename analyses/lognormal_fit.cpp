@@ -3,7 +3,7 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <boost/math/distributions/beta.hpp>
-#include <boost/math/special_functions/erf.hpp>
+#include <boost/math/distributions/normal.hpp>
 #include <boost/math/tools/minima.hpp>
 #include <cmath>
 #include <functional>
@@ -23,10 +23,7 @@ double density(double z) { return std::isinf(z) ? 0.0 : std::exp(-0.5 * z * z) /
 
 double normal(double z) { return 0.5 * std::erfc(-z / std::numbers::sqrt2); }
 
-double normal_quantile(double share) {
-  return share < 0.5 ? -std::numbers::sqrt2 * boost::math::erfc_inv(2.0 * share)
-                     : std::numbers::sqrt2 * boost::math::erfc_inv(2.0 * (1.0 - share));
-}
+double normal_quantile(double share) { return boost::math::quantile(boost::math::normal_distribution<>{}, share); }
 
 // Phi(high) - Phi(low) in the tail where both are small.
 double normal_between(double low, double high) {

@@ -1,7 +1,7 @@
 # `cmake --build build/release --target moat_api_reference`: the API reference by Doxygen, in build/release/reference/html.
 #
 # Its symbols are those of all installed headers. The Doxyfile of the build folder is docs/Doxyfile with these headers;
-# tests/documentation counts what is undocumented with it.
+# tests/documentation counts undocumented symbols with it.
 
 get_target_property(_headers moat HEADER_SET)
 get_target_property(_laws_and_elements moat HEADER_SET_laws_and_elements)

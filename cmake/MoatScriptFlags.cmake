@@ -1,5 +1,5 @@
-# What the launcher needs to compile a user's script, one argument per line so that paths may hold spaces:
-#   script_compile.txt  the compiler and its flags        script_link.txt  what follows the source file
+# Files from which the launcher compiles a user's script, one argument per line so that paths may hold spaces:
+#   script_compile.txt  the compiler and its flags        script_link.txt  the arguments after the source file
 # and the target moat_for_scripts: the library, and <moat.hpp> precompiled for these flags.
 #
 # -O1: the elements and laws of moat are compiled in the library, with -O3; a script is quick to compile, and a law of

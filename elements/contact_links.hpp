@@ -30,9 +30,9 @@ class ContactLinks : public LinksWithRegimes<Law, Ends>, public Contacts {
 
   /// Appends an element. effective_mass > 0 kg is used to estimate the duration of a contact, and the approach speed of
   /// a gap that is closed at the start.
-  std::size_t add(ElementInfo info, const Law& law,
-                  double effective_mass) requires std::constructible_from<Ends, const ElementInfo&> {
-    const Ends ends{info};
+  template <std::constructible_from<const ElementInfo&> AtNodes = Ends>
+  std::size_t add(ElementInfo info, const Law& law, double effective_mass) {
+    const AtNodes ends{info};
     return add(std::move(info), law, effective_mass, ends);
   }
   /// As above, with ends that are not the nodes of `info`.

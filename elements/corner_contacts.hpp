@@ -120,7 +120,10 @@ class CornerContacts final : public ContactLinks<Law, PlanEnds>, public PlanCont
     for (std::size_t i = 0; i < corners_.size(); ++i) {
       if (!this->is_touching(i)) continue;
       const double margin = margin_at_ends(i, now_grips_[i].path);
-      scan.margin = std::min(scan.margin, margin);
+      if (margin < scan.margin) {
+        scan.margin = margin;
+        scan.nearest = i;
+      }
       if (margin >= 0.0) continue;
       const double before = margin_at_ends(i, start_grips_[i].path);
       scan.crossed = true;
@@ -249,14 +252,15 @@ class CornerContacts final : public ContactLinks<Law, PlanEnds>, public PlanCont
     const double past_end = along.path - corner.edge_end, before_begin = corner.edge_begin - along.path;
     const double beside = std::max(past_end, before_begin);
     if (this->is_touching(i)) return gap;
-    // Behind the line of its edge it came from beside it.
+    // An open corner behind the line of its edge has passed an end: its distance is positive there too.
     const double apart = std::abs(gap.value), apart_rate = gap.value < 0.0 ? -gap.rate : gap.rate;
     if (beside <= 0.0) return {apart, apart_rate};
     const double value = std::hypot(apart, beside);
     return {value, (apart * apart_rate + beside * (past_end > before_begin ? along.rate : -along.rate)) / value};
   }
 
-  // After a step: whether an open corner misses the edge. Once behind its line it misses until it comes back.
+  // After a step: an open corner beyond an end misses the edge. If it then moves behind the line of the edge,
+  // it misses the edge until it is in front of the line again.
   void watch_ends(std::size_t i) {
     if (this->is_touching(i)) {
       misses_[i] = 0;

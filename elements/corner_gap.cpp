@@ -51,5 +51,10 @@ template class CornerContacts<SharedContact<BilinearContact>>;
 template class CornerContacts<SharedContact<RootDampedHertzContact>>;
 template class CornerContacts<SharedContact<ViscousHertzContact>>;
 template class CornerContacts<SharedContact<ViscousLinearContact>>;
+template CornerContacts<SharedContact<AnyContact>>& Model::block();
+template CornerContacts<SharedContact<BilinearContact>>& Model::block();
+template CornerContacts<SharedContact<RootDampedHertzContact>>& Model::block();
+template CornerContacts<SharedContact<ViscousHertzContact>>& Model::block();
+template CornerContacts<SharedContact<ViscousLinearContact>>& Model::block();
 
 }  // namespace moat

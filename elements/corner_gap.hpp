@@ -142,5 +142,10 @@ extern template class CornerContacts<SharedContact<BilinearContact>>;
 extern template class CornerContacts<SharedContact<RootDampedHertzContact>>;
 extern template class CornerContacts<SharedContact<ViscousHertzContact>>;
 extern template class CornerContacts<SharedContact<ViscousLinearContact>>;
+extern template CornerContacts<SharedContact<AnyContact>>& Model::block();
+extern template CornerContacts<SharedContact<BilinearContact>>& Model::block();
+extern template CornerContacts<SharedContact<RootDampedHertzContact>>& Model::block();
+extern template CornerContacts<SharedContact<ViscousHertzContact>>& Model::block();
+extern template CornerContacts<SharedContact<ViscousLinearContact>>& Model::block();
 
 }  // namespace moat

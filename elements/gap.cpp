@@ -1,7 +1,5 @@
 #include "elements/gap.hpp"
 
-#include <limits>
-
 namespace moat {
 namespace {
 
@@ -36,11 +34,12 @@ double effective_mass(const Model& model, const Check& check, const MemberPoint&
   return 1.0 / mobility;
 }
 
-double drawn_height(const Model& model, const MemberPoint& left, const MemberPoint& right) {
-  if (left.is_node() && right.is_node()) return std::numeric_limits<double>::quiet_NaN();
-  const MemberPoint& point = !left.is_node() && right.is_node() && right.node != ground ? right : left;
+std::shared_ptr<const MemberEnds> member_ends(const Model& model, const MemberPoint& left, const MemberPoint& right) {
+  if (left.is_node() && right.is_node()) return nullptr;
+  const MemberPoint& drawn = !left.is_node() && right.is_node() && right.node != ground ? right : left;
   const auto height = [&](NodeId node) { return node == ground ? 0.0 : model.node(node).height.si(); };
-  return (1.0 - point.share) * height(point.node) + point.share * height(point.other);
+  return std::make_shared<const MemberEnds>(
+      MemberEnds{right, left, (1.0 - drawn.share) * height(drawn.node) + drawn.share * height(drawn.other)});
 }
 
 template class ContactLinks<AnyContact, NodePair>;

@@ -52,8 +52,8 @@ Check check_gap_ends(const Model& model, const std::string& name, const MemberPo
 /// Of two points, kg. Throws InputError if they are the same point.
 double effective_mass(const Model& model, const Check& check, const MemberPoint& first, const MemberPoint& second);
 
-/// Height of the end that is a node, else of the left one, for drawings, m. Not a number between two nodes.
-double drawn_height(const Model& model, const MemberPoint& left, const MemberPoint& right);
+/// Null for two nodes. The gap is drawn at the height of the end that is a node, else of the left one.
+std::shared_ptr<const MemberEnds> member_ends(const Model& model, const MemberPoint& left, const MemberPoint& right);
 
 /// Adds the element to the block of its law.
 template <ContactLaw Contact>
@@ -83,7 +83,7 @@ void add(Model& model, const Gap<Law>& gap) {
                    .offset = gap.clearance.si(),
                    .deformation_quantity = "indentation",
                    .force_quantity = "impact_force",
-                   .drawn_height = drawn_height(model, left, right)};
+                   .member_ends = member_ends(model, left, right)};
   // Reports show the law as the script gave it, with its restitution, and not the contact made of it.
   if constexpr (requires { gap.law.parameters(); })
     info.law_as_given = std::make_shared<LawAsGiven>(std::string{name_of(gap.law)}, gap.law.parameters());

@@ -35,8 +35,9 @@ class Links : public ElementBlock, public ElementLaws {
   using State = typename Law::State;
 
   /// Appends an element and returns its index.
-  std::size_t add(ElementInfo info, const Law& law) requires std::constructible_from<Ends, const ElementInfo&> {
-    const Ends ends{info};
+  template <std::constructible_from<const ElementInfo&> AtNodes = Ends>
+  std::size_t add(ElementInfo info, const Law& law) {
+    const AtNodes ends{info};
     return add(std::move(info), law, ends);
   }
   /// As above, with ends that are not the nodes of `info`.

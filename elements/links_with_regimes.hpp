@@ -99,7 +99,10 @@ class LinksWithRegimes : public Links<Law, Ends>, public Regimes {
   void scan_link(std::size_t i, double step, double aim, RegimeScan& scan) const {
     const double end_margin =
         this->laws_[i].regime_margin(this->committed_[i], this->now_.deformations[i], this->now_.rates[i]);
-    scan.margin = std::min(scan.margin, end_margin);
+    if (end_margin < scan.margin) {
+      scan.margin = end_margin;
+      scan.nearest = i;
+    }
     double beyond = 1.0;
     if (end_margin >= 0.0) {
       // A crossing that returns within the step is possible only where the deformation turns inside it.

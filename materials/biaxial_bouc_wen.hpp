@@ -18,8 +18,8 @@ namespace moat {
 ///     F = k2 d + Q z,   d_y z' = d' - z max(z.d', 0),   |z| <= 1
 ///
 /// Park, Wen & Ang 1986, Random vibration of hysteretic systems under bi-directional ground motions. The force turns
-/// with the path, whatever the axes. z follows a straight increment in closed form, and a curved one to fourth order
-/// (materials/saturating_slip.hpp).
+/// with the path, for any directions of the axes. z follows a straight increment in closed form, and a curved one to
+/// fourth order (materials/saturating_slip.hpp).
 struct BiaxialBoucWen {
   static constexpr std::string_view name = "BiaxialBoucWen";
 

@@ -8,7 +8,7 @@ namespace {
 const PlacedDiaphragm& with_outline(const Model& model, const Check& check, DiaphragmId id) {
   const PlacedDiaphragm& diaphragm = model.diaphragm(id);
   check.that(!diaphragm.outline.empty(), "the diaphragm \"" + diaphragm.name + "\" has no outline.",
-             "Give Diaphragm::outline: its corners are what hits.");
+             "Give Diaphragm::outline: its corners hit the walls.");
   return diaphragm;
 }
 

@@ -124,7 +124,7 @@ void add_findings(std::string& page, const std::filesystem::path& folder, const 
   }
   if (rows.empty()) return;
   page +=
-      "<h2 id=\"findings\">What the paper says, and what moat finds</h2>\n"
+      "<h2 id=\"findings\">Claims of the paper, and findings of moat</h2>\n"
       "<p>In the plain reading of the paper's numbers. The criteria are ours: the paper gives none.</p>\n"
       "<div "
       "class=\"scroll\"><table><tr><th>where</th><th>claim</th><th>criterion</th><th>found</th><th>verdict</th></"
@@ -160,7 +160,7 @@ void write_page(const std::filesystem::path& folder, const std::vector<ScriptRun
       "doi:10.21595/jve.2017.17293, computed by moat.</p>\n";
   page +=
       "<p><b>" + totals_in_words(totals_of(folder, runs)) +
-      ".</b> Asserted is what can be checked; reported stands beside the paper's number without a bound.</p>\n<nav>";
+      ".</b> Asserted numbers have a bound; reported ones stand beside the paper's number without a bound.</p>\n<nav>";
   for (const ScriptRun& run : runs) page += "<a href=\"#" + run.id + "\">" + run.id + "</a>";
   page += "<a href=\"#findings\">findings</a></nav>\n";
   for (const ScriptRun& run : runs) {
@@ -207,9 +207,9 @@ std::string markdown_table(const Json& header, const Json& rows) {
 std::string documentation(const std::filesystem::path& folder, const std::vector<ScriptRun>& runs) {
   std::string text =
       "**" + totals_in_words(totals_of(folder, runs)) +
-      ".** Asserted is what can be checked: Table 1 against the laws its columns were computed\n"
-      "with, the paper's building against peaks of an independent program, what Table 2 shares with them. Everything\n"
-      "else stands beside the paper's number with its ratio.\n\n";
+      ".** Asserted are Table 1 against the laws its columns were computed with, the\n"
+      "paper's building against peaks of an independent program, and the displacements and the number of impacts of\n"
+      "Table 2. Everything else stands beside the paper's number with its ratio.\n\n";
   Json findings = Json::array();
   for (const ScriptRun& run : runs) {
     const Json results = results_of(folder, run);
@@ -231,7 +231,7 @@ std::string documentation(const std::filesystem::path& folder, const std::vector
                           finding.at("verdict")});
   }
   text +=
-      "### What the paper says, and what moat finds\n\nIn the plain reading of the paper's numbers. The criteria are "
+      "### Claims of the paper, and findings of moat\n\nIn the plain reading of the paper's numbers. The criteria are "
       "ours: the paper gives none.\n\n" +
       markdown_table({"where", "claim", "criterion", "found", "verdict"}, findings);
   while (text.ends_with("\n\n")) text.pop_back();

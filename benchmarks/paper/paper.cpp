@@ -102,7 +102,7 @@ int main(int argc, char** argv) {
   app.add_flag("--write-docs", write_docs, "also bring docs/verification.md up to date");
   app.add_flag("--coarse", coarse, "five points per curve, to try the page");
   app.footer(
-      "Recorded motions are looked for in the folder MOAT_RECORDS; what needs them is skipped without.\n"
+      "Recorded motions are looked for in the folder MOAT_RECORDS; exhibits that need them are skipped without.\n"
       "Exit code: 0 if all that is asserted holds, 1 if not or after an error, 2 for wrong usage.");
   try {
     app.parse(argc, argv);

@@ -48,7 +48,7 @@ void show(Exhibit& exhibit) {
   ShownTable checked{"Delivered restitution beside the paper's, with the laws that its columns were computed with",
                      {"e0", columns[0].title, "paper", columns[1].title, "paper", columns[2].title, "paper"},
                      {}};
-  ShownTable formulas{"What the printed formulas deliver",
+  ShownTable formulas{"Restitution that the printed formulas deliver",
                       {"e0", "Eq. 10 with Eq. 27, damping on approach", "throughout", "paper, \"model of this paper\"",
                        "Eq. 9-11 (Jankowski)", "paper, \"non-linear viscoelastic\""},
                       {}};

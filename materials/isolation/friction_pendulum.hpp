@@ -19,7 +19,7 @@ namespace moat {
 ///
 ///      [ base ] -> u          F = (W/R) d + q,    |q| <= mu(|v|) W
 ///     -----(_)-----           elastic with mu W/u_y before it slides (materials/sliding_isolator.hpp)
-///      \_________/            period 2 pi sqrt(R/g), whatever the mass
+///      \_________/            period 2 pi sqrt(R/g), for every mass
 ///
 /// R is the effective radius, that of the surface less the height of the slider. The surface counts as a parabola: at
 /// d/R = 0.045 the restoring force is 0.1 % too small. Small stiffness at very small moves stands for the liner. The

@@ -146,9 +146,15 @@ int Script::run(Model& model, const GroundMotion& motion, std::initializer_list<
       static_cast<double>(histories.columns.size()) * static_cast<double>(histories.rows()) > many_numbers;
   write_results(outcome.result, folder.path(),
                 takes_time && !options.quiet ? WritingProgress{ProgressBar{"writing", "parts"}} : WritingProgress{});
+  const std::filesystem::path wanted = folder.final_path();
+  const bool beside_old = !outcome.failure.empty() && folder.finish_incomplete();
   folder.finish();
   if (parts_->json) parts_->json->write(summary_with_folder(folder.final_path()));
-  return print(outcome, options, folder.final_path());
+  const int exit_code = print(outcome, options, folder.final_path());
+  if (beside_old)
+    std::cerr << "moat: The old results in " << wanted.string() << " stay; those of this run are in "
+              << folder.final_path().string() << ".\n";
+  return exit_code;
 }
 
 std::optional<int> Script::read_options(const GroundMotion& motion, RunOptions& options) {

@@ -1,5 +1,6 @@
 #include "app/usage_errors.hpp"
 
+#include <algorithm>
 #include <vector>
 
 #include "base/nearest_name.hpp"
@@ -11,11 +12,12 @@ bool is_option(const std::string& word) { return word.size() > 1 && word.front()
 
 std::string unknown_option(const CLI::App& parser, const std::string& program, const std::string& word) {
   const std::string option = word.substr(0, word.find('='));
+  const std::string name = option.substr(std::min(option.find_first_not_of('-'), option.size()));
   std::vector<std::string> names;
   for (const CLI::Option* known : parser.get_options())
-    for (const std::string& name : known->get_lnames()) names.push_back("--" + name);
-  const std::string nearest = nearest_name(names, option);
-  return program + " has no option " + option + "." + (nearest.empty() ? "" : " Did you mean " + nearest + "?");
+    names.insert(names.end(), known->get_lnames().begin(), known->get_lnames().end());
+  const std::string nearest = nearest_name(names, name);
+  return program + " has no option " + option + "." + (nearest.empty() ? "" : " Did you mean --" + nearest + "?");
 }
 
 }  // namespace

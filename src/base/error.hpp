@@ -31,16 +31,14 @@ class ConvergenceError : public Error {
  public:
   /// The fields below, in their order.
   ConvergenceError(const std::string& message, double time_s, double step_s, double residual_ratio, std::string worst)
-      : Error{message},
-        time{time_s},
-        step{step_s},
-        residual{residual_ratio},
-        worst_degree_of_freedom{std::move(worst)} {}
+      : Error{message}, time{time_s}, step{step_s}, residual{residual_ratio}, worst_place{std::move(worst)} {}
 
-  double time;                          ///< start of the failed step, s
-  double step;                          ///< its last length, s
-  double residual;                      ///< largest out-of-balance force over the largest force in the equations
-  std::string worst_degree_of_freedom;  ///< With the largest out-of-balance force.
+  double time;  ///< start of the failed step, s
+  double step;  ///< its last length, s
+  /// Largest out-of-balance force over the largest force in the equations. Where a change of an element could not be
+  /// located: the margin of the element, m.
+  double residual;
+  std::string worst_place;  ///< the node with that force, or the element
 };
 
 }  // namespace moat

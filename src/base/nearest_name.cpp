@@ -3,22 +3,24 @@
 #include <algorithm>
 #include <cstddef>
 #include <numeric>
+#include <utility>
 
 namespace moat {
 namespace {
 
-// How many letters must be put in, taken out or exchanged (Levenshtein).
+// How many letters must be put in, taken out, exchanged, or swapped with the next (Damerau, Levenshtein).
 std::size_t distance(const std::string& a, const std::string& b) {
-  std::vector<std::size_t> row(b.size() + 1);
+  std::vector<std::size_t> row(b.size() + 1), before(b.size() + 1), next(b.size() + 1);
   std::iota(row.begin(), row.end(), std::size_t{0});
   for (std::size_t i = 0; i < a.size(); ++i) {
-    std::size_t diagonal = row[0];
-    row[0] = i + 1;
+    next[0] = i + 1;
     for (std::size_t j = 0; j < b.size(); ++j) {
-      const std::size_t exchanged = diagonal + (a[i] == b[j] ? 0 : 1);
-      diagonal = row[j + 1];
-      row[j + 1] = std::min({exchanged, row[j] + 1, row[j + 1] + 1});
+      next[j + 1] = std::min({row[j] + (a[i] == b[j] ? 0 : 1), next[j] + 1, row[j + 1] + 1});
+      if (i > 0 && j > 0 && a[i] == b[j - 1] && a[i - 1] == b[j])
+        next[j + 1] = std::min(next[j + 1], before[j - 1] + 1);
     }
+    std::swap(before, row);
+    std::swap(row, next);
   }
   return row.back();
 }
@@ -26,14 +28,16 @@ std::size_t distance(const std::string& a, const std::string& b) {
 }  // namespace
 
 std::string nearest_name(const std::vector<std::string>& names, const std::string& misspelt) {
+  constexpr std::size_t most_letters = 3;
   std::string nearest;
-  std::size_t least = 1 + misspelt.size() / 3;
-  for (const std::string& name : names)
-    if (const std::size_t letters = distance(name, misspelt); letters <= least) {
+  std::size_t least = most_letters + 1;
+  for (const std::string& name : names) {
+    const std::size_t allowed = std::min(most_letters, std::max(name.size(), misspelt.size()) / 3);
+    if (const std::size_t letters = distance(name, misspelt); letters <= allowed && letters < least) {
       nearest = name;
-      least = letters - 1;
-      if (letters == 0) break;
+      least = letters;
     }
+  }
   return nearest;
 }
 

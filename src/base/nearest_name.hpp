@@ -6,8 +6,9 @@
 
 namespace moat {
 
-/// The name that differs in the fewest letters from a misspelt one: in at most a third of its letters, and one more.
-/// Empty if none is so near.
+/// The name that differs from a misspelt one in the fewest letters; two neighbours that are swapped count as one. It
+/// differs in at most three letters, and in at most a third of the letters of the longer word. Empty if none is so
+/// near. Give options without their dashes: these would count as letters.
 std::string nearest_name(const std::vector<std::string>& names, const std::string& misspelt);
 
 }  // namespace moat

@@ -18,10 +18,10 @@ class Required {
  public:
   Required() = delete;
 
-  /// From any value that converts to T.
+  /// From any value that converts to T, but no whole number from one with a fraction.
   template <class Source>
-  requires(std::convertible_to<Source, T> &&
-           !std::same_as<std::remove_cvref_t<Source>, Required>) constexpr Required(Source&& value)
+  requires(std::convertible_to<Source, T> && !std::same_as<std::remove_cvref_t<Source>, Required> &&
+           !(std::integral<T> && std::floating_point<std::remove_cvref_t<Source>>)) constexpr Required(Source&& value)
       : value_(std::forward<Source>(value)) {}
 
   constexpr operator const T&() const { return value_; }             ///< The value.

@@ -5,9 +5,10 @@
 #include <optional>
 #include <regex>
 
-#include "base/nearest_name.hpp"
 #include "launcher/compiler_output.hpp"
 #include "launcher/dimension_names.hpp"
+#include "launcher/explanation.hpp"
+#include "launcher/list_errors.hpp"
 #include "launcher/struct_fields.hpp"
 #include "launcher/text.hpp"
 
@@ -15,52 +16,6 @@ namespace moat::launcher {
 namespace {
 
 namespace fs = std::filesystem;
-
-// A sentence, and the line of the source that it is about.
-struct Explanation {
-  std::string sentence, file;
-  int line;
-  std::string snippet;
-};
-
-std::string snippet_of(const Diagnostic& place) {
-  constexpr std::size_t source_and_marks = 2;
-  std::string text;
-  for (std::size_t i = 0; i < std::min(source_and_marks, place.snippet.size()); ++i) text += place.snippet[i] + "\n";
-  return text;
-}
-
-Explanation at(const Diagnostic& place, const std::string& sentence) {
-  return {.sentence = sentence, .file = place.file, .line = place.line, .snippet = snippet_of(place)};
-}
-
-// The compiler points at the end of the braces; this, at the field, where the source names it.
-Explanation at_field(const Diagnostic& place, const std::string& field, const std::string& sentence) {
-  const std::vector<std::string> source = lines_of(text_of(place.file));
-  for (std::size_t line = std::min(source.size(), static_cast<std::size_t>(place.line)); line > 0; --line) {
-    const std::size_t column = source[line - 1].find("." + field);
-    if (column == std::string::npos) continue;
-    const std::string number = std::to_string(line), bar = " | ";
-    return {.sentence = sentence,
-            .file = place.file,
-            .line = static_cast<int>(line),
-            .snippet = "   " + number + bar + source[line - 1] + "\n   " + std::string(number.size(), ' ') + bar +
-                       std::string(column, ' ') + std::string(field.size() + 1, '^') + "\n"};
-  }
-  return at(place, sentence);
-}
-
-// "moat::Moat<moat::Hertz>" -> "Moat"
-std::string plain_name(const std::string& type, const fs::path& root) {
-  const std::string name = with_dimension_names(type);
-  return name_in_scripts(name.starts_with("const ") ? name.substr(6) : name, root);
-}
-
-// "'moat::Stiffness' {aka 'moat::Quantity<1, 0, -2>'}" -> "'moat::Stiffness'"
-std::string without_second_names(const std::string& text) {
-  static const std::regex second{R"( \{aka '[^']*'\})"};
-  return std::regex_replace(text, second, "");
-}
 
 std::string wrong_type(const Diagnostic& diagnostic, const std::string& is, const std::string& needed) {
   static const std::regex standard{R"(std::optional<(.*)>)"};
@@ -88,22 +43,13 @@ const std::vector<Pattern>& patterns() {
   static const std::vector<Pattern> all{
       {std::regex{R"(designator order for field '(.*)::(\w+)' does not match declaration order.*)"},
        [](const std::smatch& match, const Diagnostic& place, const fs::path& root) {
-         const std::string type = plain_name(match[1], root), fields = joined(fields_of(type, root), ", ");
-         return at_field(place, match[2],
-                         "field " + match[2].str() + " of " + type + " stands in the wrong place; the order is " +
-                             (fields.empty() ? "that of the struct" : fields));
+         const std::string type = plain_name(match[1], root);
+         return at_field(place, match[2], wrong_place(type, match[2], fields_of(type, root)));
        }},
       {std::regex{R"('(.*)' has no non-static data member named '(\w+)')"},
        [](const std::smatch& match, const Diagnostic& place, const fs::path& root) {
          const std::string type = plain_name(match[1], root);
-         const std::vector<std::string> fields = fields_of(type, root);
-         const std::string nearest = nearest_name(fields, match[2]);
-         std::string hint;
-         if (!nearest.empty())
-           hint = "; did you mean " + nearest + "?";
-         else if (!fields.empty())
-           hint = "; it has " + joined(fields, ", ");
-         return at_field(place, match[2], type + " has no field " + match[2].str() + hint);
+         return at_field(place, match[2], no_such_field(type, match[2], fields_of(type, root)));
        }},
       {std::regex{R"(missing initializer for member '(.*)::(\w+)'.*)"},
        [](const std::smatch& match, const Diagnostic& place, const fs::path& root) {
@@ -114,6 +60,10 @@ const std::vector<Pattern>& patterns() {
          return at(place, wrong_type(place, match[1], match[2]));
        }},
       {std::regex{R"(could not convert '.*' from '(.*)' to '(.*)')"},
+       [](const std::smatch& match, const Diagnostic& place, const fs::path&) {
+         return at(place, wrong_type(place, match[1], match[2]));
+       }},
+      {std::regex{R"(cannot convert '([^<'][^']*)' to '(?:const )?([^'&]*)&*'.*)"},
        [](const std::smatch& match, const Diagnostic& place, const fs::path&) {
          return at(place, wrong_type(place, match[1], match[2]));
        }},
@@ -154,22 +104,30 @@ std::optional<Explanation> failed_deduction(const ErrorGroup& group, const fs::p
 }
 
 std::optional<Explanation> explanation_of(const ErrorGroup& group, const fs::path& root) {
+  for (const auto rule : {name_of_a_template, list_in_a_call})
+    if (auto known = rule(group, root)) return known;
   for (const Pattern& pattern : patterns())
     for (const Diagnostic& each : group) {
       const std::string text = without_second_names(each.text);
       std::smatch match;
       if (std::regex_match(text, match, pattern.text)) return pattern.explain(match, each, root);
     }
-  return failed_deduction(group, root);
+  if (auto known = failed_deduction(group, root)) return known;
+  return wrong_field_of_template(group, root);
+}
+
+// With names of dimensions, and without a second name that is the same then.
+std::string in_words(const std::string& text) {
+  static const std::regex same{R"('([^']*)' \{aka '(?:const )?\1'\})"};
+  return std::regex_replace(with_dimension_names(text), same, "'$1'");
 }
 
 // In the compiler's words. An error inside a header says by "required from here" which line of the script it is about.
 std::string quoted(const Diagnostic& error, const std::string& script) {
   std::string text;
   if (error.file != script)
-    for (const std::string& line : error.before) text += with_dimension_names(line) + "\n";
-  return text + error.file + ":" + std::to_string(error.line) + ": " + with_dimension_names(error.text) + "\n" +
-         snippet_of(error);
+    for (const std::string& line : error.before) text += in_words(line) + "\n";
+  return text + error.file + ":" + std::to_string(error.line) + ": " + in_words(error.text) + "\n" + snippet_of(error);
 }
 
 }  // namespace

@@ -79,7 +79,7 @@ int doctor(const Places& places) {
   }
   if (output_of({"dpkg-query", "--version"}).exit_code != 0) {
     std::puts(
-        "This is not Debian: packages cannot be looked up. moat needs what corresponds to these Debian packages:");
+        "This is not Debian: packages cannot be looked up. moat needs the counterparts of these Debian packages:");
     for (const char* list : {"run", "test"}) std::puts(joined(packages_of(places, list)).c_str());
     return exit_failed;
   }
@@ -100,7 +100,7 @@ int doctor(const Places& places) {
     }
   }
   if (missing.empty()) return 0;
-  std::printf("\nInstall what is missing with\n  apt-get install --no-install-recommends %s\n",
+  std::printf("\nInstall missing packages with\n  apt-get install --no-install-recommends %s\n",
               joined(missing).c_str());
   return exit_failed;
 }

@@ -4,7 +4,7 @@
 namespace moat::launcher::help {
 
 inline constexpr char moat[] =
-    "moat computes how base-isolated buildings move in an earthquake and what happens when they hit their moat wall.";
+    "moat computes how base-isolated buildings move in an earthquake and how they hit their moat wall.";
 inline constexpr char after_moat[] = R"(
 Start here:
   ./moat run examples/01_moat_wall.cpp            the first tour; it ends by naming the folder of its results
@@ -53,7 +53,7 @@ inline constexpr char test[] = "Build and run the tests";
 inline constexpr char after_test[] = R"(
 ./moat test [--all] [options of ctest]
 
-Installs what is missing, builds the library with its tests, runs them, and lists the tests that were skipped
+Installs missing packages, builds the library with its tests, runs them, and lists the tests that were skipped
 with the reason. Exit code: that of ctest.
 
   ./moat test                                     all tests
@@ -80,7 +80,7 @@ paper: computes every table and figure of Zhao, Liu & Li (2017) beside the print
 results/paper/index.html, to open from disk. Everything that can be checked is asserted, the rest is reported.
 
   MOAT_RECORDS=~/records ./moat bench paper       everything; the four near-fault records are looked for there
-  ./moat bench paper                              without records: Table 1 and a synthetic pulse; says what it skips
+  ./moat bench paper                              without records: Table 1 and a synthetic pulse; names the skipped parts
 
   --out FOLDER         where the page, figures (SVG) and tables of numbers (CSV) go
   --write-docs         brings docs/verification.md up to date; needs the records
@@ -98,7 +98,8 @@ distribution of errors over random models, against an independent reference, wit
 isolators: bearings whose lead or sliding surface heats, beside a published test and another program, as two tables.
 
 performance: measures how fast moat is, as ratios taken in one run, each line with its spread and, where there is one,
-its target. Installs what moat is compared with (cmake/packages/bench.txt); GNU Octave takes part when it is installed.
+its target. Installs the libraries compared with moat (cmake/packages/bench.txt); GNU Octave takes part when it is
+installed.
 A machine that does something else meanwhile spoils times more than ratios.
 
   MOAT_RECORDS=~/records ./moat bench performance  everything, under ten minutes
@@ -182,10 +183,10 @@ For those who change moat. Runs checks one after the other, goes on when one fai
   ./moat check format shell                       two of them, in a minute
   ./moat check                                    all)";
 
-inline constexpr char doctor[] = "Show what is installed and what is missing";
+inline constexpr char doctor[] = "Show installed and missing packages";
 inline constexpr char after_doctor[] = R"(
 Shows machine, compiler, the folders that moat uses, and the version of every package that moat or one of its commands
-needs. It names the command that installs what is missing, and changes nothing.
+needs. It names the command that installs missing packages, and changes nothing.
 
 Exit code: 0 moat can run, 1 something that it needs is missing.)";
 

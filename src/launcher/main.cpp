@@ -60,6 +60,25 @@ void require_known_command(const CLI::App& app, const std::string& word) {
                              joined(names, ", ") + "."};
 }
 
+// An option of a command, with the one that is meant if it is misspelt; empty if the words hold no unknown option.
+std::string unknown_option(const CLI::App& app) {
+  for (const CLI::App* command : app.get_subcommands()) {
+    std::vector<std::string> names;
+    for (const CLI::Option* known : command->get_options())
+      names.insert(names.end(), known->get_lnames().begin(), known->get_lnames().end());
+    for (const std::string& word : command->remaining()) {
+      const std::string option = word.substr(0, word.find('='));
+      const std::size_t name = option.find_first_not_of('-');
+      if (name == 0 || name == std::string::npos) continue;
+      const std::string nearest = nearest_name(names, option.substr(name));
+      return command->get_name() + " has no option " + option + "." +
+             (nearest.empty() ? "" : " Did you mean --" + nearest + "?") + "\nSee ./moat " + command->get_name() +
+             " --help.";
+    }
+  }
+  return "";
+}
+
 int run_command_line(const Places& places, int count, char** words) {
   CLI::App app{help::moat, places.installed() ? "moat" : "./moat"};
   const auto help_of = [&] { return as_installed(app.help(), places); };
@@ -145,6 +164,7 @@ int run_command_line(const Places& places, int count, char** words) {
   } catch (const CLI::CallForHelp&) {
     std::fputs(help_of().c_str(), stdout);
   } catch (const CLI::ParseError& error) {
+    if (const std::string unknown = unknown_option(app); !unknown.empty()) throw Stop{exit_usage, unknown};
     throw Stop{exit_usage, std::string{error.what()} + "\nSee ./moat --help."};
   }
   return code;

@@ -11,16 +11,18 @@ namespace {
 namespace fs = std::filesystem;
 
 // Declarations of data members stand alone on their line, indented by two.
-std::vector<std::string> fields_in(const std::string& header, const std::string& name) {
-  static const std::regex field{R"(^  [A-Za-z][\w:<>, ]* (\w+)(\{.*\}| = .*)?;.*$)"};
+std::vector<Field> fields_in(const std::string& header, const std::string& name) {
+  static const std::regex field{
+      R"(^  ([A-Za-z][\w:<>, ]*|(?:Required<)?decltype\(.*\)>?) (\w+)((\{.*\}| = .*)?;.*| =)$)"};
   static const std::regex no_field{R"(^  (using|return|friend|static|typedef) .*)"};
-  std::vector<std::string> fields;
+  std::vector<Field> fields;
   bool inside = false;
   for (const std::string& line : lines_of(header)) {
     std::smatch match;
     if (line.starts_with("struct " + name + " {")) inside = true;
     if (inside && line.starts_with("}")) break;
-    if (inside && !std::regex_match(line, no_field) && std::regex_match(line, match, field)) fields.push_back(match[1]);
+    if (inside && !std::regex_match(line, no_field) && std::regex_match(line, match, field))
+      fields.push_back({match[1], match[2]});
   }
   return fields;
 }
@@ -54,14 +56,20 @@ std::string without_arguments(const std::string& type) { return type.substr(0, t
 
 }  // namespace
 
-std::vector<std::string> fields_of(const std::string& name, const fs::path& root) {
+std::vector<Field> declared_fields(const std::string& name, const fs::path& root) {
   const std::vector<std::string> headers = headers_of(root);
   std::string type = name;
   for (const Alias& alias : aliases_in(headers))
     if (alias.name == name) type = without_arguments(alias.type);
   for (const std::string& header : headers)
-    if (std::vector<std::string> fields = fields_in(header, type); !fields.empty()) return fields;
+    if (std::vector<Field> fields = fields_in(header, type); !fields.empty()) return fields;
   return {};
+}
+
+std::vector<std::string> fields_of(const std::string& name, const fs::path& root) {
+  std::vector<std::string> names;
+  for (const Field& field : declared_fields(name, root)) names.push_back(field.name);
+  return names;
 }
 
 std::string name_in_scripts(const std::string& type, const fs::path& root) {

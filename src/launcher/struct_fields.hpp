@@ -7,8 +7,16 @@
 
 namespace moat::launcher {
 
-/// Names of the fields of `name` in their order; empty if no header under the checkout declares such a struct. `name`
-/// may also be declared by `using NAME = TEMPLATE<...>;`.
+/// `Required<Length> clearance;`
+struct Field {
+  std::string type, name;
+};
+
+/// The fields of `name` in their order; empty if no header under the checkout declares such a struct. `name` may also
+/// be declared by `using NAME = TEMPLATE<...>;`.
+std::vector<Field> declared_fields(const std::string& name, const std::filesystem::path& root);
+
+/// Their names.
 std::vector<std::string> fields_of(const std::string& name, const std::filesystem::path& root);
 
 /// The name that scripts use for a type. "Moat" for "Moat<Hertz>"; "HertzDamp" for "ViscousHertzLaw<HertzDampFactor>",

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstddef>
-#include <limits>
 #include <memory>
 #include <span>
 #include <string>
@@ -17,6 +16,7 @@
 #include "model/contacts.hpp"
 #include "model/element_laws.hpp"
 #include "model/energy_accounts.hpp"
+#include "model/member_point.hpp"
 #include "model/node.hpp"
 #include "model/plan_contacts.hpp"
 #include "model/planar_elements.hpp"
@@ -43,8 +43,8 @@ struct ElementInfo {
   /// Whether it carries a building on the ground and lets it move: characteristic periods hold the floor above it.
   bool isolates = false;
   DrawnAs drawn_as = DrawnAs::other;  ///< in pictures and in ParaView
-  /// m. Where a gap is drawn; not a number: at the height of its nodes.
-  double drawn_height = std::numeric_limits<double>::quiet_NaN();
+  /// Null for an element between two nodes; else `first` and `second` are the nodes where the shares of its ends are 0.
+  std::shared_ptr<const MemberEnds> member_ends{};
   /// In plan, of an element with one direction: a vector of length 1 along its force.
   PlanVector direction{};
 

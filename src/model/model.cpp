@@ -120,6 +120,14 @@ void Model::require_node(NodeId id, const Check& check, std::string_view field) 
   check.that(false, std::string{field} + " is not given.", "Set it to a node of this model or to `ground`.");
 }
 
+void Model::refuse_entry(NodeId node) const {
+  const Check check{"Model", ""};
+  require_node(node, check, "node");
+  check.that(node != ground, "the ground has no mass.", "Ask for a node.");
+  throw InputError{"Model: the node \"" + std::string{node_name(node)} +
+                   "\" has no state yet. Make a Transient of the model, or call prepare(), before reading motions."};
+}
+
 bool Model::has_node(const std::string& name) const {
   return node_names_.may_contain(name) &&
          std::ranges::any_of(nodes_, [&](const Node& node) { return node.name == name; });

@@ -100,7 +100,8 @@ class Model {
   [[nodiscard]] const SparseMatrix& pattern() const { return pattern_; }
 
   /// Committed motion of a node relative to the ground: m, m/s, m/s^2, m/s^3. Zero for the ground. The model must be
-  /// prepared: an analysis of it exists, or prepare() was called.
+  /// prepared: an analysis of it exists, or prepare() was called. Throws InputError where it is not, and for a node
+  /// that is not of this model.
   [[nodiscard]] double displacement(NodeId node) const { return state_.displacement[entry(node)]; }
   [[nodiscard]] double velocity(NodeId node) const { return state_.velocity[entry(node)]; }          ///< m/s, relative.
   [[nodiscard]] double acceleration(NodeId node) const { return state_.acceleration[entry(node)]; }  ///< m/s^2.
@@ -109,7 +110,7 @@ class Model {
   /// rad/s
   [[nodiscard]] double angular_velocity(DiaphragmId id) const { return velocity(id.r) / diaphragm(id).gyration; }
   /// kg; the model must be prepared. Not for the ground.
-  [[nodiscard]] double mass(NodeId node) const { return masses_[node.index]; }
+  [[nodiscard]] double mass(NodeId node) const { return masses_[entry(node, masses_.size() - 1)]; }
   /// Rate of the node's absolute acceleration.
   [[nodiscard]] double jerk(NodeId node) const { return state_.jerk[entry(node)]; }
 
@@ -166,7 +167,17 @@ class Model {
 
  private:
   NodeId append_node(Node node);
-  [[nodiscard]] int entry(NodeId node) const { return node == ground ? node_count() : node.index; }
+  // Of the committed state, whose last entry is that of the ground.
+  [[nodiscard]] Eigen::Index entry(NodeId node) const {
+    const Eigen::Index of_ground = state_.displacement.size() - 1;
+    return node == ground && of_ground >= 0 ? of_ground : entry(node, of_ground - 1);
+  }
+  // Of a vector with entries up to `last`.
+  [[nodiscard]] Eigen::Index entry(NodeId node, Eigen::Index last) const {
+    if (node.index < 0 || node.index > last) refuse_entry(node);
+    return node.index;
+  }
+  [[noreturn]] void refuse_entry(NodeId node) const;
 
   std::vector<Node> nodes_;
   std::vector<NodeId> ids_;  // 0, 1, 2, ...

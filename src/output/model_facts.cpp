@@ -10,14 +10,35 @@
 namespace moat {
 namespace {
 
+std::string kind_of(DrawnAs drawn) {
+  switch (drawn) {
+    case DrawnAs::storey:
+      return "storey";
+    case DrawnAs::bearing:
+      return "bearing";
+    case DrawnAs::gap:
+      return "gap";
+    default:
+      return "other";
+  }
+}
+
 ElementFacts facts_of(const Model& model, const ElementBlock& block, std::size_t element) {
   const ElementInfo& info = block.info(element);
   LawAsGiven law = law_of(block, element);
   ElementFacts facts{.name = info.name,
+                     .kind = kind_of(info.drawn_as),
                      .law = std::move(law.name),
                      .first = std::string{model.node_name(info.first)},
                      .second = std::string{model.node_name(info.second)},
                      .parameters = {}};
+  if (info.member_ends) {
+    const auto& [first, second, height] = *info.member_ends;
+    if (!first.is_node()) facts.first_other = model.node_name(first.other);
+    if (!second.is_node()) facts.second_other = model.node_name(second.other);
+    facts.first_share = first.share;
+    facts.second_share = second.share;
+  }
   if (has_gaps(block)) facts.parameters.push_back({"clearance", info.offset, "m"});
   for (const Parameter& each : law.parameters)
     facts.parameters.push_back({std::string{each.name}, each.value, std::string{each.unit}});
@@ -58,7 +79,8 @@ void add_plan(const Model& model, ModelFacts& facts) {
 ModelFacts facts_of(const Model& model) {
   ModelFacts facts;
   for (const Node& node : model.nodes())
-    facts.nodes.push_back({node.name, node.mass.value().si(), node.x.si(), node.height.si()});
+    facts.nodes.push_back({node.name, node.mass.value().si(), node.x.si(), node.height.si(),
+                           node.initial_displacement.si(), node.initial_velocity.si()});
   for (const auto& block : model.blocks())
     for (std::size_t e = 0; e < block->size(); ++e) facts.elements.push_back(facts_of(model, *block, e));
   if (model.is_plan()) add_plan(model, facts);

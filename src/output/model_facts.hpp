@@ -12,10 +12,12 @@ class Model;
 
 /// A node, for files and pictures.
 struct NodeFacts {
-  std::string name;     ///< unique in its model
-  double mass = 0.0;    ///< kg
-  double x = 0.0;       ///< m, of drawings
-  double height = 0.0;  ///< m, of drawings
+  std::string name;                   ///< unique in its model
+  double mass = 0.0;                  ///< kg
+  double x = 0.0;                     ///< m, of drawings
+  double height = 0.0;                ///< m, of drawings
+  double initial_displacement = 0.0;  ///< m
+  double initial_velocity = 0.0;      ///< m/s
 };
 
 /// A parameter of a law.
@@ -28,9 +30,14 @@ struct ParameterFacts {
 /// An element, for files and pictures.
 struct ElementFacts {
   std::string name;                        ///< unique in its model
+  std::string kind;                        ///< "storey", "bearing", "gap" or "other"
   std::string law;                         ///< name of the law; empty where it is not known
   std::string first, second;               ///< names of the nodes it joins; "ground" for the ground
   std::vector<ParameterFacts> parameters;  ///< of its law
+  /// Of an end between two nodes: the other node.
+  std::string first_other{}, second_other{};
+  /// The share of the way to it.
+  double first_share = 0.0, second_share = 0.0;
 };
 
 /// A floor in plan.

@@ -12,9 +12,12 @@ struct PointMotion {
   PlanVector displacement, velocity, acceleration, jerk;
 };
 
-PlanVector at(const Vector& values, const DiaphragmId& id, PlanVector arm, double gyration) {
-  const double turn = values[id.r.index] / gyration;
-  return {values[id.x.index] - arm.y * turn, values[id.y.index] + arm.x * turn};
+using OfNode = double (Model::*)(NodeId) const;
+
+PlanVector at(const Model& model, OfNode of, const PlacedDiaphragm& diaphragm, PlanVector arm) {
+  const DiaphragmId& id = diaphragm.id;
+  const double x = (model.*of)(id.x), y = (model.*of)(id.y), turn = (model.*of)(id.r) / diaphragm.gyration;
+  return {x - arm.y * turn, y + arm.x * turn};
 }
 
 void write_length(PlanVector vector, PlanVector vector_rate, double*& value, double*& rate) {
@@ -65,7 +68,8 @@ void PlanChannels::add_diaphragm(const PlacedDiaphragm& diaphragm, std::vector<C
     points_.push_back({diaphragm.id, arm});
     list.push_back({prefix + "displacement", where, diaphragm.name, "m"});
     accelerations_.push_back(list.size());
-    list.push_back({prefix == "" ? "absolute_acceleration" : prefix + "acceleration", where, diaphragm.name, "m/s^2"});
+    list.push_back(
+        {prefix.empty() ? "absolute_acceleration" : prefix + "acceleration", where, diaphragm.name, "m/s^2"});
   };
   add({}, "", diaphragm.name);
   for (std::size_t i = 0; i < diaphragm.outline.size(); ++i)
@@ -115,15 +119,14 @@ void PlanChannels::add_elements(const Model& model, std::vector<Channel>& list) 
 
 void PlanChannels::sample(const StepView& view, double*& value, double*& rate) const {
   const Model& model = view.model;
-  const MotionState& state = model.state();
   const PlanVector ground_acceleration = view.ground();
   const auto motion_of = [&](const Point& point) {
     if (point.id.x == ground) return PointMotion{};
-    const double gyration = model.diaphragm_of(point.id.x)->gyration;
-    return PointMotion{at(state.displacement, point.id, point.arm, gyration),
-                       at(state.velocity, point.id, point.arm, gyration),
-                       at(state.acceleration, point.id, point.arm, gyration) + ground_acceleration,
-                       at(state.jerk, point.id, point.arm, gyration)};
+    const PlacedDiaphragm& diaphragm = *model.diaphragm_of(point.id.x);
+    return PointMotion{at(model, &Model::displacement, diaphragm, point.arm),
+                       at(model, &Model::velocity, diaphragm, point.arm),
+                       at(model, &Model::acceleration, diaphragm, point.arm) + ground_acceleration,
+                       at(model, &Model::jerk, diaphragm, point.arm)};
   };
   for (const Point& point : points_) {
     const PointMotion motion = motion_of(point);
@@ -167,9 +170,9 @@ void PlanChannels::sample(const StepView& view, double*& value, double*& rate) c
       const PointMotion centre = motion_of({id, {}});
       force += -floor.mass * centre.acceleration;
       force_rate += -floor.mass * centre.jerk;
-      torque -= floor.mass *
-                (cross(floor.centre_of_mass, centre.acceleration) + floor.gyration * state.acceleration[id.r.index]);
-      torque_rate -= floor.mass * (cross(floor.centre_of_mass, centre.jerk) + floor.gyration * state.jerk[id.r.index]);
+      torque -=
+          floor.mass * (cross(floor.centre_of_mass, centre.acceleration) + floor.gyration * model.acceleration(id.r));
+      torque_rate -= floor.mass * (cross(floor.centre_of_mass, centre.jerk) + floor.gyration * model.jerk(id.r));
     }
     write(force.x, force_rate.x, value, rate);
     write(force.y, force_rate.y, value, rate);

@@ -111,6 +111,16 @@ fs::path with_name(fs::path wanted) {
   return wanted;
 }
 
+/// Makes the first of results_2, results_3 ... that does not exist.
+fs::path create_next_number(const fs::path& results) {
+  for (int number = 2;; ++number) {
+    fs::path numbered = results;
+    numbered += "_" + std::to_string(number);
+    std::error_code error;
+    if (!fs::exists(fs::symlink_status(numbered, error)) && create(numbered)) return numbered;
+  }
+}
+
 void remove_results(const fs::path& folder) {
   for (const fs::path& path : entries(folder)) {
     std::error_code error;
@@ -145,14 +155,7 @@ ResultsFolder::ResultsFolder(const fs::path& wanted, WhenFolderExists when_exist
     throw InputError{"results folder " + final_.string() +
                      " exists and is not empty. Choose another folder, remove this one, or allow overwriting or a "
                      "new number."};
-  for (int number = 2;; ++number) {
-    fs::path numbered = final_;
-    numbered += "_" + std::to_string(number);
-    std::error_code error;
-    if (fs::exists(fs::symlink_status(numbered, error)) || !create(numbered)) continue;
-    final_ = numbered;
-    return;
-  }
+  final_ = create_next_number(final_);
 }
 
 void ResultsFolder::make_folder_beside() {
@@ -195,6 +198,21 @@ void ResultsFolder::finish() {
   }
   for (const char* folder : results_file::all_folders) fs::remove(from / folder, error);
   fs::remove(from, error);
+  release_folder_beside();
+}
+
+bool ResultsFolder::finish_incomplete() {
+  if (!beside_) return false;
+  const fs::path numbered = create_next_number(final_);
+  std::error_code error;
+  fs::rename(*beside_, numbered, error);  // takes the place of the empty folder
+  if (error) fail(numbered, "cannot take the results of " + beside_->string(), error.message());
+  final_ = numbered;
+  release_folder_beside();
+  return true;
+}
+
+void ResultsFolder::release_folder_beside() {
   close(std::exchange(lock_, -1));
   beside_.reset();
 }

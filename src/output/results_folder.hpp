@@ -39,8 +39,8 @@ enum class WhenFolderExists {
 };
 
 /// The folder of one run. Results that are to be overwritten stay until the new ones are complete: these are written to
-/// the folder "<name>.new" beside, and finish() exchanges them. A run that is stopped before leaves the old results as
-/// they were.
+/// the folder "<name>.new" beside, and finish() exchanges them. Results of a run that stopped before its end go to the
+/// next free number by finish_incomplete(), and a run that is killed leaves the old results as they were.
 ///
 ///     ResultsFolder folder{"results/tower", WhenFolderExists::overwrite};
 ///     write_results(result, folder.path());
@@ -62,9 +62,14 @@ class ResultsFolder {
 
   /// Puts all files in their place; calling it again does nothing. Throws FileError where a file cannot be moved.
   void finish();
+  /// For results of a run that stopped before its end: those that were to be overwritten stay, and the new ones get the
+  /// next free of results_2, results_3 ..., which is final_path() then. Returns whether there are such old results;
+  /// else, or after finish(), it does nothing. Throws FileError where the folder cannot be moved.
+  bool finish_incomplete();
 
  private:
   void make_folder_beside();
+  void release_folder_beside();
 
   std::filesystem::path final_;
   std::optional<std::filesystem::path> beside_;  // while there are old results

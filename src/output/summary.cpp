@@ -36,22 +36,40 @@ Json json_of(const MotionFacts& motion) {
           {"file", text_or_null(motion.file)},
           {"sha256", text_or_null(motion.sha256)},
           {"scale_factor", motion.scale_factor},
-          {"notes", motion.notes}};
+          {"notes", motion.notes},
+          {"units", {{"peak_acceleration", "m/s^2"}, {"peak_velocity", "m/s"}, {"time_step", "s"}, {"duration", "s"}}}};
 }
 
-Json json_of(const ModelFacts& model) {
-  Json json{{"nodes", Json::array()}, {"elements", Json::array()}};
+Json json_of(const ModelFacts& model, const std::vector<BuildingParts>& buildings) {
+  Json json{{"nodes", Json::array()},
+            {"node_units",
+             {{"mass", "kg"}, {"x", "m"}, {"height", "m"}, {"initial_displacement", "m"}, {"initial_velocity", "m/s"}}},
+            {"elements", Json::array()},
+            {"buildings", Json::array()}};
   for (const NodeFacts& node : model.nodes)
-    json["nodes"].push_back(Json{{"name", node.name}, {"mass", node.mass}, {"x", node.x}, {"height", node.height}});
+    json["nodes"].push_back(Json{{"name", node.name},
+                                 {"mass", node.mass},
+                                 {"x", node.x},
+                                 {"height", node.height},
+                                 {"initial_displacement", node.initial_displacement},
+                                 {"initial_velocity", node.initial_velocity}});
+  for (const BuildingParts& building : buildings)
+    json["buildings"].push_back(Json{{"name", building.name},
+                                     {"base", text_or_null(building.base)},
+                                     {"floors", building.floors},
+                                     {"isolators", building.isolators}});
   for (const ElementFacts& element : model.elements) {
     Json parameters = Json::object();
     for (const ParameterFacts& parameter : element.parameters)
       parameters[parameter.name] = {{"value", parameter.value}, {"unit", parameter.unit}};
-    json["elements"].push_back(Json{{"name", element.name},
-                                    {"law", text_or_null(element.law)},
-                                    {"first", element.first},
-                                    {"second", element.second},
-                                    {"parameters", std::move(parameters)}});
+    Json entry{{"name", element.name},   {"kind", element.kind},     {"law", text_or_null(element.law)},
+               {"first", element.first}, {"second", element.second}, {"parameters", std::move(parameters)}};
+    // An end between two nodes: the share of the way from the node above to the other.
+    if (!element.first_other.empty())
+      entry["first_point"] = {{"other", element.first_other}, {"share", element.first_share}};
+    if (!element.second_other.empty())
+      entry["second_point"] = {{"other", element.second_other}, {"share", element.second_share}};
+    json["elements"].push_back(std::move(entry));
   }
   return json;
 }
@@ -107,7 +125,7 @@ void write_summary_json(const CaseResult& result, const std::filesystem::path& p
   json["moat_version"] = result.provenance.moat_version;
   json["provenance"] = json_of(result.provenance);
   json["motion"] = json_of(result.motion);
-  json["model"] = json_of(result.model);
+  json["model"] = json_of(result.model, result.buildings);
   json["periods"] = Json::array();
   for (const NamedPeriod& period : result.periods)
     json["periods"].push_back(Json{{"name", period.name}, {"value", period.value}, {"unit", "s"}});

@@ -13,10 +13,14 @@ namespace moat {
 ///       "provenance": { "command_line", "script", "script_sha256", "options": { name: value as text }, "moat_version",
 ///                       "git_commit", "date" },
 ///       "motion": { "name", "peak_acceleration", "peak_velocity", "time_step", "duration",
-///                   "file", "sha256", "scale_factor", "notes": [ ... ] },
-///       "model": { "nodes": [ { "name", "mass", "x", "height" } ],
-///                  "elements": [ { "name", "law", "first", "second",
-///                                  "parameters": { name: { "value", "unit" } } } ] },
+///                   "file", "sha256", "scale_factor", "notes": [ ... ], "units": { name: unit } },
+///       "model": { "nodes": [ { "name", "mass", "x", "height", "initial_displacement", "initial_velocity" } ],
+///                  "node_units": { name: unit },
+///                  "elements": [ { "name", "kind": "storey", "bearing", "gap" or "other", "law", "first", "second",
+///                                  "first_point", "second_point": { "other", "share" }, only of an end between two
+///                                  nodes: the share of the way to the other,
+///                                  "parameters": { name: { "value", "unit" } } } ],
+///                  "buildings": [ { "name", "base": null if fixed, "floors", "isolators" } ] },
 ///       "periods": [ { "name", "value" } ], "assumptions": [ ... ],
 ///       "peaks": [ { "quantity", "where", "value": with its sign, "unit", "time", "error": estimated, same unit, null
 ///                    if not known, "side" } ],

@@ -41,6 +41,12 @@ std::string text_of(const std::vector<ParameterFacts>& parameters) {
   return text;
 }
 
+// Of an end at a node, or between two.
+std::string end_text(const std::string& node, const std::string& other, double share) {
+  if (other.empty()) return node;
+  return to_significant(share, 6) + " of the way from " + node + " to " + other;
+}
+
 }  // namespace
 
 std::string provenance_section(const Provenance& provenance) {
@@ -75,19 +81,30 @@ std::string motion_section(const MotionFacts& motion) {
 
 std::string model_section(const ModelFacts& model) {
   if (model.nodes.empty()) return "";
+  const bool at_rest = std::ranges::all_of(model.nodes, [](const NodeFacts& node) {
+    return node.initial_displacement == 0.0 && node.initial_velocity == 0.0;
+  });
   std::string html = "<h2>Model</h2>\n";
   html += list_of(model.nodes, "nodes",
-                  "<tr><th>Node</th><th class=\"number\">Mass [kg]</th><th class=\"number\">x [m]</th>"
-                  "<th class=\"number\">Height [m]</th></tr>\n",
-                  [](const NodeFacts& node) {
+                  std::string{"<tr><th>Node</th><th class=\"number\">Mass [kg]</th><th class=\"number\">x [m]</th>"
+                              "<th class=\"number\">Height [m]</th>"} +
+                      (at_rest ? ""
+                               : "<th class=\"number\">Initial displacement [m]</th>"
+                                 "<th class=\"number\">Initial velocity [m/s]</th>") +
+                      "</tr>\n",
+                  [at_rest](const NodeFacts& node) {
+                    const std::string initial =
+                        at_rest ? "" : number_cell(node.initial_displacement) + number_cell(node.initial_velocity);
                     return "<tr>" + cell(node.name) + number_cell(node.mass) + number_cell(node.x) +
-                           number_cell(node.height) + "</tr>\n";
+                           number_cell(node.height) + initial + "</tr>\n";
                   });
   html += list_of(model.elements, "elements",
                   "<tr><th>Element</th><th>Law</th><th>From</th><th>To</th><th>Parameters</th></tr>\n",
                   [](const ElementFacts& element) {
-                    return "<tr>" + cell(element.name) + cell(element.law) + cell(element.first) +
-                           cell(element.second) + cell(text_of(element.parameters)) + "</tr>\n";
+                    return "<tr>" + cell(element.name) + cell(element.law) +
+                           cell(end_text(element.first, element.first_other, element.first_share)) +
+                           cell(end_text(element.second, element.second_other, element.second_share)) +
+                           cell(text_of(element.parameters)) + "</tr>\n";
                   });
   return html;
 }

@@ -1,8 +1,7 @@
 #include "study/random_samples.hpp"
 
-#include <boost/math/special_functions/erf.hpp>
+#include <boost/math/distributions/normal.hpp>
 #include <cmath>
-#include <numbers>
 #include <random>
 #include <utility>
 
@@ -29,10 +28,7 @@ class Draws {
   std::mt19937_64 generator_;
 };
 
-double normal_quantile(double share) {
-  return share < 0.5 ? -std::numbers::sqrt2 * boost::math::erfc_inv(2.0 * share)
-                     : std::numbers::sqrt2 * boost::math::erfc_inv(2.0 * (1.0 - share));
-}
+double normal_quantile(double share) { return boost::math::quantile(boost::math::normal_distribution<>{}, share); }
 
 struct Quantile {
   double share;

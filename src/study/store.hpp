@@ -37,10 +37,14 @@ enum class StudyChanges {
 ///     case_versions  view: number, version, session, date, moat_version, git_commit
 class StudyStore {
  public:
-  /// Creates the file, or goes on with it. Throws InputError, naming every difference, where the file holds a study of
-  /// other axes, and, unless changes are accepted, where the identity, a hash of an axis value, or a file that a case
-  /// has read is another one now or missing; InputError where another process computes it now; FileError where the file
-  /// cannot be read or written, or is no study.
+  /// Creates the file, or goes on with it. Throws InputError
+  ///
+  ///   - where the file holds a study of other axes,
+  ///   - where the identity, the hash of an axis value or a file that a case has read has changed, or such a file is
+  ///     missing, unless changes are accepted,
+  ///   - where another process computes the study now.
+  ///
+  /// The first two name every difference. Throws FileError where the file cannot be read or written, or is no study.
   StudyStore(const std::filesystem::path& file, const StudyCases& cases, const StudyIdentity& identity,
              const StudySession& session, StudyChanges changes = StudyChanges::refuse);
   ~StudyStore();

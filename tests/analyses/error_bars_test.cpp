@@ -289,7 +289,7 @@ TEST(EstimateErrors, NamesTheWorstPeaksFirst) {
     companion.back().value *= 1.0 + share;
   }
   const ErrorBars bars = estimate_errors(peaks, 2, {companion, 2, {}});
-  ASSERT_EQ(bars.unsettled.size(), 6u) << "the last has its share of what is typical of the others";
+  ASSERT_EQ(bars.unsettled.size(), 6u) << "the last is judged by a share of the median of all";
   EXPECT_EQ(bars.unsettled[0].where, "storey 5");
   EXPECT_EQ(bars.unsettled[1].where, "storey 4");
   EXPECT_TRUE(

@@ -88,7 +88,7 @@ TEST(FailingStep, TellsTimeStepResidualAndWorstNode) {
   EXPECT_LT(error.time, Edge::place);
   EXPECT_EQ(error.time, model.state().time);
   EXPECT_NEAR(error.residual, 1.0, 1e-6);
-  EXPECT_EQ(error.worst_degree_of_freedom, "puller");
+  EXPECT_EQ(error.worst_place, "puller");
   const std::string message = error.what();
   const std::string start = "The step from t = " + to_text(error.time) + " s did not converge although it was cut to " +
                             to_text(error.step) + " s: the forces are out of balance by ";
@@ -104,7 +104,7 @@ TEST(FailingStep, AForceThatIsNotANumberIsAFailureWithAPlace) {
     Model model = pulling(Brittle{.beyond = beyond});
     CaseRun run{model, still_ground(1 * s), {.transient = {.step = 10 * ms, .max_cuts = 2}}};
     const ConvergenceError error = failure_of(run);
-    EXPECT_EQ(error.worst_degree_of_freedom, "puller") << beyond;
+    EXPECT_EQ(error.worst_place, "puller") << beyond;
     EXPECT_TRUE(std::isnan(error.residual)) << beyond;
     EXPECT_LE(error.time, 0.0501) << beyond;
     // Cut twice, so the last accepted state is closer than a quarter of the step.

@@ -69,7 +69,7 @@ TEST(Periods, DoNotDependOnWhereTheModelIs) {
   model.evaluate();
   model.commit();
   EXPECT_EQ(by_name(characteristic_periods(model)), before);
-  EXPECT_EQ(model.state().displacement[nodes.base.index], 0.3);
+  EXPECT_EQ(model.displacement(nodes.base), 0.3);
 }
 
 TEST(Periods, OfABuildingOnAFixedBase) {

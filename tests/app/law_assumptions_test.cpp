@@ -16,7 +16,7 @@ using namespace units;
 TEST(LawAssumptions, AreThoseOfTheLawsOfTheModel) {
   ModelFacts model;
   for (const char* law : {"HertzDamp", "FrictionPendulum", "Linear", "HertzDamp", ""})
-    model.elements.push_back({"an element", law, "lower", "upper", {}});
+    model.elements.push_back({"an element", "other", law, "lower", "upper", {}});
   const std::vector<std::string> expected{
       "FrictionPendulum: " + std::string{FrictionPendulum::assumption},
       "HertzDamp: Derived for restitutions near 1; delivers more than it is given: 0.775 for 0.65."};

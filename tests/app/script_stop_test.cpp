@@ -21,8 +21,11 @@ class StoppedRun : public testing::InTemporaryFolder {
     arguments.insert(arguments.end(), more.begin(), more.end());
     const testing::RunningProgram run{FIRST_TOUR, arguments, folder};
     // The first frame stands in its place once the run has begun.
-    while (!std::filesystem::exists(folder / "results/01_moat_wall/frames"))
-      std::this_thread::sleep_for(std::chrono::milliseconds{5});
+    const auto begun = [&] {
+      return std::filesystem::exists(folder / "results/01_moat_wall/frames") ||
+             std::filesystem::exists(folder / "results/01_moat_wall.new/frames");
+    };
+    while (!begun()) std::this_thread::sleep_for(std::chrono::milliseconds{5});
     std::this_thread::sleep_for(std::chrono::milliseconds{200});
     run.send(signal);
     return run.wait();
@@ -46,6 +49,24 @@ TEST_F(StoppedRun, WritesAllResultsUpToThen) {
     EXPECT_NE(testing::text_of(folder / "results/01_moat_wall/report.html").find("The analysis stopped at"),
               std::string::npos);
   }
+}
+
+TEST_F(StoppedRun, ThatWasToOverwriteLeavesTheOldResultsAndTakesANewNumber) {
+  const std::filesystem::path old = folder / "results/01_moat_wall", partial = folder / "results/01_moat_wall_2";
+  ASSERT_EQ(testing::run_program(FIRST_TOUR, {"--end", "0.1 s", "--frame-interval", "0 s"}, folder).exit_code, 0);
+  const std::string summary = testing::text_of(old / "summary.json");
+  const testing::ProgramResult result = stopped_by(SIGINT, {"--force"});
+  EXPECT_EQ(result.exit_code, 130) << result.errors;
+  EXPECT_EQ(testing::text_of(old / "summary.json"), summary);
+  EXPECT_FALSE(std::filesystem::exists(old / "frames"));
+  EXPECT_NE(testing::text_of(partial / "report.html").find("The analysis stopped at"), std::string::npos);
+  EXPECT_TRUE(std::filesystem::exists(partial / "frames"));
+  EXPECT_FALSE(std::filesystem::exists(folder / "results/01_moat_wall.new"));
+  EXPECT_NE(result.errors.find("moat: The old results in results/01_moat_wall stay; those of this run are in "
+                               "results/01_moat_wall_2.\n"),
+            std::string::npos)
+      << result.errors;
+  EXPECT_NE(result.output.find("Results: results/01_moat_wall_2/"), std::string::npos) << result.output;
 }
 
 }  // namespace

@@ -318,5 +318,19 @@ TEST_F(ScriptRun, AStepThatDoesNotConvergeExitsWithThreeAndKeepsResults) {
   EXPECT_GT(lines_of(text_of(folder / "out/histories.csv")).size(), 50u);
 }
 
+TEST_F(ScriptRun, AForcedRunThatDoesNotConvergeLeavesTheOldResults) {
+  ASSERT_EQ(testing::run_program(FAILING_SCRIPT, {"--out", "out", "--end", "0.1 s"}, folder).exit_code, 0);
+  const std::string old = text_of(folder / "out/summary.json");
+  const ProgramResult result =
+      testing::run_program(FAILING_SCRIPT, {"--out", "out", "--force", "--step", "10 ms", "--json"}, folder);
+  EXPECT_EQ(result.exit_code, 3) << result.errors;
+  EXPECT_EQ(text_of(folder / "out/summary.json"), old);
+  EXPECT_NE(text_of(folder / "out_2/summary.json").find("The analysis stopped at "), std::string::npos);
+  EXPECT_EQ(json::parse(result.output).at("results_folder"), "out_2");
+  EXPECT_NE(result.errors.find("The old results in out stay; those of this run are in out_2.\n"), std::string::npos)
+      << result.errors;
+  EXPECT_FALSE(exists("out.new"));
+}
+
 }  // namespace
 }  // namespace moat

@@ -9,7 +9,11 @@ namespace {
 
 class UsageError : public ::testing::Test {
  protected:
-  UsageError() { parser_.add_option("--gap", gap_); }
+  UsageError() {
+    parser_.add_option("--gap", gap_);
+    parser_.add_option("--out", out_);
+    parser_.add_option("--step", step_);
+  }
 
   std::string of(std::vector<std::string> words) {
     try {
@@ -25,12 +29,15 @@ class UsageError : public ::testing::Test {
 
  private:
   CLI::App parser_;
-  std::string gap_;
+  std::string gap_, out_, step_;
 };
 
 TEST_F(UsageError, SuggestsTheOptionThatIsMeant) {
   EXPECT_EQ(of({"--gapp=1"}), "moat: error: tower has no option --gapp. Did you mean --gap?\n" + end_);
-  EXPECT_EQ(of({"--colour"}), "moat: error: tower has no option --colour.\n" + end_);
+  EXPECT_EQ(of({"--gab", "1"}), "moat: error: tower has no option --gab. Did you mean --gap?\n" + end_);
+  EXPECT_EQ(of({"-gap"}), "moat: error: tower has no option -gap. Did you mean --gap?\n" + end_);
+  for (const std::string other : {"--colour", "--bogus", "--storeys"})
+    EXPECT_EQ(of({other}), "moat: error: tower has no option " + other + ".\n" + end_);
 }
 
 TEST_F(UsageError, TakesTheWordBehindAnUnknownOptionForItsValue) {

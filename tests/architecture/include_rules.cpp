@@ -138,7 +138,7 @@ std::vector<std::string> broken_rules(const std::vector<SourceFile>& sources) {
   Graph graph;
   for (const SourceFile& source : sources) {
     const std::optional<std::string> layer = layer_of(source.path);
-    if (!layer) broken.push_back(source.path + " lies in a folder without a rule of what it may include");
+    if (!layer) broken.push_back(source.path + " lies in a folder that has no rule for its includes");
     for (const Include& include : includes_in(source.text)) {
       const std::string place = source.path + ":" + std::to_string(include.line) + " ";
       if (is_gpl(include.name)) broken.push_back(place + "includes " + include.name + ", which is under the GPL");

@@ -95,7 +95,7 @@ TEST(IncludeRules, RefuseAQuotedNameThatIsNoFileOfTheProject) {
 
 TEST(IncludeRules, RefuseAFolderNobodyDecidedOn) {
   EXPECT_EQ(broken_with({"src/helpers/bad.hpp", ""}),
-            sentences("src/helpers/bad.hpp lies in a folder without a rule of what it may include"));
+            sentences("src/helpers/bad.hpp lies in a folder that has no rule for its includes"));
 }
 
 TEST(IncludeRules, AreReadFromFilesOnDisk) {

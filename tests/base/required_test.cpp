@@ -49,6 +49,14 @@ TEST(Required, CopiesAndAssigns) {
   EXPECT_EQ(copy.mass.si(), 2000.0);
 }
 
+// 5.9 storeys were 5.
+TEST(Required, TakesNoFractionForAWholeNumber) {
+  static_assert(!std::convertible_to<double, Required<int>>);
+  static_assert(!std::convertible_to<float, Required<int>>);
+  static_assert(std::convertible_to<int, Required<int>>);
+  static_assert(std::convertible_to<int, Required<double>>);
+}
+
 TEST(Required, TakesWhatCanOnlyBeMoved) {
   Required<std::unique_ptr<int>> pointer{std::make_unique<int>(7)};
   EXPECT_EQ(*pointer.value(), 7);

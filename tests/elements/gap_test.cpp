@@ -145,7 +145,7 @@ TEST(Gap, TellsWhatIsWrong) {
       }),
       "Gap \"gap\": restitution = 65 is not allowed; it must be > 0 and <= 1. It is the speed after the impact over "
       "the speed before; 1 is elastic.");
-  EXPECT_EQ(nodes.model.blocks().size(), 0U) << "what was refused left nothing behind";
+  EXPECT_EQ(nodes.model.blocks().size(), 0U) << "a refused gap left something behind";
   add(nodes.model, gap_between(nodes.a, ground, hertz_damp));
   EXPECT_EQ(message_of([&] { add(nodes.model, gap_between(ground, nodes.a, hertz_damp)); }),
             "Gap \"gap\": an element of this name exists. Give every element its own name.");

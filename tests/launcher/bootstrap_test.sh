@@ -168,7 +168,7 @@ case $case in
     ((EUID != 0)) || called "sudo env http_proxy=http://proxy.example:3128 .*apt-get .*install"
     ;;
   without_apt)
-    # Only what the script itself needs is on the PATH.
+    # Only the tools that the script itself needs are on the PATH.
     for tool in bash env cat dirname flock grep mkdir paste readlink; do
       ln -s "$(command -v "$tool")" "$world/bin/$tool"
     done

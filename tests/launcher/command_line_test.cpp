@@ -80,6 +80,15 @@ TEST_F(CommandLine, SuggestsACommandThatIsMeant) {
   EXPECT_EQ(launch({"rum"}).errors.substr(0, 48), "moat: There is no command rum. Did you mean run?");
 }
 
+TEST_F(CommandLine, SuggestsAnOptionThatIsMeant) {
+  for (const std::vector<std::string>& words :
+       {std::vector<std::string>{"new", "--projekt", "x"}, {"new", "x", "--projekt"}, {"new", "--projekt"}})
+    EXPECT_EQ(launch(words).errors,
+              "moat: new has no option --projekt. Did you mean --project?\nmoat: See ./moat new --help.\n");
+  EXPECT_EQ(launch({"doctor", "--bogus"}).errors,
+            "moat: doctor has no option --bogus.\nmoat: See ./moat doctor --help.\n");
+}
+
 TEST_F(CommandLine, NewScriptRunsUnderItsOwnNameAndTheSecondTimeInSilence) {
   ASSERT_EQ(launch({"new", "my tower.cpp"}).exit_code, 0);
   const auto first = launch({"run", "my tower.cpp", "--help"});

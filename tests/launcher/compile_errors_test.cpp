@@ -102,6 +102,68 @@ TEST_F(CompileErrors, SayWhichFieldOfATemplateHasTheWrongType) {
                "tower.cpp:7: 0.10 is a number without unit, but a length [m] is needed here; give it a unit");
 }
 
+TEST_F(CompileErrors, SuggestTheNearestFieldOfATemplate) {
+  const std::string law = ", .law = Hertz{.stiffness = 1 * N / m_3_2}";
+  const std::string text =
+      explained_for("int main() {" + wall + "add(model, Moat{.around = base,\n.clearence = 10 * cm" + law + "\n}); }");
+  EXPECT_TRUE(
+      text.starts_with("tower.cpp:7: Moat has no field clearence; did you mean clearance?\n"
+                       "   7 | .clearence = 10 * cm" +
+                       law + "\n     | ^^^^^^^^^^\n"))
+      << text;
+  expect_first("int main() {" + wall + "const Moat moat{.around = base, .clearence = 10 * cm" + law + "}; }",
+               "tower.cpp:6: Moat has no field clearence; did you mean clearance?");
+  expect_first("auto make(NodeId base) {\nreturn Gap{.left = ground, .rihgt = base, .clearance = 1 * m" + law + "}; }",
+               "tower.cpp:5: Gap has no field rihgt; did you mean right?");
+  expect_first("int main() {" + wall + "add(model, Moat{.around = base, .colour_of_paint = 1 * m" + law + "}); }",
+               "tower.cpp:6: Moat has no field colour_of_paint; it has name, around, clearance, law, sides, wall");
+}
+
+TEST_F(CompileErrors, NameTheTypeOfAValueThatIsLookedForInATemplate) {
+  const std::string moat =
+      "{.around = base, .clearance = 1 * m, .law = Hertz{.stiffness = 1 * N / m_3_2},\n"
+      ".sides = Moat::right}";
+  const std::string sentence = "tower.cpp:7: field sides of Moat is a Sides; write Sides::right, not Moat::right\n";
+  expect_first("int main() {" + wall + "add(model, Moat" + moat + "); }", sentence);
+  expect_first("int main() {" + wall + "const Moat west" + moat + "; }", sentence);
+}
+
+TEST_F(CompileErrors, NameTheUnitThatAnArgumentNeeds) {
+  expect_first("void set(Length gap);\nvoid run() { set(0.10); }",
+               "tower.cpp:5: 0.10 is a number without unit, but a length [m] is needed here; give it a unit");
+  expect_first("void run(Script& script) { script.length(\"gap\", 0.10, \"clearance\"); }",
+               "tower.cpp:4: 0.10 is a number without unit, but a length [m] is needed here; give it a unit");
+  EXPECT_EQ(explained_for("void run(Length gap) { gap = 0.5; }").find("aka"), std::string::npos);
+}
+
+TEST_F(CompileErrors, NameTheFieldOfAnArgumentInBraces) {
+  expect_first(
+      "const GroundMotion pulse = near_fault_pulse({.pulse_period = 1.3});",
+      "tower.cpp:4: field pulse_period of NearFaultPulse is a time [s], but 1.3 is a number without unit; give "
+      "it a unit, as in 1.3 * s\n");
+  expect_first("const GroundMotion pulse = near_fault_pulse({\n.pulse_period = 1.3 * s,\n.amplitude = 0.8});",
+               "tower.cpp:6: field amplitude of NearFaultPulse is a speed [m/s], but 0.8 is a number without unit");
+  expect_first(
+      "void run(Model& model, const GroundMotion& motion) {\n"
+      "run_case(model, motion, {.title = \"x\", .transient = {.step = 0.01}}); }",
+      "tower.cpp:5: field step of TransientOptions is a time [s], but 0.01 is a number without unit; give it a "
+      "unit, as in 0.01 * s\n");
+  expect_first("const GroundMotion pulse = near_fault_pulse({.puls_period = 1.3 * s});",
+               "tower.cpp:4: NearFaultPulse has no field puls_period; did you mean pulse_period?");
+  expect_first(
+      "const GroundMotion pulse = near_fault_pulse({.amplitude = 1 * m / s, .pulse_period = 1.3 * s});",
+      "tower.cpp:4: field pulse_period of NearFaultPulse stands in the wrong place; the order is pulse_period, ");
+  expect_first("const GroundMotion pulse = near_fault_pulse({.pulse_period = 1.3 * m, .phase = 0.5});",
+               "tower.cpp:4: a value does not fit its field of NearFaultPulse: pulse_period is a time [s], phase is a "
+               "number without unit\n");
+  expect_first(
+      "void set(const NearFaultPulse&);\nvoid take(NearFaultPulse);\nvoid run() {\nset({.phase = 1 * s});\n"
+      "take({.pulse_period = 2});\n}",
+      "tower.cpp:7: a value does not fit its field of NearFaultPulse: phase is a number without unit\n");
+  expect_first("void take(NearFaultPulse);\nvoid run() { take({.pulse_period = 2}); }",
+               "tower.cpp:5: field pulse_period of NearFaultPulse is a time [s], but 2 is a number");
+}
+
 TEST_F(CompileErrors, KeepTheCompilersWordsOtherwise) {
   expect_first("int main() { modl.add(); }", "tower.cpp:4: 'modl' was not declared in this scope");
   EXPECT_NE(explained_for("int main() { Model model; model.add(1 * kN); }").find("has no member named 'add'"),

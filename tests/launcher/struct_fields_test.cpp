@@ -23,6 +23,20 @@ TEST_F(StructFields, AreReadFromTheHeaders) {
   EXPECT_TRUE(fields_of("Nothing", folder).empty());
 }
 
+TEST_F(StructFields, HaveTheirTypes) {
+  std::filesystem::create_directories(folder / "structures");
+  write_text(folder / "structures" / "wall.hpp",
+             "struct Wall {\n  Required<decltype(units::N / (units::m * units::m))> modulus;\n"
+             "  decltype(units::kg / units::m) density =\n      2400.0 * units::kg / units::m;\n"
+             "  double force(double x) const;\n  Sides sides = Sides::both;\n};\n");
+  const std::vector<Field> fields = declared_fields("Wall", folder);
+  ASSERT_EQ(fields.size(), 3u);
+  EXPECT_EQ(fields[0].name, "modulus");
+  EXPECT_EQ(fields[1].name, "density");
+  EXPECT_EQ(fields[2].name, "sides");
+  EXPECT_EQ(fields[2].type, "Sides");
+}
+
 TEST_F(StructFields, AreThoseOfTheTemplateBehindAName) {
   std::filesystem::create_directories(folder / "materials");
   write_text(folder / "materials" / "law.hpp",

@@ -1,4 +1,4 @@
-// Bearings of two components: the battery, and the one-component law along a line.
+// Bearings of two components: the one-component law along a line, and exact properties.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -9,7 +9,6 @@
 #include "materials/biaxial_grant_rubber.hpp"
 #include "message_of.hpp"
 #include "planar_battery.hpp"
-#include "random_spring.hpp"
 #include "spring_battery.hpp"
 
 namespace moat::testing {
@@ -19,21 +18,6 @@ using namespace units;
 
 BiaxialFrictionPendulum pendulum(const Friction& friction) {
   return {FrictionPendulum{.radius = 3 * m, .friction = friction, .weight = 1 * MN}};
-}
-
-TEST(BiaxialFrictionPendulum, PassesTheBattery) {
-  const PlanarTrial trial{.move = 0.05, .force = 6e4, .energy = 1e-4};
-  expect_sound_planar_law(pendulum(0.06), trial);
-  expect_sound_planar_law(pendulum(VelocityDependent{.slow = 0.03, .fast = 0.06, .rate = 5 * s / m}), trial);
-}
-
-TEST(BiaxialGrantRubber, PassesTheBattery) {
-  RandomDraws draws{20261122};
-  for (int i = 0; i < 5; ++i) {
-    const BiaxialGrantRubber law{i == 0 ? GrantRubber::typical() : random_spring<GrantRubber>(draws)};
-    SCOPED_TRACE(i);
-    expect_sound_planar_law(law, {.move = 0.04, .force = 1e4});
-  }
 }
 
 // Along a line through the origin the force is that of the law of one component.

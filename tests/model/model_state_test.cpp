@@ -223,5 +223,39 @@ TEST(ModelState, TangentIsTheDerivativeOfTheForces) {
   EXPECT_LT((Eigen::Matrix2d{matrix.view()} - 5.0 * damping).norm(), 1e-5 * damping.norm());
 }
 
+TEST(ModelState, RefusesNodesThatHaveNone) {
+  Model model;
+  const NodeId node = add(model, Node{.name = "base", .mass = 1 * tonne});
+  EXPECT_THROW(static_cast<void>(model.displacement(node)), InputError);  // not prepared
+  EXPECT_THROW(static_cast<void>(model.displacement(ground)), InputError);
+  model.prepare();
+  EXPECT_EQ(model.displacement(node), 0.0);
+  EXPECT_EQ(model.velocity(ground), 0.0);
+  EXPECT_EQ(model.mass(node), 1e3);
+  EXPECT_THROW(static_cast<void>(model.displacement(NodeId{7})), InputError);
+  EXPECT_THROW(static_cast<void>(model.acceleration(NodeId{})), InputError);
+  EXPECT_THROW(static_cast<void>(model.mass(ground)), InputError);
+  const NodeId later = add(model, Node{.name = "later", .mass = 1 * tonne});
+  EXPECT_THROW(static_cast<void>(model.velocity(later)), InputError);
+  EXPECT_EQ(model.velocity(ground), 0.0);
+}
+
+// A message that names an element must not name its neighbour.
+TEST(ModelState, AScanOfABlockKnowsTheNearestElement) {
+  Model model = isolated_storey().model;
+  model.prepare();
+  for (const double displacement : {0.03, -0.03}) {
+    model.trial().displacement[0] = displacement;
+    model.trial().time = 0.01;
+    model.evaluate();
+    for (const auto& block : model.blocks()) {
+      if (block->contacts() == nullptr) continue;
+      RegimeScan scan;
+      block->regimes()->scan(0.01, -1e-13, scan);
+      EXPECT_EQ(block->info(scan.nearest).name, displacement > 0.0 ? "right" : "left");
+    }
+  }
+}
+
 }  // namespace
 }  // namespace moat

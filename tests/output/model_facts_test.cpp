@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "moat.hpp"
 #include "recorders_testing.hpp"
 
 namespace moat {
@@ -23,6 +24,29 @@ TEST(ModelFacts, HoldNodesAndElementsInTheirOrder) {
   EXPECT_EQ(facts.elements[0].parameters[0].name, "stiffness");
   EXPECT_EQ(facts.elements[0].parameters[0].value, 100.0);
   EXPECT_EQ(facts.elements[0].parameters[0].unit, "N/m");
+}
+
+TEST(ModelFacts, HaveInitialMotionsAndPointsBetweenNodes) {
+  using namespace units;
+  Model model;
+  const NodeId lower = add(model, Node{.name = "lower", .mass = 1 * kg, .initial_displacement = 2 * cm});
+  const NodeId upper = add(model, Node{.name = "upper", .mass = 1 * kg, .initial_velocity = 3 * m / s});
+  const NodeId other = add(model, Node{.name = "other", .mass = 1 * kg});
+  add(model, Gap{.name = "column",
+                 .left = MemberPoint{lower, upper, 0.25},
+                 .right = other,
+                 .clearance = 1 * cm,
+                 .law = LinearElastic{.stiffness = 1 * MN / m}});
+  const ModelFacts facts = facts_of(model);
+  EXPECT_EQ(facts.nodes[0].initial_displacement, 0.02);
+  EXPECT_EQ(facts.nodes[1].initial_velocity, 3.0);
+  const ElementFacts& gap = facts.elements.at(0);
+  EXPECT_EQ(gap.kind, "gap");
+  EXPECT_EQ(gap.first, "other");
+  EXPECT_EQ(gap.first_other, "");
+  EXPECT_EQ(gap.second, "lower");
+  EXPECT_EQ(gap.second_other, "upper");
+  EXPECT_EQ(gap.second_share, 0.25);
 }
 
 TEST(ModelFacts, HaveTheClearanceOfEveryGap) {

@@ -1,5 +1,5 @@
-# paraview_check.py FRAMES.pvd PICTURE...: fields that ParaView finds in the frames, and what the pictures show. Writes the
-# file `checked` where all is right.
+# paraview_check.py FRAMES.pvd PICTURE...: fields that ParaView finds in the frames, and the colours of the pictures.
+# Writes the file `checked` where all is right.
 import sys
 
 from paraview import servermanager

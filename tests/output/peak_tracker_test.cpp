@@ -41,7 +41,7 @@ TEST(PeakTracker, FindsTheVertexBetweenStepsOfAnyLength) {
 
 double error_of_sine_peak(double step) {
   double largest = 0.0;
-  // Whatever the phase of sampling.
+  // The bound holds for every phase of sampling.
   for (int phase = 0; phase < 20; ++phase) {
     PeakTracker tracker;
     for (double t = -phase / 20.0 * step; t < 3.0; t += step) tracker.add(t, std::sin(t), std::cos(t));

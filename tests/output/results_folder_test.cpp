@@ -78,6 +78,33 @@ TEST_F(ResultsFolderTest, OldResultsStayUntilNewOnesAreComplete) {
   EXPECT_FALSE(fs::exists(folder / "x.new"));
 }
 
+TEST_F(ResultsFolderTest, IncompleteResultsGetTheNextNumber) {
+  const fs::path x = folder / "x";
+  put(x / "report.html");
+  put_summary(x);
+  put(folder / "x_2");
+  ResultsFolder stopped{x, WhenFolderExists::overwrite};
+  put(stopped.path() / "charts.svg");
+  put(stopped.path() / "frames" / "frame_000000.vtu");
+  EXPECT_TRUE(stopped.finish_incomplete());
+  EXPECT_EQ(stopped.final_path(), folder / "x_3");
+  EXPECT_EQ(stopped.path(), folder / "x_3");
+  EXPECT_FALSE(stopped.finish_incomplete()) << "they have their place";
+  stopped.finish();
+  for (const char* name : {"x/report.html", "x/summary.json", "x_3/charts.svg", "x_3/frames/frame_000000.vtu"})
+    EXPECT_TRUE(fs::exists(folder / name)) << name;
+  for (const char* name : {"x/charts.svg", "x_3/report.html", "x.new", "x_4"})
+    EXPECT_FALSE(fs::exists(folder / name)) << name;
+}
+
+TEST_F(ResultsFolderTest, IncompleteResultsStayWhereNoneWere) {
+  for (const auto when : {WhenFolderExists::use_new_number, WhenFolderExists::overwrite}) {
+    ResultsFolder stopped{folder / "x", when};
+    EXPECT_FALSE(stopped.finish_incomplete());
+    EXPECT_EQ(stopped.final_path(), folder / "x");
+  }
+}
+
 TEST_F(ResultsFolderTest, TwoRunsThatOverwriteHaveFoldersOfTheirOwn) {
   put_summary(folder / "x");
   const ResultsFolder first{folder / "x", WhenFolderExists::overwrite};

@@ -18,7 +18,17 @@ CaseResult example() {
   result.provenance = {"moat run a.cpp --gap '20 cm'", "/a.cpp", "def", {{"gap", "20 cm"}}, "1.2.3", "0123",
                        "2026-01-31T12:00:00Z"};
   result.motion = {"record", 3.92266, 0.45, 0.005, 28.0, "/records/a.AT2", "abc", 1.5, {"header", "scaled"}};
-  result.model = {{{"base", 5.0, 1.0, 0.5}}, {{"storey 1", "Linear", "base", "floor 1", {{"stiffness", 2e9, "N/m"}}}}};
+  result.model = {{{"base", 5.0, 1.0, 0.5, 0.01, -0.5}},
+                  {{"storey 1", "storey", "Linear", "base", "floor 1", {{"stiffness", 2e9, "N/m"}}},
+                   {.name = "gap",
+                    .kind = "gap",
+                    .law = "Hertz",
+                    .first = "base",
+                    .second = "floor 1",
+                    .parameters = {},
+                    .second_other = "floor 2",
+                    .second_share = 0.25}}};
+  result.buildings = {{"tower", "base", {"floor 1"}, {"bearing"}}};
   result.clearances = {{"moat left", 0.5, 0.2, 3.5}};
   result.periods = {{"isolated", 2.1}, {"fixed base", 1.0 / 3.0}};
   result.peaks = {{"displacement", "base", 0.1234567, "m", 4.5},
@@ -48,14 +58,25 @@ TEST_F(Summary, ReadsBackWithEveryField) {
   EXPECT_EQ(json["motion"],
             Json::parse(R"({"name": "record", "peak_acceleration": 3.92266, "peak_velocity": 0.45, "time_step": 0.005,
                             "duration": 28.0, "file": "/records/a.AT2", "sha256": "abc", "scale_factor": 1.5,
-                            "notes": ["header", "scaled"]})"));
+                            "notes": ["header", "scaled"],
+                            "units": {"peak_acceleration": "m/s^2", "peak_velocity": "m/s", "time_step": "s",
+                                      "duration": "s"}})"));
   EXPECT_EQ(json["provenance"],
             Json::parse(R"({"command_line": "moat run a.cpp --gap '20 cm'", "script": "/a.cpp", "script_sha256": "def",
                             "options": {"gap": "20 cm"}, "moat_version": "1.2.3", "git_commit": "0123",
                             "date": "2026-01-31T12:00:00Z"})"));
-  EXPECT_EQ(json["model"], Json::parse(R"({"nodes": [{"name": "base", "mass": 5.0, "x": 1.0, "height": 0.5}],
-                            "elements": [{"name": "storey 1", "law": "Linear", "first": "base", "second": "floor 1",
-                                          "parameters": {"stiffness": {"value": 2e9, "unit": "N/m"}}}]})"));
+  EXPECT_EQ(json["model"], Json::parse(R"({"nodes": [{"name": "base", "mass": 5.0, "x": 1.0, "height": 0.5,
+                                       "initial_displacement": 0.01, "initial_velocity": -0.5}],
+                            "node_units": {"mass": "kg", "x": "m", "height": "m", "initial_displacement": "m",
+                                           "initial_velocity": "m/s"},
+                            "elements": [{"name": "storey 1", "kind": "storey", "law": "Linear", "first": "base",
+                                          "second": "floor 1",
+                                          "parameters": {"stiffness": {"value": 2e9, "unit": "N/m"}}},
+                                         {"name": "gap", "kind": "gap", "law": "Hertz", "first": "base",
+                                          "second": "floor 1", "parameters": {},
+                                          "second_point": {"other": "floor 2", "share": 0.25}}],
+                            "buildings": [{"name": "tower", "base": "base", "floors": ["floor 1"],
+                                           "isolators": ["bearing"]}]})"));
   EXPECT_EQ(json["clearances"], Json::parse(R"([{"where": "moat left", "clearance": 0.5, "clearance_left": 0.2,
                                                  "unit": "m", "time": 3.5, "error": null}])"));
   EXPECT_EQ(json["periods"][1]["name"], "fixed base");

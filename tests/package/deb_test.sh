@@ -19,7 +19,7 @@ if ! command -v dpkg-deb >/dev/null; then
   exit 77
 fi
 
-# What `cpack -G DEB` does, without building anything on the way.
+# The same as `cpack -G DEB`, but without a build.
 cmake --install "$build" --prefix "$folder/stage/usr" >install.log
 cpack -G DEB --config "$build/CPackConfig.cmake" -B "$folder/made" -D CPACK_INSTALL_CMAKE_PROJECTS= \
   -D "CPACK_INSTALLED_DIRECTORIES=$folder/stage;/" >cpack.log 2>&1 || { cat cpack.log && fail "cpack"; }

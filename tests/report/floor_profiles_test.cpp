@@ -10,7 +10,8 @@ namespace {
 CaseResult two_storeys() {
   CaseResult result;
   result.model.nodes = {{"base", 1.0, 0.0, 0.0}, {"floor 1", 1.0, 0.0, 4.0}, {"floor 2", 1.0, 0.0, 7.0}};
-  result.model.elements = {{"storey 1", "", "base", "floor 1", {}}, {"storey 2", "", "floor 1", "floor 2", {}}};
+  result.model.elements = {{"storey 1", "storey", "", "base", "floor 1", {}},
+                           {"storey 2", "storey", "", "floor 1", "floor 2", {}}};
   result.buildings = {{.name = "tower", .base = "base", .floors = {"floor 1", "floor 2"}}};
   result.peaks = {{"displacement", "floor 2", -0.3, "m"}, {"displacement", "base", 0.1, "m"},
                   {"displacement", "floor 1", 0.2, "m"},  {"drift", "storey 1", -0.01, "m"},

@@ -45,7 +45,7 @@ TEST(ImpactSection, ShowsTheRestitutionAskedAndDelivered) {
   result.impacts = {impact_of("moat left", 3.25, 2.5e7)};
   result.impacts[0].restitution = 0.7748;
   result.impacts[0].rebound_ratio = 0.5;
-  result.model.elements = {{"moat left", "HertzDamp", "base", "ground", {{"restitution", 0.65, "1"}}}};
+  result.model.elements = {{"moat left", "gap", "HertzDamp", "base", "ground", {{"restitution", 0.65, "1"}}}};
   const std::string html = html::impact_section(result, impact_loops(result.impacts));
   EXPECT_EQ(count(html, "<svg "), 1u);
   EXPECT_NE(html.find("3.250 s, moat left</td><td class=\"number\">0.65</td><td class=\"number\">0.7748</td><td "

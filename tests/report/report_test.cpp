@@ -75,14 +75,23 @@ TEST_F(Report, NamesItsOrigin) {
   result.motion.scale_factor = 1.25;
   result.motion.notes = {"PEER <header>"};
   result.model = {
-      {{"base", 550e3, 0.0, 0.0}},
-      {{"moat left", "HertzDamp", "base", "ground", {{"clearance", 0.1, "m"}, {"restitution", 0.65, "1"}}}}};
+      {{"base", 550e3, 0.0, 0.0, 0.02, 0.0}},
+      {{"moat left", "gap", "HertzDamp", "base", "ground", {{"clearance", 0.1, "m"}, {"restitution", 0.65, "1"}}},
+       {.name = "column",
+        .kind = "gap",
+        .law = "Hertz",
+        .first = "base",
+        .second = "floor 1",
+        .parameters = {},
+        .second_other = "floor 2",
+        .second_share = 0.25}}};
   result.clearances = {{"moat left", 0.1, -0.01, 3.25}};
   const std::string html = written(result);
   for (const char* part :
        {"moat run tower.cpp --gap '20 cm'", "/home/me/tower.cpp", "c0ffee", "--gap</td><td class=\"text\">20 cm",
         "0.1.0, commit 0123456789", "2026-01-31T12:00:00Z", "/records/a.AT2", "beef", "1.25", "PEER &lt;header&gt;",
-        "550000", "HertzDamp", "clearance 0.1 m, restitution 0.65", "Clearance left", "-1.000", "of 10 cm"})
+        "550000", "HertzDamp", "clearance 0.1 m, restitution 0.65", "0.25 of the way from floor 1 to floor 2",
+        "Initial displacement [m]", "Clearance left", "-1.000", "of 10 cm"})
     EXPECT_NE(html.find(part), std::string::npos) << part;
 }
 

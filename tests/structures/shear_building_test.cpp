@@ -273,7 +273,7 @@ TEST(ShearBuilding, StandsOnAnyLaw) {
   EXPECT_EQ(info.second, added.base);
   EXPECT_EQ(info.force_quantity, "isolator_force");
   const Matrices made = matrices_of(model);
-  EXPECT_NEAR(made.stiffness(2, 0), -5e6, 10.0) << "what reaches the ground";
+  EXPECT_NEAR(made.stiffness(2, 0), -5e6, 10.0) << "the part that reaches the ground";
 }
 
 TEST(ShearBuilding, NamesIsolatorsAsTheyAreNamed) {

@@ -128,6 +128,12 @@ Model moat_model(const PlainModel& plain, LocateYield locate) {
   return model;
 }
 
+std::string_view moat_law_name(PlainLawKind kind) {
+  std::string_view name;
+  with_law({.kind = kind}, [&](const auto& law) { name = law.name; });
+  return name;
+}
+
 GroundMotion moat_motion(const PlainMotion& plain) { return {"random", plain.time_step, plain.samples}; }
 
 }  // namespace moat::testing

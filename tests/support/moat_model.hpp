@@ -1,6 +1,8 @@
 // A plain problem made into one of moat's, with its public elements.
 #pragma once
 
+#include <string_view>
+
 #include "model/model.hpp"
 #include "motions/ground_motion.hpp"
 #include "plain_model.hpp"
@@ -14,6 +16,9 @@ enum class LocateYield {
 
 /// Names of nodes and elements are those of the plain problem.
 Model moat_model(const PlainModel& plain, LocateYield locate = LocateYield::as_drawn);
+
+/// The name of moat's law of that kind. Throws std::logic_error for a kind that has none.
+std::string_view moat_law_name(PlainLawKind kind);
 
 GroundMotion moat_motion(const PlainMotion& plain);
 

@@ -162,7 +162,7 @@ void expect_energy_balance(const Law& law, const PlanarTrial& trial) {
   EXPECT_NEAR(work, law.stored_energy(path.state, path.deformation) + dissipated, trial.energy * scale);
 }
 
-/// The same arguments give the same bits, whatever the trial state held.
+/// The same arguments give the same bits for every former content of the trial state.
 template <PlanarLaw Law>
 void expect_planar_purity(const Law& law, const PlanarTrial& trial) {
   RandomDraws draws{17};

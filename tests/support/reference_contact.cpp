@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <stdexcept>
 
 namespace moat::testing {
 namespace {
@@ -68,8 +69,10 @@ double hertz_factor(const PlainLaw& law) {
       return 3.0 * (1.0 - e) / (2.0 * e);
     case PlainLawKind::exact_hertz_damp:
       return exact_hertz_factor(e);
+    case PlainLawKind::hertz:
+      return 0.0;
     default:
-      return 0.0;  // hertz
+      throw std::logic_error{"reference_contact: a law without equations"};
   }
 }
 

@@ -212,7 +212,7 @@ void expect_tangents(const Law& law, const SpringTrial& trial) {
   EXPECT_LT(beside_corners, tried / 5);
 }
 
-/// The same arguments give the same bits, whatever the trial state held.
+/// The same arguments give the same bits for every former content of the trial state.
 template <ForceLaw Law>
 void expect_purity(const Law& law, const SpringTrial& trial) {
   using State = typename Law::State;

@@ -1,0 +1,126 @@
+#include "launcher/designated_list.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <regex>
+
+namespace moat::launcher {
+namespace {
+
+constexpr std::size_t none = std::string::npos;
+
+// With blanks in the place of comments and of the insides of texts, so that their brackets do not count.
+std::string code_of(const std::string& source) {
+  std::string code = source;
+  const auto blank = [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < std::min(end, code.size()); ++i)
+      if (code[i] != '\n') code[i] = ' ';
+  };
+  for (std::size_t i = 0; i < code.size(); ++i) {
+    std::size_t end = i;
+    if (code.compare(i, 2, "//") == 0) {
+      end = std::min(source.find('\n', i), source.size());
+      blank(i, end);
+    } else if (code.compare(i, 2, "/*") == 0) {
+      const std::size_t close = source.find("*/", i + 2);
+      end = close == none ? source.size() : close + 2;
+      blank(i, end);
+    } else if (code[i] == '"') {
+      for (end = i + 1; end < source.size() && source[end] != '"' && source[end] != '\n'; ++end)
+        if (source[end] == '\\') ++end;
+      blank(i + 1, end);
+    }
+    i = end;
+  }
+  return code;
+}
+
+bool opens(char c) { return c == '{' || c == '(' || c == '['; }
+bool closes(char c) { return c == '}' || c == ')' || c == ']'; }
+
+std::string trimmed(const std::string& text) {
+  const auto is_space = [](unsigned char c) { return std::isspace(c) != 0; };
+  const auto begin = std::find_if_not(text.begin(), text.end(), is_space);
+  const auto end = std::find_if_not(text.rbegin(), std::make_reverse_iterator(begin), is_space).base();
+  return {begin, end};
+}
+
+// `brace` is the offset of the brace that opens the list.
+DesignatedList list_at(const std::string& source, const std::string& code, std::size_t brace) {
+  static const std::regex type{R"(\b(?!return\b)(\w+)(<[^;{}]*>)?(\s+\w+)?(\s*=)?\s*$)"};
+  static const std::regex field{R"(^\s*\.(\w+)\s*=\s*)"};
+  DesignatedList list;
+  const std::size_t statement = brace == 0 ? none : code.find_last_of(";{}(),", brace - 1);
+  const std::string front =
+      code.substr(statement == none ? 0 : statement + 1, brace - (statement == none ? 0 : statement + 1));
+  std::smatch match;
+  if (std::regex_search(front, match, type)) list.type = match[1];
+  int depth = 0;
+  std::size_t begin = brace + 1;
+  for (std::size_t i = begin; i < code.size(); ++i) {
+    if (opens(code[i])) ++depth;
+    const bool ends = closes(code[i]) && depth == 0;
+    if (ends || (code[i] == ',' && depth == 0)) {
+      const std::string piece = code.substr(begin, i - begin);
+      if (std::regex_search(piece, match, field)) {
+        const auto length = static_cast<std::size_t>(match.length());
+        list.fields.push_back({.name = match[1],
+                               .value = trimmed(source.substr(begin + length, i - begin - length)),
+                               .offset = begin + piece.find('.')});
+      }
+      begin = i + 1;
+    }
+    if (ends) break;
+    if (closes(code[i])) --depth;
+  }
+  return list;
+}
+
+}  // namespace
+
+std::size_t offset_of(const std::string& source, int line, int column) {
+  constexpr int tabulator = 8;
+  std::size_t offset = 0;
+  for (int i = 1; i < line; ++i) {
+    offset = source.find('\n', offset);
+    if (offset == none) return source.size();
+    ++offset;
+  }
+  const auto continues_letter = [](unsigned char c) { return (c & 0xC0U) == 0x80U; };
+  for (int at = 1; offset < source.size() && source[offset] != '\n'; ++offset) {
+    if (continues_letter(static_cast<unsigned char>(source[offset]))) continue;
+    if (at >= column) return offset;
+    at += source[offset] == '\t' ? tabulator - (at - 1) % tabulator : 1;
+  }
+  return source.size();
+}
+
+DesignatedList list_around(const std::string& source, std::size_t offset) {
+  const std::string code = code_of(source);
+  int depth = 0;
+  for (std::size_t i = std::min(offset, code.size()); i > 0; --i) {
+    const char c = code[i - 1];
+    if (closes(c)) ++depth;
+    if (opens(c) && --depth < 0) return c == '{' ? list_at(source, code, i - 1) : DesignatedList{};
+  }
+  return {};
+}
+
+DesignatedList list_in_call(const std::string& source, std::size_t offset) {
+  const std::string code = code_of(source);
+  if (offset >= code.size() || code[offset] != '(') return {};
+  DesignatedList list;
+  int depth = 0;
+  for (std::size_t i = offset; i < code.size(); ++i) {
+    if (opens(code[i])) ++depth;
+    if (closes(code[i]) && --depth == 0) break;
+    if (code[i] != '{' || depth != 2) continue;
+    const std::size_t first = code.find_first_not_of(" \t\n", i + 1);
+    if (first == none || code[first] != '.') continue;
+    if (!list.fields.empty()) return {};
+    list = list_at(source, code, i);
+  }
+  return list;
+}
+
+}  // namespace moat::launcher
