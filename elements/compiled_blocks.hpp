@@ -1,4 +1,4 @@
-// Blocks of laws that are compiled in the library: a script with such laws compiles in less than half the time.
+// Blocks of laws that are compiled in the library, so that a script with such laws compiles faster.
 #pragma once
 
 #include "elements/link_block.hpp"

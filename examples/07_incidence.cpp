@@ -8,8 +8,9 @@
 //
 //     ./moat run examples/07_incidence.cpp
 //     ./moat run examples/07_incidence.cpp --step 5
-#include <cstdio>
 #include <moat.hpp>
+
+#include <cstdio>
 
 using namespace moat;
 using namespace moat::units;
