@@ -91,7 +91,7 @@ TEST_F(Paper, PageOpensInABrowserWithEveryFigure) {
   const std::string seen = text_of("out.txt");
   EXPECT_NE(seen.find("images 0 broken"), std::string::npos);
   std::vector<std::string> expected{"table1", "pulse"};
-  if (text_of("page/fig6.svg").size() > 0)
+  if (std::filesystem::exists(folder / "page/fig6.svg"))
     expected.insert(expected.end(),
                     {"fig4", "fig5", "fig6", "fig7", "fig8", "fig9", "fig10", "fig10_designed", "fig11"});
   else
