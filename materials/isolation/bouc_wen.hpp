@@ -178,20 +178,20 @@ struct BoucWen {
     if (z < 0.0) {
       const double to_zero = distance_to_zero(z);
       if (distance < to_zero) {
-        const auto end = integrate<2>(rates, {z, 0.0}, distance, longest, tolerance);
+        const auto end = integrate(rates, {z, 0.0}, distance, longest, tolerance);
         return {end[0], end[1]};
       }
-      heat = integrate<2>(rates, {z, 0.0}, to_zero, longest, tolerance)[1];
+      heat = integrate(rates, {z, 0.0}, to_zero, longest, tolerance)[1];
       distance -= to_zero;
       z = 0.0;
     }
-    const auto end = integrate<2>(rates, {z, 0.0}, distance, longest, tolerance);
+    const auto end = integrate(rates, {z, 0.0}, distance, longest, tolerance);
     return {end[0], heat + end[1]};
   }
   // ds = dz/slope.
   [[nodiscard]] double distance_to_zero(double z) const {
     const auto rates = [&](const std::array<double, 2>& y) { return std::array<double, 2>{1.0, 1.0 / slope_at(y[0])}; };
-    return integrate<2>(rates, {z, 0.0}, -z, 0.05, 1e-13)[1];
+    return integrate(rates, {z, 0.0}, -z, 0.05, 1e-13)[1];
   }
 
   [[nodiscard]] double hardening_force(double d) const {

@@ -164,7 +164,8 @@ struct BaberNoori {
       const auto slopes = rates({y[0] * unit, y[1] * unit_energy});
       return std::array<double, 2>{slopes[0], slopes[1] * unit / unit_energy};
     };
-    const auto end = integrate<2>(scaled, {start[0] / unit, start[1] / unit_energy}, distance / unit, 0.05, 1e-13);
+    const auto end =
+        integrate(std::cref(scaled), {start[0] / unit, start[1] / unit_energy}, distance / unit, 0.05, 1e-14);
     return {end[0] * unit, end[1] * unit_energy};
   }
 };
