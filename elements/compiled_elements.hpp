@@ -1,51 +1,37 @@
-// Blocks of laws that are compiled in the library, so that a script with such laws compiles faster.
+// Elements with moat's own laws that are compiled in the library, so that a script with them compiles faster.
 #pragma once
 
-#include "elements/link_block.hpp"
-#include "elements/plan_ends.hpp"
-#include "elements/planar_block.hpp"
-#include "materials/biaxial_bilinear.hpp"
-#include "materials/biaxial_bouc_wen.hpp"
-#include "materials/biaxial_friction_pendulum.hpp"
-#include "materials/biaxial_grant_rubber.hpp"
-#include "materials/heated_sliding_isolator.hpp"
-#include "materials/isolation/bouc_wen.hpp"
-#include "materials/isolation/grant_rubber.hpp"
-#include "materials/isolation/heated_lead_rubber.hpp"
-#include "materials/isolation/kikuchi_aiken_rubber.hpp"
-#include "materials/isolation/stiffening_spring.hpp"
+#include "elements/isolator.hpp"
+#include "elements/plan_spring.hpp"
+#include "elements/planar_spring.hpp"
 #include "materials/linear.hpp"
-#include "materials/repeated.hpp"
-#include "materials/series_of_sliders.hpp"
-#include "materials/sliding_isolator.hpp"
+#include "materials/planar_laws.hpp"
+#include "materials/spring_laws.hpp"
 #include "materials/viscous.hpp"
 #include "model/model.hpp"
 
 namespace moat {
 
-// Where a block is made, all its functions are compiled.
-extern template LinkBlock<BoucWen>& Model::block();
-extern template LinkBlock<Repeated<BoucWen>>& Model::block();
-extern template LinkBlock<GrantRubber>& Model::block();
-extern template LinkBlock<Repeated<GrantRubber>>& Model::block();
-extern template LinkBlock<HeatedLeadRubber>& Model::block();
-extern template LinkBlock<Repeated<HeatedLeadRubber>>& Model::block();
-extern template LinkBlock<HeatedSlidingIsolator>& Model::block();
-extern template LinkBlock<Repeated<HeatedSlidingIsolator>>& Model::block();
-extern template LinkBlock<KikuchiAikenRubber>& Model::block();
-extern template LinkBlock<Repeated<KikuchiAikenRubber>>& Model::block();
-extern template LinkBlock<SeriesOfSliders>& Model::block();
-extern template LinkBlock<Repeated<SeriesOfSliders>>& Model::block();
-extern template LinkBlock<SlidingIsolator>& Model::block();
-extern template LinkBlock<Repeated<SlidingIsolator>>& Model::block();
-extern template LinkBlock<StiffeningSpring>& Model::block();
-extern template LinkBlock<Repeated<StiffeningSpring>>& Model::block();
+extern template void add(Model&, const Isolator<BoucWen>&);
+extern template void add(Model&, const Isolator<DoublePendulum>&);
+extern template void add(Model&, const Isolator<FlatSlider>&);
+extern template void add(Model&, const Isolator<FrictionPendulum>&);
+extern template void add(Model&, const Isolator<GrantRubber>&);
+extern template void add(Model&, const Isolator<HeatedFrictionPendulum>&);
+extern template void add(Model&, const Isolator<HeatedLeadRubber>&);
+extern template void add(Model&, const Isolator<KikuchiAikenRubber>&);
+extern template void add(Model&, const Isolator<StiffeningSpring>&);
+extern template void add(Model&, const Isolator<TriplePendulum>&);
 
-extern template PlanarBlock<BiaxialBilinear>& Model::block();
-extern template PlanarBlock<BiaxialBoucWen>& Model::block();
-extern template PlanarBlock<BiaxialFrictionPendulum>& Model::block();
-extern template PlanarBlock<BiaxialGrantRubber>& Model::block();
-extern template LinkBlock<Linear, PlanEnds>& Model::block();
-extern template LinkBlock<Viscous, PlanEnds>& Model::block();
+extern template void add(Model&, const PlanarSpring<BiaxialBilinear>&);
+extern template void add(Model&, const PlanarSpring<BiaxialBoucWen>&);
+extern template void add(Model&, const PlanarSpring<BiaxialFrictionPendulum>&);
+extern template void add(Model&, const PlanarSpring<BiaxialGrantRubber>&);
+extern template void add(Model&, const PlanBearing<BiaxialBilinear>&);
+extern template void add(Model&, const PlanBearing<BiaxialBoucWen>&);
+extern template void add(Model&, const PlanBearing<BiaxialFrictionPendulum>&);
+extern template void add(Model&, const PlanBearing<BiaxialGrantRubber>&);
+extern template void add(Model&, const PlanSpring<Linear>&);
+extern template void add(Model&, const PlanSpring<Viscous>&);
 
 }  // namespace moat

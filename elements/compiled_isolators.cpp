@@ -1,22 +1,16 @@
-#include "elements/compiled_blocks.hpp"
+#include "elements/compiled_elements.hpp"
 
 namespace moat {
 
-template LinkBlock<BoucWen>& Model::block();
-template LinkBlock<Repeated<BoucWen>>& Model::block();
-template LinkBlock<GrantRubber>& Model::block();
-template LinkBlock<Repeated<GrantRubber>>& Model::block();
-template LinkBlock<HeatedLeadRubber>& Model::block();
-template LinkBlock<Repeated<HeatedLeadRubber>>& Model::block();
-template LinkBlock<HeatedSlidingIsolator>& Model::block();
-template LinkBlock<Repeated<HeatedSlidingIsolator>>& Model::block();
-template LinkBlock<KikuchiAikenRubber>& Model::block();
-template LinkBlock<Repeated<KikuchiAikenRubber>>& Model::block();
-template LinkBlock<SeriesOfSliders>& Model::block();
-template LinkBlock<Repeated<SeriesOfSliders>>& Model::block();
-template LinkBlock<SlidingIsolator>& Model::block();
-template LinkBlock<Repeated<SlidingIsolator>>& Model::block();
-template LinkBlock<StiffeningSpring>& Model::block();
-template LinkBlock<Repeated<StiffeningSpring>>& Model::block();
+template void add(Model&, const Isolator<BoucWen>&);
+template void add(Model&, const Isolator<DoublePendulum>&);
+template void add(Model&, const Isolator<FlatSlider>&);
+template void add(Model&, const Isolator<FrictionPendulum>&);
+template void add(Model&, const Isolator<GrantRubber>&);
+template void add(Model&, const Isolator<HeatedFrictionPendulum>&);
+template void add(Model&, const Isolator<HeatedLeadRubber>&);
+template void add(Model&, const Isolator<KikuchiAikenRubber>&);
+template void add(Model&, const Isolator<StiffeningSpring>&);
+template void add(Model&, const Isolator<TriplePendulum>&);
 
 }  // namespace moat

@@ -1,12 +1,16 @@
-#include "elements/compiled_blocks.hpp"
+#include "elements/compiled_elements.hpp"
 
 namespace moat {
 
-template PlanarBlock<BiaxialBilinear>& Model::block();
-template PlanarBlock<BiaxialBoucWen>& Model::block();
-template PlanarBlock<BiaxialFrictionPendulum>& Model::block();
-template PlanarBlock<BiaxialGrantRubber>& Model::block();
-template LinkBlock<Linear, PlanEnds>& Model::block();
-template LinkBlock<Viscous, PlanEnds>& Model::block();
+template void add(Model&, const PlanarSpring<BiaxialBilinear>&);
+template void add(Model&, const PlanarSpring<BiaxialBoucWen>&);
+template void add(Model&, const PlanarSpring<BiaxialFrictionPendulum>&);
+template void add(Model&, const PlanarSpring<BiaxialGrantRubber>&);
+template void add(Model&, const PlanBearing<BiaxialBilinear>&);
+template void add(Model&, const PlanBearing<BiaxialBoucWen>&);
+template void add(Model&, const PlanBearing<BiaxialFrictionPendulum>&);
+template void add(Model&, const PlanBearing<BiaxialGrantRubber>&);
+template void add(Model&, const PlanSpring<Linear>&);
+template void add(Model&, const PlanSpring<Viscous>&);
 
 }  // namespace moat

@@ -16,6 +16,17 @@
 
 namespace moat {
 
+/// A corner and its edge. The edge reaches from `edge_begin` to `edge_end` > edge_begin along the tangent t, from the
+/// corner at rest, m.
+struct CornerAndEdge {
+  CornerPair pair;                                  ///< names and places
+  PlanEndsBothWays ends;                            ///< along n and t, of the corner relative to the edge
+  ContactFriction friction;                         ///< along the edge
+  double edge_begin = 0.0, edge_end = 0.0;          ///< along t, m
+  double normal_mass = 0.0, tangential_mass = 0.0;  ///< effective, kg
+  double cross_mobility = 0.0;                      ///< of one direction under a force along the other, 1/kg
+};
+
 /// All contacts of corners with edges that have a normal law of type Law. The normal force F_n is that of ContactLinks
 /// along the normal n. Along the tangent t (model/plan_contacts.hpp) acts Coulomb friction F_t (corner_grip.hpp). The
 /// force on the corner's body is -F_n n - F_t t. Only the normal phases are located: grip changes stay inside steps,
@@ -31,18 +42,8 @@ class CornerContacts final : public ContactLinks<Law, PlanEnds>, public PlanCont
   /// Touch, approach speed and phase of a contact.
   using State = ContactState;
 
-  /// One contact. The edge reaches from `edge_begin` to `edge_end` > edge_begin along t, from the corner at rest, m.
-  struct Corner {
-    CornerPair pair;                                  ///< names and places
-    PlanEndsBothWays ends;                            ///< along n and t, of the corner relative to the edge
-    ContactFriction friction;                         ///< along the edge
-    double edge_begin = 0.0, edge_end = 0.0;          ///< along t, m
-    double normal_mass = 0.0, tangential_mass = 0.0;  ///< effective, kg
-    double cross_mobility = 0.0;                      ///< of one direction under a force along the other, 1/kg
-  };
-
   /// Appends a contact and returns its index.
-  std::size_t add(ElementInfo info, const Law& law, const Corner& corner) {
+  std::size_t add(ElementInfo info, const Law& law, const CornerAndEdge& corner) {
     corners_.push_back(corner);
     const std::size_t count = corners_.size();
     now_grips_.resize(count);
@@ -61,7 +62,7 @@ class CornerContacts final : public ContactLinks<Law, PlanEnds>, public PlanCont
 
   void add_couplings(PatternBuilder& pattern) const override {
     Base::add_couplings(pattern);
-    for (const Corner& corner : corners_) corner.ends.add_couplings(pattern);
+    for (const CornerAndEdge& corner : corners_) corner.ends.add_couplings(pattern);
   }
   void find_slots(const SparseMatrix& matrix) override {
     Base::find_slots(matrix);
@@ -192,7 +193,7 @@ class CornerContacts final : public ContactLinks<Law, PlanEnds>, public PlanCont
   }
   Distance distance(std::size_t i) const override { return distance_of(i, gaps_[i], now_grips_[i]); }
   bool may_jam(std::size_t i) const override {
-    const Corner& corner = corners_[i];
+    const CornerAndEdge& corner = corners_[i];
     return 1.0 <= corner.normal_mass * corner.friction.coefficient * std::abs(corner.cross_mobility);
   }
   int times_left(std::size_t i) const override { return times_left_[i]; }
@@ -242,13 +243,13 @@ class CornerContacts final : public ContactLinks<Law, PlanEnds>, public PlanCont
 
   // > 0 while the corner is beside the edge, or past an end by less than 1 % of it, m.
   [[nodiscard]] double margin_at_ends(std::size_t i, double path) const {
-    const Corner& corner = corners_[i];
+    const CornerAndEdge& corner = corners_[i];
     const double beyond = std::max(path - corner.edge_end, corner.edge_begin - path);
     return 0.01 * (corner.edge_end - corner.edge_begin) - beyond;
   }
 
   [[nodiscard]] Distance distance_of(std::size_t i, Distance gap, const CornerGrip& along) const {
-    const Corner& corner = corners_[i];
+    const CornerAndEdge& corner = corners_[i];
     const double past_end = along.path - corner.edge_end, before_begin = corner.edge_begin - along.path;
     const double beside = std::max(past_end, before_begin);
     if (this->is_touching(i)) return gap;
@@ -282,7 +283,7 @@ class CornerContacts final : public ContactLinks<Law, PlanEnds>, public PlanCont
     this->start_.deformations[i] = -std::abs(this->start_.deformations[i]);
   }
 
-  std::vector<Corner> corners_;
+  std::vector<CornerAndEdge> corners_;
   std::vector<CornerGrip> now_grips_, start_grips_;  // at the last evaluate(), and at the last commit
   std::vector<double> slide_begins_;                 // in the last step, as fractions of it
   std::vector<Losses> losses_;

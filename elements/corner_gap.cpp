@@ -41,20 +41,10 @@ void check_friction(const Check& check, const CornerFriction& friction) {
                    "Give the stiffness before sliding, or leave it out for 0.85 times that of the normal law.");
 }
 
-template class ContactLinks<SharedContact<AnyContact>, PlanEnds>;
-template class ContactLinks<SharedContact<BilinearContact>, PlanEnds>;
-template class ContactLinks<SharedContact<RootDampedHertzContact>, PlanEnds>;
-template class ContactLinks<SharedContact<ViscousHertzContact>, PlanEnds>;
-template class ContactLinks<SharedContact<ViscousLinearContact>, PlanEnds>;
-template class CornerContacts<SharedContact<AnyContact>>;
-template class CornerContacts<SharedContact<BilinearContact>>;
-template class CornerContacts<SharedContact<RootDampedHertzContact>>;
-template class CornerContacts<SharedContact<ViscousHertzContact>>;
-template class CornerContacts<SharedContact<ViscousLinearContact>>;
-template CornerContacts<SharedContact<AnyContact>>& Model::block();
-template CornerContacts<SharedContact<BilinearContact>>& Model::block();
-template CornerContacts<SharedContact<RootDampedHertzContact>>& Model::block();
-template CornerContacts<SharedContact<ViscousHertzContact>>& Model::block();
-template CornerContacts<SharedContact<ViscousLinearContact>>& Model::block();
+template void add_corner(Model&, ElementInfo, const SharedContact<AnyContact>&, const CornerAndEdge&);
+template void add_corner(Model&, ElementInfo, const SharedContact<BilinearContact>&, const CornerAndEdge&);
+template void add_corner(Model&, ElementInfo, const SharedContact<RootDampedHertzContact>&, const CornerAndEdge&);
+template void add_corner(Model&, ElementInfo, const SharedContact<ViscousHertzContact>&, const CornerAndEdge&);
+template void add_corner(Model&, ElementInfo, const SharedContact<ViscousLinearContact>&, const CornerAndEdge&);
 
 }  // namespace moat

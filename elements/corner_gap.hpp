@@ -83,6 +83,12 @@ CornerGeometry corner_geometry(const Model& model, const std::string& name, cons
 /// Throws InputError for a coefficient outside 0 to 1 or a negative stiffness.
 void check_friction(const Check& check, const CornerFriction& friction);
 
+/// Adds the element to the block of its law.
+template <ContactLaw Contact>
+void add_corner(Model& model, ElementInfo info, const Contact& law, const CornerAndEdge& corner) {
+  model.block<CornerContacts<Contact>>().add(std::move(info), law, corner);
+}
+
 /// Throws InputError for a bad parameter of gap, friction or law, unknown bodies, or a name that is taken.
 template <ImpactLaw Law>
 void add(Model& model, const CornerGap<Law>& gap) {
@@ -103,7 +109,6 @@ void add(Model& model, const CornerGap<Law>& gap) {
       gap.friction.tangential_stiffness
           ? gap.friction.tangential_stiffness->si()
           : of_tangent * law.evaluate({ContactPhase::loaded, 1.0}, at_indentation, 0.0, after).stiffness;
-  using Contact = std::remove_const_t<decltype(law)>;
   ElementInfo info{.name = gap.name,
                    .place = gap.place,
                    .first = gap.edge_of,
@@ -118,34 +123,24 @@ void add(Model& model, const CornerGap<Law>& gap) {
     if (gap.share != 1.0) parameters.push_back({"share", gap.share, "1"});
     info.law_as_given = std::make_shared<LawAsGiven>(std::string{name_of(gap.law)}, std::move(parameters));
   }
-  model.block<CornerContacts<Contact>>().add(
-      std::move(info), law,
-      {.pair = {gap.corner_name, gap.edge_name, corner.at.si(), gap.edge_begin.value().si(), gap.edge_end.value().si(),
-                geometry.normal},
-       .ends = geometry.ends,
-       .friction = {gap.friction.coefficient, tangential_stiffness},
-       .edge_begin = geometry.edge_begin,
-       .edge_end = geometry.edge_end,
-       .normal_mass = geometry.normal_mass,
-       .tangential_mass = geometry.tangential_mass,
-       .cross_mobility = geometry.cross_mobility});
+  add_corner(model, std::move(info), law,
+             {.pair = {gap.corner_name, gap.edge_name, corner.at.si(), gap.edge_begin.value().si(),
+                       gap.edge_end.value().si(), geometry.normal},
+              .ends = geometry.ends,
+              .friction = {gap.friction.coefficient, tangential_stiffness},
+              .edge_begin = geometry.edge_begin,
+              .edge_end = geometry.edge_end,
+              .normal_mass = geometry.normal_mass,
+              .tangential_mass = geometry.tangential_mass,
+              .cross_mobility = geometry.cross_mobility});
 }
 
-// For moat's impact laws these are compiled in the library, so that a script compiles faster.
-extern template class ContactLinks<SharedContact<AnyContact>, PlanEnds>;
-extern template class ContactLinks<SharedContact<BilinearContact>, PlanEnds>;
-extern template class ContactLinks<SharedContact<RootDampedHertzContact>, PlanEnds>;
-extern template class ContactLinks<SharedContact<ViscousHertzContact>, PlanEnds>;
-extern template class ContactLinks<SharedContact<ViscousLinearContact>, PlanEnds>;
-extern template class CornerContacts<SharedContact<AnyContact>>;
-extern template class CornerContacts<SharedContact<BilinearContact>>;
-extern template class CornerContacts<SharedContact<RootDampedHertzContact>>;
-extern template class CornerContacts<SharedContact<ViscousHertzContact>>;
-extern template class CornerContacts<SharedContact<ViscousLinearContact>>;
-extern template CornerContacts<SharedContact<AnyContact>>& Model::block();
-extern template CornerContacts<SharedContact<BilinearContact>>& Model::block();
-extern template CornerContacts<SharedContact<RootDampedHertzContact>>& Model::block();
-extern template CornerContacts<SharedContact<ViscousHertzContact>>& Model::block();
-extern template CornerContacts<SharedContact<ViscousLinearContact>>& Model::block();
+// For moat's impact laws compiled in the library, so that a script compiles faster.
+extern template void add_corner(Model&, ElementInfo, const SharedContact<AnyContact>&, const CornerAndEdge&);
+extern template void add_corner(Model&, ElementInfo, const SharedContact<BilinearContact>&, const CornerAndEdge&);
+extern template void add_corner(Model&, ElementInfo, const SharedContact<RootDampedHertzContact>&,
+                                const CornerAndEdge&);
+extern template void add_corner(Model&, ElementInfo, const SharedContact<ViscousHertzContact>&, const CornerAndEdge&);
+extern template void add_corner(Model&, ElementInfo, const SharedContact<ViscousLinearContact>&, const CornerAndEdge&);
 
 }  // namespace moat

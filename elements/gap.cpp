@@ -42,17 +42,6 @@ std::shared_ptr<const MemberEnds> member_ends(const Model& model, const MemberPo
       MemberEnds{right, left, (1.0 - drawn.share) * height(drawn.node) + drawn.share * height(drawn.other)});
 }
 
-template class ContactLinks<AnyContact, NodePair>;
-template class ContactLinks<AnyContact, PointPair>;
-template class ContactLinks<BilinearContact, NodePair>;
-template class ContactLinks<BilinearContact, PointPair>;
-template class ContactLinks<RootDampedHertzContact, NodePair>;
-template class ContactLinks<RootDampedHertzContact, PointPair>;
-template class ContactLinks<ViscousHertzContact, NodePair>;
-template class ContactLinks<ViscousHertzContact, PointPair>;
-template class ContactLinks<ViscousLinearContact, NodePair>;
-template class ContactLinks<ViscousLinearContact, PointPair>;
-
 template void add_contact(Model&, ElementInfo, const AnyContact&, double, const MemberPoint&, const MemberPoint&);
 template void add_contact(Model&, ElementInfo, const BilinearContact&, double, const MemberPoint&, const MemberPoint&);
 template void add_contact(Model&, ElementInfo, const RootDampedHertzContact&, double, const MemberPoint&,

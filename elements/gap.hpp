@@ -90,18 +90,7 @@ void add(Model& model, const Gap<Law>& gap) {
   add_contact(model, std::move(info), law, mass, left, right);
 }
 
-// For moat's impact laws these are compiled in the library, so that a script compiles in a third of the time.
-extern template class ContactLinks<AnyContact, NodePair>;
-extern template class ContactLinks<AnyContact, PointPair>;
-extern template class ContactLinks<BilinearContact, NodePair>;
-extern template class ContactLinks<BilinearContact, PointPair>;
-extern template class ContactLinks<RootDampedHertzContact, NodePair>;
-extern template class ContactLinks<RootDampedHertzContact, PointPair>;
-extern template class ContactLinks<ViscousHertzContact, NodePair>;
-extern template class ContactLinks<ViscousHertzContact, PointPair>;
-extern template class ContactLinks<ViscousLinearContact, NodePair>;
-extern template class ContactLinks<ViscousLinearContact, PointPair>;
-
+// For moat's impact laws compiled in the library, so that a script compiles in a third of the time.
 extern template void add_contact(Model&, ElementInfo, const AnyContact&, double, const MemberPoint&,
                                  const MemberPoint&);
 extern template void add_contact(Model&, ElementInfo, const BilinearContact&, double, const MemberPoint&,

@@ -22,7 +22,7 @@
 #include "base/quantity.hpp"
 #include "base/required.hpp"
 #include "base/units.hpp"
-#include "elements/compiled_blocks.hpp"
+#include "elements/compiled_elements.hpp"
 #include "elements/corner_gap.hpp"
 #include "elements/gap.hpp"
 #include "elements/isolator.hpp"

@@ -12,34 +12,7 @@ const PlacedDiaphragm& with_outline(const Model& model, const Check& check, Diap
   return diaphragm;
 }
 
-}  // namespace
-
-MoatLayout moat_layout(const Model& model, const std::string& name, DiaphragmId around, Length clearance,
-                       const PlanOutline& walls, const Facing& facing) {
-  const Check check{"PlanMoat", name};
-  check.that(!name.empty(), "a moat has no name.", "Give .name, or leave it out: \"moat\".");
-  const PlacedDiaphragm& base = with_outline(model, check, around);
-  if (!walls.empty()) {
-    check.that(clearance == Length{}, "both .clearance and .walls are given.", "Leave one of them out.");
-  } else {
-    check.positive("clearance", clearance, "Give the free distance at rest, or .walls.");
-    check.that(clearance <= facing.reach, "clearance", clearance.si(), "m",
-               "at most the reach, " + to_text(facing.reach.si()) + " m",
-               "No corner would meet a wall: give a longer .reach.");
-  }
-  MoatLayout layout{walls.empty() ? offset_outwards(base.outline, clearance) : walls, {}};
-  layout.corners = corners_facing_walls(check, base.outline, layout.walls, facing, "\"" + base.name + "\"");
-  return layout;
-}
-
-std::vector<FacingCorner> neighbour_corners(const Model& model, const std::string& name, DiaphragmId first,
-                                            DiaphragmId second, Length reach) {
-  const Check check{"PlanNeighbours", name};
-  check.that(!name.empty(), "neighbours have no name.", "Give .name, or leave it out: \"neighbours\".");
-  const PlacedDiaphragm &a = with_outline(model, check, first), &b = with_outline(model, check, second);
-  return corners_facing_each_other(check, a.outline, b.outline, reach, "\"" + a.name + "\" and \"" + b.name + "\"");
-}
-
+// Adds a flexible wall that moves along the normal of an edge, outwards, and returns its node.
 NodeId add_plan_wall(Model& model, const FlexibleWall& wall, const std::string& name, PlanVector normal) {
   const Check check{"FlexibleWall", name};
   wall.check(check);
@@ -57,6 +30,72 @@ NodeId add_plan_wall(Model& model, const FlexibleWall& wall, const std::string& 
                                    .deformation_quantity = "",
                                    .force_quantity = ""});
   return node;
+}
+
+}  // namespace
+
+std::vector<MeetingPair> moat_pairs(Model& model, const std::string& name, DiaphragmId around, Length clearance,
+                                    const PlanOutline& walls, const Facing& facing,
+                                    const std::optional<FlexibleWall>& wall) {
+  const Check check{"PlanMoat", name};
+  check.that(!name.empty(), "a moat has no name.", "Give .name, or leave it out: \"moat\".");
+  const PlacedDiaphragm& base = with_outline(model, check, around);
+  if (!walls.empty()) {
+    check.that(clearance == Length{}, "both .clearance and .walls are given.", "Leave one of them out.");
+  } else {
+    check.positive("clearance", clearance, "Give the free distance at rest, or .walls.");
+    check.that(clearance <= facing.reach, "clearance", clearance.si(), "m",
+               "at most the reach, " + to_text(facing.reach.si()) + " m",
+               "No corner would meet a wall: give a longer .reach.");
+  }
+  const std::string base_name = base.name;
+  const PlanOutline edges = walls.empty() ? offset_outwards(base.outline, clearance) : walls;
+  // Of a law that belongs to a whole face: the mass that meets it flat.
+  const bool of_face = facing.share == Share::per_face || facing.points_per_face > 0;
+  const Mass effective_mass = of_face ? base.mass * units::kg : Mass{};
+
+  std::vector<MeetingPair> pairs;
+  std::vector<NodeId> wall_nodes(edges.size(), ground);
+  for (const FacingCorner& each : corners_facing_walls(check, base.outline, edges, facing, "\"" + base_name + "\"")) {
+    const std::string number = std::to_string(each.edge + 1), wall_name = name + " wall " + number,
+                      edge_name = each.of_first ? wall_name : base_name + " edge " + number;
+    NodeId& wall_node = wall_nodes[each.edge];
+    if (each.of_first && wall && wall_node == ground)
+      wall_node = add_plan_wall(model, *wall, wall_name, turned_left(each.begin.si() - each.end.si()));
+    pairs.push_back({.name = each.of_first ? edge_name + " " + each.corner : name + " " + each.corner + " " + edge_name,
+                     .place = name,
+                     .corner = PlanPoint{each.of_first ? around.x : ground, each.at},
+                     .edge_of = each.of_first ? wall_node : around.x,
+                     .edge_begin = each.begin,
+                     .edge_end = each.end,
+                     .share = each.share,
+                     .effective_mass = effective_mass,
+                     .corner_name = (each.of_first ? base_name : name) + " " + each.corner,
+                     .edge_name = edge_name});
+  }
+  return pairs;
+}
+
+std::vector<MeetingPair> neighbour_pairs(const Model& model, const std::string& name, DiaphragmId first,
+                                         DiaphragmId second, Length reach) {
+  const Check check{"PlanNeighbours", name};
+  check.that(!name.empty(), "neighbours have no name.", "Give .name, or leave it out: \"neighbours\".");
+  const PlacedDiaphragm &a = with_outline(model, check, first), &b = with_outline(model, check, second);
+  std::vector<MeetingPair> pairs;
+  for (const FacingCorner& each :
+       corners_facing_each_other(check, a.outline, b.outline, reach, "\"" + a.name + "\" and \"" + b.name + "\"")) {
+    const std::string &own = each.of_first ? a.name : b.name, &other = each.of_first ? b.name : a.name;
+    const std::string edge = other + " edge " + std::to_string(each.edge + 1);
+    pairs.push_back({.name = name + " " + own + " " + each.corner + " " + edge,
+                     .place = name,
+                     .corner = PlanPoint{(each.of_first ? first : second).x, each.at},
+                     .edge_of = (each.of_first ? second : first).x,
+                     .edge_begin = each.begin,
+                     .edge_end = each.end,
+                     .corner_name = own + " " + each.corner,
+                     .edge_name = edge});
+  }
+  return pairs;
 }
 
 }  // namespace moat

@@ -59,76 +59,60 @@ struct PlanNeighbours {
   Length reach = 1.0 * units::m;
 };
 
-/// The walls of a moat and the corners that face them. Throws InputError for a clearance that is not > 0 m or above the
-/// reach, both or neither of clearance and walls, a diaphragm without outline, and as corners_facing_walls() does.
-struct MoatLayout {
-  PlanOutline walls;                  ///< As built.
-  std::vector<FacingCorner> corners;  ///< Those that may meet an edge.
+/// A corner and an edge that may meet: a CornerGap but for its law and friction.
+struct MeetingPair {
+  std::string name;         ///< Of the gap.
+  std::string place;        ///< Of the whole moat.
+  PlanPoint corner;         ///< At rest.
+  NodeId edge_of;           ///< The body of the edge.
+  PlanPosition edge_begin;  ///< The corner is on the left of the way to edge_end.
+  PlanPosition edge_end;    ///< At rest, too.
+  double share = 1.0;       ///< Of the law's force.
+  Mass effective_mass{};    ///< For the law; 0 kg stands for that of the corner.
+  Label corner_name;        ///< For tables.
+  Label edge_name;          ///< For tables.
 };
-/// As MoatLayout says.
-MoatLayout moat_layout(const Model& model, const std::string& name, DiaphragmId around, Length clearance,
-                       const PlanOutline& walls, const Facing& facing);
-/// Throws InputError for a diaphragm without outline, and as corners_facing_each_other() does.
-std::vector<FacingCorner> neighbour_corners(const Model& model, const std::string& name, DiaphragmId first,
-                                            DiaphragmId second, Length reach);
-/// Adds a flexible wall that moves along the normal of an edge, outwards, and returns its node.
-NodeId add_plan_wall(Model& model, const FlexibleWall& wall, const std::string& name, PlanVector normal);
 
-/// Throws InputError as moat_layout(), the contacts and the walls do.
+/// The pairs of a moat; adds its walls where they are flexible. Throws InputError for a clearance that is not > 0 m or
+/// above the reach, both or neither of clearance and walls, a diaphragm without outline, and as corners_facing_walls().
+std::vector<MeetingPair> moat_pairs(Model& model, const std::string& name, DiaphragmId around, Length clearance,
+                                    const PlanOutline& walls, const Facing& facing,
+                                    const std::optional<FlexibleWall>& wall);
+/// The pairs of neighbours. Throws InputError for a diaphragm without outline, and as corners_facing_each_other() does.
+std::vector<MeetingPair> neighbour_pairs(const Model& model, const std::string& name, DiaphragmId first,
+                                         DiaphragmId second, Length reach);
+
+/// Throws InputError as add(Model&, CornerGap) does.
 template <ImpactLaw Law>
-void add(Model& model, const PlanMoat<Law>& moat) {
-  const MoatLayout layout = moat_layout(model, moat.name, moat.around, moat.clearance, moat.walls,
-                                        {moat.reach, moat.share, moat.points_per_face});
-  const PlacedDiaphragm& base = model.diaphragm(moat.around);
-  // Of a law that belongs to a whole face: the mass that meets it flat.
-  const Mass of_face = (moat.share == Share::per_face || moat.points_per_face > 0 ? base.mass : 0.0) * units::kg;
-  std::vector<NodeId> walls(layout.walls.size(), ground);
-  const auto wall_name = [&](std::size_t edge) { return moat.name + " wall " + std::to_string(edge + 1); };
-  const std::string base_name = base.name;
-  for (const FacingCorner& each : layout.corners) {
-    const bool of_base = each.of_first;
-    if (of_base && moat.wall && walls[each.edge] == ground)
-      walls[each.edge] =
-          add_plan_wall(model, *moat.wall, wall_name(each.edge), turned_left(each.begin.si() - each.end.si()));
-    const std::string edge_name = of_base ? wall_name(each.edge) : base_name + " edge " + std::to_string(each.edge + 1);
-    const NodeId corner_body = of_base ? moat.around.value().x : ground;
-    add(model, CornerGap<Law>{
-                   .name = of_base ? edge_name + " " + each.corner : moat.name + " " + each.corner + " " + edge_name,
-                   .place = moat.name,
-                   .corner = PlanPoint{corner_body, each.at},
-                   .edge_of = of_base ? walls[each.edge] : moat.around.value().x,
-                   .edge_begin = each.begin,
-                   .edge_end = each.end,
-                   .law = moat.law,
-                   .friction = moat.friction,
-                   .share = each.share,
-                   .effective_mass = of_face,
-                   .corner_name = (of_base ? base_name : moat.name) + " " + each.corner,
-                   .edge_name = edge_name});
-  }
+void add_pairs(Model& model, const std::vector<MeetingPair>& pairs, const Law& law, const CornerFriction& friction) {
+  for (const MeetingPair& pair : pairs)
+    add(model, CornerGap<Law>{.name = pair.name,
+                              .place = pair.place,
+                              .corner = pair.corner,
+                              .edge_of = pair.edge_of,
+                              .edge_begin = pair.edge_begin,
+                              .edge_end = pair.edge_end,
+                              .law = law,
+                              .friction = friction,
+                              .share = pair.share,
+                              .effective_mass = pair.effective_mass,
+                              .corner_name = pair.corner_name,
+                              .edge_name = pair.edge_name});
 }
 
-/// Throws InputError as neighbour_corners() and the contacts do.
+/// Throws InputError as moat_pairs(), the contacts and the walls do.
+template <ImpactLaw Law>
+void add(Model& model, const PlanMoat<Law>& moat) {
+  const Facing facing{moat.reach, moat.share, moat.points_per_face};
+  add_pairs(model, moat_pairs(model, moat.name, moat.around, moat.clearance, moat.walls, facing, moat.wall), moat.law,
+            moat.friction);
+}
+
+/// Throws InputError as neighbour_pairs() and the contacts do.
 template <ImpactLaw Law>
 void add(Model& model, const PlanNeighbours<Law>& neighbours) {
-  const std::string first = model.diaphragm(neighbours.first).name, second = model.diaphragm(neighbours.second).name;
-  for (const FacingCorner& each :
-       neighbour_corners(model, neighbours.name, neighbours.first, neighbours.second, neighbours.reach)) {
-    const std::string &own = each.of_first ? first : second, &other = each.of_first ? second : first;
-    const std::string edge = other + " edge " + std::to_string(each.edge + 1);
-    const DiaphragmId corner_body = each.of_first ? neighbours.first : neighbours.second,
-                      edge_body = each.of_first ? neighbours.second : neighbours.first;
-    add(model, CornerGap<Law>{.name = neighbours.name + " " + own + " " + each.corner + " " + edge,
-                              .place = neighbours.name,
-                              .corner = PlanPoint{corner_body.x, each.at},
-                              .edge_of = edge_body.x,
-                              .edge_begin = each.begin,
-                              .edge_end = each.end,
-                              .law = neighbours.law,
-                              .friction = neighbours.friction,
-                              .corner_name = own + " " + each.corner,
-                              .edge_name = edge});
-  }
+  add_pairs(model, neighbour_pairs(model, neighbours.name, neighbours.first, neighbours.second, neighbours.reach),
+            neighbours.law, neighbours.friction);
 }
 
 }  // namespace moat
