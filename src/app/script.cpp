@@ -38,9 +38,14 @@ namespace {
 
 }  // namespace
 
+bool report_exceptions_that_leave_main() {
+  std::set_terminate(report_and_exit);
+  return true;
+}
+
 Script::Script(int argc, char** argv, std::string title)
     : parts_{std::make_unique<Parts>(argc, argv, std::move(title))} {
-  std::set_terminate(report_and_exit);
+  report_exceptions_that_leave_main();
   parts_->ranks = ranks_of_this_job();
   // Until every rank has reached the study, the default action of a signal would end the job without order.
   if (parts_->ranks != nullptr) parts_->signals_of_ranks.emplace();

@@ -23,6 +23,15 @@ class CaseRun;
 class ResultsFolder;
 class ScriptStudy;
 
+/// From now on an exception that leaves main() is printed as one message to standard error, and ends the program with
+/// exit code 1. Returns true. Every Script does it.
+bool report_exceptions_that_leave_main();
+
+#ifdef MOAT_SCRIPT
+// The launcher and moat_add_script() compile scripts with MOAT_SCRIPT: here also before the Script exists.
+inline const bool exceptions_are_reported = report_exceptions_that_leave_main();
+#endif
+
 /// Turns a main() into a program with options, help, progress, results folder and exit codes.
 ///
 ///     int main(int argc, char** argv) {
@@ -37,11 +46,11 @@ class ScriptStudy;
 /// Every function that takes a name adds an option --name and returns its value at once: the default, or the text on
 /// the command line, with its unit. run() checks all options, prints the text of --help, and refuses unknown options.
 ///
-/// Errors: once a Script exists, an exception that leaves main() is printed as one message to standard error and
-/// ends the program with exit code 1. Exit codes: 0 done; 1 bad input or another error; 2 wrong usage of the command
-/// line; 3 a step did not converge (the results up to that step are in the results folder); 130 and 143 stopped by
-/// SIGINT (Ctrl-C) and SIGTERM (the results up to then are there; with --force beside old ones, in a folder with a new
-/// number).
+/// Errors: an exception that leaves main() is printed as one message to standard error and ends the program with exit
+/// code 1; in a program of your own, once a Script exists. Exit codes: 0 done; 1 bad input or another error; 2 wrong
+/// usage of the command line; 3 a step did not converge (the results up to that step are in the results folder); 130
+/// and 143 stopped by SIGINT (Ctrl-C) and SIGTERM (the results up to then are there; with --force beside old ones, in a
+/// folder with a new number).
 class Script {
  public:
   Script(int argc, char** argv, std::string title);  ///< The arguments of main(), and a title for reports.

@@ -14,6 +14,9 @@
 namespace moat {
 namespace {
 
+// SI, of any dimension: far beyond every building, and near enough that numbers computed from it stay finite.
+constexpr double largest_quantity = 1e15;
+
 struct Symbol {
   std::string_view name;
   double si;
@@ -171,6 +174,8 @@ double parse_si(std::string_view text, std::string_view what, int mass, int half
                " or multiples of it.");
   const double value = number * unit.si;
   if (!std::isfinite(value)) refuse(what, text, "is too large.");
+  if (wanted != "1" && std::abs(value) > largest_quantity)
+    refuse(what, text, "is too large: at most 1e+15 " + wanted + ". Check its unit.");
   return value;
 }
 

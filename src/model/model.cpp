@@ -9,11 +9,21 @@
 #include "base/utf8_text.hpp"
 
 namespace moat {
+namespace {
+
+void require_text_of_tables(const Check& check, std::string_view name) {
+  check.that(is_utf8(name), "the name is not UTF-8.", "Save the script in UTF-8.");
+  check.that(name.empty() || std::string_view{"=+-@"}.find(name.front()) == std::string_view::npos,
+             "the name begins with = + - or @.",
+             "Spreadsheets take that for a formula; let the name begin with a letter or a digit.");
+}
+
+}  // namespace
 
 NodeId Model::add_node(Node node) {
   const Check check{"Node", node.name};
   check.that(!node.name.empty(), "a node has no name.", "Give .name: results are listed under it.");
-  check.that(is_utf8(node.name), "the name is not UTF-8.", "Save the script in UTF-8.");
+  require_text_of_tables(check, node.name);
   check.that(node.name != "ground", "this name is taken.", "`ground` is always there; choose another name.");
   check.positive("mass", node.mass, "Every degree of freedom needs mass.");
   check.finite("initial_displacement", node.initial_displacement);
@@ -42,7 +52,7 @@ NodeId Model::append_node(Node node) {
 DiaphragmId Model::add_diaphragm(const Diaphragm& diaphragm) {
   const double inertia = checked_rotary_inertia(diaphragm);
   const Check check{"Diaphragm", diaphragm.name};
-  check.that(is_utf8(diaphragm.name), "the name is not UTF-8.", "Save the script in UTF-8.");
+  require_text_of_tables(check, diaphragm.name);
   check.that(diaphragm.name != "ground", "this name is taken.", "`ground` is always there; choose another name.");
   for (const Node& node : nodes_)
     if (!node.direction)
@@ -144,7 +154,7 @@ bool Model::has_element(const std::string& name) const {
 void Model::register_element(std::string_view kind, const std::string& name) {
   const Check check{kind, name};
   check.that(!name.empty(), "an element has no name.", "Give .name: results are listed under it.");
-  check.that(is_utf8(name), "the name is not UTF-8.", "Save the script in UTF-8.");
+  require_text_of_tables(check, name);
   check.that(!has_element(name), "an element of this name exists.", "Give every element its own name.");
   element_names_.add(name);
 }
@@ -153,6 +163,7 @@ void Model::add_building(Building building) {
   const Check check{"Building", building.name};
   const std::vector<NodeId> nodes = building.nodes();
   check.that(!nodes.empty(), "no floors are given.", "Give .base and .floors, from the lowest up.");
+  require_text_of_tables(check, building.name);
   check.that(building_names_.insert(building.name).second, "a building of this name exists.",
              "Give every building its own .name.");
   in_building_.resize(nodes_.size(), false);

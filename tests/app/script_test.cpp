@@ -53,6 +53,14 @@ TEST_F(ScriptRun, LeavesEveryFileOfTheResults) {
     EXPECT_NE(result.output.find(period), std::string::npos) << period;
 }
 
+TEST_F(ScriptRun, ReportsAnErrorBeforeTheScriptExists) {
+  const ProgramResult result = testing::run_program(EARLY_ERROR_SCRIPT, {}, folder);
+  EXPECT_EQ(result.exit_code, 1);
+  EXPECT_EQ(result.errors,
+            "moat: error: Node \"base\": mass = -1 kg is not allowed; it must be > 0 kg and finite. "
+            "Every degree of freedom needs mass.\n");
+}
+
 TEST_F(ScriptRun, SummaryHasItsPeaksAndTheirSchema) {
   ASSERT_EQ(tour({"--end", "6 s", "--frame-interval", "0 s", "--out", "out"}).exit_code, 0);
   const json summary = json::parse(text_of(folder / "out/summary.json"));

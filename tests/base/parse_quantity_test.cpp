@@ -117,6 +117,14 @@ TEST(ParseQuantity, RefusesAValueBeyondTheLargestNumber) {
   EXPECT_EQ(refusal<Dimensionless>("1e400"), "--value: \"1e400\" is too large.");
 }
 
+TEST(ParseQuantity, RefusesAQuantityBeyondEveryBuilding) {
+  for (const char* text : {"1e308 m", "-1e16 m", "1.1e17 cm"})
+    EXPECT_EQ(refusal<Length>(text),
+              "--value: \"" + std::string{text} + "\" is too large: at most 1e+15 m. Check its unit.");
+  EXPECT_EQ(si<Length>("1e15 m"), 1e15);
+  EXPECT_EQ(si<Dimensionless>("1e300"), 1e300);
+}
+
 TEST(ParseQuantity, RefusesAValueBelowTheSmallestNumber) {
   for (const char* text : {"1e-400 m", "-1e-999 cm"})
     EXPECT_EQ(refusal<Length>(text), "--value: \"" + std::string{text} + "\" is too small; zero is 0.");

@@ -36,6 +36,10 @@ TEST(ModelInput, RefusesANodeWithoutOrWithATakenName) {
             "Node \"ground\": this name is taken. `ground` is always there; choose another name.");
   EXPECT_EQ(message_of([&] { add(model, Node{.name = "T\xFCr", .mass = 1 * kg}); }),
             "Node \"T\xFCr\": the name is not UTF-8. Save the script in UTF-8.");
+  for (const std::string name : {"=1+1", "+1", "-1", "@SUM(1)"})
+    EXPECT_EQ(message_of([&] { add(model, Node{.name = name, .mass = 1 * kg}); }),
+              "Node \"" + name + "\": the name begins with = + - or @. Spreadsheets take that for a formula; let the " +
+                  "name begin with a letter or a digit.");
   EXPECT_EQ(model.node_count(), 1);
   add(model, Node{.name = "T\xC3\xBCr", .mass = 1 * kg});
 }
