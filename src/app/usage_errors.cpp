@@ -16,8 +16,7 @@ std::string unknown_option(const CLI::App& parser, const std::string& program, c
   std::vector<std::string> names;
   for (const CLI::Option* known : parser.get_options())
     names.insert(names.end(), known->get_lnames().begin(), known->get_lnames().end());
-  const std::string nearest = nearest_name(names, name);
-  return program + " has no option " + option + "." + (nearest.empty() ? "" : " Did you mean --" + nearest + "?");
+  return program + " has no option " + option + "." + did_you_mean(names, name, "--");
 }
 
 }  // namespace

@@ -5,6 +5,10 @@
 
 namespace moat {
 
+/// The cubic through values and rates at both ends of a step leaves the range of its values there by at most 4/27 of
+/// the step times each rate; this bounds it.
+inline constexpr double cubic_beyond_ends = 0.15;
+
 /// A quantity over one step, x = t/h from 0 to 1: the cubic through value and rate at both ends. Its error is
 /// h^4/384 of the fourth derivative.
 class HermiteCubic {

@@ -41,4 +41,10 @@ std::string nearest_name(const std::vector<std::string>& names, const std::strin
   return nearest;
 }
 
+std::string did_you_mean(const std::vector<std::string>& names, const std::string& misspelt,
+                         const std::string& dashes) {
+  const std::string nearest = nearest_name(names, misspelt);
+  return nearest.empty() ? "" : " Did you mean " + dashes + nearest + "?";
+}
+
 }  // namespace moat

@@ -11,4 +11,8 @@ namespace moat {
 /// near. Give options without their dashes: these would count as letters.
 std::string nearest_name(const std::vector<std::string>& names, const std::string& misspelt);
 
+/// " Did you mean --gap?" with the nearest name behind `dashes`; empty if none is near.
+std::string did_you_mean(const std::vector<std::string>& names, const std::string& misspelt,
+                         const std::string& dashes = "");
+
 }  // namespace moat

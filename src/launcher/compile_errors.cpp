@@ -22,8 +22,9 @@ std::string wrong_type(const Diagnostic& diagnostic, const std::string& is, cons
   const std::string expression = diagnostic.underlined();
   const std::string wanted = described(std::regex_replace(needed, standard, "$1"));
   const bool unit_missing = described(is) == "a number without unit" && wanted.find('[') != std::string::npos;
-  return (expression.size() < 2 || expression.size() > 50 ? "this" : expression) + " is " + described(is) + ", but " +
-         wanted + " is needed here" + (unit_missing ? "; give it a unit, as in 10 * cm" : "");
+  const bool is_quotable = expression.size() >= 2 && expression.size() <= 50;
+  return (is_quotable ? expression : "this") + " is " + described(is) + ", but " + wanted + " is needed here" +
+         (unit_missing ? unit_hint(wanted, is_quotable ? expression : "") : "");
 }
 
 std::string concept_words(const std::string& name) {

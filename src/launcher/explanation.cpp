@@ -65,6 +65,13 @@ std::string without_second_names(const std::string& text) {
   return std::regex_replace(text, second, "");
 }
 
+std::string unit_hint(const std::string& needed, const std::string& value) {
+  static const std::regex simple{R"(.*\[([A-Za-z]+)\].*)"};
+  std::smatch match;
+  const bool has_example = !value.empty() && std::regex_match(needed, match, simple);
+  return "; give it a unit, as in " + (has_example ? value + " * " + match[1].str() : "10 * cm");
+}
+
 std::string no_such_field(const std::string& type, const std::string& field, const std::vector<std::string>& fields) {
   const std::string nearest = nearest_name(fields, field);
   std::string hint;

@@ -34,6 +34,10 @@ std::string plain_name(const std::string& type, const std::filesystem::path& roo
 /// "'moat::Stiffness' {aka 'moat::Quantity<1, 0, -2>'}" -> "'moat::Stiffness'"
 std::string without_second_names(const std::string& text);
 
+/// "; give it a unit, as in 1.3 * s", for a value that must be `needed`: "a time [s]". Without a value, or for a unit
+/// of several symbols, the example is a length.
+std::string unit_hint(const std::string& needed, const std::string& value);
+
 /// "Moat has no field clearence; did you mean clearance?" `fields` are those of the type.
 std::string no_such_field(const std::string& type, const std::string& field, const std::vector<std::string>& fields);
 

@@ -32,12 +32,8 @@ bool has_unit(const std::string& described_type) { return described_type.find('[
 
 // "field pulse_period of NearFaultPulse is a time [s], but 1.3 is a number without unit; give it a unit, as in 1.3 * s"
 std::string unit_missing(const NamedField& field, const std::string& type, const std::string& needed) {
-  static const std::regex simple{R"(.*\[([A-Za-z]+)\].*)"};
-  std::smatch match;
-  const std::string example =
-      std::regex_match(needed, match, simple) ? field.value + " * " + match[1].str() : "10 * cm";
   return "field " + field.name + " of " + type + " is " + needed + ", but " + field.value +
-         " is a number without unit; give it a unit, as in " + example;
+         " is a number without unit" + unit_hint(needed, field.value);
 }
 
 // Also in lists inside the list: `{.transient = {.step = 0.01}}`.

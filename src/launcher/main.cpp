@@ -54,9 +54,7 @@ void require_known_command(const CLI::App& app, const std::string& word) {
   for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; }))
     names.push_back(command->get_name());
   if (std::ranges::find(names, word) != names.end()) return;
-  const std::string nearest = nearest_name(names, word);
-  throw Stop{exit_usage, "There is no command " + word + "." +
-                             (nearest.empty() ? "" : " Did you mean " + nearest + "?") + "\nThere are " +
+  throw Stop{exit_usage, "There is no command " + word + "." + did_you_mean(names, word) + "\nThere are " +
                              joined(names, ", ") + "."};
 }
 
@@ -70,10 +68,8 @@ std::string unknown_option(const CLI::App& app) {
       const std::string option = word.substr(0, word.find('='));
       const std::size_t name = option.find_first_not_of('-');
       if (name == 0 || name == std::string::npos) continue;
-      const std::string nearest = nearest_name(names, option.substr(name));
-      return command->get_name() + " has no option " + option + "." +
-             (nearest.empty() ? "" : " Did you mean --" + nearest + "?") + "\nSee ./moat " + command->get_name() +
-             " --help.";
+      return command->get_name() + " has no option " + option + "." + did_you_mean(names, option.substr(name), "--") +
+             "\nSee ./moat " + command->get_name() + " --help.";
     }
   }
   return "";

@@ -19,7 +19,7 @@ constexpr double steps_per_period = 32.0;
 constexpr double shortest_period_in_time_steps = 0.01;
 constexpr double longest_period = 1000.0;  // s
 
-// Oscillators that move together, because a processor computes several numbers at once.
+// Oscillators in one group: a processor computes several numbers at once.
 constexpr int lanes = 4;
 using Numbers = Eigen::Array<double, lanes, 1>;
 
@@ -32,9 +32,8 @@ struct Moving {
 /// at both ends.
 void raise_to_cubics(Numbers& peaks, const Moving& start, const Moving& end, double step) {
   peaks = peaks.max(end.value.abs());
-  // A cubic leaves the range of its ends by at most 4/27 of the step times each rate.
-  constexpr double share = 0.15;
-  const Numbers reach = start.value.abs().max(end.value.abs()) + share * step * (start.rate.abs() + end.rate.abs());
+  const Numbers reach =
+      start.value.abs().max(end.value.abs()) + cubic_beyond_ends * step * (start.rate.abs() + end.rate.abs());
   if ((reach <= peaks).all()) return;
   for (int i = 0; i < lanes; ++i) {
     // Steps are short against the period: without a change of sign of the rate there is no extremum inside.
@@ -49,8 +48,8 @@ double substeps_of(double period, double sample_interval) {
   return std::max(1.0, std::ceil(steps_per_period * sample_interval / period));
 }
 
-/// Oscillators under a ground acceleration that is linear between samples. They take equally many steps, and none of
-/// them shows in the numbers of another.
+/// Oscillators under a ground acceleration that is linear between samples. They take equally many steps. The numbers of
+/// one do not depend on the others.
 class Oscillators {
  public:
   Oscillators(const Numbers& periods, double damping_ratio, double sample_interval)
@@ -80,7 +79,8 @@ class Oscillators {
       before = now;
     }
   }
-  /// Everyone vibrates freely for its period, in which its largest displacement and acceleration come.
+  /// Free vibration after the end of the motion. The largest values of each oscillator come within its period; later
+  /// ones do not count.
   void vibrate_freely() {
     for (double time = 0.0; time < periods_.maxCoeff(); time += step_) {
       const Numbers displacements = peak_displacements_, accelerations = peak_accelerations_;

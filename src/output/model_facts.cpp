@@ -10,24 +10,17 @@
 namespace moat {
 namespace {
 
-std::string kind_of(DrawnAs drawn) {
-  switch (drawn) {
-    case DrawnAs::storey:
-      return "storey";
-    case DrawnAs::bearing:
-      return "bearing";
-    case DrawnAs::gap:
-      return "gap";
-    default:
-      return "other";
-  }
+std::string kind_of(const ElementBlock& block, const ElementInfo& info) {
+  if (info.isolates) return "bearing";
+  if (block.contacts() != nullptr) return "gap";
+  return info.drawn_as == DrawnAs::storey ? "storey" : "other";
 }
 
 ElementFacts facts_of(const Model& model, const ElementBlock& block, std::size_t element) {
   const ElementInfo& info = block.info(element);
   LawAsGiven law = law_of(block, element);
   ElementFacts facts{.name = info.name,
-                     .kind = kind_of(info.drawn_as),
+                     .kind = kind_of(block, info),
                      .law = std::move(law.name),
                      .first = std::string{model.node_name(info.first)},
                      .second = std::string{model.node_name(info.second)},

@@ -15,12 +15,10 @@ struct Instant {
   double rate = 0.0;   ///< per second
 };
 
-/// A bound of the magnitude of the cubic through two instants: it leaves the range of its ends by at most 4/27 of the
-/// step times each rate.
+/// A bound of the magnitude of the cubic through two instants.
 inline double reach_of_cubic(const Instant& start, const Instant& end) {
-  constexpr double share = 0.15;
   return std::max(std::abs(start.value), std::abs(end.value)) +
-         share * (end.time - start.time) * (std::abs(start.rate) + std::abs(end.rate));
+         cubic_beyond_ends * (end.time - start.time) * (std::abs(start.rate) + std::abs(end.rate));
 }
 
 /// Where the cubic through two instants turns: calls found(time, value) if a peak there may exceed `magnitude`.

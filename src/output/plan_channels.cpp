@@ -12,12 +12,11 @@ struct PointMotion {
   PlanVector displacement, velocity, acceleration, jerk;
 };
 
-using OfNode = double (Model::*)(NodeId) const;
-
-PlanVector at(const Model& model, OfNode of, const PlacedDiaphragm& diaphragm, PlanVector arm) {
-  const DiaphragmId& id = diaphragm.id;
-  const double x = (model.*of)(id.x), y = (model.*of)(id.y), turn = (model.*of)(id.r) / diaphragm.gyration;
-  return {x - arm.y * turn, y + arm.x * turn};
+// At a point of a floor; `of` gives the value of a node.
+template <class OfNode>
+PlanVector at(const PlacedDiaphragm& floor, PlanVector arm, const OfNode& of) {
+  const double turn = of(floor.id.r) / floor.gyration;
+  return {of(floor.id.x) - arm.y * turn, of(floor.id.y) + arm.x * turn};
 }
 
 void write_length(PlanVector vector, PlanVector vector_rate, double*& value, double*& rate) {
@@ -122,11 +121,12 @@ void PlanChannels::sample(const StepView& view, double*& value, double*& rate) c
   const PlanVector ground_acceleration = view.ground();
   const auto motion_of = [&](const Point& point) {
     if (point.id.x == ground) return PointMotion{};
-    const PlacedDiaphragm& diaphragm = *model.diaphragm_of(point.id.x);
-    return PointMotion{at(model, &Model::displacement, diaphragm, point.arm),
-                       at(model, &Model::velocity, diaphragm, point.arm),
-                       at(model, &Model::acceleration, diaphragm, point.arm) + ground_acceleration,
-                       at(model, &Model::jerk, diaphragm, point.arm)};
+    const PlacedDiaphragm& floor = *model.diaphragm_of(point.id.x);
+    return PointMotion{
+        at(floor, point.arm, [&](NodeId node) { return model.displacement(node); }),
+        at(floor, point.arm, [&](NodeId node) { return model.velocity(node); }),
+        at(floor, point.arm, [&](NodeId node) { return model.acceleration(node); }) + ground_acceleration,
+        at(floor, point.arm, [&](NodeId node) { return model.jerk(node); })};
   };
   for (const Point& point : points_) {
     const PointMotion motion = motion_of(point);

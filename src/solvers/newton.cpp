@@ -180,7 +180,7 @@ class ForceBalanceTest final : public NOX::StatusTest::Generic {
     for (int i = 0; i < static_cast<int>(residual.size()); ++i) {
       const double magnitude = std::abs(residual[i]);
       sum += magnitude;
-      // Few residuals exceed all before them: hardly anything is divided.
+      // A division for every row would take longer than the rest of the loop.
       if (magnitude <= report.residual * scales[i]) continue;
       report.residual = magnitude / scales[i];
       report.worst_degree_of_freedom = i;

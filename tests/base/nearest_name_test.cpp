@@ -29,6 +29,12 @@ TEST(NearestName, IsFoundForTypingMistakes) {
     EXPECT_EQ(nearest_name(options, misspelt), meant) << misspelt;
 }
 
+TEST(NearestName, StandsInAQuestion) {
+  EXPECT_EQ(did_you_mean({"gap", "out"}, "gab", "--"), " Did you mean --gap?");
+  EXPECT_EQ(did_you_mean({"run", "new"}, "rum"), " Did you mean run?");
+  EXPECT_EQ(did_you_mean({"run", "new"}, "bogus"), "");
+}
+
 TEST(NearestName, IsNoOtherWord) {
   const std::vector<std::string> options{"out", "step", "end", "gap", "force", "hardening_stiffness"};
   for (const std::string other : {"bogus", "storeys", "seed", "case", "colour", "in", "", "x", "damping_stiffness"})

@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <map>
+#include <string>
+
 #include "moat.hpp"
 #include "recorders_testing.hpp"
 
@@ -47,6 +50,24 @@ TEST(ModelFacts, HaveInitialMotionsAndPointsBetweenNodes) {
   EXPECT_EQ(gap.second, "lower");
   EXPECT_EQ(gap.second_other, "upper");
   EXPECT_EQ(gap.second_share, 0.25);
+}
+
+// In plan too, where bearings are not drawn by their elements.
+TEST(ModelFacts, HaveTheKindOfEveryElement) {
+  using namespace units;
+  Model model;
+  const DiaphragmId floor = add(model, Diaphragm{.name = "floor", .mass = 100 * tonne, .size = {10 * m, 8 * m}});
+  add(model,
+      PlanBearing{.name = "bearing",
+                  .under = floor,
+                  .law = BiaxialBilinear{
+                      .yield_force = 100 * kN, .yield_displacement = 1 * cm, .post_yield_stiffness = 1 * MN / m}});
+  EXPECT_EQ(facts_of(model).elements.at(0).kind, "bearing");
+  const testing_output::HandMovedBuilding building;
+  std::map<std::string, std::string> kinds;
+  for (const ElementFacts& element : facts_of(building.model).elements) kinds[element.name] = element.kind;
+  EXPECT_EQ(kinds.at("storey 1"), "storey");
+  EXPECT_EQ(kinds.at("moat left"), "gap");
 }
 
 TEST(ModelFacts, HaveTheClearanceOfEveryGap) {
