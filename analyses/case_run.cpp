@@ -106,10 +106,8 @@ MotionFacts facts_of(const GroundMotion& motion) {
           .peak_velocity = motion.peak_velocity().si(),
           .time_step = motion.time_step(),
           .duration = motion.duration(),
-          .file = motion.file().path,
-          .sha256 = motion.file().sha256,
-          .scale_factor = motion.scale_factor(),
-          .notes = motion.notes()};
+          .notes = motion.notes(),
+          .components = motion.components()};
 }
 
 }  // namespace

@@ -66,9 +66,11 @@ std::vector<std::string> motion_warnings(const GroundMotion& motion) {
   constexpr double strongest = 5.0 * standard_gravity;  // the strongest records reach about 4 g
   const double peak = motion.peak_acceleration().si();
   if (peak <= strongest) return {};
+  std::string factors;
+  for (const MotionComponent& component : motion.components())
+    factors += (factors.empty() ? "" : " and ") + to_text(component.scale_factor);
   return {"The peak acceleration of the ground is " + to_text(peak / standard_gravity) +
-          " g; no record is as strong as 5 g. Check the unit of the record and its scale factor (" +
-          to_text(motion.scale_factor()) + ")."};
+          " g; no record is as strong as 5 g. Check the unit of the record and its scale factor (" + factors + ")."};
 }
 
 std::vector<std::string> model_warnings(const Model& model) {

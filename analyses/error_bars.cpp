@@ -133,7 +133,7 @@ std::string in_percent(const Peak& peak) {
 
 std::string reason_of(std::size_t impacts, std::size_t companion_impacts, const std::vector<Peak>& unsettled,
                       std::size_t all) {
-  constexpr std::size_t most_told = 4;
+  constexpr std::size_t most_named = 4;
   std::string text;
   if (impacts != companion_impacts)
     text = "with finer steps it has " + std::to_string(companion_impacts) +
@@ -142,10 +142,10 @@ std::string reason_of(std::size_t impacts, std::size_t companion_impacts, const 
   if (unsettled.empty()) return text;
   text += std::to_string(unsettled.size()) + " of " + std::to_string(all) + " peaks " +
           (unsettled.size() == 1 ? "is" : "are") + " not settled, with an error above 1 %: ";
-  for (std::size_t i = 0; i < std::min(most_told, unsettled.size()); ++i)
+  for (std::size_t i = 0; i < std::min(most_named, unsettled.size()); ++i)
     text += (i == 0 ? "" : ", ") + in_words(unsettled[i].quantity) + " of \"" + unsettled[i].where + "\" (" +
             in_percent(unsettled[i]) + ")";
-  if (unsettled.size() > most_told) text += " and " + std::to_string(unsettled.size() - most_told) + " more";
+  if (unsettled.size() > most_named) text += " and " + std::to_string(unsettled.size() - most_named) + " more";
   return text;
 }
 

@@ -20,7 +20,7 @@ namespace moat {
 /// Its solution over a whole step is a matrix times (u, u', 1, a_g, s), exact to round-off: the exponential of the
 /// augmented first-order system, computed once for every K and C that occur. Other lengths (to an event, and back to
 /// the grid) take the Taylor series of the solution, summed to round-off once per step and then evaluated at any
-/// length. There is no error of period, hence no tolerance.
+/// length. There is no error of period, so there is no tolerance.
 ///
 /// A step is the longest step of the analysis (longest_step()), halved until the fastest eigenvalue of the system times
 /// the step is at most 1/2: the series converges quickly then, changes of regime inside a step are seen, and the cubic

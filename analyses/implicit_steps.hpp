@@ -26,7 +26,7 @@ class ImplicitSteps final : public Stepper {
   /// The trial state that the step would lead to without iterations; only elements that can change their regime are
   /// evaluated there.
   void predict(const StepTask& step);
-  /// Computes accelerations and jerks of the committed state anew, from its forces.
+  /// Computes accelerations and jerks of the committed state again, from its forces.
   void balance_committed_state(PlanVector ground_acceleration) {
     equations_.balance_committed_state(ground_acceleration);
   }

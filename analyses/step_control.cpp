@@ -155,8 +155,8 @@ bool StepControl::accepts(const Model& model, const StepTask& step, StepScheme s
   }
   // The error of a much shorter step cannot be extrapolated to the nominal step.
   const double nominal = step_at(halvings_);
-  constexpr double shortest_that_tells = 0.3;
-  if (h < shortest_that_tells * nominal) return true;
+  constexpr double shortest_usable = 0.3;
+  if (h < shortest_usable * nominal) return true;
   // Halve above 1.2 times the tolerance; double only where the doubled step stays below 0.9 times. The distance of the
   // two limits keeps the length from alternating.
   const double of_doubling = change_by_doubling(scheme);

@@ -135,8 +135,9 @@ void add_energies(CaseOutcome& outcome, const EnergyBalance& energy) {
 
 std::vector<FileRead> files_of(const GroundMotion& motion) {
   std::vector<FileRead> files;
-  for (const FileRead& file : {motion.file(), motion.file_of_second()})
-    if (!file.path.empty() && std::ranges::find(files, file) == files.end()) files.push_back(file);
+  for (const MotionComponent& component : motion.components())
+    if (!component.file.path.empty() && std::ranges::find(files, component.file) == files.end())
+      files.push_back(component.file);
   return files;
 }
 

@@ -26,10 +26,10 @@ namespace moat {
 /// The integrator (analyses/integrators.hpp) takes the steps; implicit ones are solved by Newton-Raphson in NOX. Touch
 /// and separation of gaps, and yield and unloading of located bearings, are events. A located one ends its step
 /// (analyses/event_location.hpp): the step that would cross it is solved again, shorter, until it ends there; then the
-/// acceleration is computed anew from the forces after the change, and one odd step leads back to the time grid. Where
-/// events are many they may stay inside a step (analyses/changes_inside.hpp). The end of the motion is an event too:
-/// the ground's acceleration drops to zero there. The step follows the physics (analyses/step_control.hpp) unless it is
-/// fixed.
+/// acceleration is computed again from the forces after the change, and one step of another length ends on the time
+/// grid. Where events are many they may stay inside a step (analyses/changes_inside.hpp). The end of the motion is an
+/// event too: the ground's acceleration drops to zero there. The step follows the physics (analyses/step_control.hpp)
+/// unless it is fixed.
 ///
 /// A step that does not converge is cut in half; if that does not help, advance() throws ConvergenceError
 /// naming time, step, residual and the worst place. It is never accepted.

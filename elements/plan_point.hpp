@@ -2,10 +2,12 @@
 #pragma once
 
 #include <array>
+#include <memory>
 #include <string>
 #include <string_view>
 
 #include "model/model.hpp"
+#include "model/plan_places.hpp"
 
 namespace moat {
 
@@ -37,5 +39,7 @@ Check check_points(const Model& model, std::string_view kind, const std::string&
                    const PlanPoint& first, std::string_view second_field, const PlanPoint& second);
 /// The direction with length 1. Throws InputError for a vector without length.
 PlanVector unit_direction(const Check& check, std::string_view field, PlanVector direction);
+/// For ElementInfo; `direction` has length 1, or is zero for an element that acts in both directions.
+std::shared_ptr<const PlanPlaces> plan_places(const PlanPoint& first, const PlanPoint& second, PlanVector direction);
 
 }  // namespace moat

@@ -50,7 +50,8 @@ void add(Model& model, const PlanarSpring<Law>& spring) {
                                        .deformation_quantity = spring.deformation_quantity,
                                        .force_quantity = spring.force_quantity,
                                        .isolates = spring.isolates,
-                                       .drawn_as = DrawnAs::nothing},
+                                       .drawn_as = DrawnAs::nothing,
+                                       .plan_places = plan_places(lower, upper, {})},
                                       spring.law, PlanEndsBothWays{model, lower, upper, {1.0, 0.0}}, upper.at.si());
 }
 

@@ -11,6 +11,7 @@
 #include "base/parameter.hpp"
 #include "base/reported_quantity.hpp"
 #include "base/stiffness_stage.hpp"
+#include "base/type_name.hpp"
 
 namespace moat {
 
@@ -85,8 +86,8 @@ Response respond(const Law& law, const typename Law::State& committed, double de
     return law.evaluate(committed, deformation, rate, trial);
 }
 
-/// For reports a law may offer the name of its type and its parameters. All laws of moat do; a law of a script without
-/// them is listed as "law", without parameters.
+/// For reports a law may offer its name and its parameters. All laws of moat do; a law of a script without them is
+/// listed under the name of its type, without parameters.
 ///
 ///     static constexpr std::string_view name = "Friction";
 ///     std::vector<Parameter> parameters() const { return {{"force", force.si(), "N"}}; }
@@ -97,7 +98,7 @@ std::string_view name_of(const Law& law) {
   else if constexpr (requires { std::string_view{law.name}; })
     return law.name;
   else
-    return "law";
+    return type_name<Law>();
 }
 /// Names, values and units of the parameters of a law; none for a law that does not list them.
 template <class Law>

@@ -131,7 +131,9 @@ struct HeatedLeadRubber {
       return {post_yield * deformation + committed.direction * strength_at(committed.temperature), post_yield, 0.0};
     trial.temperature = cooled(committed.temperature, warmed.temperature, cooling);
     trial.heat = committed.heat + heat_capacity() * (warmed.temperature - committed.temperature);
-    const double limit = strength_at(trial.temperature);
+    const double limit = strength_at(trial.temperature), uncooled = strength_at(warmed.temperature);
+    // The lead that cools regains strength: its elastic part grows at the cost of the slip.
+    trial.heat -= 0.5 * (limit * limit - uncooled * uncooled) / elastic;
     trial.slip = deformation - committed.direction * limit / elastic;
     const double slope = trial.temperature > 0.0 ? -weakening * limit * (1.0 - 0.5 * cooling) * warmed.per_move : 0.0;
     return {post_yield * deformation + committed.direction * limit, post_yield + slope, 0.0};

@@ -1,5 +1,6 @@
 #include "app/law_assumptions.hpp"
 
+#include <algorithm>
 #include <set>
 #include <string_view>
 
@@ -18,6 +19,12 @@ std::vector<std::string> law_assumptions(const ModelFacts& model) {
   };
   AllSpringLaws::for_each(add);
   AllImpactLaws::for_each(add);
+  std::set<std::string_view> silent;
+  for (const ElementFacts& element : model.elements)
+    if (std::ranges::all_of(element.parameters, [](const ParameterFacts& each) { return each.name == "clearance"; }))
+      silent.insert(element.law);
+  for (const std::string_view law : silent)
+    sentences.push_back(std::string{law} + ": a law of the script. It lists no parameters(), so results lack them.");
   return sentences;
 }
 

@@ -8,7 +8,8 @@
 
 namespace moat {
 
-/// "HertzDamp: ..." for every law of the model that states an assumption, in the order of the lists of laws.
+/// "HertzDamp: ..." for every law of the model that states an assumption, in the order of the lists of laws; then a
+/// sentence for every law that lists no parameters.
 std::vector<std::string> law_assumptions(const ModelFacts& model);
 
 }  // namespace moat

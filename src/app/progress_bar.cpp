@@ -19,8 +19,11 @@ std::string in_time_units(double seconds) {
 
 }  // namespace
 
-ProgressBar::ProgressBar(const std::string& title, std::string unit)
-    : title_{title.empty() ? "" : title + ": "}, unit_{std::move(unit)}, terminal_{isatty(STDERR_FILENO) != 0} {}
+ProgressBar::ProgressBar(const std::string& title, std::string unit, double quiet_time)
+    : title_{title.empty() ? "" : title + ": "},
+      unit_{std::move(unit)},
+      quiet_time_{quiet_time},
+      terminal_{isatty(STDERR_FILENO) != 0} {}
 
 void ProgressBar::operator()(double done, double all, const std::string& note) {
   // Times of steps are sums: 100 % may be short of it by round-off.
@@ -29,6 +32,8 @@ void ProgressBar::operator()(double done, double all, const std::string& note) {
   if (percent / shown_every <= shown_percent_ / shown_every) return;
   shown_percent_ = percent;
   if (!terminal_) {
+    const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - start_;
+    if (passed.count() < quiet_time_) return;
     std::fprintf(stderr, "moat: %s%3d %% of %.15g %s%s\n", title_.c_str(), percent / 10 * 10, all, unit_.c_str(),
                  note.c_str());
   } else if (percent == 100) {

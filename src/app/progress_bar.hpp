@@ -1,6 +1,7 @@
 // Progress on a terminal or in a log.
 #pragma once
 
+#include <chrono>
 #include <string>
 
 #include "output/step_observer.hpp"
@@ -8,14 +9,15 @@
 
 namespace moat {
 
-/// On a terminal a bar that redraws itself at every percent and is gone at the end; otherwise one line for every 10 %.
-/// To standard error.
+/// On a terminal a bar that redraws itself at every percent and is gone at the end; otherwise one line for every 10 %,
+/// and none in the first second, so that short runs leave no lines in a log. To standard error.
 ///
 ///     run_study(axes, compute, {.progress = ProgressBar{"gaps"}});
 class ProgressBar {
  public:
-  /// title: stands before everything shown, if not empty. unit: of the amounts that are counted.
-  explicit ProgressBar(const std::string& title = "", std::string unit = "cases");
+  /// title: stands before everything shown, if not empty. unit: of the amounts that are counted. quiet_time: s, >= 0,
+  /// from now on; nothing is written to a log in this time.
+  explicit ProgressBar(const std::string& title = "", std::string unit = "cases", double quiet_time = 1.0);
 
   /// 0 <= done <= all, all > 0. note: shown behind the amount.
   void operator()(double done, double all, const std::string& note = "");
@@ -26,6 +28,8 @@ class ProgressBar {
 
  private:
   std::string title_, unit_;
+  double quiet_time_;
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
   bool terminal_;
   int shown_percent_ = 0;
 };

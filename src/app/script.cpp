@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "analyses/case_run.hpp"
+#include "analyses/integrators.hpp"
 #include "app/command_line.hpp"
 #include "app/law_assumptions.hpp"
 #include "app/progress_bar.hpp"
@@ -132,8 +133,14 @@ struct Script::Outcome {
 };
 
 int Script::run(Model& model, const GroundMotion& motion, std::initializer_list<StepObserver*> observers) {
+  return run(model, motion, TransientOptions{}, observers);
+}
+
+int Script::run(Model& model, const GroundMotion& motion, const TransientOptions& given,
+                std::initializer_list<StepObserver*> observers) {
   parts_->observers.insert(parts_->observers.end(), observers);
   RunOptions options;
+  options.transient = given;
   if (const auto exit_code = read_options(motion, options)) return *exit_code;
   if (!parts_->speaks()) return 0;  // a single run needs one rank
   CaseRun run{model,
@@ -167,12 +174,13 @@ std::optional<int> Script::read_options(const GroundMotion& motion, RunOptions& 
   const std::filesystem::path default_folder = std::filesystem::path{"results"} / line.program();
   options.folder = text("out", default_folder.string(), "results folder; an existing one gets a new number");
   line.add_flag("force", options.force, "replace the results in an existing folder");
-  options.transient.step = time("step", 0 * units::s, "fixed time step; 0 s adapts it");
+  options.transient.step = time("step", options.transient.step, "fixed time step; 0 s adapts it");
   options.transient.tolerance = number("tolerance", options.transient.tolerance, "error per step of an adapted step");
   const std::string integrator =
-      text("integrator", "newmark",
+      text("integrator", std::string{name_of(options.transient.integrator)},
            integrator_names() + "; exact steps are for small models, automatic takes them where it can");
-  options.transient.end = time("end", motion.duration() * units::s, "end of the analysis");
+  const Time end = options.transient.end.si() > 0.0 ? options.transient.end : motion.duration() * units::s;
+  options.transient.end = time("end", end, "end of the analysis");
   options.frame_interval = time("frame-interval", 50 * units::ms, "between VTK frames; 0 s writes none");
   line.add_flag("check", options.check, "error bars also where the second run they need costs more than about 20 ms");
   line.add_flag("quiet", options.quiet, "print warnings and errors only");
@@ -184,7 +192,8 @@ std::optional<int> Script::read_options(const GroundMotion& motion, RunOptions& 
   }
   if (!line.parse()) return exit_usage;
   // Before the results folder is made.
-  options.transient.integrator = integrator_named(integrator, "--integrator");
+  if (integrator != name_of(options.transient.integrator))
+    options.transient.integrator = integrator_named(integrator, "--integrator");
   Check{"Script", ""}.not_negative("--frame-interval", options.frame_interval);
   parts_->origin.options = line.values();
   return std::nullopt;

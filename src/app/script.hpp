@@ -9,6 +9,7 @@
 #include <string>
 
 #include "analyses/study.hpp"
+#include "analyses/transient_options.hpp"
 #include "base/quantity.hpp"
 #include "model/model.hpp"
 #include "motions/ground_motion.hpp"
@@ -90,6 +91,11 @@ class Script {
   /// With --json standard output holds summary.json alone, with the member "results_folder" in front, and all else goes
   /// to standard error. The observers are attached before; none may be null.
   int run(Model& model, const GroundMotion& motion, std::initializer_list<StepObserver*> observers = {});
+  /// The same with options of the analysis that the command line lacks; those that it has are its defaults:
+  ///
+  ///     return script.run(model, motion, {.integrator = GeneralizedAlpha{.spectral_radius = 0.9}});
+  int run(Model& model, const GroundMotion& motion, const TransientOptions& options,
+          std::initializer_list<StepObserver*> observers = {});
 
   /// Computes a study on all cores, keeps it in the file NAME.db of the results folder, and writes NAME.csv and
   /// report.html beside it, also where it is stopped. A study that is there goes on: only cases that it lacks are

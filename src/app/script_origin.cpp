@@ -31,14 +31,13 @@ Provenance origin_of_script(const std::vector<std::string>& arguments) {
   Provenance origin = provenance_of_library();
   std::error_code error;
   if (const std::string source = variable("MOAT_SCRIPT"); !source.empty()) {
-    const fs::path path = fs::absolute(source, error);
-    origin.script = path.string();
-    origin.script_sha256 = sha256_of_file(path).value_or("");
+    origin.script = fs::absolute(source, error).string();
     origin.command_line = "moat run " + shell_word(origin.script);
   } else {
     origin.script = fs::read_symlink("/proc/self/exe", error).string();
     origin.command_line = shell_word(origin.script);
   }
+  origin.script_sha256 = sha256_of_file(origin.script).value_or("");
   for (const std::string& argument : arguments) origin.command_line += " " + shell_word(argument);
   return origin;
 }

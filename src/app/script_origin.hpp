@@ -9,7 +9,7 @@
 namespace moat {
 
 /// Version, commit, date, and the command line of this process. The launcher gives the path of the script's source in
-/// the environment variable MOAT_SCRIPT; without it the path of the program stands in its place, without hash.
+/// the environment variable MOAT_SCRIPT; without it path and hash of the program stand in its place.
 Provenance origin_of_script(const std::vector<std::string>& arguments);
 
 /// The command that goes on with a study of this process, on the same number of ranks, for a shell in any folder:

@@ -48,7 +48,7 @@ StudyResult ScriptStudy::run(const StudyCases& cases, const std::function<StudyR
   report_.provenance = origin;
   const StopSignals signals;
   const fs::path file = options_.folder / (name + (options_.part ? part_name(*options_.part) : "") + ".db");
-  const bool tells = speaks() && !options_.quiet;
+  const bool reports = speaks() && !options_.quiet;
   if (options_.threads > 0) options.threads = options_.threads;
   options.ranks = ranks_;
   options.part = options_.part;
@@ -62,15 +62,15 @@ StudyResult ScriptStudy::run(const StudyCases& cases, const std::function<StudyR
     options.store = &*store;
   }
   ProgressBar bar{name};
-  if (!tells)
+  if (!reports)
     options.progress = {};
   else if (!options.progress)
     options.progress = [&](const StudyProgress& now) { bar(now); };
-  if (tells) std::cout << title << ": " << name << ", " << cases.count() << " cases\n" << std::flush;
+  if (reports) std::cout << title << ": " << name << ", " << cases.count() << " cases\n" << std::flush;
   const auto close = [&](const std::string& ending) {
     if (store) store->end_session(ending);
     store.reset();
-    if (tells) bar.clear();
+    if (reports) bar.clear();
   };
   try {
     StudyResult result = compute(options);

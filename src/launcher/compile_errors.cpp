@@ -5,11 +5,14 @@
 #include <optional>
 #include <regex>
 
+#include "base/nearest_name.hpp"
 #include "launcher/compiler_output.hpp"
 #include "launcher/dimension_names.hpp"
 #include "launcher/explanation.hpp"
+#include "launcher/link_errors.hpp"
 #include "launcher/list_errors.hpp"
 #include "launcher/struct_fields.hpp"
+#include "launcher/syntax_errors.hpp"
 #include "launcher/text.hpp"
 
 namespace moat::launcher {
@@ -18,19 +21,33 @@ namespace {
 namespace fs = std::filesystem;
 
 std::string wrong_type(const Diagnostic& diagnostic, const std::string& is, const std::string& needed) {
-  static const std::regex standard{R"(std::optional<(.*)>)"};
   const std::string expression = diagnostic.underlined();
-  const std::string wanted = described(std::regex_replace(needed, standard, "$1"));
+  const std::string wanted = needed_in_words(needed);
   const bool unit_missing = described(is) == "a number without unit" && wanted.find('[') != std::string::npos;
   const bool is_quotable = expression.size() >= 2 && expression.size() <= 50;
-  return (is_quotable ? expression : "this") + " is " + described(is) + ", but " + wanted + " is needed here" +
-         (unit_missing ? unit_hint(wanted, is_quotable ? expression : "") : "");
+  const bool has_fraction = wanted == "a whole number" && is == "double";
+  return (is_quotable ? expression : "this") + " is " +
+         (has_fraction ? "a number with a decimal point" : described(is)) + ", but " + wanted + " is needed here" +
+         (unit_missing ? unit_hint(wanted, is_quotable ? expression : "") : "") +
+         (has_fraction ? whole_number_hint(expression) : "");
 }
 
 std::string concept_words(const std::string& name) {
   if (name == "ImpactLaw") return "an impact law, such as HertzDamp";
   if (name == "ForceLaw") return "a force law (docs/guide.md, \"Laws and elements of your own\")";
   return described(name);
+}
+
+// "; did you mean 'HertzDamp'?" The compiler's own suggestion may be a function of C that nobody means: modfl for
+// model.
+std::string known_name_like(const std::string& name, const std::string& suggestion, const Diagnostic& place,
+                            const fs::path& root) {
+  std::string known = suggestion;
+  const bool is_known = suggestion.find("::") != std::string::npos || has_word(text_of(place.file), suggestion) ||
+                        is_in_headers(suggestion, root);
+  if (!is_known)
+    known = std::isupper(static_cast<unsigned char>(name.front())) != 0 ? nearest_name(names_of_types(root), name) : "";
+  return known.empty() ? "" : "; did you mean '" + known + "'?";
 }
 
 using Rule = Explanation (*)(const std::smatch&, const Diagnostic&, const fs::path& root);
@@ -72,6 +89,11 @@ const std::vector<Pattern>& patterns() {
        [](const std::smatch& match, const Diagnostic& place, const fs::path&) {
          return at(place, wrong_type(place, match[1], match[2]));
        }},
+      {std::regex{R"('(\w+)' (was not declared in this scope|does not name a type)(?:; did you mean '(.*)'\?)?)"},
+       [](const std::smatch& match, const Diagnostic& place, const fs::path& root) {
+         return at(place,
+                   "'" + match[1].str() + "' " + match[2].str() + known_name_like(match[1], match[3], place, root));
+       }},
       {std::regex{R"(use of deleted function '.*Required<T>::Required\(\) \[with T = (.*)\]')"},
        [](const std::smatch& match, const Diagnostic& place, const fs::path&) {
          return at(place, "a required field is missing: " + described(match[1]));
@@ -80,21 +102,17 @@ const std::vector<Pattern>& patterns() {
   return all;
 }
 
-std::string lower_case(std::string word) {
-  std::transform(word.begin(), word.end(), word.begin(), [](unsigned char c) { return std::tolower(c); });
-  return word;
-}
-
 // `Moat{...}` without a law, or with something else in its place.
 std::optional<Explanation> failed_deduction(const ErrorGroup& group, const fs::path& root) {
   static const std::regex call{R"(no matching function for call to '(\w+)\(.*)"};
   static const std::regex missing{R"(\s*couldn't deduce template parameter '(\w+)')"};
   static const std::regex concepts{R"(.*required for the satisfaction of '(\w+)<\w+>' \[with \w+ = (.*)\])"};
+  const bool is_type = group.front().text.starts_with("class template argument deduction failed");
   std::string type;
   for (const Diagnostic& each : group) {
     std::smatch match;
     if (std::regex_match(each.text, match, call)) type = match[1];
-    if (std::regex_match(each.text, match, missing) && !type.empty())
+    if (std::regex_match(each.text, match, missing) && is_type && !names_field(group.front(), lower_case(match[1])))
       return at(group.front(), "field " + lower_case(match[1]) + " of " + type + " is missing");
     for (const std::string& line : each.before)
       if (std::regex_match(line, match, concepts) && !type.empty())
@@ -105,7 +123,8 @@ std::optional<Explanation> failed_deduction(const ErrorGroup& group, const fs::p
 }
 
 std::optional<Explanation> explanation_of(const ErrorGroup& group, const fs::path& root) {
-  for (const auto rule : {name_of_a_template, list_in_a_call})
+  for (const auto rule :
+       {name_of_a_template, list_in_a_call, list_in_overloaded_call, list_without_type, list_for_storeys})
     if (auto known = rule(group, root)) return known;
   for (const Pattern& pattern : patterns())
     for (const Diagnostic& each : group) {
@@ -131,16 +150,23 @@ std::string quoted(const Diagnostic& error, const std::string& script) {
   return text + error.file + ":" + std::to_string(error.line) + ": " + in_words(error.text) + "\n" + snippet_of(error);
 }
 
+std::string message_of(const Explanation& explanation) {
+  return explanation.file + ":" + std::to_string(explanation.line) + ": " + explanation.sentence + "\n" +
+         explanation.snippet;
+}
+
 }  // namespace
 
 std::string explained(const std::string& output, const std::string& script, const fs::path& root) {
   constexpr std::size_t most_errors = 5;
-  const std::vector<ErrorGroup> groups = error_groups(output, script);
-  if (groups.empty()) return output;  // from the linker, for example
-  std::string text;
+  const std::vector<ErrorGroup> all = error_groups(output, script);
+  if (all.empty()) return link_explanation(output, script) + output;
+  const auto bracket = missing_bracket(all);
+  const std::vector<ErrorGroup> groups = causes(all, bracket.has_value(), root);
+  std::string text = bracket ? message_of(*bracket) : "";
   for (std::size_t i = 0; i < std::min(most_errors, groups.size()); ++i) {
     if (const auto known = explanation_of(groups[i], root))
-      text += known->file + ":" + std::to_string(known->line) + ": " + known->sentence + "\n" + known->snippet;
+      text += message_of(*known);
     else
       text += quoted(groups[i].front(), script);
   }

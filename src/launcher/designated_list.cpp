@@ -9,6 +9,14 @@ namespace {
 
 constexpr std::size_t none = std::string::npos;
 
+// The offset of the last quotation mark of R"x(...)x", whose first one is at `begin`.
+std::size_t end_of_raw_text(const std::string& source, std::size_t begin) {
+  const std::size_t bracket = std::min(source.find('(', begin), source.size());
+  const std::string closing = ")" + source.substr(begin + 1, bracket - begin - 1) + "\"";
+  const std::size_t close = source.find(closing, bracket);
+  return close == none ? source.size() : close + closing.size() - 1;
+}
+
 // With blanks in the place of comments and of the insides of texts, so that their brackets do not count.
 std::string code_of(const std::string& source) {
   std::string code = source;
@@ -25,9 +33,15 @@ std::string code_of(const std::string& source) {
       const std::size_t close = source.find("*/", i + 2);
       end = close == none ? source.size() : close + 2;
       blank(i, end);
+    } else if (code[i] == '"' && i > 0 && code[i - 1] == 'R') {
+      end = end_of_raw_text(source, i);
+      blank(i + 1, end);
     } else if (code[i] == '"') {
       for (end = i + 1; end < source.size() && source[end] != '"' && source[end] != '\n'; ++end)
         if (source[end] == '\\') ++end;
+      blank(i + 1, end);
+    } else if (code[i] == '\'' && (i == 0 || std::isalnum(static_cast<unsigned char>(code[i - 1])) == 0)) {
+      end = std::min(source.find('\'', i + (source.compare(i + 1, 1, "\\") == 0 ? 3 : 2)), source.size());
       blank(i + 1, end);
     }
     i = end;
@@ -37,6 +51,11 @@ std::string code_of(const std::string& source) {
 
 bool opens(char c) { return c == '{' || c == '(' || c == '['; }
 bool closes(char c) { return c == '}' || c == ')' || c == ']'; }
+
+char counterpart(char opening) {
+  if (opening == '{') return '}';
+  return opening == '(' ? ')' : ']';
+}
 
 std::string trimmed(const std::string& text) {
   const auto is_space = [](unsigned char c) { return std::isspace(c) != 0; };
@@ -93,6 +112,41 @@ std::size_t offset_of(const std::string& source, int line, int column) {
     at += source[offset] == '\t' ? tabulator - (at - 1) % tabulator : 1;
   }
   return source.size();
+}
+
+int line_at(const std::string& source, std::size_t offset) {
+  const auto end = source.begin() + static_cast<std::ptrdiff_t>(std::min(offset, source.size()));
+  return static_cast<int>(1 + std::count(source.begin(), end, '\n'));
+}
+
+std::vector<std::string> items_of(const std::string& list) {
+  const std::string code = code_of(list);
+  if (code.empty() || code.front() != '{') return {};
+  std::vector<std::string> items;
+  int depth = 0;
+  std::size_t begin = 1;
+  for (std::size_t i = 0; i < code.size(); ++i) {
+    if (opens(code[i])) ++depth;
+    if (closes(code[i])) --depth;
+    if (depth == 0 && i + 1 < code.size()) return {};
+    if (depth != 0 && !(depth == 1 && code[i] == ',')) continue;
+    if (std::string item = trimmed(list.substr(begin, i - begin)); !item.empty()) items.push_back(std::move(item));
+    begin = i + 1;
+  }
+  return items;
+}
+
+std::optional<WrongBracket> first_wrong_bracket(const std::string& source) {
+  const std::string code = code_of(source);
+  std::vector<std::size_t> open;
+  for (std::size_t i = 0; i < code.size(); ++i) {
+    if (opens(code[i])) open.push_back(i);
+    if (!closes(code[i])) continue;
+    if (open.empty()) return WrongBracket{.opening = {}, .closing = i};
+    if (counterpart(code[open.back()]) != code[i]) return WrongBracket{.opening = open.back(), .closing = i};
+    open.pop_back();
+  }
+  return {};
 }
 
 DesignatedList list_around(const std::string& source, std::size_t offset) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -22,6 +23,21 @@ struct DesignatedList {
 /// Offset of GCC's place: line and column count from 1, a tabulator ends at the next multiple of 8 columns, and a
 /// letter of several bytes is one column. The length of the source where there is no such place.
 std::size_t offset_of(const std::string& source, int line, int column);
+
+/// The line of an offset, from 1.
+int line_at(const std::string& source, std::size_t offset);
+
+/// `{a, f(b, c)}` -> "a", "f(b, c)". Empty for a text that is not one list in braces.
+std::vector<std::string> items_of(const std::string& list);
+
+/// A bracket that closes another kind of bracket than the one that is open, or closes nothing.
+struct WrongBracket {
+  std::optional<std::size_t> opening;  ///< Offset of the bracket that is open there.
+  std::size_t closing;                 ///< Offset of the wrong bracket.
+};
+
+/// The first of a source.
+std::optional<WrongBracket> first_wrong_bracket(const std::string& source);
 
 /// The innermost list that is open before `offset`; without fields where there is none.
 DesignatedList list_around(const std::string& source, std::size_t offset);

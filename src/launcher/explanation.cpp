@@ -1,13 +1,17 @@
 #include "launcher/explanation.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <regex>
+#include <string_view>
+#include <utility>
 
 #include "base/nearest_name.hpp"
 #include "launcher/dimension_names.hpp"
 #include "launcher/struct_fields.hpp"
 #include "launcher/text.hpp"
+#include "launcher/value_dimension.hpp"
 
 namespace moat::launcher {
 namespace {
@@ -21,6 +25,20 @@ Explanation marked(const Diagnostic& place, int line, const std::string& source,
           .line = line,
           .snippet = "   " + number + bar + source + "\n   " + std::string(number.size(), ' ') + bar +
                      std::string(column, ' ') + std::string(length, '^') + "\n"};
+}
+
+// The unit of a quantity as scripts write it: "N * s / m" for "N s/m".
+std::string in_source(const std::string& unit) {
+  static const std::array<std::pair<std::string_view, std::string_view>, 7> units{{{"1/s", "Hz"},
+                                                                                   {"m/s", "m / s"},
+                                                                                   {"m/s^2", "m / (s * s)"},
+                                                                                   {"W", "J / s"},
+                                                                                   {"N/m", "N / m"},
+                                                                                   {"N s/m", "N * s / m"},
+                                                                                   {"N/m^1.5", "N / m_3_2"}}};
+  for (const auto& [symbol, words] : units)
+    if (symbol == unit) return std::string{words};
+  return unit;
 }
 
 }  // namespace
@@ -48,11 +66,15 @@ Explanation at_field(const Diagnostic& place, const std::string& field, const st
 
 Explanation at_field(const Diagnostic& place, const std::string& source, const NamedField& field,
                      const std::string& sentence) {
-  const std::size_t newline = source.rfind('\n', field.offset);
+  return at_offset(place, source, field.offset, field.name.size() + 1, sentence);
+}
+
+Explanation at_offset(const Diagnostic& place, const std::string& source, std::size_t offset, std::size_t length,
+                      const std::string& sentence) {
+  const std::size_t newline = offset == 0 ? std::string::npos : source.rfind('\n', offset - 1);
   const std::size_t begin = newline == std::string::npos ? 0 : newline + 1;
-  const auto line = 1 + std::count(source.begin(), source.begin() + static_cast<std::ptrdiff_t>(begin), '\n');
-  return marked(place, static_cast<int>(line), source.substr(begin, source.find('\n', begin) - begin),
-                field.offset - begin, field.name.size() + 1, sentence);
+  return marked(place, line_at(source, offset), source.substr(begin, source.find('\n', begin) - begin), offset - begin,
+                length, sentence);
 }
 
 std::string plain_name(const std::string& type, const std::filesystem::path& root) {
@@ -65,11 +87,26 @@ std::string without_second_names(const std::string& text) {
   return std::regex_replace(text, second, "");
 }
 
+std::string needed_in_words(const std::string& type) {
+  static const std::regex optional{R"((?:std::)?optional<(.*)>)"};
+  const std::string plain = std::regex_replace(with_dimension_names(type), optional, "$1");
+  return plain == "int" ? "a whole number" : described(plain);
+}
+
 std::string unit_hint(const std::string& needed, const std::string& value) {
-  static const std::regex simple{R"(.*\[([A-Za-z]+)\].*)"};
+  static const std::regex symbol{R"(.*\[(.*?)(?: = .*)?\].*)"};
   std::smatch match;
-  const bool has_example = !value.empty() && std::regex_match(needed, match, simple);
-  return "; give it a unit, as in " + (has_example ? value + " * " + match[1].str() : "10 * cm");
+  if (!std::regex_match(needed, match, symbol)) return {};
+  if (value.empty() && match[1] == "m") return "; give it a unit, as in 10 * cm";
+  const bool is_sum = value.find_first_of("+-", 1) != std::string::npos && !is_number(value);
+  const std::string number = is_sum ? "(" + value + ")" : value;
+  return "; give it a unit, as in " + (value.empty() ? "10" : number) + " * " + in_source(match[1]);
+}
+
+std::string whole_number_hint(const std::string& value) {
+  static const std::regex whole{R"(([0-9]+)\.0*)"};
+  std::smatch match;
+  return std::regex_match(value, match, whole) ? "; write " + match[1].str() : "";
 }
 
 std::string no_such_field(const std::string& type, const std::string& field, const std::vector<std::string>& fields) {

@@ -1,6 +1,7 @@
 // The sentence about an error of the compiler, and its parts.
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -28,15 +29,24 @@ Explanation at_field(const Diagnostic& place, const std::string& field, const st
 Explanation at_field(const Diagnostic& place, const std::string& source, const NamedField& field,
                      const std::string& sentence);
 
+/// At an offset of the source of `place`, with `length` marks.
+Explanation at_offset(const Diagnostic& place, const std::string& source, std::size_t offset, std::size_t length,
+                      const std::string& sentence);
+
 /// "moat::Moat<moat::Hertz>" -> "Moat"
 std::string plain_name(const std::string& type, const std::filesystem::path& root);
 
 /// "'moat::Stiffness' {aka 'moat::Quantity<1, 0, -2>'}" -> "'moat::Stiffness'"
 std::string without_second_names(const std::string& text);
 
-/// "; give it a unit, as in 1.3 * s", for a value that must be `needed`: "a time [s]". Without a value, or for a unit
-/// of several symbols, the example is a length.
+/// "a mass [kg]" for "moat::Required<moat::Mass>", "a whole number" for "int": the value that a type needs.
+std::string needed_in_words(const std::string& type);
+
+/// "; give it a unit, as in 1.3 * s", for a value that must be `needed`: "a time [s]".
 std::string unit_hint(const std::string& needed, const std::string& value);
+
+/// "; write 5" for "5.0"; empty where the value is not whole.
+std::string whole_number_hint(const std::string& value);
 
 /// "Moat has no field clearence; did you mean clearance?" `fields` are those of the type.
 std::string no_such_field(const std::string& type, const std::string& field, const std::vector<std::string>& fields);

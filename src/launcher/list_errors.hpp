@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <optional>
+#include <string>
 
 #include "launcher/compiler_output.hpp"
 #include "launcher/explanation.hpp"
@@ -17,5 +18,19 @@ std::optional<Explanation> name_of_a_template(const ErrorGroup& group, const std
 
 /// `near_fault_pulse({.pulse_period = 1.3})`: the compiler says that the braces fit no NearFaultPulse, and no more.
 std::optional<Explanation> list_in_a_call(const ErrorGroup& group, const std::filesystem::path& root);
+
+/// Whether the innermost list around a place has this field.
+bool names_field(const Diagnostic& place, const std::string& field);
+
+/// `grid(3, 2, {.stifness = 1 * MN / m})`: "no matching function for call", with a note for each overload.
+std::optional<Explanation> list_in_overloaded_call(const ErrorGroup& group, const std::filesystem::path& root);
+
+/// `.isolation = {.yield_force = 1 * MN}`: "designated initializers cannot be used with a non-aggregate type". Also
+/// `Moat{.law = {.stiffness = ...}}`, where the compiler cannot deduce the type of the law.
+std::optional<Explanation> list_without_type(const ErrorGroup& group, const std::filesystem::path& root);
+
+/// `.floor_mass = {500 * tonne, 500 * kN}`: the compiler says that the braces fit no PerStorey<Mass>, and points at the
+/// end of the struct.
+std::optional<Explanation> list_for_storeys(const ErrorGroup& group, const std::filesystem::path& root);
 
 }  // namespace moat::launcher

@@ -16,7 +16,7 @@ namespace {
 using namespace std::chrono_literals;
 using Clock = std::chrono::steady_clock;
 
-// The line of one phase. On a terminal it is written anew with the seconds that have passed.
+// The line of one phase. On a terminal it is written again with the seconds that have passed.
 class ProgressLine {
  public:
   ProgressLine(const std::string& name, const std::string& detail) {

@@ -14,6 +14,7 @@ namespace fs = std::filesystem;
 std::vector<Field> fields_in(const std::string& header, const std::string& name) {
   static const std::regex field{
       R"(^  ([A-Za-z][\w:<>, ]*|(?:Required<)?decltype\(.*\)>?) (\w+)((\{.*\}| = .*)?;.*| =)$)"};
+  static const std::regex another{R"(\{\}, (\w+)(?=\{\}))"};  // `Length x{}, y{};`
   static const std::regex no_field{R"(^  (using|return|friend|static|typedef) .*)"};
   std::vector<Field> fields;
   bool inside = false;
@@ -21,8 +22,12 @@ std::vector<Field> fields_in(const std::string& header, const std::string& name)
     std::smatch match;
     if (line.starts_with("struct " + name + " {")) inside = true;
     if (inside && line.starts_with("}")) break;
-    if (inside && !std::regex_match(line, no_field) && std::regex_match(line, match, field))
+    if (inside && !std::regex_match(line, no_field) && std::regex_match(line, match, field)) {
       fields.push_back({match[1], match[2]});
+      const std::string values = match[3];
+      for (std::sregex_iterator next{values.begin(), values.end(), another}, end; next != end; ++next)
+        fields.push_back({match[1], (*next)[1]});
+    }
   }
   return fields;
 }
@@ -70,6 +75,35 @@ std::vector<std::string> fields_of(const std::string& name, const fs::path& root
   std::vector<std::string> names;
   for (const Field& field : declared_fields(name, root)) names.push_back(field.name);
   return names;
+}
+
+std::vector<std::string> names_of_types(const fs::path& root) {
+  static const std::regex type{R"(^(?:struct|class) (\w+)(?: final)?(?: :.*)? \{$)"};
+  const std::vector<std::string> headers = headers_of(root);
+  std::vector<std::string> names;
+  for (const Alias& alias : aliases_in(headers)) names.push_back(alias.name);
+  for (const std::string& header : headers)
+    for (const std::string& line : lines_of(header))
+      if (std::smatch match; std::regex_match(line, match, type)) names.push_back(match[1]);
+  return names;
+}
+
+std::string concept_of(const std::string& type, const fs::path& root) {
+  static const std::regex parameter{R"(^template <(\w+) \w+>$)"};
+  for (const std::string& header : headers_of(root)) {
+    std::string before;
+    for (const std::string& line : lines_of(header)) {
+      std::smatch match;
+      if (line == "struct " + type + " {" && std::regex_match(before, match, parameter)) return match[1];
+      before = line;
+    }
+  }
+  return {};
+}
+
+bool is_in_headers(const std::string& word, const fs::path& root) {
+  const std::vector<std::string> headers = headers_of(root);
+  return std::ranges::any_of(headers, [&](const std::string& header) { return has_word(header, word); });
 }
 
 std::string name_in_scripts(const std::string& type, const fs::path& root) {

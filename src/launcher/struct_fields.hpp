@@ -23,4 +23,13 @@ std::vector<std::string> fields_of(const std::string& name, const std::filesyste
 /// if a header has the line `using HertzDamp = ViscousHertzLaw<HertzDampFactor>;`.
 std::string name_in_scripts(const std::string& type, const std::filesystem::path& root);
 
+/// The structs, classes and other names of types in the headers.
+std::vector<std::string> names_of_types(const std::filesystem::path& root);
+
+/// "ImpactLaw" for "Moat", with `template <ImpactLaw Law>` in front of its struct; empty where there is none.
+std::string concept_of(const std::string& type, const std::filesystem::path& root);
+
+/// Whether a header has this word.
+bool is_in_headers(const std::string& word, const std::filesystem::path& root);
+
 }  // namespace moat::launcher

@@ -19,6 +19,11 @@ std::string joined(const std::vector<std::string>& words, const std::string& sep
 
 std::string replaced(std::string text, const std::string& from, const std::string& to);
 
+std::string lower_case(std::string text);
+
+/// Whether the text holds this word as a whole.
+bool has_word(const std::string& text, const std::string& word);
+
 /// As a word of a shell command: in quotes where it needs some.
 std::string shell_quoted(const std::string& word);
 

@@ -19,6 +19,7 @@
 #include "model/member_point.hpp"
 #include "model/node.hpp"
 #include "model/plan_contacts.hpp"
+#include "model/plan_places.hpp"
 #include "model/planar_elements.hpp"
 #include "model/regimes.hpp"
 
@@ -45,8 +46,8 @@ struct ElementInfo {
   DrawnAs drawn_as = DrawnAs::other;  ///< in pictures and in ParaView
   /// Null for an element between two nodes; else `first` and `second` are the nodes where the shares of its ends are 0.
   std::shared_ptr<const MemberEnds> member_ends{};
-  /// In plan, of an element with one direction: a vector of length 1 along its force.
-  PlanVector direction{};
+  /// Null on a line, and for an element that has no such ends.
+  std::shared_ptr<const PlanPlaces> plan_places{};
 
   /// Name under which its peaks are listed.
   [[nodiscard]] const std::string& listed_under() const { return place.empty() ? name : place.text(); }

@@ -150,7 +150,7 @@ class Model {
   /// Looks for changes of regime between the committed and the trial state, `step` seconds apart;
   /// `aim` <= 0 m is the margin at which a located step should end.
   [[nodiscard]] RegimeScan scan_regimes(double step, double aim) const;
-  /// Changes the regime of every element that is beyond its margin, then evaluates anew at the committed state.
+  /// Changes the regime of every element that is beyond its margin, then evaluates again at the committed state.
   void change_regimes(std::vector<RegimeChange>& changes);
   /// Changes the regime of elements that cross their margin inside the trial step, from there on
   /// (Regimes::change_inside); the step must then be solved again. False if one of them cannot be crossed:

@@ -68,14 +68,23 @@ void GroundMotion::check_samples(const std::vector<double>& samples, const std::
   }
 }
 
-GroundMotion GroundMotion::with_component_y(std::vector<double> samples, MotionFile file_of_second) const {
+std::vector<MotionComponent> GroundMotion::components() const {
+  if (!components_.empty()) return components_;
+  return {{name_, file_, scale_factor_}};
+}
+
+GroundMotion GroundMotion::with_component_y(std::vector<double> samples, const GroundMotion& first,
+                                            const GroundMotion& second) const {
   Check{"GroundMotion", name_}.that(samples.size() == samples_.size(), "number of samples of the component along y",
                                     static_cast<double>(samples.size()), "1",
                                     "that of the component along x, " + std::to_string(samples_.size()));
   check_samples(samples, "component along y, ");
   GroundMotion motion = *this;
   motion.samples_y_ = std::move(samples);
-  motion.file_of_second_ = std::move(file_of_second);
+  motion.file_ = first.file_;
+  motion.scale_factor_ = first.scale_factor_;
+  motion.components_ = {{first.name_, first.file_, first.scale_factor_},
+                        {second.name_, second.file_, second.scale_factor_}};
   return motion;
 }
 
@@ -158,6 +167,7 @@ GroundMotion GroundMotion::scaled_by(double factor) const {
   motion.check_samples(motion.samples_y_, "component along y, ");
   motion.notes_.push_back("accelerations multiplied by " + to_text(factor));
   motion.scale_factor_ *= factor;
+  for (MotionComponent& component : motion.components_) component.scale_factor *= factor;
   return motion;
 }
 

@@ -16,6 +16,13 @@ namespace moat {
 /// The file a motion was read from; without path for a motion made in the program.
 using MotionFile = FileRead;
 
+/// A component as it was read or made, before it became a part of a motion.
+struct MotionComponent {
+  std::string name;           ///< In outputs.
+  MotionFile file{};          ///< Where it was read.
+  double scale_factor = 1.0;  ///< Of all its accelerations, since then.
+};
+
 /// The horizontal acceleration of the ground, sampled at a constant time step.
 ///
 /// The acceleration is linear between samples. The ground is at rest before the first sample, which stands at
@@ -36,10 +43,10 @@ class GroundMotion {
   [[nodiscard]] const std::string& name() const { return name_; }                 ///< In outputs.
   [[nodiscard]] const std::vector<std::string>& notes() const { return notes_; }  ///< For reports.
   [[nodiscard]] const MotionFile& file() const { return file_; }                  ///< Where it was read.
-  /// The file of the second component of a PlanMotion; without path for one component.
-  [[nodiscard]] const MotionFile& file_of_second() const { return file_of_second_; }
-  /// The factor of all accelerations since the motion was read or made.
+  /// The factor of all accelerations since the motion was read or made; of a PlanMotion that of its first component.
   [[nodiscard]] double scale_factor() const { return scale_factor_; }
+  /// This motion, or the first and second component of a PlanMotion.
+  [[nodiscard]] std::vector<MotionComponent> components() const;
   /// s
   [[nodiscard]] double time_step() const { return time_step_; }
   [[nodiscard]] double samples_per_second() const { return samples_per_second_; }  ///< 1/s
@@ -79,9 +86,10 @@ class GroundMotion {
   /// for two components.
   [[nodiscard]] GroundMotion with_samples(std::vector<double> samples, std::string note) const;
 
-  /// The same motion with a second component, along y, m/s^2. Throws InputError unless it has as many samples, all
-  /// finite and of at most 1e6 m/s^2.
-  [[nodiscard]] GroundMotion with_component_y(std::vector<double> samples, MotionFile file_of_second = {}) const;
+  /// The same motion with a second component, along y, m/s^2. `first` and `second` are the motions from which both were
+  /// made. Throws InputError unless it has as many samples, all finite and of at most 1e6 m/s^2.
+  [[nodiscard]] GroundMotion with_component_y(std::vector<double> samples, const GroundMotion& first,
+                                              const GroundMotion& second) const;
 
   /// One line: name, PGA, PGV, PGV/PGA, time step, duration, number of samples.
   [[nodiscard]] std::string description() const;
@@ -104,8 +112,9 @@ class GroundMotion {
   std::vector<double> samples_;
   std::vector<double> samples_y_{};  // empty for one component
   std::vector<std::string> notes_;
-  MotionFile file_, file_of_second_{};
+  MotionFile file_;
   double scale_factor_ = 1.0;
+  std::vector<MotionComponent> components_{};  // empty for one component
 };
 
 }  // namespace moat

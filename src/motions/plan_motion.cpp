@@ -79,8 +79,8 @@ GroundMotion PlanMotion::resolved() const {
   notes.push_back("second component: " + second.description());
   notes.insert(notes.end(), second.notes().begin(), second.notes().end());
   notes.push_back("angle of incidence " + to_text(degrees) + " deg, counter-clockwise from +x to the first component");
-  return GroundMotion{names, finer.time_step(), std::move(x), std::move(notes), first.file()}.with_component_y(
-      std::move(y), second.file());
+  return GroundMotion{names, finer.time_step(), std::move(x), std::move(notes)}.with_component_y(std::move(y), first,
+                                                                                                 second);
 }
 
 PlanMotion PlanMotion::scaled_by(double factor) const {

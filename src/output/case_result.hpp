@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "motions/ground_motion.hpp"
 #include "output/model_facts.hpp"
 #include "output/offered_quantity.hpp"
 #include "output/provenance.hpp"
@@ -135,10 +136,9 @@ struct MotionFacts {
   double peak_velocity = 0.0;        ///< m/s
   double time_step = 0.0;            ///< s
   double duration = 0.0;             ///< s
-  std::string file{};                ///< absolute path of the record; empty for a motion made in the program
-  std::string sha256{};              ///< of that file
-  double scale_factor = 1.0;         ///< of all accelerations, since the motion was read or made
   std::vector<std::string> notes{};  ///< header of the file, how it was scaled and filtered
+  /// One, or two in plan, with absolute paths of their records.
+  std::vector<MotionComponent> components{};
 };
 
 /// A building and the names of its parts.

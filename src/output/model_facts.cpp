@@ -16,15 +16,22 @@ std::string kind_of(const ElementBlock& block, const ElementInfo& info) {
   return info.drawn_as == DrawnAs::storey ? "storey" : "other";
 }
 
+// An element in plan joins bodies, whichever of their degrees of freedom it names.
+std::string name_of_body(const Model& model, NodeId node) {
+  const PlacedDiaphragm* diaphragm = model.diaphragm_of(node);
+  return diaphragm != nullptr ? diaphragm->name : std::string{model.node_name(node)};
+}
+
 ElementFacts facts_of(const Model& model, const ElementBlock& block, std::size_t element) {
   const ElementInfo& info = block.info(element);
   LawAsGiven law = law_of(block, element);
   ElementFacts facts{.name = info.name,
                      .kind = kind_of(block, info),
                      .law = std::move(law.name),
-                     .first = std::string{model.node_name(info.first)},
-                     .second = std::string{model.node_name(info.second)},
+                     .first = name_of_body(model, info.first),
+                     .second = name_of_body(model, info.second),
                      .parameters = {}};
+  if (info.plan_places) facts.plan_places = *info.plan_places;
   if (info.member_ends) {
     const auto& [first, second, height] = *info.member_ends;
     if (!first.is_node()) facts.first_other = model.node_name(first.other);

@@ -1,10 +1,12 @@
 // A model as results list it: plain values that outlive it.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "base/plan_vector.hpp"
+#include "model/plan_places.hpp"
 
 namespace moat {
 
@@ -32,12 +34,14 @@ struct ElementFacts {
   std::string name;                        ///< unique in its model
   std::string kind;                        ///< "storey", "bearing", "gap" or "other"
   std::string law;                         ///< name of the law; empty where it is not known
-  std::string first, second;               ///< names of the nodes it joins; "ground" for the ground
+  std::string first, second;               ///< names of the nodes or diaphragms it joins; "ground" for the ground
   std::vector<ParameterFacts> parameters;  ///< of its law
   /// Of an end between two nodes: the other node.
   std::string first_other{}, second_other{};
   /// The share of the way to it.
   double first_share = 0.0, second_share = 0.0;
+  /// Of a spring in plan: its ends at rest, m, and the direction of its force, zero for one that acts in both.
+  std::optional<PlanPlaces> plan_places{};
 };
 
 /// A floor in plan.

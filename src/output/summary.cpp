@@ -28,16 +28,53 @@ Json json_of(const Provenance& provenance) {
 }
 
 Json json_of(const MotionFacts& motion) {
+  const MotionComponent first = motion.components.empty() ? MotionComponent{} : motion.components.front();
+  Json components = Json::array();
+  for (const MotionComponent& component : motion.components)
+    components.push_back(Json{{"name", component.name},
+                              {"file", text_or_null(component.file.path)},
+                              {"sha256", text_or_null(component.file.sha256)},
+                              {"scale_factor", component.scale_factor}});
   return {{"name", motion.name},
           {"peak_acceleration", motion.peak_acceleration},
           {"peak_velocity", motion.peak_velocity},
           {"time_step", motion.time_step},
           {"duration", motion.duration},
-          {"file", text_or_null(motion.file)},
-          {"sha256", text_or_null(motion.sha256)},
-          {"scale_factor", motion.scale_factor},
+          {"file", text_or_null(first.file.path)},
+          {"sha256", text_or_null(first.file.sha256)},
+          {"scale_factor", first.scale_factor},
+          {"components", std::move(components)},
           {"notes", motion.notes},
           {"units", {{"peak_acceleration", "m/s^2"}, {"peak_velocity", "m/s"}, {"time_step", "s"}, {"duration", "s"}}}};
+}
+
+Json json_of(PlanVector vector) { return {vector.x, vector.y}; }
+
+// Floors in plan, and the corners that can hit edges.
+void add_plan(Json& json, const ModelFacts& model) {
+  json["plan_units"] = {{"radius_of_gyration", "m"}, {"centre_of_mass", "m"},  {"outline", "m"},
+                        {"first_position", "m"},     {"second_position", "m"}, {"direction", "1"},
+                        {"position", "m"},           {"normal", "1"},          {"edge_begin", "m"},
+                        {"edge_end", "m"},           {"clearance", "m"}};
+  json["diaphragms"] = Json::array();
+  for (const DiaphragmFacts& each : model.diaphragms) {
+    Json outline = Json::array();
+    for (const PlanVector corner : each.outline) outline.push_back(json_of(corner));
+    json["diaphragms"].push_back(Json{{"name", each.name},
+                                      {"radius_of_gyration", each.gyration},
+                                      {"centre_of_mass", json_of(each.centre_of_mass)},
+                                      {"outline", std::move(outline)}});
+  }
+  json["corners"] = Json::array();
+  for (const CornerFacts& each : model.corners)
+    json["corners"].push_back(Json{{"element", each.element},
+                                   {"corner", each.corner},
+                                   {"edge", each.edge},
+                                   {"position", json_of(each.position)},
+                                   {"normal", json_of(each.normal)},
+                                   {"edge_begin", json_of(each.edge_begin)},
+                                   {"edge_end", json_of(each.edge_end)},
+                                   {"clearance", each.clearance}});
 }
 
 Json json_of(const ModelFacts& model, const std::vector<BuildingParts>& buildings) {
@@ -69,8 +106,16 @@ Json json_of(const ModelFacts& model, const std::vector<BuildingParts>& building
       entry["first_point"] = {{"other", element.first_other}, {"share", element.first_share}};
     if (!element.second_other.empty())
       entry["second_point"] = {{"other", element.second_other}, {"share", element.second_share}};
+    if (element.plan_places) {
+      entry["first_position"] = json_of(element.plan_places->first);
+      entry["second_position"] = json_of(element.plan_places->second);
+      // An element without one direction acts in both.
+      if (dot(element.plan_places->direction, element.plan_places->direction) > 0.0)
+        entry["direction"] = json_of(element.plan_places->direction);
+    }
     json["elements"].push_back(std::move(entry));
   }
+  if (!model.diaphragms.empty()) add_plan(json, model);
   return json;
 }
 

@@ -41,6 +41,17 @@ std::string text_of(const std::vector<ParameterFacts>& parameters) {
   return text;
 }
 
+std::string text_of(PlanVector at) { return "(" + to_significant(at.x, 6) + ", " + to_significant(at.y, 6) + ")"; }
+
+// Where a spring in plan is attached, and its direction.
+std::string place_of(const ElementFacts& element) {
+  if (!element.plan_places) return "";
+  const auto& [first, second, direction] = *element.plan_places;
+  const std::string places =
+      first.x == second.x && first.y == second.y ? text_of(first) : text_of(first) + " to " + text_of(second);
+  return dot(direction, direction) > 0.0 ? places + " along " + text_of(direction) : places;
+}
+
 // Of an end at a node, or between two.
 std::string end_text(const std::string& node, const std::string& other, double share) {
   if (other.empty()) return node;
@@ -69,10 +80,15 @@ std::string motion_section(const MotionFacts& motion) {
   html += number_row("Peak velocity", number_with_unit(motion.peak_velocity, "m/s"));
   html += number_row("Time step", number_with_unit(motion.time_step, "s"));
   html += number_row("Duration", number_with_unit(motion.duration, "s"));
-  html += number_row("Scale factor", to_significant(motion.scale_factor, 6));
+  const bool several = motion.components.size() > 1;
+  for (const MotionComponent& component : motion.components)
+    html += number_row("Scale factor" + (several ? " of " + component.name : ""),
+                       to_significant(component.scale_factor, 6));
   html += "</table>\n";
-  if (!motion.file.empty())
-    html += "<table>\n" + text_row("File", motion.file) + text_row("SHA-256", motion.sha256) + "</table>\n";
+  for (const MotionComponent& component : motion.components)
+    if (!component.file.path.empty())
+      html += "<table>\n" + text_row("File", component.file.path) + text_row("SHA-256", component.file.sha256) +
+              "</table>\n";
   if (motion.notes.empty()) return html;
   html += "<ul>\n";
   for (const std::string& note : motion.notes) html += "<li>" + escaped(note) + "</li>\n";
@@ -98,13 +114,35 @@ std::string model_section(const ModelFacts& model) {
                     return "<tr>" + cell(node.name) + number_cell(node.mass) + number_cell(node.x) +
                            number_cell(node.height) + initial + "</tr>\n";
                   });
+  const bool in_plan = !model.diaphragms.empty();
   html += list_of(model.elements, "elements",
-                  "<tr><th>Element</th><th>Law</th><th>From</th><th>To</th><th>Parameters</th></tr>\n",
-                  [](const ElementFacts& element) {
+                  std::string{"<tr><th>Element</th><th>Law</th><th>From</th><th>To</th>"} +
+                      (in_plan ? "<th>At [m]</th>" : "") + "<th>Parameters</th></tr>\n",
+                  [in_plan](const ElementFacts& element) {
                     return "<tr>" + cell(element.name) + cell(element.law) +
                            cell(end_text(element.first, element.first_other, element.first_share)) +
                            cell(end_text(element.second, element.second_other, element.second_share)) +
-                           cell(text_of(element.parameters)) + "</tr>\n";
+                           (in_plan ? cell(place_of(element)) : "") + cell(text_of(element.parameters)) + "</tr>\n";
+                  });
+  if (!in_plan) return html;
+  html += list_of(model.diaphragms, "diaphragms",
+                  "<tr><th>Diaphragm</th><th class=\"number\">Radius of gyration [m]</th><th>Centre of mass [m]</th>"
+                  "<th>Outline [m]</th></tr>\n",
+                  [](const DiaphragmFacts& each) {
+                    std::string outline;
+                    for (const PlanVector corner : each.outline)
+                      outline += (outline.empty() ? "" : " ") + text_of(corner);
+                    return "<tr>" + cell(each.name) + number_cell(each.gyration) + cell(text_of(each.centre_of_mass)) +
+                           cell(outline) + "</tr>\n";
+                  });
+  if (model.corners.empty()) return html;
+  html += list_of(model.corners, "corners and edges",
+                  "<tr><th>Corner</th><th>At [m]</th><th>Edge</th><th>From [m]</th><th>To [m]</th>"
+                  "<th class=\"number\">Clearance [m]</th></tr>\n",
+                  [](const CornerFacts& each) {
+                    return "<tr>" + cell(each.corner) + cell(text_of(each.position)) + cell(each.edge) +
+                           cell(text_of(each.edge_begin)) + cell(text_of(each.edge_end)) + number_cell(each.clearance) +
+                           "</tr>\n";
                   });
   return html;
 }

@@ -107,7 +107,7 @@ std::int64_t CaseRows::number_of(const FileRead& file) {
   if (known->second.sha256 != file.sha256)
     throw InputError{"study " + database_->file().string() + ": " + file.path +
                      " changed while the study ran, and results are not mixed. Restore the file and run the same "
-                     "command again, or begin anew in another file."};
+                     "command again, or start again in another file."};
   return known->second.number;
 }
 

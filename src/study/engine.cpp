@@ -64,13 +64,13 @@ CaseOutcome outcome_of(const StudyCase& each, const ComputeCase& compute) {
 void compute_on_threads(const StudyCases& cases, const std::vector<std::size_t>& numbers, const ComputeCase& compute,
                         const CaseFinished& finished, const std::function<bool()>& stop, std::size_t threads) {
   OpenCases open{numbers, stop};
-  std::mutex telling;
+  std::mutex reporting;
   std::exception_ptr failure;
   const auto work = [&] {
     std::size_t number = 0;
     while (open.next(number)) {
       CaseOutcome outcome = outcome_of(StudyCase{cases, number}, compute);
-      const std::lock_guard lock{telling};
+      const std::lock_guard lock{reporting};
       if (failure) return;
       try {
         finished(number, std::move(outcome));

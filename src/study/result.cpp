@@ -137,7 +137,7 @@ std::vector<StudyError::Failure> failures_of(const StudyResult& result) {
 }
 
 std::string failure_message(const StudyResult& result) {
-  constexpr std::size_t most_told = 5;
+  constexpr std::size_t most_listed = 5;
   const std::vector<StudyError::Failure> failures = failures_of(result);
   if (failures.empty()) return "";
   const std::size_t without_solution = result.count(CaseState::not_converged);
@@ -145,10 +145,10 @@ std::string failure_message(const StudyResult& result) {
       std::to_string(failures.size()) + " of " + std::to_string(result.cases().count()) + " cases failed";
   if (without_solution > 0) text += ", " + std::to_string(without_solution) + " of them did not converge";
   text += ".";
-  for (std::size_t i = 0; i < std::min(most_told, failures.size()); ++i)
+  for (std::size_t i = 0; i < std::min(most_listed, failures.size()); ++i)
     text +=
         "\n  case " + std::to_string(failures[i].number) + ", " + failures[i].description + ": " + failures[i].message;
-  if (failures.size() > most_told) text += "\n  ... and " + std::to_string(failures.size() - most_told) + " more";
+  if (failures.size() > most_listed) text += "\n  ... and " + std::to_string(failures.size() - most_listed) + " more";
   return text;
 }
 

@@ -44,7 +44,7 @@ StudyFile::~StudyFile() {
 void StudyFile::refuse(const std::string& differences) const {
   throw InputError{"study " + database_.file().string() +
                    " was begun with something else, and results are not mixed:" + differences +
-                   "\nGive another file or folder, restore the former state, or remove the file and begin anew."};
+                   "\nGive another file or folder, restore the former state, or remove the file and start again."};
 }
 
 std::string host_name() {

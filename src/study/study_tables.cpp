@@ -52,7 +52,7 @@ bool exist_in(const Database& database) {
   if (known.integer(0) != 3) refuse(database, "this is another database. Give another file.");
   if (const std::string found = property(database, "format"); found != format)
     refuse(database, "its format is " + found + ", and this moat reads " + format +
-                         ". Use the moat that made it, or begin anew in another file.");
+                         ". Use the moat that made it, or start again in another file.");
   return true;
 }
 

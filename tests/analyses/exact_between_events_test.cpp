@@ -313,7 +313,7 @@ TEST(ExactBetweenEvents, RefusesAVibrationFarFasterThanTheSamples) {
             "or damper at a small mass, or use Newmark{}.");
 }
 
-TEST(ExactBetweenEvents, TellsWhatIsExactAmongTheAssumptions) {
+TEST(ExactBetweenEvents, ListsTheExactPartsAmongTheAssumptions) {
   Model model = oscillator(10.0, 0.0, 0.0, 0.0);
   const Transient analysis{model, still_ground(1 * s), exact_options()};
   EXPECT_TRUE(analysis.assumptions().front().starts_with(

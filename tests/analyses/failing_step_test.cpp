@@ -78,7 +78,7 @@ ConvergenceError failure_of(CaseRun& run) {
   return ConvergenceError{"", 0.0, 0.0, 0.0, ""};
 }
 
-TEST(FailingStep, TellsTimeStepResidualAndWorstNode) {
+TEST(FailingStep, NamesTimeStepResidualAndWorstNode) {
   Model model = pulling(Edge{});
   CaseRun run{model, still_ground(1 * s), {.transient = {.step = 10 * ms, .max_iterations = 5, .max_cuts = 3}}};
   const ConvergenceError error = failure_of(run);

@@ -80,7 +80,7 @@ TEST(Periods, OfABuildingOnAFixedBase) {
   EXPECT_NEAR(periods.at("first mode"), 0.494, 0.0005);
 }
 
-TEST(Periods, SeveralBuildingsAreToldApartByTheirFirstNode) {
+TEST(Periods, SeveralBuildingsDifferByTheirFirstNode) {
   Model model;
   const Building north = add(model, paper_building("north"));
   ShearBuilding stiffer = paper_building("south");

@@ -72,7 +72,7 @@ TEST(Study, HasNoNumberWhereACaseHasNoSuchResult) {
   EXPECT_TRUE(std::isnan(drift[1]));
 }
 
-TEST(Study, TellsWhichCasesFailedAfterComputingAllOthers) {
+TEST(Study, NamesTheCasesThatFailedAfterComputingAllOthers) {
   const auto compute = [](const StudyCase& each) {
     if (each.number() == 1) throw InputError{"too stiff"};
     if (each.number() == 4) throw 7;
@@ -94,7 +94,7 @@ TEST(Study, TellsWhichCasesFailedAfterComputingAllOthers) {
   }
 }
 
-TEST(Study, TellsAtMostFiveFailures) {
+TEST(Study, ListsAtMostFiveFailures) {
   const auto fail = [](const StudyCase&) -> StudyRecord { throw InputError{"no"}; };
   const std::string message = message_of<StudyError>([&] { run_study(two_axes, fail); });
   EXPECT_NE(message.find("6 of 6 cases failed."), std::string::npos) << message;
@@ -102,12 +102,12 @@ TEST(Study, TellsAtMostFiveFailures) {
 }
 
 TEST(Study, CountsItsProgressUpToTheEnd) {
-  std::vector<std::size_t> told;
+  std::vector<std::size_t> reported;
   run_study(two_axes, sum, {.threads = 3, .progress = [&](const StudyProgress& now) {
                               EXPECT_EQ(now.all, 6u);
-                              told.push_back(now.done);
+                              reported.push_back(now.done);
                             }});
-  EXPECT_EQ(told, (std::vector<std::size_t>{1, 2, 3, 4, 5, 6}));
+  EXPECT_EQ(reported, (std::vector<std::size_t>{1, 2, 3, 4, 5, 6}));
 }
 
 TEST(Study, RefusesAxesThatCannotBe) {

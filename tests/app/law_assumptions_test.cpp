@@ -16,12 +16,22 @@ using namespace units;
 TEST(LawAssumptions, AreThoseOfTheLawsOfTheModel) {
   ModelFacts model;
   for (const char* law : {"HertzDamp", "FrictionPendulum", "Linear", "HertzDamp", ""})
-    model.elements.push_back({"an element", "other", law, "lower", "upper", {}});
+    model.elements.push_back({"an element", "other", law, "lower", "upper", {{"stiffness", 1.0, "N/m"}}});
   const std::vector<std::string> expected{
       "FrictionPendulum: " + std::string{FrictionPendulum::assumption},
       "HertzDamp: Derived for restitutions near 1; delivers more than it is given: 0.775 for 0.65."};
   EXPECT_EQ(law_assumptions(model), expected);
   EXPECT_TRUE(law_assumptions({}).empty());
+}
+
+TEST(LawAssumptions, NameALawWhoseParametersResultsLack) {
+  ModelFacts model;
+  model.elements.push_back({"bearing", "bearing", "OwnLaw", "ground", "base", {}});
+  model.elements.push_back({"gap", "gap", "OwnContact", "base", "ground", {{"clearance", 0.1, "m"}}});
+  EXPECT_EQ(
+      law_assumptions(model),
+      (std::vector<std::string>{"OwnContact: a law of the script. It lists no parameters(), so results lack them.",
+                                "OwnLaw: a law of the script. It lists no parameters(), so results lack them."}));
 }
 
 // The names in the facts of a model are those of the lists.

@@ -1,7 +1,11 @@
-// Attaches two observers: one that offers a quantity, and one that counts steps.
+// Attaches two observers: one that offers a quantity, and one that counts steps. With MOAT_TEST_PAUSE the run takes
+// longer than a second, so that it writes its progress to a log; with MOAT_TEST_INTEGRATOR it gives an integrator.
 #include <moat.hpp>
 
+#include <chrono>
 #include <cstdio>
+#include <cstdlib>
+#include <thread>
 
 using namespace moat;
 using namespace moat::units;
@@ -14,7 +18,9 @@ struct Momentum final : QuantityRecorder {
 };
 
 struct StepCount final : StepObserver {
-  void start(const StepView&) override {}
+  void start(const StepView&) override {
+    if (std::getenv("MOAT_TEST_PAUSE") != nullptr) std::this_thread::sleep_for(std::chrono::seconds{1});
+  }
   void step(const StepView&) override { ++steps; }
   int steps = 0;
 };
@@ -28,7 +34,9 @@ int main(int argc, char** argv) {
   Momentum momentum;
   StepCount count;
   script.attach(count);
-  const int exit_code = script.run(model, push, {&momentum});
+  TransientOptions options;
+  if (std::getenv("MOAT_TEST_INTEGRATOR") != nullptr) options.integrator = GeneralizedAlpha{.spectral_radius = 0.7};
+  const int exit_code = script.run(model, push, options, {&momentum});
   std::printf("%d steps\n", count.steps);
   return exit_code;
 }

@@ -2,8 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <functional>
+#include <limits>
 #include <string>
+#include <thread>
 
 namespace moat {
 namespace {
@@ -17,7 +20,7 @@ std::string log_of(const std::function<void()>& action) {
 
 TEST(ProgressBar, WritesALineForEveryTenPercentToALog) {
   EXPECT_EQ(log_of([] {
-              ProgressBar bar{"gaps"};
+              ProgressBar bar{"gaps", "cases", 0.0};
               for (int done = 1; done <= 100; ++done) bar(done, 100);
             }),
             "moat: gaps:  10 % of 100 cases\nmoat: gaps:  20 % of 100 cases\nmoat: gaps:  30 % of 100 cases\n"
@@ -28,7 +31,7 @@ TEST(ProgressBar, WritesALineForEveryTenPercentToALog) {
 
 TEST(ProgressBar, WritesOneLineWhereSeveralTenthsPassAtOnce) {
   EXPECT_EQ(log_of([] {
-              ProgressBar bar{"", "s"};
+              ProgressBar bar{"", "s", 0.0};
               bar(0.5, 4.0);
               bar(1.9, 4.0);
               bar(4.0, 4.0);
@@ -38,12 +41,31 @@ TEST(ProgressBar, WritesOneLineWhereSeveralTenthsPassAtOnce) {
 
 TEST(ProgressBar, ASumOfStepsThatIsShortByRoundOffIsComplete) {
   const std::string log = log_of([] {
-    ProgressBar bar{"", "s"};
+    ProgressBar bar{"", "s", 0.0};
     double time = 0.0;
     for (int step = 0; step < 10; ++step) bar(time += 0.1, 1.0);
     ASSERT_LT(time, 1.0);
   });
   EXPECT_NE(log.find("100 % of 1 s"), std::string::npos) << log;
+}
+
+TEST(ProgressBar, WritesNothingToALogInItsQuietTime) {
+  EXPECT_EQ(log_of([] {
+              ProgressBar bar{"gaps", "cases", std::numeric_limits<double>::infinity()};
+              for (int done = 1; done <= 100; ++done) bar(done, 100);
+              bar.clear();
+            }),
+            "");
+}
+
+TEST(ProgressBar, WritesTheTenthsThatPassAfterTheFirstSecond) {
+  EXPECT_EQ(log_of([] {
+              ProgressBar bar;
+              std::this_thread::sleep_for(std::chrono::seconds{1});
+              bar(9, 10);
+              bar(10, 10);
+            }),
+            "moat:  90 % of 10 cases\nmoat: 100 % of 10 cases\n");
 }
 
 }  // namespace

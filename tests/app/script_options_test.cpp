@@ -161,9 +161,9 @@ TEST_F(ScriptOptions, RefusesAnOptionWithoutItsValue) {
 }
 
 TEST_F(ScriptOptions, FlagsMayBeWrittenWithAValue) {
-  EXPECT_EQ(run({"--quiet=true"}).errors, "");
-  EXPECT_EQ(run({"--quiet"}).errors, "");
-  EXPECT_NE(run({"--quiet=false"}).errors, "");
+  EXPECT_EQ(run({"--quiet=true"}).output.find("Results: "), std::string::npos);
+  EXPECT_EQ(run({"--quiet"}).output.find("Results: "), std::string::npos);
+  EXPECT_NE(run({"--quiet=false"}).output.find("Results: "), std::string::npos);
   ASSERT_TRUE(std::filesystem::exists(folder / "results/moat_option_script_3"));
   EXPECT_EQ(run({"--force=true", "--out", "results/moat_option_script_3"}).exit_code, 0);
   EXPECT_FALSE(std::filesystem::exists(folder / "results/moat_option_script_3_2"));

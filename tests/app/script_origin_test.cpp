@@ -45,7 +45,7 @@ TEST_F(ScriptOrigin, TwoRunsThatDifferInAnOptionDifferInTheirSummary) {
 TEST_F(ScriptOrigin, WithoutTheLauncherItIsTheProgram) {
   const json provenance = summary_of({"--gap", "12 cm", "--quiet"}, "a").at("provenance");
   EXPECT_EQ(provenance.at("script"), std::filesystem::canonical(FIRST_TOUR).string());
-  EXPECT_TRUE(provenance.at("script_sha256").is_null());
+  EXPECT_EQ(provenance.at("script_sha256"), sha256_of(text_of(FIRST_TOUR)));
   EXPECT_EQ(provenance.at("command_line"), std::filesystem::canonical(FIRST_TOUR).string() +
                                                " --gap '12 cm' --quiet --out a --end '1 s' --frame-interval '0 s'");
   EXPECT_EQ(provenance.at("options").at("quiet"), "yes");
@@ -69,6 +69,31 @@ TEST_F(ScriptOrigin, TheRecordIsKnownByPathHashAndScale) {
   EXPECT_EQ(motion.at("sha256"), sha256_of(text_of(folder / "record.txt")));
   EXPECT_NEAR(motion.at("scale_factor").get<double>(), 0.5, 1e-15);
   EXPECT_EQ(motion.at("notes").back(), "accelerations multiplied by 0.5");
+}
+
+TEST_F(ScriptOrigin, BothRecordsInPlanAreKnownByPathHashAndScale) {
+  std::ofstream{folder / "first.txt"} << "0 0.1\n0.02 0.2\n0.04 -0.4\n0.06 0.1\n";
+  std::ofstream{folder / "second.txt"} << "0 0.1\n0.02 -0.3\n0.04 0.1\n0.06 0\n";
+  const auto tour = std::filesystem::path{FIRST_TOUR}.replace_filename("05_plan");
+  const ProgramResult result =
+      testing::run_program(tour,
+                           {"--record", "first.txt", "--record-2", "second.txt", "--record-unit", "g", "--pga", "0.2 g",
+                            "--frame-interval", "0 s", "--out", "a"},
+                           folder);
+  ASSERT_EQ(result.exit_code, 0) << result.errors;
+  const json summary = json::parse(text_of(folder / "a/summary.json")), motion = summary.at("motion");
+  ASSERT_EQ(motion.at("components").size(), 2u);
+  const std::string report = text_of(folder / "a/report.html");
+  for (const int i : {0, 1}) {
+    const json& component = motion.at("components").at(i);
+    const auto file = folder / (i == 0 ? "first.txt" : "second.txt");
+    EXPECT_EQ(component.at("file"), file.string());
+    EXPECT_EQ(component.at("sha256"), sha256_of(text_of(file)));
+    EXPECT_NEAR(component.at("scale_factor").get<double>(), 0.5, 1e-15);
+    EXPECT_NE(report.find(component.at("sha256").get<std::string>()), std::string::npos);
+  }
+  EXPECT_EQ(motion.at("file"), motion.at("components").at(0).at("file"));
+  EXPECT_NEAR(motion.at("scale_factor").get<double>(), 0.5, 1e-15);
 }
 
 TEST_F(ScriptOrigin, TheReportSaysItToo) {

@@ -57,7 +57,7 @@ TEST_F(ExhibitInFolder, WritesTablesAsMarkdown) {
   EXPECT_NE(text.find("| 1.2 | a claim | a criterion | a number | partly |"), std::string::npos) << text;
 }
 
-TEST_F(ExhibitInFolder, TellsOnThePageThatAScriptFailed) {
+TEST_F(ExhibitInFolder, SaysOnThePageThatAScriptFailed) {
   write_page(folder, {{.id = "gone", .program = "gone", .failure = "gone: ended by signal 11."}});
   EXPECT_NE(text_of("index.html").find("gone: ended by signal 11."), std::string::npos);
 }

@@ -46,7 +46,7 @@ TEST_F(Paper, Table2Holds) {
   EXPECT_NE(results.find("within 8 % of the paper's"), std::string::npos);
 }
 
-TEST_F(Paper, WithoutRecordsTellsWhatIsSkippedAndWhereToGetThem) {
+TEST_F(Paper, WithoutRecordsSaysHowMuchIsSkippedAndWhereToGetThem) {
   EXPECT_EQ(run("env -u MOAT_RECORDS " + program("paper") + " --coarse --out " + file("page")), 0)
       << text_of("err.txt");
   const std::string out = text_of("out.txt");

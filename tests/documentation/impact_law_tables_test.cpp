@@ -34,7 +34,7 @@ TEST(Guide, HasTheTablesOfImpactLaws) {
   std::ostringstream guide;
   guide << file.rdbuf();
   EXPECT_NE(guide.str().find(impact_law_tables()), std::string::npos)
-      << "docs/guide.md does not show the impact laws as they are. Write its tables anew:\n"
+      << "docs/guide.md does not show the impact laws as they are. Write its tables again:\n"
          "    cmake --build build/release --target guide_tables";
 }
 

@@ -45,8 +45,9 @@ std::string prose_of(Kind kind, const std::string& line) {
   return kind == Kind::markdown ? prose_of_markdown(line) : line;
 }
 
-// Pronouns that begin a clause without a noun, and idioms.
-constexpr std::array forbidden{"what", "whatever", "lest", "whoever", "at hand", "there and back"};
+// Pronouns that begin a clause without a noun, old words, idioms, and files and numbers that "tell".
+constexpr std::array forbidden{"what",    "whatever",       "lest", "whoever", "anew", "hence",
+                               "at hand", "there and back", "tell", "tells",   "told", "telling"};
 
 // A parameter of such a name stands in backticks, or before a colon or a parenthesis.
 bool breaks_the_rule(Kind kind, const std::string& line) {

@@ -18,7 +18,7 @@ TEST(Guide, HasTheTablesOfSpringLaws) {
   std::ostringstream guide;
   guide << file.rdbuf();
   EXPECT_NE(guide.str().find(spring_law_tables()), std::string::npos)
-      << "docs/guide.md does not show these laws as they are. Write its tables anew:\n"
+      << "docs/guide.md does not show these laws as they are. Write its tables again:\n"
          "    cmake --build build/release --target guide_tables";
 }
 

@@ -79,7 +79,7 @@ TEST(Gap, FreezesTheApproachSpeedAtTouch) {
   EXPECT_FALSE(block.contacts()->contact(0).touching);
 }
 
-TEST(Gap, TellsTheTrueApproachSpeedWhereTheLawCountsMore) {
+TEST(Gap, ReportsTheTrueApproachSpeedWhereTheLawCountsMore) {
   for (const double speed : {5e-5, 0.0, -0.2}) {
     TwoNodes nodes;
     add(nodes.model, gap_between(nodes.a, nodes.b, hertz_damp));
@@ -128,7 +128,7 @@ TEST(Gap, HasExactTangentsAndRollsBackWithEveryFormOfContact) {
   expect_sound_gap(NamedImpactLaw{.name = "exact_hertz_damp", .hertz_stiffness = 1e9 * N / m_3_2, .restitution = 0.4});
 }
 
-TEST(Gap, TellsWhatIsWrong) {
+TEST(Gap, NamesTheMistake) {
   TwoNodes nodes;
   Gap closed = gap_between(nodes.a, nodes.b, hertz_damp);
   closed.clearance = -10 * cm;

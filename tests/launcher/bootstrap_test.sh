@@ -70,8 +70,8 @@ fail() {
 }
 code_is() { [[ $code == "$1" ]] || fail "the exit code should be $1"; }
 out_is() { [[ $out == "$1" ]] || fail "the output should be: $1"; }
-out_tells() { [[ $out == *"$1"* ]] || fail "the output should tell: $1"; }
-err_tells() { [[ $err == *"$1"* ]] || fail "the errors should tell: $1"; }
+out_has() { [[ $out == *"$1"* ]] || fail "the output should have: $1"; }
+err_has() { [[ $err == *"$1"* ]] || fail "the errors should have: $1"; }
 called() { grep -q -- "$1" "$calls" || fail "should have called: $1"; }
 not_called() { ! grep -q -- "$1" "$calls" || fail "should not have called: $1"; }
 handed_over() { out_is "[$root][$1/release][$1][run][$world/tower.cpp]" && code_is 7; }
@@ -94,8 +94,8 @@ case $case in
     not_called libgtest-dev
     called "cmake -S .*--preset release .*MOAT_BUILD_TESTS=OFF"
     called "cmake --build .*moat_launcher"
-    err_tells "14 packages, 2,048 kB to download"
-    for phase in lists install configure build; do err_tells "moat: $phase"; done
+    err_has "14 packages, 2,048 kB to download"
+    for phase in lists install configure build; do err_has "moat: $phase"; done
     launch --install test
     code_is 0
     called "install --yes .*libgtest-dev"
@@ -105,7 +105,7 @@ case $case in
     launch run "$world/tower.cpp"
     handed_over "$root/build"
     not_called .
-    [[ -z $err ]] || fail "nothing should be told"
+    [[ -z $err ]] || fail "nothing should be printed"
     ;;
   changed_launcher)
     launch run "$world/tower.cpp"
@@ -154,8 +154,8 @@ case $case in
     become_nobody
     launch run "$world/tower.cpp"
     code_is 3
-    err_tells "apt-get install --no-install-recommends"
-    err_tells " ninja-build"
+    err_has "apt-get install --no-install-recommends"
+    err_has " ninja-build"
     [[ $err != *" cmake"* ]] || fail "cmake is installed"
     not_called .
     ;;
@@ -177,15 +177,15 @@ case $case in
     launch run "$world/tower.cpp"
     PATH=/usr/bin:/bin
     code_is 3
-    err_tells "This is not Debian"
-    err_tells "libtrilinos-nox-dev"
+    err_has "This is not Debian"
+    err_has "libtrilinos-nox-dev"
     ;;
   build_fails)
     touch "$world/build_fails"
     launch run "$world/tower.cpp"
     code_is 1
-    err_tells "the reason why"
-    err_tells "$root/build/logs/build.log"
+    err_has "the reason why"
+    err_has "$root/build/logs/build.log"
     rm "$world/build_fails"
     launch run "$world/tower.cpp"
     handed_over "$root/build"
@@ -195,14 +195,14 @@ case $case in
       # shellcheck disable=SC2086 # several words on purpose
       launch $arguments
       code_is 0
-      out_tells "./moat run examples/01_moat_wall.cpp"
+      out_has "./moat run examples/01_moat_wall.cpp"
       not_called .
     done
     ;;
   doctor_before_the_program)
     launch doctor
     code_is 1
-    out_tells "libtrilinos-nox-dev"
+    out_has "libtrilinos-nox-dev"
     not_called .
     ;;
   wrong_usage_before_the_program)
@@ -236,6 +236,18 @@ case $case in
     not_called .
     launch test
     out_is "[$root][$work/release][$work][test]"
+    ;;
+  no_folder_to_write)
+    make_read_only
+    for home in HOME=/dev/null --unset=HOME; do
+      as_user=(${as_user[@]+"${as_user[@]}"} env "$home")
+      launch run "$world/tower.cpp"
+      code_is 1
+      err_has "moat: Neither $root/build nor "
+      err_has "Set XDG_CACHE_HOME to a folder that can be written."
+      [[ $err != *mkdir* && $err != *$'\n'* ]] || fail "one sentence should be printed"
+    done
+    err_has "HOME is not set"
     ;;
   called_by_sh)
     shell=(sh)

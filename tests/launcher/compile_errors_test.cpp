@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "launcher/explanation.hpp"
 #include "launcher/process.hpp"
 #include "launcher_testing.hpp"
 
@@ -154,14 +155,123 @@ TEST_F(CompileErrors, NameTheFieldOfAnArgumentInBraces) {
       "const GroundMotion pulse = near_fault_pulse({.amplitude = 1 * m / s, .pulse_period = 1.3 * s});",
       "tower.cpp:4: field pulse_period of NearFaultPulse stands in the wrong place; the order is pulse_period, ");
   expect_first("const GroundMotion pulse = near_fault_pulse({.pulse_period = 1.3 * m, .phase = 0.5});",
-               "tower.cpp:4: a value does not fit its field of NearFaultPulse: pulse_period is a time [s], phase is a "
-               "number without unit\n");
+               "tower.cpp:4: field pulse_period of NearFaultPulse is a time [s], but 1.3 * m is a length [m]\n");
+  expect_first("const Length period = 1.3 * m;\nconst GroundMotion pulse = near_fault_pulse({.pulse_period = period});",
+               "tower.cpp:5: a value does not fit its field of NearFaultPulse: pulse_period is a time [s]\n");
   expect_first(
       "void set(const NearFaultPulse&);\nvoid take(NearFaultPulse);\nvoid run() {\nset({.phase = 1 * s});\n"
       "take({.pulse_period = 2});\n}",
-      "tower.cpp:7: a value does not fit its field of NearFaultPulse: phase is a number without unit\n");
+      "tower.cpp:7: field phase of NearFaultPulse is a number without unit, but 1 * s is a time [s]\n");
   expect_first("void take(NearFaultPulse);\nvoid run() { take({.pulse_period = 2}); }",
                "tower.cpp:5: field pulse_period of NearFaultPulse is a time [s], but 2 is a number");
+}
+
+TEST_F(CompileErrors, AskForTheTypeOfALaw) {
+  expect_first("int main() {" + wall +
+                   "add(model, Moat{.around = base, .clearance = 1 * m,\n"
+                   ".law = {.stiffness = 1 * N / m_3_2, .restitution = 0.65}}); }",
+               "tower.cpp:7: field law of Moat needs the name of a type in front of the braces, as in .law = "
+               "HertzDamp{...}\n   7 | .law");
+  expect_first("auto make(NodeId base) {\nreturn Spring{.lower = ground, .upper = base, .law = {1 * N / m}}; }",
+               "tower.cpp:5: field law of Spring needs the name of a type in front of the braces, as in .law = "
+               "Linear{...}\n");
+}
+
+TEST_F(CompileErrors, AskForTheTypeOfAFieldThatTakesSeveral) {
+  expect_first(
+      "const ShearBuilding building{.storeys = 2, .floor_mass = 1 * kg, .storey_stiffness = 1 * N / m,\n"
+      ".isolation = {.yield_force = 2 * MN, .yield_displacement = 1 * cm, .post_yield_stiffness = 19 * MN / m}};",
+      "tower.cpp:5: field isolation of ShearBuilding needs the name of a type in front of the braces, as in "
+      ".isolation = LeadRubberBearing{...}\n   5 | .isolation");
+  expect_first("const ShearBuilding building{.storeys = 2, .floor_mass = 1 * kg,\n.storey = {.stiffness = 1 * N / m}};",
+               "tower.cpp:5: field storey of ShearBuilding needs the name of a type in front of the braces, as in "
+               ".storey = YieldingStorey{...}\n");
+  expect_first("const auto law = FrictionPendulum{.radius = 2 * m, .friction = {.slow = 0.05, .fast = 0.1}};",
+               "tower.cpp:4: field friction of FrictionPendulum needs the name of a type in front of the braces, as in "
+               ".friction = VelocityDependent{...}\n");
+}
+
+TEST_F(CompileErrors, NameTheFieldOfAnArgumentOfAnOverloadedFunction) {
+  expect_first("const auto columns = grid(3, 2, {.stiffness = 100 * MN});",
+               "tower.cpp:4: field stiffness of StoreyColumn is a stiffness [N/m], but 100 * MN is a force [N]\n");
+  expect_first("const auto columns = grid(3, 2, {.stifness = 100 * MN / m});",
+               "tower.cpp:4: StoreyColumn has no field stifness; did you mean stiffness?");
+  expect_first("const auto columns = grid(3, 2, {.stiffness_x = 1 * MN / m, .stiffness_y = 100 * MN});",
+               "tower.cpp:4: field stiffness_y of StoreyColumn is a stiffness [N/m], but 100 * MN is a force [N]\n");
+}
+
+TEST_F(CompileErrors, AskForAWholeNumber) {
+  expect_first("const ShearBuilding building{.storeys = 5.0, .floor_mass = 1 * kg, .storey_stiffness = 1 * N / m};",
+               "tower.cpp:4: 5.0 is a number with a decimal point, but a whole number is needed here; write 5\n");
+  expect_first("const ShearBuilding building{.storeys = 2 * m, .floor_mass = 1 * kg, .storey_stiffness = 1 * N / m};",
+               "tower.cpp:4: 2 * m is a length [m], but a whole number is needed here\n");
+}
+
+TEST_F(CompileErrors, GiveAUnitOfTheRightDimension) {
+  expect_first("const Linear law{5e6};",
+               "tower.cpp:4: 5e6 is a number without unit, but a stiffness [N/m] is needed here; give it a unit, as in "
+               "5e6 * N / m\n");
+  const auto hint = [](const std::string& needed) { return unit_hint(needed, "10"); };
+  const std::string all = "const Speed a = 10 * m / s;\nconst Acceleration b = 10 * m / (s * s);\n";
+  EXPECT_EQ(hint("a mass [kg], or one per storey,"), "; give it a unit, as in 10 * kg");
+  EXPECT_EQ(hint("a frequency [1/s]"), "; give it a unit, as in 10 * Hz");
+  EXPECT_EQ(hint("a speed [m/s]"), "; give it a unit, as in 10 * m / s");
+  EXPECT_EQ(hint("an acceleration [m/s^2]"), "; give it a unit, as in 10 * m / (s * s)");
+  EXPECT_EQ(hint("an energy [J = N m]"), "; give it a unit, as in 10 * J");
+  EXPECT_EQ(hint("a damping coefficient [N s/m]"), "; give it a unit, as in 10 * N * s / m");
+  EXPECT_EQ(hint("a Hertz stiffness [N/m^1.5]"), "; give it a unit, as in 10 * N / m_3_2");
+  EXPECT_EQ(unit_hint("a length [m]", "a + b"), "; give it a unit, as in (a + b) * m");
+  EXPECT_EQ(unit_hint("a stiffness [N/m]", ""), "; give it a unit, as in 10 * N / m");
+}
+
+TEST_F(CompileErrors, FindTheWrongValueOfAStorey) {
+  const std::string front = "const ShearBuilding building{.storeys = 2,\n",
+                    rest = ",\n.storey_stiffness = 1 * GN / m};";
+  expect_first(front + ".floor_mass = {500 * tonne, 500 * kN}" + rest,
+               "tower.cpp:5: each value of field floor_mass of ShearBuilding is a mass [kg], but 500 * kN is a force "
+               "[N]\n   5 | .floor_mass");
+  expect_first("const Force weight = 5 * MN;\n" + front + ".floor_mass = {500 * tonne, weight}" + rest,
+               "tower.cpp:6: a value does not fit: each value of field floor_mass of ShearBuilding is a mass [kg]\n");
+}
+
+TEST_F(CompileErrors, PointAtABracketThatDoesNotFit) {
+  const std::string text = explained_for(
+      "int main() {\n" + wall +
+      "add(model, Moat{.around = base, .clearance = 1 * m,\n.law = Hertz{.stiffness = 1 * N / m_3_2});\n}");
+  EXPECT_TRUE(
+      text.starts_with("tower.cpp:8: the '{' behind Moat in line 7 is not closed before this ')', or this ')' "
+                       "is one too many\n   8 | .law = Hertz"))
+      << text;
+  EXPECT_EQ(text.find("template arguments"), std::string::npos) << text;
+  expect_first("int main() { return 0; }\n}", "tower.cpp:5: this '}' is one too many\n   5 | }\n     | ^\n");
+  expect_first("int main() { const char a = '{';\nreturn a }", "tower.cpp:5: expected ';' before '}' token\n");
+}
+
+TEST_F(CompileErrors, SuggestTheNearestTypeAndLeaveOutTheErrorsItCauses) {
+  const std::string text =
+      explained_for("int main() {\n" + wall +
+                    "add(model, Moat{.around = base, .clearance = 1 * m,\n.law = HertzDump{.stiffness = 1 * N / "
+                    "m_3_2, .restitution = 0.65}});\n}");
+  EXPECT_TRUE(text.starts_with("tower.cpp:8: 'HertzDump' was not declared in this scope; did you mean 'HertzDamp'?\n"))
+      << text;
+  EXPECT_EQ(text.find("template arguments"), std::string::npos) << text;
+}
+
+TEST_F(CompileErrors, NameTheOptionsOfARun) {
+  const std::string front =
+      "int run(Script& script, Model& model, const GroundMotion& motion) {\nreturn script.run(model, motion, ";
+  expect_first(front + "{.transient = {.step = 0.01 * s}}); }",
+               "tower.cpp:5: TransientOptions has no field transient; it has integrator, step, ");
+  expect_first(
+      front + "{.step = 0.01}); }",
+      "tower.cpp:5: field step of TransientOptions is a time [s], but 0.01 is a number without unit; give it a "
+      "unit, as in 0.01 * s\n");
+}
+
+TEST_F(CompileErrors, SuggestNoNameThatTheScriptDoesNotKnow) {
+  expect_first("int main() { add(model, 1); }", "tower.cpp:4: 'model' was not declared in this scope\n");
+  expect_first("int main() { int frames = 1; return frame; }",
+               "tower.cpp:4: 'frame' was not declared in this scope; did you mean 'frames'?\n");
 }
 
 TEST_F(CompileErrors, KeepTheCompilersWordsOtherwise) {
@@ -182,6 +292,27 @@ TEST_F(CompileErrors, AreFiveAtMost) {
 TEST(CompilerOutput, ThatHoldsNoErrorIsShownAsItIs) {
   EXPECT_EQ(explained("undefined reference to `moat::add'\n", "tower.cpp", "."),
             "undefined reference to `moat::add'\n");
+}
+
+TEST(LinkErrors, BeginWithASentence) {
+  const auto first_line = [](const std::string& output) {
+    return lines_of(explained(output, "tower.cpp", ".")).front();
+  };
+  const std::string no_main =
+      "tower.cpp: the script has no function main; a script needs int main(int argc, char** argv)";
+  EXPECT_EQ(first_line("/usr/lib/Scrt1.o:function _start: error: undefined reference to 'main'\n"), no_main);
+  EXPECT_EQ(first_line("/usr/bin/ld: /usr/lib/Scrt1.o: in function `_start':\n"
+                       "(.text+0x1b): undefined reference to `main'\n"),
+            no_main);
+  EXPECT_EQ(first_line("/tmp/a.o:tower.cpp:function main: error: undefined reference to 'gap_of(moat::Quantity<0, 2, "
+                       "0>)'\n"),
+            "tower.cpp: nothing defines gap_of(Length), which the script uses; write its definition in the script");
+}
+
+TEST(LinkErrors, KeepTheLinkersTextAndNameEachFunctionOnce) {
+  const std::string line = "a.cpp:function main: error: undefined reference to 'f()'\n";
+  EXPECT_EQ(explained(line + line, "a.cpp", "."),
+            "a.cpp: nothing defines f(), which the script uses; write its definition in the script\n" + line + line);
 }
 
 }  // namespace

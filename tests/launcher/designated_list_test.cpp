@@ -57,5 +57,25 @@ TEST(PlaceInSource, CountsTabulatorsAndLettersAsTheCompiler) {
   EXPECT_EQ(offset_of("ab\ncd", 1, 9), 5u);
 }
 
+TEST(DesignatedList, HasItems) {
+  EXPECT_EQ(items_of("{500 * tonne, f(1, 2),\n {3, 4} }"),
+            (std::vector<std::string>{"500 * tonne", "f(1, 2)", "{3, 4}"}));
+  EXPECT_TRUE(items_of("{}").empty());
+  EXPECT_TRUE(items_of("f({1})").empty());
+  EXPECT_TRUE(items_of("{1} + {2}").empty());
+}
+
+TEST(WrongBracket, IsTheFirstThatDoesNotFit) {
+  const std::string source = "f(Moat{.a = 1);";
+  const auto wrong = first_wrong_bracket(source);
+  ASSERT_TRUE(wrong.has_value());
+  EXPECT_EQ(wrong->opening, source.find('{'));
+  EXPECT_EQ(wrong->closing, source.find(')'));
+  EXPECT_EQ(first_wrong_bracket("f(); }")->opening, std::nullopt);
+  EXPECT_FALSE(first_wrong_bracket("f({[]}, '{', '\\'', \"(\", 1'000);  // )"));
+  EXPECT_FALSE(first_wrong_bracket("f(R\"x(\")} \" )x\");"));
+  EXPECT_FALSE(first_wrong_bracket("int main() {"));
+}
+
 }  // namespace
 }  // namespace moat::launcher

@@ -38,7 +38,7 @@ class InSmallCheckout : public moat::testing::InTemporaryFolder {
     return moat::testing::run_program(program, {}, folder).output;
   }
 
-  /// Differs for every file that was written anew.
+  /// Differs for every file that was written again.
   static std::pair<ino_t, long> identity(const std::filesystem::path& file) {
     struct stat status {};
     ::stat(file.c_str(), &status);

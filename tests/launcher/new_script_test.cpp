@@ -22,7 +22,7 @@ class NewScript : public InSmallCheckout {
     return "was written";
   }
 
-  std::string told(const std::filesystem::path& file) const {
+  std::string printed_for(const std::filesystem::path& file) const {
     ::testing::internal::CaptureStderr();
     new_script(places, file);
     return ::testing::internal::GetCapturedStderr();
@@ -30,20 +30,20 @@ class NewScript : public InSmallCheckout {
 };
 
 TEST_F(NewScript, BearsItsOwnName) {
-  told(folder / "tower.cpp");
+  printed_for(folder / "tower.cpp");
   EXPECT_EQ(text_of(folder / "tower.cpp"), "Script script{argc, argv, \"tower\"};\n");
-  told(folder / "a \"big\" one.cpp");
+  printed_for(folder / "a \"big\" one.cpp");
   EXPECT_EQ(text_of(folder / "a \"big\" one.cpp"), "Script script{argc, argv, \"a \\\"big\\\" one\"};\n");
 }
 
 TEST_F(NewScript, NeedsNoEnding) {
-  EXPECT_NE(told(folder / "bridge").find("Wrote " + (folder / "bridge.cpp").string()), std::string::npos);
+  EXPECT_NE(printed_for(folder / "bridge").find("Wrote " + (folder / "bridge.cpp").string()), std::string::npos);
   EXPECT_EQ(text_of(folder / "bridge.cpp"), "Script script{argc, argv, \"bridge\"};\n");
 }
 
 TEST_F(NewScript, IsSuggestedToRunByACommandThatCanBeCopied) {
   const std::string file = folder / "a b.cpp";
-  EXPECT_NE(told(file).find("./moat run '" + file + "'\n"), std::string::npos);
+  EXPECT_NE(printed_for(file).find("./moat run '" + file + "'\n"), std::string::npos);
 }
 
 TEST_F(NewScript, IsRefusedWithTheReason) {
@@ -51,7 +51,7 @@ TEST_F(NewScript, IsRefusedWithTheReason) {
   EXPECT_NE(refusal("-x.cpp").find("./moat new ./-x.cpp"), std::string::npos);
   EXPECT_NE(refusal(folder / "no" / "tower.cpp").find("There is no folder " + (folder / "no").string()),
             std::string::npos);
-  told(folder / "tower.cpp");
+  printed_for(folder / "tower.cpp");
   EXPECT_NE(refusal(folder / "tower.cpp").find("exists already"), std::string::npos);
   std::filesystem::create_symlink(folder / "nowhere", folder / "link.cpp");
   EXPECT_NE(refusal(folder / "link.cpp").find("exists already"), std::string::npos);

@@ -49,5 +49,23 @@ TEST_F(StructFields, AreThoseOfTheTemplateBehindAName) {
   EXPECT_EQ(name_in_scripts("Plain", folder), "Plain");
 }
 
+TEST_F(StructFields, MayShareALine) {
+  std::filesystem::create_directories(folder / "structures");
+  write_text(folder / "structures" / "column.hpp", "struct Column {\n  Stiffness x{}, y{};  ///< N/m\n};\n");
+  EXPECT_EQ(fields_of("Column", folder), (std::vector<std::string>{"x", "y"}));
+  EXPECT_EQ(declared_fields("Column", folder).back().type, "Stiffness");
+}
+
+TEST_F(StructFields, BelongToTypesWithNamesAndConcepts) {
+  std::filesystem::create_directories(folder / "elements");
+  write_text(folder / "elements" / "gap.hpp",
+             "template <ImpactLaw Law>\nstruct Gap {\n};\nclass Names : public Base {\n};\nusing Ye = Gap<X>;\n");
+  EXPECT_EQ(names_of_types(folder), (std::vector<std::string>{"Ye", "Gap", "Names"}));
+  EXPECT_EQ(concept_of("Gap", folder), "ImpactLaw");
+  EXPECT_EQ(concept_of("Names", folder), "");
+  EXPECT_TRUE(is_in_headers("Base", folder));
+  EXPECT_FALSE(is_in_headers("Bas", folder));
+}
+
 }  // namespace
 }  // namespace moat::launcher

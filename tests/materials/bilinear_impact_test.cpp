@@ -45,7 +45,7 @@ TEST(BilinearImpact, UnloadsAndLoadsAgainAlongItsLines) {
   expect(5.0, 18.0);
   expect(0.0, 0.0);
   EXPECT_NEAR(path.work(), path.stored() + path.dissipated(), 1e-8);
-  // The next contact begins anew.
+  // The next contact starts without memory of this one.
   path.move(-1.0, 1.0);
   expect(1.0, 10.0);
 }

@@ -66,7 +66,7 @@ TEST(FreeImpact, EndsWhereTheApproachIsDampedHardAndTheWayBackIsSlow) {
   }
 }
 
-TEST(FreeImpact, TellsThatAContactDoesNotEnd) {
+TEST(FreeImpact, RefusesAContactThatDoesNotEnd) {
   // So overdamped that it creeps back for years; such parameters do not pass KelvinByDampingRatio::check.
   const ViscousLinearContact law{.stiffness = 1.0, .damping = 1e9, .separation = Separation::at_opening};
   EXPECT_THROW(delivered_restitution(law, 1.0, 1.0), Error);

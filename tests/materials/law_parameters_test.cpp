@@ -41,7 +41,7 @@ TEST(LawParameters, OfAnImpactLawAreThoseGivenAndBetweenBodiesThoseThatAct) {
 
 TEST(LawParameters, AreNoneForALawThatDoesNotSay) {
   struct Silent {};
-  EXPECT_EQ(name_of(Silent{}), "law");
+  EXPECT_EQ(name_of(Silent{}), "Silent");
   EXPECT_TRUE(parameters_of(Silent{}).empty());
 }
 

@@ -102,7 +102,7 @@ TEST(MotionMeasures, RefuseWrongInput) {
             std::string::npos);
   EXPECT_NE(message_of<InputError>([&] { (void)spaced_periods(1 * s, 1 * s, 5); }).find("last = 1 s"),
             std::string::npos);
-  const GroundMotion two = zero.with_component_y({0.0, 1.0, 0.0});
+  const GroundMotion two = zero.with_component_y({0.0, 1.0, 0.0}, zero, zero);
   EXPECT_NE(message_of<InputError>([&] { (void)arias_intensity(two); }).find("two components"), std::string::npos);
 }
 

@@ -66,6 +66,21 @@ TEST(PlanMotion, OneFactorScalesBoth) {
   EXPECT_NEAR((GroundMotion{PlanMotion{a, a}}.peak_acceleration().si()), std::sqrt(2.0) * peak_a, 1e-14);
 }
 
+TEST(PlanMotion, KnowsWhereItsComponentsComeFrom) {
+  const GroundMotion a{"a", 0.01, {0.0, 1.0}, {}, {"/records/a", "aa"}},
+      b{"b", 0.01, {0.0, 2.0}, {}, {"/records/b", "bb"}};
+  EXPECT_EQ(a.scaled_by(3.0).components().size(), 1u);
+  EXPECT_EQ(a.scaled_by(3.0).components()[0].scale_factor, 3.0);
+  const auto components = PlanMotion{a.scaled_by(3.0), b}.resolved().scaled_by(0.5).components();
+  ASSERT_EQ(components.size(), 2u);
+  EXPECT_EQ(components[0].name, "a");
+  EXPECT_EQ(components[0].file.sha256, "aa");
+  EXPECT_EQ(components[0].scale_factor, 1.5);
+  EXPECT_EQ(components[1].name, "b");
+  EXPECT_EQ(components[1].file.path, "/records/b");
+  EXPECT_EQ(components[1].scale_factor, 0.5);
+}
+
 TEST(PlanMotion, MaximumDirectionSpectrumDoesNotDependOnTheAxes) {
   const GroundMotion a = wave("a", 0.01, 4.0, 5.0, 300), b = wave("b", 0.01, 2.0, 8.0, 300);
   const std::vector<Time> periods{0.5 * s, 1 * s};

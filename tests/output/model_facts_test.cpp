@@ -87,5 +87,30 @@ TEST(ModelFacts, HaveTheClearanceOfEveryGap) {
   FAIL() << "there is no moat left";
 }
 
+TEST(ModelFacts, HavePlacesAndDirectionsInPlan) {
+  using namespace units;
+  Model model;
+  const DiaphragmId floor = add(model, Diaphragm{.name = "floor",
+                                                 .mass = 10 * kg,
+                                                 .centre_of_mass = {1 * m, 2 * m},
+                                                 .rotary_inertia = 90 * kg * m * m,
+                                                 .outline = rectangle(4 * m, 6 * m)});
+  add(model, PlanSpring{.name = "link",
+                        .lower = PlanPoint{ground, {3 * m, 4 * m}},
+                        .upper = PlanPoint{floor, {1 * m, 4 * m}},
+                        .direction = {2.0, 0.0},
+                        .law = Linear{.stiffness = 1 * N / m}});
+  const ModelFacts facts = facts_of(model);
+  ASSERT_EQ(facts.elements.size(), 1u);
+  EXPECT_EQ(facts.elements[0].first, "ground");
+  EXPECT_EQ(facts.elements[0].second, "floor");
+  ASSERT_TRUE(facts.elements[0].plan_places);
+  EXPECT_EQ(facts.elements[0].plan_places->first, (PlanVector{3.0, 4.0}));
+  EXPECT_EQ(facts.elements[0].plan_places->second, (PlanVector{1.0, 4.0}));
+  EXPECT_EQ(facts.elements[0].plan_places->direction, (PlanVector{1.0, 0.0}));
+  ASSERT_EQ(facts.diaphragms.size(), 1u);
+  EXPECT_NEAR(facts.diaphragms[0].gyration, 3.0, 1e-15);
+}
+
 }  // namespace
 }  // namespace moat

@@ -18,7 +18,7 @@ folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
 cd "$folder"
 export HOME=$folder
-# -noreset: without it the screen starts anew when ParaView ends its first connection, with which it only
+# -noreset: without it the screen restarts when ParaView ends its first connection, with which it only
 # queries the screen; a second connection at that moment is refused.
 pvbatch_on_screen() { xvfb-run -a -s "-screen 0 1280x1024x24 -noreset" pvbatch "$@"; }
 echo 'from paraview.simple import PVDReader' >import.py

@@ -29,7 +29,7 @@ TEST(RoundedError, GoesUpAcrossADigit) {
   EXPECT_EQ(rounded_error(99.0).text, "100");
 }
 
-TEST(RoundedError, TellsTheDecimalsOfItsLastDigit) {
+TEST(RoundedError, GivesTheDecimalsOfItsLastDigit) {
   EXPECT_EQ(rounded_error(0.0204).decimals, 2);
   EXPECT_EQ(rounded_error(0.0113).decimals, 3);
   EXPECT_EQ(rounded_error(1.5).decimals, 1);

@@ -17,7 +17,13 @@ CaseResult example() {
   result.title = "Five storeys \"in\" a moat";
   result.provenance = {"moat run a.cpp --gap '20 cm'", "/a.cpp", "def", {{"gap", "20 cm"}}, "1.2.3", "0123",
                        "2026-01-31T12:00:00Z"};
-  result.motion = {"record", 3.92266, 0.45, 0.005, 28.0, "/records/a.AT2", "abc", 1.5, {"header", "scaled"}};
+  result.motion = {.name = "record",
+                   .peak_acceleration = 3.92266,
+                   .peak_velocity = 0.45,
+                   .time_step = 0.005,
+                   .duration = 28.0,
+                   .notes = {"header", "scaled"},
+                   .components = {{"a", {"/records/a.AT2", "abc"}, 1.5}, {"b", {}, 2.5}}};
   result.model = {{{"base", 5.0, 1.0, 0.5, 0.01, -0.5}},
                   {{"storey 1", "storey", "Linear", "base", "floor 1", {{"stiffness", 2e9, "N/m"}}},
                    {.name = "gap",
@@ -58,6 +64,9 @@ TEST_F(Summary, ReadsBackWithEveryField) {
   EXPECT_EQ(json["motion"],
             Json::parse(R"({"name": "record", "peak_acceleration": 3.92266, "peak_velocity": 0.45, "time_step": 0.005,
                             "duration": 28.0, "file": "/records/a.AT2", "sha256": "abc", "scale_factor": 1.5,
+                            "components": [{"name": "a", "file": "/records/a.AT2", "sha256": "abc",
+                                            "scale_factor": 1.5},
+                                           {"name": "b", "file": null, "sha256": null, "scale_factor": 2.5}],
                             "notes": ["header", "scaled"],
                             "units": {"peak_acceleration": "m/s^2", "peak_velocity": "m/s", "time_step": "s",
                                       "duration": "s"}})"));
@@ -101,6 +110,48 @@ TEST_F(Summary, ReadsBackWithEveryField) {
                                             "event_solves": 13,
                                             "events": 14, "newton_iterations": 15, "factorisations": 16,
                                             "cpu_seconds": 0.5, "longest_step": 0.005})"));
+}
+
+TEST_F(Summary, HasPlacesInPlan) {
+  CaseResult result = example();
+  result.model.elements = {{.name = "column",
+                            .kind = "storey",
+                            .law = "Linear",
+                            .first = "ground",
+                            .second = "floor",
+                            .parameters = {},
+                            .plan_places = PlanPlaces{{1.0, 2.0}, {1.5, 2.0}, {0.0, 1.0}}},
+                           {.name = "bearing",
+                            .kind = "bearing",
+                            .law = "BiaxialBilinear",
+                            .first = "ground",
+                            .second = "floor",
+                            .parameters = {},
+                            .plan_places = PlanPlaces{{3.0, 4.0}, {3.0, 4.0}, {}}}};
+  result.model.diaphragms = {{"floor", 2.5, {0.5, 0.25}, {{0.0, 0.0}, {4.0, 0.0}, {4.0, 3.0}}}};
+  result.model.corners = {{.element = "contact",
+                           .corner = "floor corner 1",
+                           .edge = "wall 2",
+                           .position = {4.0, 0.0},
+                           .normal = {1.0, 0.0},
+                           .edge_begin = {4.5, -1.0},
+                           .edge_end = {4.5, 4.0},
+                           .clearance = 0.5}};
+  write_summary_json(result, folder / "summary.json");
+  const Json model = Json::parse(testing_output::read_file(folder / "summary.json"))["model"];
+  EXPECT_EQ(model["elements"][0]["first_position"], Json::parse("[1.0, 2.0]"));
+  EXPECT_EQ(model["elements"][0]["second_position"], Json::parse("[1.5, 2.0]"));
+  EXPECT_EQ(model["elements"][0]["direction"], Json::parse("[0.0, 1.0]"));
+  EXPECT_FALSE(model["elements"][1].contains("direction"));
+  EXPECT_EQ(model["diaphragms"], Json::parse(R"([{"name": "floor", "radius_of_gyration": 2.5,
+                                                  "centre_of_mass": [0.5, 0.25],
+                                                  "outline": [[0.0, 0.0], [4.0, 0.0], [4.0, 3.0]]}])"));
+  EXPECT_EQ(model["corners"], Json::parse(R"([{"element": "contact", "corner": "floor corner 1", "edge": "wall 2",
+                                               "position": [4.0, 0.0], "normal": [1.0, 0.0],
+                                               "edge_begin": [4.5, -1.0], "edge_end": [4.5, 4.0],
+                                               "clearance": 0.5}])"));
+  for (const char* name : {"radius_of_gyration", "first_position", "edge_begin"})
+    EXPECT_EQ(model["plan_units"][name], "m") << name;
 }
 
 TEST_F(Summary, HasTheErrorsOfPeaks) {

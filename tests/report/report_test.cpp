@@ -70,9 +70,7 @@ TEST_F(Report, NamesItsOrigin) {
                        "0.1.0",
                        "0123456789",
                        "2026-01-31T12:00:00Z"};
-  result.motion.file = "/records/a.AT2";
-  result.motion.sha256 = "beef";
-  result.motion.scale_factor = 1.25;
+  result.motion.components = {{"a", {"/records/a.AT2", "beef"}, 1.25}};
   result.motion.notes = {"PEER <header>"};
   result.model = {
       {{"base", 550e3, 0.0, 0.0, 0.02, 0.0}},
@@ -93,6 +91,30 @@ TEST_F(Report, NamesItsOrigin) {
         "550000", "HertzDamp", "clearance 0.1 m, restitution 0.65", "0.25 of the way from floor 1 to floor 2",
         "Initial displacement [m]", "Clearance left", "-1.000", "of 10 cm"})
     EXPECT_NE(html.find(part), std::string::npos) << part;
+}
+
+TEST_F(Report, ShowsPlacesInPlan) {
+  CaseResult result = example();
+  result.model.nodes = {{"floor:x", 550e3, 0.0, 0.0, 0.0, 0.0}};
+  result.model.elements = {{.name = "column",
+                            .kind = "storey",
+                            .law = "Linear",
+                            .first = "ground",
+                            .second = "floor",
+                            .parameters = {},
+                            .plan_places = PlanPlaces{{1.0, 2.0}, {1.0, 2.0}, {0.0, 1.0}}}};
+  result.model.diaphragms = {{"floor", 2.5, {0.5, 0.25}, {{0.0, 0.0}, {4.0, 0.0}, {4.0, 3.0}}}};
+  result.model.corners = {{.element = "contact",
+                           .corner = "floor corner 1",
+                           .edge = "wall 2",
+                           .position = {4.0, 0.0},
+                           .normal = {1.0, 0.0},
+                           .edge_begin = {4.5, -1.0},
+                           .edge_end = {4.5, 4.0},
+                           .clearance = 0.5}};
+  const std::string page = written(result);
+  for (const char* text : {"(1, 2) along (0, 1)", "(0.5, 0.25)", "(0, 0) (4, 0) (4, 3)", "floor corner 1", "(4.5, -1)"})
+    EXPECT_NE(page.find(text), std::string::npos) << text;
 }
 
 TEST_F(Report, ShowsTheBeginningOfALongModel) {

@@ -70,7 +70,7 @@ TEST(Moat, MayHaveOneSideOnly) {
     const NodeId base = add(model, Node{.name = "base", .mass = 550 * tonne});
     add(model, Moat<HertzDamp>{.around = base, .clearance = 10 * cm, .law = law, .sides = side});
     ASSERT_EQ(model.blocks().front()->size(), 1u);
-    EXPECT_EQ(model.blocks().front()->info(0).name, "moat") << "there is no other side to tell it from";
+    EXPECT_EQ(model.blocks().front()->info(0).name, "moat") << "there is no other side to distinguish it from";
     EXPECT_EQ(model.blocks().front()->info(0).first == ground, side == Sides::right);
     Model with_wall;
     add(with_wall, Moat<HertzDamp>{.name = "quay",

@@ -153,7 +153,7 @@ TEST(ShearBuilding, NamesItsParts) {
   EXPECT_EQ(model.buildings()[0].nodes(), (std::vector<NodeId>{nodes.base, nodes.floors[0], nodes.floors[1]}));
 }
 
-TEST(ShearBuilding, TwoInAModelAreToldApartByTheirName) {
+TEST(ShearBuilding, TwoInAModelDifferByTheirName) {
   Model model;
   ShearBuilding north = isolated(1), south = isolated(1);
   north.name = "north";

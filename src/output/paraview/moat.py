@@ -60,7 +60,7 @@ def colour(name):
     ColorBy(shown, (association, name))
     shown.RescaleTransferFunctionToDataRangeOverTime()
     scale = GetColorTransferFunction(name)
-    # Both maps can be told apart with every kind of colour vision.
+    # The colours of both maps differ for every kind of colour vision.
     scale.ApplyPreset("Cool to Warm" if both_signs else "Viridis (matplotlib)", True)
     if both_signs:
         largest = max(abs(scale.RGBPoints[0]), abs(scale.RGBPoints[-4]))
