@@ -41,7 +41,8 @@ std::string text_of(const std::vector<ParameterFacts>& parameters) {
   return text;
 }
 
-std::string text_of(PlanVector at) { return "(" + to_significant(at.x, 6) + ", " + to_significant(at.y, 6) + ")"; }
+// On one line.
+std::string text_of(PlanVector at) { return "(" + to_significant(at.x, 6) + ",\u00a0" + to_significant(at.y, 6) + ")"; }
 
 // Where a spring in plan is attached, and its direction.
 std::string place_of(const ElementFacts& element) {

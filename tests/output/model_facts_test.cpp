@@ -92,8 +92,8 @@ TEST(ModelFacts, HavePlacesAndDirectionsInPlan) {
   Model model;
   const DiaphragmId floor = add(model, Diaphragm{.name = "floor",
                                                  .mass = 10 * kg,
-                                                 .centre_of_mass = {1 * m, 2 * m},
                                                  .rotary_inertia = 90 * kg * m * m,
+                                                 .centre_of_mass = {1 * m, 2 * m},
                                                  .outline = rectangle(4 * m, 6 * m)});
   add(model, PlanSpring{.name = "link",
                         .lower = PlanPoint{ground, {3 * m, 4 * m}},

@@ -113,7 +113,8 @@ TEST_F(Report, ShowsPlacesInPlan) {
                            .edge_end = {4.5, 4.0},
                            .clearance = 0.5}};
   const std::string page = written(result);
-  for (const char* text : {"(1, 2) along (0, 1)", "(0.5, 0.25)", "(0, 0) (4, 0) (4, 3)", "floor corner 1", "(4.5, -1)"})
+  for (const char* text : {"(1,\u00a02) along (0,\u00a01)", "(0.5,\u00a00.25)", "(0,\u00a00) (4,\u00a00) (4,\u00a03)",
+                           "floor corner 1", "(4.5,\u00a0-1)"})
     EXPECT_NE(page.find(text), std::string::npos) << text;
 }
 
