@@ -6,14 +6,14 @@ namespace moat {
 
 StoreyShears::StoreyShears(const Model& model, const std::vector<std::pair<NodeId, NodeId>>& storeys)
     : sums_(storeys.size()), shears_(storeys.size()) {
-  std::map<std::pair<NodeId, NodeId>, std::size_t> numbers;
-  for (const auto& storey : storeys) numbers.emplace(storey, numbers.size());
+  std::map<std::pair<int, int>, std::size_t> numbers;
+  for (const auto& [lower, upper] : storeys) numbers.emplace(std::pair{lower.index, upper.index}, numbers.size());
   for (std::size_t b = 0; b < model.blocks().size(); ++b) {
     const ElementBlock& block = *model.blocks()[b];
     if (block.contacts() != nullptr) continue;
     for (std::size_t e = 0; e < block.size(); ++e) {
       const ElementInfo& info = block.info(e);
-      const auto storey = numbers.find({info.first, info.second});
+      const auto storey = numbers.find({info.first.index, info.second.index});
       const bool carries = model.is_plan() ? info.plan_places != nullptr : !info.force_quantity.empty();
       if (storey != numbers.end() && carries) parts_.push_back({b, e, storey->second});
     }
