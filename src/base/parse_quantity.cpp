@@ -9,7 +9,7 @@
 #include <optional>
 
 #include "base/error.hpp"
-#include "base/units.hpp"
+#include "base/known_units.hpp"
 
 namespace moat {
 namespace {
@@ -17,23 +17,7 @@ namespace {
 // SI, of any dimension: far beyond every building, and near enough that numbers computed from it stay finite.
 constexpr double largest_quantity = 1e15;
 
-struct Symbol {
-  std::string_view name;
-  double si;
-  int mass, half_length, time;
-};
-
-template <class Q>
-constexpr Symbol symbol(std::string_view name, Q unit) {
-  return {name, unit.si(), Q::mass_exponent, Q::half_length_exponent, Q::time_exponent};
-}
-
-constexpr std::array symbols{
-    symbol("m", units::m),     symbol("mm", units::mm),       symbol("cm", units::cm),      symbol("km", units::km),
-    symbol("s", units::s),     symbol("ms", units::ms),       symbol("min", units::minute), symbol("kg", units::kg),
-    symbol("t", units::tonne), symbol("tonne", units::tonne), symbol("N", units::N),        symbol("kN", units::kN),
-    symbol("MN", units::MN),   symbol("GN", units::GN),       symbol("J", units::J),        symbol("kJ", units::kJ),
-    symbol("MJ", units::MJ),   symbol("Hz", units::Hz),       symbol("g", units::g)};
+constexpr auto symbols = common_units_and(std::array{known_unit("min", units::minute), known_unit("t", units::tonne)});
 
 struct Unit {
   double si = 1.0;
@@ -59,7 +43,7 @@ std::optional<int> power_in_halves(std::string_view text) {
 // " Did you mean cm?" for CM; empty where no symbol has these letters.
 std::string meant_by(std::string_view name) {
   const auto same = [](unsigned char a, unsigned char b) { return std::tolower(a) == std::tolower(b); };
-  for (const Symbol& known : symbols)
+  for (const KnownUnit& known : symbols)
     if (std::ranges::equal(known.name, name, same)) return " Did you mean " + std::string{known.name} + "?";
   return "";
 }
@@ -69,7 +53,7 @@ void multiply(Unit& unit, std::string_view factor, int sign, std::string_view wh
   const std::string_view name = factor.substr(0, caret);
   std::optional<int> halves = 2;
   if (caret != std::string_view::npos) halves = power_in_halves(factor.substr(caret + 1));
-  for (const Symbol& known : symbols) {
+  for (const KnownUnit& known : symbols) {
     if (known.name != name) continue;
     const auto raised = [&](int exponent) -> int {
       if (halves && exponent * *halves % 2 == 0) return sign * exponent * *halves / 2;

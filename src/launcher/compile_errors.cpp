@@ -105,15 +105,14 @@ const std::vector<Pattern>& patterns() {
 // `Moat{...}` without a law, or with something else in its place.
 std::optional<Explanation> failed_deduction(const ErrorGroup& group, const fs::path& root) {
   static const std::regex call{R"(no matching function for call to '(\w+)\(.*)"};
-  static const std::regex missing{R"(\s*couldn't deduce template parameter '(\w+)')"};
   static const std::regex concepts{R"(.*required for the satisfaction of '(\w+)<\w+>' \[with \w+ = (.*)\])"};
-  const bool is_type = group.front().text.starts_with("class template argument deduction failed");
+  const std::string missing = field_not_deduced(group);
   std::string type;
   for (const Diagnostic& each : group) {
     std::smatch match;
     if (std::regex_match(each.text, match, call)) type = match[1];
-    if (std::regex_match(each.text, match, missing) && is_type && !names_field(group.front(), lower_case(match[1])))
-      return at(group.front(), "field " + lower_case(match[1]) + " of " + type + " is missing");
+    if (!type.empty() && !missing.empty() && !names_field(group.front(), missing))
+      return at(group.front(), "field " + missing + " of " + type + " is missing");
     for (const std::string& line : each.before)
       if (std::regex_match(line, match, concepts) && !type.empty())
         return at(group.front(),

@@ -78,15 +78,6 @@ std::string type_missing(const NamedField& field, const std::string& type, const
          " needs the name of a type in front of the braces" + example;
 }
 
-// The template parameter that the compiler cannot deduce, in small letters as its field: "law".
-std::string field_not_deduced(const ErrorGroup& group) {
-  static const std::regex parameter{R"(\s*couldn't deduce template parameter '(\w+)')"};
-  if (!group.front().text.starts_with("class template argument deduction failed")) return {};
-  for (const Diagnostic& each : group)
-    if (std::smatch match; std::regex_match(each.text, match, parameter)) return lower_case(match[1]);
-  return {};
-}
-
 // The type of a list that the compiler tried for an argument in braces. Of several, the one with the most of its names.
 std::string type_of_argument(const ErrorGroup& group, const DesignatedList& list, const std::filesystem::path& root) {
   static const std::regex tried{
@@ -110,6 +101,14 @@ std::string type_of_argument(const ErrorGroup& group, const DesignatedList& list
 }
 
 }  // namespace
+
+std::string field_not_deduced(const ErrorGroup& group) {
+  static const std::regex parameter{R"(\s*couldn't deduce template parameter '(\w+)')"};
+  if (!group.front().text.starts_with("class template argument deduction failed")) return {};
+  for (const Diagnostic& each : group)
+    if (std::smatch match; std::regex_match(each.text, match, parameter)) return lower_case(match[1]);
+  return {};
+}
 
 std::optional<Explanation> wrong_field_of_template(const ErrorGroup& group, const std::filesystem::path& root) {
   const Diagnostic& place = group.front();

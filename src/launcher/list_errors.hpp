@@ -19,6 +19,10 @@ std::optional<Explanation> name_of_a_template(const ErrorGroup& group, const std
 /// `near_fault_pulse({.pulse_period = 1.3})`: the compiler says that the braces fit no NearFaultPulse, and no more.
 std::optional<Explanation> list_in_a_call(const ErrorGroup& group, const std::filesystem::path& root);
 
+/// The template parameter that the compiler cannot deduce for a type, in small letters as its field: "law". Empty where
+/// it says no such thing.
+std::string field_not_deduced(const ErrorGroup& group);
+
 /// Whether the innermost list around a place has this field.
 bool names_field(const Diagnostic& place, const std::string& field);
 

@@ -1,45 +1,24 @@
 #include "launcher/value_dimension.hpp"
 
+#include <algorithm>
 #include <array>
 #include <optional>
 #include <regex>
-#include <string_view>
 
-#include "base/units.hpp"
+#include "base/known_units.hpp"
 
 namespace moat::launcher {
 namespace {
 
-struct Exponents {
-  int mass = 0, half_length = 0, time = 0;
-};
+constexpr auto constants = common_units_and(std::array{
+    known_unit("minute", units::minute), known_unit("m_3_2", units::m_3_2), known_unit("pi", Dimensionless{}),
+    known_unit("rad", Dimensionless{}), known_unit("deg", Dimensionless{})});
 
-struct Unit {
-  std::string_view name;
-  Exponents exponents;
-};
-
-template <class Q>
-constexpr Unit unit(std::string_view name, Q) {
-  return {name, {Q::mass_exponent, Q::half_length_exponent, Q::time_exponent}};
-}
-
-constexpr std::array known_units{
-    unit("m", units::m),           unit("mm", units::mm),       unit("cm", units::cm),
-    unit("km", units::km),         unit("s", units::s),         unit("ms", units::ms),
-    unit("kg", units::kg),         unit("tonne", units::tonne), unit("N", units::N),
-    unit("kN", units::kN),         unit("MN", units::MN),       unit("GN", units::GN),
-    unit("J", units::J),           unit("kJ", units::kJ),       unit("MJ", units::MJ),
-    unit("Hz", units::Hz),         unit("g", units::g),         unit("m_3_2", units::m_3_2),
-    unit("minute", units::minute), unit("pi", Dimensionless{}), unit("rad", Dimensionless{}),
-    unit("deg", Dimensionless{}),
-};
-
-std::optional<Exponents> exponents_of(const std::string& factor) {
-  if (is_number(factor)) return Exponents{};
-  for (const Unit& each : known_units)
-    if (each.name == factor) return each.exponents;
-  return {};
+// A number, or a constant of namespace units.
+std::optional<KnownUnit> unit_of(const std::string& factor) {
+  if (is_number(factor)) return KnownUnit{};
+  const auto* const found = std::ranges::find(constants, factor, &KnownUnit::name);
+  return found == constants.end() ? std::nullopt : std::optional{*found};
 }
 
 }  // namespace
@@ -53,17 +32,17 @@ std::string type_of_product(const std::string& value) {
   static const std::regex factor{R"(\s*([-+]?[\w.']+(?:[eE][-+]\d+)?)\s*([*/]|$))"};
   static const std::regex whole{R"([-+]?[0-9']+)"};
   if (std::regex_match(value, whole)) return "int";
-  Exponents product;
+  KnownUnit product;
   int sign = 1;
   bool complete = false;
   auto rest = value.begin();
   for (std::smatch match; !complete; rest = match[0].second) {
     if (!std::regex_search(rest, value.end(), match, factor, std::regex_constants::match_continuous)) return {};
-    const auto exponents = exponents_of(match[1]);
-    if (!exponents) return {};
-    product.mass += sign * exponents->mass;
-    product.half_length += sign * exponents->half_length;
-    product.time += sign * exponents->time;
+    const auto unit = unit_of(match[1]);
+    if (!unit) return {};
+    product.mass += sign * unit->mass;
+    product.half_length += sign * unit->half_length;
+    product.time += sign * unit->time;
     sign = match[2] == "/" ? -1 : 1;
     complete = match[2].length() == 0;
   }

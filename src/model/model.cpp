@@ -6,24 +6,14 @@
 #include <utility>
 
 #include "base/error.hpp"
-#include "base/utf8_text.hpp"
+#include "model/checked_name.hpp"
 
 namespace moat {
-namespace {
-
-void require_text_of_tables(const Check& check, std::string_view name) {
-  check.that(is_utf8(name), "the name is not UTF-8.", "Save the script in UTF-8.");
-  check.that(name.empty() || std::string_view{"=+-@"}.find(name.front()) == std::string_view::npos,
-             "the name begins with = + - or @.",
-             "Spreadsheets take that for a formula; let the name begin with a letter or a digit.");
-}
-
-}  // namespace
 
 NodeId Model::add_node(Node node) {
   const Check check{"Node", node.name};
   check.that(!node.name.empty(), "a node has no name.", "Give .name: results are listed under it.");
-  require_text_of_tables(check, node.name);
+  check_name(check, node.name);
   check.that(node.name != "ground", "this name is taken.", "`ground` is always there; choose another name.");
   check.positive("mass", node.mass, "Every degree of freedom needs mass.");
   check.finite("initial_displacement", node.initial_displacement);
@@ -47,69 +37,6 @@ NodeId Model::append_node(Node node) {
   prepared_ = false;
   ids_.push_back(NodeId{node_count() - 1});
   return ids_.back();
-}
-
-DiaphragmId Model::add_diaphragm(const Diaphragm& diaphragm) {
-  const double inertia = checked_rotary_inertia(diaphragm);
-  const Check check{"Diaphragm", diaphragm.name};
-  require_text_of_tables(check, diaphragm.name);
-  check.that(diaphragm.name != "ground", "this name is taken.", "`ground` is always there; choose another name.");
-  for (const Node& node : nodes_)
-    if (!node.direction)
-      check.that(false, "the model has the node \"" + node.name + "\", which moves on a line.",
-                 "Give that node a .direction, or make it a Diaphragm: a model moves on a line or in plan.");
-  const double gyration = std::sqrt(inertia / diaphragm.mass.si());
-  const auto degree_of_freedom = [&](const char* suffix, PlanVector direction, Length displacement, Speed velocity) {
-    const std::string name = diaphragm.name + suffix;
-    check.that(!has_node(name), "a diaphragm of this name exists.", "Give every diaphragm its own name.");
-    check.finite("initial_displacement", displacement);
-    check.finite("initial_velocity", velocity);
-    return append_node({.name = name,
-                        .mass = diaphragm.mass,
-                        .initial_displacement = displacement,
-                        .initial_velocity = velocity,
-                        .height = diaphragm.height,
-                        .direction = direction});
-  };
-  PlacedDiaphragm placed{.name = diaphragm.name,
-                         .id = {},
-                         .mass = diaphragm.mass.si(),
-                         .gyration = gyration,
-                         .centre_of_mass = diaphragm.centre_of_mass.si(),
-                         .outline = diaphragm.outline,
-                         .height = diaphragm.height.si()};
-  placed.id.x = degree_of_freedom(":x", {1.0, 0.0}, diaphragm.initial_displacement.x, diaphragm.initial_velocity_x);
-  placed.id.y = degree_of_freedom(":y", {0.0, 1.0}, diaphragm.initial_displacement.y, diaphragm.initial_velocity_y);
-  // The ground does not turn.
-  placed.id.r = degree_of_freedom(":r", {}, gyration * diaphragm.initial_rotation * units::m,
-                                  gyration * units::m * diaphragm.initial_angular_velocity);
-  diaphragm_of_node_.resize(nodes_.size(), -1);
-  for (const NodeId node : placed.id.degrees_of_freedom())
-    diaphragm_of_node_[static_cast<std::size_t>(node.index)] = static_cast<int>(diaphragms_.size());
-  diaphragms_.push_back(placed);
-  return placed.id;
-}
-
-const PlacedDiaphragm& Model::diaphragm(DiaphragmId id) const {
-  const PlacedDiaphragm* found = id.x.index >= 0 && id.x.index < node_count() ? diaphragm_of(id.x) : nullptr;
-  if (found == nullptr || found->id != id)
-    throw InputError{
-        "Model: this is not a diaphragm of the model. Use the DiaphragmId that add(model, Diaphragm{...}) "
-        "returned."};
-  return *found;
-}
-
-const PlacedDiaphragm* Model::diaphragm_of(NodeId node) const {
-  if (node.index < 0 || static_cast<std::size_t>(node.index) >= diaphragm_of_node_.size()) return nullptr;
-  const int index = diaphragm_of_node_[static_cast<std::size_t>(node.index)];
-  return index < 0 ? nullptr : &diaphragms_[static_cast<std::size_t>(index)];
-}
-
-std::span<const NodeId> Model::body_of(NodeId node) const {
-  if (node == ground) return {};
-  const PlacedDiaphragm* diaphragm = diaphragm_of(node);
-  const NodeId first = diaphragm != nullptr ? diaphragm->id.x : node;
-  return std::span{ids_}.subspan(static_cast<std::size_t>(first.index), diaphragm != nullptr ? 3 : 1);
 }
 
 const Node& Model::node(NodeId id) const {
@@ -154,7 +81,7 @@ bool Model::has_element(const std::string& name) const {
 void Model::register_element(std::string_view kind, const std::string& name) {
   const Check check{kind, name};
   check.that(!name.empty(), "an element has no name.", "Give .name: results are listed under it.");
-  require_text_of_tables(check, name);
+  check_name(check, name);
   check.that(!has_element(name), "an element of this name exists.", "Give every element its own name.");
   element_names_.add(name);
 }
@@ -163,7 +90,7 @@ void Model::add_building(Building building) {
   const Check check{"Building", building.name};
   const std::vector<NodeId> nodes = building.nodes();
   check.that(!nodes.empty(), "no floors are given.", "Give .base and .floors, from the lowest up.");
-  require_text_of_tables(check, building.name);
+  check_name(check, building.name);
   check.that(building_names_.insert(building.name).second, "a building of this name exists.",
              "Give every building its own .name.");
   in_building_.resize(nodes_.size(), false);

@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "output_testing.hpp"
+#include "plan_facts.hpp"
 
 namespace moat {
 namespace {
@@ -114,29 +115,7 @@ TEST_F(Summary, ReadsBackWithEveryField) {
 
 TEST_F(Summary, HasPlacesInPlan) {
   CaseResult result = example();
-  result.model.elements = {{.name = "column",
-                            .kind = "storey",
-                            .law = "Linear",
-                            .first = "ground",
-                            .second = "floor",
-                            .parameters = {},
-                            .plan_places = PlanPlaces{{1.0, 2.0}, {1.5, 2.0}, {0.0, 1.0}}},
-                           {.name = "bearing",
-                            .kind = "bearing",
-                            .law = "BiaxialBilinear",
-                            .first = "ground",
-                            .second = "floor",
-                            .parameters = {},
-                            .plan_places = PlanPlaces{{3.0, 4.0}, {3.0, 4.0}, {}}}};
-  result.model.diaphragms = {{"floor", 2.5, {0.5, 0.25}, {{0.0, 0.0}, {4.0, 0.0}, {4.0, 3.0}}}};
-  result.model.corners = {{.element = "contact",
-                           .corner = "floor corner 1",
-                           .edge = "wall 2",
-                           .position = {4.0, 0.0},
-                           .normal = {1.0, 0.0},
-                           .edge_begin = {4.5, -1.0},
-                           .edge_end = {4.5, 4.0},
-                           .clearance = 0.5}};
+  result.model = testing::plan_facts();
   write_summary_json(result, folder / "summary.json");
   const Json model = Json::parse(testing_output::read_file(folder / "summary.json"))["model"];
   EXPECT_EQ(model["elements"][0]["first_position"], Json::parse("[1.0, 2.0]"));

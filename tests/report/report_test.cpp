@@ -4,6 +4,7 @@
 #include <regex>
 
 #include "in_folder.hpp"
+#include "plan_facts.hpp"
 #include "report_testing.hpp"
 
 namespace moat {
@@ -95,26 +96,10 @@ TEST_F(Report, NamesItsOrigin) {
 
 TEST_F(Report, ShowsPlacesInPlan) {
   CaseResult result = example();
-  result.model.nodes = {{"floor:x", 550e3, 0.0, 0.0, 0.0, 0.0}};
-  result.model.elements = {{.name = "column",
-                            .kind = "storey",
-                            .law = "Linear",
-                            .first = "ground",
-                            .second = "floor",
-                            .parameters = {},
-                            .plan_places = PlanPlaces{{1.0, 2.0}, {1.0, 2.0}, {0.0, 1.0}}}};
-  result.model.diaphragms = {{"floor", 2.5, {0.5, 0.25}, {{0.0, 0.0}, {4.0, 0.0}, {4.0, 3.0}}}};
-  result.model.corners = {{.element = "contact",
-                           .corner = "floor corner 1",
-                           .edge = "wall 2",
-                           .position = {4.0, 0.0},
-                           .normal = {1.0, 0.0},
-                           .edge_begin = {4.5, -1.0},
-                           .edge_end = {4.5, 4.0},
-                           .clearance = 0.5}};
+  result.model = testing::plan_facts();
   const std::string page = written(result);
-  for (const char* text : {"(1,\u00a02) along (0,\u00a01)", "(0.5,\u00a00.25)", "(0,\u00a00) (4,\u00a00) (4,\u00a03)",
-                           "floor corner 1", "(4.5,\u00a0-1)"})
+  for (const char* text : {"(1,\u00a02) to (1.5,\u00a02) along (0,\u00a01)", "<td>(3,\u00a04)</td>", "(0.5,\u00a00.25)",
+                           "(0,\u00a00) (4,\u00a00) (4,\u00a03)", "floor corner 1", "(4.5,\u00a0-1)"})
     EXPECT_NE(page.find(text), std::string::npos) << text;
 }
 

@@ -1,0 +1,28 @@
+#include "base/type_name.hpp"
+
+#include <gtest/gtest.h>
+
+namespace moat {
+
+struct Outer {
+  struct Inner {};
+};
+template <class T>
+struct Wrapped {};
+
+namespace {
+
+struct Hidden {};
+
+TEST(TypeName, IsThatOfTheSourceWithoutNamespaces) {
+  struct Local {};
+  EXPECT_EQ(type_name<Outer>(), "Outer");
+  EXPECT_EQ(type_name<Outer::Inner>(), "Inner");
+  EXPECT_EQ(type_name<Hidden>(), "Hidden");
+  EXPECT_EQ(type_name<Local>(), "Local");
+  EXPECT_EQ(type_name<Wrapped<Outer>>(), "Wrapped<moat::Outer>");
+  EXPECT_EQ(type_name<double>(), "double");
+}
+
+}  // namespace
+}  // namespace moat
