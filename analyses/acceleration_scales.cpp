@@ -53,7 +53,7 @@ void AccelerationScales::regimes_changed(const Model& model) {
       for (const NodeId end : {block->info(e).first, block->info(e).second})
         for (const NodeId node : model.body_of(end)) {
           touching_[static_cast<std::size_t>(building_[static_cast<std::size_t>(node.index)])] = 1;
-          raised_.push_back({node.index, lenience_in_contact * contact.expected_force / model.masses()[node.index]});
+          raised_.push_back({node.index, lenience_in_contact * contact.expected_force / model.mass(node)});
         }
     }
   }

@@ -27,6 +27,14 @@ Integrator integrator_named(std::string_view name, std::string_view what) {
   return *found;
 }
 
+std::optional<StepScheme> scheme_of(const Integrator& integrator) {
+  return std::visit([](const auto& each) { return each.scheme(); }, integrator);
+}
+
+std::string_view name_of(const Integrator& integrator) {
+  return std::visit([](const auto& each) { return each.name; }, integrator);
+}
+
 std::string integrator_names() {
   std::string names;
   for_each_integrator([&](const auto& each) { names += (names.empty() ? "" : ", ") + std::string{each.name}; });

@@ -26,13 +26,9 @@ Integrator integrator_named(std::string_view name, std::string_view what = "inte
 std::string integrator_names();
 
 /// The numbers of its implicit step; empty for exact steps.
-inline std::optional<StepScheme> scheme_of(const Integrator& integrator) {
-  return std::visit([](const auto& each) { return each.scheme(); }, integrator);
-}
+std::optional<StepScheme> scheme_of(const Integrator& integrator);
 /// That of the option `--integrator`.
-inline std::string_view name_of(const Integrator& integrator) {
-  return std::visit([](const auto& each) { return each.name; }, integrator);
-}
+std::string_view name_of(const Integrator& integrator);
 /// Whether it is ExactBetweenEvents.
 inline bool is_exact(const Integrator& integrator) { return std::holds_alternative<ExactBetweenEvents>(integrator); }
 /// Whether it is Automatic.

@@ -39,6 +39,8 @@ Transient::Transient(Model& model, GroundMotion motion, TransientOptions options
   change_regimes_at_end();
 }
 
+Transient::~Transient() = default;
+
 void Transient::attach(StepObserver& observer) {
   if (observer.needs_energy_accounts() && !model_->keeps_energy_accounts()) model_->start_energy_accounts();
   observers_.add(observer);

@@ -43,6 +43,7 @@ class Transient {
   Transient(Model& model, GroundMotion motion, TransientOptions options = {});
   Transient(const Transient&) = delete;
   Transient& operator=(const Transient&) = delete;
+  ~Transient();
 
   /// Calls the observer from now on; it must outlive the analysis. If it is the first to need the elements' energy
   /// accounts, these start here.

@@ -15,14 +15,28 @@ void check_point(const Model& model, const Check& check, const std::string& name
                {std::string{field} + ".other", point.other});
 }
 
+Check check_ends(const Model& model, const GapPlace& gap) {
+  if (gap.left.is_node() && gap.right.is_node())
+    return check_link(model, "Gap", gap.name, {"left", gap.left.node}, {"right", gap.right.node});
+  const Check check{"Gap", gap.name};
+  check_point(model, check, gap.name, "left", gap.left);
+  check_point(model, check, gap.name, "right", gap.right);
+  return check;
+}
+
+std::shared_ptr<const MemberEnds> member_ends(const Model& model, const MemberPoint& left, const MemberPoint& right) {
+  if (left.is_node() && right.is_node()) return nullptr;
+  const MemberPoint& drawn = !left.is_node() && right.is_node() && right.node != ground ? right : left;
+  const auto height = [&](NodeId node) { return node == ground ? 0.0 : model.node(node).height.si(); };
+  return std::make_shared<const MemberEnds>(
+      MemberEnds{right, left, (1.0 - drawn.share) * height(drawn.node) + drawn.share * height(drawn.other)});
+}
+
 }  // namespace
 
-Check check_gap_ends(const Model& model, const std::string& name, const MemberPoint& left, const MemberPoint& right) {
-  if (left.is_node() && right.is_node())
-    return check_link(model, "Gap", name, {"left", left.node}, {"right", right.node});
-  const Check check{"Gap", name};
-  check_point(model, check, name, "left", left);
-  check_point(model, check, name, "right", right);
+Check check_gap(const Model& model, const GapPlace& gap) {
+  const Check check = check_ends(model, gap);
+  check.positive("clearance", gap.clearance, "Give the free distance at rest.");
   return check;
 }
 
@@ -34,12 +48,17 @@ double effective_mass(const Model& model, const Check& check, const MemberPoint&
   return 1.0 / mobility;
 }
 
-std::shared_ptr<const MemberEnds> member_ends(const Model& model, const MemberPoint& left, const MemberPoint& right) {
-  if (left.is_node() && right.is_node()) return nullptr;
-  const MemberPoint& drawn = !left.is_node() && right.is_node() && right.node != ground ? right : left;
-  const auto height = [&](NodeId node) { return node == ground ? 0.0 : model.node(node).height.si(); };
-  return std::make_shared<const MemberEnds>(
-      MemberEnds{right, left, (1.0 - drawn.share) * height(drawn.node) + drawn.share * height(drawn.other)});
+ElementInfo register_gap(Model& model, const GapPlace& gap, std::shared_ptr<const LawAsGiven> law) {
+  model.register_element("Gap", gap.name);
+  return {.name = gap.name,
+          .place = gap.place,
+          .first = gap.right.node,
+          .second = gap.left.node,
+          .offset = gap.clearance.si(),
+          .deformation_quantity = "indentation",
+          .force_quantity = "impact_force",
+          .law_as_given = std::move(law),
+          .member_ends = member_ends(model, gap.left, gap.right)};
 }
 
 template void add_contact(Model&, ElementInfo, const AnyContact&, double, const MemberPoint&, const MemberPoint&);

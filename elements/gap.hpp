@@ -45,15 +45,23 @@ struct Gap {
   Law law;  ///< Its force.
 };
 
-/// Throws InputError unless all nodes of both points are of this model, shares are from 0 to below 1, and two ends at
-/// nodes are at different ones; returns the Check that names the gap.
-Check check_gap_ends(const Model& model, const std::string& name, const MemberPoint& left, const MemberPoint& right);
+/// A gap without its law.
+struct GapPlace {
+  const std::string &name, &place;  ///< As those of Gap.
+  MemberPoint left, right;          ///< Both bodies.
+  Length clearance;                 ///< > 0 m.
+};
+
+/// Throws InputError unless all nodes of both points are of this model, shares are from 0 to below 1, two ends at nodes
+/// are at different ones, and the clearance is positive; returns the Check that names the gap.
+Check check_gap(const Model& model, const GapPlace& gap);
 
 /// Of two points, kg. Throws InputError if they are the same point.
 double effective_mass(const Model& model, const Check& check, const MemberPoint& first, const MemberPoint& second);
 
-/// Null for two nodes. The gap is drawn at the height of the end that is a node, else of the left one.
-std::shared_ptr<const MemberEnds> member_ends(const Model& model, const MemberPoint& left, const MemberPoint& right);
+/// Registers the gap, and describes its element. A gap at a point between nodes is drawn at the height of the end that
+/// is a node, else of the left one. `law`: as reports show it, null for the contact's own.
+ElementInfo register_gap(Model& model, const GapPlace& gap, std::shared_ptr<const LawAsGiven> law);
 
 /// Adds the element to the block of its law.
 template <ContactLaw Contact>
@@ -69,25 +77,16 @@ void add_contact(Model& model, ElementInfo info, const Contact& law, double effe
 /// taken.
 template <ImpactLaw Law>
 void add(Model& model, const Gap<Law>& gap) {
-  const MemberPoint &left = gap.left, &right = gap.right;
-  const Check check = check_gap_ends(model, gap.name, left, right);
-  check.positive("clearance", gap.clearance, "Give the free distance at rest.");
+  const GapPlace place{gap.name, gap.place, gap.left, gap.right, gap.clearance};
+  const Check check = check_gap(model, place);
   gap.law.check(check);
-  const double mass = effective_mass(model, check, left, right);
+  const double mass = effective_mass(model, check, place.left, place.right);
   const auto law = gap.law.between(mass);
-  model.register_element("Gap", gap.name);
-  ElementInfo info{.name = gap.name,
-                   .place = gap.place,
-                   .first = right.node,
-                   .second = left.node,
-                   .offset = gap.clearance.si(),
-                   .deformation_quantity = "indentation",
-                   .force_quantity = "impact_force",
-                   .member_ends = member_ends(model, left, right)};
   // Reports show the law as the script gave it, with its restitution, and not the contact made of it.
+  std::shared_ptr<const LawAsGiven> as_given;
   if constexpr (requires { gap.law.parameters(); })
-    info.law_as_given = std::make_shared<LawAsGiven>(std::string{name_of(gap.law)}, gap.law.parameters());
-  add_contact(model, std::move(info), law, mass, left, right);
+    as_given = std::make_shared<LawAsGiven>(std::string{name_of(gap.law)}, gap.law.parameters());
+  add_contact(model, register_gap(model, place, std::move(as_given)), law, mass, place.left, place.right);
 }
 
 // For moat's impact laws compiled in the library, so that a script compiles in a third of the time.

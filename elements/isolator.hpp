@@ -40,15 +40,7 @@ struct Isolator {
 };
 
 /// The quantities that every isolator reports.
-inline ElementInfo isolator_info(const std::string& name, NodeId lower, NodeId upper) {
-  return {.name = name,
-          .first = lower,
-          .second = upper,
-          .deformation_quantity = "isolator_deformation",
-          .force_quantity = "isolator_force",
-          .isolates = true,
-          .drawn_as = DrawnAs::bearing};
-}
+ElementInfo isolator_info(const std::string& name, NodeId lower, NodeId upper);
 
 /// Throws InputError for unknown, missing or equal nodes, a name that is taken, or a parameter that the law refuses.
 template <IsolatorLaw Law>

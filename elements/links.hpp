@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "elements/ends.hpp"
+#include "elements/link_arrays.hpp"
 #include "elements/link_energies.hpp"
 #include "elements/link_motion.hpp"
 #include "materials/response.hpp"
@@ -29,7 +30,7 @@ namespace moat {
 /// This class serves laws that are smooth everywhere; LinksWithRegimes and ContactLinks add the rest. Take the type
 /// from LinkBlock<Law> (elements/link_block.hpp).
 template <ForceLaw Law, class Ends = NodePair>
-class Links : public ElementBlock, public ElementLaws {
+class Links : public ElementBlock, public ElementLaws, protected LinkArrays {
  public:
   /// History of one element.
   using State = typename Law::State;
@@ -43,8 +44,7 @@ class Links : public ElementBlock, public ElementLaws {
   /// As above, with ends that are not the nodes of `info`.
   std::size_t add(ElementInfo info, const Law& law, const Ends& ends) {
     ends_.push_back(ends);
-    offsets_.push_back(info.offset);
-    infos_.push_back(std::move(info));
+    append(std::move(info));
     laws_.push_back(law);
     if (!forces_.empty()) resize_results();
     return infos_.size() - 1;
@@ -166,15 +166,14 @@ class Links : public ElementBlock, public ElementLaws {
     if (keeps_start()) {
       before_.swap(start_);
       start_.copy(now_);
-      if constexpr (has_unlocated_corners) start_stiffnesses_ = stiffnesses_;
+      if constexpr (has_unlocated_corners) keep_stiffnesses();
       last_step_ = step;
     }
     committed_.swap(trial_);
   }
 
   void start_energy_accounts() override {
-    start_ = now_;
-    before_.resize(size());
+    start_motion();
     energies_.start(laws_, committed_, now_, forces_);
   }
 
@@ -213,19 +212,11 @@ class Links : public ElementBlock, public ElementLaws {
     return laws_[i].stored_energy(committed_[i], start_.deformations[i]);
   }
 
-  std::vector<ElementInfo> infos_;              ///< one per element, like all arrays below
-  std::vector<Law> laws_;                       ///< as added
-  std::vector<Ends> ends_;                      ///< as added
-  std::vector<typename Ends::Slots> slots_;     ///< positions in the tangent
-  std::vector<double> offsets_;                 ///< m, of the deformation
-  std::vector<State> committed_, trial_;        ///< histories at both states
-  LinkMotion now_;                              ///< at the last evaluate()
-  LinkMotion start_, before_;                   ///< at the last commit, and at the one before
-  double last_step_ = 0.0;                      ///< between them, s
-  double step_ = 0.0;                           ///< from the committed to the trial state, s
-  std::vector<double> forces_, force_rates_;    ///< of the last evaluate(), N, N/s
-  std::vector<double> stiffnesses_, dampings_;  ///< of the last evaluate(), N/m, N s/m; empty for linear laws
-  LinkEnergies<Law> energies_;                  ///< their accounts
+  std::vector<Law> laws_;                    ///< one per element, like all arrays below; as added
+  std::vector<Ends> ends_;                   ///< as added
+  std::vector<typename Ends::Slots> slots_;  ///< positions in the tangent
+  std::vector<State> committed_, trial_;     ///< histories at both states
+  LinkEnergies<Law> energies_;               ///< their accounts
 
  private:
   struct Tangents {
@@ -246,20 +237,10 @@ class Links : public ElementBlock, public ElementLaws {
   // At first once for all elements, so that nothing is larger than it must be.
   void resize_results() {
     const std::size_t count = size();
+    resize({.tangents = !is_linear, .start = keeps_start()});
     slots_.resize(count);
     committed_.resize(count);
     trial_.resize(count);
-    now_.resize(count);
-    forces_.resize(count, 0.0);
-    force_rates_.resize(count, 0.0);
-    if constexpr (!is_linear) {
-      stiffnesses_.resize(count, 0.0);
-      dampings_.resize(count, 0.0);
-    }
-    if (keeps_start()) {
-      start_.resize(count);
-      before_.resize(count);
-    }
     energies_.resize(count);
   }
 
@@ -268,7 +249,6 @@ class Links : public ElementBlock, public ElementLaws {
   };
 
   bool tangent_changed_ = false;
-  std::vector<double> start_stiffnesses_;  // at the last commit, of laws with corners
 };
 
 }  // namespace moat

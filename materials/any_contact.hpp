@@ -29,12 +29,8 @@ class AnyContact {
   [[nodiscard]] const Form& form() const { return form_; }
 
   /// Of the form that it is.
-  [[nodiscard]] std::string_view name() const {
-    return std::visit([](const auto& law) { return law.name; }, form_);
-  }
-  [[nodiscard]] std::vector<Parameter> parameters() const {
-    return std::visit([](const auto& law) { return law.parameters(); }, form_);
-  }
+  [[nodiscard]] std::string_view name() const;
+  [[nodiscard]] std::vector<Parameter> parameters() const;
 
   Response evaluate(const State& committed, double indentation, double rate, State& trial) const {
     return std::visit([&](const auto& law) { return law.evaluate(committed, indentation, rate, trial); }, form_);
@@ -45,19 +41,13 @@ class AnyContact {
   double dissipation_rate(const State& committed, double indentation, double rate) const {
     return std::visit([&](const auto& law) { return law.dissipation_rate(committed, indentation, rate); }, form_);
   }
-  double linear_stiffness(StiffnessStage stage) const {
-    return std::visit([&](const auto& law) { return law.linear_stiffness(stage); }, form_);
-  }
+  double linear_stiffness(StiffnessStage stage) const;
   double regime_margin(const State& committed, double indentation, double rate) const {
     return std::visit([&](const auto& law) { return law.regime_margin(committed, indentation, rate); }, form_);
   }
-  State next_regime(const State& committed, double indentation, double rate) const {
-    return std::visit([&](const auto& law) { return law.next_regime(committed, indentation, rate); }, form_);
-  }
+  State next_regime(const State& committed, double indentation, double rate) const;
   /// Of the form that it is, s.
-  double contact_duration(double effective_mass, double approach_speed) const {
-    return std::visit([&](const auto& law) { return law.contact_duration(effective_mass, approach_speed); }, form_);
-  }
+  double contact_duration(double effective_mass, double approach_speed) const;
 
  private:
   Form form_;

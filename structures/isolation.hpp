@@ -30,7 +30,12 @@ concept DamperLaw = ForceLaw<Law> && Law::is_damper;
 /// named "dampers" and report `damper_force` [N] and `damper_deformation` [m]. Names that repeat are numbered.
 class Isolation {
  public:
-  Isolation(LeadRubberBearing bearing) { take(std::move(bearing)); }  ///< Lead-rubber bearings.
+  Isolation(LeadRubberBearing bearing);  ///< Lead-rubber bearings.
+  Isolation(const Isolation& other);
+  Isolation(Isolation&& other) noexcept;
+  Isolation& operator=(const Isolation& other);
+  Isolation& operator=(Isolation&& other) noexcept;
+  ~Isolation();
   /// An isolator of any law.
   template <IsolatorLaw Law>
   Isolation(Isolator<Law> isolator) {
@@ -59,49 +64,34 @@ class Isolation {
 
   /// Adds them below `base`, with their names behind `prefix`, under this weight. Throws InputError as the elements
   /// would.
-  void add_to(Model& model, const std::string& prefix, NodeId base, Force weight) const {
-    for (const Part& part : parts_) part.add(model, prefix + part.name, base, weight);
-  }
+  void add_to(Model& model, const std::string& prefix, NodeId base, Force weight) const;
   /// Whether ends are given, which the building sets.
   [[nodiscard]] bool has_lower() const { return has_lower_; }
   [[nodiscard]] bool has_upper() const { return has_upper_; }  ///< Whether the script gave its upper node.
 
  private:
+  using Add = std::function<void(Model&, const std::string& name, NodeId base, Force weight)>;
   struct Part {
     std::string name;
-    std::function<void(Model&, const std::string& name, NodeId base, Force weight)> add;
+    Add add;
   };
 
   template <class Element>
   void take(Element element) {
-    const NodeId lower = element.lower, upper = element.upper;
-    has_lower_ = lower != ground;
-    has_upper_ = upper.specified();
-    parts_.push_back({element.name, [element](Model& model, const std::string& name, NodeId base, Force weight) {
-                        Element placed = element;
-                        placed.name = name;
-                        placed.lower = ground;
-                        placed.upper = base;
-                        if constexpr (requires { placed.weight; })
-                          if (placed.weight.si() == 0.0) placed.weight = weight;
-                        moat::add(model, placed);
-                      }});
+    take(element.name, element.lower, element.upper,
+         [element](Model& model, const std::string& name, NodeId base, Force weight) {
+           Element placed = element;
+           placed.name = name;
+           placed.lower = ground;
+           placed.upper = base;
+           if constexpr (requires { placed.weight; })
+             if (placed.weight.si() == 0.0) placed.weight = weight;
+           moat::add(model, placed);
+         });
   }
-
-  void join(Isolation other) {
-    has_lower_ = has_lower_ || other.has_lower_;
-    has_upper_ = has_upper_ || other.has_upper_;
-    for (Part& part : other.parts_) {
-      const std::string name = part.name;
-      for (int number = 2; is_taken(part.name); ++number) part.name = name + " " + std::to_string(number);
-      parts_.push_back(std::move(part));
-    }
-  }
-  [[nodiscard]] bool is_taken(const std::string& name) const {
-    for (const Part& part : parts_)
-      if (part.name == name) return true;
-    return false;
-  }
+  void take(const std::string& name, NodeId lower, NodeId upper, Add add);
+  void join(Isolation other);
+  [[nodiscard]] bool is_taken(const std::string& name) const;
 
   std::vector<Part> parts_;
   bool has_lower_ = false, has_upper_ = false;

@@ -68,20 +68,38 @@ WallLaw FlexibleWall::acting_law() const {
                           .post_yield_stiffness = hardening_ratio * stiffness}};
 }
 
-NodeId add_wall(Model& model, const FlexibleWall& wall, const std::string& name, NodeId around, double offset) {
+NodeId add_wall(Model& model, const FlexibleWall& wall, const std::string& name, NodeId around, Length offset) {
   wall.check(Check{"FlexibleWall", name});
   const Node& base = model.node(around);
   // For drawings only: a wall half a metre thick whose face is the clearance away from the floor's edge.
   const Length half_width = 0.25 * units::m;
-  const Length distance = offset * units::m + (offset < 0.0 ? -1.0 : 1.0) * (base.half_width + half_width);
+  const Length distance = offset + (offset.si() < 0.0 ? -1.0 : 1.0) * (base.half_width + half_width);
   const NodeId node = add(
       model,
       Node{.name = name, .mass = wall.mass, .x = base.x + distance, .height = base.height, .half_width = half_width});
   wall.acting_law().add_to(model, name, node);
   if (wall.dashpot().si() > 0.0)
     add(model, ViscousDamper{.name = name + " damping", .lower = ground, .upper = node, .damping = wall.dashpot()});
-  if (wall.backfill) add_backfill(model, *wall.backfill, name, node, offset < 0.0);
+  if (wall.backfill) add_backfill(model, *wall.backfill, name, node, offset.si() < 0.0);
   return node;
+}
+
+std::vector<MoatGap> moat_gaps(Model& model, const std::string& name, NodeId around, Length clearance, Sides sides,
+                               const std::optional<FlexibleWall>& wall) {
+  const Check check{"Moat", name};
+  check.that(!name.empty(), "a moat has no name.", "Give .name, or leave it out: \"moat\".");
+  model.require_node(around, check, "around");
+  const bool on_both = sides == Sides::both;
+  std::vector<MoatGap> gaps;
+  if (sides != Sides::right) {
+    const std::string left = name + (on_both ? " left" : "");
+    gaps.push_back({left, wall ? add_wall(model, *wall, left + " wall", around, -clearance) : ground, around});
+  }
+  if (sides != Sides::left) {
+    const std::string right = name + (on_both ? " right" : "");
+    gaps.push_back({right, around, wall ? add_wall(model, *wall, right + " wall", around, clearance) : ground});
+  }
+  return gaps;
 }
 
 }  // namespace moat

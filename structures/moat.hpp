@@ -2,6 +2,8 @@
 #pragma once
 
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "elements/gap.hpp"
 #include "materials/soil/hyperbolic_backfill.hpp"
@@ -89,36 +91,30 @@ struct Moat {
   std::optional<FlexibleWall> wall{};  ///< Rigid without.
 };
 
-/// Adds a flexible wall and returns its node.
-NodeId add_wall(Model& model, const FlexibleWall& wall, const std::string& name, NodeId around, double offset);
+/// Adds a flexible wall whose face is `offset` to the right of the floor, and returns its node.
+NodeId add_wall(Model& model, const FlexibleWall& wall, const std::string& name, NodeId around, Length offset);
+
+/// One gap of a moat.
+struct MoatGap {
+  std::string name;         ///< "<name> left"
+  MemberPoint left, right;  ///< The floor and the wall, or the wall and the floor.
+};
+
+/// The gaps on the sides of a moat, with their flexible walls added. Throws InputError for a moat without name, a node
+/// that is not of the model, and as the walls would.
+std::vector<MoatGap> moat_gaps(Model& model, const std::string& name, NodeId around, Length clearance, Sides sides,
+                               const std::optional<FlexibleWall>& wall);
 
 /// Throws InputError as the gaps and walls would.
 template <ImpactLaw Law>
 void add(Model& model, const Moat<Law>& moat) {
-  Check{"Moat", moat.name}.that(!moat.name.empty(), "a moat has no name.", "Give .name, or leave it out: \"moat\".");
-  model.require_node(moat.around, Check{"Moat", moat.name}, "around");
-  const auto face = [&](const std::string& side, double direction) {
-    return moat.wall ? add_wall(model, *moat.wall, side + " wall", moat.around, direction * moat.clearance.si())
-                     : ground;
-  };
-  if (moat.sides != Sides::right) {
-    const std::string name = moat.name + (moat.sides == Sides::both ? " left" : "");
-    add(model, Gap<Law>{.name = name,
+  for (const MoatGap& gap : moat_gaps(model, moat.name, moat.around, moat.clearance, moat.sides, moat.wall))
+    add(model, Gap<Law>{.name = gap.name,
                         .place = moat.name,
-                        .left = face(name, -1.0),
-                        .right = moat.around.value(),
+                        .left = gap.left,
+                        .right = gap.right,
                         .clearance = moat.clearance,
                         .law = moat.law});
-  }
-  if (moat.sides != Sides::left) {
-    const std::string name = moat.name + (moat.sides == Sides::both ? " right" : "");
-    add(model, Gap<Law>{.name = name,
-                        .place = moat.name,
-                        .left = moat.around.value(),
-                        .right = face(name, 1.0),
-                        .clearance = moat.clearance,
-                        .law = moat.law});
-  }
 }
 
 }  // namespace moat

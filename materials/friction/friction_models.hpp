@@ -163,12 +163,8 @@ class Friction {
     return at(very_fast, normal_force).value;
   }
 
-  void check(const Check& check) const {
-    std::visit([&](const auto& model) { model.check(check); }, model_);
-  }
-  [[nodiscard]] std::vector<Parameter> parameters() const {
-    return std::visit([](const auto& model) { return model.parameters(); }, model_);
-  }
+  void check(const Check& check) const;
+  [[nodiscard]] std::vector<Parameter> parameters() const;
 
  private:
   Model model_;

@@ -28,8 +28,8 @@ class ScriptStudy;
 /// exit code 1. Returns true. Every Script does it.
 bool report_exceptions_that_leave_main();
 
-#ifdef MOAT_SCRIPT
-// The launcher and moat_add_script() compile scripts with MOAT_SCRIPT: here also before the Script exists.
+#ifdef MOAT_IS_SCRIPT
+// The launcher and moat_add_script() compile scripts with MOAT_IS_SCRIPT: here also before the Script exists.
 inline const bool exceptions_are_reported = report_exceptions_that_leave_main();
 #endif
 

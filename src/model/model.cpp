@@ -10,6 +10,20 @@
 
 namespace moat {
 
+Model::Model() = default;
+Model::Model(const Model& other) = default;
+Model::Model(Model&& other) noexcept = default;
+Model& Model::operator=(const Model& other) = default;
+Model& Model::operator=(Model&& other) noexcept = default;
+Model::~Model() = default;
+
+ElementBlock& Model::block_of(std::type_index type, std::unique_ptr<ElementBlock> (*make)()) {
+  prepared_ = false;
+  const auto [found, inserted] = block_of_type_.try_emplace(type, blocks_.size());
+  if (inserted) blocks_.emplace_back(make());
+  return *blocks_[found->second];
+}
+
 NodeId Model::add_node(Node node) {
   const Check check{"Node", node.name};
   check.that(!node.name.empty(), "a node has no name.", "Give .name: results are listed under it.");

@@ -48,6 +48,14 @@ struct GroundShares {
 /// trial state or overwrites it. A copy is complete and independent.
 class Model {
  public:
+  // All of these are defaults; compiled in the library, they cost no time in scripts.
+  Model();
+  Model(const Model& other);                 ///< A complete, independent copy.
+  Model(Model&& other) noexcept;             ///< All of it.
+  Model& operator=(const Model& other);      ///< As the copy.
+  Model& operator=(Model&& other) noexcept;  ///< All of it.
+  ~Model();
+
   /// Throws InputError for a mass that is not positive, a name that exists, a direction that has not length 1, and in a
   /// model with diaphragms for a node without direction.
   NodeId add_node(Node node);
@@ -166,6 +174,8 @@ class Model {
   [[nodiscard]] double shortest_contact() const;
 
  private:
+  // The block of a type; `make` makes it if there is none.
+  ElementBlock& block_of(std::type_index type, std::unique_ptr<ElementBlock> (*make)());
   NodeId append_node(Node node);
   // Of the committed state, whose last entry is that of the ground.
   [[nodiscard]] Eigen::Index entry(NodeId node) const {
@@ -208,10 +218,8 @@ class Model {
 
 template <class Block>
 Block& Model::block() {
-  prepared_ = false;
-  const auto [found, inserted] = block_of_type_.try_emplace(std::type_index{typeid(Block)}, blocks_.size());
-  if (inserted) blocks_.emplace_back(std::make_unique<Block>());
-  return static_cast<Block&>(*blocks_[found->second]);
+  const auto make = [] { return std::unique_ptr<ElementBlock>{new Block}; };
+  return static_cast<Block&>(block_of(typeid(Block), make));
 }
 
 /// Adds a node.

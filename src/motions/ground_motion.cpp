@@ -40,6 +40,12 @@ std::array<double, 2> standstill_times(double velocity, double acceleration, dou
 
 }  // namespace
 
+GroundMotion::GroundMotion(const GroundMotion& other) = default;
+GroundMotion::GroundMotion(GroundMotion&& other) noexcept = default;
+GroundMotion& GroundMotion::operator=(const GroundMotion& other) = default;
+GroundMotion& GroundMotion::operator=(GroundMotion&& other) noexcept = default;
+GroundMotion::~GroundMotion() = default;
+
 GroundMotion::GroundMotion(std::string name, double time_step, std::vector<double> samples,
                            std::vector<std::string> notes, MotionFile file)
     : name_{std::move(name)},

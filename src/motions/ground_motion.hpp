@@ -39,6 +39,11 @@ class GroundMotion {
   /// Throws InputError naming the first sample outside that range.
   GroundMotion(std::string name, double time_step, std::vector<double> samples, std::vector<std::string> notes = {},
                MotionFile file = {});
+  GroundMotion(const GroundMotion& other);
+  GroundMotion(GroundMotion&& other) noexcept;
+  GroundMotion& operator=(const GroundMotion& other);
+  GroundMotion& operator=(GroundMotion&& other) noexcept;
+  ~GroundMotion();
 
   [[nodiscard]] const std::string& name() const { return name_; }                 ///< In outputs.
   [[nodiscard]] const std::vector<std::string>& notes() const { return notes_; }  ///< For reports.

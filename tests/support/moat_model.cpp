@@ -94,7 +94,7 @@ Model moat_model(const PlainModel& plain, LocateYield locate) {
                  FlexibleWall{.mass = node.mass * kg,
                               .stiffness = spring.stiffness * (N / units::m),
                               .damping = spring.damping * (N * s / units::m)},
-                 spring.name, NodeId{0}, 1.0);
+                 spring.name, NodeId{0}, 1.0 * units::m);
   }
   for (const PlainSpring& spring : plain.springs)
     if (spring.kind == PlainSpring::Kind::storey)

@@ -1,0 +1,39 @@
+#include "elements/link_arrays.hpp"
+
+#include <utility>
+
+namespace moat {
+
+LinkArrays::LinkArrays() = default;
+LinkArrays::LinkArrays(const LinkArrays& other) = default;
+LinkArrays& LinkArrays::operator=(const LinkArrays& other) = default;
+LinkArrays::~LinkArrays() = default;
+
+void LinkArrays::append(ElementInfo info) {
+  offsets_.push_back(info.offset);
+  infos_.push_back(std::move(info));
+}
+
+void LinkArrays::resize(Needs needs) {
+  const std::size_t count = infos_.size();
+  now_.resize(count);
+  forces_.resize(count, 0.0);
+  force_rates_.resize(count, 0.0);
+  if (needs.tangents) {
+    stiffnesses_.resize(count, 0.0);
+    dampings_.resize(count, 0.0);
+  }
+  if (needs.start) {
+    start_.resize(count);
+    before_.resize(count);
+  }
+}
+
+void LinkArrays::start_motion() {
+  start_ = now_;
+  before_.resize(infos_.size());
+}
+
+void LinkArrays::keep_stiffnesses() { start_stiffnesses_ = stiffnesses_; }
+
+}  // namespace moat
