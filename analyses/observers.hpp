@@ -1,7 +1,6 @@
 // The observers of one analysis.
 #pragma once
 
-#include <exception>
 #include <span>
 #include <vector>
 
@@ -13,16 +12,10 @@ namespace moat {
 class Observers {
  public:
   /// The observer must outlive this object.
-  void add(StepObserver& observer) { followers_.push_back({&observer, false}); }
+  void add(StepObserver& observer);
 
   /// Starts those that were not started before.
-  void start(const StepView& view) {
-    for (Follower& follower : followers_) {
-      if (follower.started) continue;
-      follower.started = true;
-      follower.observer->start(view);
-    }
-  }
+  void start(const StepView& view);
   /// After every committed step.
   void step(const StepView& view) const {
     for (const Follower& follower : followers_) follower.observer->step(view);
@@ -32,17 +25,7 @@ class Observers {
     for (const Follower& follower : followers_) follower.observer->event(view, changes);
   }
   /// After the last step. All are finished, also if one of them throws; the first exception goes on.
-  void finish(const StepView& view) const {
-    std::exception_ptr failure;
-    for (const Follower& follower : followers_) {
-      try {
-        follower.observer->finish(view);
-      } catch (...) {
-        if (!failure) failure = std::current_exception();
-      }
-    }
-    if (failure) std::rethrow_exception(failure);
-  }
+  void finish(const StepView& view) const;
 
  private:
   struct Follower {

@@ -4,6 +4,8 @@
 
 namespace moat {
 
+namespace {
+
 CornerGeometry corner_geometry(const Model& model, const std::string& name, const PlanPoint& corner, NodeId edge_of,
                                PlanPosition edge_begin, PlanPosition edge_end) {
   check_point(model, "CornerGap", name, "edge_begin", {edge_of, edge_begin});
@@ -39,6 +41,52 @@ void check_friction(const Check& check, const CornerFriction& friction) {
   if (friction.tangential_stiffness)
     check.positive("tangential_stiffness", *friction.tangential_stiffness,
                    "Give the stiffness before sliding, or leave it out for 0.85 times that of the normal law.");
+}
+
+}  // namespace
+
+CornerGeometry check_corner(const Model& model, const CornerPlace& gap) {
+  const CornerGeometry geometry =
+      corner_geometry(model, gap.name, gap.corner, gap.edge_of, gap.edge_begin, gap.edge_end);
+  const Check check{"CornerGap", gap.name};
+  check_friction(check, gap.friction);
+  check.above_up_to("share", gap.share, 0.0, 1.0, "1");
+  check.not_negative("effective_mass", gap.effective_mass);
+  return geometry;
+}
+
+CornerAndEdge corner_and_edge(const CornerPlace& gap, const CornerGeometry& geometry, double tangent) {
+  constexpr double of_tangent = 0.85;
+  const double tangential_stiffness =
+      gap.friction.tangential_stiffness ? gap.friction.tangential_stiffness->si() : of_tangent * tangent;
+  return {.pair = {gap.corner_name, gap.edge_name, gap.corner.at.si(), gap.edge_begin.si(), gap.edge_end.si(),
+                   geometry.normal},
+          .ends = geometry.ends,
+          .friction = {gap.friction.coefficient, tangential_stiffness},
+          .edge_begin = geometry.edge_begin,
+          .edge_end = geometry.edge_end,
+          .normal_mass = geometry.normal_mass,
+          .tangential_mass = geometry.tangential_mass,
+          .cross_mobility = geometry.cross_mobility};
+}
+
+ElementInfo register_corner(Model& model, const CornerPlace& gap, const CornerAndEdge& corner, double clearance,
+                            std::string_view law, std::vector<Parameter> parameters) {
+  model.register_element("CornerGap", gap.name);
+  ElementInfo info{.name = gap.name,
+                   .place = gap.place,
+                   .first = gap.edge_of,
+                   .second = gap.corner.of,
+                   .offset = clearance,
+                   .deformation_quantity = "indentation",
+                   .force_quantity = "impact_force"};
+  if (!parameters.empty()) {
+    parameters.push_back({"friction", corner.friction.coefficient, "1"});
+    parameters.push_back({"tangential_stiffness", corner.friction.tangential_stiffness, "N/m"});
+    if (gap.share != 1.0) parameters.push_back({"share", gap.share, "1"});
+    info.law_as_given = law_as_given(law, std::move(parameters));
+  }
+  return info;
 }
 
 template void add_corner(Model&, ElementInfo, const SharedContact<AnyContact>&, const CornerAndEdge&);

@@ -76,12 +76,26 @@ struct CornerGeometry {
   double cross_mobility = 0.0;
 };
 
+/// A corner gap without its law: the fields of CornerGap.
+struct CornerPlace {
+  const std::string &name, &place;       ///< As there.
+  PlanPoint corner;                      ///< As there.
+  NodeId edge_of;                        ///< As there.
+  PlanPosition edge_begin, edge_end;     ///< As there.
+  const CornerFriction& friction;        ///< As there.
+  double share;                          ///< As there.
+  Mass effective_mass;                   ///< As there.
+  const Label &corner_name, &edge_name;  ///< As there.
+};
+
 /// Throws InputError unless both bodies are of this model and different, the edge has a length and the corner a
-/// clearance > 0.
-CornerGeometry corner_geometry(const Model& model, const std::string& name, const PlanPoint& corner, NodeId edge_of,
-                               PlanPosition edge_begin, PlanPosition edge_end);
-/// Throws InputError for a coefficient outside 0 to 1 or a negative stiffness.
-void check_friction(const Check& check, const CornerFriction& friction);
+/// clearance > 0, the coefficient of friction is from 0 to 1, and no other number is outside its range.
+CornerGeometry check_corner(const Model& model, const CornerPlace& gap);
+/// The gap as its block keeps it; `tangent` N/m is that of the law from which the stiffness along the wall follows.
+CornerAndEdge corner_and_edge(const CornerPlace& gap, const CornerGeometry& geometry, double tangent);
+/// Registers the gap, and describes its element. Without parameters of the law reports show the contact's own.
+ElementInfo register_corner(Model& model, const CornerPlace& gap, const CornerAndEdge& corner, double clearance,
+                            std::string_view law, std::vector<Parameter> parameters);
 
 /// Adds the element to the block of its law.
 template <ContactLaw Contact>
@@ -92,47 +106,21 @@ void add_corner(Model& model, ElementInfo info, const Contact& law, const Corner
 /// Throws InputError for a bad parameter of gap, friction or law, unknown bodies, or a name that is taken.
 template <ImpactLaw Law>
 void add(Model& model, const CornerGap<Law>& gap) {
-  const Check check{"CornerGap", gap.name};
-  const PlanPoint& corner = gap.corner;
-  const CornerGeometry geometry = corner_geometry(model, gap.name, corner, gap.edge_of, gap.edge_begin, gap.edge_end);
-  check_friction(check, gap.friction);
-  check.above_up_to("share", gap.share, 0.0, 1.0, "1");
-  check.not_negative("effective_mass", gap.effective_mass);
-  gap.law.check(check);
+  const CornerPlace place{gap.name,     gap.place, gap.corner,         gap.edge_of,     gap.edge_begin, gap.edge_end,
+                          gap.friction, gap.share, gap.effective_mass, gap.corner_name, gap.edge_name};
+  const CornerGeometry geometry = check_corner(model, place);
+  gap.law.check(Check{"CornerGap", gap.name});
   const double mass = gap.effective_mass.si() > 0.0 ? gap.effective_mass.si() : geometry.normal_mass;
   const SharedContact law{gap.law.between(mass), gap.share};
-  model.register_element("CornerGap", gap.name);
 
-  constexpr double of_tangent = 0.85, at_indentation = 0.01;  // 1, m
+  constexpr double at_indentation = 0.01;  // m
   ContactState after;
-  const double tangential_stiffness =
-      gap.friction.tangential_stiffness
-          ? gap.friction.tangential_stiffness->si()
-          : of_tangent * law.evaluate({ContactPhase::loaded, 1.0}, at_indentation, 0.0, after).stiffness;
-  ElementInfo info{.name = gap.name,
-                   .place = gap.place,
-                   .first = gap.edge_of,
-                   .second = corner.of,
-                   .offset = geometry.clearance,
-                   .deformation_quantity = "indentation",
-                   .force_quantity = "impact_force"};
-  if constexpr (requires { gap.law.parameters(); }) {
-    std::vector<Parameter> parameters = gap.law.parameters();
-    parameters.push_back({"friction", gap.friction.coefficient, "1"});
-    parameters.push_back({"tangential_stiffness", tangential_stiffness, "N/m"});
-    if (gap.share != 1.0) parameters.push_back({"share", gap.share, "1"});
-    info.law_as_given = std::make_shared<LawAsGiven>(std::string{name_of(gap.law)}, std::move(parameters));
-  }
-  add_corner(model, std::move(info), law,
-             {.pair = {gap.corner_name, gap.edge_name, corner.at.si(), gap.edge_begin.value().si(),
-                       gap.edge_end.value().si(), geometry.normal},
-              .ends = geometry.ends,
-              .friction = {gap.friction.coefficient, tangential_stiffness},
-              .edge_begin = geometry.edge_begin,
-              .edge_end = geometry.edge_end,
-              .normal_mass = geometry.normal_mass,
-              .tangential_mass = geometry.tangential_mass,
-              .cross_mobility = geometry.cross_mobility});
+  const double tangent = law.evaluate({ContactPhase::loaded, 1.0}, at_indentation, 0.0, after).stiffness;
+  const CornerAndEdge corner = corner_and_edge(place, geometry, tangent);
+  std::vector<Parameter> parameters;
+  if constexpr (requires { gap.law.parameters(); }) parameters = gap.law.parameters();
+  add_corner(model, register_corner(model, place, corner, geometry.clearance, name_of(gap.law), std::move(parameters)),
+             law, corner);
 }
 
 // For moat's impact laws compiled in the library, so that a script compiles faster.

@@ -84,8 +84,7 @@ void add(Model& model, const Gap<Law>& gap) {
   const auto law = gap.law.between(mass);
   // Reports show the law as the script gave it, with its restitution, and not the contact made of it.
   std::shared_ptr<const LawAsGiven> as_given;
-  if constexpr (requires { gap.law.parameters(); })
-    as_given = std::make_shared<LawAsGiven>(std::string{name_of(gap.law)}, gap.law.parameters());
+  if constexpr (requires { gap.law.parameters(); }) as_given = law_as_given(name_of(gap.law), gap.law.parameters());
   add_contact(model, register_gap(model, place, std::move(as_given)), law, mass, place.left, place.right);
 }
 

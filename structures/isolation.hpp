@@ -31,6 +31,7 @@ concept DamperLaw = ForceLaw<Law> && Law::is_damper;
 class Isolation {
  public:
   Isolation(LeadRubberBearing bearing);  ///< Lead-rubber bearings.
+  // All of these are defaults; compiled in the library, they cost no time in scripts.
   Isolation(const Isolation& other);
   Isolation(Isolation&& other) noexcept;
   Isolation& operator=(const Isolation& other);

@@ -32,6 +32,14 @@ std::vector<ColumnLine> PlanColumns::lines(const Check& check, const PlanOutline
   return lines;
 }
 
+PlanBearings::PlanBearings(std::vector<Placed> list) : list_{std::move(list)} {}
+PlanBearings::PlanBearings(std::initializer_list<Placed> list) : list_{list} {}
+PlanBearings::PlanBearings(const PlanBearings& other) = default;
+PlanBearings::PlanBearings(PlanBearings&& other) noexcept = default;
+PlanBearings& PlanBearings::operator=(const PlanBearings& other) = default;
+PlanBearings& PlanBearings::operator=(PlanBearings&& other) noexcept = default;
+PlanBearings::~PlanBearings() = default;
+
 std::vector<PlanBearings::Placed> PlanBearings::placed(const Check& check, const PlanOutline& outline) const {
   if (along_x_ == 0 && along_y_ == 0) return list_;
   std::vector<Placed> bearings;

@@ -192,9 +192,15 @@ class PlanBearings {
   PlanBearings(Grid<Law> bearings)
       : along_x_{bearings.along_x}, along_y_{bearings.along_y}, list_{Placed{PlanPosition{}, bearings.item}} {}
   /// Bearings anywhere.
-  PlanBearings(std::vector<Placed> list) : list_{std::move(list)} {}
+  PlanBearings(std::vector<Placed> list);
   /// Bearings anywhere.
-  PlanBearings(std::initializer_list<Placed> list) : list_{list} {}
+  PlanBearings(std::initializer_list<Placed> list);
+  // All of these are defaults; compiled in the library, they cost no time in scripts.
+  PlanBearings(const PlanBearings& other);
+  PlanBearings(PlanBearings&& other) noexcept;
+  PlanBearings& operator=(const PlanBearings& other);
+  PlanBearings& operator=(PlanBearings&& other) noexcept;
+  ~PlanBearings();
 
   /// At their positions on the outline. Throws InputError for a grid of less than 1 x 1.
   [[nodiscard]] std::vector<Placed> placed(const Check& check, const PlanOutline& outline) const;

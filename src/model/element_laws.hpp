@@ -2,9 +2,10 @@
 #pragma once
 
 #include <cstddef>
+#include <memory>
 #include <span>
 #include <string>
-#include <utility>
+#include <string_view>
 #include <vector>
 
 #include "base/parameter.hpp"
@@ -16,10 +17,10 @@ namespace moat {
 struct LawAsGiven {
   std::string name;                   ///< as the script calls it
   std::vector<Parameter> parameters;  ///< in SI units
-
-  /// Name and parameters in SI units.
-  LawAsGiven(std::string law, std::vector<Parameter> values) : name{std::move(law)}, parameters{std::move(values)} {}
 };
+
+/// Name and parameters in SI units, shared by what shows them.
+std::shared_ptr<const LawAsGiven> law_as_given(std::string_view name, std::vector<Parameter> parameters);
 
 /// The side of an ElementBlock whose elements have laws with a name (materials/).
 class ElementLaws {

@@ -39,6 +39,7 @@ class GroundMotion {
   /// Throws InputError naming the first sample outside that range.
   GroundMotion(std::string name, double time_step, std::vector<double> samples, std::vector<std::string> notes = {},
                MotionFile file = {});
+  // All of these are defaults; compiled in the library, they cost no time in scripts.
   GroundMotion(const GroundMotion& other);
   GroundMotion(GroundMotion&& other) noexcept;
   GroundMotion& operator=(const GroundMotion& other);

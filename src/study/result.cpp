@@ -73,6 +73,12 @@ double value_of(const StudyRecord& record, std::string_view quantity, std::strin
   throw InputError{"There is no result \"" + std::string{quantity} + "\" of \"" + std::string{where} + "\"."};
 }
 
+StudyResult::StudyResult(const StudyResult& other) = default;
+StudyResult::StudyResult(StudyResult&& other) noexcept = default;
+StudyResult& StudyResult::operator=(const StudyResult& other) = default;
+StudyResult& StudyResult::operator=(StudyResult&& other) noexcept = default;
+StudyResult::~StudyResult() = default;
+
 StudyResult::StudyResult(StudyCases cases, std::vector<CaseOutcome> outcomes)
     : cases_{std::move(cases)}, outcomes_{std::move(outcomes)}, table_{table_of(cases_, outcomes_)} {}
 

@@ -23,6 +23,12 @@ class StudyResult {
 
   /// One outcome for every case.
   StudyResult(StudyCases cases, std::vector<CaseOutcome> outcomes);
+  // All of these are defaults; compiled in the library, they cost no time in scripts.
+  StudyResult(const StudyResult& other);
+  StudyResult(StudyResult&& other) noexcept;
+  StudyResult& operator=(const StudyResult& other);
+  StudyResult& operator=(StudyResult&& other) noexcept;
+  ~StudyResult();
 
   /// All of them, computed or not.
   [[nodiscard]] const StudyCases& cases() const { return cases_; }

@@ -68,8 +68,15 @@ TEST(CornerGap, ClearanceAndMotionAreThoseAlongNormalAndTangent) {
 
 TEST(CornerGap, EffectiveMassIsThatOfTheImpulse) {
   Slabs slabs;
-  const CornerGeometry geometry = corner_geometry(slabs.model, "gap", PlanPoint{slabs.a, {2 * m, 1 * m}}, slabs.b.x,
-                                                  {3 * m, -2 * m}, {3 * m, 3 * m});
+  const CornerGap<Hertz> gap{.name = "gap",
+                             .corner = PlanPoint{slabs.a, {2 * m, 1 * m}},
+                             .edge_of = slabs.b.x,
+                             .edge_begin = PlanPosition{3 * m, -2 * m},
+                             .edge_end = PlanPosition{3 * m, 3 * m},
+                             .law = {.stiffness = 1e9 * N / m_3_2}};
+  const CornerGeometry geometry =
+      check_corner(slabs.model, {gap.name, gap.place, gap.corner, gap.edge_of, gap.edge_begin, gap.edge_end,
+                                 gap.friction, gap.share, gap.effective_mass, gap.corner_name, gap.edge_name});
   // n = +x: 1/m_n = 1/m_a + y_a^2/J_a + 1/m_b + y_b^2/J_b with the arms' y components 1 and 0.
   EXPECT_NEAR(geometry.normal_mass, 1.0 / (1.0 / 8.0 + 1.0 / 20.0 + 1.0 / 5.0), 1e-12);
   EXPECT_NEAR(geometry.tangential_mass, 1.0 / (1.0 / 8.0 + 4.0 / 20.0 + 1.0 / 5.0 + 36.0 / 30.0), 1e-12);

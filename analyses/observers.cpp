@@ -1,0 +1,29 @@
+#include "analyses/observers.hpp"
+
+#include <exception>
+
+namespace moat {
+
+void Observers::add(StepObserver& observer) { followers_.push_back({&observer, false}); }
+
+void Observers::start(const StepView& view) {
+  for (Follower& follower : followers_) {
+    if (follower.started) continue;
+    follower.started = true;
+    follower.observer->start(view);
+  }
+}
+
+void Observers::finish(const StepView& view) const {
+  std::exception_ptr failure;
+  for (const Follower& follower : followers_) {
+    try {
+      follower.observer->finish(view);
+    } catch (...) {
+      if (!failure) failure = std::current_exception();
+    }
+  }
+  if (failure) std::rethrow_exception(failure);
+}
+
+}  // namespace moat
