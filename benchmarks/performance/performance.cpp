@@ -28,7 +28,8 @@ const std::vector<Section>& sections() {
                                          {"overhead", overhead},
                                          {"plan", plan_cost},
                                          {"scale", scale},
-                                         {"suite", suite}};
+                                         {"suite", suite},
+                                         {"scripts", scripts}};
   return list;
 }
 

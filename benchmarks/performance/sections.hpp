@@ -28,5 +28,7 @@ void plan_cost(Record& record, const Options& options);
 void scale(Record& record, const Options& options);
 /// A study of many histories: histories per second and parallel efficiency.
 void suite(Record& record, const Options& options);
+/// The tours through the launcher: from the command to its end, edited and unchanged.
+void scripts(Record& record, const Options& options);
 
 }  // namespace moat::performance

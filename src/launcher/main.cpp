@@ -35,9 +35,10 @@ std::vector<CompletionWords> completion_words() {
           {"motion", {"--unit", "--damping", "--out", "--json"}, true},
           {"report", {"--json", "--open"}, true},
           {"study", {"show", "export", "merge", "--out"}, true},
-          {"bench", {"paper",    "accuracy", "isolators",      "performance", "peers", "--out",         "--write-docs",
-                     "--coarse", "--models", "--seed",         "--threads",   "--csv", "--only-random", "--only",
-                     "--rounds", "--quick",  "equal-accuracy", "overhead",    "plan",  "scale",         "suite"}},
+          {"bench", {"paper",         "accuracy", "isolators", "performance", "peers",          "--out",
+                     "--write-docs",  "--coarse", "--models",  "--seed",      "--threads",      "--csv",
+                     "--only-random", "--only",   "--rounds",  "--quick",     "equal-accuracy", "overhead",
+                     "plan",          "scale",    "suite",     "scripts"}},
           {"check", check_names()},
           {"completion", {"bash"}}};
 }
