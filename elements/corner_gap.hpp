@@ -76,16 +76,17 @@ struct CornerGeometry {
   double cross_mobility = 0.0;
 };
 
-/// A corner gap without its law: the fields of CornerGap.
+/// A corner gap without its law. CornerGap describes the fields.
 struct CornerPlace {
-  const std::string &name, &place;       ///< As there.
-  PlanPoint corner;                      ///< As there.
-  NodeId edge_of;                        ///< As there.
-  PlanPosition edge_begin, edge_end;     ///< As there.
-  const CornerFriction& friction;        ///< As there.
-  double share;                          ///< As there.
-  Mass effective_mass;                   ///< As there.
-  const Label &corner_name, &edge_name;  ///< As there.
+  const std::string& name;            ///< Unique in its model.
+  const std::string& place;           ///< Where its peak is listed.
+  PlanPoint corner;                   ///< That hits the edge.
+  NodeId edge_of;                     ///< The body of the edge.
+  PlanPosition edge_begin, edge_end;  ///< The corner is on the left of the way between them.
+  const CornerFriction& friction;     ///< Along the wall.
+  double share;                       ///< > 0, <= 1: of the law's force.
+  Mass effective_mass;                ///< >= 0 kg; 0: that of the corner.
+  Label corner_name, edge_name;       ///< For tables.
 };
 
 /// Throws InputError unless both bodies are of this model and different, the edge has a length and the corner a

@@ -47,9 +47,10 @@ struct Gap {
 
 /// A gap without its law.
 struct GapPlace {
-  const std::string &name, &place;  ///< As those of Gap.
-  MemberPoint left, right;          ///< Both bodies.
-  Length clearance;                 ///< > 0 m.
+  const std::string& name;   ///< Unique in its model.
+  const std::string& place;  ///< Where its peak is listed; its own name if empty.
+  MemberPoint left, right;   ///< Both bodies.
+  Length clearance;          ///< > 0 m.
 };
 
 /// Throws InputError unless all nodes of both points are of this model, shares are from 0 to below 1, two ends at nodes

@@ -9,13 +9,13 @@
 
 namespace moat {
 
-/// Names, motion and forces of the links of a block, one entry per link: what does not depend on their law. It is
+/// Names, motion and forces of the links of a block, one entry per link. None of it depends on their law. It is
 /// compiled in the library, so that a block of a script's own law compiles faster.
 class LinkArrays {
  public:
   LinkArrays();
-  LinkArrays(const LinkArrays& other);
-  LinkArrays& operator=(const LinkArrays& other);
+  LinkArrays(const LinkArrays& other);             ///< A copy.
+  LinkArrays& operator=(const LinkArrays& other);  ///< A copy.
   ~LinkArrays();
 
  protected:

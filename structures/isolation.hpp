@@ -32,10 +32,10 @@ class Isolation {
  public:
   Isolation(LeadRubberBearing bearing);  ///< Lead-rubber bearings.
   // All of these are defaults; compiled in the library, they cost no time in scripts.
-  Isolation(const Isolation& other);
-  Isolation(Isolation&& other) noexcept;
-  Isolation& operator=(const Isolation& other);
-  Isolation& operator=(Isolation&& other) noexcept;
+  Isolation(const Isolation& other);                 ///< A copy.
+  Isolation(Isolation&& other) noexcept;             ///< Takes all of it.
+  Isolation& operator=(const Isolation& other);      ///< A copy.
+  Isolation& operator=(Isolation&& other) noexcept;  ///< Takes all of it.
   ~Isolation();
   /// An isolator of any law.
   template <IsolatorLaw Law>

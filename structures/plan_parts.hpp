@@ -196,10 +196,10 @@ class PlanBearings {
   /// Bearings anywhere.
   PlanBearings(std::initializer_list<Placed> list);
   // All of these are defaults; compiled in the library, they cost no time in scripts.
-  PlanBearings(const PlanBearings& other);
-  PlanBearings(PlanBearings&& other) noexcept;
-  PlanBearings& operator=(const PlanBearings& other);
-  PlanBearings& operator=(PlanBearings&& other) noexcept;
+  PlanBearings(const PlanBearings& other);                 ///< A copy.
+  PlanBearings(PlanBearings&& other) noexcept;             ///< Takes all of it.
+  PlanBearings& operator=(const PlanBearings& other);      ///< A copy.
+  PlanBearings& operator=(PlanBearings&& other) noexcept;  ///< Takes all of it.
   ~PlanBearings();
 
   /// At their positions on the outline. Throws InputError for a grid of less than 1 x 1.

@@ -40,10 +40,10 @@ class GroundMotion {
   GroundMotion(std::string name, double time_step, std::vector<double> samples, std::vector<std::string> notes = {},
                MotionFile file = {});
   // All of these are defaults; compiled in the library, they cost no time in scripts.
-  GroundMotion(const GroundMotion& other);
-  GroundMotion(GroundMotion&& other) noexcept;
-  GroundMotion& operator=(const GroundMotion& other);
-  GroundMotion& operator=(GroundMotion&& other) noexcept;
+  GroundMotion(const GroundMotion& other);                 ///< A copy.
+  GroundMotion(GroundMotion&& other) noexcept;             ///< Takes all of it.
+  GroundMotion& operator=(const GroundMotion& other);      ///< A copy.
+  GroundMotion& operator=(GroundMotion&& other) noexcept;  ///< Takes all of it.
   ~GroundMotion();
 
   [[nodiscard]] const std::string& name() const { return name_; }                 ///< In outputs.

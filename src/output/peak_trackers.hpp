@@ -39,9 +39,12 @@ class PeakTrackers {
   void add(const Inside& inside) {
     ++newest_;
     const CommonInstant &from = start(), &to = last();
-    const double *value = to.values.data(), *rate = to.rates.data(), *rate_before = from.rates.data();
-    for (std::size_t i = 0; i < size(); ++i) {
-      keep(i, to.time, value[i]);
+    const double *value = to.values.data(), *rate = to.rates.data(), *rate_before = from.rates.data(),
+                 *peak = values_.data();
+    const std::size_t count = size();
+    for (std::size_t i = 0; i < count; ++i) {
+      if (std::abs(value[i]) > std::abs(peak[i])) [[unlikely]]
+        keep(i, to.time, value[i]);
       if (rate_before[i] * rate[i] < 0.0) [[unlikely]]
         find_turn(
             of(from, i), of(to, i), magnitude(i), [&](double x, double turned) { return inside(i, x, turned); },

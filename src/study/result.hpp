@@ -24,10 +24,10 @@ class StudyResult {
   /// One outcome for every case.
   StudyResult(StudyCases cases, std::vector<CaseOutcome> outcomes);
   // All of these are defaults; compiled in the library, they cost no time in scripts.
-  StudyResult(const StudyResult& other);
-  StudyResult(StudyResult&& other) noexcept;
-  StudyResult& operator=(const StudyResult& other);
-  StudyResult& operator=(StudyResult&& other) noexcept;
+  StudyResult(const StudyResult& other);                 ///< A copy.
+  StudyResult(StudyResult&& other) noexcept;             ///< Takes all of it.
+  StudyResult& operator=(const StudyResult& other);      ///< A copy.
+  StudyResult& operator=(StudyResult&& other) noexcept;  ///< Takes all of it.
   ~StudyResult();
 
   /// All of them, computed or not.
