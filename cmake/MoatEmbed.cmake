@@ -25,6 +25,11 @@ endif()
 
 set(MOAT_EMBED_SCRIPT ${CMAKE_CURRENT_LIST_FILE})
 
+# All headers that a build makes: clang-tidy needs them, and nothing else of a build.
+if(NOT TARGET moat_generated_headers)
+  add_custom_target(moat_generated_headers)
+endif()
+
 function(moat_embed target variable)
   set(files)
   foreach(file IN LISTS ARGN)
@@ -41,5 +46,6 @@ function(moat_embed target variable)
   # The target may belong to another folder, which knows nothing of the command above.
   add_custom_target(${target}_embeds_${variable} DEPENDS ${header})
   add_dependencies(${target} ${target}_embeds_${variable})
+  add_dependencies(moat_generated_headers ${target}_embeds_${variable})
   target_include_directories(${target} PRIVATE $<BUILD_INTERFACE:${CMAKE_CURRENT_BINARY_DIR}/embed_${variable}>)
 endfunction()

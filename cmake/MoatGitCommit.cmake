@@ -41,3 +41,4 @@ add_custom_command(OUTPUT ${MOAT_GIT_COMMIT_DIR}/stamp
   COMMENT "Looking up the commit"
   VERBATIM)
 add_custom_target(moat_git_commit DEPENDS ${MOAT_GIT_COMMIT_DIR}/stamp)
+add_dependencies(moat_generated_headers moat_git_commit)
