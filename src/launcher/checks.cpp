@@ -112,10 +112,14 @@ int run_checks(const Places& places, std::vector<std::string> names) {
     if (std::find(known.begin(), known.end(), name) == known.end())
       throw Stop{exit_usage, "There is no check " + name + ".\nThere are " + joined(known, ", ") + "."};
   find_records("check");
-  bring_up_to_date(places, {.what = "the library and the tests",
-                            .targets = {"all", "moat_for_scripts"},
-                            .package_lists = {"test", "check"},
-                            .cmake_option = "MOAT_BUILD_TESTS"});
+  // The others have build folders of their own.
+  const bool installs = std::ranges::find(names, "package") != names.end();
+  Part part{.what = installs ? "the library and the tests" : "the needs of checks",
+            .targets = {"moat_generated_headers"},
+            .package_lists = {"test", "check"},
+            .cmake_option = "MOAT_BUILD_TESTS"};
+  if (installs) part.targets = {"all", "moat_for_scripts"};
+  bring_up_to_date(places, part);
   std::vector<std::string> failed;
   for (const NamedCheck& check : checks)
     if (std::find(names.begin(), names.end(), check.name) != names.end() && !passes(places, check))
