@@ -12,7 +12,9 @@
 namespace moat {
 
 StudyEvent exceeds(std::string quantity, std::string where, double threshold) {
-  return [=](const CaseOutcome& outcome) { return value_of(outcome.results, quantity, where) > threshold; };
+  return [quantity = std::move(quantity), where = std::move(where), threshold](const CaseOutcome& outcome) {
+    return value_of(outcome.results, quantity, where) > threshold;
+  };
 }
 
 StudyEvent pounds() { return exceeds("impacts", "", 0.0); }
