@@ -54,7 +54,7 @@ std::vector<Response> responses_of(const StudyResult& study) {
       if (std::isnan(values[i]) || (smallest ? value < values[i] : value > values[i])) values[i] = value;
     }
   }
-  std::ranges::stable_partition(list, is_of_pounding, &Response::quantity);
+  std::stable_partition(list.begin(), list.end(), [](const Response& each) { return is_of_pounding(each.quantity); });
   if (list.size() > most_quantities) list.resize(most_quantities);
   return list;
 }
