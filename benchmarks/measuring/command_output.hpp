@@ -9,6 +9,13 @@
 
 namespace moat::performance {
 
+/// A word for a shell command. It may have any characters.
+inline std::string shell_quoted(const std::string& word) {
+  std::string quoted = "'";
+  for (const char c : word) quoted += c == '\'' ? std::string{"'\\''"} : std::string{c};
+  return quoted + "'";
+}
+
 /// The standard output of a shell command. Throws Error where it cannot be run or does not exit with 0.
 inline std::string output_of(const std::string& command) {
   std::FILE* stream = popen(command.c_str(), "r");

@@ -12,13 +12,10 @@
 #include "peers/opensees_model.hpp"
 
 namespace moat::peers {
-namespace {
 
-std::string quoted(const std::string& text) {
-  std::string result = "'";
-  for (const char c : text) result += c == '\'' ? std::string{"'\\''"} : std::string{c};
-  return result + "'";
-}
+using performance::shell_quoted;
+
+namespace {
 
 std::ofstream opened(const std::filesystem::path& path) {
   std::ofstream file{path};
@@ -40,7 +37,7 @@ OpenSees::OpenSees(std::string program, std::filesystem::path folder)
 std::optional<OpenSees> OpenSees::find(const std::filesystem::path& folder) {
   const char* named = std::getenv("OPENSEES");
   const std::string program = named != nullptr ? named : "OpenSees";
-  const bool found = std::system(("command -v " + quoted(program) + " >/dev/null 2>&1").c_str()) == 0;
+  const bool found = std::system(("command -v " + shell_quoted(program) + " >/dev/null 2>&1").c_str()) == 0;
   if (!found && named != nullptr)
     throw InputError{"OPENSEES = " + program + " is not a program. Give the path of OpenSees' Tcl interpreter."};
   if (!found) return std::nullopt;
@@ -62,10 +59,11 @@ OpenSeesRun OpenSees::run(const Model& model, const GroundMotion& motion, double
   std::ostringstream command, gaps;
   for (const int tag : tags.gaps) gaps << tag << ' ';
   const long count = std::lround(std::min(end, motion.duration()) / step);
-  command << std::setprecision(17) << quoted(program_) << ' ' << quoted(MOAT_OPENSEES_HISTORY) << ' '
-          << quoted(model_file.string()) << ' ' << quoted(motion_file.string()) << ' ' << motion.time_step() << ' '
-          << step << ' ' << count << ' ' << setting.name << ' ' << quoted((folder_ / "peaks").string()) << ' '
-          << base.index + 1 << ' ' << top.index + 1 << ' ' << quoted(gaps.str()) << " 2>" << quoted(messages.string());
+  command << std::setprecision(17) << shell_quoted(program_) << ' ' << shell_quoted(MOAT_OPENSEES_HISTORY) << ' '
+          << shell_quoted(model_file.string()) << ' ' << shell_quoted(motion_file.string()) << ' ' << motion.time_step()
+          << ' ' << step << ' ' << count << ' ' << setting.name << ' ' << shell_quoted((folder_ / "peaks").string())
+          << ' ' << base.index + 1 << ' ' << top.index + 1 << ' ' << shell_quoted(gaps.str()) << " 2>"
+          << shell_quoted(messages.string());
   performance::output_of(command.str());
 
   std::ifstream printed{messages};

@@ -41,8 +41,8 @@ int compare(const Comparison& comparison) {
       const std::filesystem::path out = comparison.folder / ((other ? "A" : "B") + std::to_string(turn));
       std::printf("%s: %s\n", out.filename().c_str(), (other ? comparison.other : self).c_str());
       std::fflush(stdout);
-      output_of("'" + (other ? comparison.other : self).string() + "' --only " + comparison.section + " --out '" +
-                out.string() + "'");
+      output_of(shell_quoted(other ? comparison.other : self) + " --only " + comparison.section + " --out " +
+                shell_quoted(out));
       keep_shorter(other ? a : b, out / "performance.json");
     }
   auto json = nlohmann::ordered_json::array();

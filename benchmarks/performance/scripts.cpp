@@ -13,8 +13,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string quoted(const fs::path& path) { return "'" + path.string() + "'"; }
-
 /// Seconds from the command to its end, on the wall clock.
 double seconds_of(const std::string& command) {
   const double start = seconds(Clock::wall);
@@ -38,7 +36,7 @@ std::vector<fs::path> copies_of_tours(const fs::path& folder) {
 void measure_starts(Record& record, const fs::path& folder, const std::string& run, int rounds) {
   Table table{{"Tour", "edited [s]", "unchanged [s]"}};
   for (const fs::path& tour : copies_of_tours(folder)) {
-    const std::string start = run + quoted(tour) + " --help";
+    const std::string start = run + shell_quoted(tour) + " --help";
     std::vector<double> edited, unchanged;
     for (int round = -1; round < rounds; ++round) {
       std::ofstream{tour, std::ios::app} << "// edit " << round << '\n';
@@ -61,7 +59,7 @@ void measure_run(Record& record, const fs::path& folder, const std::string& run,
   const fs::path tour = folder / "01_moat_wall.cpp", results = folder / "results";
   std::vector<double> times;
   for (int round = -1; round < rounds; ++round) {
-    const double time = seconds_of(run + quoted(tour) + " --out " + quoted(results));
+    const double time = seconds_of(run + shell_quoted(tour) + " --out " + shell_quoted(results));
     fs::remove_all(results);
     if (round >= 0) times.push_back(time);
   }
@@ -74,7 +72,7 @@ void measure_run(Record& record, const fs::path& folder, const std::string& run,
 void scripts(Record& record, const Options& options) {
   record.section("scripts");
   const fs::path folder = fs::absolute(options.folder) / "scripts";
-  const std::string run = quoted(fs::path{MOAT_CHECKOUT} / "moat") + " run ";
+  const std::string run = shell_quoted(fs::path{MOAT_CHECKOUT} / "moat") + " run ";
   const int rounds = options.quick ? 1 : options.rounds;
   measure_starts(record, folder, run, rounds);
   measure_run(record, folder, run, 4 * rounds);

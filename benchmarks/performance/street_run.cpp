@@ -148,7 +148,7 @@ StreetReport run_street(const StreetSetting& setting) {
   const std::string arguments = " street --buildings " + std::to_string(setting.buildings) + " --steps-before " +
                                 std::to_string(setting.steps_before) + " --steps " + std::to_string(setting.steps) +
                                 (setting.parts ? " --parts" : "");
-  return nlohmann::json::parse(output_of("'" + program + "'" + arguments)).get<StreetReport>();
+  return nlohmann::json::parse(output_of(shell_quoted(program) + arguments)).get<StreetReport>();
 }
 
 }  // namespace moat::performance

@@ -114,7 +114,7 @@ int run_checks(const Places& places, std::vector<std::string> names) {
   find_records("check");
   // The others have build folders of their own.
   const bool installs = std::ranges::find(names, "package") != names.end();
-  Part part{.what = installs ? "the library and the tests" : "the needs of checks",
+  Part part{.what = installs ? "the library and the tests" : "headers that a build makes",
             .targets = {"moat_generated_headers"},
             .package_lists = {"test", "check"},
             .cmake_option = "MOAT_BUILD_TESTS"};

@@ -41,7 +41,7 @@ class PeakTrackers {
     const CommonInstant &from = start(), &to = last();
     const double *value = to.values.data(), *rate = to.rates.data(), *rate_before = from.rates.data(),
                  *peak = values_.data();
-    const std::size_t count = size();
+    const std::size_t count = size();  // read once: the compiler cannot know that keep() leaves it
     for (std::size_t i = 0; i < count; ++i) {
       if (std::abs(value[i]) > std::abs(peak[i])) [[unlikely]]
         keep(i, to.time, value[i]);
