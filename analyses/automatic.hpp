@@ -13,8 +13,7 @@ namespace moat {
 /// ExactBetweenEvents where it applies to a model of at most 16 degrees of freedom, else Newmark. The choice and its
 /// reason are among the assumptions of the results.
 ///
-/// Exact steps of such models are faster at the default tolerance, unless the motion is so smooth that Newmark's steps
-/// are many samples long. For larger models they are slower, because their matrices are full.
+/// Exact steps of such models are faster. For larger models they are slower, because their matrices are full.
 struct Automatic {
   static constexpr std::string_view name = "automatic";
   static constexpr int most_degrees_of_freedom = 16;  ///< Of a model, for exact steps; more are solved by Newmark.

@@ -18,7 +18,7 @@ struct ExactBetweenEvents {
   [[nodiscard]] std::optional<StepScheme> scheme() const { return std::nullopt; }
   void check(const Check&) const {}
   [[nodiscard]] std::string description() const {
-    return "Exact steps from sample to sample while no gap is closed; in contact: Newmark's method";
+    return "Exact steps while no gap is closed; in contact: Newmark's method";
   }
 
   friend bool operator==(const ExactBetweenEvents&, const ExactBetweenEvents&) = default;

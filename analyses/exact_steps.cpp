@@ -1,72 +1,49 @@
 #include "analyses/exact_steps.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <string>
-#include <unsupported/Eigen/MatrixFunctions>
 
+#include "analyses/step_grid.hpp"
 #include "base/check.hpp"
-#include "base/error.hpp"
 
 namespace moat {
 namespace {
 
-constexpr int most_terms = 60;
-constexpr int most_halvings = 12;
 // One building has few combinations of sliding and elastic bearings. Many buildings have many; this limit bounds the
 // memory.
 constexpr std::size_t most_systems = 256;
 
-// Rows of a transition are filled up to a multiple of this.
-constexpr Eigen::Index rows_at_once = 8;
+// The weights of values and rates at both ends in a cubic.
+struct CubicWeights {
+  double first, first_rate, last, last_rate;
+  // At a fraction x of h seconds.
+  CubicWeights(double x, double h)
+      : first{(1.0 - x) * (1.0 - x) * (1.0 + 2.0 * x)},
+        first_rate{h * x * (1.0 - x) * (1.0 - x)},
+        last{x * x * (3.0 - 2.0 * x)},
+        last_rate{-h * x * x * (1.0 - x)} {}
+};
 
-using FourRows = double __attribute__((vector_size(32), aligned(8), may_alias));
-
-// y = A x for a matrix in columns whose number of rows is a multiple of rows_at_once. Steps between events spend most
-// of their time here. The function is therefore compiled for newer processors as well, and the version is chosen when
-// the program starts.
-#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__)
-__attribute__((target_clones("default", "arch=x86-64-v3")))
-#endif
-void multiply(const double* __restrict matrix, Eigen::Index rows, Eigen::Index columns, const double* __restrict x,
-              double* __restrict y) {
-  for (Eigen::Index row = 0; row < rows; row += rows_at_once) {
-    FourRows first{}, second{};
-    for (Eigen::Index column = 0; column < columns; ++column) {
-      const auto* entries = reinterpret_cast<const FourRows*>(matrix + column * rows + row);
-      first += entries[0] * x[column];
-      second += entries[1] * x[column];
-    }
-    auto* sums = reinterpret_cast<FourRows*>(y + row);
-    sums[0] = first;
-    sums[1] = second;
-  }
-}
-
-Eigen::Index filled_up(Eigen::Index rows) { return (rows + rows_at_once - 1) / rows_at_once * rows_at_once; }
-
-double fastest_eigenvalue(const Eigen::MatrixXd& stiffness, const Eigen::MatrixXd& damping) {
-  const Eigen::Index n = stiffness.rows();
-  Eigen::MatrixXd first_order = Eigen::MatrixXd::Zero(2 * n, 2 * n);
-  first_order.topRightCorner(n, n).setIdentity();
-  first_order.bottomLeftCorner(n, n) = -stiffness;
-  first_order.bottomRightCorner(n, n) = -damping;
-  return first_order.eigenvalues().cwiseAbs().maxCoeff();
+// At a time inside a step.
+double ground_at(const StepTask& step, double time) {
+  return step.ground ? step.ground->acceleration_at(time)
+                     : step.ground_acceleration_at_start.x + (time - step.start_time) * step.ground_jerk.x;
 }
 
 }  // namespace
 
-ExactSteps::ExactSteps(Model& model, double grid_interval) : model_{&model}, grid_interval_{grid_interval} {
+ExactSteps::ExactSteps(Model& model, StepControl& control)
+    : model_{&model}, control_{&control}, series_{model.degrees_of_freedom()} {
   check();
   const Eigen::Index count = model.degrees_of_freedom();
   stiffness_ = model.pattern();
   damping_ = model.pattern();
-  offset_.setZero(count);
-  start_.setZero(2 * count + 3);
-  end_.setZero(filled_up(3 * count));
-  series_.setZero(count, most_terms);
+  const Eigen::Index result = LinearSystem::result_size(count);
+  path_.setZero(LinearStart::motion + result, most_pieces + 2);
+  inside_.setZero(result);
+  earlier_.acceleration.setZero(count);
+  earlier_.jerk.setZero(count);
   restart();
   // A model with too large an eigenvalue is refused before the first step.
   if (!touching_) linearise();
@@ -92,13 +69,8 @@ void ExactSteps::check() const {
 
 void ExactSteps::restart() {
   linearised_ = false;
-  terms_ = 0;
+  earlier_.length = 0.0;
   touching_ = model_->contacts_going_on() > 0;
-}
-
-double ExactSteps::next_length() {
-  if (!linearised_) linearise();
-  return systems_[current_].step;
 }
 
 void ExactSteps::linearise() {
@@ -109,151 +81,162 @@ void ExactSteps::linearise() {
   model_->evaluate();
   model_->assemble_tangent(0.0, 0.0, 1.0, stiffness_);
   model_->assemble_tangent(0.0, 1.0, 0.0, damping_);
-  offset_ = -model_->internal_forces().head(offset_.size()).cwiseQuotient(model_->masses());
-
-  const auto known = std::find_if(systems_.begin(), systems_.end(), [&](const LinearSystem& system) {
-    return system.stiffness_values == stiffness_.values && system.damping_values == damping_.values;
-  });
+  const auto known =
+      std::ranges::find_if(systems_, [&](const LinearSystem& system) { return system.is_of(stiffness_, damping_); });
   current_ = static_cast<std::size_t>(known - systems_.begin());
+  const Vector& masses = model_->masses();
   if (known == systems_.end()) {
     if (systems_.size() == most_systems) systems_.clear();
     current_ = systems_.size();
-    systems_.push_back(make_system());
+    systems_.emplace_back(stiffness_, damping_, masses, control_->grid_interval());
   }
-  // K and C determine the matrix, except the column of the constant 1, which depends on f0.
-  LinearSystem& system = systems_[current_];
-  system.transition.col(2 * offset_.size()).head(3 * offset_.size()).noalias() = system.from_constant * offset_;
+  offset_ = -model_->internal_forces().head(masses.size()).cwiseQuotient(masses);
+  systems_[current_].set_offset(offset_);
   linearised_ = true;
 }
 
-ExactSteps::LinearSystem ExactSteps::make_system() const {
-  const Eigen::Index n = offset_.size();
-  LinearSystem system;
-  system.stiffness_values = stiffness_.values;
-  system.damping_values = damping_.values;
-  const Vector inverse_mass = model_->masses().cwiseInverse();
-  system.stiffness = inverse_mass.asDiagonal() * Matrix{stiffness_.view()};
-  system.damping = inverse_mass.asDiagonal() * Matrix{damping_.view()};
-
-  constexpr double longest_against_fastest = 0.5;
-  const double fastest = fastest_eigenvalue(system.stiffness, system.damping);
-  system.step = grid_interval_;
-  Check{"TransientOptions", ""}.that(
-      fastest * std::ldexp(grid_interval_, -most_halvings) <= longest_against_fastest,
-      "integrator = ExactBetweenEvents{} would need more than " + std::to_string(1 << most_halvings) +
-          " steps from one sample of the motion to the next: the fastest eigenvalue of the model is " +
-          to_text(fastest) + " 1/s.",
-      "Look for a very stiff spring or damper at a small mass, or use Newmark{}.");
-  while (system.step * fastest > longest_against_fastest) system.step *= 0.5;
-
-  // States u, u', the constant acceleration w of every degree of freedom, and the slope s of the ground's:
-  // u'' = -M^-1 (K u + C u') + w, w' = -iota s, s' = 0. The states are scaled to (u, h u', h^2 w, h^3 s) over a step of
-  // 1. All entries are then of order 1, and the exponential loses no digits.
-  const double h = system.step;
-  Matrix generator = Matrix::Zero(3 * n + 1, 3 * n + 1);
-  generator.block(0, n, n, n).setIdentity();
-  generator.block(n, 0, n, n) = -h * h * system.stiffness;
-  generator.block(n, n, n, n) = -h * system.damping;
-  generator.block(n, 2 * n, n, n).setIdentity();
-  generator.block(2 * n, 3 * n, n, 1).setConstant(-1.0);
-  const Matrix exponential = generator.exp();
-  // The rows of (u, h u', h^2 u'') at the end; then the scaling is removed.
-  Matrix after(3 * n, 3 * n + 1);
-  after.topRows(2 * n) = exponential.topRows(2 * n);
-  after.bottomRows(n).noalias() = generator.middleRows(n, n) * exponential;
-  after.middleCols(n, n) *= h;
-  after.middleCols(2 * n, n) *= h * h;
-  after.col(3 * n) *= h * h * h;
-  after.middleRows(n, n) /= h;
-  after.bottomRows(n) /= h * h;
-  system.from_constant = after.middleCols(2 * n, n);
-  system.transition.setZero(filled_up(3 * n), 2 * n + 3);
-  auto transition = system.transition.topRows(3 * n);
-  transition.leftCols(2 * n) = after.leftCols(2 * n);
-  transition.col(2 * n + 1) = -system.from_constant.rowwise().sum();
-  transition.col(2 * n + 2) = after.col(3 * n);
-  return system;
+double ExactSteps::next_length() {
+  if (!linearised_) linearise();
+  const double piece = systems_[current_].step();
+  const double longest = control_->longest_exact_step();
+  wanted_ = std::clamp(wanted_, piece, std::max(piece, std::min(longest, static_cast<double>(most_pieces) * piece)));
+  return wanted_;
 }
 
 void ExactSteps::begin(const StepTask& step) {
   if (!linearised_) linearise();
-  const Eigen::Index n = offset_.size();
-  longest_ = step.length;
-  ground_ = step.ground_acceleration_at_start.x;
-  ground_slope_ = step.ground_jerk.x;
-  start_.head(n) = model_->state().displacement.head(n);
-  start_.segment(n, n) = model_->state().velocity.head(n);
-  start_[2 * n] = 1.0;
-  start_[2 * n + 1] = ground_;
-  start_[2 * n + 2] = ground_slope_;
-  terms_ = 0;
+  const Eigen::Index n = model_->degrees_of_freedom();
+  const double piece = systems_[current_].step();
+  ground_[0] = step.ground_acceleration_at_start.x;
+  pieces_ = 0;
+  if (step.length > piece) {
+    constexpr double round_off = 1e-9;
+    double end = StepGrid::next_multiple(step.start_time, piece) - step.start_time;
+    for (; end < (1.0 - round_off) * step.length && pieces_ < most_pieces; end += piece) {
+      ends_[pieces_++] = end;
+      ground_[pieces_] = ground_at(step, step.start_time + end);
+    }
+  }
+  ends_[pieces_++] = step.length;
+  ground_[pieces_] = step.ground_acceleration.x;
+
+  double* start = path_.data();
+  start[LinearStart::one] = 1.0;
+  start[LinearStart::ground] = ground_[0];
+  start[LinearStart::slope] = (ground_[1] - ground_[0]) / ends_[0];
+  const double *displacement = model_->state().displacement.data(), *velocity = model_->state().velocity.data();
+  std::copy_n(displacement, n, start + LinearStart::motion);
+  std::copy_n(velocity, n, start + LinearStart::motion + n);
+  known_ = 0;
+  expanded_ = most_pieces + 1;
+}
+
+// The path up to the start of this piece.
+void ExactSteps::advance_to(std::size_t piece) {
+  for (; known_ < piece; ++known_) {
+    const double* start = path_.col(static_cast<Eigen::Index>(known_)).data();
+    double* end = path_.col(static_cast<Eigen::Index>(known_) + 1).data();
+    const LinearSystem& system = systems_[current_];
+    const double length = ends_[known_] - start_of(known_);
+    constexpr double round_off = 1e-9;
+    if (std::abs(length - system.step()) <= round_off * system.step()) {
+      system.advance(start, end + LinearStart::motion);
+    } else {
+      series_.expand(system, start, length);
+      expanded_ = known_;
+      series_.evaluate(length, end + LinearStart::motion);
+    }
+    const std::size_t next = known_ + 1;
+    if (next == pieces_) continue;
+    end[LinearStart::one] = 1.0;
+    end[LinearStart::ground] = ground_[next];
+    end[LinearStart::slope] = (ground_[next + 1] - ground_[next]) / (ends_[next] - ends_[known_]);
+  }
 }
 
 bool ExactSteps::solve(const StepTask& part) {
   const double h = part.length;
-  const Eigen::Index n = offset_.size();
-  const LinearSystem& system = systems_[current_];
-  if (h == system.step) {
-    multiply(system.transition.data(), system.transition.rows(), system.transition.cols(), start_.data(), end_.data());
+  std::size_t piece = 0;
+  while (piece + 1 < pieces_ && h > ends_[piece]) ++piece;
+  const double* end = nullptr;
+  if (h == ends_[piece]) {
+    advance_to(piece + 1);
+    end = path_.col(static_cast<Eigen::Index>(piece) + 1).data() + LinearStart::motion;
   } else {
-    if (terms_ == 0) expand();
-    evaluate_series(h);
+    advance_to(piece);
+    const double start = start_of(piece);
+    if (expanded_ != piece)
+      series_.expand(systems_[current_], path_.col(static_cast<Eigen::Index>(piece)).data(), ends_[piece] - start);
+    expanded_ = piece;
+    series_.evaluate(h - start, inside_.data());
+    end = inside_.data();
   }
+  const Eigen::Index n = model_->degrees_of_freedom();
   MotionState& trial = model_->trial();
   trial.time = part.end_time;
-  trial.displacement.head(n) = end_.head(n);
-  trial.velocity.head(n) = end_.segment(n, n);
-  trial.acceleration.head(n) = end_.segment(2 * n, n);
+  std::copy_n(end, n, trial.displacement.data());
+  std::copy_n(end + n, n, trial.velocity.data());
+  std::copy_n(end + 2 * n, n, trial.acceleration.data());
   model_->evaluate();
   model_->evaluate_rates();
   return true;
 }
 
-// The Taylor series of u with coefficients U_k of t^k; the coefficients of u' are (k + 1) U_{k+1}. The differential
-// equation gives U_{k+2} from U_k and U_{k+1}. Scaled by powers of the longest step they decrease like 1 / (2^k k!).
-void ExactSteps::expand() {
-  const Eigen::Index n = offset_.size();
-  const LinearSystem& system = systems_[current_];
-  series_.col(0) = start_.head(n);
-  series_.col(1) = longest_ * start_.segment(n, n);
-  constexpr double round_off = 1e-17;
-  double largest = series_.col(0).lpNorm<Eigen::Infinity>(), largest_rate = series_.col(1).lpNorm<Eigen::Infinity>();
-  int small_in_a_row = 0;
-  for (terms_ = 2; terms_ < most_terms && small_in_a_row < 2; ++terms_) {
-    const auto k = static_cast<double>(terms_ - 2);
-    auto next = series_.col(terms_);
-    next.noalias() = -longest_ * longest_ * (system.stiffness * series_.col(terms_ - 2));
-    next.noalias() -= longest_ * (k + 1.0) * (system.damping * series_.col(terms_ - 1));
-    if (terms_ == 2) next += longest_ * longest_ * (offset_.array() - ground_).matrix();
-    if (terms_ == 3) next.array() -= longest_ * longest_ * longest_ * ground_slope_;
-    next /= (k + 1.0) * (k + 2.0);
-    const double size = next.lpNorm<Eigen::Infinity>();
-    // The series ends after two negligible terms in a row, because a single term may vanish.
-    const bool small = size <= round_off * largest && (k + 2.0) * size <= round_off * largest_rate;
-    small_in_a_row = small ? small_in_a_row + 1 : 0;
-    largest = std::max(largest, size);
-    largest_rate = std::max(largest_rate, (k + 2.0) * size);
+bool ExactSteps::accepts(const StepTask& step, std::span<const RegimeChange>) {
+  if (!interpolates(step)) {
+    while (wanted_ >= step.length) wanted_ *= 0.5;
+    earlier_.length = 0.0;
+    return false;
   }
+  if (would_interpolate_doubled(step)) wanted_ = 2.0 * step.length;
+  const Eigen::Index n = model_->degrees_of_freedom();
+  const double *acceleration = model_->state().acceleration.data(), *jerk = model_->state().jerk.data();
+  const double ground_acceleration = step.ground_acceleration_at_start.x;
+  earlier_.length = step.length;
+  for (Eigen::Index i = 0; i < n; ++i) {
+    earlier_.acceleration[i] = acceleration[i] + ground_acceleration;
+    earlier_.jerk[i] = jerk[i];
+  }
+  return true;
 }
 
-void ExactSteps::evaluate_series(double h) {
-  const Eigen::Index n = offset_.size();
-  const double x = h / longest_;
-  auto displacement = end_.head(n);
-  auto rate = end_.segment(n, n);
-  displacement = series_.col(terms_ - 1);
-  rate.setZero();
-  // Horner's scheme for the series and its derivative. The acceleration follows from the differential equation.
-  for (int k = terms_ - 2; k >= 0; --k) {
-    rate = x * rate + displacement;
-    displacement = x * displacement + series_.col(k);
+// Whether the cubic through both ends of the step meets the exact accelerations inside.
+bool ExactSteps::interpolates(const StepTask& step) const {
+  if (pieces_ == 1) return true;
+  const Eigen::Index n = model_->degrees_of_freedom();
+  const Vector& scales = control_->acceleration_scales();
+  const MotionState &from = model_->state(), &to = model_->trial();
+  const double *a0 = from.acceleration.data(), *j0 = from.jerk.data(), *a1 = to.acceleration.data(),
+               *j1 = to.jerk.data();
+  const double allowed = cubics_within * control_->tolerance();
+  for (std::size_t piece = 1; piece < pieces_; ++piece) {
+    const CubicWeights weights{start_of(piece) / step.length, step.length};
+    const double* there = path_.col(static_cast<Eigen::Index>(piece)).data() + LinearStart::motion + 2 * n;
+    for (Eigen::Index i = 0; i < n; ++i) {
+      const double cubic = weights.first * (a0[i] + ground_[0]) + weights.first_rate * j0[i] +
+                           weights.last * (a1[i] + ground_[pieces_]) + weights.last_rate * j1[i];
+      if (std::abs(cubic - (there[i] + ground_[piece])) > allowed * scales[i]) return false;
+    }
   }
-  rate /= longest_;
-  const LinearSystem& system = systems_[current_];
-  auto acceleration = end_.segment(2 * n, n);
-  acceleration = (offset_.array() - (ground_ + ground_slope_ * h)).matrix();
-  acceleration.noalias() -= system.stiffness * displacement;
-  acceleration.noalias() -= system.damping * rate;
+  return true;
+}
+
+// Whether the same holds for a step from the start of the step before, with a reserve, so that lengths do not
+// alternate.
+bool ExactSteps::would_interpolate_doubled(const StepTask& step) const {
+  if (earlier_.length != step.length || wanted_ > step.length) return false;
+  const Eigen::Index n = model_->degrees_of_freedom();
+  const Vector& scales = control_->acceleration_scales();
+  const MotionState &middle = model_->state(), &to = model_->trial();
+  constexpr double reserve = 0.5;
+  const double allowed = reserve * cubics_within * control_->tolerance();
+  const CubicWeights weights{0.5, 2.0 * step.length};
+  for (Eigen::Index i = 0; i < n; ++i) {
+    const double cubic = weights.first * earlier_.acceleration[i] + weights.first_rate * earlier_.jerk[i] +
+                         weights.last * (to.acceleration[i] + ground_[pieces_]) + weights.last_rate * to.jerk[i];
+    if (std::abs(cubic - (middle.acceleration[i] + ground_[0])) > allowed * scales[i]) return false;
+  }
+  return true;
 }
 
 }  // namespace moat

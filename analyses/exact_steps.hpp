@@ -2,8 +2,12 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
+#include <cstddef>
 #include <vector>
 
+#include "analyses/linear_system.hpp"
+#include "analyses/step_control.hpp"
 #include "analyses/stepper.hpp"
 #include "base/sparse_matrix.hpp"
 #include "base/vector.hpp"
@@ -17,73 +21,78 @@ namespace moat {
 ///     u'' = -M^-1 (K u + C u' + f0) - iota (a_g + s t)
 ///
 /// with the tangents K and C of the current regimes and f0, the elements' forces at zero displacement and velocity.
-/// Its solution over a whole step is a matrix times (u, u', 1, a_g, s), exact to round-off: the exponential of the
-/// augmented first-order system, computed once for every K and C that occur. Other lengths (to an event, and back to
-/// the grid) take the Taylor series of the solution, summed to round-off once per step and then evaluated at any
-/// length. There is no error of period, so there is no tolerance.
+/// Its motion from one time to the next is exact to round-off (analyses/linear_system.hpp): there is no error of
+/// period.
 ///
-/// A step is the longest step of the analysis (longest_step()), halved until the fastest eigenvalue of the system times
-/// the step is at most 1/2: the series converges quickly then, changes of regime inside a step are seen, and the cubic
-/// of the peak tracker finds peaks between samples to (1/2)^4/384, about 2e-4, of the fastest vibration.
+/// A step consists of pieces, as many as a power of two, at most 16. A piece is the interval of the samples (or less,
+/// by largest_step), halved until the fastest eigenvalue of the system times the piece is at most 1/2. The motion is
+/// computed from piece to piece. Elements, changes of regime and peaks are looked at from end to end of a step, by the
+/// cubic through values and rates. A step of several pieces is accepted only if this cubic meets the exact absolute
+/// acceleration of every node at the end of every piece, to `cubics_within` tolerances of the scale of that place
+/// (analyses/acceleration_scales.hpp). Unlike errors of implicit steps this one does not accumulate. Steps double where
+/// the cubic over the last two steps would be so good.
 ///
 /// While a gap is closed the model is not linear and applies() is false; Transient takes Newmark's steps there.
 class ExactSteps final : public Stepper {
  public:
   /// Matrices are full: this is for small models.
   static constexpr int most_degrees_of_freedom = 50;
+  static constexpr double cubics_within = 16.0;  ///< Tolerances by which the cubic of a step may miss an acceleration.
 
-  /// The model must be prepared and outlive this object. grid_interval > 0 s is the longest step.
-  /// Throws InputError for a model with too many degrees of freedom, an element that is not linear between events, or
-  /// an eigenvalue that needs thousands of steps from sample to sample.
-  ExactSteps(Model& model, double grid_interval);
+  /// The model must be prepared. All must outlive this object; `control` has the longest steps, the tolerance and the
+  /// scales of accelerations. Throws InputError for a model with too many degrees of freedom, an element that is not
+  /// linear between events, or an eigenvalue that needs thousands of pieces from sample to sample.
+  ExactSteps(Model& model, StepControl& control);
 
   /// Whether the model is linear now: no gap is closed.
   [[nodiscard]] bool applies() const { return !touching_; }
   /// Elements changed their regime, or the model its state: the linear system must be made again.
   void restart();
 
-  /// Length of a whole step in the current regimes, s.
   double next_length() override;
-  /// The ground's acceleration goes linearly from one end of the step to the other.
   void begin(const StepTask& step) override;
   bool solve(const StepTask& part) override;
-  /// Always: exact steps have no error.
-  bool accepts(const StepTask&, std::span<const RegimeChange>) override { return true; }
+  bool accepts(const StepTask& step, std::span<const RegimeChange>) override;
+  bool may_leave_samples() const override { return control_->may_leave_samples(); }
   WorkRule work_rule() const override { return WorkRule::quadrature; }
 
  private:
-  using Matrix = Eigen::MatrixXd;
+  static constexpr std::size_t most_pieces = 16;
 
-  // One pair of K and C.
-  struct LinearSystem {
-    std::vector<double> stiffness_values, damping_values;  // by which it is found again
-    Matrix stiffness, damping;                             // M^-1 K, M^-1 C
-    double step = 0.0;                                     // length of a whole step, s
-    Matrix transition;     // (u, u', u'') after a whole step, per entry of (u, u', 1, a_g, s); rows filled up
-    Matrix from_constant;  // (u, u', u'') after a whole step, per constant acceleration of each degree of freedom
+  // Absolute accelerations and jerks at the start of the last accepted step.
+  struct Earlier {
+    double length = 0.0;  // of that step, s; 0: none
+    Vector acceleration, jerk;
   };
 
   void check() const;
   void linearise();
-  [[nodiscard]] LinearSystem make_system() const;
-  void expand();
-  void evaluate_series(double h);
+  void advance_to(std::size_t piece);
+  [[nodiscard]] double start_of(std::size_t piece) const { return piece == 0 ? 0.0 : ends_[piece - 1]; }
+  [[nodiscard]] bool interpolates(const StepTask& step) const;
+  [[nodiscard]] bool would_interpolate_doubled(const StepTask& step) const;
 
   Model* model_;
-  double grid_interval_;
+  StepControl* control_;
   bool touching_ = false;
   bool linearised_ = false;
   std::vector<LinearSystem> systems_;
   std::size_t current_ = 0;
   SparseMatrix stiffness_, damping_;
   Vector offset_;  // -M^-1 f0
+  double wanted_ = 0.0;  // length of the next step, if the system allows it; s
+  Earlier earlier_;
 
-  // The step that begin() set up.
-  double longest_ = 0.0, ground_ = 0.0, ground_slope_ = 0.0;
-  Vector start_, end_;  // (u, u', 1, a_g, s) and (u, u', u''), filled up
-  // Column k holds the coefficients of (t / longest)^k in u, of which terms_ are known.
-  Matrix series_;
-  int terms_ = 0;
+  // The step that begin() set up: the ends of its pieces, s from its start, and the ground there, m/s^2.
+  std::size_t pieces_ = 0;
+  std::array<double, most_pieces + 1> ends_{};
+  std::array<double, most_pieces + 2> ground_{};
+  // Column i: the start of piece i (LinearStart) and, beyond its inputs, the end of piece i - 1. Known up to known_.
+  Eigen::MatrixXd path_;
+  std::size_t known_ = 0;
+  LinearMotionSeries series_;
+  std::size_t expanded_ = most_pieces + 1;  // the piece of the series
+  Vector inside_;                           // (u, u', u'') at a time inside a piece
 };
 
 }  // namespace moat

@@ -5,16 +5,16 @@
 
 namespace moat {
 
-bool hides_motion(const StepSolver& step, const StepGrid& grid, double h, double margin) {
-  const MotionState &start = step.model().state(), &end = step.model().trial();
-  const GroundSpan span = grid.span(start.time, end.time);
-  if (span.is_straight()) return false;
+bool hides_motion(const Model& model, const StepTask& step, double margin) {
+  if (!step.ground) return false;
   constexpr double negligible = 1e-4;  // of the displacement
-  double bump = 0.0;                   // m
-  span.for_each_bump_inside([&](const GroundBump& b) { bump = std::max(bump, std::abs(b.displacement)); });
-  const double displacement =
-      std::max(start.displacement.lpNorm<Eigen::Infinity>(), end.displacement.lpNorm<Eigen::Infinity>());
-  return bump > negligible * displacement || 2.0 * bump > std::min(margin, step.scan(h).margin);
+  const double displacement = std::max(model.state().displacement.lpNorm<Eigen::Infinity>(),
+                                       model.trial().displacement.lpNorm<Eigen::Infinity>());
+  const double harmless = std::min(negligible * displacement, 0.5 * margin);  // m
+  if (step.ground->bump_bounds().displacement <= harmless) return false;
+  double bump = 0.0;  // m
+  step.ground->for_each_bump_inside([&](const GroundBump& b) { bump = std::max(bump, std::abs(b.displacement)); });
+  return bump > harmless;
 }
 
 }  // namespace moat

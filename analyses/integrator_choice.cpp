@@ -11,9 +11,9 @@ IntegratorChoice newmark(const std::string& reason) {
 
 }  // namespace
 
-IntegratorChoice choose_integrator(Model& model, const TransientOptions& options, double longest_step,
+IntegratorChoice choose_integrator(Model& model, const TransientOptions& options, StepControl& control,
                                    std::optional<ExactSteps>& exact) {
-  if (is_exact(options.integrator)) exact.emplace(model, longest_step);
+  if (is_exact(options.integrator)) exact.emplace(model, control);
   if (!is_automatic(options.integrator)) return {options.integrator, {}};
   if (options.step.si() > 0.0) return newmark("the step is fixed.");
   if (model.degrees_of_freedom() > Automatic::most_degrees_of_freedom)
@@ -21,7 +21,7 @@ IntegratorChoice choose_integrator(Model& model, const TransientOptions& options
                    std::to_string(Automatic::most_degrees_of_freedom) + " degrees of freedom; this one has " +
                    std::to_string(model.degrees_of_freedom()) + ".");
   try {
-    exact.emplace(model, longest_step);
+    exact.emplace(model, control);
   } catch (const InputError& error) {
     return newmark("exact steps do not apply. " + std::string{error.what()});
   }

@@ -16,9 +16,9 @@ struct IntegratorChoice {
 };
 
 /// The integrator of the options, or the one that Automatic takes for this model, which must be prepared. For
-/// ExactBetweenEvents, its steps of at most `longest_step` s are made in `exact`. Throws InputError where the options
-/// ask for exact steps and the model is not linear between events.
-IntegratorChoice choose_integrator(Model& model, const TransientOptions& options, double longest_step,
+/// ExactBetweenEvents, its steps are made in `exact`, which keeps `control`. Throws InputError where the
+/// options ask for exact steps and the model is not linear between events.
+IntegratorChoice choose_integrator(Model& model, const TransientOptions& options, StepControl& control,
                                    std::optional<ExactSteps>& exact);
 
 }  // namespace moat

@@ -24,6 +24,9 @@ bool has_dampers_to_ground(const SparseMatrix& damping) {
 // Further halvings of the first step after a touch.
 constexpr int at_touch = 6;
 
+// Longer steps are tried again after so many.
+constexpr int steps_of_restraint = 8;
+
 // The factor of a step's error when its length doubles.
 double change_by_doubling(StepScheme scheme) { return scheme.order() == 4 ? 8.0 : 4.0; }
 
@@ -41,6 +44,7 @@ StepControl::StepControl(const Model& model, Options options)
   most_damped_ = resultants_.row_sums(matrix).cwiseQuotient(model.masses()).maxCoeff();
   // Absolute motion is smooth inside a step over several samples only if no force follows the velocity of the ground.
   if (has_dampers_to_ground(matrix)) options_.doublings = 0;
+  most_doublings_ = options_.doublings;
   for (int halvings = -options_.doublings; halvings <= options_.max_halvings; ++halvings)
     steps_.push_back(std::ldexp(options_.grid_interval, -halvings));
   restart(model, false);
@@ -66,7 +70,7 @@ StepControl::Step StepControl::next_step(const Model& model) {
   constexpr double durations_until_leaning = 4.0;
   const bool pounding = since_event_ < durations_until_leaning * contact && std::isfinite(contact);
   // The nominal step is halved further for the contact, for stability, and for the first steps after a touch.
-  int halvings = steps_within_samples_ > 0 ? std::max(halvings_, 0) : halvings_;
+  int halvings = std::max(halvings_, -most_doublings_);
   if (pounding)
     while (halvings < options_.max_halvings && step_at(halvings) * options_.steps_per_contact > contact) ++halvings;
   StepScheme scheme = StepScheme::average_acceleration();
@@ -171,7 +175,10 @@ bool StepControl::accepts(const Model& model, const StepTask& step, StepScheme s
 void StepControl::accepted(const Model& model, double h, PlanVector ground_acceleration) {
   if (!adaptive()) return;
   since_event_ += h;
-  steps_within_samples_ = std::max(steps_within_samples_ - 1, 0);
+  if (most_doublings_ < options_.doublings && --steps_until_more_ <= 0) {
+    ++most_doublings_;
+    steps_until_more_ = steps_of_restraint;
+  }
   scales_.accepted(model, h, ground_acceleration);
   watch_round_off(model);
   // The ramp after a touch does not count very short steps.
@@ -194,6 +201,12 @@ void StepControl::watch_round_off(const Model& model) {
       place_of_round_off_ = NodeId{i};
     }
   });
+}
+
+void StepControl::stay_below(double h) {
+  constexpr double shorter = 0.75;
+  while (most_doublings_ > 0 && step_at(-most_doublings_) > shorter * h) --most_doublings_;
+  steps_until_more_ = steps_of_restraint;
 }
 
 void StepControl::changed_inside(const Model& model) {

@@ -81,12 +81,21 @@ class StepControl {
     constexpr double round_off = 1e-9;
     return !adaptive() || step * options_.steps_per_contact <= contact * (1.0 + round_off);
   }
-  /// Whether the next step may be longer than one interval of the motion's samples.
-  [[nodiscard]] bool may_leave_samples() const {
-    return adaptive() && options_.doublings > 0 && steps_within_samples_ == 0;
+  /// The longest step of second order, s.
+  [[nodiscard]] double grid_interval() const { return options_.grid_interval; }
+  /// The longest exact step, s.
+  [[nodiscard]] double longest_exact_step() const {
+    return may_leave_samples() ? step_at(-most_doublings_) : options_.grid_interval;
   }
-  /// The next steps stay within one interval of the motion's samples.
-  void stay_within_samples() { steps_within_samples_ = 8; }
+  /// As given.
+  [[nodiscard]] double tolerance() const { return options_.tolerance; }
+  /// By which errors of accelerations are divided, m/s^2, one per node.
+  [[nodiscard]] const Vector& acceleration_scales() { return scales_.values(); }
+  /// Whether the next step may be longer than one interval of the motion's samples.
+  [[nodiscard]] bool may_leave_samples() const { return adaptive() && most_doublings_ > 0; }
+  /// The next steps are shorter than h s, or within one interval of the motion's samples. They may double again after
+  /// some steps.
+  void stay_below(double h);
   /// Elements changed their regime inside the last step.
   void changed_inside(const Model& model);
 
@@ -118,8 +127,9 @@ class StepControl {
   Vector scales_without_bends_;
   std::vector<double> steps_;  // the longest, divided by 1, 2, 4, ...; s
   int halvings_ = 0;
-  int ramp_ = 0;  // further halvings after a touch
-  int steps_within_samples_ = 0;
+  int ramp_ = 0;              // further halvings after a touch
+  int most_doublings_ = 0;    // at present, of the grid interval
+  int steps_until_more_ = 0;  // after which there is one more
   double since_event_ = 0.0;  // s
   double fewest_steps_per_contact_ = std::numeric_limits<double>::infinity();
   // Of the model with open gaps: bounds on the largest squared frequency, 1/s^2, and rate of damping, 1/s.

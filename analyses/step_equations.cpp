@@ -32,14 +32,14 @@ void StepEquations::begin(const StepTask& task, StepScheme scheme, Vector& guess
   const double square = (0.5 - scheme.beta) * h * h;
   if (scheme.corrects_velocity) {
     // Relative motion is absolute motion, which is smooth, minus that of the ground, which is known.
-    const GroundDeviation& deviation = task.ground_deviation;
+    deviation_ = task.ground ? task.ground->deviation() : GroundDeviation{};
     const GroundShares shares = model_->ground_shares();
     const double correction = h * h / 12.0;
     for (int i = 0; i < size(); ++i) {
       const double relative_jerk = jerk[i] - shares.of(task.ground_jerk, i);
       const double shift = correction * relative_jerk;
-      displacement[i] = u[i] + h * (v[i] + shift) + square * a[i] - deviation.displacement;
-      velocity[i] = v[i] + 2.0 * shift + (2.0 / 3.0) * h * a[i] - deviation.velocity;
+      displacement[i] = u[i] + h * (v[i] + shift) + square * a[i] - deviation_.displacement;
+      velocity[i] = v[i] + 2.0 * shift + (2.0 / 3.0) * h * a[i] - deviation_.velocity;
       first[i] = a[i] + h * relative_jerk;
     }
   } else {
@@ -136,8 +136,8 @@ void StepEquations::complete() {
                *end_acceleration = end.acceleration.data(), *end_jerk = end.jerk.data();
   double* __restrict velocity = end.velocity.data();
   for (int i = 0; i < size(); ++i)
-    velocity[i] = v[i] + half * (a[i] + end_acceleration[i]) - correction * (end_jerk[i] - jerk[i]) -
-                  task_.ground_deviation.velocity;
+    velocity[i] =
+        v[i] + half * (a[i] + end_acceleration[i]) - correction * (end_jerk[i] - jerk[i]) - deviation_.velocity;
 }
 
 void StepEquations::balance_committed_state(PlanVector ground_acceleration) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <limits>
+#include <optional>
 
 #include "analyses/resultants.hpp"
 #include "analyses/step_scheme.hpp"
@@ -20,8 +21,9 @@ struct StepTask {
   PlanVector ground_jerk{};                   ///< m/s^3, mean of the step; used by schemes that correct the velocity
   PlanVector ground_acceleration_at_start{};  ///< m/s^2
   double start_time = 0.0;                    ///< s
-  /// Of the whole step; used by schemes that correct the velocity. Zero in plan, where steps end at all samples.
-  GroundDeviation ground_deviation{};
+  /// The motion of the ground over several samples; none where its acceleration is linear. Models in plan have none:
+  /// their steps end at all samples.
+  std::optional<GroundSpan> ground{};
 };
 
 /// M a + f(u(a), v(a)) = -M (iota_x a_gx + iota_y a_gy) at the end of a step, or averaged over it (StepScheme); the
@@ -73,6 +75,7 @@ class StepEquations final : public NonlinearSystem {
   Factorisation factorisation_;
   SparseMatrix tangent_;
   StepTask task_;
+  GroundDeviation deviation_;  // of the ground in the whole step; used by schemes that correct the velocity
   Vector predicted_displacement_, predicted_velocity_;
   Vector of_start_;  // the share of the start in averaged equations
   // Largest force of every row: of the iterate, and of the last balanced step. All terms of a row may be zero at the

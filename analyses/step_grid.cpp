@@ -6,35 +6,27 @@
 #include <utility>
 
 namespace moat {
-namespace {
 
-// The first multiple of `step` after `time`; one that is closer than round-off is skipped.
-double next_grid_time(double time, double step) {
+double StepGrid::next_multiple(double time, double step) {
   const double position = time / step;
   const double coincident = std::max(1e-6, 8.0 * std::numeric_limits<double>::epsilon() * position);
   return static_cast<double>(static_cast<long>(position + coincident) + 1) * step;
 }
 
-}  // namespace
-
 StepGrid::StepGrid(const GroundMotion& motion, double start, double end)
     : motion_{&motion}, end_{end}, ground_{motion.components_at(start)} {}
-
-GroundSpan StepGrid::span(double start, double end) const {
-  return motion_ended_ ? GroundSpan{*motion_, end, end} : GroundSpan{*motion_, start, end};
-}
 
 StepTask StepGrid::task(double start, double end, double length) const {
   StepTask step{.length = length, .end_time = end, .ground_acceleration_at_start = ground_, .start_time = start};
   if (!motion_ended_) step.ground_acceleration = motion_->components_at(end);
   step.ground_jerk = (1.0 / length) * (step.ground_acceleration - ground_);
-  if (motion_->has_two_components()) return step;
-  if (const GroundSpan motion = span(start, end); !motion.is_straight()) step.ground_deviation = motion.deviation();
+  if (motion_ended_ || motion_->has_two_components()) return step;
+  if (const GroundSpan motion{*motion_, start, end}; !motion.is_straight()) step.ground = motion;
   return step;
 }
 
 StepTask StepGrid::next_step(double time, double length) const {
-  double target = std::min(next_grid_time(time, length), end_);
+  double target = std::min(next_multiple(time, length), end_);
   if (!motion_ended_) target = std::min(target, motion_->duration());
   // Exactly the nominal length in the regular case, so that the tangent and its factors stay the same.
   const double exact = std::abs(target - time - length) < 1e-9 * length ? length : target - time;
@@ -43,10 +35,7 @@ StepTask StepGrid::next_step(double time, double length) const {
 
 void StepGrid::accepted(const StepTask& step) {
   ground_ = step.ground_acceleration;
-  if (const GroundSpan motion = span(step.start_time, step.end_time); !motion.is_straight())
-    span_ = motion;
-  else
-    span_.reset();
+  span_ = step.ground;
 }
 
 StepTask StepGrid::first_part(const StepTask& step, double h) const {

@@ -23,6 +23,8 @@ class StepGrid {
   /// The ground's acceleration at the committed state, m/s^2.
   [[nodiscard]] PlanVector ground_acceleration() const { return ground_; }
 
+  /// The first multiple of `step` after `time`, both in s; one that is closer than round-off is skipped.
+  [[nodiscard]] static double next_multiple(double time, double step);
   /// The step from `time` to the next multiple of `length`, s.
   [[nodiscard]] StepTask next_step(double time, double length) const;
   /// The first h seconds of a step that next_step() returned.
@@ -32,8 +34,6 @@ class StepGrid {
   /// The ground's motion over the step accepted last, null where its acceleration is linear there.
   [[nodiscard]] const GroundSpan* ground_span() const { return span_ ? &*span_ : nullptr; }
 
-  /// The motion of the ground over a step; straight after its end.
-  [[nodiscard]] GroundSpan span(double start, double end) const;
   /// Whether the last sample is reached and end_motion() was not called yet.
   [[nodiscard]] bool reaches_end_of_motion(double time) const;
   /// After its last sample the ground is at rest. Its acceleration jumps to zero; it does not decrease linearly. False

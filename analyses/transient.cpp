@@ -29,8 +29,7 @@ Transient::Transient(Model& model, GroundMotion motion, TransientOptions options
       inside_{step_, options_.events},
       chatter_{options_.max_events_per_second} {
   check_components(model, motion_);
-  const IntegratorChoice choice =
-      choose_integrator(model, options_, longest_step(options_, motion_.time_step()), exact_);
+  const IntegratorChoice choice = choose_integrator(model, options_, implicit_.control(), exact_);
   options_.integrator = choice.integrator;
   choice_ = choice.reason;
   constexpr std::size_t most_at_one_instant = 64;  // more is rare
@@ -58,10 +57,9 @@ void Transient::advance() {
   observers_.start(view(true));
   if (grid_.reaches_end_of_motion(model_->state().time)) end_motion();
   double h = take_step();
-  const RegimeScan seen = step_.scan(h);
-  margin_ = seen.margin;
+  margin_ = seen_.margin;
   crossing_ = Crossing::none;
-  if (seen.crossed || !changes_.empty()) h = treat_crossing(h, seen);
+  if (seen_.crossed || !changes_.empty()) h = treat_crossing(h);
   commit(step_.first_part(h));
   observers_.step(view(h == step_.whole().length));
   if (crossing_ == Crossing::inside) report_changes_inside();
@@ -70,7 +68,7 @@ void Transient::advance() {
 }
 
 // Solves a step of the length that the stepper proposes, or a shorter one if it does not converge or its error is too
-// large. Returns the length of the trial step.
+// large. Returns the length of the trial step, whose changes are seen_.
 double Transient::take_step() {
   Stepper& stepper = exact_ && exact_->applies() ? static_cast<Stepper&>(*exact_) : implicit_;
   for (bool foresee = true;; ++statistics_.repeated_steps) {
@@ -80,8 +78,10 @@ double Transient::take_step() {
     const double h = step_.solve_cutting(step_.whole().length);
     // Changes that were foreseen belong to the whole step.
     const bool cut = h != step_.whole().length && !changes_.empty();
-    const bool hides = stepper.may_leave_samples() && hides_motion(step_, grid_, h, margin_);
-    if (hides) implicit_.control().stay_within_samples();
+    seen_ = step_.scan(h);
+    const bool hides =
+        stepper.may_leave_samples() && hides_motion(*model_, step_.first_part(h), std::min(margin_, seen_.margin));
+    if (hides) implicit_.control().stay_below(h);
     if (!cut && !hides && stepper.accepts(step_.first_part(h), changes_)) return h;
     model_->undo_changes_inside();
     foresee = foresee && !cut;
@@ -90,9 +90,9 @@ double Transient::take_step() {
 
 // Elements change their regime in the trial step of length h: crosses the changes or ends the step at the first.
 // Returns the length of the trial step after that.
-double Transient::treat_crossing(double h, const RegimeScan& seen) {
-  RegimeScan last = seen;
-  if (inside_.wanted(seen.crossings)) {
+double Transient::treat_crossing(double h) {
+  RegimeScan last = seen_;
+  if (inside_.wanted(seen_.crossings)) {
     if (inside_.settle(h, changes_)) {
       crossing_ = Crossing::inside;
       return h;

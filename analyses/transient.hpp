@@ -71,7 +71,7 @@ class Transient {
 
  private:
   double take_step();
-  double treat_crossing(double h, const RegimeScan& seen);
+  double treat_crossing(double h);
   void commit(const StepTask& step);
   void change_regimes_at_end();
   void report_changes_inside();
@@ -93,6 +93,7 @@ class Transient {
   ChatterGuard chatter_;
   Observers observers_;
   std::vector<RegimeChange> changes_;  // of the last step
+  RegimeScan seen_;                    // in the last trial step
   double margin_ = 0.0;                // at the end of the last step, m
   enum class Crossing { none, located, inside } crossing_ = Crossing::none;
 };

@@ -12,7 +12,7 @@ const TransientOptions& checked(const TransientOptions& options, const GroundMot
   std::visit([&](const auto& integrator) { integrator.check(check); }, options.integrator);
   check.not_negative("step", options.step);
   check.that(!is_exact(options.integrator) || options.step.si() == 0.0, "step", options.step.si(), "s",
-             "0 s with ExactBetweenEvents{}", "It steps from sample to sample, and adapts in contact.");
+             "0 s with ExactBetweenEvents{}", "Its steps adapt themselves.");
   check.that(options.tolerance >= 1e-12 && options.tolerance < 1.0, "tolerance", options.tolerance, "1",
              ">= 1e-12 and < 1", to_text(TransientOptions{}.tolerance) + " is the default; below 1e-12 is round-off.");
   check.that(options.steps_per_contact >= 4, "steps_per_contact", options.steps_per_contact, "1", ">= 4");

@@ -35,7 +35,8 @@ struct TransientOptions {
 
   /// >= 1e-12, < 1. Adaptive step: the error of acceleration that one step should add at any node, relative to the
   /// scale of the absolute acceleration there (analyses/acceleration_scales.hpp); above twice that a step is repeated.
-  /// Steps are the longest step divided by powers of two.
+  /// Steps are the longest step divided by powers of two. Exact steps: sixteen times this is the error of the cubic
+  /// between the ends of a step, on the same scale.
   double tolerance = 3e-5;
 
   /// >= 4. Adaptive step: steps within the duration of one contact, estimated with the masses of the joined nodes
@@ -44,8 +45,8 @@ struct TransientOptions {
 
   /// >= 0 s. Adaptive step, and exact steps: the longest step. It is the interval of the samples times or divided by a
   /// power of two, the longest that is at most this; 0: 0.04 s, with histories (CaseOptions) the interval of their
-  /// rows, or the interval of the samples if that is longer. Steps of schemes of second order, and exact steps, are
-  /// never longer than the interval of the samples.
+  /// rows, or the interval of the samples if that is longer. Steps of schemes of second order are never longer than the
+  /// interval of the samples.
   Time largest_step{};
 
   /// >= 0, <= 40. Adaptive step: how often the interval of the samples, or largest_step if that is shorter, may be

@@ -1,5 +1,8 @@
 #include "motions/ground_span.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 #include "base/hermite.hpp"
 
 namespace moat {
@@ -31,6 +34,17 @@ GroundSpan::Path GroundSpan::path_to(double time) const {
     advance_to_sample(path, sample);
   path.advance(time, deviation_of(motion_->acceleration_at(time), time));
   return path;
+}
+
+// A bump is an integral of kernel times deviation. At the middle of the step, where they are largest, the integrals of
+// the magnitudes of the kernels are h^2/16 and h/2.
+GroundSpan::BumpBounds GroundSpan::bump_bounds() const {
+  double largest = 0.0;
+  for (long sample = first_sample_; sample <= last_sample_; ++sample)
+    largest = std::max(largest, std::abs(deviation_of(motion_->samples()[static_cast<std::size_t>(sample)],
+                                                      static_cast<double>(sample) * motion_->time_step())));
+  const double h = length();
+  return {.displacement = largest * h * h / 16.0, .velocity = 0.5 * largest * h};
 }
 
 GroundBump GroundSpan::bump_at(const Path& path, const GroundDeviation& end) const {

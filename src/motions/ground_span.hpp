@@ -53,6 +53,13 @@ class GroundSpan {
   [[nodiscard]] GroundDeviation deviation() const { return is_straight() ? GroundDeviation{} : deviation_at(end_); }
   /// At a time inside, s.
   [[nodiscard]] GroundBump bump_at(double time) const { return bump_at(path_to(time), deviation()); }
+  /// No bump inside is larger than these.
+  struct BumpBounds {
+    double displacement = 0.0;  ///< m
+    double velocity = 0.0;      ///< m/s
+  };
+  /// With the largest deviation d of a sample inside: d h^2/16 and d h/2. They cost far less than the bumps themselves.
+  [[nodiscard]] BumpBounds bump_bounds() const;
   /// Calls visit(bump) at every sample strictly inside, in order.
   template <class Visit>
   void for_each_bump_inside(const Visit& visit) const;

@@ -22,6 +22,8 @@ Channels::Channels(const Model& model) {
     list_.push_back({"total_base_shear", building.base_name(), building.base_name(), "N"});
     of_ground_.push_back(OfGround::nothing);
   }
+  for (std::size_t i = 0; i < list_.size(); ++i)
+    if (contains_ground(i)) relative_to_ground_.push_back(i);
 }
 
 void Channels::add_elements(const Model& model, std::size_t b) {

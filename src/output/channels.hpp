@@ -38,7 +38,9 @@ class Channels {
   };
   /// The bump is that of the instant inside the step.
   [[nodiscard]] Inside with_ground(std::size_t channel, const GroundBump& bump) const;
-  /// Whether a channel is relative to the ground.
+  /// The channels that are relative to the ground, ascending.
+  [[nodiscard]] const std::vector<std::size_t>& relative_to_ground() const { return relative_to_ground_; }
+  /// Whether a channel is.
   [[nodiscard]] bool contains_ground(std::size_t channel) const { return of_ground_[channel] != OfGround::nothing; }
 
   /// The channels whose rates jump where an element changes its regime: accelerations of its nodes, base shears.
@@ -76,7 +78,8 @@ class Channels {
   // How each channel contains the motion of the ground: minus its displacement, for example, for a node's displacement.
   enum class OfGround { nothing, displacement, minus_displacement, minus_velocity };
   std::vector<OfGround> of_ground_;
-  PlanChannels plan_;  // behind all others; on a line without channels
+  std::vector<std::size_t> relative_to_ground_;  // the channels of which it is not `nothing`
+  PlanChannels plan_;                            // behind all others; on a line without channels
   // Rotations, by the channel of w: 1/gyration.
   struct Rotation {
     std::size_t channel;

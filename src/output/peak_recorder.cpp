@@ -10,6 +10,8 @@
 namespace moat {
 
 PeakRecorder::PeakRecorder(const Model& model) : model_{&model}, channels_{model}, peaks_{channels_.list().size()} {
+  constexpr std::size_t most_samples_in_a_step = 16;  // more are rare
+  bumps_.reserve(most_samples_in_a_step);
   for (const auto& block : model.blocks())
     for (std::size_t e = 0; has_gaps(*block) && e < block->size(); ++e) gaps_.insert(block->info(e).name);
 }
@@ -50,16 +52,16 @@ void PeakRecorder::add_slide_begins() {
 // followed from sample to sample.
 void PeakRecorder::add_samples_inside(const GroundSpan& span) {
   const double h = span.length();
-  double largest_bump = 0.0;  // m or m/s
+  const GroundSpan::BumpBounds bounds = span.bump_bounds();
+  const GroundBump largest{.displacement = bounds.displacement, .velocity = bounds.velocity};
   bumps_.clear();
-  span.for_each_bump_inside([&](const GroundBump& bump) {
-    largest_bump = std::max({largest_bump, std::abs(bump.displacement), std::abs(bump.velocity)});
-    bumps_.push_back(bump);
-  });
-  for (std::size_t i = 0; i < peaks_.size(); ++i) {
-    if (!channels_.contains_ground(i)) continue;
-    const Instant start = peaks_.start_of(i), end = peaks_.last_of(i);
-    if (reach_of_cubic(start, end) + 2.0 * largest_bump <= peaks_.magnitude(i)) continue;
+  const CommonInstant &from = peaks_.start(), &to = peaks_.last();
+  for (const std::size_t i : channels_.relative_to_ground()) {
+    const Instant start{from.time, from.values[i], from.rates[i]}, end{to.time, to.values[i], to.rates[i]};
+    // The cubic between two bumps may exceed both.
+    const double reach_of_bumps = 2.0 * std::abs(channels_.with_ground(i, largest).value);
+    if (reach_of_cubic(start, end) + reach_of_bumps <= peaks_.magnitude(i)) continue;
+    if (bumps_.empty()) span.for_each_bump_inside([&](const GroundBump& bump) { bumps_.push_back(bump); });
     const HermiteCubic cubic{start.value, start.rate, end.value, end.rate, h};
     PeakTracker path;
     path.restart(start.time, start.value, start.rate);

@@ -79,9 +79,6 @@ class PeakTrackers {
     times_[i] = time;
   }
 
-  [[nodiscard]] Instant start_of(std::size_t i) const { return of(start(), i); }  ///< One quantity at start().
-  [[nodiscard]] Instant last_of(std::size_t i) const { return of(last(), i); }    ///< One quantity at last().
-
   /// The value with the largest magnitude, the first of equal ones; 0 if there is none.
   [[nodiscard]] double value(std::size_t i) const { return values_[i]; }
   [[nodiscard]] double magnitude(std::size_t i) const { return std::abs(values_[i]); }  ///< Of value().

@@ -85,5 +85,43 @@ TEST(GroundSpan, AgreesWithTheVelocityAndDisplacementOfTheMotion) {
     }
 }
 
+TEST(GroundSpan, NoBumpIsLargerThanItsBounds) {
+  const GroundMotion motion = irregular_motion();
+  double closest = 0.0;
+  for (int i = 0; i < 180; ++i) {
+    for (const int intervals : {2, 3, 4, 8, 16}) {
+      const double start = 0.02 * i + (i % 3 == 0 ? 0.007 : 0.0), end = 0.02 * (i + intervals);
+      const GroundSpan span{motion, start, end};
+      const GroundSpan::BumpBounds bounds = span.bump_bounds();
+      for (int k = 1; k < 50; ++k) {
+        const GroundBump bump = span.bump_at(start + (end - start) * k / 50.0);
+        ASSERT_LE(std::abs(bump.displacement), bounds.displacement);
+        ASSERT_LE(std::abs(bump.velocity), bounds.velocity);
+        closest = std::max(closest, std::abs(bump.displacement) / bounds.displacement);
+      }
+    }
+  }
+  EXPECT_GT(closest, 0.4);
+}
+
+// The deviation with the largest bumps changes its sign where their kernels do.
+TEST(GroundSpan, TheBoundsOfBumpsAreSharp) {
+  constexpr double interval = 1e-3, d = 3.0;
+  constexpr int count = 4000;
+  std::vector<double> of_displacement(count + 1), of_velocity(count + 1);
+  for (int i = 1; i < count; ++i) {
+    const double x = static_cast<double>(i) / count;
+    of_displacement[static_cast<std::size_t>(i)] = x < 0.25 || x > 0.75 ? d : -d;
+    of_velocity[static_cast<std::size_t>(i)] = x < 0.5 ? d : -d;
+  }
+  const GroundMotion first{"first", interval, of_displacement}, second{"second", interval, of_velocity};
+  const double end = interval * count;
+  const GroundSpan one{first, 0.0, end}, other{second, 0.0, end};
+  EXPECT_NEAR(std::abs(one.bump_at(0.5 * end).displacement), one.bump_bounds().displacement,
+              0.01 * one.bump_bounds().displacement);
+  EXPECT_NEAR(std::abs(other.bump_at(0.5 * end).velocity), other.bump_bounds().velocity,
+              0.01 * other.bump_bounds().velocity);
+}
+
 }  // namespace
 }  // namespace moat
