@@ -44,7 +44,6 @@ StepControl::StepControl(const Model& model, Options options)
   most_damped_ = resultants_.row_sums(matrix).cwiseQuotient(model.masses()).maxCoeff();
   // Absolute motion is smooth inside a step over several samples only if no force follows the velocity of the ground.
   if (has_dampers_to_ground(matrix)) options_.doublings = 0;
-  most_doublings_ = options_.doublings;
   for (int halvings = -options_.doublings; halvings <= options_.max_halvings; ++halvings)
     steps_.push_back(std::ldexp(options_.grid_interval, -halvings));
   restart(model, false);
@@ -177,7 +176,7 @@ void StepControl::accepted(const Model& model, double h, PlanVector ground_accel
   since_event_ += h;
   if (most_doublings_ < options_.doublings && --steps_until_more_ <= 0) {
     ++most_doublings_;
-    steps_until_more_ = steps_of_restraint;
+    steps_until_more_ = restraint_;
   }
   scales_.accepted(model, h, ground_acceleration);
   watch_round_off(model);
@@ -206,7 +205,7 @@ void StepControl::watch_round_off(const Model& model) {
 void StepControl::stay_below(double h) {
   constexpr double shorter = 0.75;
   while (most_doublings_ > 0 && step_at(-most_doublings_) > shorter * h) --most_doublings_;
-  steps_until_more_ = steps_of_restraint;
+  restraint_ = steps_until_more_ = steps_of_restraint;
 }
 
 void StepControl::changed_inside(const Model& model) {
@@ -216,6 +215,9 @@ void StepControl::changed_inside(const Model& model) {
 
 void StepControl::restart(const Model& model, bool touched) {
   ramp_ = touched ? at_touch : 0;
+  // An element is at its margin now: the first step stays within an interval of the samples.
+  most_doublings_ = 0;
+  restraint_ = steps_until_more_ = 1;
   since_event_ = 0.0;
   if (adaptive()) scales_.regimes_changed(model);
 }

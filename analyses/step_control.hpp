@@ -130,6 +130,7 @@ class StepControl {
   int ramp_ = 0;              // further halvings after a touch
   int most_doublings_ = 0;    // at present, of the grid interval
   int steps_until_more_ = 0;  // after which there is one more
+  int restraint_ = 1;         // steps from one more to the next
   double since_event_ = 0.0;  // s
   double fewest_steps_per_contact_ = std::numeric_limits<double>::infinity();
   // Of the model with open gaps: bounds on the largest squared frequency, 1/s^2, and rate of damping, 1/s.
