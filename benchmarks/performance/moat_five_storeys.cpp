@@ -1,9 +1,10 @@
 #include "performance/moat_five_storeys.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <moat.hpp>
 
-#include "output/peak_recorder.hpp"
+#include "output/peak_trackers.hpp"
 #include "paper/paper_building.hpp"
 
 namespace moat::performance {
@@ -20,6 +21,51 @@ Peaks five_of(const std::vector<Peak>& peaks) {
           peak_of(peaks, "absolute_acceleration", "base"), peak_of(peaks, "absolute_acceleration", "floor 5"),
           peak_of(peaks, "impact_force", "moat")};
 }
+
+// The five peaks alone, as the loops written by hand follow them.
+class FivePeakObserver final : public StepObserver {
+ public:
+  explicit FivePeakObserver(const Model& model) : top_{model.node_count() - 1} {
+    for (const auto& block : model.blocks())
+      if (block->size() > 0 && block->contacts() != nullptr) gaps_ = block.get();
+  }
+
+  void start(const StepView& view) override { step(view); }
+  void step(const StepView& view) override {
+    sample(view);
+    peaks_.add([](std::size_t, double, double turned) { return turned; });
+  }
+  void event(const StepView& view, std::span<const RegimeChange> changes) override {
+    if (!values_jump(changes)) return;
+    sample(view);
+    peaks_.restart();
+  }
+
+  [[nodiscard]] Peaks peaks() const {
+    const auto peak = [&](std::size_t i) { return peaks_.magnitude(i); };
+    return {peak(0), peak(1), peak(2), peak(3), std::max(peak(4), peak(5))};
+  }
+
+ private:
+  void sample(const StepView& view) {
+    const MotionState& state = view.model.state();
+    const ElementResults gaps = gaps_->results();
+    CommonInstant& next = peaks_.next();
+    next.time = state.time;
+    std::size_t i = 0;
+    const auto add = [&](double value, double rate) {
+      next.values[i] = value;
+      next.rates[i++] = rate;
+    };
+    for (const int node : {0, top_}) add(state.displacement[node], state.velocity[node]);
+    for (const int node : {0, top_}) add(state.acceleration[node] + view.ground_acceleration, state.jerk[node]);
+    for (const std::size_t gap : {std::size_t{0}, std::size_t{1}}) add(gaps.forces[gap], gaps.force_rates[gap]);
+  }
+
+  int top_;
+  const ElementBlock* gaps_ = nullptr;
+  PeakTrackers peaks_{6};
+};
 
 }  // namespace
 
@@ -45,10 +91,10 @@ Model five_storey_model(bool locate_yield) {
 Peaks moat_peaks(const Model& model, const GroundMotion& motion, const TransientOptions& options) {
   Model copy = model;
   Transient analysis{copy, motion, options};
-  PeakRecorder recorder{copy};
-  analysis.attach(recorder);
+  FivePeakObserver observer{copy};
+  analysis.attach(observer);
   analysis.run();
-  return five_of(recorder.peaks());
+  return observer.peaks();
 }
 
 Peaks moat_case(const Model& model, const GroundMotion& motion, const TransientOptions& options,

@@ -9,7 +9,8 @@ namespace moat::performance {
 /// The building in its moat; `locate_yield` as in LeadRubberBearing.
 Model five_storey_model(bool locate_yield = true);
 
-/// Analyses a copy of the model, followed by a PeakRecorder alone: peaks of all channels of the model.
+/// Analyses a copy of the model, followed by an observer of the five peaks alone: the work of the loops written by
+/// hand.
 Peaks moat_peaks(const Model& model, const GroundMotion& motion, const TransientOptions& options);
 
 /// The same as a script does it, up to its results in memory: CaseRun with peaks, energy ledger, impacts, histories,
