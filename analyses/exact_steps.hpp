@@ -79,7 +79,7 @@ class ExactSteps final : public Stepper {
   std::vector<LinearSystem> systems_;
   std::size_t current_ = 0;
   SparseMatrix stiffness_, damping_;
-  Vector offset_;  // -M^-1 f0
+  Vector offset_;        // -M^-1 f0
   double wanted_ = 0.0;  // length of the next step, if the system allows it; s
   Earlier earlier_;
 

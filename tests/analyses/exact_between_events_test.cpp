@@ -316,8 +316,8 @@ TEST(ExactBetweenEvents, RefusesAVibrationFarFasterThanTheSamples) {
 TEST(ExactBetweenEvents, ListsTheExactPartsAmongTheAssumptions) {
   Model model = oscillator(10.0, 0.0, 0.0, 0.0);
   const Transient analysis{model, still_ground(1 * s), exact_options()};
-  EXPECT_TRUE(analysis.assumptions().front().starts_with(
-      "Exact steps while no gap is closed; in contact: Newmark's method"))
+  EXPECT_TRUE(
+      analysis.assumptions().front().starts_with("Exact steps while no gap is closed; in contact: Newmark's method"))
       << analysis.assumptions().front();
 }
 
