@@ -45,7 +45,7 @@ double longest_step(const TransientOptions& options, double sample_interval) {
 
 double longest_step_of_any(const TransientOptions& options, double sample_interval) {
   if (options.step.si() > 0.0) return options.step.si();
-  const bool chosen = is_exact(options.integrator) || scheme_of(options.integrator);
+  const bool chosen = scheme_of(options.integrator).has_value();
   return std::ldexp(longest_step(options, sample_interval),
                     chosen ? 0 : doublings_of_longest_step(options, sample_interval));
 }

@@ -29,10 +29,12 @@ constexpr double median_bound_with_default_settings = 2e-4;
 // Tight settings have no promise; errors are those of location and of the corners of bearings that are not located.
 constexpr double bound_with_tight_settings = 1e-5;
 
-CaseResult run(const PlainModel& plain, TransientOptions options, LocateYield locate = LocateYield::as_drawn) {
+// Steps are at most as long as the interval of the histories: 0 s is that of the samples.
+CaseResult run(const PlainModel& plain, TransientOptions options, LocateYield locate = LocateYield::as_drawn,
+               Time history_interval = {}) {
   Model model = moat_model(plain, locate);
   options.end = plain.end * units::s;
-  return run_case(model, moat_motion(plain.motion), {.transient = options});
+  return run_case(model, moat_motion(plain.motion), {.transient = options, .history_interval = history_interval});
 }
 
 double worst_error(const CaseResult& result, const ReferenceResult& reference) {
@@ -59,9 +61,14 @@ TEST(RandomModels, PeaksAndImpactsAreThoseOfTheReference) {
     EXPECT_LT(worst_error(tight, reference.result), bound_with_tight_settings);
     default_errors.push_back(worst_error(run(plain, {}), reference.result));
     EXPECT_LT(default_errors.back(), bound_with_default_settings);
-    const CaseResult exact = run(plain, {.integrator = ExactBetweenEvents{}}, LocateYield::always);
-    EXPECT_EQ(exact.impacts.size(), reference.result.touches.size());
-    EXPECT_LT(worst_error(exact, reference.result), bound_of_exact_steps);
+    constexpr Time over_samples = 40 * units::ms;
+    EXPECT_LT(worst_error(run(plain, {}, LocateYield::as_drawn, over_samples), reference.result),
+              bound_with_default_settings);
+    for (const Time history_interval : {Time{}, over_samples}) {
+      const CaseResult exact = run(plain, {.integrator = ExactBetweenEvents{}}, LocateYield::always, history_interval);
+      EXPECT_EQ(exact.impacts.size(), reference.result.touches.size());
+      EXPECT_LT(worst_error(exact, reference.result), bound_of_exact_steps);
+    }
   }
   std::sort(default_errors.begin(), default_errors.end());
   EXPECT_LT(default_errors[models / 2], median_bound_with_default_settings);

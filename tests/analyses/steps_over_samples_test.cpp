@@ -265,6 +265,30 @@ TEST(ExactStepsOverSamples, BecomeShorterWhereTheMotionNeedsIt) {
   EXPECT_GT(analysis.statistics().accepted_steps - steps_before, 2 * steps_before);
 }
 
+TEST(ExactStepsOverSamples, StateTheirLongestStep) {
+  Model model = tower(0.0);
+  Transient analysis{model, rough_motion(), {.integrator = ExactBetweenEvents{}}};
+  EXPECT_NE(analysis.assumptions().front().find("at most 0.04 s"), std::string::npos) << analysis.assumptions().front();
+}
+
+// Rows lie inside such steps, too. Energies are linear there, between the ends of steps.
+TEST(ExactStepsOverSamples, HaveAllRowsOfHistories) {
+  const Model model = tower(0.04);
+  const CaseResult at_ends = result_of(model, {.integrator = ExactBetweenEvents{}}),
+                   inside = result_of(model, {.integrator = ExactBetweenEvents{}, .largest_step = 40 * ms});
+  EXPECT_DOUBLE_EQ(at_ends.solver.longest_step, interval);
+  EXPECT_GE(inside.solver.longest_step, 2.0 * interval);
+  ASSERT_EQ(inside.histories.rows(), at_ends.histories.rows());
+  for (const auto& [quantity, allowed] :
+       {std::pair{"time", 1e-12}, {"displacement", 1e-3}, {"absolute_acceleration", 1e-3}, {"input_energy", 2e-3}}) {
+    const std::vector<double>&expected = column(at_ends, quantity), &found = column(inside, quantity);
+    double largest = 0.0;
+    for (const double value : expected) largest = std::max(largest, std::abs(value));
+    for (std::size_t i = 0; i < expected.size(); ++i)
+      ASSERT_NEAR(found[i], expected[i], allowed * largest) << quantity << " " << i;
+  }
+}
+
 TEST(ExactStepsOverSamples, BalanceTheirEnergy) {
   for (const double clearance : {0.0, 0.04}) {
     Model model = tower(clearance);
