@@ -6,6 +6,7 @@
 
 #include "analyses/step_grid.hpp"
 #include "base/check.hpp"
+#include "base/hermite.hpp"
 
 namespace moat {
 namespace {
@@ -14,16 +15,8 @@ namespace {
 // memory.
 constexpr std::size_t most_systems = 256;
 
-// The weights of values and rates at both ends in a cubic.
-struct CubicWeights {
-  double first, first_rate, last, last_rate;
-  // At a fraction x of h seconds.
-  CubicWeights(double x, double h)
-      : first{(1.0 - x) * (1.0 - x) * (1.0 + 2.0 * x)},
-        first_rate{h * x * (1.0 - x) * (1.0 - x)},
-        last{x * x * (3.0 - 2.0 * x)},
-        last_rate{-h * x * x * (1.0 - x)} {}
-};
+// Of a piece: lengths that differ by less are equal.
+constexpr double round_off = 1e-9;
 
 // At a time inside a step.
 double ground_at(const StepTask& step, double time) {
@@ -110,7 +103,6 @@ void ExactSteps::begin(const StepTask& step) {
   ground_[0] = step.ground_acceleration_at_start.x;
   pieces_ = 0;
   if (step.length > piece) {
-    constexpr double round_off = 1e-9;
     double end = StepGrid::next_multiple(step.start_time, piece) - step.start_time;
     for (; end < (1.0 - round_off) * step.length && pieces_ < most_pieces; end += piece) {
       ends_[pieces_++] = end;
@@ -138,7 +130,6 @@ void ExactSteps::advance_to(std::size_t piece) {
     double* end = path_.col(static_cast<Eigen::Index>(known_) + 1).data();
     const LinearSystem& system = systems_[current_];
     const double length = ends_[known_] - start_of(known_);
-    constexpr double round_off = 1e-9;
     if (std::abs(length - system.step()) <= round_off * system.step()) {
       system.advance(start, end + LinearStart::motion);
     } else {
@@ -206,16 +197,14 @@ bool ExactSteps::interpolates(const StepTask& step) const {
   const Eigen::Index n = model_->degrees_of_freedom();
   const Vector& scales = control_->acceleration_scales();
   const MotionState &from = model_->state(), &to = model_->trial();
-  const double *a0 = from.acceleration.data(), *j0 = from.jerk.data(), *a1 = to.acceleration.data(),
-               *j1 = to.jerk.data();
-  const double allowed = cubics_within * control_->tolerance();
-  for (std::size_t piece = 1; piece < pieces_; ++piece) {
-    const CubicWeights weights{start_of(piece) / step.length, step.length};
-    const double* there = path_.col(static_cast<Eigen::Index>(piece)).data() + LinearStart::motion + 2 * n;
-    for (Eigen::Index i = 0; i < n; ++i) {
-      const double cubic = weights.first * (a0[i] + ground_[0]) + weights.first_rate * j0[i] +
-                           weights.last * (a1[i] + ground_[pieces_]) + weights.last_rate * j1[i];
-      if (std::abs(cubic - (there[i] + ground_[piece])) > allowed * scales[i]) return false;
+  const double h = step.length, allowed = cubics_within * control_->tolerance();
+  for (Eigen::Index i = 0; i < n; ++i) {
+    const HermiteCubic cubic{from.acceleration[i] + ground_[0], from.jerk[i], to.acceleration[i] + ground_[pieces_],
+                             to.jerk[i], h};
+    const Eigen::Index row = LinearStart::motion + 2 * n + i;
+    for (std::size_t piece = 1; piece < pieces_; ++piece) {
+      const double exact = path_(row, static_cast<Eigen::Index>(piece)) + ground_[piece];
+      if (std::abs(cubic.value(start_of(piece) / h) - exact) > allowed * scales[i]) return false;
     }
   }
   return true;
@@ -225,16 +214,14 @@ bool ExactSteps::interpolates(const StepTask& step) const {
 // alternate.
 bool ExactSteps::would_interpolate_doubled(const StepTask& step) const {
   if (earlier_.length != step.length || wanted_ > step.length) return false;
-  const Eigen::Index n = model_->degrees_of_freedom();
   const Vector& scales = control_->acceleration_scales();
   const MotionState &middle = model_->state(), &to = model_->trial();
   constexpr double reserve = 0.5;
   const double allowed = reserve * cubics_within * control_->tolerance();
-  const CubicWeights weights{0.5, 2.0 * step.length};
-  for (Eigen::Index i = 0; i < n; ++i) {
-    const double cubic = weights.first * earlier_.acceleration[i] + weights.first_rate * earlier_.jerk[i] +
-                         weights.last * (to.acceleration[i] + ground_[pieces_]) + weights.last_rate * to.jerk[i];
-    if (std::abs(cubic - (middle.acceleration[i] + ground_[0])) > allowed * scales[i]) return false;
+  for (Eigen::Index i = 0; i < scales.size(); ++i) {
+    const HermiteCubic cubic{earlier_.acceleration[i], earlier_.jerk[i], to.acceleration[i] + ground_[pieces_],
+                             to.jerk[i], 2.0 * step.length};
+    if (std::abs(cubic.value(0.5) - (middle.acceleration[i] + ground_[0])) > allowed * scales[i]) return false;
   }
   return true;
 }
