@@ -16,10 +16,15 @@ namespace {
 /// Largest relative change of the reference's peaks with half the steps for which a model is compared.
 constexpr double settled_reference = 1e-5;
 
+/// Studies have no histories; their steps reach over several samples.
+constexpr Time longest_in_a_study = 40 * units::ms;
+
 std::vector<TrialSetting> trial_settings() {
   return {{"default", {}, testing::LocateYield::as_drawn},
           {"tight", {.tolerance = 1e-7, .steps_per_contact = 512}, testing::LocateYield::as_drawn},
-          {"exact", {.integrator = ExactBetweenEvents{}}, testing::LocateYield::always}};
+          {"exact", {.integrator = ExactBetweenEvents{}}, testing::LocateYield::always},
+          {"default in a study", {}, testing::LocateYield::as_drawn, longest_in_a_study},
+          {"exact in a study", {.integrator = ExactBetweenEvents{}}, testing::LocateYield::always, longest_in_a_study}};
 }
 
 bool usable(const TrialModel& model) { return model.failed.empty() && model.reference.settled(settled_reference); }

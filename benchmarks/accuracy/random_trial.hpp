@@ -17,6 +17,7 @@ struct TrialSetting {
   std::string name;
   TransientOptions options;
   testing::LocateYield locate = testing::LocateYield::as_drawn;
+  Time history_interval{};  ///< 0 s: that of the motion, so that no step is longer
 };
 
 /// A peak of moat beside the reference.

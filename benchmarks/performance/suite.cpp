@@ -15,7 +15,7 @@ using namespace units;
 namespace {
 
 /// With a file that keeps its cases.
-StudyResult study(const std::vector<GroundMotion>& motions, int gaps, int threads) {
+StudyResult study(const std::vector<GroundMotion>& motions, int gaps, int threads, const Integrator& integrator) {
   const StudyCases cases{{.name = "gap", .unit = "cm", .values = linearly_spaced(10, 50, gaps)},
                          StudyAxis::of_names("record", paper::record_labels())};
   const std::filesystem::path folder = std::filesystem::temp_directory_path() / "moat_benchmark_suite";
@@ -27,7 +27,7 @@ StudyResult study(const std::vector<GroundMotion>& motions, int gaps, int thread
                      paper::add_pounding(one.model, {}, each.value("gap") * cm);
                      return one;
                    },
-                   {.threads = threads, .store = &store});
+                   {.threads = threads, .transient = {.integrator = integrator}, .store = &store});
 }
 
 /// CPU time of the analyses alone, with their peaks, s.
@@ -69,18 +69,21 @@ void suite(Record& record, const Options& options) {
   const std::vector<GroundMotion> motions = paper::scaled_records();
   const int gaps = options.quick ? 6 : 41;
   const auto histories = static_cast<double>(gaps * 4);
-  std::vector<double> one, two, per_second, work_on_one, work_on_two, alone;
+  std::vector<double> one, two, per_second, per_second_automatic, work_on_one, work_on_two, alone;
   bool same = true;
   // Wall clock: waiting counts for the gain of a second core, too. CPU time separates work that two threads make slower
   // from other programs on the machine.
   for (int round = -1; round < options.rounds; ++round) {
     double start = seconds(Clock::wall), work = process_seconds();
-    const StudyResult on_one = study(motions, gaps, 1);
+    const StudyResult on_one = study(motions, gaps, 1, Newmark{});
     const double taken_by_one = seconds(Clock::wall) - start, work_by_one = process_seconds() - work;
     start = seconds(Clock::wall);
     work = process_seconds();
-    const StudyResult on_two = study(motions, gaps, 2);
+    const StudyResult on_two = study(motions, gaps, 2, Newmark{});
     const double taken_by_two = seconds(Clock::wall) - start, work_by_two = process_seconds() - work;
+    work = process_seconds();
+    study(motions, gaps, 1, Automatic{});
+    const double work_by_automatic = process_seconds() - work;
     const double work_of_analyses = analyses(motions, gaps);
     same = same && equal(on_one, on_two);
     if (round < 0) continue;
@@ -90,6 +93,7 @@ void suite(Record& record, const Options& options) {
     alone.push_back(work_of_analyses);
     work_on_two.push_back(work_by_two);
     per_second.push_back(histories / work_by_one);
+    per_second_automatic.push_back(histories / work_by_automatic);
   }
   Table table{{"Study of " + std::to_string(gaps) + " gaps x 4 motions", "Measured", "Target"}};
   const auto show = [&](const std::string& name, const Spread& value, std::optional<Target> target = {}) {
@@ -97,6 +101,7 @@ void suite(Record& record, const Options& options) {
     if (target) table.put(name, "Target", text(*target));
   };
   show("histories per second on one core", spread_of(per_second));
+  show("histories per second on one core, integrator chosen automatically", spread_of(per_second_automatic));
   show("time on 1 thread over 2 x time on 2 threads", ratio_of(one, two), Target{0.9, false});
   show("CPU time of a case, with model and file, over its analysis with peaks alone", ratio_of(work_on_one, alone),
        Target{1.3, true});
