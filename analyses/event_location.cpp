@@ -1,6 +1,7 @@
 #include "analyses/event_location.hpp"
 
 #include <limits>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -10,17 +11,23 @@
 namespace moat {
 namespace {
 
+// A step and the margin at its end.
+struct Trial {
+  double length = 0.0;  // s
+  double margin = 0.0;  // m
+};
+
+// The length at which the straight line through both margins reaches the aim.
+double secant(const Trial& a, const Trial& b, double aim) {
+  return a.length + (b.length - a.length) * (a.margin - aim) / (a.margin - b.margin);
+}
+
 // The part of a step in which the first change lies: from a length whose step ends before it to one that ends beyond.
 struct Bracket {
-  double before = 0.0, beyond = 0.0;                // lengths, s
-  double margin_before = 0.0, margin_beyond = 0.0;  // at the ends of these steps, m
+  Trial before, beyond;
 
-  [[nodiscard]] double width() const { return beyond - before; }
-  [[nodiscard]] bool contains(double length) const { return length > before && length < beyond; }
-  // The length at which the straight line through both margins reaches the aim.
-  [[nodiscard]] double by_secant(double aim) const {
-    return margin_beyond < 0.0 ? before + width() * (margin_before - aim) / (margin_before - margin_beyond) : beyond;
-  }
+  [[nodiscard]] double width() const { return beyond.length - before.length; }
+  [[nodiscard]] bool contains(double length) const { return length > before.length && length < beyond.length; }
 };
 
 // The element that is nearest to its change in the trial state.
@@ -48,17 +55,19 @@ double locate_change(StepSolver& step, double h, RegimeScan seen) {
   const double tolerance = step.location_tolerance();
   const double start = step.model().state().time;
   const double shortest = 4.0 * std::numeric_limits<double>::epsilon() * (start + h);
-  Bracket bracket{.beyond = h, .margin_beyond = seen.margin};
+  Bracket bracket{.before = {}, .beyond = {h, seen.margin}};
+  std::optional<Trial> last;
   double next = seen.fraction * h;
   constexpr int most_solves = 100, solves_by_secant = 8;
   for (int count = 0; count < most_solves; ++count) {
-    // Every iterate solves the step again with a new length. The length comes from the interpolated margin or from the
-    // secant; bisection replaces it outside the bracket, and in every second solve after the eighth. A bracket of
-    // round-off width ends the search.
+    // Every iterate solves the step again with a new length. The length comes from the secant through the last two
+    // trials. Before there are two, or where this leaves the bracket, it comes from the interpolated margin of a step
+    // that ends beyond the change, or else from the secant of the bracket. Bisection replaces a length outside the
+    // bracket, and every second one after the eighth. A bracket of round-off width ends the search.
     const double width = bracket.width();
     const bool slow = count > solves_by_secant && count % 2 == 0;
-    if (!bracket.contains(next) || slow) next = bracket.before + 0.5 * width;
-    if (width <= shortest) next = bracket.beyond;
+    if (!bracket.contains(next) || slow) next = bracket.before.length + 0.5 * width;
+    if (width <= shortest) next = bracket.beyond.length;
     ++step.statistics().event_solves;
     if (!step.solve(next)) {
       // The cut step may end before the change, or far beyond it: scan it again.
@@ -69,24 +78,25 @@ double locate_change(StepSolver& step, double h, RegimeScan seen) {
     seen = step.scan(next);
     if (seen.margin < 0.0 && (seen.margin >= -tolerance || width <= shortest)) return next;
     if (seen.crossed && width <= shortest) return next;  // crossed and came back within round-off: no change
-    if (seen.crossed) {
-      bracket.beyond = next;
-      bracket.margin_beyond = seen.margin;
-      next = seen.fraction * next;
-      continue;
-    }
     // This step has no change. If the longer step crossed a margin and came back, the change lies in the rest of it,
     // which the next step scans again.
-    if (width <= shortest || bracket.margin_beyond >= 0.0) return next;
-    bracket.before = next;
-    bracket.margin_before = seen.margin;
-    next = bracket.by_secant(step.aim());
+    if (!seen.crossed && (width <= shortest || bracket.beyond.margin >= 0.0)) return next;
+    const Trial now{next, seen.margin};
+    (seen.crossed ? bracket.beyond : bracket.before) = now;
+    next = seen.crossed ? seen.fraction * next : secant(bracket.before, bracket.beyond, step.aim());
+    if (seen.crossed_back) {
+      last.reset();
+      continue;
+    }
+    if (last)
+      if (const double straight = secant(now, *last, step.aim()); bracket.contains(straight)) next = straight;
+    last = now;
   }
-  const std::string element = nearest_element(step, bracket.beyond);
+  const std::string element = nearest_element(step, bracket.beyond.length);
   throw ConvergenceError{"A change of \"" + element + "\" after t = " + to_text(start) + " s could not be located to " +
                              to_text(tolerance) +
                              " m. Raise TransientOptions::location_tolerance; results up to this time are kept.",
-                         start, bracket.beyond, seen.margin, element};
+                         start, bracket.beyond.length, seen.margin, element};
 }
 
 }  // namespace moat

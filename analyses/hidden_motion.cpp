@@ -2,15 +2,26 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+
+#include "model/building.hpp"
 
 namespace moat {
 
-bool hides_motion(const Model& model, const StepTask& step, double margin) {
+HiddenMotion::HiddenMotion(const Model& model) : building_{connected_parts(model)} {
+  largest_.setConstant(model.degrees_of_freedom(), std::numeric_limits<double>::infinity());
+  for (const int building : building_) largest_[building] = 0.0;
+}
+
+bool HiddenMotion::in(const StepTask& step, const Model& model, double margin) {
   if (!step.ground) return false;
-  constexpr double negligible = 1e-4;  // of the displacement
-  const double displacement = std::max(model.state().displacement.lpNorm<Eigen::Infinity>(),
-                                       model.trial().displacement.lpNorm<Eigen::Infinity>());
-  const double harmless = std::min(negligible * displacement, 0.5 * margin);  // m
+  const Vector &from = model.state().displacement, &to = model.trial().displacement;
+  for (Eigen::Index i = 0; i < largest_.size(); ++i) {
+    double& largest = largest_[building_[static_cast<std::size_t>(i)]];
+    largest = std::max(largest, std::max(std::abs(from[i]), std::abs(to[i])));
+  }
+  constexpr double negligible = 1e-4;                                                // of the displacement
+  const double harmless = std::min(negligible * largest_.minCoeff(), 0.5 * margin);  // m
   if (step.ground->bump_bounds().displacement <= harmless) return false;
   double bump = 0.0;  // m
   step.ground->for_each_bump_inside([&](const GroundBump& b) { bump = std::max(bump, std::abs(b.displacement)); });

@@ -1,14 +1,31 @@
 // Motion of the ground that a step over several samples would hide.
 #pragma once
 
+#include <vector>
+
 #include "analyses/step_equations.hpp"
+#include "base/vector.hpp"
 #include "model/model.hpp"
 
 namespace moat {
 
-/// Whether the ground moves so much inside the step to the trial state that an element near its margin, or a peak,
-/// would be missed: both are looked for on smooth paths between the ends of the step. `margin` is the smaller one of
-/// those at both ends, m.
-[[nodiscard]] bool hides_motion(const Model& model, const StepTask& step, double margin);
+/// Peaks and changes of regime are looked for on smooth paths between the ends of a step. If a step spans several
+/// samples, displacements relative to the ground differ from such paths by the bumps of the ground (GroundSpan). A step
+/// hides motion where a bump is not negligible (1e-4) beside the largest displacement so far of a building, or is more
+/// than half the margin of an element. A building here is a set of nodes that elements other than gaps connect; that
+/// which moves least counts.
+class HiddenMotion {
+ public:
+  /// The model must be complete.
+  explicit HiddenMotion(const Model& model);
+
+  /// Whether the step to the trial state hides motion. `margin` is the smallest one of an element at the ends of the
+  /// step, m.
+  [[nodiscard]] bool in(const StepTask& step, const Model& model, double margin);
+
+ private:
+  std::vector<int> building_;  // of every node: the number of one of its nodes
+  Vector largest_;             // displacement so far, m, at the indices that building_ names; elsewhere infinite
+};
 
 }  // namespace moat

@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "analyses/event_location.hpp"
-#include "analyses/hidden_motion.hpp"
 #include "analyses/integrator_choice.hpp"
 #include "analyses/transient_setup.hpp"
 #include "analyses/transient_texts.hpp"
@@ -27,6 +26,7 @@ Transient::Transient(Model& model, GroundMotion motion, TransientOptions options
       implicit_{model, options_, control_options(options_, model, motion_)},
       step_{model, options_, grid_, implicit_, statistics_},
       inside_{step_, options_.events},
+      hidden_{model},
       chatter_{options_.max_events_per_second} {
   check_components(model, motion_);
   const IntegratorChoice choice = choose_integrator(model, options_, implicit_.control(), exact_);
@@ -79,8 +79,10 @@ double Transient::take_step() {
     // Changes that were foreseen belong to the whole step.
     const bool cut = h != step_.whole().length && !changes_.empty();
     seen_ = step_.scan(h);
-    const bool hides =
-        stepper.may_leave_samples() && hides_motion(*model_, step_.first_part(h), std::min(margin_, seen_.margin));
+    // The margin is zero where a step will end at its first change, and hides nothing there.
+    const bool ends_at_change = seen_.crossed && !inside_.wanted(seen_.crossings);
+    const double margin = ends_at_change ? margin_ : std::min(margin_, seen_.margin);
+    const bool hides = stepper.may_leave_samples() && hidden_.in(step_.first_part(h), *model_, margin);
     if (hides) implicit_.control().stay_below(h);
     if (!cut && !hides && stepper.accepts(step_.first_part(h), changes_)) return h;
     model_->undo_changes_inside();

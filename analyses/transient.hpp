@@ -9,6 +9,7 @@
 #include "analyses/changes_inside.hpp"
 #include "analyses/chatter_guard.hpp"
 #include "analyses/exact_steps.hpp"
+#include "analyses/hidden_motion.hpp"
 #include "analyses/implicit_steps.hpp"
 #include "analyses/observers.hpp"
 #include "analyses/step_grid.hpp"
@@ -90,6 +91,7 @@ class Transient {
   std::optional<ExactSteps> exact_;
   StepSolver step_;
   ChangesInside inside_;
+  HiddenMotion hidden_;
   ChatterGuard chatter_;
   Observers observers_;
   std::vector<RegimeChange> changes_;  // of the last step

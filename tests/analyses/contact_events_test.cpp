@@ -19,6 +19,8 @@
 #include "materials/linear.hpp"
 #include "materials/restitution_formulas.hpp"
 #include "message_of.hpp"
+#include "motions/near_fault_pulse.hpp"
+#include "paper_building.hpp"
 
 namespace moat {
 namespace {
@@ -124,6 +126,19 @@ Model body_before_dashpot() {
                                              .force_quantity = "impact_force"},
                                             DashpotWall{dashpot_damping}, dashpot_mass);
   return model;
+}
+
+// In a long step the margin beyond a separation or an unloading is far from straight.
+TEST(ContactEvents, AreLocatedInFewSolvesInLongSteps) {
+  for (const double length : {2.5e-3, 5e-3}) {
+    SCOPED_TRACE(length);
+    Model model;
+    const Building building = add(model, testing::paper_building());
+    add(model, Moat{.around = building.base, .clearance = 10 * cm, .law = testing::paper_hertz_damp()});
+    const PeaksAndImpacts run = compute_peaks(model, near_fault_pulse().scaled_to_pga(0.4 * g), {.step = length * s});
+    ASSERT_GT(run.impacts, 5u);
+    EXPECT_LT(run.solver.event_solves, 4 * run.solver.events);
+  }
 }
 
 TEST(ContactEvents, AccelerationIsRecomputedWhereTheForceJumps) {
