@@ -15,10 +15,10 @@ HiddenMotion::HiddenMotion(const Model& model) : building_{connected_parts(model
 
 bool HiddenMotion::in(const StepTask& step, const Model& model, double margin) {
   if (!step.ground) return false;
-  const Vector &from = model.state().displacement, &to = model.trial().displacement;
+  const Vector& displacement = model.state().displacement;
   for (Eigen::Index i = 0; i < largest_.size(); ++i) {
     double& largest = largest_[building_[static_cast<std::size_t>(i)]];
-    largest = std::max(largest, std::max(std::abs(from[i]), std::abs(to[i])));
+    largest = std::max(largest, std::abs(displacement[i]));
   }
   constexpr double negligible = 1e-4;                                                // of the displacement
   const double harmless = std::min(negligible * largest_.minCoeff(), 0.5 * margin);  // m

@@ -12,9 +12,8 @@ StepEquations::StepEquations(Model& model) : model_{&model}, resultants_{model} 
   tangent_ = model.pattern();
   predicted_displacement_.setZero(size());
   predicted_velocity_.setZero(size());
-  lowest_scales_.setConstant(size(), std::numeric_limits<double>::min());
-  scales_ = lowest_scales_;
-  balanced_scales_ = lowest_scales_;
+  scales_.setZero(size());
+  balanced_scales_.setZero(size());
 }
 
 void StepEquations::begin(const StepTask& task, StepScheme scheme, Vector& guess) {
@@ -24,10 +23,9 @@ void StepEquations::begin(const StepTask& task, StepScheme scheme, Vector& guess
   const double h = task.length;
   const MotionState& start = model_->state();
   const double *u = start.displacement.data(), *v = start.velocity.data(), *a = start.acceleration.data(),
-               *jerk = start.jerk.data(), *scales = balanced_scales_.data();
+               *jerk = start.jerk.data();
   double* __restrict displacement = predicted_displacement_.data();
   double* __restrict velocity = predicted_velocity_.data();
-  double* __restrict lowest_scales = lowest_scales_.data();
   double* __restrict first = guess.data();
   const double square = (0.5 - scheme.beta) * h * h;
   if (scheme.corrects_velocity) {
@@ -50,7 +48,6 @@ void StepEquations::begin(const StepTask& task, StepScheme scheme, Vector& guess
       first[i] = a[i];
     }
   }
-  for (int i = 0; i < size(); ++i) lowest_scales[i] = std::max(0.5 * scales[i], std::numeric_limits<double>::min());
   if (!scheme.balances_at_end()) average_start();
   model_->trial().time = task.end_time;
   has_extrapolated_ = scheme.balances_at_end() && factors_serve() && knows_velocity_of_forces();
@@ -123,7 +120,7 @@ void StepEquations::predict(const StepTask& task, StepScheme scheme, Vector& gue
 
 void StepEquations::complete() {
   model_->evaluate_rates();
-  balanced_scales_ = scales_;
+  balanced_scales_.swap(scales_);
   if (factors_serve()) {
     of_trial_.time = task_.end_time;
     of_trial_.velocity = model_->trial().velocity;
@@ -180,7 +177,7 @@ bool StepEquations::compute_residual(const Vector& acceleration, Vector& residua
   const double* a = acceleration.data();
   const double* mass = model_->masses().data();
   const double* force = model_->internal_forces().data();
-  const double* lowest_scales = lowest_scales_.data();
+  const double* balanced_scales = balanced_scales_.data();
   const GroundShares shares = model_->ground_shares();
   double* __restrict unbalanced = residual.data();
   double* __restrict scales = scales_.data();
@@ -191,7 +188,8 @@ bool StepEquations::compute_residual(const Vector& acceleration, Vector& residua
     double total = 0.0;
     for (int i = 0; i < count; ++i) {
       unbalanced[i] = inertia(i) + force[i] + load(i);
-      scales[i] = std::max(std::max(size(i, inertia), size(i, inner)), std::max(size(i, load), lowest_scales[i]));
+      const double lowest = std::max(0.5 * balanced_scales[i], std::numeric_limits<double>::min());
+      scales[i] = std::max(std::max(size(i, inertia), size(i, inner)), std::max(size(i, load), lowest));
       total += scales[i];
     }
     return total;

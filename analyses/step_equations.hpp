@@ -80,7 +80,7 @@ class StepEquations final : public NonlinearSystem {
   Vector of_start_;  // the share of the start in averaged equations
   // Largest force of every row: of the iterate, and of the last balanced step. All terms of a row may be zero at the
   // same instant; its scale is therefore at least half of the latter.
-  Vector scales_, balanced_scales_, lowest_scales_;
+  Vector scales_, balanced_scales_;
   // The tangent that the current factors belong to.
   bool factorised_ = false;
   double factorised_velocity_weight_ = 0.0, factorised_displacement_weight_ = 0.0, factorised_mass_share_ = 0.0;

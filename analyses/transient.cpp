@@ -79,7 +79,7 @@ double Transient::take_step() {
     // Changes that were foreseen belong to the whole step.
     const bool cut = h != step_.whole().length && !changes_.empty();
     seen_ = step_.scan(h);
-    // The margin is zero where a step will end at its first change, and hides nothing there.
+    // A step that will end at its first change has no margin there, and hides nothing for that reason.
     const bool ends_at_change = seen_.crossed && !inside_.wanted(seen_.crossings);
     const double margin = ends_at_change ? margin_ : std::min(margin_, seen_.margin);
     const bool hides = stepper.may_leave_samples() && hidden_.in(step_.first_part(h), *model_, margin);
