@@ -7,6 +7,7 @@
 #include "analyses/case_warnings.hpp"
 #include "analyses/periods.hpp"
 #include "analyses/torsion.hpp"
+#include "analyses/transient_texts.hpp"
 #include "base/check.hpp"
 #include "base/error.hpp"
 #include "model/building.hpp"
@@ -170,6 +171,7 @@ CaseResult CaseRun::result() const {
   CaseResult result{
       .title = options_.title,
       .provenance = provenance_of_library(),
+      .analysis = facts_of(options_.transient),
       .motion = facts_of(motion),
       .model = facts_of(transient_.model()),
       .scene = transient_.model().node_count() <= most_drawn_nodes ? scene_of(transient_.model()) : Scene{},

@@ -76,7 +76,7 @@ double locate_change(StepSolver& step, double h, RegimeScan seen) {
       return seen.crossed ? locate_change(step, shorter, seen) : shorter;
     }
     seen = step.scan(next);
-    if (seen.margin < 0.0 && (seen.margin >= -tolerance || width <= shortest)) return next;
+    if (is_located(seen, tolerance) || (seen.margin < 0.0 && width <= shortest)) return next;
     if (seen.crossed && width <= shortest) return next;  // crossed and came back within round-off: no change
     // This step has no change. If the longer step crossed a margin and came back, the change lies in the rest of it,
     // which the next step scans again.

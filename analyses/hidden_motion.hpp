@@ -11,21 +11,22 @@ namespace moat {
 
 /// Peaks and changes of regime are looked for on smooth paths between the ends of a step. If a step spans several
 /// samples, displacements relative to the ground differ from such paths by the bumps of the ground (GroundSpan). A step
-/// hides motion where a bump is not negligible (1e-4) beside the largest displacement so far of a building, or is more
-/// than half the margin of an element. A building here is a set of nodes that elements other than gaps connect; that
-/// which moves least counts.
+/// hides motion where a bump is not negligible (1e-4) beside the displacement of a building, or is more than half the
+/// margin of an element. The displacement is the largest of its nodes at the starts of the steps over several samples
+/// so far. A building here is a set of nodes that elements other than gaps connect; the one with the smallest
+/// displacement counts.
 class HiddenMotion {
  public:
   /// The model must be complete.
   explicit HiddenMotion(const Model& model);
 
-  /// Whether the step to the trial state hides motion. `margin` is the smallest one of an element at the ends of the
-  /// step, m.
+  /// Notes the displacements at the start of the step, and returns whether the step to the trial state hides motion.
+  /// `margin` is the smallest one of an element at the ends of the step, m.
   [[nodiscard]] bool in(const StepTask& step, const Model& model, double margin);
 
  private:
   std::vector<int> building_;  // of every node: the number of one of its nodes
-  Vector largest_;             // displacement so far, m, at the indices that building_ names; elsewhere infinite
+  Vector largest_;             // displacement, m, at the indices that building_ names; infinite elsewhere
 };
 
 }  // namespace moat

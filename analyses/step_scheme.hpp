@@ -43,9 +43,9 @@ struct StepScheme {
     return beta >= 0.25 ? std::numeric_limits<double>::infinity() : 2.0 / std::sqrt(1.0 - 4.0 * beta);
   }
 
-  /// du1/da1 and dv1/da1.
+  /// The derivative of the displacement at the end of a step of h s by the acceleration there, s^2.
   [[nodiscard]] constexpr double displacement_weight(double h) const { return beta * h * h; }
-  /// Dv1/da1 over a step of h s, s.
+  /// The same of the velocity, s.
   [[nodiscard]] constexpr double velocity_weight(double h) const { return corrects_velocity ? h / 3.0 : gamma * h; }
 
   friend bool operator==(const StepScheme&, const StepScheme&) = default;

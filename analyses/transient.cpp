@@ -21,7 +21,7 @@ double process_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER
 Transient::Transient(Model& model, GroundMotion motion, TransientOptions options)
     : model_{&model},
       motion_{std::move(motion)},
-      options_{checked(options, motion)},
+      options_{checked(options, motion_)},
       grid_{motion_, model.state().time, end_of(options_, model, motion_)},
       implicit_{model, options_, control_options(options_, model, motion_)},
       step_{model, options_, grid_, implicit_, statistics_},
@@ -57,9 +57,10 @@ void Transient::advance() {
   observers_.start(view(true));
   if (grid_.reaches_end_of_motion(model_->state().time)) end_motion();
   double h = take_step();
-  margin_ = seen_.margin;
   crossing_ = Crossing::none;
   if (seen_.crossed || !changes_.empty()) h = treat_crossing(h);
+  // Elements that changed are at their margin.
+  margin_ = crossing_ == Crossing::none ? seen_.margin : 0.0;
   commit(step_.first_part(h));
   observers_.step(view(h == step_.whole().length));
   if (crossing_ == Crossing::inside) report_changes_inside();

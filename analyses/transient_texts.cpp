@@ -30,6 +30,37 @@ std::vector<std::string> assumptions_of(const TransientOptions& options, const S
           "first sample unless initial values are given."};
 }
 
+AnalysisFacts facts_of(const TransientOptions& options) {
+  const auto events = [&] {
+    switch (options.events) {
+      case EventTreatment::located:
+        return "located";
+      case EventTreatment::inside_the_step:
+        return "inside_the_step";
+      default:
+        return "automatic";
+    }
+  };
+  // An integrator that leaves the numbers of its steps to the analysis has none to describe.
+  const std::string integrator =
+      scheme_of(options.integrator)
+          ? std::visit([](const auto& each) { return each.description(); }, options.integrator)
+          : std::string{name_of(options.integrator)};
+  return {.integrator = integrator,
+          .events = events(),
+          .options = {{"step", options.step.si(), "s"},
+                      {"tolerance", options.tolerance, "1"},
+                      {"steps_per_contact", static_cast<double>(options.steps_per_contact), "1"},
+                      {"largest_step", options.largest_step.si(), "s"},
+                      {"max_halvings", static_cast<double>(options.max_halvings), "1"},
+                      {"end", options.end.si(), "s"},
+                      {"force_tolerance", options.force_tolerance, "1"},
+                      {"max_iterations", static_cast<double>(options.max_iterations), "1"},
+                      {"max_cuts", static_cast<double>(options.max_cuts), "1"},
+                      {"location_tolerance", options.location_tolerance.si(), "m"},
+                      {"max_events_per_second", static_cast<double>(options.max_events_per_second), "1"}}};
+}
+
 std::vector<std::string> warnings_of(const TransientOptions& options, const StepControl& control,
                                      const GroundMotion& motion, const Model& model) {
   constexpr double enough = 32.0;

@@ -16,6 +16,9 @@ namespace moat {
 std::vector<std::string> assumptions_of(const TransientOptions& options, const StepControl& control,
                                         double longest_step, const SolverStatistics& statistics);
 
+/// All options as they were given.
+AnalysisFacts facts_of(const TransientOptions& options);
+
 /// Settings that can make the results inaccurate, with advice.
 std::vector<std::string> warnings_of(const TransientOptions& options, const StepControl& control,
                                      const GroundMotion& motion, const Model& model);

@@ -138,6 +138,8 @@ int Script::run(Model& model, const GroundMotion& motion, std::initializer_list<
 
 int Script::run(Model& model, const GroundMotion& motion, const TransientOptions& given,
                 std::initializer_list<StepObserver*> observers) {
+  if (std::ranges::find(observers, nullptr) != observers.end())
+    throw InputError{"Script::run: an observer is null. Give the addresses of observers, such as {&drift}."};
   parts_->observers.insert(parts_->observers.end(), observers);
   RunOptions options;
   options.transient = given;

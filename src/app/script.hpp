@@ -89,7 +89,7 @@ class Script {
   /// Computes the model under the motion, shows progress and peaks, writes the results folder, and returns the exit
   /// code. Adds --out, --force, --step, --tolerance, --integrator, --end, --frame-interval, --check, --quiet, --json.
   /// With --json standard output holds summary.json alone, with the member "results_folder" in front, and all else goes
-  /// to standard error. The observers are attached before; none may be null.
+  /// to standard error. The observers are attached before. Throws InputError for one that is null.
   int run(Model& model, const GroundMotion& motion, std::initializer_list<StepObserver*> observers = {});
   /// The same with options of the analysis that the command line lacks; those that it has are its defaults:
   ///

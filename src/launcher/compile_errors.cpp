@@ -32,6 +32,19 @@ std::string wrong_type(const Diagnostic& diagnostic, const std::string& is, cons
          (has_fraction ? whole_number_hint(expression) : "");
 }
 
+// "; it lacks dissipation_rate, which ..." for a law of the script in the place of an isolation; empty where no
+// function is missing.
+std::string functions_missing(const Diagnostic& place, const std::string& needed) {
+  if (needed.find("Isolation") == std::string::npos) return "";
+  const std::string script = text_of(place.file);
+  std::vector<std::string> missing;
+  for (const char* name : {"State", "evaluate", "stored_energy", "dissipation_rate", "linear_stiffness"})
+    if (!has_word(script, name)) missing.emplace_back(name);
+  constexpr std::size_t parts_of_a_law = 5;
+  if (missing.empty() || missing.size() == parts_of_a_law) return "";
+  return "; the law lacks " + joined(missing, ", ") + " (docs/guide.md, \"Laws and elements of your own\")";
+}
+
 std::string concept_words(const std::string& name) {
   if (name == "ImpactLaw") return "an impact law, such as HertzDamp";
   if (name == "ForceLaw") return "a force law (docs/guide.md, \"Laws and elements of your own\")";
@@ -79,7 +92,7 @@ const std::vector<Pattern>& patterns() {
        }},
       {std::regex{R"(could not convert '.*' from '(.*)' to '(.*)')"},
        [](const std::smatch& match, const Diagnostic& place, const fs::path&) {
-         return at(place, wrong_type(place, match[1], match[2]));
+         return at(place, wrong_type(place, match[1], match[2]) + functions_missing(place, match[2]));
        }},
       {std::regex{R"(cannot convert '([^<'][^']*)' to '(?:const )?([^'&]*)&*'.*)"},
        [](const std::smatch& match, const Diagnostic& place, const fs::path&) {
@@ -93,6 +106,12 @@ const std::vector<Pattern>& patterns() {
        [](const std::smatch& match, const Diagnostic& place, const fs::path& root) {
          return at(place,
                    "'" + match[1].str() + "' " + match[2].str() + known_name_like(match[1], match[3], place, root));
+       }},
+      {std::regex{R"(no matching function for call to '(?:moat::)?Script::run\(.*<brace-enclosed initializer list>.*)"},
+       [](const std::smatch&, const Diagnostic& place, const fs::path&) {
+         return at(place,
+                   "a list in this call of Script::run does not fit: options are given by their names, as in "
+                   "{.step = 1 * ms}, and observers by their addresses, as in {&drift}");
        }},
       {std::regex{R"(use of deleted function '.*Required<T>::Required\(\) \[with T = (.*)\]')"},
        [](const std::smatch& match, const Diagnostic& place, const fs::path&) {

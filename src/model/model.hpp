@@ -99,7 +99,7 @@ class Model {
   /// Whether nothing was added since prepare().
   [[nodiscard]] bool prepared() const { return prepared_; }
 
-  [[nodiscard]] int degrees_of_freedom() const { return node_count(); }  ///< One per node.
+  [[nodiscard]] int degrees_of_freedom() const { return node_count(); }  ///< One per node, three per diaphragm.
   /// The diagonal of the mass matrix, kg.
   [[nodiscard]] const Vector& masses() const { return masses_; }
   /// The model must be prepared.

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "motions/ground_motion.hpp"
+#include "output/analysis_facts.hpp"
 #include "output/model_facts.hpp"
 #include "output/offered_quantity.hpp"
 #include "output/provenance.hpp"
@@ -181,10 +182,11 @@ struct BuildingTorsion {
 
 /// Everything that one run produced.
 struct CaseResult {
-  std::string title;        ///< Of the script.
-  Provenance provenance{};  ///< Command, script, version, date.
-  MotionFacts motion;       ///< As applied.
-  ModelFacts model{};       ///< The whole model.
+  std::string title;         ///< Of the script.
+  Provenance provenance{};   ///< Command, script, version, date.
+  AnalysisFacts analysis{};  ///< Its options.
+  MotionFacts motion;        ///< As applied.
+  ModelFacts model{};        ///< The whole model.
   /// For drawings; its indices of nodes are those of `model.nodes`. Empty for models of more than `most_drawn_nodes`.
   Scene scene{};
   std::vector<BuildingParts> buildings;    ///< In the order of the model.

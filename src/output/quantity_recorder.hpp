@@ -19,7 +19,8 @@ namespace moat {
 ///     return script.run(model, motion, {&tilt});
 ///
 /// Its step() and event() are called before sample(), so that a quantity may depend on the past. A row of the histories
-/// inside a step is interpolated linearly; the peak is the largest magnitude at the ends of steps, without error bar.
+/// inside a step is interpolated linearly; the peak is the largest magnitude at the ends of steps, without error bar
+/// and without side.
 class QuantityRecorder : public StepObserver {
  public:
   /// The same list whenever it is called.

@@ -15,6 +15,19 @@ using Json = nlohmann::ordered_json;
 
 Json text_or_null(const std::string& text) { return text.empty() ? Json{} : Json(text); }
 
+// { name: { "value", "unit" } }
+Json json_of_parameters(const auto& parameters) {
+  Json json = Json::object();
+  for (const auto& each : parameters) json[std::string{each.name}] = {{"value", each.value}, {"unit", each.unit}};
+  return json;
+}
+
+Json json_of(const AnalysisFacts& analysis) {
+  return {{"integrator", text_or_null(analysis.integrator)},
+          {"events", text_or_null(analysis.events)},
+          {"options", json_of_parameters(analysis.options)}};
+}
+
 Json json_of(const Provenance& provenance) {
   Json options = Json::object();
   for (const auto& [name, value] : provenance.options) options[name] = value;
@@ -96,11 +109,9 @@ Json json_of(const ModelFacts& model, const std::vector<BuildingParts>& building
                                      {"floors", building.floors},
                                      {"isolators", building.isolators}});
   for (const ElementFacts& element : model.elements) {
-    Json parameters = Json::object();
-    for (const ParameterFacts& parameter : element.parameters)
-      parameters[parameter.name] = {{"value", parameter.value}, {"unit", parameter.unit}};
-    Json entry{{"name", element.name},   {"kind", element.kind},     {"law", text_or_null(element.law)},
-               {"first", element.first}, {"second", element.second}, {"parameters", std::move(parameters)}};
+    Json entry{
+        {"name", element.name},   {"kind", element.kind},     {"law", text_or_null(element.law)},
+        {"first", element.first}, {"second", element.second}, {"parameters", json_of_parameters(element.parameters)}};
     // An end between two nodes: the share of the way from the node above to the other.
     if (!element.first_other.empty())
       entry["first_point"] = {{"other", element.first_other}, {"share", element.first_share}};
@@ -171,6 +182,7 @@ void write_summary_json(const CaseResult& result, const std::filesystem::path& p
   json["provenance"] = json_of(result.provenance);
   json["motion"] = json_of(result.motion);
   json["model"] = json_of(result.model, result.buildings);
+  json["analysis"] = json_of(result.analysis);
   json["periods"] = Json::array();
   for (const NamedPeriod& period : result.periods)
     json["periods"].push_back(Json{{"name", period.name}, {"value", period.value}, {"unit", "s"}});

@@ -31,6 +31,7 @@ namespace moat {
 ///                  "corners": [ { "element", "corner", "edge", "position", "normal", "edge_begin", "edge_end": [ x, y
 ///                  ],
 ///                                 "clearance" } ] },
+///       "analysis": { "integrator", "events", "options": { name as in TransientOptions: { "value", "unit" } } },
 ///       "periods": [ { "name", "value" } ], "assumptions": [ ... ],
 ///       "peaks": [ { "quantity", "where", "value": with its sign, "unit", "time", "error": estimated, same unit, null
 ///                    if not known, "side" } ],

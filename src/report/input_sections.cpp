@@ -74,6 +74,16 @@ std::string provenance_section(const Provenance& provenance) {
   return html + "</table>\n";
 }
 
+std::string analysis_section(const AnalysisFacts& analysis) {
+  std::string html = "<h2>Options of the analysis</h2>\n<table>\n";
+  html += row_if_known("integrator", analysis.integrator);
+  html += row_if_known("events", analysis.events);
+  for (const Parameter& option : analysis.options)
+    html += number_row(std::string{option.name},
+                       to_significant(option.value, 6) + (option.unit == "1" ? "" : " " + std::string{option.unit}));
+  return html + "</table>\n";
+}
+
 std::string motion_section(const MotionFacts& motion) {
   std::string html = "<h2>Ground motion</h2>\n<table>\n";
   html += number_row("Name", motion.name);

@@ -9,6 +9,8 @@ namespace moat::html {
 
 /// Command line, script, version, commit and date.
 std::string provenance_section(const Provenance& provenance);
+/// All options of the analysis.
+std::string analysis_section(const AnalysisFacts& analysis);
 /// The motion with its file, scale factor and notes.
 std::string motion_section(const MotionFacts& motion);
 /// Nodes and elements with their parameters; of a long list the beginning.

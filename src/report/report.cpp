@@ -90,7 +90,8 @@ std::string plan_section(const CaseResult& result) {
 std::string input_section(const CaseResult& result) {
   return "<details><summary>Motion, model, origin, solver, assumptions</summary>\n" +
          html::motion_section(result.motion) + html::model_section(result.model) +
-         html::provenance_section(result.provenance) + solver_section(result) + "</details>\n";
+         html::provenance_section(result.provenance) + html::analysis_section(result.analysis) +
+         solver_section(result) + "</details>\n";
 }
 
 }  // namespace

@@ -36,7 +36,8 @@ int main(int argc, char** argv) {
   script.attach(count);
   TransientOptions options;
   if (std::getenv("MOAT_TEST_INTEGRATOR") != nullptr) options.integrator = GeneralizedAlpha{.spectral_radius = 0.7};
-  const int exit_code = script.run(model, push, options, {&momentum});
+  StepObserver* const observer = std::getenv("MOAT_TEST_NULL_OBSERVER") != nullptr ? nullptr : &momentum;
+  const int exit_code = script.run(model, push, options, {observer});
   std::printf("%d steps\n", count.steps);
   return exit_code;
 }

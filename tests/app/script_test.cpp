@@ -76,6 +76,23 @@ TEST_F(ScriptRun, TakesOptionsOfTheAnalysisUnderThoseOfTheCommandLine) {
   EXPECT_EQ(other.find("0.7"), std::string::npos) << other;
 }
 
+TEST_F(ScriptRun, RefusesANullObserver) {
+  setenv("MOAT_TEST_NULL_OBSERVER", "1", 1);
+  const ProgramResult result = testing::run_program(OBSERVER_SCRIPT, {}, folder);
+  unsetenv("MOAT_TEST_NULL_OBSERVER");
+  EXPECT_EQ(result.exit_code, 1);
+  EXPECT_EQ(result.errors,
+            "moat: error: Script::run: an observer is null. Give the addresses of observers, such as {&drift}.\n");
+}
+
+TEST_F(ScriptRun, SummaryHasAllOptionsOfTheAnalysis) {
+  ASSERT_EQ(testing::run_program(OBSERVER_SCRIPT, {"--tolerance", "1e-4", "--out", "out"}, folder).exit_code, 0);
+  const json analysis = json::parse(text_of(folder / "out/summary.json")).at("analysis");
+  EXPECT_EQ(analysis.at("options").at("tolerance"), (json{{"value", 1e-4}, {"unit", "1"}}));
+  EXPECT_EQ(analysis.at("options").at("max_cuts").at("value"), 12.0);
+  EXPECT_EQ(analysis.at("events"), "automatic");
+}
+
 TEST_F(ScriptRun, ReportsAnErrorBeforeTheScriptExists) {
   const ProgramResult result = testing::run_program(EARLY_ERROR_SCRIPT, {}, folder);
   EXPECT_EQ(result.exit_code, 1);

@@ -57,6 +57,34 @@ TEST_F(CompileErrors, NameTheDimensionOfAMissingFieldWithoutName) {
   expect_first("const Viscous law{};", "tower.cpp:4: a required field is missing: a damping coefficient [N s/m]");
 }
 
+// Isolation takes any law, and the compiler does not say why one is none.
+TEST_F(CompileErrors, NameTheFunctionThatALawOfTheScriptLacks) {
+  const auto building_on = [](const std::string& functions) {
+    return "struct Rubber {\nusing State = NoState;\n" + functions +
+           "};\nconst ShearBuilding building{.storeys = 2, .floor_mass = 1 * kg, .storey_stiffness = 1 * GN / m, "
+           ".base_mass = 1 * kg, .isolation = Rubber{}};";
+  };
+  const std::string evaluate =
+      "Response evaluate(const State&, double, double, State&) const { return {.force = 0.0, .stiffness = 0.0}; }\n";
+  const std::string all =
+      explained_for(building_on(evaluate + "double stored_energy(const State&, double) const { return 0.0; }\n"
+                                           "double linear_stiffness(StiffnessStage) const { return 0.0; }\n"));
+  EXPECT_NE(all.find("the law lacks dissipation_rate (docs/guide.md"), std::string::npos) << all;
+  const std::string several = explained_for(building_on(evaluate));
+  EXPECT_NE(several.find("the law lacks stored_energy, dissipation_rate, linear_stiffness (docs/guide.md"),
+            std::string::npos)
+      << several;
+}
+
+TEST_F(CompileErrors, AskForTheAddressesOfObservers) {
+  const std::string all = explained_for(
+      "struct Drift final : StepObserver {\nvoid start(const StepView&) override {}\n"
+      "void step(const StepView&) override {}\n};\nint main(int argc, char** argv) {\nScript script{argc, argv, "
+      "\"a\"};\n"
+      "Model model;\nDrift drift, other;\nreturn script.run(model, near_fault_pulse(), {drift, other});\n}");
+  EXPECT_NE(all.find("observers by their addresses, as in {&drift}"), std::string::npos) << all;
+}
+
 TEST_F(CompileErrors, PointAtAFieldInTheWrongPlaceAndGiveTheOrder) {
   const std::string text = explained_for("const Node node{.mass = 1 * kg,\n.name = \"base\"};");
   EXPECT_TRUE(text.starts_with("tower.cpp:5: field name of Node stands in the wrong place; the order is name, mass"))

@@ -71,6 +71,7 @@ TEST_F(Report, NamesItsOrigin) {
                        "0.1.0",
                        "0123456789",
                        "2026-01-31T12:00:00Z"};
+  result.analysis = {"Newmark's method", "located", {{"largest_step", 0.005, "s"}}};
   result.motion.components = {{"a", {"/records/a.AT2", "beef"}, 1.25}};
   result.motion.notes = {"PEER <header>"};
   result.model = {
@@ -86,11 +87,27 @@ TEST_F(Report, NamesItsOrigin) {
         .second_share = 0.25}}};
   result.clearances = {{"moat left", 0.1, -0.01, 3.25}};
   const std::string html = written(result);
-  for (const char* part :
-       {"moat run tower.cpp --gap '20 cm'", "/home/me/tower.cpp", "c0ffee", "--gap</td><td class=\"text\">20 cm",
-        "0.1.0, commit 0123456789", "2026-01-31T12:00:00Z", "/records/a.AT2", "beef", "1.25", "PEER &lt;header&gt;",
-        "550000", "HertzDamp", "clearance 0.1 m, restitution 0.65", "0.25 of the way from floor 1 to floor 2",
-        "Initial displacement [m]", "Clearance left", "-1.000", "of 10 cm"})
+  for (const char* part : {"moat run tower.cpp --gap '20 cm'",
+                           "/home/me/tower.cpp",
+                           "c0ffee",
+                           "--gap</td><td class=\"text\">20 cm",
+                           "0.1.0, commit 0123456789",
+                           "2026-01-31T12:00:00Z",
+                           "/records/a.AT2",
+                           "beef",
+                           "1.25",
+                           "PEER &lt;header&gt;",
+                           "550000",
+                           "HertzDamp",
+                           "clearance 0.1 m, restitution 0.65",
+                           "0.25 of the way from floor 1 to floor 2",
+                           "Initial displacement [m]",
+                           "Clearance left",
+                           "-1.000",
+                           "of 10 cm",
+                           "Newmark's method",
+                           "located",
+                           "largest_step"})
     EXPECT_NE(html.find(part), std::string::npos) << part;
 }
 

@@ -1,0 +1,18 @@
+// The options of an analysis, for files and reports.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "base/parameter.hpp"
+
+namespace moat {
+
+/// The options of an analysis, as they were given in code and on the command line.
+struct AnalysisFacts {
+  std::string integrator{};          ///< its name, or its description where it has parameters
+  std::string events{};              ///< "automatic", "located" or "inside_the_step"
+  std::vector<Parameter> options{};  ///< all numbers of TransientOptions, by their names there
+};
+
+}  // namespace moat
