@@ -32,7 +32,7 @@ class HiddenMotionTest : public ::testing::Test {
   }
 
   void move(double isolated, double stiff) {
-    model.trial().displacement << isolated, stiff;
+    model.trial().displacement.head(2) << isolated, stiff;
     model.evaluate();
     model.commit(WorkRule::quadrature);
     model.trial() = model.state();
