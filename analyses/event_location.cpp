@@ -1,7 +1,6 @@
 #include "analyses/event_location.hpp"
 
 #include <limits>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -56,7 +55,7 @@ double locate_change(StepSolver& step, double h, RegimeScan seen) {
   const double start = step.model().state().time;
   const double shortest = 4.0 * std::numeric_limits<double>::epsilon() * (start + h);
   Bracket bracket{.before = {}, .beyond = {h, seen.margin}};
-  std::optional<Trial> last;
+  Trial last;  // the last one that shows the margin of this change; of length 0: none
   double next = seen.fraction * h;
   constexpr int most_solves = 100, solves_by_secant = 8;
   for (int count = 0; count < most_solves; ++count) {
@@ -84,13 +83,11 @@ double locate_change(StepSolver& step, double h, RegimeScan seen) {
     const Trial now{next, seen.margin};
     (seen.crossed ? bracket.beyond : bracket.before) = now;
     next = seen.crossed ? seen.fraction * next : secant(bracket.before, bracket.beyond, step.aim());
-    if (seen.crossed_back) {
-      last.reset();
-      continue;
-    }
-    if (last)
-      if (const double straight = secant(now, *last, step.aim()); bracket.contains(straight)) next = straight;
-    last = now;
+    // Where a margin was crossed and came back, the margin at the end of the step is not that of the change.
+    const bool shows_change = !seen.crossed_back;
+    if (shows_change && last.length > 0.0)
+      if (const double straight = secant(now, last, step.aim()); bracket.contains(straight)) next = straight;
+    last = shows_change ? now : Trial{};
   }
   const std::string element = nearest_element(step, bracket.beyond.length);
   throw ConvergenceError{"A change of \"" + element + "\" after t = " + to_text(start) + " s could not be located to " +

@@ -120,7 +120,7 @@ void StepEquations::predict(const StepTask& task, StepScheme scheme, Vector& gue
 
 void StepEquations::complete() {
   model_->evaluate_rates();
-  balanced_scales_.swap(scales_);
+  balanced_scales_.swap(scales_);  // the next residual writes all of scales_
   if (factors_serve()) {
     of_trial_.time = task_.end_time;
     of_trial_.velocity = model_->trial().velocity;

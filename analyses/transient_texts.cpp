@@ -1,10 +1,25 @@
 #include "analyses/transient_texts.hpp"
 
 #include <cmath>
+#include <string_view>
 
 #include "base/check.hpp"
 
 namespace moat {
+namespace {
+
+std::string_view name_of(EventTreatment events) {
+  switch (events) {
+    case EventTreatment::located:
+      return "located";
+    case EventTreatment::inside_the_step:
+      return "inside_the_step";
+    default:
+      return "automatic";
+  }
+}
+
+}  // namespace
 
 std::vector<std::string> assumptions_of(const TransientOptions& options, const StepControl& control,
                                         double longest_step, const SolverStatistics& statistics) {
@@ -31,34 +46,25 @@ std::vector<std::string> assumptions_of(const TransientOptions& options, const S
 }
 
 AnalysisFacts facts_of(const TransientOptions& options) {
-  const auto events = [&] {
-    switch (options.events) {
-      case EventTreatment::located:
-        return "located";
-      case EventTreatment::inside_the_step:
-        return "inside_the_step";
-      default:
-        return "automatic";
-    }
-  };
+  // An option that is missing here does not compile.
+  const auto& [integrator, step, tolerance, steps_per_contact, largest_step, max_halvings, end, force_tolerance,
+               max_iterations, max_cuts, location_tolerance, events, max_events_per_second] = options;
   // An integrator that leaves the numbers of its steps to the analysis has none to describe.
-  const std::string integrator =
-      scheme_of(options.integrator)
-          ? std::visit([](const auto& each) { return each.description(); }, options.integrator)
-          : std::string{name_of(options.integrator)};
-  return {.integrator = integrator,
-          .events = events(),
-          .options = {{"step", options.step.si(), "s"},
-                      {"tolerance", options.tolerance, "1"},
-                      {"steps_per_contact", static_cast<double>(options.steps_per_contact), "1"},
-                      {"largest_step", options.largest_step.si(), "s"},
-                      {"max_halvings", static_cast<double>(options.max_halvings), "1"},
-                      {"end", options.end.si(), "s"},
-                      {"force_tolerance", options.force_tolerance, "1"},
-                      {"max_iterations", static_cast<double>(options.max_iterations), "1"},
-                      {"max_cuts", static_cast<double>(options.max_cuts), "1"},
-                      {"location_tolerance", options.location_tolerance.si(), "m"},
-                      {"max_events_per_second", static_cast<double>(options.max_events_per_second), "1"}}};
+  return {.integrator = scheme_of(integrator)
+                            ? std::visit([](const auto& each) { return each.description(); }, integrator)
+                            : std::string{name_of(integrator)},
+          .events = std::string{name_of(events)},
+          .options = {{"step", step.si(), "s"},
+                      {"tolerance", tolerance, "1"},
+                      {"steps_per_contact", static_cast<double>(steps_per_contact), "1"},
+                      {"largest_step", largest_step.si(), "s"},
+                      {"max_halvings", static_cast<double>(max_halvings), "1"},
+                      {"end", end.si(), "s"},
+                      {"force_tolerance", force_tolerance, "1"},
+                      {"max_iterations", static_cast<double>(max_iterations), "1"},
+                      {"max_cuts", static_cast<double>(max_cuts), "1"},
+                      {"location_tolerance", location_tolerance.si(), "m"},
+                      {"max_events_per_second", static_cast<double>(max_events_per_second), "1"}}};
 }
 
 std::vector<std::string> warnings_of(const TransientOptions& options, const StepControl& control,

@@ -102,7 +102,7 @@ std::vector<Method> methods(const GroundMotion& motion, bool quick) {
     return [&motion, building](const TransientOptions& options) { return moat_peaks(*building, motion, options); };
   };
   const MoatRun peaks = peaks_of(model);
-  const MoatRun simpler_peaks = peaks_of(std::make_shared<const Model>(five_storey_model(false)));
+  const MoatRun without_location = peaks_of(std::make_shared<const Model>(five_storey_model(false)));
   const auto everything = [&motion, model](ErrorBarMode error_bars) -> MoatRun {
     return [&motion, model, error_bars](const TransientOptions& options) {
       return moat_case(*model, motion, options, error_bars);
@@ -113,8 +113,8 @@ std::vector<Method> methods(const GroundMotion& motion, bool quick) {
                            {names::moat_recorded, {moat_adaptive(everything(ErrorBarMode::never))}},
                            {names::moat_checked, {moat_adaptive(everything(ErrorBarMode::always))}},
                            {names::moat_fixed,
-                            {moat_fixed(motion, Newmark::average_acceleration(), "yield not located", simpler_peaks),
-                             moat_fixed(motion, Newmark::fourth_order(), "yield not located", simpler_peaks),
+                            {moat_fixed(motion, Newmark::average_acceleration(), "yield not located", without_location),
+                             moat_fixed(motion, Newmark::fourth_order(), "yield not located", without_location),
                              moat_fixed(motion, Newmark::fourth_order(), "yield located", peaks)}},
                            {names::moat_exact, {moat_exact(peaks)}},
                            {names::moat_exact_recorded, {moat_exact(everything(ErrorBarMode::never))}},

@@ -1,5 +1,6 @@
 #include "app/script.hpp"
 
+#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <exception>

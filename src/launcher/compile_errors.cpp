@@ -1,6 +1,7 @@
 #include "launcher/compile_errors.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <optional>
 #include <regex>
@@ -32,16 +33,16 @@ std::string wrong_type(const Diagnostic& diagnostic, const std::string& is, cons
          (has_fraction ? whole_number_hint(expression) : "");
 }
 
-// "; it lacks dissipation_rate, which ..." for a law of the script in the place of an isolation; empty where no
-// function is missing.
+// "; the law lacks dissipation_rate ..." for a law of the script in the place of an isolation; empty where nothing is
+// missing, or where no part of a law is there.
 std::string functions_missing(const Diagnostic& place, const std::string& needed) {
   if (needed.find("Isolation") == std::string::npos) return "";
   const std::string script = text_of(place.file);
+  constexpr std::array parts{"State", "evaluate", "stored_energy", "dissipation_rate", "linear_stiffness"};
   std::vector<std::string> missing;
-  for (const char* name : {"State", "evaluate", "stored_energy", "dissipation_rate", "linear_stiffness"})
-    if (!has_word(script, name)) missing.emplace_back(name);
-  constexpr std::size_t parts_of_a_law = 5;
-  if (missing.empty() || missing.size() == parts_of_a_law) return "";
+  for (const char* part : parts)
+    if (!has_word(script, part)) missing.emplace_back(part);
+  if (missing.empty() || missing.size() == parts.size()) return "";
   return "; the law lacks " + joined(missing, ", ") + " (docs/guide.md, \"Laws and elements of your own\")";
 }
 

@@ -184,7 +184,7 @@ struct BuildingTorsion {
 struct CaseResult {
   std::string title;         ///< Of the script.
   Provenance provenance{};   ///< Command, script, version, date.
-  AnalysisFacts analysis{};  ///< Its options.
+  AnalysisFacts analysis{};  ///< Its integrator and options.
   MotionFacts motion;        ///< As applied.
   ModelFacts model{};        ///< The whole model.
   /// For drawings; its indices of nodes are those of `model.nodes`. Empty for models of more than `most_drawn_nodes`.

@@ -32,12 +32,15 @@ std::string list_of(const std::vector<Facts>& all, const std::string& what, cons
 std::string cell(std::string_view text) { return "<td>" + escaped(text) + "</td>"; }
 std::string number_cell(double value) { return "<td class=\"number\">" + to_significant(value, 6) + "</td>"; }
 
+// A number without dimension has the unit 1.
+std::string value_with_unit(double value, std::string_view unit) {
+  return to_significant(value, 6) + (unit == "1" ? "" : " " + with_raised_digits(unit));
+}
+
 std::string text_of(const std::vector<ParameterFacts>& parameters) {
   std::string text;
-  for (const ParameterFacts& each : parameters) {
-    text += (text.empty() ? "" : ", ") + in_words(each.name) + " " + to_significant(each.value, 6);
-    if (each.unit != "1") text += " " + with_raised_digits(each.unit);
-  }
+  for (const ParameterFacts& each : parameters)
+    text += (text.empty() ? "" : ", ") + in_words(each.name) + " " + value_with_unit(each.value, each.unit);
   return text;
 }
 
@@ -79,8 +82,7 @@ std::string analysis_section(const AnalysisFacts& analysis) {
   html += row_if_known("integrator", analysis.integrator);
   html += row_if_known("events", analysis.events);
   for (const Parameter& option : analysis.options)
-    html += number_row(std::string{option.name},
-                       to_significant(option.value, 6) + (option.unit == "1" ? "" : " " + std::string{option.unit}));
+    html += number_row(std::string{option.name}, value_with_unit(option.value, option.unit));
   return html + "</table>\n";
 }
 
