@@ -4,7 +4,6 @@
 #include <cmath>
 #include <string>
 
-#include "analyses/step_grid.hpp"
 #include "base/check.hpp"
 #include "base/hermite.hpp"
 
@@ -15,26 +14,14 @@ namespace {
 // memory.
 constexpr std::size_t most_systems = 256;
 
-// Of a piece: lengths that differ by less are equal.
-constexpr double round_off = 1e-9;
-
-// At a time inside a step.
-double ground_at(const StepTask& step, double time) {
-  return step.ground ? step.ground->acceleration_at(time)
-                     : step.ground_acceleration_at_start.x + (time - step.start_time) * step.ground_jerk.x;
-}
-
 }  // namespace
 
 ExactSteps::ExactSteps(Model& model, StepControl& control)
-    : model_{&model}, control_{&control}, series_{model.degrees_of_freedom()} {
+    : model_{&model}, control_{&control}, path_{model.degrees_of_freedom()} {
   check();
   const Eigen::Index count = model.degrees_of_freedom();
   stiffness_ = model.pattern();
   damping_ = model.pattern();
-  const Eigen::Index result = LinearSystem::result_size(count);
-  path_.setZero(LinearStart::motion + result, most_pieces + 2);
-  inside_.setZero(result);
   earlier_.acceleration.setZero(count);
   earlier_.jerk.setZero(count);
   restart();
@@ -92,76 +79,18 @@ double ExactSteps::next_length() {
   if (!linearised_) linearise();
   const double piece = systems_[current_].step();
   const double longest = control_->longest_exact_step();
-  wanted_ = std::clamp(wanted_, piece, std::max(piece, std::min(longest, static_cast<double>(most_pieces) * piece)));
+  wanted_ = std::clamp(wanted_, piece,
+                       std::max(piece, std::min(longest, static_cast<double>(LinearPath::most_pieces) * piece)));
   return wanted_;
 }
 
 void ExactSteps::begin(const StepTask& step) {
   if (!linearised_) linearise();
-  const Eigen::Index n = model_->degrees_of_freedom();
-  const double piece = systems_[current_].step();
-  ground_[0] = step.ground_acceleration_at_start.x;
-  pieces_ = 0;
-  if (step.length > piece) {
-    double end = StepGrid::next_multiple(step.start_time, piece) - step.start_time;
-    for (; end < (1.0 - round_off) * step.length && pieces_ < most_pieces; end += piece) {
-      ends_[pieces_++] = end;
-      ground_[pieces_] = ground_at(step, step.start_time + end);
-    }
-  }
-  ends_[pieces_++] = step.length;
-  ground_[pieces_] = step.ground_acceleration.x;
-
-  double* start = path_.data();
-  start[LinearStart::one] = 1.0;
-  start[LinearStart::ground] = ground_[0];
-  start[LinearStart::slope] = (ground_[1] - ground_[0]) / ends_[0];
-  const double *displacement = model_->state().displacement.data(), *velocity = model_->state().velocity.data();
-  std::copy_n(displacement, n, start + LinearStart::motion);
-  std::copy_n(velocity, n, start + LinearStart::motion + n);
-  known_ = 0;
-  expanded_ = most_pieces + 1;
-}
-
-// The path up to the start of this piece.
-void ExactSteps::advance_to(std::size_t piece) {
-  for (; known_ < piece; ++known_) {
-    const double* start = path_.col(static_cast<Eigen::Index>(known_)).data();
-    double* end = path_.col(static_cast<Eigen::Index>(known_) + 1).data();
-    const LinearSystem& system = systems_[current_];
-    const double length = ends_[known_] - start_of(known_);
-    if (std::abs(length - system.step()) <= round_off * system.step()) {
-      system.advance(start, end + LinearStart::motion);
-    } else {
-      series_.expand(system, start, length);
-      expanded_ = known_;
-      series_.evaluate(length, end + LinearStart::motion);
-    }
-    const std::size_t next = known_ + 1;
-    if (next == pieces_) continue;
-    end[LinearStart::one] = 1.0;
-    end[LinearStart::ground] = ground_[next];
-    end[LinearStart::slope] = (ground_[next + 1] - ground_[next]) / (ends_[next] - ends_[known_]);
-  }
+  path_.begin(systems_[current_], model_->state(), step);
 }
 
 bool ExactSteps::solve(const StepTask& part) {
-  const double h = part.length;
-  std::size_t piece = 0;
-  while (piece + 1 < pieces_ && h > ends_[piece]) ++piece;
-  const double* end = nullptr;
-  if (h == ends_[piece]) {
-    advance_to(piece + 1);
-    end = path_.col(static_cast<Eigen::Index>(piece) + 1).data() + LinearStart::motion;
-  } else {
-    advance_to(piece);
-    const double start = start_of(piece);
-    if (expanded_ != piece)
-      series_.expand(systems_[current_], path_.col(static_cast<Eigen::Index>(piece)).data(), ends_[piece] - start);
-    expanded_ = piece;
-    series_.evaluate(h - start, inside_.data());
-    end = inside_.data();
-  }
+  const double* end = path_.at(part.length);
   const Eigen::Index n = model_->degrees_of_freedom();
   MotionState& trial = model_->trial();
   trial.time = part.end_time;
@@ -193,18 +122,18 @@ bool ExactSteps::accepts(const StepTask& step, std::span<const RegimeChange>) {
 
 // Whether the cubic through both ends of the step meets the exact accelerations inside.
 bool ExactSteps::interpolates(const StepTask& step) const {
-  if (pieces_ == 1) return true;
+  const std::size_t pieces = path_.pieces();
+  if (pieces == 1) return true;
   const Eigen::Index n = model_->degrees_of_freedom();
   const Vector& scales = control_->acceleration_scales();
   const MotionState &from = model_->state(), &to = model_->trial();
   const double h = step.length, allowed = cubics_within * control_->tolerance();
   for (Eigen::Index i = 0; i < n; ++i) {
-    const HermiteCubic cubic{from.acceleration[i] + ground_[0], from.jerk[i], to.acceleration[i] + ground_[pieces_],
-                             to.jerk[i], h};
-    const Eigen::Index row = LinearStart::motion + 2 * n + i;
-    for (std::size_t piece = 1; piece < pieces_; ++piece) {
-      const double exact = path_(row, static_cast<Eigen::Index>(piece)) + ground_[piece];
-      if (std::abs(cubic.value(start_of(piece) / h) - exact) > allowed * scales[i]) return false;
+    const HermiteCubic cubic{from.acceleration[i] + path_.ground_at(0), from.jerk[i],
+                             to.acceleration[i] + path_.ground_at(pieces), to.jerk[i], h};
+    for (std::size_t piece = 1; piece < pieces; ++piece) {
+      const double miss = cubic.value(path_.start_of(piece) / h) - path_.absolute_acceleration(piece, i);
+      if (std::abs(miss) > allowed * scales[i]) return false;
     }
   }
   return true;
@@ -219,9 +148,10 @@ bool ExactSteps::would_interpolate_doubled(const StepTask& step) const {
   constexpr double reserve = 0.5;
   const double allowed = reserve * cubics_within * control_->tolerance();
   for (Eigen::Index i = 0; i < scales.size(); ++i) {
-    const HermiteCubic cubic{earlier_.acceleration[i], earlier_.jerk[i], to.acceleration[i] + ground_[pieces_],
-                             to.jerk[i], 2.0 * step.length};
-    if (std::abs(cubic.value(0.5) - (middle.acceleration[i] + ground_[0])) > allowed * scales[i]) return false;
+    const HermiteCubic cubic{earlier_.acceleration[i], earlier_.jerk[i],
+                             to.acceleration[i] + path_.ground_at(path_.pieces()), to.jerk[i], 2.0 * step.length};
+    const double miss = cubic.value(0.5) - (middle.acceleration[i] + path_.ground_at(0));
+    if (std::abs(miss) > allowed * scales[i]) return false;
   }
   return true;
 }

@@ -1,11 +1,10 @@
 // Exact steps of a model that is linear between events.
 #pragma once
 
-#include <Eigen/Core>
-#include <array>
 #include <cstddef>
 #include <vector>
 
+#include "analyses/linear_path.hpp"
 #include "analyses/linear_system.hpp"
 #include "analyses/step_control.hpp"
 #include "analyses/stepper.hpp"
@@ -24,13 +23,13 @@ namespace moat {
 /// Its motion from one time to the next is exact to round-off (analyses/linear_system.hpp): there is no error of
 /// period.
 ///
-/// A step consists of pieces, as many as a power of two, at most 16. A piece is the interval of the samples (or less,
-/// by largest_step), halved until the fastest eigenvalue of the system times the piece is at most 1/2. The motion is
-/// computed from piece to piece. Elements, changes of regime and peaks are looked at from end to end of a step, by the
+/// A step consists of pieces (analyses/linear_path.hpp), as many as a power of two, at most 16. A piece is the
+/// interval of the samples (or less, by largest_step), halved until the fastest eigenvalue of the system times the
+/// piece is at most 1/2. Elements, changes of regime and peaks are looked at from end to end of a step, by the
 /// cubic through values and rates. A step of several pieces is accepted only if this cubic meets the exact absolute
 /// acceleration of every node at the end of every piece, to `cubics_within` tolerances of the scale of that place
-/// (analyses/acceleration_scales.hpp). Unlike errors of implicit steps this one does not accumulate. Steps double where
-/// the cubic over the last two steps would be so good.
+/// (analyses/acceleration_scales.hpp). Unlike errors of implicit steps this one does not accumulate. Steps double
+/// where the cubic over the last two steps would be so good.
 ///
 /// While a gap is closed the model is not linear and applies() is false; Transient takes Newmark's steps there.
 class ExactSteps final : public Stepper {
@@ -57,8 +56,6 @@ class ExactSteps final : public Stepper {
   WorkRule work_rule() const override { return WorkRule::quadrature; }
 
  private:
-  static constexpr std::size_t most_pieces = 16;
-
   // Absolute accelerations and jerks at the start of the last accepted step.
   struct Earlier {
     double length = 0.0;  // of that step, s; 0: none
@@ -67,8 +64,6 @@ class ExactSteps final : public Stepper {
 
   void check() const;
   void linearise();
-  void advance_to(std::size_t piece);
-  [[nodiscard]] double start_of(std::size_t piece) const { return piece == 0 ? 0.0 : ends_[piece - 1]; }
   [[nodiscard]] bool interpolates(const StepTask& step) const;
   [[nodiscard]] bool would_interpolate_doubled(const StepTask& step) const;
 
@@ -82,17 +77,7 @@ class ExactSteps final : public Stepper {
   Vector offset_;        // -M^-1 f0
   double wanted_ = 0.0;  // length of the next step, if the system allows it; s
   Earlier earlier_;
-
-  // The step that begin() set up: the ends of its pieces, s from its start, and the ground there, m/s^2.
-  std::size_t pieces_ = 0;
-  std::array<double, most_pieces + 1> ends_{};
-  std::array<double, most_pieces + 2> ground_{};
-  // Column i: the start of piece i (LinearStart) and, beyond its inputs, the end of piece i - 1. Known up to known_.
-  Eigen::MatrixXd path_;
-  std::size_t known_ = 0;
-  LinearMotionSeries series_;
-  std::size_t expanded_ = most_pieces + 1;  // the piece of the series
-  Vector inside_;                           // (u, u', u'') at a time inside a piece
+  LinearPath path_;
 };
 
 }  // namespace moat
