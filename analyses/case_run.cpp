@@ -101,6 +101,27 @@ std::optional<Model> copy_for_companion(const Model& model, const GroundMotion& 
   return model;
 }
 
+std::string_view name_of(ErrorBarMode mode) {
+  switch (mode) {
+    case ErrorBarMode::always:
+      return "always";
+    case ErrorBarMode::never:
+      return "never";
+    default:
+      return "automatic";
+  }
+}
+
+AnalysisFacts facts_of(const CaseOptions& options) {
+  // An option that is missing here does not compile.
+  const auto& [title, transient, history_interval, warn_above_energy_error, error_bars] = options;
+  AnalysisFacts facts = facts_of(transient);
+  facts.error_bars = name_of(error_bars);
+  facts.options.push_back({"history_interval", history_interval.si(), "s"});
+  facts.options.push_back({"warn_above_energy_error", warn_above_energy_error, "1"});
+  return facts;
+}
+
 MotionFacts facts_of(const GroundMotion& motion) {
   return {.name = motion.name(),
           .peak_acceleration = motion.peak_acceleration().si(),
@@ -171,7 +192,7 @@ CaseResult CaseRun::result() const {
   CaseResult result{
       .title = options_.title,
       .provenance = provenance_of_library(),
-      .analysis = facts_of(options_.transient),
+      .analysis = facts_of(options_),
       .motion = facts_of(motion),
       .model = facts_of(transient_.model()),
       .scene = transient_.model().node_count() <= most_drawn_nodes ? scene_of(transient_.model()) : Scene{},
@@ -196,6 +217,7 @@ CaseResult CaseRun::result() const {
   add_errors(result);
   // Behind the errors: the companion does not know these peaks.
   for (Peak& peak : offered_peaks_.peaks()) result.peaks.push_back(std::move(peak));
+  for (std::string& warning : offered_peaks_.warnings()) result.warnings.push_back(std::move(warning));
   if (transient_.model().is_plan())
     result.assumptions.insert(result.assumptions.end(), plan_assumptions.begin(), plan_assumptions.end());
   else

@@ -8,7 +8,7 @@
 namespace moat {
 namespace {
 
-// Of a piece: lengths that differ by less are equal.
+// Relative to a piece: lengths closer than this count as equal.
 constexpr double round_off = 1e-9;
 
 // At a time inside a step.

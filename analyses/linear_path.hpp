@@ -22,7 +22,7 @@ class LinearPath {
   /// So many degrees of freedom.
   explicit LinearPath(Eigen::Index count);
 
-  /// Begins at this state. The system must outlive the path, or the next begin().
+  /// Begins at this state. The system must exist until the next begin() or the end of the path.
   void begin(const LinearSystem& system, const MotionState& start, const StepTask& step);
 
   /// (u, u', u'') after h s, 0 < h <= the length of the step. Valid until the next call.

@@ -1,6 +1,7 @@
 #include "analyses/transient_texts.hpp"
 
 #include <cmath>
+#include <optional>
 #include <string_view>
 
 #include "base/check.hpp"
@@ -49,22 +50,29 @@ AnalysisFacts facts_of(const TransientOptions& options) {
   // An option that is missing here does not compile.
   const auto& [integrator, step, tolerance, steps_per_contact, largest_step, max_halvings, end, force_tolerance,
                max_iterations, max_cuts, location_tolerance, events, max_events_per_second] = options;
-  // An integrator that leaves the numbers of its steps to the analysis has none to describe.
-  return {.integrator = scheme_of(integrator)
-                            ? std::visit([](const auto& each) { return each.description(); }, integrator)
-                            : std::string{name_of(integrator)},
-          .events = std::string{name_of(events)},
-          .options = {{"step", step.si(), "s"},
-                      {"tolerance", tolerance, "1"},
-                      {"steps_per_contact", static_cast<double>(steps_per_contact), "1"},
-                      {"largest_step", largest_step.si(), "s"},
-                      {"max_halvings", static_cast<double>(max_halvings), "1"},
-                      {"end", end.si(), "s"},
-                      {"force_tolerance", force_tolerance, "1"},
-                      {"max_iterations", static_cast<double>(max_iterations), "1"},
-                      {"max_cuts", static_cast<double>(max_cuts), "1"},
-                      {"location_tolerance", location_tolerance.si(), "m"},
-                      {"max_events_per_second", static_cast<double>(max_events_per_second), "1"}}};
+  AnalysisFacts facts{.integrator = std::string{name_of(integrator)},
+                      .events = std::string{name_of(events)},
+                      .options = {{"step", step.si(), "s"},
+                                  {"tolerance", tolerance, "1"},
+                                  {"steps_per_contact", static_cast<double>(steps_per_contact), "1"},
+                                  {"largest_step", largest_step.si(), "s"},
+                                  {"max_halvings", static_cast<double>(max_halvings), "1"},
+                                  {"end", end.si(), "s"},
+                                  {"force_tolerance", force_tolerance, "1"},
+                                  {"max_iterations", static_cast<double>(max_iterations), "1"},
+                                  {"max_cuts", static_cast<double>(max_cuts), "1"},
+                                  {"location_tolerance", location_tolerance.si(), "m"},
+                                  {"max_events_per_second", static_cast<double>(max_events_per_second), "1"}}};
+  // Without a scheme the analysis chooses one for every step.
+  if (const std::optional<StepScheme> scheme = scheme_of(integrator)) {
+    facts.integrator = std::visit([](const auto& each) { return each.description(); }, integrator);
+    facts.options.insert(facts.options.end(), {{"beta", scheme->beta, "1"},
+                                               {"gamma", scheme->gamma, "1"},
+                                               {"mass_share", scheme->mass_share, "1"},
+                                               {"force_share", scheme->force_share, "1"},
+                                               {"corrects_velocity", scheme->corrects_velocity ? 1.0 : 0.0, "1"}});
+  }
+  return facts;
 }
 
 std::vector<std::string> warnings_of(const TransientOptions& options, const StepControl& control,

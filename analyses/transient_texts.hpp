@@ -16,7 +16,7 @@ namespace moat {
 std::vector<std::string> assumptions_of(const TransientOptions& options, const StepControl& control,
                                         double longest_step, const SolverStatistics& statistics);
 
-/// All options as they were given.
+/// All options as they were given, and the numbers of the scheme.
 AnalysisFacts facts_of(const TransientOptions& options);
 
 /// Settings that can make the results inaccurate, with advice.

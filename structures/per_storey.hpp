@@ -49,7 +49,7 @@ class PerStorey {
   void check(const Check& check, const std::string& field, int storeys) const {
     check_count(check, field, storeys);
     for (std::size_t i = 0; i < values_.size(); ++i)
-      check.positive(is_list_ ? field + "[" + std::to_string(i) + "]" : field, values_[i]);
+      check.positive(is_list_ ? field + " of storey " + std::to_string(i + 1) : field, values_[i]);
   }
 
  private:

@@ -243,8 +243,8 @@ Script::Outcome Script::compute(CaseRun& run, const Model& model, const RunOptio
 
 int Script::print(const Outcome& outcome, const RunOptions& options, const std::filesystem::path& folder) {
   if (!options.quiet)
-    std::cout << terminal_summary(outcome.result) << "Results: " << folder.string()
-              << "/  (report.html, frames.pvd for ParaView)\n"
+    std::cout << terminal_summary(outcome.result) << "Results: " << folder.string() << "/  (report.html"
+              << (options.frame_interval.si() != 0.0 ? ", frames.pvd for ParaView" : "") << ")\n"
               << std::flush;
   const auto& warnings = outcome.result.warnings;
   for (std::size_t i = outcome.failure.empty() ? 0 : 1; i < warnings.size(); ++i)

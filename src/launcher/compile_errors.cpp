@@ -33,15 +33,24 @@ std::string wrong_type(const Diagnostic& diagnostic, const std::string& is, cons
          (has_fraction ? whole_number_hint(expression) : "");
 }
 
-// "; the law lacks dissipation_rate ..." for a law of the script in the place of an isolation; empty where nothing is
-// missing, or where no part of a law is there.
-std::string functions_missing(const Diagnostic& place, const std::string& needed) {
+// From "struct Rubber" to the brace in the first column that ends it; empty if the script has no such struct.
+std::string struct_in(const std::string& script, const std::string& name) {
+  const std::regex head{R"((?:^|\n)\s*(?:struct|class) )" + name + R"(\b)"};
+  std::smatch match;
+  if (!std::regex_search(script, match, head)) return "";
+  const auto begin = static_cast<std::size_t>(match.position());
+  return script.substr(begin, script.find("\n}", begin + 1) - begin);
+}
+
+// "; the law lacks dissipation_rate ..." for a law of the script, of type `given`, in the place of an isolation; empty
+// where nothing is missing, or where no part of a law is there.
+std::string functions_missing(const Diagnostic& place, const std::string& given, const std::string& needed) {
   if (needed.find("Isolation") == std::string::npos) return "";
-  const std::string script = text_of(place.file);
+  const std::string law = struct_in(text_of(place.file), given);
   constexpr std::array parts{"State", "evaluate", "stored_energy", "dissipation_rate", "linear_stiffness"};
   std::vector<std::string> missing;
   for (const char* part : parts)
-    if (!has_word(script, part)) missing.emplace_back(part);
+    if (!has_word(law, part)) missing.emplace_back(part);
   if (missing.empty() || missing.size() == parts.size()) return "";
   return "; the law lacks " + joined(missing, ", ") + " (docs/guide.md, \"Laws and elements of your own\")";
 }
@@ -93,7 +102,7 @@ const std::vector<Pattern>& patterns() {
        }},
       {std::regex{R"(could not convert '.*' from '(.*)' to '(.*)')"},
        [](const std::smatch& match, const Diagnostic& place, const fs::path&) {
-         return at(place, wrong_type(place, match[1], match[2]) + functions_missing(place, match[2]));
+         return at(place, wrong_type(place, match[1], match[2]) + functions_missing(place, match[1], match[2]));
        }},
       {std::regex{R"(cannot convert '([^<'][^']*)' to '(?:const )?([^'&]*)&*'.*)"},
        [](const std::smatch& match, const Diagnostic& place, const fs::path&) {
@@ -108,11 +117,13 @@ const std::vector<Pattern>& patterns() {
          return at(place,
                    "'" + match[1].str() + "' " + match[2].str() + known_name_like(match[1], match[3], place, root));
        }},
-      {std::regex{R"(no matching function for call to '(?:moat::)?Script::run\(.*<brace-enclosed initializer list>.*)"},
+      {std::regex{R"(no matching function for call to '(?:moat::)?Script::run\(.*)"},
        [](const std::smatch&, const Diagnostic& place, const fs::path&) {
-         return at(place,
-                   "a list in this call of Script::run does not fit: options are given by their names, as in "
-                   "{.step = 1 * ms}, and observers by their addresses, as in {&drift}");
+         return at(
+             place,
+             "this call of Script::run does not fit: it takes the model, the motion (of a file: "
+             "read_motion(\"record.AT2\")), then options by their names, as in {.step = 1 * ms}, and observers by "
+             "their addresses, as in {&drift}");
        }},
       {std::regex{R"(use of deleted function '.*Required<T>::Required\(\) \[with T = (.*)\]')"},
        [](const std::smatch& match, const Diagnostic& place, const fs::path&) {
@@ -141,7 +152,28 @@ std::optional<Explanation> failed_deduction(const ErrorGroup& group, const fs::p
   return {};
 }
 
+// An object of a type that lacks a function of its interface.
+std::optional<Explanation> function_of_interface_missing(const ErrorGroup& group) {
+  static const std::regex abstract{R"(.*abstract (?:class )?type '(.*)')"};
+  static const std::regex function{R"(\s*'virtual .*?(\w+)::(\w+)\(.*)"};
+  std::smatch match;
+  const std::string text = with_dimension_names(group.front().text);
+  if (!std::regex_match(text, match, abstract)) return {};
+  const std::string type = match[1];
+  std::string interface;
+  std::vector<std::string> missing;
+  for (const Diagnostic& each : group)
+    if (std::regex_match(each.text, match, function)) {
+      interface = match[1];
+      missing.push_back(match[2]);
+    }
+  if (missing.empty()) return {};
+  return at(group.front(), type + " lacks " + joined(missing, " and ") + "() of " + interface +
+                               "; its parameters and const must be those of the interface");
+}
+
 std::optional<Explanation> explanation_of(const ErrorGroup& group, const fs::path& root) {
+  if (auto known = function_of_interface_missing(group)) return known;
   for (const auto rule :
        {name_of_a_template, list_in_a_call, list_in_overloaded_call, list_without_type, list_for_storeys})
     if (auto known = rule(group, root)) return known;

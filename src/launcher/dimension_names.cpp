@@ -67,6 +67,7 @@ std::string described(const std::string& type) {
   static const std::regex per_storey{R"(PerStorey<(.*?) ?>)"};
   std::smatch match;
   if (std::regex_match(name, match, per_storey)) return described(match[1]) + ", or one per storey,";
+  if (name == "MemberPoint") return "a node, or a MemberPoint between two,";
   if (name == "Isolation") return "a bearing, such as LeadRubberBearing,";
   if (name == "int") return "a number without unit";
   if (name == "<brace-enclosed initializer list>") return "a list in braces";

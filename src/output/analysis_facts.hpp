@@ -12,7 +12,8 @@ namespace moat {
 struct AnalysisFacts {
   std::string integrator{};          ///< its name, or its description where it has parameters
   std::string events{};              ///< "automatic", "located" or "inside_the_step"
-  std::vector<Parameter> options{};  ///< all numbers of TransientOptions, by their names there
+  std::string error_bars{};          ///< "automatic", "always" or "never"
+  std::vector<Parameter> options{};  ///< all numbers of TransientOptions and CaseOptions, by their names there
 };
 
 }  // namespace moat

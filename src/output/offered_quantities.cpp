@@ -30,11 +30,15 @@ void OfferedQuantities::sample(const StepView& view, std::vector<double>& values
 void OfferedPeaks::step(const StepView& view) {
   quantities_->sample(view, values_);
   largest_.resize(values_.size());
-  times_.resize(values_.size());
+  const double time = view.model.state().time;
   for (std::size_t i = 0; i < values_.size(); ++i) {
-    if (std::abs(values_[i]) <= std::abs(largest_[i])) continue;
-    largest_[i] = values_[i];
-    times_[i] = view.model.state().time;
+    Largest& largest = largest_[i];
+    if (!std::isfinite(values_[i])) {
+      if (largest.not_finite++ == 0) largest.first_not_finite_at = time;
+    } else if (!std::isfinite(largest.value) || std::abs(values_[i]) > std::abs(largest.value)) {
+      largest.value = values_[i];
+      largest.time = time;
+    }
   }
 }
 
@@ -42,9 +46,23 @@ std::vector<Peak> OfferedPeaks::peaks() const {
   std::vector<Peak> peaks;
   for (std::size_t i = 0; i < largest_.size(); ++i) {
     const OfferedQuantity& each = quantities_->list()[i];
-    peaks.push_back({each.quantity, each.where, largest_[i], each.unit, times_[i]});
+    peaks.push_back({each.quantity, each.where, largest_[i].value, each.unit, largest_[i].time});
   }
   return peaks;
+}
+
+std::vector<std::string> OfferedPeaks::warnings() const {
+  std::vector<std::string> list;
+  for (std::size_t i = 0; i < largest_.size(); ++i) {
+    const Largest& largest = largest_[i];
+    if (largest.not_finite == 0) continue;
+    const OfferedQuantity& each = quantities_->list()[i];
+    list.push_back("The quantity \"" + each.quantity + "\" of a recorder has " + std::to_string(largest.not_finite) +
+                   " values at \"" + each.where +
+                   "\" that are infinite or no number, the first at t = " + to_text(largest.first_not_finite_at) +
+                   " s. Its peak leaves them out. Look for a division by zero in the recorder's sample().");
+  }
+  return list;
 }
 
 }  // namespace moat

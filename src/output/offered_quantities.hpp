@@ -1,6 +1,8 @@
 // The quantities of all recorders that offer some, and their peaks.
 #pragma once
 
+#include <limits>
+#include <string>
 #include <vector>
 
 #include "output/case_result.hpp"
@@ -29,7 +31,8 @@ class OfferedQuantities {
   std::vector<OfferedQuantity> list_;
 };
 
-/// Keeps the value of largest magnitude of every offered quantity at the ends of steps, on both sides of events.
+/// Keeps the value of largest magnitude of every offered quantity at the ends of steps, on both sides of events. Values
+/// that are infinite or no number are counted and left out.
 class OfferedPeaks final : public StepObserver {
  public:
   /// The list must outlive the recorder and be complete when the analysis starts.
@@ -39,12 +42,22 @@ class OfferedPeaks final : public StepObserver {
   void step(const StepView& view) override;
   void event(const StepView& view, std::span<const RegimeChange>) override { step(view); }
 
-  /// One for every quantity.
+  /// One for every quantity. The value is not a number where no value was finite.
   [[nodiscard]] std::vector<Peak> peaks() const;
+  /// One for every quantity with values that are not finite.
+  [[nodiscard]] std::vector<std::string> warnings() const;
 
  private:
+  // Of one quantity.
+  struct Largest {
+    double value = std::numeric_limits<double>::quiet_NaN(), time = 0.0;
+    long not_finite = 0;               // number of values
+    double first_not_finite_at = 0.0;  // s
+  };
+
   const OfferedQuantities* quantities_;
-  std::vector<double> values_, largest_, times_;
+  std::vector<double> values_;
+  std::vector<Largest> largest_;
 };
 
 }  // namespace moat

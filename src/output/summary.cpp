@@ -25,6 +25,7 @@ Json json_of_parameters(const auto& parameters) {
 Json json_of(const AnalysisFacts& analysis) {
   return {{"integrator", text_or_null(analysis.integrator)},
           {"events", text_or_null(analysis.events)},
+          {"error_bars", text_or_null(analysis.error_bars)},
           {"options", json_of_parameters(analysis.options)}};
 }
 

@@ -31,7 +31,8 @@ namespace moat {
 ///                  "corners": [ { "element", "corner", "edge", "position", "normal", "edge_begin", "edge_end": [ x, y
 ///                  ],
 ///                                 "clearance" } ] },
-///       "analysis": { "integrator", "events", "options": { name as in TransientOptions: { "value", "unit" } } },
+///       "analysis": { "integrator", "events", "error_bars", "options": { name as in TransientOptions and CaseOptions,
+///                     or number of the scheme: { "value", "unit" } } },
 ///       "periods": [ { "name", "value" } ], "assumptions": [ ... ],
 ///       "peaks": [ { "quantity", "where", "value": with its sign, "unit", "time", "error": estimated, same unit, null
 ///                    if not known, "side" } ],

@@ -81,6 +81,7 @@ std::string analysis_section(const AnalysisFacts& analysis) {
   std::string html = "<h2>Options of the analysis</h2>\n<table>\n";
   html += row_if_known("integrator", analysis.integrator);
   html += row_if_known("events", analysis.events);
+  html += row_if_known("error bars", analysis.error_bars);
   for (const Parameter& option : analysis.options)
     html += number_row(std::string{option.name}, value_with_unit(option.value, option.unit));
   return html + "</table>\n";

@@ -85,6 +85,47 @@ TEST_F(CompileErrors, AskForTheAddressesOfObservers) {
   EXPECT_NE(all.find("observers by their addresses, as in {&drift}"), std::string::npos) << all;
 }
 
+TEST_F(CompileErrors, SayHowAScriptIsRun) {
+  for (const char* arguments :
+       {"model, near_fault_pulse(), drift", "model, near_fault_pulse(), GeneralizedAlpha{}", "model, \"record.AT2\""}) {
+    const std::string all = explained_for(
+        "struct Drift final : StepObserver {\nvoid start(const StepView&) override {}\n"
+        "void step(const StepView&) override {}\n};\nint main(int argc, char** argv) {\nScript script{argc, argv, "
+        "\"a\"};\nModel model;\nDrift drift;\nreturn script.run(" +
+        std::string{arguments} + ");\n}");
+    EXPECT_NE(
+        all.find("this call of Script::run does not fit: it takes the model, the motion (of a file: read_motion("),
+        std::string::npos)
+        << arguments << "\n"
+        << all;
+  }
+}
+
+TEST_F(CompileErrors, NameTheFunctionThatARecorderLacks) {
+  const std::string all = explained_for(
+      "struct Drift final : QuantityRecorder {\n"
+      "std::vector<OfferedQuantity> quantities() const override { return {}; }\n};\nDrift drift;");
+  EXPECT_TRUE(all.starts_with("tower.cpp:7: Drift lacks sample() of QuantityRecorder; ")) << all;
+}
+
+// The words of a law stand elsewhere in the script.
+TEST_F(CompileErrors, SayNothingOfFunctionsOfALawThatIsNotOfTheScript) {
+  const std::string all = explained_for(
+      "struct Rubber {\nusing State = NoState;\ndouble stored_energy(const State&, double) const;\n};\n"
+      "const HertzDamp law{.stiffness = 1 * N / m_3_2, .restitution = 0.65};\n"
+      "const ShearBuilding building{.storeys = 2, .floor_mass = 1 * kg, .storey_stiffness = 1 * GN / m, "
+      ".base_mass = 1 * kg, .isolation = law};");
+  EXPECT_EQ(all.find("lacks"), std::string::npos) << all;
+  EXPECT_NE(all.find("a bearing, such as LeadRubberBearing, is needed here"), std::string::npos) << all;
+}
+
+TEST_F(CompileErrors, AcceptANodeAtTheEndOfAGapInWords) {
+  const std::string all = explained_for(
+      "struct Tower {} tower;\nconst Gap<HertzDamp> gap{.left = tower, .right = tower, .clearance = 1 * m, "
+      ".law = {.stiffness = 1 * N / m_3_2, .restitution = 0.65}};");
+  EXPECT_NE(all.find("a node, or a MemberPoint between two, is needed here"), std::string::npos) << all;
+}
+
 TEST_F(CompileErrors, PointAtAFieldInTheWrongPlaceAndGiveTheOrder) {
   const std::string text = explained_for("const Node node{.mass = 1 * kg,\n.name = \"base\"};");
   EXPECT_TRUE(text.starts_with("tower.cpp:5: field name of Node stands in the wrong place; the order is name, mass"))

@@ -1,5 +1,8 @@
 #include "output/offered_quantities.hpp"
 
+#include <cmath>
+#include <limits>
+
 #include "output/history_recorder.hpp"
 #include "output_testing.hpp"
 #include "recorders_testing.hpp"
@@ -61,6 +64,37 @@ TEST(OfferedQuantities, HavePeaksWithTheirSign) {
   EXPECT_EQ(peak.unit, "m");
   EXPECT_NEAR(peak.value, -0.03, 1e-15);
   EXPECT_EQ(peak.time, 1.0);
+}
+
+// A peak that a later, smaller value replaced.
+TEST(OfferedQuantities, LeaveOutValuesThatAreNoNumbersAndSaySo) {
+  struct Ratio final : QuantityRecorder {
+    double value = 0.0;
+    std::vector<OfferedQuantity> quantities() const override { return {{"ratio", "roof", "1"}}; }
+    void sample(const StepView&, std::span<double> values) const override { values[0] = value; }
+  } ratio;
+  HandMovedBuilding building;
+  OfferedQuantities offered;
+  offered.add(ratio);
+  OfferedPeaks peaks{offered}, without{offered};
+  ratio.value = 100.0;
+  peaks.start(building.move(0.0, 0.0, 0.0));
+  EXPECT_TRUE(peaks.warnings().empty());
+  for (const double value : {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
+    ratio.value = value;
+    peaks.step(building.move(5.0, 0.0, 0.0));
+    without.step(building.move(5.0, 0.0, 0.0));
+  }
+  ratio.value = 1.0;
+  peaks.step(building.move(6.0, 0.0, 0.0));
+  EXPECT_EQ(peaks.peaks()[0].value, 100.0);
+  EXPECT_EQ(peaks.peaks()[0].time, 0.0);
+  ASSERT_EQ(peaks.warnings().size(), 1u);
+  EXPECT_TRUE(peaks.warnings()[0].starts_with(
+      "The quantity \"ratio\" of a recorder has 2 values at \"roof\" that are infinite or no number, the first at t = "
+      "5 s."))
+      << peaks.warnings()[0];
+  EXPECT_TRUE(std::isnan(without.peaks()[0].value));
 }
 
 TEST(OfferedQuantities, AreRefusedUnderANameThatIsTaken) {

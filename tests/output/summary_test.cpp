@@ -36,7 +36,7 @@ CaseResult example() {
                     .second_other = "floor 2",
                     .second_share = 0.25}}};
   result.buildings = {{"tower", "base", {"floor 1"}, {"bearing"}}};
-  result.analysis = {"Newmark", "located", {{"step", 0.005, "s"}, {"max_cuts", 12.0, "1"}}};
+  result.analysis = {"Newmark", "located", "always", {{"step", 0.005, "s"}, {"max_cuts", 12.0, "1"}}};
   result.clearances = {{"moat left", 0.5, 0.2, 3.5}};
   result.periods = {{"isolated", 2.1}, {"fixed base", 1.0 / 3.0}};
   result.peaks = {{"displacement", "base", 0.1234567, "m", 4.5},
@@ -93,7 +93,8 @@ TEST_F(Summary, ReadsBackWithEveryField) {
   EXPECT_EQ(json["periods"][1]["name"], "fixed base");
   EXPECT_EQ(json["periods"][1]["unit"], "s");
   EXPECT_EQ(json["periods"][1]["value"].get<double>(), 1.0 / 3.0);
-  EXPECT_EQ(json["analysis"], Json::parse(R"({"integrator": "Newmark", "events": "located", "options": {
+  EXPECT_EQ(json["analysis"],
+            Json::parse(R"({"integrator": "Newmark", "events": "located", "error_bars": "always", "options": {
                                                "step": {"value": 0.005, "unit": "s"},
                                                "max_cuts": {"value": 12.0, "unit": "1"}}})"));
   EXPECT_EQ(json["assumptions"], Json::parse(R"(["Average acceleration.", "Signs: tension positive."])"));

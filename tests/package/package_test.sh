@@ -26,6 +26,14 @@ runs() {
 cmake --install "$build" --prefix "$folder/a first place" >install.log
 mv "a first place" "installed tree" # a package may be moved
 
+# Every header that an installed header includes is installed, too.
+include=$(dirname "$(find "installed tree" -name moat.hpp)")
+mapfile -t included < <(grep -rhoP '^#include "\K[^"]+' "$include" | sort -u)
+((${#included[@]} > 100)) || fail "only ${#included[@]} headers are included by installed headers"
+for header in "${included[@]}"; do
+  [[ -f $include/$header ]] || fail "$header is included by a header and not installed"
+done
+
 for place in "CMAKE_PREFIX_PATH=$folder/installed tree" "moat_DIR=$build"; do
   cmake -G Ninja -S "$consumer" -B built --fresh -DCMAKE_CXX_COMPILER="$compiler" "-D$place"
   cmake --build built --clean-first

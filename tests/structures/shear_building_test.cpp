@@ -318,7 +318,8 @@ TEST(ShearBuilding, RefusesListsThatDoNotFit) {
   EXPECT_EQ(refusal([](ShearBuilding& b) {
               b.storey_stiffness = {1 * MN / m, -2 * MN / m};
             }),
-            "ShearBuilding \"house\": storey_stiffness[1] = -2e+06 N/m is not allowed; it must be > 0 N/m and finite.");
+            "ShearBuilding \"house\": storey_stiffness of storey 2 = -2e+06 N/m is not allowed; it must be > 0 N/m and "
+            "finite.");
 }
 
 TEST(ShearBuilding, ASecondOneNeedsAName) {
