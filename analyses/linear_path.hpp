@@ -17,7 +17,7 @@ namespace moat {
 /// as far as it was asked for.
 class LinearPath {
  public:
-  static constexpr std::size_t most_pieces = 16;
+  static constexpr std::size_t most_pieces = 16;  ///< Of a step.
 
   /// So many degrees of freedom.
   explicit LinearPath(Eigen::Index count);
@@ -28,7 +28,7 @@ class LinearPath {
   /// (u, u', u'') after h s, 0 < h <= the length of the step. Valid until the next call.
   [[nodiscard]] const double* at(double h);
 
-  [[nodiscard]] std::size_t pieces() const { return pieces_; }
+  [[nodiscard]] std::size_t pieces() const { return pieces_; }  ///< Of this step.
   /// Start of a piece; of pieces(): the end of the step. s from the start of the step.
   [[nodiscard]] double start_of(std::size_t piece) const { return piece == 0 ? 0.0 : ends_[piece - 1]; }
   /// The ground acceleration there, m/s^2.
