@@ -35,47 +35,4 @@ class Required {
   T value_;
 };
 
-/// Whether a type is a Required quantity.
-template <class T>
-inline constexpr bool is_required_quantity = false;
-template <class T>
-requires requires(const T& quantity) { quantity.si(); }
-inline constexpr bool is_required_quantity<Required<T>> = true;  ///< It is.
-
-/// The argument itself, or the value that a Required holds.
-template <class T>
-constexpr const T& plain_value(const T& value) {
-  return value;
-}
-/// As above.
-template <class T>
-constexpr const T& plain_value(const Required<T>& required) {
-  return required.value();
-}
-
-/// The sum, where one of both is a Required quantity.
-template <class A, class B>
-requires(is_required_quantity<A> || is_required_quantity<B>) constexpr auto operator+(const A& a, const B& b)
-    -> decltype(plain_value(a) + plain_value(b)) {
-  return plain_value(a) + plain_value(b);
-}
-/// The difference.
-template <class A, class B>
-requires(is_required_quantity<A> || is_required_quantity<B>) constexpr auto operator-(const A& a, const B& b)
-    -> decltype(plain_value(a) - plain_value(b)) {
-  return plain_value(a) - plain_value(b);
-}
-/// The product.
-template <class A, class B>
-requires(is_required_quantity<A> || is_required_quantity<B>) constexpr auto operator*(const A& a, const B& b)
-    -> decltype(plain_value(a) * plain_value(b)) {
-  return plain_value(a) * plain_value(b);
-}
-/// The quotient.
-template <class A, class B>
-requires(is_required_quantity<A> || is_required_quantity<B>) constexpr auto operator/(const A& a, const B& b)
-    -> decltype(plain_value(a) / plain_value(b)) {
-  return plain_value(a) / plain_value(b);
-}
-
 }  // namespace moat

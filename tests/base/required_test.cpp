@@ -39,24 +39,6 @@ TEST(Required, BehavesAsTheValueItHolds) {
   EXPECT_EQ(parameters.name.value(), "base");
 }
 
-TEST(Required, CalculatesAsTheQuantityItHolds) {
-  struct {
-    Required<Mass> mass;
-    Required<Length> length;
-  } const given{.mass = 2 * tonne, .length = 3 * m};
-  EXPECT_EQ(given.mass / tonne, 2.0);
-  EXPECT_EQ(given.mass / given.mass, 1.0);
-  EXPECT_EQ(2.0 * given.mass, 4 * tonne);
-  EXPECT_EQ(given.mass * 2, 4 * tonne);
-  EXPECT_EQ(given.mass / 2, 1 * tonne);
-  EXPECT_EQ(given.mass + given.mass, 4 * tonne);
-  EXPECT_EQ(given.mass - 500 * kg, 1500 * kg);
-  EXPECT_EQ(3 * tonne - given.mass, 1 * tonne);
-  EXPECT_EQ(given.mass * given.length, 6 * tonne * m);
-  EXPECT_EQ(6 * m / given.length, 2.0);
-  EXPECT_LT(given.mass, 3 * tonne);
-}
-
 TEST(Required, CopiesAndAssigns) {
   Parameters parameters{.mass = 2 * tonne, .ratio = 0.65, .name = "base"};
   const Parameters copy = parameters;
