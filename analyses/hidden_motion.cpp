@@ -20,8 +20,8 @@ bool HiddenMotion::in(const StepTask& step, const Model& model, double margin) {
     double& largest = largest_[building_[static_cast<std::size_t>(i)]];
     largest = std::max(largest, std::abs(displacement[i]));
   }
-  // Negligible beside displacements, and less than half the margin; m.
-  const double harmless = std::min(1e-4 * largest_.minCoeff(), 0.5 * margin);
+  constexpr double negligible = 1e-4;  // share of a displacement
+  const double harmless = std::min(negligible * largest_.minCoeff(), 0.5 * margin);
   if (step.ground->bump_bounds().displacement <= harmless) return false;
   double bump = 0.0;  // m
   step.ground->for_each_bump_inside([&](const GroundBump& b) { bump = std::max(bump, std::abs(b.displacement)); });

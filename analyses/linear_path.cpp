@@ -11,8 +11,8 @@ namespace {
 // Relative to a piece: lengths closer than this count as equal.
 constexpr double round_off = 1e-9;
 
-// At a time inside a step.
-double ground_at(const StepTask& step, double time) {
+// The ground acceleration at a time inside a step, m/s^2.
+double ground_inside(const StepTask& step, double time) {
   return step.ground ? step.ground->acceleration_at(time)
                      : step.ground_acceleration_at_start.x + (time - step.start_time) * step.ground_jerk.x;
 }
@@ -34,7 +34,7 @@ void LinearPath::begin(const LinearSystem& system, const MotionState& start, con
     double end = StepGrid::next_multiple(step.start_time, piece) - step.start_time;
     for (; end < (1.0 - round_off) * step.length && pieces_ < most_pieces; end += piece) {
       ends_[pieces_++] = end;
-      ground_[pieces_] = moat::ground_at(step, step.start_time + end);
+      ground_[pieces_] = ground_inside(step, step.start_time + end);
     }
   }
   ends_[pieces_++] = step.length;

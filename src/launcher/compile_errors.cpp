@@ -33,13 +33,17 @@ std::string wrong_type(const Diagnostic& diagnostic, const std::string& is, cons
          (has_fraction ? whole_number_hint(expression) : "");
 }
 
-// From "struct Rubber" to the brace in the first column that ends it; empty if the script has no such struct.
-std::string struct_in(const std::string& script, const std::string& name) {
-  const std::regex head{R"((?:^|\n)\s*(?:struct|class) )" + name + R"(\b)"};
-  std::smatch match;
-  if (!std::regex_search(script, match, head)) return "";
-  const auto begin = static_cast<std::size_t>(match.position());
-  return script.substr(begin, script.find("\n}", begin + 1) - begin);
+// The text of a struct of the script, of the type "Rubber" or "{anonymous}::Rubber", up to the brace in the first
+// column that ends it; empty if the script has no such struct.
+std::string struct_in(const std::string& script, const std::string& type) {
+  const std::size_t scope = type.rfind("::");
+  const std::string name = scope == std::string::npos ? type : type.substr(scope + 2);
+  for (const std::string keyword : {"struct ", "class "})
+    for (std::size_t begin = script.find(keyword + name); begin != std::string::npos;
+         begin = script.find(keyword + name, begin + 1))
+      if (const std::string text = script.substr(begin, script.find("\n}", begin) - begin); has_word(text, name))
+        return text;
+  return "";
 }
 
 // "; the law lacks dissipation_rate ..." for a law of the script, of type `given`, in the place of an isolation; empty
@@ -169,7 +173,7 @@ std::optional<Explanation> function_of_interface_missing(const ErrorGroup& group
     }
   if (missing.empty()) return {};
   return at(group.front(), type + " lacks " + joined(missing, " and ") + "() of " + interface +
-                               "; its parameters and const must be those of the interface");
+                               "; a function with other parameters, or without const, is another one");
 }
 
 std::optional<Explanation> explanation_of(const ErrorGroup& group, const fs::path& root) {

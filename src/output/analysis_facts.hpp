@@ -13,7 +13,7 @@ struct AnalysisFacts {
   std::string integrator{};          ///< its name, or its description where it has parameters
   std::string events{};              ///< "automatic", "located" or "inside_the_step"
   std::string error_bars{};          ///< "automatic", "always" or "never"
-  std::vector<Parameter> options{};  ///< all numbers of TransientOptions and CaseOptions, by their names there
+  std::vector<Parameter> options{};  ///< all numbers of TransientOptions, CaseOptions and the scheme, by their names
 };
 
 }  // namespace moat

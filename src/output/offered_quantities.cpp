@@ -57,10 +57,11 @@ std::vector<std::string> OfferedPeaks::warnings() const {
     const Largest& largest = largest_[i];
     if (largest.not_finite == 0) continue;
     const OfferedQuantity& each = quantities_->list()[i];
-    list.push_back("The quantity \"" + each.quantity + "\" of a recorder has " + std::to_string(largest.not_finite) +
-                   " values at \"" + each.where +
-                   "\" that are infinite or no number, the first at t = " + to_text(largest.first_not_finite_at) +
-                   " s. Its peak leaves them out. Look for a division by zero in the recorder's sample().");
+    list.push_back("The quantity \"" + each.quantity + "\" of a recorder is infinite or no number at \"" + each.where +
+                   "\", first at t = " + to_text(largest.first_not_finite_at) + " s, " +
+                   std::to_string(largest.not_finite) +
+                   " times in all. Its peak leaves these values out. Look for a division by zero in the recorder's "
+                   "sample().");
   }
   return list;
 }
