@@ -4,7 +4,7 @@
 // and under the embedded pulse. The error is the largest relative error of base and top displacement, base and top
 // absolute acceleration, impact force and first storey shear: for the records against the converged peaks of an
 // independent program (benchmarks/paper/reference_peaks.csv), for the pulse against moat's own with a thousandth of the
-// default tolerance. Called by ./moat bench accuracy.
+// default tolerance. Then streets of buildings and random models. Called by ./moat bench accuracy.
 #include <moat.hpp>
 
 #include <CLI/CLI.hpp>
@@ -20,6 +20,7 @@
 #include "documentation_section.hpp"
 #include "output/chart.hpp"
 #include "random_models.hpp"
+#include "streets.hpp"
 
 namespace {
 
@@ -220,7 +221,12 @@ int main(int argc, char** argv) {
   }
   try {
     const std::string documentation = write_docs ? MOAT_VERIFICATION : "";
-    if (!only_random) run_all(folder, documentation);
+    if (!only_random) {
+      run_all(folder, documentation);
+      const std::string table = run_streets();
+      std::printf("%s\n", table.c_str());
+      if (write_docs) replace_section(documentation, "streets", table);
+    }
     if (random.models > 0) {
       const std::string tables = run_random_models(random);
       std::printf("%s\n", tables.c_str());

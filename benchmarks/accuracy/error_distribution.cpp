@@ -16,11 +16,11 @@ std::string text(const char* format, double value) {
   return buffer;
 }
 
-std::string percent(double value) { return text("%.2g %%", 100.0 * value); }
-
 std::string whole(double value) { return std::to_string(std::lround(value)); }
 
 }  // namespace
+
+std::string percent(double value) { return text("%.2g %%", 100.0 * value); }
 
 double quantile(const std::vector<double>& sorted, double share) {
   if (sorted.empty()) return NAN;

@@ -37,6 +37,9 @@ ErrorDistribution error_distribution(const std::vector<const TrialModel*>& model
 /// The smallest value that is not below the share of the sorted values; NaN without any.
 double quantile(const std::vector<double>& sorted, double share);
 
+/// Two digits: "0.12 %" of 0.0012.
+std::string percent(double value);
+
 /// A column for each setting.
 std::string table_of(const std::vector<TrialSetting>& settings, const std::vector<ErrorDistribution>& distributions);
 

@@ -13,10 +13,10 @@
 #include "measuring/five_peaks.hpp"
 #include "measuring/measure.hpp"
 #include "measuring/record.hpp"
+#include "measuring/street.hpp"
 #include "output/peak_recorder.hpp"
 #include "paper/paper_building.hpp"
 #include "peers/opensees.hpp"
-#include "performance/street.hpp"
 
 namespace moat::peers {
 namespace {

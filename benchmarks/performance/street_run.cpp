@@ -10,8 +10,8 @@
 #include "base/error.hpp"
 #include "measuring/command_output.hpp"
 #include "measuring/measure.hpp"
+#include "measuring/street.hpp"
 #include "output/energy_ledger.hpp"
-#include "performance/street.hpp"
 
 namespace moat::performance {
 

@@ -1,11 +1,14 @@
 // The largest magnitudes of many quantities over continuous time.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <vector>
 
+#include "base/hermite.hpp"
 #include "output/peak_tracker.hpp"
 
 namespace moat {
@@ -22,7 +25,9 @@ struct CommonInstant {
 class PeakTrackers {
  public:
   /// `count` quantities.
-  explicit PeakTrackers(std::size_t count) : values_(count), times_(count) {
+  explicit PeakTrackers(std::size_t count)
+      : values_(count), times_(count), last_bends_(count, -std::numeric_limits<double>::infinity()) {
+    turns_.reserve(count);
     // Without rates at first, so that nothing turns.
     for (CommonInstant& instant : instants_) instant = {0.0, std::vector<double>(count), std::vector<double>(count)};
   }
@@ -38,6 +43,7 @@ class PeakTrackers {
   template <class Inside>
   void add(const Inside& inside) {
     ++newest_;
+    turns_.clear();
     const CommonInstant &from = start(), &to = last();
     const double *value = to.values.data(), *rate = to.rates.data(), *rate_before = from.rates.data(),
                  *peak = values_.data();
@@ -48,7 +54,7 @@ class PeakTrackers {
       if (rate_before[i] * rate[i] < 0.0) [[unlikely]]
         find_turn(
             of(from, i), of(to, i), magnitude(i), [&](double x, double turned) { return inside(i, x, turned); },
-            [&](double when, double turned) { keep(i, when, turned); });
+            [&](double when, double turned) { keep_in_turn(i, when, turned); });
     }
   }
 
@@ -58,17 +64,31 @@ class PeakTrackers {
     for (std::size_t i = 0; i < size(); ++i) keep(i, last().time, last().values[i]);
   }
 
-  /// The rate of a quantity jumps at a time inside the last step, and the value there may be a peak. It is extrapolated
-  /// from both ends with the curvature of the step before; the nearer end has the larger weight.
+  /// The rate of a quantity jumps at a time inside the last step. The cubic over that step does not follow the bend:
+  /// where it turned does not count. The value at the bend counts, and where the paths before and behind it turn. Up to
+  /// the bend the path is the cubic over the step before, continued. If that one was bent, too, or there is none, the
+  /// value is extrapolated along straight lines from both ends of the last step, the nearer one with the larger weight.
   void add_bend(std::size_t i, double time) {
     const Instant from = of(start(), i), to = of(last(), i), earlier = of(before(2), i);
-    const double from_start = time - from.time, to_end = to.time - time, step = to.time - from.time;
+    const double from_start = time - from.time, to_end = to.time - time;
     if (from_start <= 0.0 || to_end <= 0.0) return;
+    take_back_turn(i);
+    Instant bend{time, from.value + from_start * from.rate, from.rate};
     const double earlier_step = from.time - earlier.time;
-    const double curvature = earlier_step > 0.0 ? (from.rate - earlier.rate) / earlier_step : 0.0;
-    const double forward = from.value + from_start * (from.rate + 0.5 * curvature * from_start);
-    const double backward = to.value - to_end * (to.rate - 0.5 * curvature * to_end);
-    keep(i, time, (to_end * forward + from_start * backward) / step);
+    if (earlier_step > 0.0 && last_bends_[i] <= earlier.time) {
+      const HermiteCubic path{earlier.value, earlier.rate, from.value, from.rate, earlier_step};
+      const double beyond = 1.0 + from_start / earlier_step;
+      bend = {time, path.value(beyond), path.rate(beyond)};
+    } else {
+      const double backward = to.value - to_end * to.rate;
+      bend.value = (to_end * bend.value + from_start * backward) / (from_start + to_end);
+    }
+    last_bends_[i] = time;
+    keep(i, time, bend.value);
+    keep_turn(i, from, bend);
+    // Behind the bend a parabola that meets value and rate at the end of the step.
+    bend.rate = 2.0 * (to.value - bend.value) / to_end - to.rate;
+    keep_turn(i, bend, to);
   }
 
   /// A value of one quantity between the instants.
@@ -93,7 +113,32 @@ class PeakTrackers {
     return {instant.time, instant.values[i], instant.rates[i]};
   }
 
+  // A peak inside the last step that replaced another one.
+  struct Turn {
+    std::size_t quantity;
+    double replaced_value, replaced_time;
+  };
+  void keep_in_turn(std::size_t i, double time, double value) {
+    turns_.push_back({i, values_[i], times_[i]});
+    keep(i, time, value);
+  }
+  void take_back_turn(std::size_t i) {
+    const auto turn = std::ranges::find(turns_, i, &Turn::quantity);
+    if (turn == turns_.end()) return;
+    values_[i] = turn->replaced_value;
+    times_[i] = turn->replaced_time;
+    turns_.erase(turn);
+  }
+  void keep_turn(std::size_t i, const Instant& from, const Instant& to) {
+    if (from.rate * to.rate < 0.0)
+      find_turn(
+          from, to, magnitude(i), [](double, double turned) { return turned; },
+          [&](double when, double turned) { keep(i, when, turned); });
+  }
+
   std::vector<double> values_, times_;
+  std::vector<double> last_bends_;  // s
+  std::vector<Turn> turns_;         // of the last step
   std::array<CommonInstant, kept> instants_;
   std::size_t newest_ = kept;
 };

@@ -7,6 +7,8 @@
 #include <cmath>
 #include <filesystem>
 
+#include "in_folder.hpp"
+
 namespace moat {
 namespace {
 
@@ -26,7 +28,9 @@ TEST(MoatHeader, GivesTheLawsASpringCanHave) {
   EXPECT_NEAR(periods[0].value, 2.0 * std::acos(-1.0) * std::sqrt(1e3 / 3e6), 1e-9);
 }
 
-TEST(MoatHeader, GivesSpectraAndFilesOfResults) {
+using MoatHeaderInFolder = testing::InFolder;
+
+TEST_F(MoatHeaderInFolder, GivesSpectraAndFilesOfResults) {
   const GroundMotion motion = near_fault_pulse();
   const std::vector<Time> periods{0 * s, 1 * s};
   EXPECT_DOUBLE_EQ(response_spectrum(motion, periods, 0.05).absolute_acceleration[0], motion.peak_acceleration().si());
@@ -35,11 +39,8 @@ TEST(MoatHeader, GivesSpectraAndFilesOfResults) {
   add(model, Node{.name = "body", .mass = 1 * tonne, .initial_velocity = 1 * m / s});
   CaseOptions options;
   options.transient.end = 1 * s;
-  const std::filesystem::path folder = std::filesystem::temp_directory_path() / "moat_header_test";
-  std::filesystem::create_directories(folder);
   write_results(run_case(model, motion, options), folder);
   EXPECT_TRUE(std::filesystem::exists(folder / "report.html"));
-  std::filesystem::remove_all(folder);
 }
 
 }  // namespace

@@ -4,6 +4,8 @@
 
 #include <fstream>
 
+#include "in_folder.hpp"
+
 namespace moat::architecture {
 namespace {
 
@@ -98,9 +100,9 @@ TEST(IncludeRules, RefuseAFolderNobodyDecidedOn) {
             sentences("src/helpers/bad.hpp lies in a folder that has no rule for its includes"));
 }
 
-TEST(IncludeRules, AreReadFromFilesOnDisk) {
-  const auto folder = std::filesystem::path{testing::TempDir()} / "moat_include_rules";
-  std::filesystem::remove_all(folder);
+using IncludeRulesOnDisk = testing::InFolder;
+
+TEST_F(IncludeRulesOnDisk, AreRead) {
   for (const char* root : {"src/base", "materials", "elements", "structures", "analyses"}) {
     std::filesystem::create_directories(folder / root);
   }
@@ -108,7 +110,6 @@ TEST(IncludeRules, AreReadFromFilesOnDisk) {
   std::ofstream{folder / "materials/law.hpp"} << "#pragma once\n";
   EXPECT_EQ(broken_rules(read_sources(folder)),
             sentences("src/base/bad.hpp:1 includes materials/law.hpp, but src/base must not know materials"));
-  std::filesystem::remove_all(folder);
 }
 
 TEST(Moat, KeepsTheIncludeRules) {

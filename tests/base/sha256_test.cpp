@@ -5,6 +5,8 @@
 #include <cstdlib>
 #include <fstream>
 
+#include "in_folder.hpp"
+
 namespace moat {
 namespace {
 
@@ -15,13 +17,15 @@ TEST(Sha256, IsThatOfTheStandard) {
             "248d6a61d20638b8e5c026930c3e6039a33ce45964ff2167f6ecedd419db06c1");
 }
 
-TEST(Sha256, OfAFileIsThatOfItsContent) {
-  const std::string path = testing::TempDir() + "moat_sha256";
+using Sha256OfFile = testing::InFolder;
+
+TEST_F(Sha256OfFile, IsThatOfItsContent) {
+  const std::string path = (folder / "abc").string();
   std::ofstream{path} << "abc";
   EXPECT_EQ(sha256_of_file(path), sha256_of("abc"));
   std::remove(path.c_str());
   EXPECT_FALSE(sha256_of_file(path));
-  EXPECT_FALSE(sha256_of_file(testing::TempDir())) << "a folder";
+  EXPECT_FALSE(sha256_of_file(folder)) << "a folder";
 }
 
 }  // namespace

@@ -4,26 +4,30 @@
 
 #include <filesystem>
 
+#include "in_folder.hpp"
 #include "message_of.hpp"
 
 namespace moat::testing {
 namespace {
 
-std::string written(const std::string& text) {
-  const std::string path = (std::filesystem::path{::testing::TempDir()} / "moat_recipes.md").string();
-  std::ofstream{path} << text;
-  return path;
-}
+class CodeOfRecipes : public InFolder {
+ protected:
+  [[nodiscard]] std::string written(const std::string& text) const {
+    const std::string path = (folder / "recipes.md").string();
+    std::ofstream{path} << text;
+    return path;
+  }
+};
 
-TEST(CodeOfRecipes, IsTheBlockAfterEveryMark) {
+TEST_F(CodeOfRecipes, IsTheBlockAfterEveryMark) {
   const auto code = code_of_recipes(
       written("# Title\n<!-- recipe: law/a.hpp -->\n```cpp\nint a;\n\nint b;\n```\n```cpp\nnot marked\n```\n"
               "<!-- recipe: law/b.hpp -->\n```\nint c;\n```\n"));
   EXPECT_EQ(code, (std::map<std::string, std::string>{{"law/a.hpp", "int a;\n\nint b;\n"}, {"law/b.hpp", "int c;\n"}}));
 }
 
-TEST(CodeOfRecipes, RefusesMarksWithoutTheirCode) {
-  const auto refusal = [](const std::string& text) {
+TEST_F(CodeOfRecipes, RefusesMarksWithoutTheirCode) {
+  const auto refusal = [this](const std::string& text) {
     return message_of<std::runtime_error>([&] { code_of_recipes(written(text)); });
   };
   EXPECT_TRUE(refusal("<!-- recipe: a/b -->\n\n```\n```\n").ends_with("no code block after the mark of a/b."));

@@ -103,6 +103,65 @@ TEST(PeakTrackers, ABendInsideTheLastStepCounts) {
   EXPECT_EQ(tracker.time(), 1.6);
 }
 
+/// The cubic over a step with a bend turns where the quantity does not.
+TEST(PeakTrackers, ATurnOfTheCubicOverABendDoesNotCount) {
+  One tracker;
+  tracker.add(0.0, 0.0, 1.0);
+  tracker.add(1.0, 1.0, 1.0);
+  // Up to 1.02 at 1.02 s, then down by 1 per second.
+  tracker.add(2.0, 0.04, -1.0);
+  EXPECT_GT(tracker.value(), 1.05);
+  tracker.add_bend(1.02);
+  EXPECT_NEAR(tracker.value(), 1.02, 1e-14);
+  EXPECT_EQ(tracker.time(), 1.02);
+}
+
+/// The force of a contact by Hertz grows like t^1.5, so that both ends of the step do not show the value at the touch.
+TEST(PeakTrackers, TheValueAtATouchContinuesThePathBeforeIt) {
+  constexpr double h = 0.05, touch = 4.83 * h, hardness = 200.0;
+  const auto into = [](double t) { return std::max(t - touch, 0.0); };
+  const auto value = [&](double t) { return std::sin(4.0 * t) - hardness * std::pow(into(t), 1.5); };
+  const auto rate = [&](double t) { return 4.0 * std::cos(4.0 * t) - 1.5 * hardness * std::sqrt(into(t)); };
+  One tracker;
+  for (int step = 0; step <= 5; ++step) tracker.add(step * h, value(step * h), rate(step * h));
+  tracker.add_bend(touch);
+  // The error of the continued cubic is below (4 h)^4 / 6.
+  EXPECT_NEAR(tracker.magnitude(), value(touch), std::pow(4.0 * h, 4) / 6.0);
+}
+
+/// Smooth paths before and behind a bend turn, too.
+TEST(PeakTrackers, TurnsBesideABendCount) {
+  const auto parabola = [](double t) { return 3.0 - (t - 1.4) * (t - 1.4); };
+  const auto rate = [](double t) { return -2.0 * (t - 1.4); };
+  const auto line = [&](double t) { return parabola(1.7) - 2.0 * (t - 1.7); };
+  for (const bool turns_first : {true, false}) {
+    SCOPED_TRACE(turns_first);
+    One tracker;
+    const auto add = [&](double t) {
+      if (turns_first)
+        t <= 1.7 ? tracker.add(t, parabola(t), rate(t)) : tracker.add(t, line(t), -2.0);
+      else  // steep line up to 1.1, then the parabola
+        t >= 1.1 ? tracker.add(t, parabola(t), rate(t)) : tracker.add(t, parabola(1.1) + 8.0 * (t - 1.1), 8.0);
+    };
+    for (const double t : {0.8, 1.0, 2.0}) add(t);
+    tracker.add_bend(turns_first ? 1.7 : 1.1);
+    EXPECT_NEAR(tracker.value(), 3.0, 1e-12);
+    EXPECT_NEAR(tracker.time(), 1.4, 1e-12);
+  }
+}
+
+/// The path of a bent step cannot be continued.
+TEST(PeakTrackers, ABendBehindABentStepIsExtrapolatedFromBothEnds) {
+  One tracker;
+  tracker.add(0.0, 0.0, 4.0);
+  tracker.add(1.0, 2.5, 1.0);  // bent at 0.5 s
+  tracker.add_bend(0.5);
+  tracker.add(2.0, 2.5, -1.0);  // bent at 1.5 s
+  tracker.add_bend(1.5);
+  EXPECT_NEAR(tracker.value(), 3.0, 1e-12);
+  EXPECT_EQ(tracker.time(), 1.5);
+}
+
 /// A parabola on both sides of the bend, with one curvature.
 TEST(PeakTrackers, ABendIsExtrapolatedWithTheCurvatureBeforeIt) {
   One tracker;

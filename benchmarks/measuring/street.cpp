@@ -1,4 +1,4 @@
-#include "performance/street.hpp"
+#include "measuring/street.hpp"
 
 #include <cmath>
 #include <string>

@@ -1,0 +1,137 @@
+#include "streets.hpp"
+
+#include <moat.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <map>
+#include <vector>
+
+#include "error_distribution.hpp"
+#include "measuring/street.hpp"
+#include "output/impact_recorder.hpp"
+#include "output/peak_recorder.hpp"
+
+namespace moat {
+namespace {
+
+using namespace units;
+
+struct Run {
+  std::vector<Peak> peaks;
+  std::vector<Impact> impacts;
+  SolverStatistics solver;
+};
+
+struct Street {
+  int buildings;
+  Time end;
+  Run located, defaults;
+  double change_of_reference = 0.0;  // largest of a peak, relative
+  std::vector<double> errors;        // of all peaks, relative, ascending
+  std::vector<double> of_rebounds;   // errors of all impacts that end in both runs, ascending
+};
+
+Run run(const Street& street, TransientOptions options) {
+  Model model = performance::street(street.buildings);
+  options.end = street.end;
+  PeakRecorder peaks{model};
+  ImpactRecorder impacts;
+  Transient analysis{model, performance::street_motion(), options};
+  analysis.attach(peaks);
+  analysis.attach(impacts);
+  analysis.run();
+  return {peaks.peaks(), impacts.impacts(), analysis.statistics()};
+}
+
+// Relative errors of all peaks, ascending. Both runs list the same peaks in the same order.
+std::vector<double> errors_of_peaks(const Run& run, const Run& truth) {
+  std::vector<double> errors;
+  for (std::size_t i = 0; i < truth.peaks.size(); ++i)
+    if (truth.peaks[i].value != 0.0)
+      errors.push_back(std::abs(run.peaks[i].magnitude() / truth.peaks[i].magnitude() - 1.0));
+  std::ranges::sort(errors);
+  return errors;
+}
+
+using ImpactsOfGaps = std::map<std::string, std::vector<Impact>>;
+
+ImpactsOfGaps by_gap(const Run& run) {
+  ImpactsOfGaps of_gaps;
+  for (const Impact& impact : run.impacts) of_gaps[impact.where].push_back(impact);
+  return of_gaps;
+}
+
+double separation_speed(const Impact& impact) { return impact.rebound_ratio * impact.approach_speed; }
+
+// Of separation speeds, over the largest approach speed of the gap; for gaps with as many impacts in both runs.
+std::vector<double> errors_of_rebounds(const Run& run, const Run& truth) {
+  std::vector<double> errors;
+  const ImpactsOfGaps found = by_gap(run);
+  for (const auto& [gap, impacts] : by_gap(truth)) {
+    const auto same = found.find(gap);
+    if (same == found.end() || same->second.size() != impacts.size()) continue;
+    const double fastest = std::ranges::max(impacts, {}, &Impact::approach_speed).approach_speed;
+    for (std::size_t i = 0; i < impacts.size(); ++i) {
+      const double error = std::abs(separation_speed(same->second[i]) - separation_speed(impacts[i])) / fastest;
+      if (!std::isnan(error)) errors.push_back(error);
+    }
+  }
+  std::ranges::sort(errors);
+  return errors;
+}
+
+Street measure(int buildings, Time end) {
+  Street street{.buildings = buildings, .end = end, .located = {}, .defaults = {}, .errors = {}, .of_rebounds = {}};
+  TransientOptions tight{.tolerance = 1e-5, .steps_per_contact = 128, .events = EventTreatment::located};
+  street.located = run(street, tight);
+  tight.tolerance *= 0.1;
+  tight.steps_per_contact *= 2;
+  const Run tighter = run(street, tight);
+  street.change_of_reference = errors_of_peaks(street.located, tighter).back();
+  street.defaults = run(street, {});
+  street.errors = errors_of_peaks(street.defaults, street.located);
+  street.of_rebounds = errors_of_rebounds(street.defaults, street.located);
+  return street;
+}
+
+std::string whole(std::size_t number) { return std::to_string(number); }
+
+}  // namespace
+
+std::string run_streets() {
+  std::vector<Street> streets;
+  for (const auto& [buildings, end] : {std::pair{10, 5 * s}, {100, 5 * s}, {1000, 2 * s}})
+    streets.push_back(measure(buildings, end));
+  std::string table = "| |", line = "|---|";
+  for (const Street& street : streets) {
+    table += " " + std::to_string(street.buildings) + " buildings |";
+    line += "---|";
+  }
+  table += "\n" + line + "\n";
+  const auto row = [&](const std::string& label, const std::function<std::string(const Street&)>& value) {
+    table += "| " + label + " |";
+    for (const Street& street : streets) table += " " + value(street) + " |";
+    table += "\n";
+  };
+  using S = Street;
+  row("seconds of motion", [](const S& s) { return to_text(s.end.si()); });
+  row("steps, located", [](const S& s) { return std::to_string(s.located.solver.accepted_steps); });
+  row("steps, default", [](const S& s) { return std::to_string(s.defaults.solver.accepted_steps); });
+  row("impacts, located", [](const S& s) { return whole(s.located.impacts.size()); });
+  row("impacts, default", [](const S& s) { return whole(s.defaults.impacts.size()); });
+  row("peaks compared", [](const S& s) { return whole(s.errors.size()); });
+  row("change of located peaks with a tenth of the tolerance",
+      [](const S& s) { return percent(s.change_of_reference); });
+  row("error of a peak: median", [](const S& s) { return percent(quantile(s.errors, 0.5)); });
+  row("99th percentile", [](const S& s) { return percent(quantile(s.errors, 0.99)); });
+  row("largest", [](const S& s) { return percent(s.errors.back()); });
+  row("rebounds compared", [](const S& s) { return whole(s.of_rebounds.size()); });
+  row("error of a rebound: median", [](const S& s) { return percent(quantile(s.of_rebounds, 0.5)); });
+  row("99th percentile", [](const S& s) { return percent(quantile(s.of_rebounds, 0.99)); });
+  row("largest", [](const S& s) { return percent(s.of_rebounds.back()); });
+  return table;
+}
+
+}  // namespace moat
