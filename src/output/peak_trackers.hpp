@@ -27,7 +27,8 @@ class PeakTrackers {
   /// `count` quantities.
   explicit PeakTrackers(std::size_t count)
       : values_(count), times_(count), last_bends_(count, -std::numeric_limits<double>::infinity()) {
-    turns_.reserve(count);
+    constexpr std::size_t most_turns_at_once = 1024;  // more are rare
+    turns_.reserve(std::min(count, most_turns_at_once));
     // Without rates at first, so that nothing turns.
     for (CommonInstant& instant : instants_) instant = {0.0, std::vector<double>(count), std::vector<double>(count)};
   }
@@ -66,8 +67,9 @@ class PeakTrackers {
 
   /// The rate of a quantity jumps at a time inside the last step. The cubic over that step does not follow the bend:
   /// where it turned does not count. The value at the bend counts, and where the paths before and behind it turn. Up to
-  /// the bend the path is the cubic over the step before, continued. If that one was bent, too, or there is none, the
-  /// value is extrapolated along straight lines from both ends of the last step, the nearer one with the larger weight.
+  /// the bend the path is the cubic over the step before, continued. If there is none, or that step was bent, too, or
+  /// is so short that its cubic would magnify round-off, the value is extrapolated along straight lines from both ends
+  /// of the last step, the nearer one with the larger weight.
   void add_bend(std::size_t i, double time) {
     const Instant from = of(start(), i), to = of(last(), i), earlier = of(before(2), i);
     const double from_start = time - from.time, to_end = to.time - time;
@@ -75,7 +77,8 @@ class PeakTrackers {
     take_back_turn(i);
     Instant bend{time, from.value + from_start * from.rate, from.rate};
     const double earlier_step = from.time - earlier.time;
-    if (earlier_step > 0.0 && last_bends_[i] <= earlier.time) {
+    constexpr double farthest = 4.0;  // steps
+    if (farthest * earlier_step > from_start && last_bends_[i] <= earlier.time) {
       const HermiteCubic path{earlier.value, earlier.rate, from.value, from.rate, earlier_step};
       const double beyond = 1.0 + from_start / earlier_step;
       bend = {time, path.value(beyond), path.rate(beyond)};

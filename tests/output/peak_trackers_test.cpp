@@ -162,6 +162,16 @@ TEST(PeakTrackers, ABendBehindABentStepIsExtrapolatedFromBothEnds) {
   EXPECT_EQ(tracker.time(), 1.5);
 }
 
+/// The cubic over a very short step would magnify the round-off of its values a thousand million times.
+TEST(PeakTrackers, ABendFarBehindAShortStepIsExtrapolatedFromBothEnds) {
+  One tracker;
+  tracker.add(0.0, 1.0, 1.0);
+  tracker.add(1e-3, 1.001 + 1e-9, 1.0);
+  tracker.add(1.0, 1.5, -1.0);  // bent at 0.75 s
+  tracker.add_bend(0.75);
+  EXPECT_NEAR(tracker.value(), 1.75, 1e-8);
+}
+
 /// A parabola on both sides of the bend, with one curvature.
 TEST(PeakTrackers, ABendIsExtrapolatedWithTheCurvatureBeforeIt) {
   One tracker;
