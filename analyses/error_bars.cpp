@@ -5,6 +5,7 @@
 #include <limits>
 #include <map>
 
+#include "analyses/unconnected_bodies.hpp"
 #include "base/check.hpp"
 #include "base/error.hpp"
 #include "base/units.hpp"
@@ -170,6 +171,7 @@ std::string companion_description(const TransientOptions& companion) {
 
 PeaksAndImpacts compute_peaks(Model& model, const GroundMotion& motion, const TransientOptions& options,
                               StepObserver* observer, const std::function<bool()>& stop) {
+  UnconnectedBodies bodies{model};
   Transient transient{model, motion, options};
   PeakRecorder peaks{model};
   ImpactCounter impacts;
@@ -180,7 +182,9 @@ PeaksAndImpacts compute_peaks(Model& model, const GroundMotion& motion, const Tr
   if (observer != nullptr) transient.attach(*observer);
   transient.run(stop);
   if (!transient.finished()) throw Error{"it was stopped."};
-  return {peaks.peaks(), impacts.count(), transient.statistics(), clearances.clearances()};
+  PeaksAndImpacts result{peaks.peaks(), impacts.count(), transient.statistics(), clearances.clearances()};
+  if (bodies.size() > 0) bodies.replace(result.peaks, result.clearances, motion, options, nullptr, stop);
+  return result;
 }
 
 ErrorBars estimate_errors(std::vector<Peak>& peaks, std::size_t impacts, const PeaksAndImpacts& companion,

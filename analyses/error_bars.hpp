@@ -33,8 +33,9 @@ struct PeaksAndImpacts {
   std::vector<GapClearance> clearances{};  ///< of every gap
 };
 
-/// Runs the model and returns its peaks and impacts. The observer, if any, gets every step. stop: asked before every
-/// step; true ends the run with an Error. Throws as Transient does.
+/// Runs the model and returns its peaks and impacts; peaks and clearances of bodies that nothing connects are those of
+/// runs of their own (analyses/unconnected_bodies.hpp). The observer, if any, gets every step of the whole model. stop:
+/// asked before every step; true ends the run with an Error. Throws as Transient does.
 PeaksAndImpacts compute_peaks(Model& model, const GroundMotion& motion, const TransientOptions& options,
                               StepObserver* observer = nullptr, const std::function<bool()>& stop = {});
 

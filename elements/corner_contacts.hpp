@@ -6,6 +6,7 @@
 #include <limits>
 #include <memory>
 #include <numbers>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -57,6 +58,11 @@ class CornerContacts final : public ContactLinks<Law, PlanEnds>, public PlanCont
   }
 
   std::unique_ptr<ElementBlock> clone() const override { return std::make_unique<CornerContacts>(*this); }
+  std::unique_ptr<ElementBlock> part(std::span<const std::size_t> kept, const NumbersInPart& numbers) const override {
+    auto copy = std::make_unique<CornerContacts>();
+    copy->take(*this, kept, numbers);
+    return copy;
+  }
   const PlanContacts* plan_contacts() const override { return this; }
   bool linear_between_events() const override { return false; }
 
@@ -281,6 +287,20 @@ class CornerContacts final : public ContactLinks<Law, PlanEnds>, public PlanCont
   void keep_open_at_start(std::size_t i) {
     gaps_[i].value = -std::abs(this->start_.deformations[i]);
     this->start_.deformations[i] = -std::abs(this->start_.deformations[i]);
+  }
+
+  void take(const CornerContacts& whole, std::span<const std::size_t> contacts, const NumbersInPart& numbers) {
+    Base::take(whole, contacts, numbers);
+    corners_ = chosen(whole.corners_, contacts);
+    for (CornerAndEdge& corner : corners_) corner.ends.renumber(numbers);
+    now_grips_ = chosen(whole.now_grips_, contacts);
+    start_grips_ = chosen(whole.start_grips_, contacts);
+    slide_begins_ = chosen(whole.slide_begins_, contacts);
+    losses_ = chosen(whole.losses_, contacts);
+    misses_ = chosen(whole.misses_, contacts);
+    gaps_ = chosen(whole.gaps_, contacts);
+    times_left_ = chosen(whole.times_left_, contacts);
+    friction_changed_ = true;
   }
 
   std::vector<CornerAndEdge> corners_;

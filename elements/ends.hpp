@@ -9,6 +9,7 @@
 #include "model/element_block.hpp"
 #include "model/member_point.hpp"
 #include "model/node.hpp"
+#include "model/numbers_in_part.hpp"
 
 namespace moat {
 
@@ -22,6 +23,8 @@ class NodePair {
   /// The nodes come with each call.
   explicit NodePair(const ElementInfo&) {}
 
+  /// The nodes come with each call.
+  void renumber(const NumbersInPart&) {}
   /// Adds the pairs of degrees of freedom that stiffness couples.
   void add_couplings(const ElementInfo& info, PatternBuilder& pattern) const {
     pattern.couple(info.first.index, info.second.index);
@@ -89,6 +92,12 @@ class PointPair {
     // Sums of shares that cancel leave round-off.
     for (double& weight : weight_)
       if (std::abs(weight) < 1e-12) weight = 0.0;
+  }
+
+  /// The nodes get the numbers they have in a part of the model.
+  void renumber(const NumbersInPart& numbers) {
+    // A node without weight need not be in the part.
+    for (std::size_t i = 0; i < count; ++i) node_[i] = weight_[i] == 0.0 ? ground_index : numbers.of(node_[i]);
   }
 
   /// The sum of weight^2/mass over the nodes, 1/kg: the change of the difference under a unit impulse. `inverse_mass`

@@ -2,12 +2,28 @@
 
 #include <utility>
 
+#include "model/numbers_in_part.hpp"
+
 namespace moat {
 
 LinkArrays::LinkArrays() = default;
 LinkArrays::LinkArrays(const LinkArrays& other) = default;
 LinkArrays& LinkArrays::operator=(const LinkArrays& other) = default;
 LinkArrays::~LinkArrays() = default;
+
+void LinkArrays::take(const LinkArrays& whole, std::span<const std::size_t> links, const NumbersInPart& numbers) {
+  infos_ = chosen(whole.infos_, links);
+  for (ElementInfo& info : infos_) info = numbers.of(std::move(info));
+  using Values = std::vector<double> LinkArrays::*;
+  for (const Values values : {&LinkArrays::offsets_, &LinkArrays::forces_, &LinkArrays::force_rates_,
+                              &LinkArrays::stiffnesses_, &LinkArrays::dampings_, &LinkArrays::start_stiffnesses_})
+    this->*values = chosen(whole.*values, links);
+  for (LinkMotion LinkArrays::*motion : {&LinkArrays::now_, &LinkArrays::start_, &LinkArrays::before_})
+    this->*motion = {chosen((whole.*motion).deformations, links), chosen((whole.*motion).rates, links),
+                     chosen((whole.*motion).second_rates, links)};
+  last_step_ = whole.last_step_;
+  step_ = whole.step_;
+}
 
 void LinkArrays::append(ElementInfo info) {
   offsets_.push_back(info.offset);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <span>
 #include <vector>
 
 #include "elements/link_motion.hpp"
@@ -25,6 +26,8 @@ class LinkArrays {
     bool start;     ///< the motion at the last two commits
   };
 
+  /// Becomes a copy of these links of the whole model.
+  void take(const LinkArrays& whole, std::span<const std::size_t> links, const NumbersInPart& numbers);
   /// Appends a link; its results follow with resize().
   void append(ElementInfo info);
   /// Room for the results of all links; new entries are zero.

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <concepts>
+#include <span>
 #include <stdexcept>
 #include <string>
 #include <type_traits>
@@ -56,6 +57,11 @@ class Links : public ElementBlock, public ElementLaws, protected LinkArrays {
   [[nodiscard]] const State& committed(std::size_t element) const { return committed_[element]; }
 
   std::unique_ptr<ElementBlock> clone() const override { return std::make_unique<Links>(*this); }
+  std::unique_ptr<ElementBlock> part(std::span<const std::size_t> kept, const NumbersInPart& numbers) const override {
+    auto copy = std::make_unique<Links>();
+    copy->take(*this, kept, numbers);
+    return copy;
+  }
   std::size_t size() const override { return ends_.size(); }
   const ElementInfo& info(std::size_t element) const override { return infos_[element]; }
   const ElementLaws* laws() const override { return this; }
@@ -202,6 +208,17 @@ class Links : public ElementBlock, public ElementLaws, protected LinkArrays {
   }
 
  protected:
+  /// Becomes a copy of these links of the whole model.
+  void take(const Links& whole, std::span<const std::size_t> links, const NumbersInPart& numbers) {
+    LinkArrays::take(whole, links, numbers);
+    laws_ = chosen(whole.laws_, links);
+    ends_ = chosen(whole.ends_, links);
+    for (Ends& ends : ends_) ends.renumber(numbers);
+    committed_ = chosen(whole.committed_, links);
+    trial_ = chosen(whole.trial_, links);
+    tangent_changed_ = true;
+  }
+
   /// Without history and without regimes: both tangents are constants of the law.
   static constexpr bool is_linear = LinearWithinRegimes<Law> && !LawWithRegimes<Law> && std::is_empty_v<State>;
   static constexpr bool has_unlocated_corners =

@@ -8,6 +8,7 @@
 #include "base/sparse_matrix.hpp"
 #include "elements/plan_point.hpp"
 #include "model/element_block.hpp"
+#include "model/numbers_in_part.hpp"
 
 namespace moat {
 
@@ -35,6 +36,11 @@ class PlanEnds {
     PlanEnds result;
     for (std::size_t i = 0; i < count_; ++i) result.append(node_[i], weight_[i] - other.weight_[i], Keep::weighted);
     return result;
+  }
+
+  /// The nodes get the numbers they have in a part of the model.
+  void renumber(const NumbersInPart& numbers) {
+    for (std::size_t i = 0; i < count_; ++i) node_[i] = numbers.of(node_[i]);
   }
 
   /// Number of degrees of freedom, <= most.
@@ -114,6 +120,12 @@ class PlanEndsBothWays {
   PlanEndsBothWays(const Model& model, const PlanPoint& first, const PlanPoint& second, PlanVector direction)
       : along_{model, first, second, direction, PlanEnds::Keep::all},
         across_{model, first, second, turned_left(direction), PlanEnds::Keep::all} {}
+
+  /// The nodes get the numbers they have in a part of the model.
+  void renumber(const NumbersInPart& numbers) {
+    along_.renumber(numbers);
+    across_.renumber(numbers);
+  }
 
   /// The difference along the direction.
   [[nodiscard]] const PlanEnds& along() const { return along_; }

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <span>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -50,6 +51,11 @@ class PlanarBlock final : public ElementBlock, public ElementLaws, public Planar
   }
 
   std::unique_ptr<ElementBlock> clone() const override { return std::make_unique<PlanarBlock>(*this); }
+  std::unique_ptr<ElementBlock> part(std::span<const std::size_t> kept, const NumbersInPart& numbers) const override {
+    auto copy = std::make_unique<PlanarBlock>();
+    copy->take(*this, kept, numbers);
+    return copy;
+  }
   std::size_t size() const override { return infos_.size(); }
   const ElementInfo& info(std::size_t element) const override { return infos_[element]; }
   const ElementLaws* laws() const override { return this; }
@@ -210,6 +216,30 @@ class PlanarBlock final : public ElementBlock, public ElementLaws, public Planar
           5.0 * dot(laws_[i].evaluate(committed_[i], path.value(x), path.rate(x), x * step, after).force, path.rate(x));
     }
     return step / 12.0 * work;
+  }
+
+  void take(const PlanarBlock& whole, std::span<const std::size_t> elements, const NumbersInPart& numbers) {
+    infos_ = chosen(whole.infos_, elements);
+    for (ElementInfo& info : infos_) info = numbers.of(std::move(info));
+    laws_ = chosen(whole.laws_, elements);
+    ends_ = chosen(whole.ends_, elements);
+    for (PlanEndsBothWays& ends : ends_) ends.renumber(numbers);
+    positions_ = chosen(whole.positions_, elements);
+    committed_ = chosen(whole.committed_, elements);
+    trial_ = chosen(whole.trial_, elements);
+    responses_ = chosen(whole.responses_, elements);
+    start_responses_ = chosen(whole.start_responses_, elements);
+    now_ = chosen(whole.now_, elements);
+    start_ = chosen(whole.start_, elements);
+    before_ = chosen(whole.before_, elements);
+    force_rate_ = chosen(whole.force_rate_, elements);
+    deformations_ = chosen(whole.deformations_, elements);
+    rates_ = chosen(whole.rates_, elements);
+    forces_ = chosen(whole.forces_, elements);
+    force_rates_ = chosen(whole.force_rates_, elements);
+    tangent_changed_ = true;
+    step_ = whole.step_;
+    last_step_ = whole.last_step_;
   }
 
   std::vector<ElementInfo> infos_;

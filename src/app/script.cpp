@@ -206,10 +206,11 @@ Script::Outcome Script::compute(CaseRun& run, const Model& model, const RunOptio
                                 const ResultsFolder& folder) {
   std::optional<FrameRecorder> frames;
   if (options.frame_interval.si() != 0.0) run.attach(frames.emplace(model, folder.path(), options.frame_interval.si()));
-  std::optional<ProgressObserver> progress, progress_of_check;
+  std::optional<ProgressObserver> progress, progress_of_bodies, progress_of_check;
   if (!options.quiet) {
     std::cout << parts_->line.title() << "\n" << run.transient().motion().description() << "\n" << std::flush;
     run.attach(progress.emplace(run.transient().end_time()));
+    run.attach_to_bodies(progress_of_bodies.emplace(run.transient().end_time(), "bodies"));
     // Without --check the second run is over at once.
     if (options.check) run.attach_to_companion(progress_of_check.emplace(run.transient().end_time(), "check"));
   }

@@ -25,6 +25,8 @@
 
 namespace moat {
 
+class NumbersInPart;
+
 /// How an element is drawn.
 enum class DrawnAs { nothing, storey, bearing, gap, other };
 
@@ -79,6 +81,10 @@ class ElementBlock {
 
   /// A copy of all elements with their states.
   [[nodiscard]] virtual std::unique_ptr<ElementBlock> clone() const = 0;
+  /// A copy of these elements with their states, in this order, whose nodes have other numbers. Energy accounts are not
+  /// copied.
+  [[nodiscard]] virtual std::unique_ptr<ElementBlock> part(std::span<const std::size_t> kept,
+                                                           const NumbersInPart& numbers) const = 0;
   /// Number of elements.
   [[nodiscard]] virtual std::size_t size() const = 0;
   /// As it was added.

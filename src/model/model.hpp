@@ -99,6 +99,12 @@ class Model {
   /// Whether nothing was added since prepare().
   [[nodiscard]] bool prepared() const { return prepared_; }
 
+  /// The bodies that nothing connects, each as a model of its own, in the order of their first nodes; empty if all are
+  /// one. They have the state of this model, and no energy accounts. Nodes belong together where an element leads from
+  /// one to the other, a gap too, without passing the ground, or where they are in one building. The model must be
+  /// prepared.
+  [[nodiscard]] std::vector<Model> unconnected_bodies() const;
+
   [[nodiscard]] int degrees_of_freedom() const { return node_count(); }  ///< One per node, three per diaphragm.
   /// The diagonal of the mass matrix, kg.
   [[nodiscard]] const Vector& masses() const { return masses_; }
@@ -177,6 +183,9 @@ class Model {
   // The block of a type; `make` makes it if there is none.
   ElementBlock& block_of(std::type_index type, std::unique_ptr<ElementBlock> (*make)());
   NodeId append_node(Node node);
+  // These nodes, and these elements of every block, without buildings.
+  [[nodiscard]] Model part(std::span<const std::size_t> nodes, const std::vector<std::vector<std::size_t>>& elements,
+                           const NumbersInPart& numbers) const;
   // Of the committed state, whose last entry is that of the ground.
   [[nodiscard]] Eigen::Index entry(NodeId node) const {
     const Eigen::Index of_ground = state_.displacement.size() - 1;
