@@ -101,9 +101,8 @@ class ContactLinks : public LinksWithRegimes<Law, Ends>, public Contacts {
   /// Becomes a copy of these contacts of the whole model.
   void take(const ContactLinks& whole, std::span<const std::size_t> contacts, const NumbersInPart& numbers) {
     Base::take(whole, contacts, numbers);
-    effective_masses_ = chosen(whole.effective_masses_, contacts);
-    durations_ = chosen(whole.durations_, contacts);
-    approach_speeds_ = chosen(whole.approach_speeds_, contacts);
+    take_chosen(*this, whole, contacts, &ContactLinks::effective_masses_, &ContactLinks::durations_,
+                &ContactLinks::approach_speeds_);
     touching_ = 0;
     for (std::size_t i = 0; i < this->size(); ++i) touching_ += is_touching(i) ? 1 : 0;
   }

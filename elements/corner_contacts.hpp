@@ -12,6 +12,7 @@
 
 #include "elements/contact_links.hpp"
 #include "elements/corner_grip.hpp"
+#include "elements/corner_grip_energy.hpp"
 #include "elements/plan_ends.hpp"
 #include "model/plan_contacts.hpp"
 
@@ -50,7 +51,8 @@ class CornerContacts final : public ContactLinks<Law, PlanEnds>, public PlanCont
     now_grips_.resize(count);
     start_grips_.resize(count);
     slide_begins_.resize(count, std::numeric_limits<double>::quiet_NaN());
-    losses_.resize(count);
+    grip_energies_.resize(count);
+    speeds_at_touch_.resize(count, 0.0);
     misses_.resize(count, 0);
     times_left_.resize(count, 0);
     gaps_.resize(count);
@@ -156,7 +158,7 @@ class CornerContacts final : public ContactLinks<Law, PlanEnds>, public PlanCont
   void commit(double step, WorkRule rule) override {
     const bool kept = this->energies_.kept();
     for (std::size_t i = 0; i < corners_.size(); ++i) {
-      if (kept) add_step(i, step, rule);
+      if (kept) grip_energies_[i].add_step(start_grips_[i], now_grips_[i], friction(i), step, rule);
       watch_ends(i);
       slide_begins_[i] = now_grips_[i].slide_begin(start_grips_[i], step, friction(i));
     }
@@ -168,13 +170,13 @@ class CornerContacts final : public ContactLinks<Law, PlanEnds>, public PlanCont
     Base::start_energy_accounts();
     start_grips_ = now_grips_;
     for (std::size_t i = 0; i < corners_.size(); ++i)
-      losses_[i] = {.stored_at_start = now_grips_[i].stored(friction(i))};
+      grip_energies_[i] = {.stored_at_start = now_grips_[i].stored(friction(i))};
   }
   ElementEnergy energy(std::size_t i) const override {
     ElementEnergy energy = Base::energy(i);
-    energy.work += losses_[i].work;
-    energy.stored += start_grips_[i].stored(friction(i)) - losses_[i].stored_at_start;
-    energy.friction = losses_[i].friction;
+    energy.work += grip_energies_[i].work;
+    energy.stored += start_grips_[i].stored(friction(i)) - grip_energies_[i].stored_at_start;
+    energy.friction = grip_energies_[i].friction;
     return energy;
   }
 
@@ -193,7 +195,7 @@ class CornerContacts final : public ContactLinks<Law, PlanEnds>, public PlanCont
   double friction_force(std::size_t i) const override { return now_grips_[i].force; }
   double friction_force_rate(std::size_t i) const override { return now_grips_[i].force_rate; }
   double slide_begin(std::size_t i) const override { return slide_begins_[i]; }
-  double tangential_speed_at_touch(std::size_t i) const override { return losses_[i].speed_at_touch; }
+  double tangential_speed_at_touch(std::size_t i) const override { return speeds_at_touch_[i]; }
   double distance_at_rest(std::size_t i) const override {
     return distance_of(i, {this->infos_[i].offset, 0.0}, {}).value;
   }
@@ -211,7 +213,7 @@ class CornerContacts final : public ContactLinks<Law, PlanEnds>, public PlanCont
     if (touched_before || !this->is_touching(i)) return;
     // At touch the spring is relaxed.
     start_grips_[i].slip = start_grips_[i].path;
-    losses_[i].speed_at_touch = start_grips_[i].rate;
+    speeds_at_touch_[i] = start_grips_[i].rate;
   }
   /// The slip at touch is known where a step ends, and not inside.
   bool jumps_at_entry(std::size_t i, const State& next, double rate) const override {
@@ -219,33 +221,7 @@ class CornerContacts final : public ContactLinks<Law, PlanEnds>, public PlanCont
   }
 
  private:
-  struct Losses {
-    double work = 0.0, friction = 0.0, stored_at_start = 0.0;  // J
-    double speed_at_touch = 0.0;                               // m/s
-  };
-
   [[nodiscard]] ContactFriction friction(std::size_t i) const { return corners_[i].friction; }
-
-  void add_step(std::size_t i, double step, WorkRule rule) {
-    const CornerGrip &start = start_grips_[i], &now = now_grips_[i];
-    Losses& losses = losses_[i];
-    if (step == 0.0) {
-      // The same instant again: where the normal force jumped down, the grip gives up its energy.
-      losses.friction += std::max(start.stored(friction(i)) - now.stored(friction(i)), 0.0);
-      return;
-    }
-    if (start.force == 0.0 && now.force == 0.0) return;
-    const double mean = 0.5 * (start.force + now.force);
-    losses.friction += mean * (now.slip - start.slip);
-    losses.work += mean * (now.path - start.path);
-    if (rule == WorkRule::mean_force) return;
-    // The power is smooth but for kinks: the trapezoidal rule with its correction by the rates at the ends.
-    const auto power_rate = [](const CornerGrip& grip) {
-      return grip.force_rate * grip.rate + grip.force * grip.second_rate;
-    };
-    losses.work += 0.5 * step * (start.force * start.rate + now.force * now.rate) - mean * (now.path - start.path) +
-                   step * step / 12.0 * (power_rate(start) - power_rate(now));
-  }
 
   // > 0 while the corner is beside the edge, or past an end by less than 1 % of it, m.
   [[nodiscard]] double margin_at_ends(std::size_t i, double path) const {
@@ -291,23 +267,20 @@ class CornerContacts final : public ContactLinks<Law, PlanEnds>, public PlanCont
 
   void take(const CornerContacts& whole, std::span<const std::size_t> contacts, const NumbersInPart& numbers) {
     Base::take(whole, contacts, numbers);
-    corners_ = chosen(whole.corners_, contacts);
+    using Block = CornerContacts;
+    take_chosen(*this, whole, contacts, &Block::corners_, &Block::now_grips_, &Block::start_grips_,
+                &Block::slide_begins_, &Block::grip_energies_, &Block::speeds_at_touch_, &Block::misses_, &Block::gaps_,
+                &Block::times_left_);
     for (CornerAndEdge& corner : corners_) corner.ends.renumber(numbers);
-    now_grips_ = chosen(whole.now_grips_, contacts);
-    start_grips_ = chosen(whole.start_grips_, contacts);
-    slide_begins_ = chosen(whole.slide_begins_, contacts);
-    losses_ = chosen(whole.losses_, contacts);
-    misses_ = chosen(whole.misses_, contacts);
-    gaps_ = chosen(whole.gaps_, contacts);
-    times_left_ = chosen(whole.times_left_, contacts);
     friction_changed_ = true;
   }
 
   std::vector<CornerAndEdge> corners_;
   std::vector<CornerGrip> now_grips_, start_grips_;  // at the last evaluate(), and at the last commit
   std::vector<double> slide_begins_;                 // in the last step, as fractions of it
-  std::vector<Losses> losses_;
-  std::vector<char> misses_;    // at the last commit: beside its edge
+  std::vector<CornerGripEnergy> grip_energies_;
+  std::vector<double> speeds_at_touch_;  // along the edges, m/s
+  std::vector<char> misses_;             // at the last commit: beside its edge
   std::vector<Distance> gaps_;  // along the normals, m, at the last evaluate(); negative behind the edge's line
   std::vector<int> times_left_;
   bool friction_changed_ = false;

@@ -5,6 +5,13 @@
 #include "model/numbers_in_part.hpp"
 
 namespace moat {
+namespace {
+
+LinkMotion chosen_motion(const LinkMotion& motion, std::span<const std::size_t> links) {
+  return {chosen(motion.deformations, links), chosen(motion.rates, links), chosen(motion.second_rates, links)};
+}
+
+}  // namespace
 
 LinkArrays::LinkArrays() = default;
 LinkArrays::LinkArrays(const LinkArrays& other) = default;
@@ -12,15 +19,13 @@ LinkArrays& LinkArrays::operator=(const LinkArrays& other) = default;
 LinkArrays::~LinkArrays() = default;
 
 void LinkArrays::take(const LinkArrays& whole, std::span<const std::size_t> links, const NumbersInPart& numbers) {
-  infos_ = chosen(whole.infos_, links);
+  take_chosen(*this, whole, links, &LinkArrays::infos_, &LinkArrays::offsets_, &LinkArrays::forces_,
+              &LinkArrays::force_rates_, &LinkArrays::stiffnesses_, &LinkArrays::dampings_,
+              &LinkArrays::start_stiffnesses_);
   for (ElementInfo& info : infos_) info = numbers.of(std::move(info));
-  using Values = std::vector<double> LinkArrays::*;
-  for (const Values values : {&LinkArrays::offsets_, &LinkArrays::forces_, &LinkArrays::force_rates_,
-                              &LinkArrays::stiffnesses_, &LinkArrays::dampings_, &LinkArrays::start_stiffnesses_})
-    this->*values = chosen(whole.*values, links);
-  for (LinkMotion LinkArrays::*motion : {&LinkArrays::now_, &LinkArrays::start_, &LinkArrays::before_})
-    this->*motion = {chosen((whole.*motion).deformations, links), chosen((whole.*motion).rates, links),
-                     chosen((whole.*motion).second_rates, links)};
+  now_ = chosen_motion(whole.now_, links);
+  start_ = chosen_motion(whole.start_, links);
+  before_ = chosen_motion(whole.before_, links);
   last_step_ = whole.last_step_;
   step_ = whole.step_;
 }

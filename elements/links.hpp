@@ -211,11 +211,8 @@ class Links : public ElementBlock, public ElementLaws, protected LinkArrays {
   /// Becomes a copy of these links of the whole model.
   void take(const Links& whole, std::span<const std::size_t> links, const NumbersInPart& numbers) {
     LinkArrays::take(whole, links, numbers);
-    laws_ = chosen(whole.laws_, links);
-    ends_ = chosen(whole.ends_, links);
+    take_chosen(*this, whole, links, &Links::laws_, &Links::ends_, &Links::committed_, &Links::trial_);
     for (Ends& ends : ends_) ends.renumber(numbers);
-    committed_ = chosen(whole.committed_, links);
-    trial_ = chosen(whole.trial_, links);
     tangent_changed_ = true;
   }
 

@@ -219,24 +219,13 @@ class PlanarBlock final : public ElementBlock, public ElementLaws, public Planar
   }
 
   void take(const PlanarBlock& whole, std::span<const std::size_t> elements, const NumbersInPart& numbers) {
-    infos_ = chosen(whole.infos_, elements);
+    using Block = PlanarBlock;
+    take_chosen(*this, whole, elements, &Block::infos_, &Block::laws_, &Block::ends_, &Block::positions_,
+                &Block::committed_, &Block::trial_, &Block::responses_, &Block::start_responses_, &Block::now_,
+                &Block::start_, &Block::before_, &Block::force_rate_, &Block::deformations_, &Block::rates_,
+                &Block::forces_, &Block::force_rates_);
     for (ElementInfo& info : infos_) info = numbers.of(std::move(info));
-    laws_ = chosen(whole.laws_, elements);
-    ends_ = chosen(whole.ends_, elements);
     for (PlanEndsBothWays& ends : ends_) ends.renumber(numbers);
-    positions_ = chosen(whole.positions_, elements);
-    committed_ = chosen(whole.committed_, elements);
-    trial_ = chosen(whole.trial_, elements);
-    responses_ = chosen(whole.responses_, elements);
-    start_responses_ = chosen(whole.start_responses_, elements);
-    now_ = chosen(whole.now_, elements);
-    start_ = chosen(whole.start_, elements);
-    before_ = chosen(whole.before_, elements);
-    force_rate_ = chosen(whole.force_rate_, elements);
-    deformations_ = chosen(whole.deformations_, elements);
-    rates_ = chosen(whole.rates_, elements);
-    forces_ = chosen(whole.forces_, elements);
-    force_rates_ = chosen(whole.force_rates_, elements);
     tangent_changed_ = true;
     step_ = whole.step_;
     last_step_ = whole.last_step_;

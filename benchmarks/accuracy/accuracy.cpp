@@ -19,6 +19,7 @@
 
 #include "documentation_section.hpp"
 #include "output/chart.hpp"
+#include "paper/paper_building.hpp"
 #include "random_models.hpp"
 #include "streets.hpp"
 
@@ -49,18 +50,10 @@ struct Curves {
 
 CaseResult run(const GroundMotion& motion, const TransientOptions& options) {
   Model model;
-  const auto building =
-      add(model, ShearBuilding{.storeys = 5,
-                               .floor_mass = 500 * tonne,
-                               .storey_stiffness = 1 * GN / m,
-                               .damping = RayleighDamping{.ratio = 0.05},
-                               .base_mass = 550 * tonne,
-                               .isolation = LeadRubberBearing{.yield_force = 1.93 * MN,
-                                                              .yield_displacement = 1 * cm,
-                                                              .post_yield_stiffness = 19.3 * MN / m}});
+  const auto building = paper::add(model, paper::PaperBuilding{});
   add(model, Moat{.around = building.base,
-                  .clearance = 10 * cm,
-                  .law = HertzDamp{.stiffness = 2.95e9 * N / m_3_2, .restitution = 0.65}});
+                  .clearance = paper::paper_gap,
+                  .law = HertzDamp{.stiffness = paper::hertz_impact_stiffness, .restitution = paper::restitution}});
   return run_case(model, motion, {.transient = options});
 }
 

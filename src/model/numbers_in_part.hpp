@@ -58,4 +58,10 @@ template <class T>
   return list;
 }
 
+/// The arrays of the part get the entries of those of the whole at these positions.
+template <class Block, class... Arrays>
+void take_chosen(Block& part, const Block& whole, std::span<const std::size_t> positions, Arrays Block::*... arrays) {
+  ((part.*arrays = chosen(whole.*arrays, positions)), ...);
+}
+
 }  // namespace moat
