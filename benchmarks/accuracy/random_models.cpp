@@ -6,6 +6,7 @@
 #include <fstream>
 #include <thread>
 
+#include "base/check.hpp"
 #include "base/error.hpp"
 #include "error_distribution.hpp"
 #include "random_trial.hpp"
@@ -19,12 +20,15 @@ constexpr double settled_reference = 1e-5;
 /// Studies have no histories; their steps reach over several samples.
 constexpr Time longest_in_a_study = 40 * units::ms;
 
-std::vector<TrialSetting> trial_settings() {
-  return {{"default", {}, testing::LocateYield::as_drawn},
+std::vector<TrialSetting> trial_settings(double tolerance) {
+  const TransientOptions newmark{.tolerance = tolerance},
+      exact{.integrator = ExactBetweenEvents{}, .tolerance = tolerance};
+  const std::string name = tolerance == TransientOptions{}.tolerance ? "default" : "tolerance " + to_text(tolerance);
+  return {{name, newmark, testing::LocateYield::as_drawn},
           {"tight", {.tolerance = 1e-7, .steps_per_contact = 512}, testing::LocateYield::as_drawn},
-          {"exact", {.integrator = ExactBetweenEvents{}}, testing::LocateYield::always},
-          {"default in a study", {}, testing::LocateYield::as_drawn, longest_in_a_study},
-          {"exact in a study", {.integrator = ExactBetweenEvents{}}, testing::LocateYield::always, longest_in_a_study}};
+          {"exact", exact, testing::LocateYield::always},
+          {name + " in a study", newmark, testing::LocateYield::as_drawn, longest_in_a_study},
+          {"exact in a study", exact, testing::LocateYield::always, longest_in_a_study}};
 }
 
 bool usable(const TrialModel& model) { return model.failed.empty() && model.reference.settled(settled_reference); }
@@ -121,7 +125,7 @@ void write_csv(const std::string& path, const std::vector<TrialModel>& models,
 }  // namespace
 
 std::string run_random_models(const RandomModelsOptions& options) {
-  const std::vector<TrialSetting> settings = trial_settings();
+  const std::vector<TrialSetting> settings = trial_settings(options.tolerance);
   const std::vector<TrialModel> models = run_all(options, settings);
   if (!options.csv.empty()) write_csv(options.csv, models, settings);
   std::vector<const TrialModel*> compared;

@@ -4,13 +4,16 @@
 #include <cstdint>
 #include <string>
 
+#include "analyses/transient_options.hpp"
+
 namespace moat {
 
 struct RandomModelsOptions {
   int models = 200;
   std::uint64_t seed = 1;  ///< of the first; the others follow it
   int threads = 2;
-  std::string csv;  ///< file with a row per model and setting; none if empty
+  double tolerance = TransientOptions{}.tolerance;  ///< of all settings but the tight one
+  std::string csv;                                  ///< file with a row per model and setting; none if empty
 };
 
 /// Runs them with default, tight and exact settings, and returns the results as Markdown. No model is left out without

@@ -174,18 +174,17 @@ class ForceBalanceTest final : public NOX::StatusTest::Generic {
     report.iterations = solver.getNumIterations();
     report.converged = false;
     const moat::Vector &residual = iterate.residual(), &scales = iterate.system().residual_scales();
-    double sum = 0.0;
+    // NaN or infinite if any residual is.
+    const double sum = residual.lpNorm<1>();
     report.residual = 0.0;
     report.worst_degree_of_freedom = 0;
     for (int i = 0; i < static_cast<int>(residual.size()); ++i) {
       const double magnitude = std::abs(residual[i]);
-      sum += magnitude;
       // A division for every row would take longer than the rest of the loop.
       if (magnitude <= report.residual * scales[i]) continue;
       report.residual = magnitude / scales[i];
       report.worst_degree_of_freedom = i;
     }
-    // The sum is NaN if any residual is. Comparisons with NaN are false.
     if (!iterate.isF() || !std::isfinite(sum)) {
       report_no_number(residual);
       status_ = NOX::StatusTest::Failed;

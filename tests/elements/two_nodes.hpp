@@ -28,10 +28,12 @@ struct TwoNodes {
     model.evaluate();
   }
 
-  /// Internal forces on a, b and the ground, N.
+  /// Of all elements on a, b and the ground, N.
   [[nodiscard]] Eigen::Vector3d forces() const {
-    Vector force;
-    force = model.internal_forces();
+    Eigen::Vector3d force = Eigen::Vector3d::Zero();
+    const MotionState& trial = model.trial();
+    for (const auto& block : model.blocks())
+      block->evaluate(trial.displacement.data(), trial.velocity.data(), force.data());
     return force;
   }
 };
