@@ -47,7 +47,7 @@ class StepControl {
     double fixed_step = 0.0;             ///< s; 0: adaptive
     double grid_interval = 0.0;          ///< s; the longest adaptive step of second order
     int doublings = 0;                   ///< of the grid interval, for the longest step of fourth order
-    double tolerance = 5e-5;             ///< > 0, of the error of one step over its scale
+    double tolerance = 3e-5;             ///< > 0, of the error of one step over its scale
     int steps_per_contact = 32;          ///< > 0; the shortest contact is divided into these
     int max_halvings = 24;               ///< of the grid interval, for the shortest step
     std::optional<StepScheme> scheme{};  ///< of every step; none: chosen here

@@ -37,7 +37,7 @@ struct TransientOptions {
   /// scale of the absolute acceleration there (analyses/acceleration_scales.hpp); above twice that a step is repeated.
   /// Steps are the longest step divided by powers of two. Exact steps: sixteen times this is the error of the cubic
   /// between the ends of a step, on the same scale.
-  double tolerance = 5e-5;
+  double tolerance = 3e-5;
 
   /// >= 4. Adaptive step: steps within the duration of one contact, estimated with the masses of the joined nodes
   /// alone. 32 give restitution to 1e-3, 1024 to 1e-6. A fixed step with fewer than 32 warns.

@@ -22,8 +22,8 @@ namespace moat {
 ///
 ///     deformation d = u(second) - u(first), in x and y;  the law's force pulls `second` back and `first` along.
 ///
-/// Deformations and forces of last_results() are the resultants |d| and |F|; planar() has the components. Corners of the
-/// force are not located; has_corner() shows them.
+/// Deformations and forces of last_results() are the resultants |d| and |F|; planar() has the components. Corners of
+/// the force are not located; has_corner() shows them.
 template <PlanarLaw Law>
 class PlanarBlock final : public ElementBlock, public ElementLaws, public PlanarElements {
  public:

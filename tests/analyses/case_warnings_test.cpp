@@ -122,7 +122,7 @@ TEST(EnergyWarnings, AdviceFitsTheKindOfSteps) {
                                       EnergyBalance{.equation_residual = 2.0, .largest_input = 100.0}}) {
     EXPECT_NE(only(energy, fixed).find("Take a shorter step (now 0.005 s)"), std::string::npos);
     EXPECT_EQ(only(energy, fixed).find("tighter tolerance"), std::string::npos) << "it has none";
-    EXPECT_NE(only(energy, adapted).find("Take a tighter tolerance (now 5e-05)"), std::string::npos);
+    EXPECT_NE(only(energy, adapted).find("Take a tighter tolerance (now 3e-05)"), std::string::npos);
     EXPECT_EQ(only(energy, adapted).find("shorter step"), std::string::npos) << "that would switch adapting off";
     EXPECT_NE(only(energy, exact).find("steps_per_contact"), std::string::npos);
     EXPECT_EQ(only(energy, exact).find("shorter step"), std::string::npos) << "exact steps refuse one";
