@@ -196,7 +196,7 @@ class Links : public ElementBlock, public ElementLaws, protected LinkArrays {
       throw std::logic_error{"Links: a law without quantities was asked for one"};
   }
 
-  ElementResults last_results() const override { return {now_.deformations, now_.rates, forces_, force_rates_}; }
+  ElementResults results() const override { return {now_.deformations, now_.rates, forces_, force_rates_}; }
 
   double force_inside(std::size_t i, double fraction) const override {
     if (!keeps_start()) throw std::logic_error{"Links: a linear element's force needs no law to interpolate"};

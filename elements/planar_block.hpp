@@ -22,8 +22,8 @@ namespace moat {
 ///
 ///     deformation d = u(second) - u(first), in x and y;  the law's force pulls `second` back and `first` along.
 ///
-/// Deformations and forces of last_results() are the resultants |d| and |F|; planar() has the components. Corners of
-/// the force are not located; has_corner() shows them.
+/// Deformations and forces of results() are the resultants |d| and |F|; planar() has the components. Corners of the
+/// force are not located; has_corner() shows them.
 template <PlanarLaw Law>
 class PlanarBlock final : public ElementBlock, public ElementLaws, public PlanarElements {
  public:
@@ -142,7 +142,7 @@ class PlanarBlock final : public ElementBlock, public ElementLaws, public Planar
             .hysteretic = true};
   }
 
-  ElementResults last_results() const override { return {deformations_, rates_, forces_, force_rates_}; }
+  ElementResults results() const override { return {deformations_, rates_, forces_, force_rates_}; }
   std::span<const ReportedQuantity> law_quantities(std::size_t) const override { return {}; }
   double law_quantity(std::size_t, std::size_t) const override {
     throw std::logic_error{"PlanarBlock: a law without quantities was asked for one"};

@@ -49,7 +49,7 @@ class FivePeakObserver final : public StepObserver {
  private:
   void sample(const StepView& view) {
     const MotionState& state = view.model.state();
-    const ElementResults gaps = gaps_->last_results();
+    const ElementResults gaps = gaps_->results();
     CommonInstant& next = peaks_.next();
     next.time = state.time;
     std::size_t i = 0;

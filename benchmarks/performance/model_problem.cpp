@@ -57,7 +57,7 @@ class ModelProblem final : public SundialsProblem {
 
   [[nodiscard]] Peaks sample(double t, const realtype* y) override {
     evaluate(t, y);
-    const auto wall = gaps_->last_results().forces;
+    const auto wall = gaps_->results().forces;
     return {y[0], y[floors], absolute_acceleration(0), absolute_acceleration(floors), std::max(wall[0], wall[1])};
   }
 

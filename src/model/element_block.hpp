@@ -108,8 +108,7 @@ class ElementBlock {
   virtual void add_tangent(double displacement_weight, double velocity_weight, double* values) const = 0;
   /// Adds the constant stiffness of a linear analysis.
   virtual void add_linear_stiffness(StiffnessStage stage, double* values) const = 0;
-  /// Whether df/du and df/dv never change, and are symmetric. The model then adds the block to its matrices and does
-  /// not evaluate it in every step (model/linear_part.hpp).
+  /// Whether df/du and df/dv never change. The tangent of the block is then added up once and kept.
   [[nodiscard]] virtual bool constant_tangent() const { return false; }
   /// Whether df/du or df/dv of any element has changed since the last call.
   virtual bool take_tangent_change() { return true; }
@@ -130,9 +129,8 @@ class ElementBlock {
   /// Energy account of an element since then. Throws std::logic_error where none was started.
   [[nodiscard]] virtual ElementEnergy energy(std::size_t element) const = 0;
 
-  /// Of the last evaluate() and evaluate_rates(); views that stay valid until elements are added. Ask Model::results()
-  /// for those of a state: a model does not evaluate blocks with constant tangents in every step.
-  [[nodiscard]] virtual ElementResults last_results() const = 0;
+  /// Views that stay valid until elements are added.
+  [[nodiscard]] virtual ElementResults results() const = 0;
 
   /// The side of a block that names its laws and their own quantities; null without.
   [[nodiscard]] virtual const ElementLaws* laws() const { return nullptr; }

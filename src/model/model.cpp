@@ -129,16 +129,23 @@ void Model::prepare() {
   pattern_ = builder.build();
   blocks_with_regimes_.clear();
   blocks_with_contacts_.clear();
-  changing_blocks_.clear();
-  linear_blocks_.clear();
-  linear_part_.clear(pattern_);
-  ++tangent_version_;
   for (std::size_t i = 0; i < blocks_.size(); ++i) {
     blocks_[i]->find_slots(pattern_);
     if (blocks_[i]->regimes() != nullptr) blocks_with_regimes_.push_back(i);
     if (blocks_[i]->contacts() != nullptr) blocks_with_contacts_.push_back(i);
-    (blocks_[i]->constant_tangent() ? linear_blocks_ : changing_blocks_).push_back(i);
-    if (blocks_[i]->constant_tangent()) linear_part_.add(*blocks_[i]);
+  }
+  // Tangents that never change are added up once; assemble_tangent() starts from these sums.
+  constant_stiffness_.assign(pattern_.values.size(), 0.0);
+  constant_damping_.assign(pattern_.values.size(), 0.0);
+  changing_blocks_.clear();
+  ++tangent_version_;
+  for (std::size_t i = 0; i < blocks_.size(); ++i) {
+    if (!blocks_[i]->constant_tangent()) {
+      changing_blocks_.push_back(i);
+      continue;
+    }
+    blocks_[i]->add_tangent(1.0, 0.0, constant_stiffness_.data());
+    blocks_[i]->add_tangent(0.0, 1.0, constant_damping_.data());
   }
   diagonal_slots_.clear();
   for (int i = 0; i < count; ++i) diagonal_slots_.push_back(pattern_.slot(i, i));
@@ -166,8 +173,8 @@ void Model::prepare() {
   trial_ = state_;
   // Evaluate and commit once, so that forces and states of all elements belong to the current state.
   prepared_ = true;
+  internal_forces_.resize(count + 1);
   evaluate();
-  evaluate_linear_blocks(trial_);
   for (const auto& block : blocks_) block->commit(0.0, WorkRule::mean_force);
   committed_forces_ = internal_forces_;
 }
@@ -175,19 +182,16 @@ void Model::prepare() {
 void Model::evaluate() {
   const double step = trial_.time - state_.time;
   for (const std::size_t i : changing_blocks_) blocks_[i]->begin_step(step);
-  const double *displacement = trial_.displacement.data(), *velocity = trial_.velocity.data();
-  linear_part_.evaluate(pattern_, displacement, velocity, internal_forces_);
-  for (const std::size_t i : changing_blocks_) blocks_[i]->evaluate(displacement, velocity, internal_forces_.data());
+  internal_forces_.setZero(degrees_of_freedom() + 1);
+  for (const auto& block : blocks_)
+    block->evaluate(trial_.displacement.data(), trial_.velocity.data(), internal_forces_.data());
   for (const std::size_t i : changing_blocks_)
     if (blocks_[i]->take_tangent_change()) ++tangent_version_;
-  evaluated_is_committed_ = false;
-  linear_blocks_evaluated_.assign(blocks_.size(), false);
 }
 
 void Model::evaluate_rates() {
-  const double* acceleration = trial_.acceleration.data();
-  linear_part_.evaluate_rates(pattern_, trial_.velocity.data(), acceleration, force_rates_);
-  for (const std::size_t i : changing_blocks_) blocks_[i]->evaluate_rates(acceleration, force_rates_.data());
+  force_rates_.setZero(degrees_of_freedom() + 1);
+  for (const auto& block : blocks_) block->evaluate_rates(trial_.acceleration.data(), force_rates_.data());
   const int count = degrees_of_freedom();
   const double *mass = masses_.data(), *force_rate = force_rates_.data();
   double* __restrict jerk = trial_.jerk.data();
@@ -197,8 +201,7 @@ void Model::evaluate_rates() {
 void Model::assemble_tangent(double acceleration_weight, double velocity_weight, double displacement_weight,
                              SparseMatrix& matrix) const {
   double* __restrict values = matrix.values.data();
-  const double *stiffness = linear_part_.stiffness().data(), *damping = linear_part_.damping().data(),
-               *mass = masses_.data();
+  const double *stiffness = constant_stiffness_.data(), *damping = constant_damping_.data(), *mass = masses_.data();
   const int *diagonal = diagonal_slots_.data(), *starts = matrix.column_starts.data();
   const auto count = diagonal_slots_.size();
   // Chunks of 256 columns, so that their values are still in L1 when the masses are added.
@@ -225,40 +228,17 @@ void Model::assemble_linear_stiffness(StiffnessStage stage, SparseMatrix& matrix
 
 void Model::commit(WorkRule rule) {
   const double step = trial_.time - state_.time;
-  if (keeps_energy_accounts_) {
-    evaluate_linear_blocks(trial_);
-    for (const std::size_t i : linear_blocks_) blocks_[i]->commit(step, rule);
-  }
   state_.time = trial_.time;
   state_.displacement.swap(trial_.displacement);
   state_.velocity.swap(trial_.velocity);
   state_.acceleration.swap(trial_.acceleration);
   state_.jerk.swap(trial_.jerk);
   committed_forces_.swap(internal_forces_);
-  for (const std::size_t i : changing_blocks_) blocks_[i]->commit(step, rule);
-  evaluated_is_committed_ = true;
-}
-
-ElementResults Model::results(std::size_t block) const {
-  ElementBlock& its = *blocks_[block];
-  if (its.constant_tangent() && !linear_blocks_evaluated_[block])
-    evaluate_linear_block(block, evaluated_is_committed_ ? state_ : trial_);
-  return its.last_results();
-}
-
-void Model::evaluate_linear_block(std::size_t block, const MotionState& motion) const {
-  blocks_[block]->evaluate(motion.displacement.data(), motion.velocity.data(), nullptr);
-  blocks_[block]->evaluate_rates(motion.acceleration.data(), nullptr);
-  linear_blocks_evaluated_[block] = true;
-}
-
-void Model::evaluate_linear_blocks(const MotionState& motion) const {
-  for (const std::size_t i : linear_blocks_) evaluate_linear_block(i, motion);
+  for (const auto& block : blocks_) block->commit(step, rule);
 }
 
 void Model::start_energy_accounts() {
   keeps_energy_accounts_ = true;
-  evaluate_linear_blocks(state_);
   for (const auto& block : blocks_) block->start_energy_accounts();
 }
 

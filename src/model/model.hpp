@@ -17,7 +17,6 @@
 #include "model/building.hpp"
 #include "model/diaphragm.hpp"
 #include "model/element_block.hpp"
-#include "model/linear_part.hpp"
 #include "model/node.hpp"
 #include "model/taken_names.hpp"
 
@@ -135,8 +134,7 @@ class Model {
   [[nodiscard]] MotionState& trial() { return trial_; }
   [[nodiscard]] const MotionState& trial() const { return trial_; }  ///< To read.
 
-  /// Computes all forces at the trial state: those of elements with constant tangents by their matrices, those of all
-  /// others one by one.
+  /// Computes all elements at the trial state.
   void evaluate();
   /// After evaluate(): the rates of all forces at the trial state, from both tangents and the trial accelerations, and
   /// from them the trial jerk, -M^-1 df/dt.
@@ -144,10 +142,7 @@ class Model {
   /// Computes only the elements that can change their regime, with the rates of their forces: enough for
   /// scan_regimes() and change_regimes_inside(). evaluate() must follow before a commit().
   void evaluate_regimes();
-  /// Results of the elements of a block at the state of the last evaluate(), which commit() makes the committed one.
-  /// Elements with constant tangents are computed here, when they are asked for.
-  [[nodiscard]] ElementResults results(std::size_t block) const;
-  /// Internal forces of the last evaluate(), and one entry more, for the ground, without meaning.
+  /// Internal forces of the last evaluate(). The last entry is the sum of the forces on the ground: the reactions.
   [[nodiscard]] const Vector& internal_forces() const { return internal_forces_; }
   /// The same at the committed state, after the last change of regime.
   [[nodiscard]] const Vector& committed_forces() const { return committed_forces_; }
@@ -202,8 +197,6 @@ class Model {
     return node.index;
   }
   [[noreturn]] void refuse_entry(NodeId node) const;
-  void evaluate_linear_block(std::size_t block, const MotionState& motion) const;
-  void evaluate_linear_blocks(const MotionState& motion) const;
 
   std::vector<Node> nodes_;
   std::vector<NodeId> ids_;  // 0, 1, 2, ...
@@ -221,17 +214,15 @@ class Model {
   Vector ground_share_x_, ground_share_y_;
   std::vector<int> diagonal_slots_;
   SparseMatrix pattern_;
-  LinearPart linear_part_;
+  // Tangents of the blocks for which they never change, as values of the pattern.
+  std::vector<double> constant_stiffness_, constant_damping_;
   MotionState state_, trial_;
   Vector internal_forces_, committed_forces_, force_rates_;
   long tangent_version_ = 0;
-  std::vector<std::size_t> linear_blocks_, changing_blocks_;  // with constant tangents, and all others
+  std::vector<std::size_t> changing_blocks_;  // those without constant tangent
   std::vector<std::size_t> blocks_with_regimes_;
   std::vector<std::size_t> blocks_with_contacts_;
   bool keeps_energy_accounts_ = false;
-  // Whether the state of the last evaluate() is committed, and which linear blocks were evaluated there.
-  bool evaluated_is_committed_ = false;
-  mutable std::vector<char> linear_blocks_evaluated_;
 };
 
 template <class Block>

@@ -9,7 +9,7 @@
 namespace moat {
 
 /// The side of an ElementBlock whose elements have a deformation and a force of two components: bearings in plan.
-/// Deformations and forces of ElementBlock::last_results() are then the lengths of these vectors.
+/// Deformations and forces of ElementBlock::results() are then the lengths of these vectors.
 class PlanarElements {
  public:
   /// Where the element stands at rest, m.

@@ -125,7 +125,7 @@ void Channels::sample(const StepView& view, std::vector<double>& values, std::ve
       rate[k] *= rotation.per_metre;
     }
   }
-  for (const BlockChannels& channels : blocks_) sample(view.model, channels, value, rate);
+  for (const BlockChannels& channels : blocks_) sample(*view.model.blocks()[channels.block], channels, value, rate);
   for (const BaseShear& shear : base_shears_) {
     double inertia = 0.0, inertia_rate = 0.0;
     for (const NodeId node : shear.nodes) {
@@ -142,8 +142,8 @@ void Channels::sample(const StepView& view, std::vector<double>& values, std::ve
   plan_.sample(view, value, rate);
 }
 
-void Channels::sample(const Model& model, const BlockChannels& channels, double* values, double* rates) {
-  const ElementResults results = model.results(channels.block);
+void Channels::sample(const ElementBlock& block, const BlockChannels& channels, double* values, double* rates) {
+  const ElementResults results = block.results();
   const double *forces = results.forces.data(), *force_rates = results.force_rates.data();
   for (const auto& [element, channel] : channels.forces) {
     values[channel] = forces[element];
@@ -161,7 +161,7 @@ void Channels::sample(const Model& model, const BlockChannels& channels, double*
     rates[channel] = closed ? deformation_rates[element] : 0.0;
   }
   for (const auto& [element, channel, quantity] : channels.law_quantities) {
-    values[channel] = model.blocks()[channels.block]->laws()->law_quantity(element, quantity);
+    values[channel] = block.laws()->law_quantity(element, quantity);
     rates[channel] = 0.0;
   }
 }

@@ -65,7 +65,7 @@ class Channels {
     std::vector<LawSource> law_quantities;
   };
   void add_elements(const Model& model, std::size_t block);
-  static void sample(const Model& model, const BlockChannels& channels, double* values, double* rates);
+  static void sample(const ElementBlock& block, const BlockChannels& channels, double* values, double* rates);
 
   // A channel whose value inside a step comes from its law.
   struct LawChannel {

@@ -10,10 +10,10 @@ namespace moat {
 namespace {
 
 // m, m/s; of a corner minus its distance from the edge.
-std::pair<double, double> indentation_of(const Model& model, std::size_t block, std::size_t element) {
-  const PlanContacts* corners = model.blocks()[block]->plan_contacts();
+std::pair<double, double> indentation_of(const ElementBlock& block, std::size_t element) {
+  const PlanContacts* corners = block.plan_contacts();
   if (corners == nullptr) {
-    const ElementResults results = model.results(block);
+    const ElementResults results = block.results();
     return {results.deformations[element], results.rates[element]};
   }
   const auto [value, rate] = corners->distance(element);
@@ -33,7 +33,8 @@ ClearanceRecorder::ClearanceRecorder(const Model& model) : model_{&model} {
 void ClearanceRecorder::step(const StepView& view) {
   const double time = view.model.state().time, step = time - time_before_;
   for (Gap& gap : gaps_) {
-    const auto [indentation, rate] = indentation_of(view.model, gap.block, gap.element);
+    const ElementBlock& block = *view.model.blocks()[gap.block];
+    const auto [indentation, rate] = indentation_of(block, gap.element);
     if (indentation > gap.largest) {
       gap.largest = indentation;
       gap.time = time;

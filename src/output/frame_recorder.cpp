@@ -9,7 +9,8 @@ namespace moat {
 namespace {
 
 // Of a contact: on its left node, or on its corner.
-PlanVector force_on_first_point(const ElementBlock& block, std::size_t element, double normal_force) {
+PlanVector force_on_first_point(const ElementBlock& block, std::size_t element) {
+  const double normal_force = block.results().forces[element];
   const PlanContacts* corners = block.plan_contacts();
   if (corners == nullptr) return {-normal_force, 0.0};
   const PlanVector normal = corners->pair(element).normal;
@@ -49,14 +50,13 @@ void FrameRecorder::write(const StepView& view) {
   force_.clear();
   in_contact_.clear();
   contact_force_.clear();
-  for (std::size_t b = 0; b < model.blocks().size(); ++b) {
-    const ElementBlock& block = *model.blocks()[b];
-    const Contacts* contacts = block.contacts();
-    const ElementResults results = model.results(b);
-    for (std::size_t e = 0; e < block.size(); ++e) {
+  for (const auto& block : model.blocks()) {
+    const Contacts* contacts = block->contacts();
+    const ElementResults results = block->results();
+    for (std::size_t e = 0; e < block->size(); ++e) {
       deformation_.push_back(contacts != nullptr ? -results.deformations[e] : results.deformations[e]);
       force_.push_back(results.forces[e]);
-      contact_force_.push_back(contacts != nullptr ? force_on_first_point(block, e, results.forces[e]) : PlanVector{});
+      contact_force_.push_back(contacts != nullptr ? force_on_first_point(*block, e) : PlanVector{});
       in_contact_.push_back(contacts != nullptr && contacts->contact(e).touching ? 1.0 : 0.0);
     }
   }

@@ -77,7 +77,7 @@ void HistoryRecorder::take(const StepView& view, bool with_energies) {
   now_.ground_acceleration = view.ground();
   channels_.sample(view, now_.values, now_.rates);
   for (const auto& [b, e] : gaps_) {
-    const ElementResults results = view.model.results(b);
+    const ElementResults results = view.model.blocks()[b]->results();
     now_.values.push_back(-results.deformations[e]);
     now_.rates.push_back(-results.rates[e]);
   }

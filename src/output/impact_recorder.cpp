@@ -27,7 +27,7 @@ void ImpactRecorder::follow(const StepView& view, bool after_event) {
     const ElementBlock& block = *view.model.blocks()[contact.gap.block];
     const std::size_t element = contact.gap.element;
     const PlanContacts* sliding = block.plan_contacts();
-    const ElementResults results = view.model.results(contact.gap.block);
+    const ElementResults results = block.results();
     const double indentation = results.deformations[element], rate = results.rates[element];
     const double force = results.forces[element], force_rate = results.force_rates[element];
     ContactLoop& loop = impacts_[contact.impact].loop;

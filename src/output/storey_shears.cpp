@@ -25,8 +25,8 @@ std::span<const double> StoreyShears::evaluate(const Model& model) {
   for (const Part& part : parts_) {
     const ElementBlock& block = *model.blocks()[part.block];
     const PlanVector along = model.is_plan() ? block.info(part.element).plan_places->direction : PlanVector{1.0, 0.0};
-    sums_[part.storey] += block.planar() != nullptr ? block.planar()->force(part.element)
-                                                    : model.results(part.block).forces[part.element] * along;
+    sums_[part.storey] +=
+        block.planar() != nullptr ? block.planar()->force(part.element) : block.results().forces[part.element] * along;
   }
   for (std::size_t i = 0; i < sums_.size(); ++i) shears_[i] = model.is_plan() ? length(sums_[i]) : sums_[i].x;
   return shears_;

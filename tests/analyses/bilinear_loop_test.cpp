@@ -37,8 +37,8 @@ TEST(BilinearLoop, AreaOfSlowCyclesIsTheClosedForm) {
                                .post_yield_stiffness = post_yield * N / m});
   double area = 0.0, last_force = 0.0, last_deformation = 0.0, largest = 0.0;
   Watch watch{[&](const StepView& view) {
-    const ElementResults bearing = view.model.results(0);
-    const double deformation = bearing.deformations[0], pull = bearing.forces[0];
+    const ElementBlock& bearing = *view.model.blocks().front();
+    const double deformation = bearing.results().deformations[0], pull = bearing.results().forces[0];
     largest = std::max(largest, std::abs(deformation));
     // One whole cycle, from the first turning point to the one a period later.
     if (view.model.state().time > period / 4.0 + 1e-9)
@@ -68,8 +68,8 @@ TEST(BilinearLoop, AFreeBodyOnABearingLosesWhatTheLoopTakes) {
   double work = 0.0, last_force = 0.0, last_deformation = 0.0, largest_error = 0.0;
   const double start = 0.5 * mass * 1.2 * 1.2;
   Watch watch{[&](const StepView& view) {
-    const ElementResults bearing = view.model.results(0);
-    const double deformation = bearing.deformations[0], pull = bearing.forces[0];
+    const ElementBlock& bearing = *view.model.blocks().front();
+    const double deformation = bearing.results().deformations[0], pull = bearing.results().forces[0];
     work += 0.5 * (pull + last_force) * (deformation - last_deformation);
     last_force = pull;
     last_deformation = deformation;

@@ -58,7 +58,7 @@ struct EventLog final : StepObserver {
     for (const RegimeChange& change : changes) {
       const ElementBlock& block = *view.model.blocks()[change.block];
       entries.push_back({view.model.state().time, block.info(change.element).name,
-                         -view.model.results(change.block).deformations[change.element],
+                         -block.results().deformations[change.element],
                          block.contacts()->contact(change.element).touching});
     }
   }

@@ -121,9 +121,9 @@ TEST(Newmark, AverageAccelerationConservesEnergyExactly) {
     const MotionState& state = model.state();
     double sum = 0.0;
     for (int i = 0; i < 5; ++i) sum += 0.5 * model.masses()[i] * state.velocity[i] * state.velocity[i];
-    for (std::size_t b = 0; b < model.blocks().size(); ++b)
-      for (std::size_t e = 0; e < model.blocks()[b]->size(); ++e)
-        sum += 0.5 * model.results(b).forces[e] * model.results(b).deformations[e];
+    for (const auto& block : model.blocks())
+      for (std::size_t e = 0; e < block->size(); ++e)
+        sum += 0.5 * block->results().forces[e] * block->results().deformations[e];
     return sum;
   };
   const double start = energy();

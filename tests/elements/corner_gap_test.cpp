@@ -63,7 +63,7 @@ TEST(CornerGap, ClearanceAndMotionAreThoseAlongNormalAndTangent) {
   const PlanVector faced = at + clearance * n, arm_a = at, arm_b = faced - PlanVector{9.0, 1.0};
   const PlanVector moved_a = PlanVector{u[0], u[1]} + u[2] / ra * turned_left(arm_a),
                    moved_b = PlanVector{u[3], u[4]} + u[5] / rb * turned_left(arm_b);
-  EXPECT_NEAR(slabs.model.results(0).deformations[0], dot(moved_a - moved_b, n) - clearance, 1e-14);
+  EXPECT_NEAR(block.results().deformations[0], dot(moved_a - moved_b, n) - clearance, 1e-14);
 }
 
 TEST(CornerGap, EffectiveMassIsThatOfTheImpulse) {
@@ -113,9 +113,9 @@ TEST(CornerGap, TangentIsTheDerivativeOfTheForces) {
     set(slide, 0.2);
     model.evaluate();
     const Vector forces = model.internal_forces();
-    EXPECT_GT(model.results(0).forces[0], 0.0);
+    EXPECT_GT(model.blocks()[0]->results().forces[0], 0.0);
     const PlanContacts& contact = *model.blocks()[0]->plan_contacts();
-    const double limit = friction * model.results(0).forces[0];
+    const double limit = friction * model.blocks()[0]->results().forces[0];
     EXPECT_LE(std::abs(contact.friction_force(0)), limit * (1.0 + 1e-12));
     if (friction == 0.05) {
       EXPECT_NEAR(std::abs(contact.friction_force(0)), limit, 1e-9 * limit);

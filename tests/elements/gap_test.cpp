@@ -36,7 +36,7 @@ TEST(Gap, DoesNothingWhileItIsOpen) {
   nodes.start();
   nodes.move(0.05, -0.0499, 1.0, -1.0);
   EXPECT_EQ(nodes.forces(), Eigen::Vector3d::Zero());
-  EXPECT_NEAR(nodes.model.results(0).deformations[0], -1e-4, 1e-15);
+  EXPECT_NEAR(nodes.model.blocks()[0]->results().deformations[0], -1e-4, 1e-15);
 }
 
 TEST(Gap, PushesTheLeftNodeLeftAndTheRightNodeRight) {
@@ -49,7 +49,7 @@ TEST(Gap, PushesTheLeftNodeLeftAndTheRightNodeRight) {
   EXPECT_NEAR(nodes.forces()[0], 1e6, 1e-3);
   EXPECT_NEAR(nodes.forces()[1], -1e6, 1e-3);
   expect_action_is_reaction(nodes);
-  EXPECT_NEAR(nodes.model.results(0).forces[0], 1e6, 1e-3) << "compression is reported positive";
+  EXPECT_NEAR(nodes.model.blocks()[0]->results().forces[0], 1e6, 1e-3) << "compression is reported positive";
 }
 
 TEST(Gap, HoldsAgainstWallsOnBothSides) {

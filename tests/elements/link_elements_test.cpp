@@ -36,8 +36,8 @@ TEST(ShearSpring, PullsTheUpperNodeBackAndTheLowerOneAlong) {
   EXPECT_NEAR(nodes.forces()[1], 20e3, 1e-8);
   expect_action_is_reaction(nodes);
   const ElementBlock& block = *nodes.model.blocks()[0];
-  EXPECT_NEAR(nodes.model.results(0).deformations[0], 0.02, 1e-15);
-  EXPECT_NEAR(nodes.model.results(0).forces[0], 20e3, 1e-8);
+  EXPECT_NEAR(block.results().deformations[0], 0.02, 1e-15);
+  EXPECT_NEAR(block.results().forces[0], 20e3, 1e-8);
   EXPECT_EQ(block.info(0).deformation_quantity.text(), "drift");
   EXPECT_EQ(block.info(0).force_quantity.text(), "storey_shear");
 }

@@ -28,12 +28,10 @@ struct TwoNodes {
     model.evaluate();
   }
 
-  /// Of all elements on a, b and the ground, N.
+  /// Internal forces on a, b and the ground, N.
   [[nodiscard]] Eigen::Vector3d forces() const {
-    Eigen::Vector3d force = Eigen::Vector3d::Zero();
-    const MotionState& trial = model.trial();
-    for (const auto& block : model.blocks())
-      block->evaluate(trial.displacement.data(), trial.velocity.data(), force.data());
+    Vector force;
+    force = model.internal_forces();
     return force;
   }
 };

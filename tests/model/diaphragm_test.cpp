@@ -70,7 +70,7 @@ TEST(Diaphragm, ForcesAtPointsHaveTheirMoments) {
   model.prepare();
   // Arm (3, 5): u_P = (0.3 - 5 * 0.05, 0.1 + 3 * 0.05).
   const double d = 0.05 * n.x + 0.25 * n.y, force = 10.0 * d, moment = force * (3.0 * n.y - 5.0 * n.x);
-  EXPECT_NEAR(model.results(0).deformations[0], d, 1e-15);
+  EXPECT_NEAR(model.blocks()[0]->results().deformations[0], d, 1e-15);
   EXPECT_NEAR(model.internal_forces()[slab.x.index], force * n.x, 1e-14);
   EXPECT_NEAR(model.internal_forces()[slab.y.index], force * n.y, 1e-14);
   EXPECT_NEAR(model.internal_forces()[slab.r.index], moment / 2.0, 1e-14);

@@ -37,11 +37,12 @@ TEST(Moat, OneSideClosesWhereTheOtherOpens) {
   const NodeId base = add(model, Node{.name = "base", .mass = 550 * tonne});
   add(model, Moat<HertzDamp>{.around = base, .clearance = 10 * cm, .law = law});
   model.prepare();
+  const ElementBlock& gaps = *model.blocks().front();
   for (const double displacement : {0.12, -0.12}) {
     model.trial().displacement[0] = displacement;
     model.evaluate();
-    EXPECT_DOUBLE_EQ(model.results(0).deformations[0], -displacement - 0.1);
-    EXPECT_DOUBLE_EQ(model.results(0).deformations[1], displacement - 0.1);
+    EXPECT_DOUBLE_EQ(gaps.results().deformations[0], -displacement - 0.1);
+    EXPECT_DOUBLE_EQ(gaps.results().deformations[1], displacement - 0.1);
   }
 }
 
@@ -105,10 +106,10 @@ TEST(Moat, FlexibleWallsAreNodesOnSprings) {
   EXPECT_NEAR(force[2], 2e7 + 3e4, 1e-3);
   EXPECT_EQ(force[1], 0.0);
   // The gap opens as the wall gives way.
-  for (std::size_t b = 0; b < model.blocks().size(); ++b)
-    for (std::size_t e = 0; e < model.blocks()[b]->size(); ++e)
-      if (model.blocks()[b]->info(e).name == "moat right") {
-        EXPECT_NEAR(model.results(b).deformations[e], -0.11, 1e-15);
+  for (const auto& block : model.blocks())
+    for (std::size_t e = 0; e < block->size(); ++e)
+      if (block->info(e).name == "moat right") {
+        EXPECT_NEAR(block->results().deformations[e], -0.11, 1e-15);
       }
 }
 
