@@ -110,6 +110,17 @@ TEST(CornerImpact, WithSlidingFrictionHasTheClosedForm) {
   }
 }
 
+// The second analysis begins in contact.
+TEST(CornerImpact, KeepsTheSpeedsOfItsTouchInALaterAnalysis) {
+  FreeSlab slab{0.6 * m / s, 0.3 * m / s};
+  slab.add_corner({arm_x * m, arm_y * m}, {0.4, 1e10 * N / m});
+  ASSERT_EQ(slab.run({.end = 40 * ms}).impacts.size(), 1U);
+  const CaseResult result = slab.run({.end = 1 * s});
+  ASSERT_EQ(result.impacts.size(), 1U);
+  EXPECT_NEAR(result.impacts[0].approach_speed, 0.6, 1e-9);
+  EXPECT_NEAR(result.impacts[0].tangential_speed, 0.3, 1e-9);
+}
+
 TEST(CornerImpact, TwoCornersOfAFlatFaceTouchAtOnce) {
   // Half of the law at each corner is the law on a line; the whole law at each is twice that.
   for (const double share : {0.5, 1.0}) {
