@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "analyses/ground_component.hpp"
 #include "model/building.hpp"
 
 namespace moat {
@@ -98,12 +99,13 @@ void AccelerationScales::accepted(const Model& model, double h, PlanVector groun
   const double fade = fade_;
   const int count = model.degrees_of_freedom();
   const double* acceleration = model.state().acceleration.data();
-  const GroundShares shares = model.ground_shares();
   double* __restrict values = own_.data();
   double* __restrict outside = outside_contact_.data();
-  resultants_.with([&](const auto& size) {
-    const auto absolute = [&](int i) { return acceleration[i] + shares.of(ground_acceleration, i); };
-    for (int i = 0; i < count; ++i) values[i] = std::max(std::max(values[i] * fade, lowest_), size(i, absolute));
+  with_ground_component(model, ground_acceleration, [&, lowest = lowest_](const auto& of_ground) {
+    const auto absolute = [&](int i) { return acceleration[i] + of_ground(i); };
+    resultants_.with([&](const auto& size) {
+      for (int i = 0; i < count; ++i) values[i] = std::max(std::max(values[i] * fade, lowest), size(i, absolute));
+    });
   });
   up_to_date_ = false;
   if (!any_touching_) return;

@@ -27,6 +27,7 @@ ExactSteps::ExactSteps(Model& model, StepControl& control)
   restart();
   // A model with too large an eigenvalue is refused before the first step.
   if (!touching_) linearise();
+  control.use_share_of_tolerance(share_in_contact);
 }
 
 void ExactSteps::check() const {

@@ -31,16 +31,21 @@ namespace moat {
 /// (analyses/acceleration_scales.hpp). Unlike errors of implicit steps this one does not accumulate. Steps double
 /// where the cubic over the last two steps would be so good.
 ///
-/// While a gap is closed the model is not linear and applies() is false; Transient takes Newmark's steps there.
+/// While a gap is closed the model is not linear and applies() is false; Transient takes Newmark's steps there, with
+/// `share_in_contact` of the tolerance.
 class ExactSteps final : public Stepper {
  public:
   /// Matrices are full: this is for small models.
   static constexpr int most_degrees_of_freedom = 50;
   static constexpr double cubics_within = 16.0;  ///< Tolerances by which the cubic of a step may miss an acceleration.
+  /// Of the tolerance, that Newmark's steps in contact may use: their errors are all that accumulates, and they are
+  /// few.
+  static constexpr double share_in_contact = 1.0 / 3.0;
 
   /// The model must be prepared. All must outlive this object; `control` has the longest steps, the tolerance and the
-  /// scales of accelerations. Throws InputError for a model with too many degrees of freedom, an element that is not
-  /// linear between events, or an eigenvalue that needs thousands of pieces from sample to sample.
+  /// scales of accelerations, and chooses the steps in contact. Throws InputError for a model with too many degrees of
+  /// freedom, an element that is not linear between events, or an eigenvalue that needs thousands of pieces from sample
+  /// to sample.
   ExactSteps(Model& model, StepControl& control);
 
   /// Whether the model is linear now: no gap is closed.

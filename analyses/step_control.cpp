@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "analyses/ground_component.hpp"
+
 namespace moat {
 namespace {
 
@@ -106,29 +108,29 @@ double StepControl::error_of(const Model& model, const StepTask& step, StepSchem
                *j1 = end.jerk.data(), *u1 = end.displacement.data(), *scales = scales_of_nodes.data(),
                *round_off_per_displacement = round_off_per_displacement_.data();
   const double h = step.length;
-  const PlanVector rise_of_ground = h * step.ground_jerk;
-  const GroundShares shares = model.ground_shares();
   const bool fourth_order = scheme.order() == 4;
   // The parabola and the cubic may agree by chance where a force has a corner inside the step. The jump of the jerk
   // still shows the corner.
   const double of_jump = !fourth_order || model.has_corner() ? h : 0.0, of_curve = fourth_order ? 1.0 : 0.0;
-  const double largest = resultants_.with([&](const auto& size) {
-    const auto curve = [&](int i) {
-      return 2.0 * (a1[i] - a0[i] + shares.of(rise_of_ground, i)) - h * (j0[i] + j1[i]);
-    };
+  double largest = 0.0;
+  with_ground_component(model, h * step.ground_jerk, [&](const auto& rise_of_ground) {
+    const auto curve = [&](int i) { return 2.0 * (a1[i] - a0[i] + rise_of_ground(i)) - h * (j0[i] + j1[i]); };
     const auto jump = [&](int i) { return j1[i] - j0[i]; };
     const auto displacement = [&](int i) { return u1[i]; };
+    const GroundShares shares = model.ground_shares();
     const auto acceleration = [&](int i) { return a1[i] + shares.of(step.ground_acceleration, i); };
-    double error = 0.0;
-    for (int i = 0; i < count; ++i) {
-      const double difference = std::max(of_curve * size(i, curve), of_jump * size(i, jump));
-      const double beyond_round_off = difference / 12.0 - round_off_per_displacement[i] * size(i, displacement);
-      const double scale = std::max(scales[i], size(i, acceleration));
-      if (beyond_round_off > error * scale) error = beyond_round_off / scale;
-    }
-    return error;
+    resultants_.with([&](const auto& size) {
+      for (int i = 0; i < count; ++i) {
+        const double difference = std::max(of_curve * size(i, curve), of_jump * size(i, jump)) / 12.0;
+        // Most nodes are far from the worst one, and need no look at their round-off.
+        if (difference <= largest * scales[i]) continue;
+        const double beyond_round_off = difference - round_off_per_displacement[i] * size(i, displacement);
+        const double scale = std::max(scales[i], size(i, acceleration));
+        if (beyond_round_off > largest * scale) largest = beyond_round_off / scale;
+      }
+    });
   });
-  return (fourth_order ? 1.0 : stricter_at_second_order) * largest / options_.tolerance;
+  return (fourth_order ? 1.0 : stricter_at_second_order) * largest / (share_of_tolerance_ * options_.tolerance);
 }
 
 // The scales of all nodes. They are infinite for nodes of elements that change inside the step: these are not judged.

@@ -89,6 +89,8 @@ class StepControl {
   }
   /// As given.
   [[nodiscard]] double tolerance() const { return options_.tolerance; }
+  /// From now on errors are compared with this share of the tolerance, 0 < share <= 1.
+  void use_share_of_tolerance(double share) { share_of_tolerance_ = share; }
   /// By which errors of accelerations are divided, m/s^2, one per node.
   [[nodiscard]] const Vector& acceleration_scales() { return scales_.values(); }
   /// Whether the next step may be longer than one interval of the motion's samples.
@@ -126,6 +128,7 @@ class StepControl {
   AccelerationScales scales_;
   Vector scales_without_bends_;
   std::vector<double> steps_;  // the longest, divided by 1, 2, 4, ...; s
+  double share_of_tolerance_ = 1.0;
   int halvings_ = 0;
   int ramp_ = 0;              // further halvings after a touch
   int most_doublings_ = 0;    // at present, of the grid interval

@@ -5,11 +5,14 @@
 #include <limits>
 #include <utility>
 
+#include "analyses/ground_component.hpp"
+
 namespace moat {
 
 StepEquations::StepEquations(Model& model) : model_{&model}, resultants_{model} {
   model.prepare();
   tangent_ = model.pattern();
+  factorisation_ = Factorisation{model.changing_columns()};
   predicted_displacement_.setZero(size());
   predicted_velocity_.setZero(size());
   scales_.setZero(size());
@@ -19,7 +22,8 @@ StepEquations::StepEquations(Model& model) : model_{&model}, resultants_{model} 
 void StepEquations::begin(const StepTask& task, StepScheme scheme, Vector& guess) {
   task_ = task;
   scheme_ = scheme;
-  is_at_guess_ = false;
+  is_moved_ = false;
+  is_guess_ = true;
   const double h = task.length;
   const MotionState& start = model_->state();
   const double *u = start.displacement.data(), *v = start.velocity.data(), *a = start.acceleration.data(),
@@ -31,15 +35,17 @@ void StepEquations::begin(const StepTask& task, StepScheme scheme, Vector& guess
   if (scheme.corrects_velocity) {
     // Relative motion is absolute motion, which is smooth, minus that of the ground, which is known.
     deviation_ = task.ground ? task.ground->deviation() : GroundDeviation{};
-    const GroundShares shares = model_->ground_shares();
     const double correction = h * h / 12.0;
-    for (int i = 0; i < size(); ++i) {
-      const double relative_jerk = jerk[i] - shares.of(task.ground_jerk, i);
-      const double shift = correction * relative_jerk;
-      displacement[i] = u[i] + h * (v[i] + shift) + square * a[i] - deviation_.displacement;
-      velocity[i] = v[i] + 2.0 * shift + (2.0 / 3.0) * h * a[i] - deviation_.velocity;
-      first[i] = a[i] + h * relative_jerk;
-    }
+    const double of_displacement = deviation_.displacement, of_velocity = deviation_.velocity;
+    with_ground_component(*model_, task.ground_jerk, [&, count = size()](const auto& ground_jerk) {
+      for (int i = 0; i < count; ++i) {
+        const double relative_jerk = jerk[i] - ground_jerk(i);
+        const double shift = correction * relative_jerk;
+        displacement[i] = u[i] + h * (v[i] + shift) + square * a[i] - of_displacement;
+        velocity[i] = v[i] + 2.0 * shift + (2.0 / 3.0) * h * a[i] - of_velocity;
+        first[i] = a[i] + h * relative_jerk;
+      }
+    });
   } else {
     const double half = (1.0 - scheme.gamma) * h;
     for (int i = 0; i < size(); ++i) {
@@ -54,10 +60,10 @@ void StepEquations::begin(const StepTask& task, StepScheme scheme, Vector& guess
   if (has_extrapolated_) extrapolate(guess);
 }
 
-bool StepEquations::factors_serve() const {
+bool StepEquations::has_factors_of_step() const {
   return factorised_ && scheme_.force_share * scheme_.velocity_weight(task_.length) == factorised_velocity_weight_ &&
          scheme_.force_share * scheme_.displacement_weight(task_.length) == factorised_displacement_weight_ &&
-         scheme_.mass_share == factorised_mass_share_ && model_->tangent_version() == factorised_version_;
+         scheme_.mass_share == factorised_mass_share_;
 }
 
 // Whether the trial state of the last complete() was committed, or is tried again from the one before.
@@ -114,7 +120,7 @@ void StepEquations::average_start() {
 void StepEquations::predict(const StepTask& task, StepScheme scheme, Vector& guess) {
   begin(task, scheme, guess);
   move(guess);
-  is_at_guess_ = true;
+  is_moved_ = true;
   model_->evaluate_regimes();
 }
 
@@ -171,25 +177,30 @@ void StepEquations::move(const Vector& acceleration) {
 
 bool StepEquations::compute_residual(const Vector& acceleration, Vector& residual) {
   const int count = size();
-  if (!std::exchange(is_at_guess_, false)) move(acceleration);
-  model_->evaluate();
+  if (!std::exchange(is_moved_, false)) move(acceleration);
+  // A Newton step follows the guess, which then needs no results of elements.
+  if (std::exchange(is_guess_, false) && !has_extrapolated_)
+    model_->evaluate_forces();
+  else
+    model_->evaluate();
 
   const double* a = acceleration.data();
   const double* mass = model_->masses().data();
   const double* force = model_->internal_forces().data();
   const double* balanced_scales = balanced_scales_.data();
-  const GroundShares shares = model_->ground_shares();
   double* __restrict unbalanced = residual.data();
   double* __restrict scales = scales_.data();
   const auto inertia = [&](int i) { return mass[i] * a[i]; };
   const auto inner = [&](int i) { return force[i]; };
-  const auto load = [&](int i) { return mass[i] * shares.of(task_.ground_acceleration, i); };
-  resultants_.with([&](const auto& size) {
-    for (int i = 0; i < count; ++i) {
-      unbalanced[i] = inertia(i) + force[i] + load(i);
-      const double lowest = std::max(0.5 * balanced_scales[i], std::numeric_limits<double>::min());
-      scales[i] = std::max(std::max(size(i, inertia), size(i, inner)), std::max(size(i, load), lowest));
-    }
+  with_ground_component(*model_, task_.ground_acceleration, [&](const auto& ground_acceleration) {
+    const auto load = [&](int i) { return mass[i] * ground_acceleration(i); };
+    resultants_.with([&](const auto& size) {
+      for (int i = 0; i < count; ++i) {
+        unbalanced[i] = inertia(i) + force[i] + load(i);
+        const double lowest = std::max(0.5 * balanced_scales[i], std::numeric_limits<double>::min());
+        scales[i] = std::max(std::max(size(i, inertia), size(i, inner)), std::max(size(i, load), lowest));
+      }
+    });
   });
   // A floor in plan is one place: forces that cancel in one of its directions leave round-off of those in another.
   for (const PlacedDiaphragm& diaphragm : model_->diaphragms()) {
@@ -199,6 +210,7 @@ bool StepEquations::compute_residual(const Vector& acceleration, Vector& residua
   }
   if (!scheme_.balances_at_end()) {
     const double mass_share = scheme_.mass_share, force_share = scheme_.force_share;
+    const GroundShares shares = model_->ground_shares();
     for (int i = 0; i < count; ++i)
       unbalanced[i] = mass_share * mass[i] * a[i] +
                       force_share * (force[i] + mass[i] * shares.of(task_.ground_acceleration, i)) + of_start_[i];
@@ -210,8 +222,13 @@ bool StepEquations::compute_direction(const Vector& residual, Vector& direction)
   const double velocity_weight = scheme_.force_share * scheme_.velocity_weight(task_.length),
                displacement_weight = scheme_.force_share * scheme_.displacement_weight(task_.length);
   if (!factors_serve()) {
-    model_->assemble_tangent(scheme_.mass_share, velocity_weight, displacement_weight, tangent_);
-    factorised_ = factorisation_.factorise(tangent_);
+    // Factors of other tangents, but of the same weights: elements with constant tangents add the same.
+    const bool only_changing = has_factors_of_step();
+    if (only_changing)
+      model_->assemble_changing_columns(scheme_.mass_share, velocity_weight, displacement_weight, tangent_);
+    else
+      model_->assemble_tangent(scheme_.mass_share, velocity_weight, displacement_weight, tangent_);
+    factorised_ = only_changing ? factorisation_.factorise_changing(tangent_) : factorisation_.factorise(tangent_);
     if (!factorised_) return false;
     factorised_velocity_weight_ = velocity_weight;
     factorised_displacement_weight_ = displacement_weight;

@@ -63,7 +63,11 @@ class StepEquations final : public NonlinearSystem {
   [[nodiscard]] long factorisations() const { return factorisation_.count(); }
 
  private:
-  [[nodiscard]] bool factors_serve() const;
+  // Whether the factors are those of this step's length and scheme, and of present tangents too.
+  [[nodiscard]] bool has_factors_of_step() const;
+  [[nodiscard]] bool factors_serve() const {
+    return has_factors_of_step() && model_->tangent_version() == factorised_version_;
+  }
   [[nodiscard]] bool knows_velocity_of_forces();
   void extrapolate(Vector& guess);
   void move(const Vector& acceleration);
@@ -90,7 +94,8 @@ class StepEquations final : public NonlinearSystem {
   long linear_version_ = -1;
   Vector unbalanced_;
   bool has_extrapolated_ = false;
-  bool is_at_guess_ = false;  // the trial state, since predict()
+  bool is_guess_ = false;  // the next iterate
+  bool is_moved_ = false;  // the trial state is that of the guess, since predict()
   // The velocities with which forces were evaluated; complete() corrects velocities after that.
   struct EvaluatedVelocity {
     double time = std::numeric_limits<double>::quiet_NaN();  // s

@@ -107,6 +107,8 @@ void measure_parts(Model& model, int buildings, StreetReport& report) {
     const double copy = seconds_per_byte_copied();
     equations.begin({.length = length(), .end_time = time + length(), .ground_acceleration = {ground}}, scheme,
                     acceleration);
+    // The first residual is that of the guess, for which elements with constant tangents are not evaluated.
+    require(equations.compute_residual(acceleration, residual));
     for (std::size_t i = 0; i < parts.size(); ++i) {
       const double start = seconds(Clock::wall);
       parts[i]();

@@ -38,6 +38,20 @@ namespace {
   std::_Exit(exit_error);
 }
 
+// Frames whose files may still be written while bodies and the second run are computed.
+class FramesOfScript final : public StepObserver {
+ public:
+  FramesOfScript(const Model& model, const std::filesystem::path& folder, double interval)
+      : frames_{model, folder, interval} {}
+
+  void start(const StepView& view) override { frames_.start(view); }
+  void step(const StepView& view) override { frames_.step(view); }
+  void wait() { frames_.wait(); }
+
+ private:
+  FrameRecorder frames_;
+};
+
 }  // namespace
 
 bool report_exceptions_that_leave_main() {
@@ -204,7 +218,7 @@ std::optional<int> Script::read_options(const GroundMotion& motion, RunOptions& 
 
 Script::Outcome Script::compute(CaseRun& run, const Model& model, const RunOptions& options,
                                 const ResultsFolder& folder) {
-  std::optional<FrameRecorder> frames;
+  std::optional<FramesOfScript> frames;
   if (options.frame_interval.si() != 0.0) run.attach(frames.emplace(model, folder.path(), options.frame_interval.si()));
   std::optional<ProgressObserver> progress, progress_of_bodies, progress_of_check;
   if (!options.quiet) {
@@ -219,6 +233,7 @@ Script::Outcome Script::compute(CaseRun& run, const Model& model, const RunOptio
   run.stop_when([] { return StopSignals::received() != 0; });
   try {
     run.run();
+    if (frames) frames->wait();
     if (run.stopped()) {
       outcome.failure = std::string{StopSignals::name()} + ". To compute the whole: " + parts_->origin.command_line;
       outcome.exit_code = StopSignals::exit_code();

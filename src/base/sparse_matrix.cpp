@@ -23,12 +23,14 @@ int SparseMatrix::slot(int row, int column) const {
   return static_cast<int>(found - row_indices.begin());
 }
 
-PatternBuilder::PatternBuilder(int size) : size_{size} {
+PatternBuilder::PatternBuilder(int size) : size_{size}, coupled_(static_cast<std::size_t>(size), false) {
   entries_.reserve(static_cast<std::size_t>(size) * 4);
   for (int i = 0; i < size; ++i) entries_.push_back(key(i, i));
 }
 
 void PatternBuilder::couple(int a, int b) {
+  for (const int end : {a, b})
+    if (end != ground_index) coupled_[static_cast<std::size_t>(end)] = true;
   if (a == ground_index || b == ground_index || a == b) return;
   entries_.push_back(key(a, b));
   entries_.push_back(key(b, a));

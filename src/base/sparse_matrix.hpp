@@ -39,12 +39,15 @@ class PatternBuilder {
 
   /// Entries (a, a), (a, b), (b, a), (b, b); the ground is ignored.
   void couple(int a, int b);
+  /// Whether a degree of freedom was coupled to another one or to the ground.
+  [[nodiscard]] bool couples(int a) const { return coupled_[static_cast<std::size_t>(a)]; }
 
   /// The pattern with all values zero. The whole diagonal is always in it.
   [[nodiscard]] SparseMatrix build();
 
  private:
   int size_;
+  std::vector<bool> coupled_;
   std::vector<std::uint64_t> entries_;  // column in the upper half, row in the lower: sorts column by column
 };
 

@@ -108,7 +108,8 @@ class ElementBlock {
   virtual void add_tangent(double displacement_weight, double velocity_weight, double* values) const = 0;
   /// Adds the constant stiffness of a linear analysis.
   virtual void add_linear_stiffness(StiffnessStage stage, double* values) const = 0;
-  /// Whether df/du and df/dv never change. The tangent of the block is then added up once and kept.
+  /// Whether df/du and df/dv never change, and are symmetric. The model then keeps the block as matrices too
+  /// (model/linear_part.hpp).
   [[nodiscard]] virtual bool constant_tangent() const { return false; }
   /// Whether df/du or df/dv of any element has changed since the last call.
   virtual bool take_tangent_change() { return true; }

@@ -125,7 +125,17 @@ void Model::prepare() {
   if (nodes_.empty()) throw InputError{"Model: there is no node. Add nodes with add(model, Node{...}) first."};
   const int count = node_count();
   PatternBuilder builder{count};
-  for (const auto& block : blocks_) block->add_couplings(builder);
+  changing_blocks_.clear();
+  for (std::size_t i = 0; i < blocks_.size(); ++i) {
+    if (blocks_[i]->constant_tangent()) continue;
+    changing_blocks_.push_back(i);
+    blocks_[i]->add_couplings(builder);
+  }
+  changing_columns_.clear();
+  for (int i = 0; i < count; ++i)
+    if (builder.couples(i)) changing_columns_.push_back(i);
+  for (const auto& block : blocks_)
+    if (block->constant_tangent()) block->add_couplings(builder);
   pattern_ = builder.build();
   blocks_with_regimes_.clear();
   blocks_with_contacts_.clear();
@@ -134,19 +144,10 @@ void Model::prepare() {
     if (blocks_[i]->regimes() != nullptr) blocks_with_regimes_.push_back(i);
     if (blocks_[i]->contacts() != nullptr) blocks_with_contacts_.push_back(i);
   }
-  // Tangents that never change are added up once; assemble_tangent() starts from these sums.
-  constant_stiffness_.assign(pattern_.values.size(), 0.0);
-  constant_damping_.assign(pattern_.values.size(), 0.0);
-  changing_blocks_.clear();
   ++tangent_version_;
-  for (std::size_t i = 0; i < blocks_.size(); ++i) {
-    if (!blocks_[i]->constant_tangent()) {
-      changing_blocks_.push_back(i);
-      continue;
-    }
-    blocks_[i]->add_tangent(1.0, 0.0, constant_stiffness_.data());
-    blocks_[i]->add_tangent(0.0, 1.0, constant_damping_.data());
-  }
+  linear_part_.clear(pattern_);
+  for (const auto& block : blocks_)
+    if (block->constant_tangent()) linear_part_.add(*block);
   diagonal_slots_.clear();
   for (int i = 0; i < count; ++i) diagonal_slots_.push_back(pattern_.slot(i, i));
 
@@ -189,6 +190,17 @@ void Model::evaluate() {
     if (blocks_[i]->take_tangent_change()) ++tangent_version_;
 }
 
+void Model::evaluate_forces() {
+  const double step = trial_.time - state_.time;
+  const double *displacement = trial_.displacement.data(), *velocity = trial_.velocity.data();
+  linear_part_.evaluate(pattern_, displacement, velocity, internal_forces_);
+  for (const std::size_t i : changing_blocks_) {
+    blocks_[i]->begin_step(step);
+    blocks_[i]->evaluate(displacement, velocity, internal_forces_.data());
+    if (blocks_[i]->take_tangent_change()) ++tangent_version_;
+  }
+}
+
 void Model::evaluate_rates() {
   force_rates_.setZero(degrees_of_freedom() + 1);
   for (const auto& block : blocks_) block->evaluate_rates(trial_.acceleration.data(), force_rates_.data());
@@ -198,23 +210,40 @@ void Model::evaluate_rates() {
   for (int i = 0; i < count; ++i) jerk[i] = -force_rate[i] / mass[i];
 }
 
+// These columns of acceleration_weight M + velocity_weight C + displacement_weight K, without elements that change.
+void Model::assemble_constant(int begin, int end, double acceleration_weight, double velocity_weight,
+                              double displacement_weight, double* __restrict values) const {
+  const double *stiffness = linear_part_.stiffness().data(), *damping = linear_part_.damping().data(),
+               *mass = masses_.data();
+  const int *diagonal = diagonal_slots_.data(), *starts = pattern_.column_starts.data();
+  for (int k = starts[begin]; k < starts[end]; ++k)
+    values[k] = displacement_weight * stiffness[k] + velocity_weight * damping[k];
+  for (int i = begin; i < end; ++i) values[diagonal[i]] += acceleration_weight * mass[i];
+}
+
+void Model::assemble_changing(double velocity_weight, double displacement_weight, SparseMatrix& matrix) const {
+  // The entry of the ground: elements add to it, and nothing reads it.
+  matrix.values.back() = 0.0;
+  for (const std::size_t i : changing_blocks_)
+    blocks_[i]->add_tangent(displacement_weight, velocity_weight, matrix.values.data());
+}
+
 void Model::assemble_tangent(double acceleration_weight, double velocity_weight, double displacement_weight,
                              SparseMatrix& matrix) const {
-  double* __restrict values = matrix.values.data();
-  const double *stiffness = constant_stiffness_.data(), *damping = constant_damping_.data(), *mass = masses_.data();
-  const int *diagonal = diagonal_slots_.data(), *starts = matrix.column_starts.data();
-  const auto count = diagonal_slots_.size();
   // Chunks of 256 columns, so that their values are still in L1 when the masses are added.
-  constexpr std::size_t chunk = 256;
-  for (std::size_t begin = 0; begin < count; begin += chunk) {
-    const std::size_t end = std::min(begin + chunk, count);
-    for (int k = starts[begin]; k < starts[end]; ++k)
-      values[k] = displacement_weight * stiffness[k] + velocity_weight * damping[k];
-    for (std::size_t i = begin; i < end; ++i) values[diagonal[i]] += acceleration_weight * mass[i];
-  }
-  // The entry of the ground: elements add to it, and nothing reads it.
-  values[matrix.nonzeros()] = 0.0;
-  for (const std::size_t i : changing_blocks_) blocks_[i]->add_tangent(displacement_weight, velocity_weight, values);
+  constexpr int chunk = 256;
+  for (int begin = 0; begin < matrix.size; begin += chunk)
+    assemble_constant(begin, std::min(begin + chunk, matrix.size), acceleration_weight, velocity_weight,
+                      displacement_weight, matrix.values.data());
+  assemble_changing(velocity_weight, displacement_weight, matrix);
+}
+
+void Model::assemble_changing_columns(double acceleration_weight, double velocity_weight, double displacement_weight,
+                                      SparseMatrix& matrix) const {
+  for (const int column : changing_columns_)
+    assemble_constant(column, column + 1, acceleration_weight, velocity_weight, displacement_weight,
+                      matrix.values.data());
+  assemble_changing(velocity_weight, displacement_weight, matrix);
 }
 
 bool Model::has_corner() const {

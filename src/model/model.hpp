@@ -17,6 +17,7 @@
 #include "model/building.hpp"
 #include "model/diaphragm.hpp"
 #include "model/element_block.hpp"
+#include "model/linear_part.hpp"
 #include "model/node.hpp"
 #include "model/taken_names.hpp"
 
@@ -136,6 +137,9 @@ class Model {
 
   /// Computes all elements at the trial state.
   void evaluate();
+  /// Computes internal_forces() at the trial state, but no results of elements with constant tangents. evaluate() must
+  /// follow before evaluate_rates() and commit().
+  void evaluate_forces();
   /// After evaluate(): the rates of all forces at the trial state, from both tangents and the trial accelerations, and
   /// from them the trial jerk, -M^-1 df/dt.
   void evaluate_rates();
@@ -149,6 +153,11 @@ class Model {
   /// matrix := acceleration_weight M + velocity_weight df/dv + displacement_weight df/du.
   void assemble_tangent(double acceleration_weight, double velocity_weight, double displacement_weight,
                         SparseMatrix& matrix) const;
+  /// The same for a matrix that has been assembled with these weights before: only changing_columns() are computed.
+  void assemble_changing_columns(double acceleration_weight, double velocity_weight, double displacement_weight,
+                                 SparseMatrix& matrix) const;
+  /// The columns in which df/du and df/dv can change, ascending. The model must be prepared.
+  [[nodiscard]] const std::vector<int>& changing_columns() const { return changing_columns_; }
   /// A number that stays the same as long as df/du and df/dv do, from one evaluate() to the next.
   [[nodiscard]] long tangent_version() const { return tangent_version_; }
   /// Whether a force has a corner inside the trial step that is not located (ElementBlock::has_corner).
@@ -197,6 +206,9 @@ class Model {
     return node.index;
   }
   [[noreturn]] void refuse_entry(NodeId node) const;
+  void assemble_constant(int begin, int end, double acceleration_weight, double velocity_weight,
+                         double displacement_weight, double* values) const;
+  void assemble_changing(double velocity_weight, double displacement_weight, SparseMatrix& matrix) const;
 
   std::vector<Node> nodes_;
   std::vector<NodeId> ids_;  // 0, 1, 2, ...
@@ -214,12 +226,12 @@ class Model {
   Vector ground_share_x_, ground_share_y_;
   std::vector<int> diagonal_slots_;
   SparseMatrix pattern_;
-  // Tangents of the blocks for which they never change, as values of the pattern.
-  std::vector<double> constant_stiffness_, constant_damping_;
+  LinearPart linear_part_;
   MotionState state_, trial_;
   Vector internal_forces_, committed_forces_, force_rates_;
   long tangent_version_ = 0;
   std::vector<std::size_t> changing_blocks_;  // those without constant tangent
+  std::vector<int> changing_columns_;
   std::vector<std::size_t> blocks_with_regimes_;
   std::vector<std::size_t> blocks_with_contacts_;
   bool keeps_energy_accounts_ = false;

@@ -17,6 +17,7 @@
 #include "output/frame_image.hpp"
 #include "output/results_folder.hpp"
 #include "output/vtk_collection.hpp"
+#include "output/writing_thread.hpp"
 
 namespace moat {
 namespace {
@@ -81,9 +82,13 @@ struct FrameWriter::Files {
   SceneNeeds needs = check_scene(scene);
   FrameImage image{scene};
   fs::path folder;
-  std::unique_ptr<VtkCollection> collection;  // null once finished
+  std::unique_ptr<VtkCollection> collection;
   int count = 0;
   double last_time = -std::numeric_limits<double>::infinity();
+  bool finished = false;
+  // Last, so that it ends before all that its tasks use.
+  static constexpr std::size_t most_bytes_waiting = std::size_t{64} << 20;
+  WritingThread thread{most_bytes_waiting};
 };
 
 FrameWriter::FrameWriter(const fs::path& folder, Scene scene)
@@ -94,7 +99,7 @@ FrameWriter& FrameWriter::operator=(FrameWriter&&) noexcept = default;
 
 void FrameWriter::write(double time, const FrameData& data) {
   Files& files = *files_;
-  if (!files.collection) throw InputError{"FrameWriter: write() after finish(). Make a new FrameWriter."};
+  if (files.finished) throw InputError{"FrameWriter: write() after finish(). Make a new FrameWriter."};
   Check{"FrameWriter", ""}.that(std::isfinite(time) && time > files.last_time, "time", time, "s",
                                 "finite and later than the frame before (" + to_text(files.last_time) + " s)");
   require_length("node_displacement", data.node_displacement, files.needs.nodes);
@@ -109,13 +114,21 @@ void FrameWriter::write(double time, const FrameData& data) {
   files.image.fill(time, data);
   std::array<char, 32> name;
   std::snprintf(name.data(), name.size(), "frame_%06d.vtu", files.count);
-  write_unlisted_file(files.folder / name.data(), files.image.pieces());
-  files.collection->append(time, std::string{results_file::frames_folder} + "/" + name.data());
+  std::string bytes;
+  for (const std::string_view piece : files.image.pieces()) bytes += piece;
+  files.thread.add(bytes.size(), [&files, bytes = std::move(bytes), file = std::string{name.data()}, time] {
+    const std::string_view whole = bytes;
+    write_unlisted_file(files.folder / file, {&whole, 1});
+    files.collection->append(time, std::string{results_file::frames_folder} + "/" + file);
+  });
   files.last_time = time;
   ++files.count;
 }
 
-void FrameWriter::finish() { files_->collection.reset(); }
+void FrameWriter::finish() {
+  files_->finished = true;
+  files_->thread.wait();
+}
 
 int FrameWriter::frames() const { return files_->count; }
 

@@ -39,22 +39,25 @@ struct FrameData {
 /// ParaView leaves out of colour ranges. A point of weight w shows w times the motion of its node; its absolute
 /// acceleration is w times that of the node plus (1 - w) times that of the ground.
 ///
-/// After every write the .pvd is complete, so a run that stops early leaves a file ParaView opens.
+/// A thread of its own writes the files, because it takes longer to create hundreds of them than to analyse a small
+/// building. The .pvd is complete after every frame, so a run that stops early leaves a file ParaView opens.
 class FrameWriter {
  public:
   /// Creates `folder`/frames and an empty `folder`/frames.pvd. Throws InputError where a cell has neither 2 nor 4
   /// or more points, a point does not exist, an index is below -1, or a weight lies outside 0 to 1; FileError where the
   /// folder or the file cannot be written.
   FrameWriter(const std::filesystem::path& folder, Scene scene);
+  /// Waits for the files of all frames; errors are lost, unlike those of finish().
   ~FrameWriter();
   FrameWriter(FrameWriter&&) noexcept;
   FrameWriter& operator=(FrameWriter&&) noexcept;
 
-  /// Writes one frame at `time`, s, which must be later than that of the frame before. Throws InputError where it is
-  /// not, where a span is shorter than the scene needs, and after finish(); FileError where a file cannot be written.
+  /// Takes one frame at `time`, s, which must be later than that of the frame before, to be written. Throws InputError
+  /// where it is not, where a span is shorter than the scene needs, and after finish(); FileError where an earlier
+  /// frame could not be written.
   void write(double time, const FrameData& data);
 
-  /// Closes the .pvd. Calling it again does nothing.
+  /// Waits for the files of all frames. Throws FileError where one could not be written. Calling it again does nothing.
   void finish();
 
   /// Number of frames written.

@@ -1,19 +1,24 @@
 #include "solvers/factorisation.hpp"
 
+#include <camd.h>
 #include <klu.h>
 
-#include <cstring>
+#include <algorithm>
+#include <memory>
 #include <stdexcept>
 #include <utility>
+
+#include "solvers/lu_factors.hpp"
 
 namespace moat {
 
 struct Factorisation::Factors {
   klu_common common{};
   klu_symbolic* symbolic = nullptr;
-  klu_numeric* numeric = nullptr;
+  std::vector<int> changing;  // columns eliminated last
   std::vector<int> column_starts, row_indices;
-  std::vector<double> values;  // of the factors in `numeric`
+  SparseMatrix matrix;  // that of `lu`
+  LuFactors lu;
   long count = 0;
 
   Factors() {
@@ -23,38 +28,117 @@ struct Factorisation::Factors {
     common.btf = 0;
     common.scale = -1;
   }
-  ~Factors() {
-    klu_free_numeric(&numeric, &common);
-    klu_free_symbolic(&symbolic, &common);
-  }
+  ~Factors() { klu_free_symbolic(&symbolic, &common); }
   Factors(const Factors&) = delete;
   Factors& operator=(const Factors&) = delete;
 
-  bool analyse(const SparseMatrix& matrix) {
-    column_starts = matrix.column_starts;
-    row_indices = matrix.row_indices;
-    values.assign(matrix.row_indices.size(), 0.0);
-    symbolic = klu_analyze(matrix.size, column_starts.data(), row_indices.data(), &common);
+  bool analyse(const SparseMatrix& given) {
+    matrix = given;
+    int *starts = matrix.column_starts.data(), *rows = matrix.row_indices.data();
+    if (changing.empty() || changing.size() == static_cast<std::size_t>(matrix.size)) {
+      symbolic = klu_analyze(matrix.size, starts, rows, &common);
+    } else {
+      std::vector<int> order(static_cast<std::size_t>(matrix.size)), group(order.size(), 0);
+      for (const int column : changing) group[static_cast<std::size_t>(column)] = 1;
+      if (camd_order(matrix.size, starts, rows, order.data(), nullptr, nullptr, group.data()) != CAMD_OK) return false;
+      symbolic = klu_analyze_given(matrix.size, starts, rows, order.data(), order.data(), &common);
+    }
     return symbolic != nullptr;
   }
 
-  bool factorise_anew() {
-    klu_free_numeric(&numeric, &common);
-    numeric = klu_factor(column_starts.data(), row_indices.data(), values.data(), symbolic, &common);
-    // KLU takes a pivot that is not a number for one that is not zero; its condition estimate does not.
-    return numeric != nullptr && common.status == KLU_OK && klu_rcond(symbolic, numeric, &common) != 0 &&
-           common.rcond > 0.0;
+  // Copies the values of a column. Whether they differ.
+  bool take(int column, const double* from) {
+    const int *starts = matrix.column_starts.data(), begin = starts[column], end = starts[column + 1];
+    double* __restrict to = matrix.values.data();
+    bool equal = true;
+    for (int p = begin; p < end; ++p) {
+      equal &= to[p] == from[p];
+      to[p] = from[p];
+    }
+    return !equal;
   }
 
-  // Refactorisation keeps the pivots of the first matrix; they may be poor ones for this matrix.
-  bool refactorise() {
-    constexpr double poor_pivots = 1e-13;
-    return klu_refactor(column_starts.data(), row_indices.data(), values.data(), symbolic, numeric, &common) != 0 &&
-           common.status == KLU_OK && klu_rcond(symbolic, numeric, &common) != 0 && common.rcond > poor_pivots;
+  // Factors of these values, from the first column in order of elimination that differs from the last ones.
+  bool factorise(const std::vector<double>& values, bool all_columns) {
+    if (lu.empty()) {
+      matrix.values = values;
+      ++count;
+      return factorise_anew();
+    }
+    int first = matrix.size;
+    const auto look_at = [&](int column) {
+      if (take(column, values.data())) first = std::min(first, lu.position(column));
+    };
+    if (all_columns)
+      for (int column = 0; column < matrix.size; ++column) look_at(column);
+    else
+      for (const int column : changing) look_at(column);
+    if (first == matrix.size) return true;
+    ++count;
+    return lu.refactorise(matrix, first) || factorise_anew();
+  }
+
+  // Permutations and pattern by KLU.
+  bool factorise_anew() {
+    klu_numeric* numeric =
+        klu_factor(matrix.column_starts.data(), matrix.row_indices.data(), matrix.values.data(), symbolic, &common);
+    // KLU takes a pivot that is not a number for one that is not zero; its condition estimate does not.
+    const bool good = numeric != nullptr && common.status == KLU_OK && klu_rcond(symbolic, numeric, &common) != 0 &&
+                      common.rcond > 0.0 && klu_sort(symbolic, numeric, &common) != 0;
+    lu = good ? on_pattern_of(*numeric) : LuFactors{};
+    klu_free_numeric(&numeric, &common);
+    if (good && lu.refactorise(matrix, 0)) return true;
+    lu = {};
+    return false;
+  }
+
+  LuFactors on_pattern_of(klu_numeric& numeric) {
+    const auto size = static_cast<std::size_t>(matrix.size);
+    LuFactors::Columns lower, upper;
+    for (auto [columns, entries] : {std::pair{&lower, numeric.lnz}, {&upper, numeric.unz}}) {
+      columns->starts.resize(size + 1);
+      columns->rows.resize(static_cast<std::size_t>(entries));
+      columns->values.resize(static_cast<std::size_t>(entries));
+    }
+    std::vector<int> rows(size), columns(size);
+    if (klu_extract(&numeric, symbolic, lower.starts.data(), lower.rows.data(), lower.values.data(),
+                    upper.starts.data(), upper.rows.data(), upper.values.data(), nullptr, nullptr, nullptr, rows.data(),
+                    columns.data(), nullptr, nullptr, &common) == 0)
+      throw std::logic_error{"Factorisation: KLU's factors could not be read"};
+    without_diagonal(lower);
+    without_diagonal(upper);
+    const int condensed = unchanging_first(rows, columns) ? matrix.size - static_cast<int>(changing.size()) : 0;
+    return {std::move(lower), std::move(upper), std::move(rows), std::move(columns), condensed};
+  }
+
+  // Whether rows and columns that change are the last ones in order of elimination.
+  [[nodiscard]] bool unchanging_first(const std::vector<int>& rows, const std::vector<int>& columns) const {
+    const auto last = static_cast<std::ptrdiff_t>(changing.size());
+    for (const std::vector<int>* order : {&rows, &columns}) {
+      std::vector<int> tail(order->end() - last, order->end());
+      std::ranges::sort(tail);
+      if (tail != changing) return false;
+    }
+    return true;
+  }
+
+  static void without_diagonal(LuFactors::Columns& triangle) {
+    std::size_t kept = 0, entry = 0;
+    for (std::size_t k = 0; k + 1 < triangle.starts.size(); ++k) {
+      triangle.starts[k] = static_cast<int>(kept);
+      for (const auto end = static_cast<std::size_t>(triangle.starts[k + 1]); entry < end; ++entry)
+        if (triangle.rows[entry] != static_cast<int>(k)) triangle.rows[kept++] = triangle.rows[entry];
+    }
+    triangle.starts.back() = static_cast<int>(kept);
+    triangle.rows.resize(kept);
+    triangle.values.resize(kept);
   }
 };
 
 Factorisation::Factorisation() : factors_{std::make_unique<Factors>()} {}
+Factorisation::Factorisation(std::vector<int> changing_columns) : Factorisation{} {
+  factors_->changing = std::move(changing_columns);
+}
 Factorisation::~Factorisation() = default;
 Factorisation::Factorisation(Factorisation&&) noexcept = default;
 Factorisation& Factorisation::operator=(Factorisation&&) noexcept = default;
@@ -62,21 +146,18 @@ Factorisation& Factorisation::operator=(Factorisation&&) noexcept = default;
 bool Factorisation::factorise(const SparseMatrix& matrix) {
   Factors& f = *factors_;
   if (f.symbolic == nullptr && !f.analyse(matrix)) return false;
-  if (f.row_indices.size() != matrix.row_indices.size())
+  if (f.matrix.row_indices.size() != matrix.row_indices.size())
     throw std::logic_error{"Factorisation: the pattern of the matrix changed"};
-  const std::size_t bytes = f.values.size() * sizeof(double);
-  if (f.numeric != nullptr && std::memcmp(f.values.data(), matrix.values.data(), bytes) == 0) return true;
-  std::memcpy(f.values.data(), matrix.values.data(), bytes);
-  ++f.count;
-  const bool done = (f.numeric != nullptr && f.refactorise()) || f.factorise_anew();
-  if (!done) klu_free_numeric(&f.numeric, &f.common);
-  return done;
+  return f.factorise(matrix.values, true);
+}
+
+bool Factorisation::factorise_changing(const SparseMatrix& matrix) {
+  return factors_->symbolic == nullptr ? factorise(matrix) : factors_->factorise(matrix.values, false);
 }
 
 void Factorisation::solve(Vector& x) const {
-  Factors& f = *factors_;
-  if (f.numeric == nullptr) throw std::logic_error{"Factorisation: solve() before a successful factorise()"};
-  klu_solve(f.symbolic, f.numeric, static_cast<int>(x.size()), 1, x.data(), &f.common);
+  if (factors_->lu.empty()) throw std::logic_error{"Factorisation: solve() before a successful factorise()"};
+  factors_->lu.solve(x);
 }
 
 long Factorisation::count() const { return factors_->count; }

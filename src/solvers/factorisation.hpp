@@ -2,19 +2,25 @@
 #pragma once
 
 #include <memory>
+#include <vector>
 
 #include "base/sparse_matrix.hpp"
 #include "base/vector.hpp"
 
 namespace moat {
 
-/// LU factors of a sparse matrix, symmetric or not, by KLU (SuiteSparse).
+/// LU factors of a sparse matrix, symmetric or not. KLU (SuiteSparse) finds permutations and pattern at the first
+/// matrix. Later matrices of the same pattern are factorised on it (solvers/lu_factors.hpp), from the first column in
+/// order of elimination that changed; where that leads to poor pivots, KLU looks for others.
 ///
-/// The ordering is found once, at the first matrix; later matrices of the same pattern are only
-/// refactorised. Move-only; one per thread.
+/// Move-only; one per thread.
 class Factorisation {
  public:
+  /// In AMD's order of elimination.
   Factorisation();
+  /// These columns, which change more often than the others, are eliminated last, in CAMD's order: where no other
+  /// changes, they are all that is factorised again.
+  explicit Factorisation(std::vector<int> changing_columns);
   ~Factorisation();
   Factorisation(Factorisation&&) noexcept;
   Factorisation& operator=(Factorisation&&) noexcept;
@@ -22,6 +28,8 @@ class Factorisation {
   /// Factorises A, whose pattern must be that of the first call. A call with the same values as
   /// before keeps the factors. False if A is singular or not finite.
   [[nodiscard]] bool factorise(const SparseMatrix& matrix);
+  /// The same for a matrix that may differ from the last one in the changing columns only.
+  [[nodiscard]] bool factorise_changing(const SparseMatrix& matrix);
 
   /// x := A^-1 x.
   void solve(Vector& x) const;

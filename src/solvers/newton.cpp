@@ -174,18 +174,24 @@ class ForceBalanceTest final : public NOX::StatusTest::Generic {
     report.iterations = solver.getNumIterations();
     report.converged = false;
     const moat::Vector &residual = iterate.residual(), &scales = iterate.system().residual_scales();
-    // NaN or infinite if any residual is.
-    const double sum = residual.lpNorm<1>();
-    report.residual = 0.0;
-    report.worst_degree_of_freedom = 0;
+    bool is_number = iterate.isF();
+    double largest = 0.0;
+    int worst = 0;
     for (int i = 0; i < static_cast<int>(residual.size()); ++i) {
       const double magnitude = std::abs(residual[i]);
       // A division for every row would take longer than the rest of the loop.
-      if (magnitude <= report.residual * scales[i]) continue;
-      report.residual = magnitude / scales[i];
-      report.worst_degree_of_freedom = i;
+      if (magnitude <= largest * scales[i]) continue;
+      // No comparison with NaN is true.
+      if (!std::isfinite(magnitude)) {
+        is_number = false;
+        break;
+      }
+      largest = magnitude / scales[i];
+      worst = i;
     }
-    if (!iterate.isF() || !std::isfinite(sum)) {
+    report.residual = largest;
+    report.worst_degree_of_freedom = worst;
+    if (!is_number) {
       report_no_number(residual);
       status_ = NOX::StatusTest::Failed;
     } else if (report.iterations >= least_iterations &&

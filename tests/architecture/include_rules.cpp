@@ -67,7 +67,7 @@ bool belongs_behind_a_cpp_file(const std::string& include) {
       R"(^(trilinos/|suitesparse/|vtk-?[0-9.]*/)?)"
       R"((NOX|Teuchos|Epetra|Thyra|Tpetra|Kokkos|Amesos|LOCA|vtk)[A-Za-z0-9_]*\.(h|H|hpp)$|)"
       R"(^(sqlite3|mpi)\.h$|)"
-      R"(^(suitesparse/)?(klu|btf|amd|colamd|cs|cholmod|umfpack|SuiteSparse[A-Za-z_]*)\.(h|hpp)$)"};
+      R"(^(suitesparse/)?(klu|btf|amd|camd|colamd|cs|cholmod|umfpack|SuiteSparse[A-Za-z_]*)\.(h|hpp)$)"};
   return std::regex_search(include, library);
 }
 

@@ -151,25 +151,47 @@ TEST_F(Frames, ReadBackUnchanged) {
   EXPECT_EQ(names->GetValue(static_cast<int>(CellKind::other)), "other");
 }
 
-TEST_F(Frames, CollectionIsCompleteAfterEveryFrame) {
+TEST_F(Frames, CollectionIsCompleteAtAnyTime) {
   const Values values;
   FrameWriter writer{folder, small_scene()};
-  for (int frame = 0; frame <= 12; ++frame) {
+  constexpr int frames = 12;
+  for (int written = 0; written <= frames; ++written) {
+    if (written < frames)
+      writer.write(0.1 * written, values.data());
+    else
+      writer.finish();
     // Read while the writer exists: the same files remain if the run is killed now.
     const auto root = parse_xml(read_file(folder / "frames.pvd"));
-    ASSERT_NE(root, nullptr) << frame;
+    ASSERT_NE(root, nullptr) << written;
     ASSERT_STREQ(root->GetName(), "VTKFile");
     EXPECT_STREQ(root->GetAttribute("type"), "Collection");
     vtkXMLDataElement* list = root->FindNestedElementWithName("Collection");
     ASSERT_NE(list, nullptr);
-    ASSERT_EQ(list->GetNumberOfNestedElements(), frame);
-    for (int i = 0; i < frame; ++i) {
+    const int listed = list->GetNumberOfNestedElements();
+    if (written < frames)
+      ASSERT_LE(listed, written + 1);
+    else
+      ASSERT_EQ(listed, frames);
+    for (int i = 0; i < listed; ++i) {
       vtkXMLDataElement* entry = list->GetNestedElement(i);
       EXPECT_EQ(std::stod(entry->GetAttribute("timestep")), 0.1 * i);
       EXPECT_TRUE(fs::exists(folder / entry->GetAttribute("file"))) << entry->GetAttribute("file");
     }
-    writer.write(0.1 * frame, values.data());
   }
+}
+
+TEST_F(Frames, AFileThatCannotBeWrittenIsAnErrorOfFinish) {
+  const Values values;
+  FrameWriter writer{folder, small_scene()};
+  // A folder of this name cannot be replaced by a file.
+  fs::create_directories(folder / "frames/frame_000001.vtu/in the way");
+  writer.write(0.0, values.data());
+  EXPECT_NE(message_of<FileError>([&] {
+              writer.write(1.0, values.data());
+              writer.finish();
+            }).find("frame_000001.vtu"),
+            std::string::npos);
+  EXPECT_TRUE(fs::exists(folder / "frames/frame_000000.vtu"));
 }
 
 TEST_F(Frames, StartingAgainReplacesALongerCollection) {
@@ -180,6 +202,7 @@ TEST_F(Frames, StartingAgainReplacesALongerCollection) {
   }
   FrameWriter writer{folder, small_scene()};
   writer.write(0.5, values.data());
+  writer.finish();
   const auto root = parse_xml(read_file(folder / "frames.pvd"));
   ASSERT_NE(root, nullptr);
   EXPECT_EQ(root->FindNestedElementWithName("Collection")->GetNumberOfNestedElements(), 1);

@@ -1,0 +1,20 @@
+// A vector of the ground along degrees of freedom.
+#pragma once
+
+#include "base/plan_vector.hpp"
+#include "model/model.hpp"
+
+namespace moat {
+
+/// Calls use(component), where component(i) is the component of a vector of the ground, an acceleration for example,
+/// along degree of freedom i. On a line it is the same for all, which saves loops the look at two shares. The model
+/// must be prepared.
+template <class Use>
+void with_ground_component(const Model& model, PlanVector vector, const Use& use) {
+  if (model.is_plan())
+    use([vector, shares = model.ground_shares()](int i) { return shares.of(vector, i); });
+  else
+    use([value = vector.x](int) { return value; });
+}
+
+}  // namespace moat

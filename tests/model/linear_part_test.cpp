@@ -1,0 +1,105 @@
+// Elements with constant tangents as matrices: the same forces and tangents as element by element.
+
+#include "model/linear_part.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "elements/gap.hpp"
+#include "elements/lead_rubber_bearing.hpp"
+#include "elements/link_block.hpp"
+#include "elements/shear_spring.hpp"
+#include "elements/viscous_damper.hpp"
+#include "materials/impact/hertz_damp.hpp"
+#include "materials/linear.hpp"
+#include "model/model.hpp"
+
+namespace moat {
+namespace {
+
+using namespace units;
+
+// Two isolated buildings of two nodes that pound each other, and a node on a damper to the ground.
+Model pounding_buildings() {
+  Model model;
+  NodeId bases[2];
+  for (const int i : {0, 1}) {
+    const std::string number = std::to_string(i + 1);
+    const NodeId base = bases[i] = add(model, Node{.name = "base " + number, .mass = (50.0 + i) * tonne});
+    const NodeId floor = add(model, Node{.name = "floor " + number, .mass = 40 * tonne});
+    add(model, ShearSpring{.name = "storey " + number, .lower = base, .upper = floor, .stiffness = 80 * MN / m});
+    add(model, ViscousDamper{.name = "damper " + number, .lower = base, .upper = floor, .damping = 90 * kN * s / m});
+    add(model, LeadRubberBearing{.name = "bearing " + number,
+                                 .upper = base,
+                                 .yield_force = 40 * kN,
+                                 .yield_displacement = 1 * cm,
+                                 .post_yield_stiffness = 400 * kN / m});
+  }
+  const NodeId alone = add(model, Node{.name = "alone", .mass = 1 * tonne});
+  add(model, ViscousDamper{.name = "damper", .lower = ground, .upper = alone, .damping = 9 * kN * s / m});
+  add(model, Gap{.name = "gap",
+                 .left = bases[0],
+                 .right = bases[1],
+                 .clearance = 1 * cm,
+                 .law = HertzDamp{.stiffness = 3e8 * N / m_3_2, .restitution = 0.65}});
+  model.prepare();
+  return model;
+}
+
+void move(Model& model, int round) {
+  MotionState& trial = model.trial();
+  for (int i = 0; i < model.degrees_of_freedom(); ++i) {
+    trial.displacement[i] = 0.03 * std::sin(1.0 + 2.3 * i + round);
+    trial.velocity[i] = 0.5 * std::cos(2.0 + 1.7 * i + round);
+  }
+}
+
+TEST(LinearPart, ForcesEqualThoseOfAllElements) {
+  Model model = pounding_buildings();
+  for (int round = 0; round < 4; ++round) {
+    move(model, round);
+    model.evaluate();
+    const Vector expected = model.internal_forces().head(model.degrees_of_freedom());
+    model.evaluate_forces();
+    EXPECT_LT((model.internal_forces().head(expected.size()) - expected).lpNorm<Eigen::Infinity>(),
+              1e-14 * expected.lpNorm<Eigen::Infinity>());
+    model.evaluate();
+    model.commit();
+  }
+}
+
+TEST(LinearPart, ForcesAtRestOfASpringThatIsTooLong) {
+  Model model;
+  const NodeId node = add(model, Node{.name = "node", .mass = 1 * tonne});
+  // Not an element of the library: the offset of a linear law.
+  model.block<LinkBlock<Linear>>().add({.name = "spring", .first = ground, .second = node, .offset = 0.2},
+                                       Linear{.stiffness = 1 * kN / m});
+  model.prepare();
+  model.trial().displacement[0] = 0.5;
+  model.evaluate_forces();
+  EXPECT_DOUBLE_EQ(model.internal_forces()[0], 300.0);
+}
+
+TEST(LinearPart, ChangingColumnsAreThoseOfBearingsAndGaps) {
+  const Model model = pounding_buildings();
+  EXPECT_EQ(model.changing_columns(), (std::vector<int>{0, 2}));
+}
+
+TEST(LinearPart, ChangingColumnsAssembledAloneEqualTheWholeTangent) {
+  Model model = pounding_buildings();
+  const double mass_weight = 1.0, velocity_weight = 0.01, displacement_weight = 3e-5;
+  SparseMatrix tangent = model.pattern(), expected = model.pattern();
+  model.assemble_tangent(mass_weight, velocity_weight, displacement_weight, tangent);
+  for (int round = 0; round < 4; ++round) {
+    move(model, round);
+    model.evaluate();
+    model.assemble_tangent(mass_weight, velocity_weight, displacement_weight, expected);
+    model.assemble_changing_columns(mass_weight, velocity_weight, displacement_weight, tangent);
+    EXPECT_EQ(tangent.values, expected.values);
+    model.commit();
+  }
+}
+
+}  // namespace
+}  // namespace moat

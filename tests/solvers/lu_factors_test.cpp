@@ -1,0 +1,92 @@
+#include "solvers/lu_factors.hpp"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/LU>
+#include <limits>
+
+#include "matrices.hpp"
+
+namespace moat {
+namespace {
+
+using testing::entry;
+using testing::full_pattern;
+
+constexpr int size = 4;
+
+// Rows and columns of A in these orders; all entries of both factors are in their pattern.
+LuFactors full_factors(std::vector<int> rows, std::vector<int> columns, int condensed) {
+  LuFactors::Columns lower{.starts = {0}, .rows = {}, .values = {}}, upper = lower;
+  for (int k = 0; k < size; ++k) {
+    for (int row = 0; row < size; ++row)
+      if (row != k) (row > k ? lower : upper).rows.push_back(row);
+    for (LuFactors::Columns* triangle : {&lower, &upper}) {
+      triangle->starts.push_back(static_cast<int>(triangle->rows.size()));
+      triangle->values.resize(triangle->rows.size());
+    }
+  }
+  return {std::move(lower), std::move(upper), std::move(rows), std::move(columns), condensed};
+}
+
+// Every entry differs, and the diagonal is strong.
+SparseMatrix unsymmetric_matrix() {
+  SparseMatrix matrix = full_pattern(size);
+  for (int i = 0; i < size; ++i)
+    for (int k = 0; k < size; ++k) entry(matrix, i, k) = i == k ? 5.0 + i : 1.0 / (1.0 + i + 2.0 * k);
+  return matrix;
+}
+
+double difference_from_dense(const LuFactors& factors, const SparseMatrix& matrix) {
+  const Vector b{{1.0, -2.0, 0.5, 3.0}};
+  Vector x = b;
+  factors.solve(x);
+  return (x - Eigen::MatrixXd{matrix.view()}.fullPivLu().solve(b)).lpNorm<Eigen::Infinity>();
+}
+
+TEST(LuFactors, SolveForEveryOrderAndSizeOfTheCondensedPart) {
+  for (const std::vector<int>& order : std::vector<std::vector<int>>{{0, 1, 2, 3}, {3, 1, 0, 2}})
+    for (int condensed = 0; condensed <= size; ++condensed) {
+      SparseMatrix matrix = unsymmetric_matrix();
+      LuFactors factors = full_factors(order, order, condensed);
+      ASSERT_TRUE(factors.refactorise(matrix, 0));
+      EXPECT_LT(difference_from_dense(factors, matrix), 1e-14) << condensed;
+    }
+}
+
+TEST(LuFactors, FromTheFirstChangedColumnOn) {
+  const std::vector<int> order{3, 1, 0, 2};
+  for (int condensed = 0; condensed < size; ++condensed)
+    for (int first = 0; first < size; ++first) {
+      SparseMatrix matrix = unsymmetric_matrix();
+      LuFactors factors = full_factors(order, order, condensed);
+      ASSERT_TRUE(factors.refactorise(matrix, 0));
+      // An entry of A22 if column `first` belongs to it.
+      const int column = order[static_cast<std::size_t>(first)];
+      EXPECT_EQ(factors.position(column), first);
+      entry(matrix, column, column) += 2.0;
+      ASSERT_TRUE(factors.refactorise(matrix, first));
+      EXPECT_LT(difference_from_dense(factors, matrix), 1e-14) << condensed << ", " << first;
+    }
+}
+
+TEST(LuFactors, RowsAndColumnsInOtherOrders) {
+  const SparseMatrix matrix = unsymmetric_matrix();
+  LuFactors factors = full_factors({2, 0, 1, 3}, {3, 0, 1, 2}, 0);
+  ASSERT_TRUE(factors.refactorise(matrix, 0));
+  EXPECT_LT(difference_from_dense(factors, matrix), 1e-13);
+}
+
+TEST(LuFactors, RefusePivotsThatAreZeroPoorOrNotFinite) {
+  for (const double pivot :
+       {0.0, 1e-14, std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
+    SparseMatrix matrix = full_pattern(size);
+    for (int i = 0; i < size; ++i) entry(matrix, i, i) = i == 2 ? pivot : 1.0;
+    LuFactors factors = full_factors({0, 1, 2, 3}, {0, 1, 2, 3}, 2);
+    EXPECT_FALSE(factors.refactorise(matrix, 0)) << pivot;
+  }
+  EXPECT_TRUE(LuFactors{}.empty());
+}
+
+}  // namespace
+}  // namespace moat
