@@ -116,7 +116,8 @@ void FrameWriter::write(double time, const FrameData& data) {
   std::snprintf(name.data(), name.size(), "frame_%06d.vtu", files.count);
   std::string bytes;
   for (const std::string_view piece : files.image.pieces()) bytes += piece;
-  files.thread.add(bytes.size(), [&files, bytes = std::move(bytes), file = std::string{name.data()}, time] {
+  const std::size_t size = bytes.size();
+  files.thread.add(size, [&files, bytes = std::move(bytes), file = std::string{name.data()}, time] {
     const std::string_view whole = bytes;
     write_unlisted_file(files.folder / file, {&whole, 1});
     files.collection->append(time, std::string{results_file::frames_folder} + "/" + file);
