@@ -38,11 +38,11 @@ Model pounding_buildings() {
   }
   const NodeId alone = add(model, Node{.name = "alone", .mass = 1 * tonne});
   add(model, ViscousDamper{.name = "damper", .lower = ground, .upper = alone, .damping = 9 * kN * s / m});
-  add(model, Gap{.name = "gap",
-                 .left = bases[0],
-                 .right = bases[1],
-                 .clearance = 1 * cm,
-                 .law = HertzDamp{.stiffness = 3e8 * N / m_3_2, .restitution = 0.65}});
+  add(model, Gap<HertzDamp>{.name = "gap",
+                            .left = bases[0],
+                            .right = bases[1],
+                            .clearance = 1 * cm,
+                            .law = HertzDamp{.stiffness = 3e8 * N / m_3_2, .restitution = 0.65}});
   model.prepare();
   return model;
 }
