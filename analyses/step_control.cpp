@@ -92,9 +92,9 @@ StepControl::Step StepControl::next_step(const Model& model) {
     }
   }
   if (scheme.order() != 4) halvings = halvings_in_interval;
-  const double step = step_at(std::min(halvings + ramp_, options_.max_halvings));
-  if (pounding) fewest_steps_per_contact_ = std::min(fewest_steps_per_contact_, contact / step);
-  return {step, scheme};
+  planned_ = step_at(std::min(halvings + ramp_, options_.max_halvings));
+  if (pounding) fewest_steps_per_contact_ = std::min(fewest_steps_per_contact_, contact / planned_);
+  return {planned_, scheme};
 }
 
 // Largest error of all nodes, divided by the tolerance.
@@ -182,9 +182,10 @@ void StepControl::accepted(const Model& model, double h, PlanVector ground_accel
   }
   scales_.accepted(model, h, ground_acceleration);
   watch_round_off(model);
-  // The ramp after a touch does not count very short steps.
-  constexpr double negligible = 1e-6;
-  if (h >= negligible * step_at(std::min(halvings_ + ramp_, options_.max_halvings))) ramp_ = std::max(ramp_ - 1, 0);
+  // The ramp after a touch does not count steps cut short by a sample of the motion: the jerk behind one that is short
+  // enough is still that of the touch, which is infinite for some laws.
+  constexpr double whole = 0.5;
+  if (h >= whole * planned_) ramp_ = std::max(ramp_ - 1, 0);
 }
 
 void StepControl::watch_round_off(const Model& model) {
@@ -216,7 +217,7 @@ void StepControl::changed_inside(const Model& model) {
 }
 
 void StepControl::restart(const Model& model, bool touched) {
-  ramp_ = touched ? at_touch : 0;
+  if (touched) ramp_ = at_touch;
   // An element is at its margin now: the first step stays within an interval of the samples.
   most_doublings_ = 0;
   restraint_ = steps_until_more_ = 1;

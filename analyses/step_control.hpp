@@ -31,8 +31,8 @@ namespace moat {
 ///
 /// In contact, the duration of the contact divided by steps_per_contact. After four such durations without an event the
 /// contact is sustained; from then on the error of acceleration alone sets the step. The first steps after a located
-/// touch are shorter, double from one to the next, and are not judged; the first of them takes average acceleration:
-/// some laws' forces rise with infinite slope there (like d^1/4).
+/// touch are shorter, double from one to the next, and are not judged; up to the first that is not cut to less than half
+/// they take average acceleration: some laws' forces rise with infinite slope there (like d^1/4).
 ///
 /// The scheme is that of fourth order where a step is inside its bound of stability. A model that needs more than six
 /// halvings for this bound takes average acceleration.
@@ -131,6 +131,7 @@ class StepControl {
   double share_of_tolerance_ = 1.0;
   int halvings_ = 0;
   int ramp_ = 0;              // further halvings after a touch
+  double planned_ = 0.0;      // s, length of the last next_step(); samples of the motion may cut it
   int most_doublings_ = 0;    // at present, of the grid interval
   int steps_until_more_ = 0;  // after which there is one more
   int restraint_ = 1;         // steps from one more to the next

@@ -114,5 +114,18 @@ TEST(ImpactRestitution, DoesNotDependOnThePhaseOfArrival) {
   EXPECT_NEAR(0.5 * (least + most), 0.65, 1e-3);
 }
 
+// The first step after the touch ends on the sample, and may be as short as one likes. The jerk behind it is that of the
+// touch, where some laws rise with an infinite slope.
+TEST(ImpactRestitution, IsThatOfTheLawHoweverShortlyBeforeASampleItTouches) {
+  AllImpactLaws::for_each([]<class Law>() {
+    SCOPED_TRACE(Law::name);
+    const Law law = impact_law<Law>(2.95e9, 0.65);
+    for (double before = 1e-2; before > 1e-12; before *= 0.1) {
+      const Collision collision{5.5e5, 5.5e5, 0.5, 1.0 - before};
+      EXPECT_NEAR(delivered(law, collision), delivered_by(law, collision.effective_mass(), 0.5), 1e-4) << before;
+    }
+  });
+}
+
 }  // namespace
 }  // namespace moat

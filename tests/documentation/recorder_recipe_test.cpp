@@ -4,7 +4,7 @@
 
 #include "analyses/case_run.hpp"
 #include "elements/shear_spring.hpp"
-#include "output/separation.hpp"
+#include "output/separation_recorder.hpp"
 #include "report/history_charts.hpp"
 
 namespace moat::testing {
@@ -19,7 +19,7 @@ TEST(RecorderRecipe, AppearsInHistoriesPeaksAndCharts) {
   add(model, ShearSpring{.name = "spring", .lower = ground, .upper = right, .stiffness = 100 * N / m});
   const GroundMotion still{"still", 0.01, std::vector<double>(101, 0.0)};
   CaseRun run{model, still};
-  Separation separation{"gap", left, right};
+  SeparationRecorder separation{"gap", left, right};
   run.attach(separation);
   run.run();
   const CaseResult result = run.result();

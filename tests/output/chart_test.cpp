@@ -221,7 +221,7 @@ TEST_F(ChartToSvg, LeavesOutWhatIsOutsideTheRange) {
 }
 
 TEST_F(ChartToSvg, RefusesWhatCannotBeDrawn) {
-  EXPECT_THROW(svg_text({}), InputError);
+  EXPECT_THROW(svg_text(std::vector<Chart>{}), InputError);
   EXPECT_EQ(message_of<InputError>([&] { svg_text({sine()}, 100, 400); }),
             "Chart \"" + sine().title +
                 "\": width = 100 pixels is not allowed; it must be >= 200 pixels for every "
