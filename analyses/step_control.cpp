@@ -184,7 +184,7 @@ void StepControl::accepted(const Model& model, double h, PlanVector ground_accel
   watch_round_off(model);
   // The ramp after a touch does not count steps cut short by a sample of the motion: the jerk behind one that is short
   // enough is still that of the touch, which is infinite for some laws.
-  constexpr double whole = 0.5;
+  constexpr double whole = 0.25;
   if (h >= whole * planned_) ramp_ = std::max(ramp_ - 1, 0);
 }
 
@@ -217,7 +217,10 @@ void StepControl::changed_inside(const Model& model) {
 }
 
 void StepControl::restart(const Model& model, bool touched) {
-  if (touched) ramp_ = at_touch;
+  if (touched)
+    ramp_ = at_touch;
+  else if (ramp_ < at_touch)  // a whole step was taken since the touch
+    ramp_ = 0;
   // An element is at its margin now: the first step stays within an interval of the samples.
   most_doublings_ = 0;
   restraint_ = steps_until_more_ = 1;

@@ -31,8 +31,8 @@ namespace moat {
 ///
 /// In contact, the duration of the contact divided by steps_per_contact. After four such durations without an event the
 /// contact is sustained; from then on the error of acceleration alone sets the step. The first steps after a located
-/// touch are shorter, double from one to the next, and are not judged; up to the first that is not cut to less than half
-/// they take average acceleration: some laws' forces rise with infinite slope there (like d^1/4).
+/// touch are shorter, double from one to the next, and are not judged; up to the first that is not cut to less than a
+/// quarter they take average acceleration: some laws' forces rise with infinite slope there (like d^1/4).
 ///
 /// The scheme is that of fourth order where a step is inside its bound of stability. A model that needs more than six
 /// halvings for this bound takes average acceleration.

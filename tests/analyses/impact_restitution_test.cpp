@@ -114,8 +114,8 @@ TEST(ImpactRestitution, DoesNotDependOnThePhaseOfArrival) {
   EXPECT_NEAR(0.5 * (least + most), 0.65, 1e-3);
 }
 
-// The first step after the touch ends on the sample, and may be as short as one likes. The jerk behind it is that of the
-// touch, where some laws rise with an infinite slope.
+// The first step after the touch ends on the sample, and may be as short as one likes. The jerk behind it is that of
+// the touch, where some laws rise with an infinite slope.
 TEST(ImpactRestitution, IsThatOfTheLawHoweverShortlyBeforeASampleItTouches) {
   AllImpactLaws::for_each([]<class Law>() {
     SCOPED_TRACE(Law::name);
