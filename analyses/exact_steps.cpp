@@ -22,8 +22,8 @@ ExactSteps::ExactSteps(Model& model, StepControl& control)
   const Eigen::Index count = model.degrees_of_freedom();
   stiffness_ = model.pattern();
   damping_ = model.pattern();
-  earlier_.acceleration.setZero(count);
-  earlier_.jerk.setZero(count);
+  fastest_.setZero(count);
+  for (Vector* vector : {&earlier_.velocity, &earlier_.acceleration, &earlier_.jerk}) vector->setZero(count);
   restart();
   // A model with too large an eigenvalue is refused before the first step.
   if (!touching_) linearise();
@@ -104,24 +104,23 @@ bool ExactSteps::solve(const StepTask& part) {
 }
 
 bool ExactSteps::accepts(const StepTask& step, std::span<const RegimeChange>) {
+  fastest_ = fastest_.cwiseMax(model_->trial().velocity.cwiseAbs());
   if (!interpolates(step)) {
     while (wanted_ >= step.length) wanted_ *= 0.5;
     earlier_.length = 0.0;
     return false;
   }
   if (would_interpolate_doubled(step)) wanted_ = 2.0 * step.length;
-  const Eigen::Index n = model_->degrees_of_freedom();
-  const double *acceleration = model_->state().acceleration.data(), *jerk = model_->state().jerk.data();
-  const double ground_acceleration = step.ground_acceleration_at_start.x;
+  const MotionState& start = model_->state();
   earlier_.length = step.length;
-  for (Eigen::Index i = 0; i < n; ++i) {
-    earlier_.acceleration[i] = acceleration[i] + ground_acceleration;
-    earlier_.jerk[i] = jerk[i];
-  }
+  earlier_.ground_acceleration = step.ground_acceleration_at_start.x;
+  earlier_.velocity = start.velocity;
+  earlier_.acceleration = start.acceleration;
+  earlier_.jerk = start.jerk;
   return true;
 }
 
-// Whether the cubic through both ends of the step meets the exact accelerations inside.
+// Whether the cubics through both ends of the step meet the exact velocities and accelerations inside.
 bool ExactSteps::interpolates(const StepTask& step) const {
   const std::size_t pieces = path_.pieces();
   if (pieces == 1) return true;
@@ -130,11 +129,14 @@ bool ExactSteps::interpolates(const StepTask& step) const {
   const MotionState &from = model_->state(), &to = model_->trial();
   const double h = step.length, allowed = cubics_within * control_->tolerance();
   for (Eigen::Index i = 0; i < n; ++i) {
-    const HermiteCubic cubic{from.acceleration[i] + path_.ground_at(0), from.jerk[i],
-                             to.acceleration[i] + path_.ground_at(pieces), to.jerk[i], h};
+    const HermiteCubic velocity{from.velocity[i], from.acceleration[i], to.velocity[i], to.acceleration[i], h};
+    const HermiteCubic acceleration{from.acceleration[i] + path_.ground_at(0), from.jerk[i],
+                                    to.acceleration[i] + path_.ground_at(pieces), to.jerk[i], h};
+    const double allowed_velocity = allowed * fastest_[i], allowed_acceleration = allowed * scales[i];
     for (std::size_t piece = 1; piece < pieces; ++piece) {
-      const double miss = cubic.value(path_.start_of(piece) / h) - path_.absolute_acceleration(piece, i);
-      if (std::abs(miss) > allowed * scales[i]) return false;
+      const double x = path_.start_of(piece) / h;
+      if (std::abs(velocity.value(x) - path_.velocity(piece, i)) > allowed_velocity) return false;
+      if (std::abs(acceleration.value(x) - path_.absolute_acceleration(piece, i)) > allowed_acceleration) return false;
     }
   }
   return true;
@@ -146,13 +148,17 @@ bool ExactSteps::would_interpolate_doubled(const StepTask& step) const {
   if (earlier_.length != step.length || wanted_ > step.length) return false;
   const Vector& scales = control_->acceleration_scales();
   const MotionState &middle = model_->state(), &to = model_->trial();
+  const double ground_before = earlier_.ground_acceleration, ground_middle = path_.ground_at(0),
+               ground_after = path_.ground_at(path_.pieces());
   constexpr double reserve = 0.5;
-  const double allowed = reserve * cubics_within * control_->tolerance();
+  const double allowed = reserve * cubics_within * control_->tolerance(), h = 2.0 * step.length;
   for (Eigen::Index i = 0; i < scales.size(); ++i) {
-    const HermiteCubic cubic{earlier_.acceleration[i], earlier_.jerk[i],
-                             to.acceleration[i] + path_.ground_at(path_.pieces()), to.jerk[i], 2.0 * step.length};
-    const double miss = cubic.value(0.5) - (middle.acceleration[i] + path_.ground_at(0));
-    if (std::abs(miss) > allowed * scales[i]) return false;
+    const HermiteCubic velocity{earlier_.velocity[i], earlier_.acceleration[i], to.velocity[i], to.acceleration[i], h};
+    if (std::abs(velocity.value(0.5) - middle.velocity[i]) > allowed * fastest_[i]) return false;
+    const HermiteCubic acceleration{earlier_.acceleration[i] + ground_before, earlier_.jerk[i],
+                                    to.acceleration[i] + ground_after, to.jerk[i], h};
+    if (std::abs(acceleration.value(0.5) - (middle.acceleration[i] + ground_middle)) > allowed * scales[i])
+      return false;
   }
   return true;
 }

@@ -26,10 +26,11 @@ namespace moat {
 /// A step consists of pieces (analyses/linear_path.hpp), as many as a power of two, at most 16. A piece is the
 /// interval of the samples (or less, by largest_step), halved until the fastest eigenvalue of the system times the
 /// piece is at most 1/2. Elements, changes of regime and peaks are looked at from end to end of a step, by the
-/// cubic through values and rates. A step of several pieces is accepted only if this cubic meets the exact absolute
-/// acceleration of every node at the end of every piece, to `cubics_within` tolerances of the scale of that place
-/// (analyses/acceleration_scales.hpp). Unlike errors of implicit steps this one does not accumulate. Steps double
-/// where the cubic over the last two steps would be so good.
+/// cubic through values and rates. A step of several pieces is accepted only if this cubic meets the exact motion of
+/// every node at the end of every piece, to `cubics_within` tolerances: its absolute acceleration, of the scale of that
+/// place (analyses/acceleration_scales.hpp), and its velocity, of the largest so far. (A stiff wall follows the ground:
+/// its acceleration is smooth, its velocity hardly.) Unlike errors of implicit steps this one does not accumulate.
+/// Steps double where the cubic over the last two steps would be so good.
 ///
 /// While a gap is closed the model is not linear and applies() is false; Transient takes Newmark's steps there, with
 /// `share_in_contact` of the tolerance.
@@ -37,7 +38,7 @@ class ExactSteps final : public Stepper {
  public:
   /// Matrices are full: this is for small models.
   static constexpr int most_degrees_of_freedom = 50;
-  static constexpr double cubics_within = 16.0;  ///< Tolerances by which the cubic of a step may miss an acceleration.
+  static constexpr double cubics_within = 16.0;  ///< Tolerances by which the cubic of a step may miss the motion.
   /// Of the tolerance, that Newmark's steps in contact may use: their errors are all that accumulates, and they are
   /// few.
   static constexpr double share_in_contact = 1.0 / 3.0;
@@ -61,10 +62,11 @@ class ExactSteps final : public Stepper {
   WorkRule work_rule() const override { return WorkRule::quadrature; }
 
  private:
-  // Absolute accelerations and jerks at the start of the last accepted step.
+  // The motion at the start of the last accepted step.
   struct Earlier {
     double length = 0.0;  // of that step, s; 0: none
-    Vector acceleration, jerk;
+    double ground_acceleration = 0.0;
+    Vector velocity, acceleration, jerk;
   };
 
   void check() const;
@@ -82,6 +84,7 @@ class ExactSteps final : public Stepper {
   Vector offset_;        // -M^-1 f0
   double wanted_ = 0.0;  // length of the next step, if the system allows it; s
   Earlier earlier_;
+  Vector fastest_;  // largest velocity of every node so far, m/s
   LinearPath path_;
 };
 

@@ -33,7 +33,11 @@ class LinearPath {
   [[nodiscard]] double start_of(std::size_t piece) const { return piece == 0 ? 0.0 : ends_[piece - 1]; }
   /// The ground acceleration there, m/s^2.
   [[nodiscard]] double ground_at(std::size_t piece) const { return ground_[piece]; }
-  /// The absolute acceleration there, m/s^2. The piece must not be the first, and at() must have gone as far.
+  /// Velocity (m/s) and absolute acceleration (m/s^2) there. The piece must not be the first, and at() must have gone
+  /// as far.
+  [[nodiscard]] double velocity(std::size_t piece, Eigen::Index degree_of_freedom) const {
+    return path_(LinearStart::motion + count_ + degree_of_freedom, static_cast<Eigen::Index>(piece));
+  }
   [[nodiscard]] double absolute_acceleration(std::size_t piece, Eigen::Index degree_of_freedom) const {
     return path_(LinearStart::motion + 2 * count_ + degree_of_freedom, static_cast<Eigen::Index>(piece)) +
            ground_[piece];

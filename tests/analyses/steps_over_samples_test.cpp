@@ -246,6 +246,30 @@ TEST(ExactStepsOverSamples, FindPeaksToTheirTolerance) {
   }
 }
 
+// A stiff body follows the ground: its absolute acceleration is as smooth as that of the ground, its velocity follows
+// the slope between samples.
+TEST(ExactStepsOverSamples, FindPeaksOfVelocityOfStiffBodies) {
+  constexpr double long_interval = 20e-3;  // s
+  std::vector<double> samples;
+  for (int i = 0; i <= 500; ++i) {
+    const double t = long_interval * i;
+    samples.push_back(2.0 * std::sin(0.3 * t) * std::sin(4.0 * t));
+  }
+  const GroundMotion motion{"growing", long_interval, samples};
+  for (const double period : {0.005, 0.01, 0.02}) {
+    SCOPED_TRACE(period);
+    const auto peaks_with = [&](Time largest_step) {
+      Model model = oscillator(period, 0.05);
+      return compute_peaks(model, motion, {.integrator = ExactBetweenEvents{}, .largest_step = largest_step}).peaks;
+    };
+    const auto found = peaks_with({}), fine = peaks_with(0.1 * ms);
+    for (std::size_t i = 0; i < fine.size(); ++i)
+      EXPECT_NEAR(found[i].magnitude() / fine[i].magnitude(), 1.0,
+                  ExactSteps::cubics_within * TransientOptions{}.tolerance)
+          << fine[i].quantity << " " << fine[i].where;
+  }
+}
+
 // A pull to and fro at 20 Hz that begins at 3 s: the steps before are long, and those after must see it.
 TEST(ExactStepsOverSamples, BecomeShorterWhereTheMotionNeedsIt) {
   std::vector<double> samples;
