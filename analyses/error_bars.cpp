@@ -42,6 +42,8 @@ constexpr double settled_within = 0.01;
 /// A peak below this share of the largest of its kind is round-off, for example at a node that symmetry keeps at rest.
 /// It is judged relative to this share of the largest, and no other peak is judged by it.
 constexpr double negligible = 1e-6;
+/// The same for all peaks of one unit: below, the error of round-off alone exceeds `settled_within`.
+constexpr double negligible_of_unit = 2.0 * caution::round_off / settled_within;
 
 double median(std::vector<double> values) {
   if (values.empty()) return 0.0;
@@ -113,11 +115,14 @@ double relative_error(const Peak& peak) {
 
 // The worst first. An error that is not known is not settled either.
 std::vector<Peak> unsettled_of(const std::vector<Peak>& peaks) {
-  std::map<std::string, double> largest = largest_of_each(&Peak::quantity, peaks);
+  std::map<std::string, double> of_quantity = largest_of_each(&Peak::quantity, peaks),
+                                of_unit = largest_of_each(&Peak::unit, peaks);
   std::vector<Peak> unsettled;
-  for (const Peak& peak : peaks)
-    if (!(peak.error <= settled_within * std::max(peak.magnitude(), negligible * largest[peak.quantity])))
-      unsettled.push_back(peak);
+  for (const Peak& peak : peaks) {
+    const double scale =
+        std::max({peak.magnitude(), negligible * of_quantity[peak.quantity], negligible_of_unit * of_unit[peak.unit]});
+    if (!(peak.error <= settled_within * scale)) unsettled.push_back(peak);
+  }
   std::ranges::stable_sort(unsettled, std::ranges::greater{}, [](const Peak& peak) {
     const double relative = relative_error(peak);
     return std::isnan(relative) ? std::numeric_limits<double>::infinity() : relative;

@@ -271,6 +271,17 @@ TEST(EstimateErrors, DoesNotCallRoundOffSensitive) {
       estimate_errors(peaks, 0, {{peak("displacement", 1.0001), peak("displacement", 7e-17)}, 0, {}}).sensitive);
 }
 
+// Surfaces of a pendulum that never slide: all there is of this quantity is round-off.
+TEST(EstimateErrors, DoesNotCallAQuantityOfRoundOffAloneSensitive) {
+  std::vector<Peak> peaks{peak("displacement", 0.2), peak("third_surface_slip", 1.6e-19)};
+  EXPECT_FALSE(
+      estimate_errors(peaks, 0, {{peak("displacement", 0.2001), peak("third_surface_slip", -7e-20)}, 0, {}}).sensitive);
+  // A slip of a micrometre is a motion.
+  peaks[1].value = 1e-6;
+  EXPECT_TRUE(
+      estimate_errors(peaks, 0, {{peak("displacement", 0.2001), peak("third_surface_slip", 1.1e-6)}, 0, {}}).sensitive);
+}
+
 TEST(EstimateErrors, OtherImpactsAreSensitiveEvenIfThePeaksAgree) {
   std::vector<Peak> same{peak("displacement", 1.0)}, other = same;
   const std::vector<Peak> companion{peak("displacement", 1.0001)};
