@@ -14,16 +14,35 @@ namespace {
 // memory.
 constexpr std::size_t most_systems = 256;
 
+// The cubics of a node over a step, through values and rates at its ends.
+class NodeCubics {
+ public:
+  NodeCubics(Eigen::Index node, const MotionState& from, double ground_at_from, const MotionState& to,
+             double ground_at_to, double h)
+      : velocity_{from.velocity[node], from.acceleration[node], to.velocity[node], to.acceleration[node], h},
+        absolute_acceleration_{from.acceleration[node] + ground_at_from, from.jerk[node],
+                               to.acceleration[node] + ground_at_to, to.jerk[node], h} {}
+
+  // Whether they meet this motion at x, 0 to 1, each to `allowed` of its scale.
+  [[nodiscard]] bool meet(double x, double velocity, double absolute_acceleration, double allowed,
+                          double velocity_scale, double acceleration_scale) const {
+    return std::abs(velocity_.value(x) - velocity) <= allowed * velocity_scale &&
+           std::abs(absolute_acceleration_.value(x) - absolute_acceleration) <= allowed * acceleration_scale;
+  }
+
+ private:
+  HermiteCubic velocity_, absolute_acceleration_;
+};
+
 }  // namespace
 
 ExactSteps::ExactSteps(Model& model, StepControl& control)
     : model_{&model}, control_{&control}, path_{model.degrees_of_freedom()} {
   check();
-  const Eigen::Index count = model.degrees_of_freedom();
   stiffness_ = model.pattern();
   damping_ = model.pattern();
-  fastest_.setZero(count);
-  for (Vector* vector : {&earlier_.velocity, &earlier_.acceleration, &earlier_.jerk}) vector->setZero(count);
+  earlier_.motion = model.state();
+  fastest_.setZero(earlier_.motion.velocity.size());
   restart();
   // A model with too large an eigenvalue is refused before the first step.
   if (!touching_) linearise();
@@ -105,39 +124,32 @@ bool ExactSteps::solve(const StepTask& part) {
 
 bool ExactSteps::accepts(const StepTask& step, std::span<const RegimeChange>) {
   fastest_ = fastest_.cwiseMax(model_->trial().velocity.cwiseAbs());
+  constexpr double round_off = 1e-6;
+  least_velocity_ = round_off * fastest_.maxCoeff();
   if (!interpolates(step)) {
     while (wanted_ >= step.length) wanted_ *= 0.5;
     earlier_.length = 0.0;
     return false;
   }
   if (would_interpolate_doubled(step)) wanted_ = 2.0 * step.length;
-  const MotionState& start = model_->state();
   earlier_.length = step.length;
   earlier_.ground_acceleration = step.ground_acceleration_at_start.x;
-  earlier_.velocity = start.velocity;
-  earlier_.acceleration = start.acceleration;
-  earlier_.jerk = start.jerk;
+  earlier_.motion = model_->state();
   return true;
 }
 
-// Whether the cubics through both ends of the step meet the exact velocities and accelerations inside.
+// Whether the cubics through both ends of the step meet the exact motion inside.
 bool ExactSteps::interpolates(const StepTask& step) const {
   const std::size_t pieces = path_.pieces();
   if (pieces == 1) return true;
-  const Eigen::Index n = model_->degrees_of_freedom();
   const Vector& scales = control_->acceleration_scales();
-  const MotionState &from = model_->state(), &to = model_->trial();
   const double h = step.length, allowed = cubics_within * control_->tolerance();
-  for (Eigen::Index i = 0; i < n; ++i) {
-    const HermiteCubic velocity{from.velocity[i], from.acceleration[i], to.velocity[i], to.acceleration[i], h};
-    const HermiteCubic acceleration{from.acceleration[i] + path_.ground_at(0), from.jerk[i],
-                                    to.acceleration[i] + path_.ground_at(pieces), to.jerk[i], h};
-    const double allowed_velocity = allowed * fastest_[i], allowed_acceleration = allowed * scales[i];
-    for (std::size_t piece = 1; piece < pieces; ++piece) {
-      const double x = path_.start_of(piece) / h;
-      if (std::abs(velocity.value(x) - path_.velocity(piece, i)) > allowed_velocity) return false;
-      if (std::abs(acceleration.value(x) - path_.absolute_acceleration(piece, i)) > allowed_acceleration) return false;
-    }
+  for (Eigen::Index i = 0; i < model_->degrees_of_freedom(); ++i) {
+    const NodeCubics cubics{i, model_->state(), path_.ground_at(0), model_->trial(), path_.ground_at(pieces), h};
+    for (std::size_t piece = 1; piece < pieces; ++piece)
+      if (!cubics.meet(path_.start_of(piece) / h, path_.velocity(piece, i), path_.absolute_acceleration(piece, i),
+                       allowed, velocity_scale(i), scales[i]))
+        return false;
   }
   return true;
 }
@@ -147,17 +159,15 @@ bool ExactSteps::interpolates(const StepTask& step) const {
 bool ExactSteps::would_interpolate_doubled(const StepTask& step) const {
   if (earlier_.length != step.length || wanted_ > step.length) return false;
   const Vector& scales = control_->acceleration_scales();
-  const MotionState &middle = model_->state(), &to = model_->trial();
-  const double ground_before = earlier_.ground_acceleration, ground_middle = path_.ground_at(0),
-               ground_after = path_.ground_at(path_.pieces());
+  const MotionState& middle = model_->state();
+  const double ground_at_middle = path_.ground_at(0), ground_at_end = path_.ground_at(path_.pieces());
   constexpr double reserve = 0.5;
-  const double allowed = reserve * cubics_within * control_->tolerance(), h = 2.0 * step.length;
-  for (Eigen::Index i = 0; i < scales.size(); ++i) {
-    const HermiteCubic velocity{earlier_.velocity[i], earlier_.acceleration[i], to.velocity[i], to.acceleration[i], h};
-    if (std::abs(velocity.value(0.5) - middle.velocity[i]) > allowed * fastest_[i]) return false;
-    const HermiteCubic acceleration{earlier_.acceleration[i] + ground_before, earlier_.jerk[i],
-                                    to.acceleration[i] + ground_after, to.jerk[i], h};
-    if (std::abs(acceleration.value(0.5) - (middle.acceleration[i] + ground_middle)) > allowed * scales[i])
+  const double allowed = reserve * cubics_within * control_->tolerance();
+  for (Eigen::Index i = 0; i < model_->degrees_of_freedom(); ++i) {
+    const NodeCubics cubics{
+        i, earlier_.motion, earlier_.ground_acceleration, model_->trial(), ground_at_end, 2.0 * step.length};
+    if (!cubics.meet(0.5, middle.velocity[i], middle.acceleration[i] + ground_at_middle, allowed, velocity_scale(i),
+                     scales[i]))
       return false;
   }
   return true;

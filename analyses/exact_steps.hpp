@@ -1,6 +1,7 @@
 // Exact steps of a model that is linear between events.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <vector>
 
@@ -28,9 +29,10 @@ namespace moat {
 /// piece is at most 1/2. Elements, changes of regime and peaks are looked at from end to end of a step, by the
 /// cubic through values and rates. A step of several pieces is accepted only if this cubic meets the exact motion of
 /// every node at the end of every piece, to `cubics_within` tolerances: its absolute acceleration, of the scale of that
-/// place (analyses/acceleration_scales.hpp), and its velocity, of the largest so far. (A stiff wall follows the ground:
-/// its acceleration is smooth, its velocity hardly.) Unlike errors of implicit steps this one does not accumulate.
-/// Steps double where the cubic over the last two steps would be so good.
+/// place (analyses/acceleration_scales.hpp), and its velocity, of its largest so far, but at least of 1e-6 of that of
+/// the fastest node: less may be round-off. (A stiff wall follows the ground: its acceleration is smooth, its velocity
+/// hardly.) Unlike errors of implicit steps this one does not accumulate. Steps double where the cubic over the last
+/// two steps would be so good.
 ///
 /// While a gap is closed the model is not linear and applies() is false; Transient takes Newmark's steps there, with
 /// `share_in_contact` of the tolerance.
@@ -62,17 +64,18 @@ class ExactSteps final : public Stepper {
   WorkRule work_rule() const override { return WorkRule::quadrature; }
 
  private:
-  // The motion at the start of the last accepted step.
+  // The start of the last accepted step.
   struct Earlier {
     double length = 0.0;  // of that step, s; 0: none
     double ground_acceleration = 0.0;
-    Vector velocity, acceleration, jerk;
+    MotionState motion;
   };
 
   void check() const;
   void linearise();
   [[nodiscard]] bool interpolates(const StepTask& step) const;
   [[nodiscard]] bool would_interpolate_doubled(const StepTask& step) const;
+  [[nodiscard]] double velocity_scale(Eigen::Index i) const { return std::max(fastest_[i], least_velocity_); }
 
   Model* model_;
   StepControl* control_;
@@ -84,7 +87,8 @@ class ExactSteps final : public Stepper {
   Vector offset_;        // -M^-1 f0
   double wanted_ = 0.0;  // length of the next step, if the system allows it; s
   Earlier earlier_;
-  Vector fastest_;  // largest velocity of every node so far, m/s
+  Vector fastest_;               // largest velocity of every node so far, m/s; as long as those of a MotionState
+  double least_velocity_ = 0.0;  // of the scales, m/s
   LinearPath path_;
 };
 

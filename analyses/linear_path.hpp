@@ -38,6 +38,7 @@ class LinearPath {
   [[nodiscard]] double velocity(std::size_t piece, Eigen::Index degree_of_freedom) const {
     return path_(LinearStart::motion + count_ + degree_of_freedom, static_cast<Eigen::Index>(piece));
   }
+  /// See velocity().
   [[nodiscard]] double absolute_acceleration(std::size_t piece, Eigen::Index degree_of_freedom) const {
     return path_(LinearStart::motion + 2 * count_ + degree_of_freedom, static_cast<Eigen::Index>(piece)) +
            ground_[piece];
