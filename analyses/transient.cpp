@@ -116,6 +116,7 @@ void Transient::commit(const StepTask& step) {
   statistics_.factorisations = implicit_.factorisations();
   statistics_.newton_iterations = implicit_.newton_iterations();
   implicit_.control().accepted(*model_, step.length, grid_.ground_acceleration());
+  collapse_.look(*model_);
 }
 
 // The force may jump at the committed state. With the acceleration before the jump the scheme would lose its order.
@@ -185,7 +186,9 @@ std::vector<std::string> Transient::assumptions() const {
 }
 
 std::vector<std::string> Transient::warnings() const {
-  return warnings_of(options_, implicit_.control(), motion_, *model_);
+  std::vector<std::string> list = warnings_of(options_, implicit_.control(), motion_, *model_);
+  if (collapse_.collapsed()) list.insert(list.begin(), collapse_.warning());
+  return list;
 }
 
 }  // namespace moat

@@ -8,6 +8,7 @@
 
 #include "analyses/changes_inside.hpp"
 #include "analyses/chatter_guard.hpp"
+#include "analyses/collapse_guard.hpp"
 #include "analyses/exact_steps.hpp"
 #include "analyses/hidden_motion.hpp"
 #include "analyses/implicit_steps.hpp"
@@ -33,7 +34,8 @@ namespace moat {
 /// unless it is fixed.
 ///
 /// A step that does not converge is cut in half; if that does not help, advance() throws ConvergenceError
-/// naming time, step, residual and the worst place. It is never accepted.
+/// naming time, step, residual and the worst place. It is never accepted. The analysis ends, with a warning, where the
+/// model has collapsed (analyses/collapse_guard.hpp).
 ///
 ///     Transient analysis{model, motion, {.step = 2.5 * ms}};
 ///     while (!analysis.finished()) analysis.advance();
@@ -50,8 +52,8 @@ class Transient {
   /// accounts, these start here.
   void attach(StepObserver& observer);
 
-  /// Whether the end of the analysis is reached.
-  [[nodiscard]] bool finished() const { return grid_.finished(model_->state().time); }
+  /// Whether the end of the analysis is reached, or the model has collapsed.
+  [[nodiscard]] bool finished() const { return collapse_.collapsed() || grid_.finished(model_->state().time); }
   /// One accepted step, and the changes of regime inside it or at its end if there are any. Observers attached since
   /// the last step get the start first.
   void advance();
@@ -93,6 +95,7 @@ class Transient {
   ChangesInside inside_;
   HiddenMotion hidden_;
   ChatterGuard chatter_;
+  CollapseGuard collapse_;
   Observers observers_;
   std::vector<RegimeChange> changes_;  // of the last step
   RegimeScan seen_;                    // in the last trial step

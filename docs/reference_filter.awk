@@ -44,7 +44,7 @@ function notes_of_laws() {
   note("double dissipated_energy\\(", "Dissipated from one committed state to another, J.")
   note("double (linear|initial)_stiffness\\(", "N/m")
   note("double regime_margin\\(", "Distance to the next change of regime, m.")
-  note("double quantity\\(std::size_t", "One of `quantities`, in its SI unit.")
+  note("ReportedValue quantity\\(std::size_t", "One of `quantities`, in its SI unit, and its rate.")
   note("^  State next_regime\\(", "The state after the change of regime.")
   note(" carrying\\(Force", "The same law with this weight on it, > 0 N.")
   note("FrictionCoefficient at\\(double", "At a speed, m/s, under a normal force, N.")

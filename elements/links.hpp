@@ -189,11 +189,11 @@ class Links : public ElementBlock, public ElementLaws, protected LinkArrays {
   }
 
   std::span<const ReportedQuantity> law_quantities(std::size_t i) const override { return quantities_of(laws_[i]); }
-  double law_quantity(std::size_t i, std::size_t quantity) const override {
-    if constexpr (requires(const Law& law, const State& state) { law.quantity(quantity, state, 0.0, 0.0); })
-      return laws_[i].quantity(quantity, committed_[i], now_.deformations[i], now_.rates[i]);
-    else
-      throw std::logic_error{"Links: a law without quantities was asked for one"};
+  ReportedValue law_quantity(std::size_t i, std::size_t quantity) const override {
+    return law_quantity_at(i, quantity, committed_[i], now_.deformations[i], now_.rates[i], now_.second_rates[i]);
+  }
+  double law_quantity_per_deformation(std::size_t i, std::size_t quantity) const override {
+    return law_quantity_at(i, quantity, State{}, 1.0, 0.0, 0.0).value;
   }
 
   ElementResults results() const override { return {now_.deformations, now_.rates, forces_, force_rates_}; }
@@ -256,6 +256,14 @@ class Links : public ElementBlock, public ElementLaws, protected LinkArrays {
     committed_.resize(count);
     trial_.resize(count);
     energies_.resize(count);
+  }
+
+  [[nodiscard]] ReportedValue law_quantity_at([[maybe_unused]] std::size_t i, std::size_t quantity, const State& state,
+                                              double deformation, double rate, double second_rate) const {
+    if constexpr (requires(const Law& law) { law.quantity(quantity, state, deformation, rate, second_rate); })
+      return laws_[i].quantity(quantity, state, deformation, rate, second_rate);
+    else
+      throw std::logic_error{"Links: a law without quantities was asked for one"};
   }
 
   static constexpr bool knows_force_rate = requires(const Law& law, const State& state, double x) {

@@ -144,7 +144,10 @@ class PlanarBlock final : public ElementBlock, public ElementLaws, public Planar
 
   ElementResults results() const override { return {deformations_, rates_, forces_, force_rates_}; }
   std::span<const ReportedQuantity> law_quantities(std::size_t) const override { return {}; }
-  double law_quantity(std::size_t, std::size_t) const override {
+  ReportedValue law_quantity(std::size_t, std::size_t) const override {
+    throw std::logic_error{"PlanarBlock: a law without quantities was asked for one"};
+  }
+  double law_quantity_per_deformation(std::size_t, std::size_t) const override {
     throw std::logic_error{"PlanarBlock: a law without quantities was asked for one"};
   }
 

@@ -53,25 +53,9 @@ struct HeatedSlidingIsolator {
   }
   double force_rate(const State& state, double deformation, double rate, double second_rate) const {
     if (state.direction == 0) return (restoring_stiffness + elastic_stiffness) * rate;
-    const double speed = std::max(state.direction * rate, 0.0), faster = state.direction * second_rate;
-    const double celsius = friction.initial_temperature + state.rise;
-    const double by_speed = factor() * friction.speed_factor(speed),
-                 by_speed_slope = factor() * friction.speed_slope(speed),
-                 of_temperature = friction.temperature_factor(celsius),
-                 temperature_slope = friction.temperature_slope(celsius);
-    double heating = 0.0;  // of the exponentials
-    for (std::size_t j = 0; j < state.memory.size(); ++j)
-      heating += PressureTemperatureVelocity::memory_weights[j] * state.flux -
-                 state.memory[j] / PressureTemperatureVelocity::memory_times[j];
-    // The flux p mu |v| heats at once by memory_rest, and the warmer surface lowers mu.
-    const double scale = friction.heating_factor(),
-                 at_once =
-                     covers_centre(deformation) ? scale * PressureTemperatureVelocity::memory_rest * pressure() : 0.0;
-    const double rise_rate =
-        (scale * heating + at_once * of_temperature * (by_speed + speed * by_speed_slope) * faster) /
-        (1.0 - at_once * speed * by_speed * temperature_slope);
-    const double coefficient_rate = by_speed_slope * faster * of_temperature + by_speed * temperature_slope * rise_rate;
-    return restoring_stiffness * rate + state.direction * normal_force * coefficient_rate;
+    const Rates rates =
+        rates_of(state, deformation, std::max(state.direction * rate, 0.0), state.direction * second_rate);
+    return restoring_stiffness * rate + state.direction * normal_force * rates.coefficient;
   }
   double stored_energy(const State& committed, double deformation) const {
     return 0.5 * restoring_stiffness * deformation * deformation +
@@ -101,9 +85,13 @@ struct HeatedSlidingIsolator {
     next.flux = next.direction == 0 ? 0.0 : flux_at(committed, deformation, std::abs(rate));
     return next;
   }
-  double quantity(std::size_t index, const State& state, double, double rate) const {
-    if (index == 0) return limit(state, std::abs(rate)) / normal_force;
-    return index == 1 ? state.slip : friction.initial_temperature + state.rise;
+  ReportedValue quantity(std::size_t index, const State& state, double deformation, double rate,
+                         double second_rate) const {
+    const Rates rates = rates_of(state, deformation, std::abs(rate), std::copysign(second_rate, rate * second_rate));
+    if (index == 0) return {limit(state, std::abs(rate)) / normal_force, rates.coefficient};
+    if (index == 2) return {friction.initial_temperature + state.rise, rates.rise};
+    return {state.slip,
+            state.direction == 0 ? 0.0 : rate - state.direction * rates.coefficient * normal_force / elastic_stiffness};
   }
 
   /// Of the slider on the surface, N/m^2.
@@ -115,6 +103,31 @@ struct HeatedSlidingIsolator {
   struct Surface {
     double coefficient, slope;  // mu, dmu/d|v|
   };
+
+  struct Rates {
+    double coefficient, rise;  // 1/s, K/s
+  };
+  // At a speed and its rate.
+  [[nodiscard]] Rates rates_of(const State& state, double deformation, double speed, double faster) const {
+    const double celsius = friction.initial_temperature + state.rise;
+    const double by_speed = factor() * friction.speed_factor(speed),
+                 by_speed_slope = factor() * friction.speed_slope(speed),
+                 of_temperature = friction.temperature_factor(celsius),
+                 temperature_slope = friction.temperature_slope(celsius);
+    double heating = 0.0;  // of the exponentials
+    for (std::size_t j = 0; j < state.memory.size(); ++j)
+      heating += PressureTemperatureVelocity::memory_weights[j] * state.flux -
+                 state.memory[j] / PressureTemperatureVelocity::memory_times[j];
+    // The flux p mu |v| heats at once by memory_rest, and the warmer surface lowers mu.
+    const double scale = friction.heating_factor(),
+                 at_once = state.direction != 0 && covers_centre(deformation)
+                               ? scale * PressureTemperatureVelocity::memory_rest * pressure()
+                               : 0.0;
+    const double rise_rate =
+        (scale * heating + at_once * of_temperature * (by_speed + speed * by_speed_slope) * faster) /
+        (1.0 - at_once * speed * by_speed * temperature_slope);
+    return {by_speed_slope * faster * of_temperature + by_speed * temperature_slope * rise_rate, rise_rate};
+  }
 
   [[nodiscard]] double factor() const { return friction.reference_coefficient * friction.pressure_factor(pressure()); }
   [[nodiscard]] double limit(const State& state, double speed) const {

@@ -56,10 +56,11 @@ struct Repeated {
   State next_regime(const State& committed, double deformation, double rate) const requires LawWithRegimes<Law> {
     return law.next_regime(committed, deformation, rate);
   }
-  double quantity(std::size_t index, const State& state, double deformation, double rate) const requires requires {
+  ReportedValue quantity(std::size_t index, const State& state, double deformation, double rate,
+                         double second_rate) const requires requires {
     Law::quantities;
   }
-  { return law.quantity(index, state, deformation, rate); }
+  { return law.quantity(index, state, deformation, rate, second_rate); }
 
  private:
   [[nodiscard]] Response times(Response one) const {

@@ -109,10 +109,12 @@ std::vector<Parameter> parameters_of(const Law& law) {
     return {};
 }
 
-/// Quantities that a law reports besides its force: a temperature, a friction coefficient.
+/// Quantities that a law reports besides its force: a temperature, a friction coefficient. Their rates, per second, are
+/// those within the regime of the state.
 ///
 ///     static constexpr std::array<ReportedQuantity, 1> quantities{{{"lead_temperature", "K"}}};
-///     double quantity(std::size_t index, const State& state, double deformation, double rate) const
+///     ReportedValue quantity(std::size_t index, const State& state, double deformation, double rate,
+///                            double second_rate) const
 template <class Law>
 constexpr std::span<const ReportedQuantity> quantities_of(const Law&) {
   if constexpr (requires { Law::quantities; })

@@ -72,17 +72,10 @@ struct SeriesOfSliders {
     return energy;
   }
   double dissipation_rate(const State& committed, double deformation, double rate) const {
-    const double force = force_at(committed, deformation);
-    double flexibility = 0.0, power = 0.0;
-    for (std::size_t i = 0; i < count; ++i) {
-      const Branch& branch = branches[i];
-      const double u = displacement(branch, committed.slips[i], force), k = tangent(branch, committed.slips[i], u);
-      flexibility += 1.0 / k;
-      const double stretch = u - committed.slips[i];
-      if (elastic_stiffness * std::abs(stretch) >= branch.friction * (1.0 - 1e-12) && stretch * rate > 0.0)
-        power += branch.friction * std::abs(rate) / k;
-    }
-    return power / flexibility;
+    const std::array<double, most> slip_rates = slip_rates_at(committed, deformation, rate);
+    double power = 0.0;
+    for (std::size_t i = 0; i < count; ++i) power += branches[i].friction * std::abs(slip_rates[i]);
+    return power;
   }
   double dissipated_energy(const State& from, const State& to) const {
     double energy = 0.0;
@@ -112,7 +105,9 @@ struct SeriesOfSliders {
       }
     return nearest;
   }
-  double quantity(std::size_t index, const State& state, double, double) const { return state.slips[index]; }
+  ReportedValue quantity(std::size_t index, const State& state, double deformation, double rate, double) const {
+    return {state.slips[index], slip_rates_at(state, deformation, rate)[index]};
+  }
 
  private:
   [[nodiscard]] double friction_of(const Branch& branch, double slip, double u) const {
@@ -123,9 +118,28 @@ struct SeriesOfSliders {
     return branch.stiffness * u + friction_of(branch, slip, u) + std::copysign(stop_stiffness * beyond, u);
   }
   [[nodiscard]] double tangent(const Branch& branch, double slip, double u) const {
-    const bool sticks = elastic_stiffness * std::abs(u - slip) < branch.friction;
+    return tangent(branch, u, elastic_stiffness * std::abs(u - slip) < branch.friction);
+  }
+  [[nodiscard]] double tangent(const Branch& branch, double u, bool sticks) const {
     return branch.stiffness + (sticks ? elastic_stiffness : 0.0) +
            (std::abs(u) > branch.capacity ? stop_stiffness : 0.0);
+  }
+  // At a rate of the deformation, m/s.
+  [[nodiscard]] std::array<double, most> slip_rates_at(const State& state, double deformation, double rate) const {
+    const double force = force_at(state, deformation);
+    std::array<double, most> slip_rates{};
+    double flexibility = 0.0;
+    for (std::size_t i = 0; i < count; ++i) {
+      const Branch& branch = branches[i];
+      const double u = displacement(branch, state.slips[i], force), stretch = u - state.slips[i];
+      const bool slides =
+          elastic_stiffness * std::abs(stretch) >= branch.friction * (1.0 - 1e-12) && stretch * rate > 0.0;
+      const double k = tangent(branch, u, !slides);
+      flexibility += 1.0 / k;
+      if (slides) slip_rates[i] = rate / k;
+    }
+    for (double& slip_rate : slip_rates) slip_rate /= flexibility;
+    return slip_rates;
   }
   static constexpr std::size_t corners_per_branch = 4;
   // The displacements at which a branch changes its stiffness, ascending.

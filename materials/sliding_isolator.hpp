@@ -83,8 +83,12 @@ struct SlidingIsolator {
     return {deformation - force / elastic_stiffness, force, committed.direction != 0 ? 0 : direction};
   }
 
-  double quantity(std::size_t index, const State& state, double, double rate) const {
-    return index == 0 ? coefficient(std::abs(rate)).value : state.slip;
+  ReportedValue quantity(std::size_t index, const State& state, double, double rate, double second_rate) const {
+    const FrictionCoefficient mu = coefficient(std::abs(rate));
+    const double mu_rate = mu.slope * std::copysign(second_rate, rate * second_rate);
+    if (index == 0) return {mu.value, mu_rate};
+    return {state.slip,
+            state.direction == 0 ? 0.0 : rate - state.direction * mu_rate * normal_force / elastic_stiffness};
   }
 
  private:

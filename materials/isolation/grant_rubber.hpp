@@ -168,8 +168,11 @@ struct GrantRubber {
   }
 
   /// The largest deformation so far over fitted_deformation; 0 without.
-  double quantity(std::size_t, const State& state, double, double) const {
-    return fitted_deformation.si() > 0.0 ? state.damage.upper / fitted_deformation.si() : 0.0;
+  ReportedValue quantity(std::size_t, const State& state, double deformation, double rate, double) const {
+    const double fitted = fitted_deformation.si();
+    if (fitted <= 0.0) return {};
+    const bool grows = std::abs(deformation) >= state.damage.upper && deformation * rate > 0.0;
+    return {state.damage.upper / fitted, grows ? std::abs(rate) / fitted : 0.0};
   }
 
   /// A move of |d|: from `start` it falls to `lowest`, then rises to `end`.

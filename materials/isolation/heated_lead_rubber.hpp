@@ -141,10 +141,7 @@ struct HeatedLeadRubber {
   double force_rate(const State& state, double, double rate, double) const {
     const double post_yield = post_yield_stiffness.si();
     if (state.direction == 0) return (post_yield + elastic_stiffness()) * rate;
-    const double limit = strength_at(state.temperature), per_slip = -weakening * limit * limit / heat_capacity();
-    const double slip_rate = state.direction * rate / (1.0 + per_slip / elastic_stiffness());
-    const double warming = limit * slip_rate / heat_capacity() - state.temperature * cooling_rate(state.heating_time);
-    return post_yield * rate - state.direction * weakening * limit * warming;
+    return post_yield * rate - state.direction * weakening * strength_at(state.temperature) * warming(state, rate);
   }
   double stored_energy(const State& committed, double deformation) const {
     const double stretch = deformation - committed.slip;
@@ -175,8 +172,10 @@ struct HeatedLeadRubber {
     next.direction = committed.direction != 0 ? 0 : direction;
     return next;
   }
-  double quantity(std::size_t index, const State& state, double, double) const {
-    return index == 0 ? state.temperature : strength_at(state.temperature);
+  ReportedValue quantity(std::size_t index, const State& state, double, double rate, double) const {
+    const double left = strength_at(state.temperature), temperature_rate = warming(state, rate);
+    if (index == 0) return {state.temperature, temperature_rate};
+    return {left, -weakening * left * temperature_rate};
   }
 
   /// Q(T), N.
@@ -197,6 +196,14 @@ struct HeatedLeadRubber {
 
  private:
   [[nodiscard]] double elastic_stiffness() const { return strength.si() / yield_displacement.si(); }
+  // K/s
+  [[nodiscard]] double warming(const State& state, double rate) const {
+    const double cooling = state.temperature * cooling_rate(state.heating_time);
+    if (state.direction == 0) return -cooling;
+    const double limit = strength_at(state.temperature), per_slip = -weakening * limit * limit / heat_capacity();
+    const double slip_rate = state.direction * rate / (1.0 + per_slip / elastic_stiffness());
+    return limit * slip_rate / heat_capacity() - cooling;
+  }
   [[nodiscard]] double radius() const { return 0.5 * lead_diameter.si(); }
   // A rho c h, J/K.
   [[nodiscard]] double heat_capacity() const {

@@ -68,7 +68,8 @@ struct KikuchiAikenRubber {
 
     friend bool operator==(const State&, const State&) = default;
   };
-  static constexpr std::array<ReportedQuantity, 2> quantities{{{"shear_strain", "1"}, {"fitted_strain_share", "1"}}};
+  static constexpr std::array<ReportedQuantity, 2> quantities{
+      {{.name = "shear_strain", .unit = "1", .of_deformation = true}, {.name = "fitted_strain_share", .unit = "1"}}};
 
   /// A bearing of 0.5 m2 with 20 cm of rubber.
   static KikuchiAikenRubber typical() {
@@ -113,8 +114,12 @@ struct KikuchiAikenRubber {
                                                             : of_rubber().shear_modulus(design_strain);
     return modulus * area.si() / height.si();
   }
-  double quantity(std::size_t index, const State& state, double, double) const {
-    return index == 0 ? state.strain : state.largest / RubberCompound::largest_strain;
+  ReportedValue quantity(std::size_t index, const State& state, double deformation, double rate, double) const {
+    const double strain = deformation / height.si(), strain_rate = rate / height.si();
+    if (index == 0) return {strain, strain_rate};
+    const bool grows = std::abs(strain) >= state.largest && strain * rate > 0.0;
+    return {state.largest / RubberCompound::largest_strain,
+            grows ? std::abs(strain_rate) / RubberCompound::largest_strain : 0.0};
   }
 
   double regime_margin(const State& committed, double deformation, double rate) const {

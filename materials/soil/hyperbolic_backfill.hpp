@@ -132,7 +132,11 @@ struct HyperbolicBackfill {
     }
     return {std::max(deformation, 0.0), deformation > 0.0 ? Regime::elastic : Regime::open};
   }
-  double quantity(std::size_t, const State& state, double, double) const { return gap(state); }
+  ReportedValue quantity(std::size_t, const State& state, double, double rate, double) const {
+    const double flexibility = first() + decline() * state.largest;
+    return {gap(state),
+            state.regime == Regime::virgin ? (1.0 - first() / (flexibility * flexibility) / unloading()) * rate : 0.0};
+  }
 
  private:
   [[nodiscard]] double first() const { return 1.0 / initial_stiffness.si(); }

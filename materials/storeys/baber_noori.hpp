@@ -67,7 +67,8 @@ struct BaberNoori {
 
     friend bool operator==(const State&, const State&) = default;
   };
-  static constexpr std::array<ReportedQuantity, 1> quantities{{{"ductility", "1"}}};
+  static constexpr std::array<ReportedQuantity, 1> quantities{
+      {{.name = "ductility", .unit = "1", .of_deformation = true}}};
 
   static BaberNoori typical() {
     using namespace units;
@@ -134,8 +135,8 @@ struct BaberNoori {
   State next_regime(const State& committed, double deformation, double rate) const {
     return next_on_course(*this, committed, deformation, rate);
   }
-  double quantity(std::size_t, const State&, double deformation, double) const {
-    return std::abs(deformation) / yield_drift.si();
+  ReportedValue quantity(std::size_t, const State&, double deformation, double rate, double) const {
+    return {deformation / yield_drift.si(), rate / yield_drift.si()};
   }
 
  private:

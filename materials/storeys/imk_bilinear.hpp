@@ -81,7 +81,8 @@ struct ImkBilinear {
 
     friend bool operator==(const State&, const State&) = default;
   };
-  static constexpr std::array<ReportedQuantity, 1> quantities{{{"ductility", "1"}}};
+  static constexpr std::array<ReportedQuantity, 1> quantities{
+      {{.name = "ductility", .unit = "1", .of_deformation = true}}};
   static constexpr double time_of_rate = 1.0, threshold = 1e-10;  ///< s, m
 
   /// A storey with a yield drift of 1 cm that loses its strength at 16 cm.
@@ -196,8 +197,8 @@ struct ImkBilinear {
     next.force = respond_on(next, deformation).force;
     return next;
   }
-  double quantity(std::size_t, const State&, double deformation, double) const {
-    return std::abs(deformation) / yield_drift();
+  ReportedValue quantity(std::size_t, const State&, double deformation, double rate, double) const {
+    return {deformation / yield_drift(), rate / yield_drift()};
   }
 
  private:

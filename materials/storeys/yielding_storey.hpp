@@ -20,7 +20,7 @@ namespace moat {
 ///
 ///     F = k d up to F_y, then with hardening_ratio k;    unloading with k over a range of 2 d_y,    d_y = F_y/k
 ///
-/// Reports `ductility`, |d|/d_y, and `residual_drift` [m], the drift that would stay without shear.
+/// Reports `ductility`, d/d_y, and `residual_drift` [m], the drift that would stay without shear.
 struct YieldingStorey {
   static constexpr std::string_view name = "YieldingStorey";
   static constexpr std::string_view formula = "k to F_y, then hardening_ratio k; corners located";
@@ -34,7 +34,8 @@ struct YieldingStorey {
 
   using State = LocatedBilinear::State;
   static constexpr bool linear_within_regimes = true;
-  static constexpr std::array<ReportedQuantity, 2> quantities{{{"ductility", "1"}, {"residual_drift", "m"}}};
+  static constexpr std::array<ReportedQuantity, 2> quantities{
+      {{.name = "ductility", .unit = "1", .of_deformation = true}, {.name = "residual_drift", .unit = "m"}}};
 
   /// A concrete frame of 500 t floors, with a yield drift of 0.6 cm.
   static YieldingStorey typical() {
@@ -71,10 +72,11 @@ struct YieldingStorey {
   State next_regime(const State& committed, double deformation, double rate) const {
     return law().next_regime(committed, deformation, rate);
   }
-  double quantity(std::size_t index, const State& state, double deformation, double) const {
+  ReportedValue quantity(std::size_t index, const State& state, double deformation, double rate, double) const {
     const double yield_drift = yield_force.si() / stiffness.si();
+    if (index == 0) return {deformation / yield_drift, rate / yield_drift};
     // Without force k2 d + (k1 - k2)(d - s) = 0.
-    return index == 0 ? std::abs(deformation) / yield_drift : (1.0 - hardening_ratio) * state.slip;
+    return {(1.0 - hardening_ratio) * state.slip, state.direction == 0 ? 0.0 : (1.0 - hardening_ratio) * rate};
   }
 
  private:

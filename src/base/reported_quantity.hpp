@@ -9,6 +9,14 @@ namespace moat {
 struct ReportedQuantity {
   std::string_view name;  ///< "friction_coefficient"; files write it as it is, the report with blanks
   std::string_view unit;  ///< SI; "1" without dimension
+  /// Proportional to the deformation, whose motion it follows inside steps: a shear strain.
+  bool of_deformation = false;
+};
+
+/// Such a quantity at an instant.
+struct ReportedValue {
+  double value = 0.0;  ///< in its unit
+  double rate = 0.0;   ///< per second
 };
 
 }  // namespace moat

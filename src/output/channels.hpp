@@ -12,8 +12,7 @@ namespace moat {
 
 /// All channels of a model: displacement, velocity and absolute acceleration of every node; deformation and
 /// force of every element that reports them, and the quantities of its law; the total base shear of every building. In
-/// plan a diaphragm has these in x, in y and in rotation, and the channels of PlanChannels besides. A quantity of a law
-/// has no rate: between steps it is read as a smooth curve with flat ends.
+/// plan a diaphragm has these in x, in y and in rotation, and the channels of PlanChannels besides.
 ///
 /// Displacement and velocity are relative to the ground, accelerations absolute.
 class Channels {
@@ -41,7 +40,9 @@ class Channels {
   /// The channels that are relative to the ground, ascending.
   [[nodiscard]] const std::vector<std::size_t>& relative_to_ground() const { return relative_to_ground_; }
   /// Whether a channel is.
-  [[nodiscard]] bool contains_ground(std::size_t channel) const { return of_ground_[channel] != OfGround::nothing; }
+  [[nodiscard]] bool contains_ground(std::size_t channel) const {
+    return of_ground_[channel].displacement != 0.0 || of_ground_[channel].velocity != 0.0;
+  }
 
   /// The channels whose rates jump where an element changes its regime: accelerations of its nodes, base shears.
   [[nodiscard]] std::vector<std::size_t> bent_by(const Model& model, const RegimeChange& change) const;
@@ -76,9 +77,11 @@ class Channels {
   std::vector<BlockChannels> blocks_;
   std::vector<LawChannel> of_laws_;  // ascending
   // How each channel contains the motion of the ground: minus its displacement, for example, for a node's displacement.
-  enum class OfGround { nothing, displacement, minus_displacement, minus_velocity };
+  struct OfGround {
+    double displacement = 0.0, velocity = 0.0;  // factors, in units of the channel per m and per m/s
+  };
   std::vector<OfGround> of_ground_;
-  std::vector<std::size_t> relative_to_ground_;  // the channels of which it is not `nothing`
+  std::vector<std::size_t> relative_to_ground_;  // the channels of which it is not nothing
   PlanChannels plan_;                            // behind all others; on a line without channels
   // Rotations, by the channel of w: 1/gyration.
   struct Rotation {

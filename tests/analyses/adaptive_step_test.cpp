@@ -5,8 +5,11 @@
 #include <gtest/gtest.h>
 
 #include <memory>
+#include <numbers>
 
 #include "analyses/case_run.hpp"
+#include "analysis_testing.hpp"
+#include "elements/shear_spring.hpp"
 #include "law_cases.hpp"
 #include "paper_building.hpp"
 #include "reference_rows.hpp"
@@ -81,6 +84,20 @@ TEST_P(AdaptiveStep, ATighterToleranceReducesErrorAndEnergyError) {
 INSTANTIATE_TEST_SUITE_P(Records, AdaptiveStep,
                          ::testing::Values("RSN1161_KOCAELI_GBZ000", "RSN982_NORTHR_JEN022", "RSN803_LOMAP_WVC270"),
                          [](const auto& record) { return std::string{record.param}; });
+
+// No balance shows an error of the period, which adds up from cycle to cycle.
+TEST(AdaptiveStepWithoutRecords, KeepsThePhaseOfAThousandCycles) {
+  constexpr double w = 2.0 * std::numbers::pi, speed = 1.0;  // 1/s, m/s
+  for (const Integrator& integrator : {Integrator{Newmark{}}, Integrator{ExactBetweenEvents{}}}) {
+    Model model;
+    const NodeId body = add(model, Node{.name = "body", .mass = 1 * kg, .initial_velocity = speed * m / s});
+    add(model, ShearSpring{.name = "spring", .lower = ground, .upper = body, .stiffness = w * w * N / m});
+    Transient analysis{model, still_ground(1000 * s, 100 * ms), {.integrator = integrator}};
+    analysis.run();
+    const double cycles = std::atan2(w * model.state().displacement[0], model.state().velocity[0]) / w;
+    EXPECT_NEAR(cycles, 0.0, 1e-3);
+  }
+}
 
 TEST(AdaptiveStepWithoutRecords, StepsEndOnTheSamplesOfTheMotion) {
   Model model;

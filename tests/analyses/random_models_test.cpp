@@ -26,8 +26,9 @@ constexpr double settled = 1e-6;
 // for 99 of a hundred; of half of the models by default.
 constexpr double bound_with_default_settings = 1e-3, bound_of_exact_steps = 5e-4;
 constexpr double median_bound_with_default_settings = 2e-4;
-// Tight settings have no promise; errors are those of location and of the corners of bearings that are not located.
-constexpr double bound_with_tight_settings = 1e-5;
+// Tight settings have no promise. Where all corners are located, errors are those of location; the others are those of
+// the corners of bearings that are not.
+constexpr double bound_with_tight_settings = 1e-6, bound_with_corners = 1e-4;
 
 // Steps are at most as long as the interval of the histories: 0 s is that of the samples.
 CaseResult run(const PlainModel& plain, TransientOptions options, LocateYield locate = LocateYield::as_drawn,
@@ -56,9 +57,12 @@ TEST(RandomModels, PeaksAndImpactsAreThoseOfTheReference) {
     const PlainModel plain = random_model(seed);
     const CheckedReference reference = checked_reference(plain);
     ASSERT_TRUE(reference.settled(settled)) << reference.largest_change;
-    const CaseResult tight = run(plain, {.tolerance = 1e-7, .steps_per_contact = 512});
-    EXPECT_EQ(tight.impacts.size(), reference.result.touches.size());
-    EXPECT_LT(worst_error(tight, reference.result), bound_with_tight_settings);
+    for (const LocateYield locate : {LocateYield::always, LocateYield::as_drawn}) {
+      const CaseResult tight = run(plain, {.tolerance = 1e-7, .steps_per_contact = 512}, locate);
+      EXPECT_EQ(tight.impacts.size(), reference.result.touches.size());
+      EXPECT_LT(worst_error(tight, reference.result),
+                locate == LocateYield::always ? bound_with_tight_settings : bound_with_corners);
+    }
     default_errors.push_back(worst_error(run(plain, {}), reference.result));
     EXPECT_LT(default_errors.back(), bound_with_default_settings);
     constexpr Time over_samples = 40 * units::ms;

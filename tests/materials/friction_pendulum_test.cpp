@@ -49,8 +49,8 @@ TEST(FrictionPendulum, HasTheLoopOfFriction) {
 
 TEST(FrictionPendulum, ReportsFrictionAndSlip) {
   const SlidingIsolator law = FrictionPendulum::typical().carrying(1 * MN);
-  EXPECT_NEAR(law.quantity(0, {}, 0.0, 0.01), 0.06 - 0.03 * std::exp(-0.5), 1e-15);
-  EXPECT_EQ(law.quantity(1, {.slip = 0.07}, 0.0, 0.0), 0.07);
+  EXPECT_NEAR(law.quantity(0, {}, 0.0, 0.01, 0.0).value, 0.06 - 0.03 * std::exp(-0.5), 1e-15);
+  EXPECT_EQ(law.quantity(1, {.slip = 0.07}, 0.0, 0.0, 0.0).value, 0.07);
 }
 
 TEST(FrictionPendulum, RefusesParametersOutsideTheirRange) {

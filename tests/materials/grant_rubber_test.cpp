@@ -21,6 +21,12 @@ TEST(GrantRubber, PassesTheBattery) {
   expect_independence_of_pieces(specimen, trial);
 }
 
+TEST(GrantRubber, KnowsTheRateOfItsFittedShare) {
+  GrantRubber fitted = specimen;
+  fitted.fitted_deformation = 5 * cm;
+  expect_rates_of_quantities(fitted, {.deformation = 0.1});
+}
+
 TEST(GrantRubber, BalancesItsEnergyAlongShortMoves) {
   LawPath<GrantRubber> path{specimen};
   double from = 0.0;

@@ -40,7 +40,7 @@ TEST(HyperbolicBackfill, LeavesAGapAndItsHeat) {
   EXPECT_NEAR(path.stored(), 2.510167e3, 1e-2);
   path.move(0.0, 1.0);
   EXPECT_NEAR(path.dissipated(), 8.417022e3, 1e-2);
-  EXPECT_NEAR(per_metre.quantity(0, path.state(), 0.0, 0.0), 34.274e-3, 1e-6);
+  EXPECT_NEAR(per_metre.quantity(0, path.state(), 0.0, 0.0, 0.0).value, 34.274e-3, 1e-6);
   EXPECT_EQ(path.force(), 0.0);
   path.move(0.034, 1.0);
   EXPECT_EQ(path.force(), 0.0);

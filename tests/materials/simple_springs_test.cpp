@@ -79,8 +79,8 @@ TEST(YieldingStorey, ReportsDuctilityAndResidualDrift) {
   path.move(0.03, 1.0);
   EXPECT_NEAR(path.force(), 6e6 + 0.05e9 * 0.024, 1e-3);
   const YieldingStorey law = YieldingStorey::typical();
-  EXPECT_NEAR(law.quantity(0, path.state(), 0.03, 0.0), 5.0, 1e-12);
-  const double residual = law.quantity(1, path.state(), 0.03, 0.0);
+  EXPECT_NEAR(law.quantity(0, path.state(), 0.03, 0.0, 0.0).value, 5.0, 1e-12);
+  const double residual = law.quantity(1, path.state(), 0.03, 0.0, 0.0).value;
   path.move(residual, 1.0);
   EXPECT_NEAR(path.force(), 0.0, 1e-3);
 }

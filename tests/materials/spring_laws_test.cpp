@@ -25,6 +25,16 @@ TEST(EverySpringLaw, HasExactTangentsAndIsPure) {
   });
 }
 
+TEST(EverySpringLaw, KnowsTheRatesOfWhatItReports) {
+  AllSpringLaws::for_each([]<class Law>() {
+    SCOPED_TRACE(Law::name);
+    for_random_laws<Law>(6, [](const auto& law) {
+      expect_rates_of_quantities(
+          law, {.deformation = natural_deformation(law), .rate = 0.3, .one_speed = WeightBearing<Law>, .moves = 60});
+    });
+  });
+}
+
 template <class Law>
 constexpr bool may_give_back = std::is_same_v<Law, GrantRubber> || std::is_same_v<Law, KikuchiAikenRubber> ||
                                std::is_same_v<Law, BaberNoori> || std::is_same_v<Law, ImkBilinear>;

@@ -5,8 +5,10 @@
 #include "elements/gap.hpp"
 #include "elements/lead_rubber_bearing.hpp"
 #include "elements/shear_spring.hpp"
+#include "elements/storey.hpp"
 #include "elements/viscous_damper.hpp"
 #include "materials/impact_laws.hpp"
+#include "materials/storeys/yielding_storey.hpp"
 #include "structures/moat.hpp"
 
 namespace moat::testing {
@@ -107,7 +109,17 @@ Model moat_model(const PlainModel& plain, LocateYield locate) {
                              .lower = node_id(dashpot.lower),
                              .upper = node_id(dashpot.upper),
                              .damping = dashpot.damping * (N * s / units::m)});
-  for (const PlainBearing& bearing : plain.bearings)
+  for (const PlainBearing& bearing : plain.bearings) {
+    if (bearing.kind == PlainBearing::Kind::storey) {
+      const double stiffness = bearing.yield_force / bearing.yield_displacement;
+      add(model, Storey<YieldingStorey>{.name = bearing.name,
+                                        .lower = node_id(bearing.lower),
+                                        .upper = node_id(bearing.upper),
+                                        .law = {.stiffness = stiffness * (N / units::m),
+                                                .yield_force = bearing.yield_force * N,
+                                                .hardening_ratio = bearing.post_yield_stiffness / stiffness}});
+      continue;
+    }
     add(model, LeadRubberBearing{.name = bearing.name,
                                  .lower = node_id(bearing.lower),
                                  .upper = node_id(bearing.upper),
@@ -115,6 +127,7 @@ Model moat_model(const PlainModel& plain, LocateYield locate) {
                                  .yield_displacement = bearing.yield_displacement * units::m,
                                  .post_yield_stiffness = bearing.post_yield_stiffness * (N / units::m),
                                  .locate_yield = bearing.located || locate == LocateYield::always});
+  }
   for (const PlainGap& gap : plain.gaps)
     with_law(gap.law, [&](const auto& law) {
       using Law = std::remove_cvref_t<decltype(law)>;

@@ -38,12 +38,17 @@ struct PlainDashpot {
 
 /// Bilinear hysteresis with kinematic hardening.
 struct PlainBearing {
+  enum class Kind {
+    isolator,  ///< reports isolator_deformation and isolator_force
+    storey,    ///< that yields: reports drift, storey_shear, ductility and residual_drift
+  };
   std::string name;
   int lower = plain_ground, upper = plain_ground;
   double yield_force = 0.0;           ///< N
   double yield_displacement = 0.0;    ///< m
   double post_yield_stiffness = 0.0;  ///< N/m
-  bool located = false;               ///< whether moat locates yield and unloading
+  bool located = false;               ///< whether moat locates yield and unloading; it does in storeys
+  Kind kind = Kind::isolator;
 };
 
 /// The impact laws of the reference. tests/materials/reference_laws_test.cpp fails for a law of AllImpactLaws that has

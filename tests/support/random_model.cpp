@@ -74,6 +74,15 @@ class Drawing {
       add_dashpot(name + " damping", lower, upper, 2.0 * draws_.uniform(0.005, 0.1) * carried_mass * frequency);
   }
 
+  // A storey that yields, with the stiffness of an elastic one.
+  void add_yielding_storey(const std::string& name, int lower, int upper, double stiffness, double carried_mass) {
+    PlainBearing storey{.name = name, .lower = lower, .upper = upper, .kind = PlainBearing::Kind::storey};
+    storey.yield_force = rounded(draws_.decades(0.05, 0.5) * carried_mass * gravity);
+    storey.yield_displacement = rounded(storey.yield_force / stiffness);
+    storey.post_yield_stiffness = rounded(draws_.uniform(0.0, 0.1) * storey.yield_force / storey.yield_displacement);
+    model_.bearings.push_back(storey);
+  }
+
   void add_building(const std::string& name) {
     Building building{.name = name, .nodes = {}, .isolated = draws_.chance(0.65)};
     const int count = draws_.integer(1, 9);
@@ -91,6 +100,7 @@ class Drawing {
     const double ratio = draws_.decades(0.005, 0.1);
     const double first = 2.0 * root * std::sin(angle), second = 2.0 * root * std::sin(3.0 * angle);
     const int soft = storeys > 2 && draws_.chance(0.1) ? draws_.integer(1, storeys - 1) : -1;
+    const bool yields = draws_.chance(building.isolated ? 0.1 : 0.4);
     if (building.isolated) add_bearing(name + " bearings", plain_ground, building.nodes[0], mass_above(building, 0));
     const int bottom = building.isolated ? building.nodes[0] : plain_ground;
     for (int storey = 0; storey < storeys; ++storey) {
@@ -102,7 +112,10 @@ class Drawing {
         add_bearing(of + " bearings", lower, upper, mass_above(building, n));
         continue;
       }
-      add_spring(of, lower, upper, stiffness);
+      if (yields)
+        add_yielding_storey(of, lower, upper, stiffness, mass_above(building, n));
+      else
+        add_spring(of, lower, upper, stiffness);
       const bool single = storeys == 1;
       add_dashpot(of + " damping", lower, upper, 2.0 * ratio / (single ? first : first + second) * stiffness);
       if (!single)

@@ -43,7 +43,13 @@ ReferenceSystem::ReferenceSystem(const PlainModel& model) {
     link.sliding_stiffness = bearing.yield_force / bearing.yield_displacement - bearing.post_yield_stiffness;
     link.limit = bearing.yield_displacement;
     links_.push_back(link);
-    report("isolator_deformation", "isolator_force", bearing.name);
+    if (bearing.kind == PlainBearing::Kind::isolator) {
+      report("isolator_deformation", "isolator_force", bearing.name);
+    } else {
+      links_.back().reports_yielding = true;
+      report("drift", "storey_shear", bearing.name);
+      report("ductility", "residual_drift", bearing.name);
+    }
   }
   for (const PlainGap& gap : model.gaps) {
     Link link;
@@ -206,6 +212,13 @@ void ReferenceSystem::channels(const ReferenceState& state, double ground,
     const bool shown = link.kind != Kind::gap || link.phase != Phase::open;
     channels[next++] = shown ? ReferenceChannel{d, rate} : ReferenceChannel{};
     channels[next++] = {response.force, force_rate};
+    if (!link.reports_yielding) continue;
+    channels[next++] = {d / link.limit, rate / link.limit};
+    // Where the force is zero on a line with the initial stiffness.
+    const double of_slip = link.sliding_stiffness / (link.stiffness + link.sliding_stiffness);
+    const bool slides = link.direction != 0;
+    channels[next++] = {of_slip * (slides ? d - link.direction * link.limit : link.slip),
+                        slides ? of_slip * rate : 0.0};
   }
 }
 

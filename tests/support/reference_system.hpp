@@ -77,7 +77,7 @@ class ReferenceSystem {
     Phase phase = Phase::open;
     bool approaching = false;
     std::size_t gap = 0;
-    bool reports = true;
+    bool reports = true, reports_yielding = false;
   };
 
   static constexpr int margins_per_link = 2;

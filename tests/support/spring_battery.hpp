@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <boost/math/quadrature/gauss_kronrod.hpp>
 #include <cmath>
@@ -243,6 +244,56 @@ void expect_tangents(const Law& law, const SpringTrial& trial) {
     }
   }
   EXPECT_LT(beside_corners, tried / 5);
+}
+
+/// The rates of the quantities that a law reports, against their differences over two short steps with an acceleration,
+/// behind random moves. Places beside a corner, where the rates of both steps differ, are left out; they must be few.
+template <ForceLaw Law>
+void expect_rates_of_quantities(const Law& law, const SpringTrial& trial) {
+  const std::size_t count = quantities_of(law).size();
+  if constexpr (requires(const typename Law::State& state) { law.quantity(0, state, 0.0, 0.0, 0.0); }) {
+    LawPath<Law> path{law, 0};
+    RandomMoves moves{trial};
+    std::vector<double> largest(count, 0.0);  // rates
+    int tried = 0, beside_corners = 0;
+    for (int i = 0; i < trial.moves; ++i) {
+      path.move(moves.target(path.deformation()), moves.speed());
+      const double v = path.rate(), time = trial.deformation / trial.rate, h = 1e-5 * time, a = 0.3 * v / time;
+      const auto deformation = [&](double t) { return path.deformation() + t * (v + 0.5 * t * a); };
+      const auto rate = [&](double t) { return v + t * a; };
+      std::array<typename Law::State, 3> states{path.state()};
+      bool stays = true;
+      for (std::size_t step = 1; step <= 2; ++step) {
+        const double before = (static_cast<double>(step) - 1.0) * h, t = static_cast<double>(step) * h;
+        static_cast<void>(respond(law, states[step - 1], deformation(t), rate(t),
+                                  {h, deformation(before), rate(before)}, states[step]));
+        if constexpr (LawWithRegimes<Law>) stays &= law.regime_margin(states[step - 1], deformation(t), rate(t)) > 0.0;
+      }
+      if (!stays) continue;
+      for (std::size_t q = 0; q < count; ++q) {
+        const auto at = [&](std::size_t step) {
+          const double t = static_cast<double>(step) * h;
+          return law.quantity(q, states[step], deformation(t), rate(t), a);
+        };
+        const ReportedValue start = at(0), middle = at(1), end = at(2);
+        largest[q] = std::max(largest[q], std::abs(middle.rate));
+        ++tried;
+        // A slip is a difference of deformations.
+        const double terms = quantities_of(law)[q].unit == "m" ? trial.deformation : std::abs(middle.value);
+        const double round_off = 1e-14 * terms;
+        if (std::abs(end.value - 2.0 * middle.value + start.value) > 1e-3 * h * largest[q] + round_off) {
+          ++beside_corners;
+          continue;
+        }
+        EXPECT_NEAR((end.value - start.value) / (2.0 * h), middle.rate, 2e-3 * largest[q] + round_off / h)
+            << quantities_of(law)[q].name << " at d = " << deformation(h) << " m, d' = " << v << " m/s, move " << i;
+      }
+      if (::testing::Test::HasFailure()) return;
+    }
+    EXPECT_LT(beside_corners, tried / 5);
+  } else {
+    EXPECT_EQ(count, 0U);
+  }
 }
 
 /// The same arguments give the same bits for every former content of the trial state.
