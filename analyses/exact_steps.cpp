@@ -98,10 +98,10 @@ void ExactSteps::linearise() {
 double ExactSteps::next_length() {
   if (!linearised_) linearise();
   const double piece = systems_[current_].step();
-  const double longest = control_->longest_exact_step();
-  wanted_ = std::clamp(wanted_, piece,
-                       std::max(piece, std::min(longest, static_cast<double>(LinearPath::most_pieces) * piece)));
-  return wanted_;
+  wanted_ = std::max(wanted_, piece);
+  // Shorter for a while after a change of regime, which is no reason to want less.
+  const double longest = std::min(control_->longest_exact_step(), static_cast<double>(LinearPath::most_pieces) * piece);
+  return std::min(wanted_, std::max(piece, longest));
 }
 
 void ExactSteps::begin(const StepTask& step) {

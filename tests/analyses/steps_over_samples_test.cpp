@@ -368,6 +368,36 @@ TEST(ExactStepsOverSamples, AreSeldomRepeatedForChanges) {
   EXPECT_LT(run.solver.repeated_steps, static_cast<long>(run.impacts));
 }
 
+// Behind a change they double from step to step until they are as long as before.
+TEST(ExactStepsOverSamples, AreSoonAsLongAsBeforeAChange) {
+  constexpr double sample = 5e-3, longest = 40e-3;  // s
+  std::vector<double> samples;
+  for (int i = 0; i <= 4000; ++i) samples.push_back(2.0 * std::sin(2.0 * i * sample));
+  Model model;
+  const NodeId body = add(model, Node{.name = "body", .mass = 1e5 * kg});
+  add(model,
+      LeadRubberBearing{
+          .upper = body, .yield_force = 40 * kN, .yield_displacement = 1 * cm, .post_yield_stiffness = 0.4 * MN / m});
+  Transient analysis{model,
+                     GroundMotion{"slow", sample, samples},
+                     {.integrator = ExactBetweenEvents{}, .tolerance = 3e-4, .largest_step = longest * s}};
+  int changes = 0, steps = 0, most = 0;
+  double last = 0.0;
+  testing::Watch watch{[&](const StepView& view) {
+    const double now = view.model.state().time, length = now - last;
+    last = now;
+    if (watch.events > changes) steps = 0;
+    changes = watch.events;
+    if (length > 0.99 * longest) steps = std::numeric_limits<int>::min();
+    if (changes > 0 && length > 0.0) most = std::max(most, ++steps);
+  }};
+  analysis.attach(watch);
+  analysis.run();
+  EXPECT_GT(changes, 10);
+  // To the next sample, then to multiples of two, four and eight samples.
+  EXPECT_LE(most, 5);
+}
+
 TEST(ExactStepsOverSamples, BalanceTheirEnergy) {
   for (const double clearance : {0.0, 0.04}) {
     Model model = tower(clearance);
