@@ -43,7 +43,7 @@ ChartHeading lay_out_heading(const Chart& chart, double plot_width) {
   double left = beside_title ? plot_width - total : 0.0;
   int row = beside_title ? 0 : 1;
   for (std::size_t i = 0; i < heading.entries.size(); ++i) {
-    if (left > 0.0 && left + widths[i] - between > plot_width) {
+    if (!beside_title && left > 0.0 && left + widths[i] - between > plot_width) {
       left = 0.0;
       ++row;
     }
