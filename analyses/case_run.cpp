@@ -225,8 +225,8 @@ CaseResult CaseRun::result() const {
       .warnings = transient_.warnings(),
       .assumptions = transient_.assumptions()};
   for (const auto& warnings :
-       {motion_warnings(motion), model_warnings(transient_.model()), strain_warnings(result.peaks),
-        plan_warnings(transient_.model(), result.peaks, result.impacts),
+       {motion_warnings(motion), model_warnings(transient_.model()), collapse_warnings(result.peaks),
+        strain_warnings(result.peaks), plan_warnings(transient_.model(), result.peaks, result.impacts),
         energy_warnings(result.energy, options_.warn_above_energy_error, options_.transient)})
     result.warnings.insert(result.warnings.end(), warnings.begin(), warnings.end());
   if (!failure_of_bodies_.empty())

@@ -4,8 +4,10 @@
 #include <cmath>
 #include <iterator>
 
+#include "analyses/collapse_guard.hpp"
 #include "base/check.hpp"
 #include "base/units.hpp"
+#include "output/engineering_unit.hpp"
 #include "output/gaps_of.hpp"
 
 namespace moat {
@@ -138,6 +140,18 @@ std::vector<std::string> strain_warnings(const std::vector<Peak>& peaks) {
                          " times the largest for which its parameters were fitted. Take a bearing with more rubber, or "
                          "parameters from tests to this strain.");
   return warnings;
+}
+
+std::vector<std::string> collapse_warnings(const std::vector<Peak>& peaks) {
+  constexpr double no_building_stands = 3.0;  // m
+  Peak largest;
+  for (const Peak& peak : peaks)
+    if ((peak.quantity == "drift" || peak.quantity == "isolator_deformation") && peak.magnitude() > largest.magnitude())
+      largest = peak;
+  if (largest.magnitude() <= no_building_stands || largest.magnitude() > CollapseGuard::largest_deformation) return {};
+  return {"The model collapsed: the " + in_words(largest.quantity) + " of \"" + largest.where + "\" reached " +
+          to_text(largest.magnitude()) + " m, and no building stands " + to_text(no_building_stands) +
+          " m. Check p_delta, softening laws and units."};
 }
 
 std::vector<std::string> energy_warnings(const EnergyBalance& energy, double bound, const TransientOptions& options) {

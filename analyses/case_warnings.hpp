@@ -21,6 +21,10 @@ std::vector<std::string> model_warnings(const Model& model);
 std::vector<std::string> plan_warnings(const Model& model, const std::vector<Peak>& peaks,
                                        const std::vector<Impact>& impacts);
 
+/// A storey or an isolator that was deformed by more than 3 m, although not so far that the analysis ended
+/// (analyses/collapse_guard.hpp).
+std::vector<std::string> collapse_warnings(const std::vector<Peak>& peaks);
+
 /// High-damping rubber beyond the strain for which its parameters were fitted: a `fitted_strain_share` above 1.
 std::vector<std::string> strain_warnings(const std::vector<Peak>& peaks);
 

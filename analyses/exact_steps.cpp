@@ -14,6 +14,10 @@ namespace {
 // memory.
 constexpr std::size_t most_systems = 256;
 
+// The phase of a vibration over which the cubic through its ends meets it to this share of its amplitude: the error is
+// phase^4/384.
+double largest_phase(double share) { return std::min(0.5, std::pow(384.0 * share, 0.25)); }
+
 // The cubics of a node over a step, through values and rates at its ends.
 class NodeCubics {
  public:
@@ -88,7 +92,8 @@ void ExactSteps::linearise() {
   if (known == systems_.end()) {
     if (systems_.size() == most_systems) systems_.clear();
     current_ = systems_.size();
-    systems_.emplace_back(stiffness_, damping_, masses, control_->grid_interval());
+    systems_.emplace_back(stiffness_, damping_, masses, control_->grid_interval(),
+                          largest_phase(cubics_within * control_->tolerance()));
   }
   offset_ = -model_->internal_forces().head(masses.size()).cwiseQuotient(masses);
   systems_[current_].set_offset(offset_);
@@ -141,7 +146,7 @@ bool ExactSteps::accepts(const StepTask& step, std::span<const RegimeChange>) {
 // Whether the cubics through both ends of the step meet the exact motion inside.
 bool ExactSteps::interpolates(const StepTask& step) const {
   const std::size_t pieces = path_.pieces();
-  if (pieces == 1) return true;
+  if (pieces == 1) return true;  // largest_phase()
   const Vector& scales = control_->acceleration_scales();
   const double h = step.length, allowed = cubics_within * control_->tolerance();
   for (Eigen::Index i = 0; i < model_->degrees_of_freedom(); ++i) {

@@ -65,7 +65,7 @@ Eigen::Index LinearSystem::result_size(Eigen::Index degrees_of_freedom) {
 }
 
 LinearSystem::LinearSystem(const SparseMatrix& stiffness, const SparseMatrix& damping, const Vector& masses,
-                           double longest_step)
+                           double longest_step, double largest_phase)
     : stiffness_values_{stiffness.values}, damping_values_{damping.values}, step_{longest_step} {
   const Vector inverse_mass = masses.cwiseInverse();
   stiffness_ = inverse_mass.asDiagonal() * Matrix{stiffness.view()};
@@ -75,15 +75,14 @@ LinearSystem::LinearSystem(const SparseMatrix& stiffness, const SparseMatrix& da
   constexpr double longest_against_fastest = 0.5;
   // The bound costs much less than the eigenvalues, and is often enough.
   const double bound = bound_of_eigenvalues(stiffness_, damping_),
-               fastest =
-                   bound * longest_step <= longest_against_fastest ? bound : fastest_eigenvalue(stiffness_, damping_);
+               fastest = bound * longest_step <= largest_phase ? bound : fastest_eigenvalue(stiffness_, damping_);
   Check{"TransientOptions", ""}.that(
       fastest * std::ldexp(longest_step, -most_halvings) <= longest_against_fastest,
       "integrator = ExactBetweenEvents{} would need more than " + std::to_string(1 << most_halvings) +
           " steps from one sample of the motion to the next: the fastest eigenvalue of the model is " +
           to_text(fastest) + " 1/s.",
       "Look for a very stiff spring or damper at a small mass, or use Newmark{}.");
-  while (step_ * fastest > longest_against_fastest) step_ *= 0.5;
+  while (step_ * fastest > largest_phase) step_ *= 0.5;
   make_transition();
 }
 

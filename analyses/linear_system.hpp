@@ -28,8 +28,10 @@ struct LinearStart {
 class LinearSystem {
  public:
   /// Tangents of a model, with its masses in kg. The step is the longest, in s, halved until the fastest eigenvalue
-  /// times the step is at most 1/2. Throws InputError where that needs more than 12 halvings.
-  LinearSystem(const SparseMatrix& stiffness, const SparseMatrix& damping, const Vector& masses, double longest_step);
+  /// times the step is at most the largest phase, 0 < phase <= 1/2. Throws InputError where 1/2 needs more than 12
+  /// halvings.
+  LinearSystem(const SparseMatrix& stiffness, const SparseMatrix& damping, const Vector& masses, double longest_step,
+               double largest_phase = 0.5);
 
   /// Whether it was made of these tangents.
   [[nodiscard]] bool is_of(const SparseMatrix& stiffness, const SparseMatrix& damping) const {

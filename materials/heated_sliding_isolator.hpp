@@ -65,7 +65,7 @@ struct HeatedSlidingIsolator {
     return committed.direction * rate > 0.0 ? limit(committed, std::abs(rate)) * std::abs(rate) : 0.0;
   }
   double dissipated_energy(const State& from, const State& to) const {
-    return 0.5 * std::abs(from.friction_force + to.friction_force) * std::abs(to.slip - from.slip);
+    return 0.5 * (from.friction_force + to.friction_force) * (to.slip - from.slip);
   }
   double linear_stiffness(StiffnessStage stage) const {
     return restoring_stiffness + (stage == StiffnessStage::initial ? elastic_stiffness : 0.0);
@@ -87,8 +87,11 @@ struct HeatedSlidingIsolator {
   }
   ReportedValue quantity(std::size_t index, const State& state, double deformation, double rate,
                          double second_rate) const {
-    const Rates rates = rates_of(state, deformation, std::abs(rate), std::copysign(second_rate, rate * second_rate));
-    if (index == 0) return {limit(state, std::abs(rate)) / normal_force, rates.coefficient};
+    // The rate at the end of a slide may have the other sign by round-off.
+    const int direction = state.direction != 0 ? state.direction : rate < 0.0 ? -1 : 1;
+    const double speed = std::max(direction * rate, 0.0);
+    const Rates rates = rates_of(state, deformation, speed, direction * second_rate);
+    if (index == 0) return {limit(state, speed) / normal_force, rates.coefficient};
     if (index == 2) return {friction.initial_temperature + state.rise, rates.rise};
     return {state.slip,
             state.direction == 0 ? 0.0 : rate - state.direction * rates.coefficient * normal_force / elastic_stiffness};

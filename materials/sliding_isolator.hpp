@@ -65,9 +65,10 @@ struct SlidingIsolator {
     if (committed.direction * rate <= 0.0) return 0.0;
     return coefficient(std::abs(rate)).value * normal_force * std::abs(rate);
   }
-  /// Exact for friction that does not depend on speed, of second order else: mean |q| times the change of slip.
+  /// Exact for friction that does not depend on speed, of second order else: mean q times the change of slip. The slip
+  /// runs back where the friction grows faster than k_0 times the move; that much energy is stored.
   double dissipated_energy(const State& from, const State& to) const {
-    return 0.5 * std::abs(from.friction_force + to.friction_force) * std::abs(to.slip - from.slip);
+    return 0.5 * (from.friction_force + to.friction_force) * (to.slip - from.slip);
   }
   double linear_stiffness(StiffnessStage stage) const {
     return restoring_stiffness + (stage == StiffnessStage::initial ? elastic_stiffness : 0.0);
@@ -84,8 +85,10 @@ struct SlidingIsolator {
   }
 
   ReportedValue quantity(std::size_t index, const State& state, double, double rate, double second_rate) const {
-    const FrictionCoefficient mu = coefficient(std::abs(rate));
-    const double mu_rate = mu.slope * std::copysign(second_rate, rate * second_rate);
+    // The rate at the end of a slide may have the other sign by round-off.
+    const int direction = state.direction != 0 ? state.direction : rate < 0.0 ? -1 : 1;
+    const FrictionCoefficient mu = coefficient(direction * rate);
+    const double mu_rate = mu.slope * direction * second_rate;
     if (index == 0) return {mu.value, mu_rate};
     return {state.slip,
             state.direction == 0 ? 0.0 : rate - state.direction * mu_rate * normal_force / elastic_stiffness};

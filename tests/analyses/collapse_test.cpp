@@ -49,6 +49,17 @@ TEST(Collapse, EndsTheAnalysisWithAWarning) {
   }
 }
 
+TEST(Collapse, IsSeenBeforeItEndsTheAnalysis) {
+  const double fallen = run(2.0).histories.values("time").back();
+  // It grows by a factor e in about 0.8 s.
+  const CaseResult result = run(2.0, {.end = (fallen - 1.5) * s});
+  EXPECT_GT(peak_drift(result), 3.0);
+  EXPECT_LT(peak_drift(result), CollapseGuard::largest_deformation);
+  ASSERT_EQ(result.warnings.size(), 1U);
+  EXPECT_EQ(result.warnings.front().find("The model collapsed: the drift of \"storey\" reached "), 0U)
+      << result.warnings.front();
+}
+
 TEST(Collapse, IsNotSeenWhereTheBuildingStands) {
   const CaseResult result = run(0.3);
   EXPECT_LT(peak_drift(result), 0.02);

@@ -9,6 +9,7 @@
 #include "analyses/case_run.hpp"
 #include "analysis_testing.hpp"
 #include "elements/gap.hpp"
+#include "elements/shear_spring.hpp"
 #include "materials/impact/exact_kelvin.hpp"
 #include "materials/impact/linear_elastic.hpp"
 #include "message_of.hpp"
@@ -46,6 +47,25 @@ TEST(FreeBodies, ABodyInASlotNeedsFewSteps) {
     // The motion is linear between samples, low by (w dt)^2/12 of itself on average.
     EXPECT_NEAR(free, -0.05, 0.05 * std::pow(frequency * 0.01, 2));
     EXPECT_LT(steps_before_touch, 200);
+    EXPECT_LT(analysis.statistics().accepted_steps, 5000);
+  }
+}
+
+// Nearly free: a spring so soft that its accelerations are far below those of the ground.
+TEST(FreeBodies, ABodyOnAVerySoftSpringNeedsFewSteps) {
+  for (const double stiffness : {1.0, 1e-3, 1e-6}) {
+    SCOPED_TRACE(stiffness);
+    Model model;
+    const NodeId body = add(model, Node{.name = "body", .mass = 100 * tonne});
+    add(model, ShearSpring{.name = "spring", .lower = ground, .upper = body, .stiffness = stiffness * N / m});
+    add(model,
+        Moat{.around = body, .clearance = 5 * cm, .law = ExactKelvin{.stiffness = 1e9 * N / m, .restitution = 0.65}});
+    std::vector<double> samples(501);
+    for (std::size_t i = 0; i < samples.size(); ++i)
+      samples[i] = 2.0 * std::sin(2.0 * std::numbers::pi * 0.01 * static_cast<double>(i));
+    Transient analysis{model, GroundMotion{"sine", 0.01, samples}};
+    analysis.run();
+    EXPECT_GT(analysis.statistics().events, 4);
     EXPECT_LT(analysis.statistics().accepted_steps, 5000);
   }
 }

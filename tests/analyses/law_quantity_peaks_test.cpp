@@ -88,5 +88,30 @@ TEST(FrictionPeak, IsThatAtTheLargestSpeed) {
   }
 }
 
+// Where a slide ends, mu has its value at rest: the slip is less than the deformation by mu_slow/mu_fast times the
+// elastic move. Both are largest at the same turn.
+TEST(SlipPeak, IsThatAtTheEndOfASlide) {
+  constexpr double slow = 0.03, fast = 0.06;
+  const Length elastic_move = 1 * cm;
+  const FrictionPendulum pendulum{.radius = 2.5 * m,
+                                  .friction = VelocityDependent{.slow = slow, .fast = fast, .rate = 100.0 * s / m},
+                                  .yield_displacement = elastic_move};
+  const Mass mass = 100 * tonne;
+  const auto law = pendulum.carrying(mass * g);
+  int slid = 0;
+  for (std::uint64_t seed = 1; seed <= 12; ++seed) {
+    SCOPED_TRACE(seed);
+    const CaseResult result = run_on_ground(law, mass, seed);
+    const double deformation = peak(result, "deformation");
+    if (deformation < 3.0 * elastic_move.si()) continue;
+    ++slid;
+    EXPECT_NEAR(peak(result, "isolator_slip"), deformation - slow / fast * elastic_move.si(),
+                TransientOptions{}.tolerance * deformation);
+    // The slip runs back at first, while mu grows faster than the body moves. This is no loss of energy.
+    EXPECT_LT(std::abs(result.energy.integration_error), 5e-4 * result.energy.largest_input);
+  }
+  EXPECT_GT(slid, 4);
+}
+
 }  // namespace
 }  // namespace moat
