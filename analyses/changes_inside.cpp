@@ -5,12 +5,12 @@
 namespace moat {
 
 bool ChangesInside::wanted(int crossings) const {
-  // Steps that end at changes are exact, and at this share they are three times as many as the others.
-  constexpr double many = 0.75;
+  constexpr double many = 0.3;
   constexpr int many_at_once = 8;
-  return &step_->stepper() == &step_->implicit() &&
-         (treatment_ == EventTreatment::inside_the_step ||
-          (treatment_ == EventTreatment::automatic && (changes_per_step_ > many || crossings >= many_at_once)));
+  if (&step_->stepper() != &step_->implicit() || treatment_ == EventTreatment::located) return false;
+  if (treatment_ == EventTreatment::inside_the_step) return true;
+  return step_->model().degrees_of_freedom() > located_up_to &&
+         (changes_per_step_ > many || crossings >= many_at_once);
 }
 
 // Puts elements that change inside the trial step into their next regimes. False if one of them cannot be crossed, or a

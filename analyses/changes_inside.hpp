@@ -11,6 +11,9 @@ namespace moat {
 /// from the interpolated motion, and the step is solved with the regimes that follow.
 class ChangesInside {
  public:
+  /// Degrees of freedom up to which EventTreatment::automatic ends steps at changes: that is exact, and costs little.
+  static constexpr int located_up_to = 1000;
+
   /// The step must outlive this object.
   ChangesInside(StepSolver& step, EventTreatment treatment) : step_{&step}, treatment_{treatment} {}
 

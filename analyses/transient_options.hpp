@@ -10,8 +10,9 @@ namespace moat {
 
 /// The treatment of a step in which an element changes its regime.
 enum class EventTreatment {
-  /// `inside_the_step` where about a third of the last sixteen steps had a change, or eight elements change in one
-  /// step, as in a long street; else `located`. Exact steps are always `located`.
+  /// `located` in models of up to 1000 degrees of freedom and between exact steps. In larger ones `inside_the_step`
+  /// where about a third of the last sixteen steps had a change, or eight elements change in one step, as in a long
+  /// street.
   automatic,
   /// The step ends at the instant of the change, located to location_tolerance. This is exact and costs a step for
   /// every change.
