@@ -19,6 +19,8 @@ std::string finer(const TransientOptions& options) {
   if (is_exact(options.integrator))
     return "Raise TransientOptions::steps_per_contact (now " + std::to_string(options.steps_per_contact) +
            "), shorten largest_step, or compare with Newmark";
+  if (options.tolerance <= TransientOptions::least_tolerance)
+    return "No tolerance is tighter: look for stiff elements at small masses and for wrong units";
   return "Take a tighter tolerance (now " + to_text(options.tolerance) + ")";
 }
 

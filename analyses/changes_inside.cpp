@@ -9,8 +9,7 @@ bool ChangesInside::wanted(int crossings) const {
   constexpr int many_at_once = 8;
   if (&step_->stepper() != &step_->implicit() || treatment_ == EventTreatment::located) return false;
   if (treatment_ == EventTreatment::inside_the_step) return true;
-  return step_->model().degrees_of_freedom() > located_up_to &&
-         (changes_per_step_ > many || crossings >= many_at_once);
+  return step_->model().degrees_of_freedom() > located_up_to && (changes_per_step_ > many || crossings >= many_at_once);
 }
 
 // Puts elements that change inside the trial step into their next regimes. False if one of them cannot be crossed, or a

@@ -160,8 +160,7 @@ std::string reason_of(std::size_t impacts, std::size_t companion_impacts, const 
 TransientOptions companion_options(const TransientOptions& options, double longest_step) {
   TransientOptions companion = options;
   companion.step = 0.5 * options.step;
-  constexpr double least_tolerance = 1e-12;  // that TransientOptions accepts
-  companion.tolerance = std::max(options.tolerance / 16.0, least_tolerance);
+  companion.tolerance = std::max(options.tolerance / 16.0, TransientOptions::least_tolerance);
   companion.steps_per_contact = 2 * options.steps_per_contact;
   companion.largest_step = 0.5 * longest_step * units::s;
   return companion;

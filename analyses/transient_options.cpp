@@ -13,11 +13,12 @@ const TransientOptions& checked(const TransientOptions& options, const GroundMot
   check.not_negative("step", options.step);
   check.that(!is_exact(options.integrator) || options.step.si() == 0.0, "step", options.step.si(), "s",
              "0 s with ExactBetweenEvents{}", "Its steps adapt themselves.");
-  check.that(options.tolerance >= 1e-12 && options.tolerance < 1.0, "tolerance", options.tolerance, "1",
-             ">= 1e-12 and < 1", to_text(TransientOptions{}.tolerance) + " is the default; below 1e-12 is round-off.");
+  check.that(options.tolerance >= TransientOptions::least_tolerance && options.tolerance < 1.0, "tolerance",
+             options.tolerance, "1", ">= 1e-12 and < 1",
+             to_text(TransientOptions{}.tolerance) + " is the default; below 1e-12 is round-off.");
   check.that(options.steps_per_contact >= 4, "steps_per_contact", options.steps_per_contact, "1", ">= 4");
   check.not_negative("largest_step", options.largest_step);
-  check.between("max_halvings", options.max_halvings, 0, 40, "1");
+  check.between("max_halvings", options.max_halvings, 0, TransientOptions::most_halvings, "1");
   check.not_negative("end", options.end);
   check.that(options.force_tolerance > 0.0 && options.force_tolerance < 1.0, "force_tolerance", options.force_tolerance,
              "1", "> 0 and < 1");

@@ -27,6 +27,9 @@ enum class EventTreatment {
 
 /// How a time history is computed. Every bound is checked by Transient's constructor.
 struct TransientOptions {
+  static constexpr double least_tolerance = 1e-12;  ///< Of `tolerance`.
+  static constexpr int most_halvings = 40;          ///< Of `max_halvings`.
+
   /// Newmark, HilberHughesTaylor, GeneralizedAlpha, ExactBetweenEvents or Automatic, with its parameters.
   Integrator integrator = Newmark{};
 

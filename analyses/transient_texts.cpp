@@ -92,8 +92,10 @@ std::vector<std::string> warnings_of(const TransientOptions& options, const Step
     if (fewest < options.steps_per_contact)
       list.push_back("The shortest contact was divided into " + to_text(fewest) + " steps only instead of " +
                      std::to_string(options.steps_per_contact) +
-                     ", because the interval of the motion may not be halved more often. Raise "
-                     "TransientOptions::max_halvings.");
+                     ", because the interval of the motion may not be halved more often. " +
+                     (options.max_halvings < TransientOptions::most_halvings
+                          ? "Raise TransientOptions::max_halvings."
+                          : "No setting divides it further: take a softer contact or a heavier body."));
     return list;
   }
   const double step = options.step.si(), interval = motion.time_step();

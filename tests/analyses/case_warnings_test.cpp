@@ -12,6 +12,7 @@
 #include "elements/isolator.hpp"
 #include "elements/shear_spring.hpp"
 #include "materials/impact/hertz.hpp"
+#include "materials/impact/linear_elastic.hpp"
 #include "materials/isolation/kikuchi_aiken_rubber.hpp"
 #include "motions/near_fault_pulse.hpp"
 
@@ -127,7 +128,30 @@ TEST(EnergyWarnings, AdviceFitsTheKindOfSteps) {
     EXPECT_EQ(only(energy, adapted).find("shorter step"), std::string::npos) << "that would switch adapting off";
     EXPECT_NE(only(energy, exact).find("steps_per_contact"), std::string::npos);
     EXPECT_EQ(only(energy, exact).find("shorter step"), std::string::npos) << "exact steps refuse one";
-    EXPECT_EQ(only(energy, exact).find("tighter tolerance"), std::string::npos) << "it has no effect outside contact";
+    EXPECT_EQ(only(energy, exact).find("tighter tolerance"), std::string::npos)
+        << "it has hardly an effect on energies";
+    EXPECT_EQ(only(energy, {.tolerance = TransientOptions::least_tolerance}).find("tighter tolerance (now"),
+              std::string::npos)
+        << "there is none";
+  }
+}
+
+TEST(ContactWarnings, AdviseMoreHalvingsWhereThereAreMore) {
+  for (const bool most : {false, true}) {
+    Model model;
+    const NodeId body = add(model, Node{.name = "body", .mass = 1 * kg, .initial_velocity = 1 * m / s});
+    add(model, Gap{.name = "wall",
+                   .left = body,
+                   .right = ground,
+                   .clearance = 1 * cm,
+                   .law = LinearElastic{.stiffness = (most ? 1e30 : 1e20) * N / m}});
+    const int halvings = most ? TransientOptions::most_halvings : 16;
+    const CaseResult result = run_case(model, GroundMotion{"still", 0.01, std::vector<double>(3, 0.0)},
+                                       {.transient = {.max_halvings = halvings}, .error_bars = ErrorBarMode::never});
+    std::string all;
+    for (const std::string& each : result.warnings) all += each;
+    EXPECT_NE(all.find("The shortest contact was divided into"), std::string::npos) << all;
+    EXPECT_EQ(all.find("Raise TransientOptions::max_halvings") == std::string::npos, most) << all;
   }
 }
 
