@@ -146,7 +146,8 @@ bool ExactSteps::accepts(const StepTask& step, std::span<const RegimeChange>) {
 // Whether the cubics through both ends of the step meet the exact motion inside.
 bool ExactSteps::interpolates(const StepTask& step) const {
   const std::size_t pieces = path_.pieces();
-  if (pieces == 1) return true;  // largest_phase()
+  // A single piece is short enough: largest_phase().
+  if (pieces == 1) return true;
   const Vector& scales = control_->acceleration_scales();
   const double h = step.length, allowed = cubics_within * control_->tolerance();
   for (Eigen::Index i = 0; i < model_->degrees_of_freedom(); ++i) {
