@@ -13,33 +13,41 @@ namespace {
 
 using namespace units;
 
-std::vector<Peak> peaks(TransientOptions options, SolverStatistics& solver) {
-  // Large enough that its touches do not end steps by default.
-  Model model = performance::street(170);
+struct Run {
+  std::vector<Peak> peaks;
+  SolverStatistics solver;
+};
+
+Run run(int buildings, TransientOptions options) {
+  Model model = performance::street(buildings);
   PeakRecorder recorder{model};
   options.end = 1 * s;
   Transient analysis{model, performance::street_motion(), options};
   analysis.attach(recorder);
   analysis.run();
-  solver = analysis.statistics();
-  return recorder.peaks();
+  return {recorder.peaks(), analysis.statistics()};
 }
 
-// A peak may lie at a touch or yield inside a step. No cubic over the step shows it.
-TEST(Street, HasThePeaksOfLocatedTouchesWithDefaults) {
-  SolverStatistics solver;
-  const std::vector<Peak> located =
-      peaks({.tolerance = 1e-6, .steps_per_contact = 256, .events = EventTreatment::located}, solver);
-  EXPECT_EQ(solver.changes_inside, 0);
-  const std::vector<Peak> defaults = peaks({}, solver);
-  EXPECT_GT(solver.changes_inside, 100);
-  ASSERT_EQ(defaults.size(), located.size());
-  constexpr double allowed = 1e-3;  // as promised
-  for (std::size_t i = 0; i < located.size(); ++i) {
-    EXPECT_NEAR(defaults[i].magnitude(), located[i].magnitude(), allowed * located[i].magnitude())
-        << located[i].quantity << " " << located[i].where;
+// With defaults and with located touches at a tight tolerance. Returns the changes of the defaults inside steps.
+long expect_peaks_of_located_touches(int buildings, double allowed) {
+  const Run located = run(buildings, {.tolerance = 1e-6, .steps_per_contact = 256, .events = EventTreatment::located});
+  EXPECT_EQ(located.solver.changes_inside, 0);
+  const Run defaults = run(buildings, {});
+  EXPECT_EQ(defaults.peaks.size(), located.peaks.size());
+  if (defaults.peaks.size() != located.peaks.size()) return 0;
+  for (std::size_t i = 0; i < located.peaks.size(); ++i) {
+    const double right = located.peaks[i].magnitude();
+    EXPECT_NEAR(defaults.peaks[i].magnitude(), right, allowed * right)
+        << located.peaks[i].quantity << " " << located.peaks[i].where;
   }
+  return defaults.solver.changes_inside;
 }
+
+TEST(Street, HasThePeaksOfLocatedTouchesWithDefaults) { EXPECT_EQ(expect_peaks_of_located_touches(100, 5e-4), 0); }
+
+// Above 1000 degrees of freedom touches do not end steps. A peak may lie at a touch or yield inside a step; no cubic
+// over the step shows it. Promised is 0.1 %.
+TEST(Street, HasThemWhereTouchesDoNotEndSteps) { EXPECT_GT(expect_peaks_of_located_touches(170, 1e-3), 100); }
 
 }  // namespace
 }  // namespace moat
