@@ -26,8 +26,9 @@ constexpr double settled = 1e-6;
 // for 99 of a hundred; of half of the models by default.
 constexpr double bound_with_default_settings = 1e-3, bound_of_exact_steps = 5e-4;
 constexpr double median_bound_with_default_settings = 2e-4;
-// Tight settings have no promise. Where all corners are located, errors are those of location; the others are those of
-// the corners of bearings that are not.
+// Tight settings have no promise. Where all corners are located, errors are those of location. A bearing whose corners
+// are not sees the ends of a step alone: where it turns inside and ends beyond its start, the way from the turn back is
+// lost.
 constexpr double bound_with_tight_settings = 1e-6, bound_with_corners = 1e-4;
 
 // Steps are at most as long as the interval of the histories: 0 s is that of the samples.
