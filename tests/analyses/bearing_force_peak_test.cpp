@@ -11,11 +11,13 @@
 #include "analyses/case_run.hpp"
 #include "elements/lead_rubber_bearing.hpp"
 #include "materials/located_bilinear.hpp"
+#include "peak_in.hpp"
 
 namespace moat {
 namespace {
 
 using namespace units;
+using testing::peak;
 
 constexpr double yield_force = 2000.0;        // N
 constexpr double yield_displacement = 5e-3;   // m
@@ -42,13 +44,6 @@ CaseResult run(const Bearing& bearing, double period, const TransientOptions& op
     samples[i] = 5.0 * std::sin(2.0 * std::numbers::pi / period * 0.01 * static_cast<double>(i));
   return run_case(model, GroundMotion{"sine", 0.01, samples},
                   {.transient = options, .error_bars = ErrorBarMode::never});
-}
-
-double peak(const CaseResult& result, const std::string& quantity) {
-  for (const Peak& each : result.peaks)
-    if (each.quantity == quantity) return each.magnitude();
-  ADD_FAILURE() << "no " << quantity;
-  return 0.0;
 }
 
 // The capacity of the law at any deformation up to the largest: k2 u + (k1 - k2) d_y.

@@ -11,6 +11,7 @@
 #include "elements/storey.hpp"
 #include "materials/storeys/p_delta.hpp"
 #include "materials/storeys/yielding_storey.hpp"
+#include "peak_in.hpp"
 
 namespace moat {
 namespace {
@@ -32,10 +33,7 @@ CaseResult run(double pull, TransientOptions options = {}) {
   return run_case(model, constant_acceleration(pull, 60 * s), {.transient = options});
 }
 
-double peak_drift(const CaseResult& result) {
-  const auto drift = std::ranges::find(result.peaks, "drift", &Peak::quantity);
-  return drift == result.peaks.end() ? 0.0 : drift->magnitude();
-}
+double peak_drift(const CaseResult& result) { return peak(result, "drift"); }
 
 TEST(Collapse, EndsTheAnalysisWithAWarning) {
   for (const Integrator& integrator : {Integrator{Newmark{}}, Integrator{ExactBetweenEvents{}}}) {

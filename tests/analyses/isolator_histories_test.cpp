@@ -14,6 +14,7 @@
 #include "materials/impact_laws.hpp"
 #include "materials/spring_laws.hpp"
 #include "motions/near_fault_pulse.hpp"
+#include "peak_in.hpp"
 #include "structures/moat.hpp"
 #include "structures/shear_building.hpp"
 
@@ -37,13 +38,6 @@ const LeadRubberBearing lead_rubber{
 struct Peaks {
   double base, top, base_acceleration, top_acceleration, isolation_force, drift;
 };
-
-double peak(const CaseResult& result, const std::string& quantity, const std::string& where) {
-  for (const Peak& each : result.peaks)
-    if (each.quantity == quantity && each.where == where) return each.magnitude();
-  ADD_FAILURE() << "no peak " << quantity << " at " << where;
-  return 0.0;
-}
 
 CaseResult run(Model model, CaseOptions options = {}) {
   return run_case(model, near_fault_pulse({}).scaled_to_pga(0.4 * g), options);

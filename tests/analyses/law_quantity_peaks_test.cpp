@@ -17,6 +17,7 @@
 #include "materials/storeys/imk_bilinear.hpp"
 #include "materials/storeys/yielding_storey.hpp"
 #include "moat_model.hpp"
+#include "peak_in.hpp"
 #include "random_draws.hpp"
 #include "random_motion.hpp"
 
@@ -24,15 +25,7 @@ namespace moat {
 namespace {
 
 using namespace units;
-
-double peak(const CaseResult& result, const std::string& quantity) {
-  const auto found = std::ranges::find(result.peaks, quantity, &Peak::quantity);
-  if (found == result.peaks.end()) {
-    ADD_FAILURE() << "no " << quantity;
-    return 0.0;
-  }
-  return found->magnitude();
-}
+using testing::peak;
 
 // A body on a spring with the law, on the ground, so that its deformation contains the motion of the ground inside the
 // steps.

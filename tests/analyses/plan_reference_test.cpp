@@ -16,11 +16,13 @@
 #include "materials/linear.hpp"
 #include "motions/near_fault_pulse.hpp"
 #include "motions/plan_motion.hpp"
+#include "peak_in.hpp"
 
 namespace moat {
 namespace {
 
 using namespace units;
+using testing::peak;
 
 // Base of 800 t and floor of 700 t, both 20 x 12 m; the floor's centre of mass at (1.0, 0.6) m. Without walls for a
 // negative friction.
@@ -72,13 +74,6 @@ struct Expected {
   const char *quantity, *where;
   double value;
 };
-
-double peak(const CaseResult& result, const std::string& quantity, const std::string& where) {
-  for (const Peak& each : result.peaks)
-    if (each.quantity == quantity && each.where == where) return each.magnitude();
-  ADD_FAILURE() << "no " << quantity << " at " << where;
-  return 0.0;
-}
 
 void compare(const CaseResult& result, const std::vector<Expected>& expected, double tolerance) {
   for (const Expected& each : expected) {

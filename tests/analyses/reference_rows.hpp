@@ -17,6 +17,7 @@
 #include "base/units.hpp"
 #include "motions/read_motion.hpp"
 #include "output/case_result.hpp"
+#include "peak_in.hpp"
 
 namespace moat::testing {
 
@@ -46,13 +47,6 @@ inline Row reference_row(const std::string& record, const std::string& row_name)
   }
   ADD_FAILURE() << "no row " << row_name << " of " << record << " in " << path;
   return {};
-}
-
-inline double peak(const CaseResult& result, const std::string& quantity, const std::string& where) {
-  for (const Peak& found : result.peaks)
-    if (found.quantity == quantity && found.where == where) return found.magnitude();
-  ADD_FAILURE() << "no peak of " << quantity << " at " << where;
-  return std::nan("");
 }
 
 inline double largest(const CaseResult& result, const std::string& quantity) {

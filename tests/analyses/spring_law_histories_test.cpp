@@ -17,6 +17,7 @@
 #include "materials/spring_laws.hpp"
 #include "motions/near_fault_pulse.hpp"
 #include "motions/plan_motion.hpp"
+#include "peak_in.hpp"
 #include "random_spring.hpp"
 #include "reference_oscillator.hpp"
 #include "structures/plan_building.hpp"
@@ -26,13 +27,6 @@ namespace moat::testing {
 namespace {
 
 using namespace units;
-
-double peak(const CaseResult& result, const std::string& quantity, const std::string& where) {
-  for (const Peak& each : result.peaks)
-    if (each.quantity == quantity && each.where == where) return each.magnitude();
-  ADD_FAILURE() << "no peak " << quantity << " at " << where;
-  return 0.0;
-}
 
 // A mass of 2 s on the secant stiffness of the law at its natural deformation D, with a spring of 1.5 times that beside
 // it, so that P-delta and dampers come back too; the ground moves it by about D.

@@ -15,6 +15,7 @@
 #include "elements/shear_spring.hpp"
 #include "elements/viscous_damper.hpp"
 #include "materials/impact/hertz_damp.hpp"
+#include "peak_in.hpp"
 #include "structures/moat.hpp"
 
 namespace moat {
@@ -53,13 +54,6 @@ Model oscillator(double period, double damping_ratio) {
 CaseResult result_of(Model model, const TransientOptions& options) {
   return run_case(model, rough_motion(),
                   {.transient = options, .history_interval = interval * s, .error_bars = ErrorBarMode::never});
-}
-
-double peak(const CaseResult& result, const std::string& quantity) {
-  for (const Peak& each : result.peaks)
-    if (each.quantity == quantity) return each.value;
-  ADD_FAILURE() << "no " << quantity;
-  return 0.0;
 }
 
 const std::vector<double>& column(const CaseResult& result, const std::string& quantity) {
@@ -101,7 +95,7 @@ TEST(StepsOverSamples, AreOfFourthOrder) {
   for (const double length : {40e-3, 20e-3, 10e-3}) {
     const CaseResult result = result_of(model, steps_of(length));
     EXPECT_NEAR(result.solver.longest_step, length, 1e-12);
-    errors.push_back(std::abs(peak(result, "displacement") / peak(exact, "displacement") - 1.0));
+    errors.push_back(std::abs(peak_in(result, "displacement").value / peak_in(exact, "displacement").value - 1.0));
   }
   // Steps are shorter where the displacement passes zero, so that the order of one halving scatters.
   EXPECT_GT(order(errors.front(), errors.back()) / static_cast<double>(errors.size() - 1), 3.3);
@@ -115,7 +109,9 @@ TEST(StepsOverSamples, KeepTheTolerance) {
                      exact = result_of(model, {.integrator = ExactBetweenEvents{}});
     EXPECT_GE(result.solver.longest_step, 2.0 * interval);
     for (const char* quantity : {"displacement", "velocity", "absolute_acceleration", "drift", "storey_shear"})
-      EXPECT_NEAR(peak(result, quantity) / peak(exact, quantity), 1.0, 10.0 * TransientOptions{}.tolerance) << quantity;
+      EXPECT_NEAR(peak_in(result, quantity).value / peak_in(exact, quantity).value, 1.0,
+                  10.0 * TransientOptions{}.tolerance)
+          << quantity;
     EXPECT_LT(std::abs(result.energy.equation_residual), 2e-4 * result.energy.largest_input);
   }
 }

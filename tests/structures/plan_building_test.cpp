@@ -15,6 +15,7 @@
 #include "message_of.hpp"
 #include "motions/near_fault_pulse.hpp"
 #include "motions/plan_motion.hpp"
+#include "peak_in.hpp"
 #include "structures/plan_moat.hpp"
 #include "structures/shear_building.hpp"
 
@@ -23,6 +24,7 @@ namespace {
 
 using namespace units;
 using testing::message_of;
+using testing::peak_in;
 
 LeadRubberBearing bearing(double share) {
   return {.yield_force = share * 1.2 * MN,
@@ -39,13 +41,6 @@ PlanBuilding tower(int storeys) {
           .damping = {0.05},
           .base_mass = 550 * tonne,
           .bearings = grid(2, 2, bearing(0.25))};
-}
-
-double peak(const CaseResult& result, const std::string& quantity, const std::string& where) {
-  for (const Peak& each : result.peaks)
-    if (each.quantity == quantity && each.where == where) return each.value;
-  ADD_FAILURE() << "no " << quantity << " at " << where;
-  return 0.0;
 }
 
 TEST(PlanBuilding, SymmetricBuildingInAMoatEqualsTheShearBuilding) {
@@ -69,12 +64,14 @@ TEST(PlanBuilding, SymmetricBuildingInAMoatEqualsTheShearBuilding) {
     EXPECT_EQ(b.impacts.size(), 2 * a.impacts.size());
     for (const char* where : {"base", "floor 1"}) {
       for (const std::string quantity : {"displacement", "velocity", "absolute_acceleration"})
-        EXPECT_NEAR(peak(b, quantity + "_x", where) / peak(a, quantity, where), 1.0, 1e-10) << quantity;
-      EXPECT_NEAR(peak(b, "displacement_y", where), 0.0, 1e-12);
-      EXPECT_NEAR(peak(b, "rotation", where), 0.0, 1e-12);
+        EXPECT_NEAR(peak_in(b, quantity + "_x", where).value / peak_in(a, quantity, where).value, 1.0, 1e-10)
+            << quantity;
+      EXPECT_NEAR(peak_in(b, "displacement_y", where).value, 0.0, 1e-12);
+      EXPECT_NEAR(peak_in(b, "rotation", where).value, 0.0, 1e-12);
     }
-    EXPECT_NEAR(peak(b, "total_base_shear_x", "base") / peak(a, "total_base_shear", "base"), 1.0, 1e-10);
-    EXPECT_NEAR(peak(b, "drift_x", "floor 1") / peak(a, "drift", "storey 1"), 1.0, 1e-9);
+    EXPECT_NEAR(peak_in(b, "total_base_shear_x", "base").value / peak_in(a, "total_base_shear", "base").value, 1.0,
+                1e-10);
+    EXPECT_NEAR(peak_in(b, "drift_x", "floor 1").value / peak_in(a, "drift", "storey 1").value, 1.0, 1e-9);
     EXPECT_NEAR(b.energy.viscous / a.energy.viscous, 1.0, 1e-9);
   }
 }
@@ -108,8 +105,10 @@ TEST(PlanBuilding, StoreyAsAWholeEqualsItsColumns) {
     results[static_cast<std::size_t>(i)] = run_case(model, PlanMotion{first, first.scaled_by(0.5), 30 * deg}, options);
   }
   for (const char* quantity : {"displacement_x", "displacement_y", "rotation", "corner_drift", "absolute_acceleration"})
-    EXPECT_NEAR(peak(results[1], quantity, "floor 2") / peak(results[0], quantity, "floor 2"), 1.0, 1e-8) << quantity;
-  EXPECT_NE(peak(results[0], "rotation", "floor 2"), 0.0);
+    EXPECT_NEAR(peak_in(results[1], quantity, "floor 2").value / peak_in(results[0], quantity, "floor 2").value, 1.0,
+                1e-8)
+        << quantity;
+  EXPECT_NE(peak_in(results[0], "rotation", "floor 2").value, 0.0);
 }
 
 TEST(PlanBuilding, MassDampingDoesNotActOnRigidMotion) {
