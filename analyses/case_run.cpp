@@ -180,6 +180,16 @@ void CaseRun::run_bodies() {
   }
 }
 
+namespace {
+
+std::vector<Touch> touches_of(const std::vector<Impact>& impacts) {
+  std::vector<Touch> touches;
+  for (const Impact& impact : impacts) touches.push_back({impact.where, impact.start, impact.approach_speed});
+  return touches;
+}
+
+}  // namespace
+
 void CaseRun::run_companion() {
   const SolverStatistics& spent = transient_.statistics();
   const auto solves = static_cast<double>(std::max(spent.newton_iterations, spent.accepted_steps));
@@ -254,8 +264,8 @@ CaseResult CaseRun::result() const {
 void CaseRun::add_errors(CaseResult& result) const {
   if (companion_) {
     const double least_share = least_share_of_errors(transient_.model(), options_.transient);
-    result.error_bars = estimate_errors(result.peaks, result.impacts.size(), *companion_, least_share);
-    PeaksAndImpacts main{result.peaks, result.impacts.size(), result.solver, result.clearances};
+    PeaksAndImpacts main{result.peaks, touches_of(result.impacts), result.solver, result.clearances};
+    result.error_bars = estimate_errors(result.peaks, main.touches, *companion_, least_share);
     estimate_clearance_errors(main, *companion_, least_share);
     result.clearances = std::move(main.clearances);
   }

@@ -28,6 +28,7 @@ void ChangesInside::take_back(std::vector<RegimeChange>& changes) {
 void ChangesInside::foresee(std::vector<RegimeChange>& changes) {
   step_->implicit().predict(step_->whole());
   if (!enter(step_->whole().length, changes)) take_back(changes);
+  step_->implicit().add_missed_impulses(step_->whole().length);
 }
 
 bool ChangesInside::settle(double h, std::vector<RegimeChange>& changes) {
@@ -37,9 +38,12 @@ bool ChangesInside::settle(double h, std::vector<RegimeChange>& changes) {
     const bool possible = enter(h, changes);
     if (possible && changes.size() == before) return true;
     ++step_->statistics().event_solves;
-    if (!possible || !step_->solve(h)) break;
+    if (!possible) break;
+    step_->implicit().add_missed_impulses(h);
+    if (!step_->solve(h)) break;
   }
   take_back(changes);
+  step_->implicit().add_missed_impulses(h);
   return false;
 }
 

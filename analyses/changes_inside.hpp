@@ -8,10 +8,11 @@
 namespace moat {
 
 /// Treats changes of regime inside the step (EventTreatment::inside_the_step): their instants and approach speeds come
-/// from the interpolated motion, and the step is solved with the regimes that follow.
+/// from the interpolated motion, and the step is solved with the regimes that follow and with the whole impulses of
+/// their forces.
 class ChangesInside {
  public:
-  /// Degrees of freedom up to which EventTreatment::automatic ends steps at changes: that is exact, and costs little.
+  /// Degrees of freedom up to which EventTreatment::automatic ends steps at changes: that costs little there.
   static constexpr int located_up_to = 1000;
 
   /// The step must outlive this object.

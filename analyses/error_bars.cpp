@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <string_view>
 
 #include "analyses/unconnected_bodies.hpp"
 #include "base/check.hpp"
@@ -11,7 +12,6 @@
 #include "base/units.hpp"
 #include "output/clearance_recorder.hpp"
 #include "output/engineering_unit.hpp"
-#include "output/impact_counter.hpp"
 #include "output/peak_recorder.hpp"
 
 namespace moat {
@@ -22,7 +22,7 @@ namespace {
 namespace caution {
 /// Richardson's estimate is multiplied by it, because not all errors shrink to a quarter.
 constexpr double factor = 4.0;
-/// Replaces `factor` where the numbers of impacts differ. The difference of the runs is then the distance of two
+/// Replaces `factor` where the impacts differ. The difference of the runs is then the distance of two
 /// different motions and does not show the convergence of an error.
 constexpr double factor_of_different_impacts = 8.0;
 /// The relative difference of a peak counts as at least this share of the median of the peaks of its unit, and of all
@@ -107,6 +107,29 @@ std::vector<Peak> with_approaches(const PeaksAndImpacts& run) {
   return peaks;
 }
 
+// When the speeds of an impact first differ by more than `settled_within` of the fastest approach, s; infinite if they
+// never do. Impacts of one gap are compared in their order, as many as both runs have.
+double divergence(std::span<const Touch> touches, std::span<const Touch> of_companion) {
+  std::map<std::string_view, std::vector<const Touch*>> of_gap;
+  for (const Touch& touch : of_companion) of_gap[touch.where].push_back(&touch);
+  double fastest = 0.0;
+  for (const Touch& touch : touches) fastest = std::max(fastest, touch.approach_speed);
+  std::map<std::string_view, std::size_t> counts;
+  double first = std::numeric_limits<double>::infinity();
+  for (const Touch& touch : touches) {
+    const std::vector<const Touch*>& others = of_gap[touch.where];
+    const std::size_t number = counts[touch.where]++;
+    if (number >= others.size()) continue;
+    const double difference = std::abs(touch.approach_speed - others[number]->approach_speed);
+    if (difference > settled_within * fastest) first = std::min(first, touch.time);
+  }
+  return first;
+}
+
+bool same_impacts(std::span<const Touch> touches, std::span<const Touch> of_companion) {
+  return touches.size() == of_companion.size() && !std::isfinite(divergence(touches, of_companion));
+}
+
 double factor_of(bool same_impacts) { return same_impacts ? caution::factor : caution::factor_of_different_impacts; }
 
 double relative_error(const Peak& peak) {
@@ -137,14 +160,20 @@ std::string in_percent(const Peak& peak) {
   return with_decimals(100.0 * relative, relative < 0.1 ? 1 : 0) + " %";
 }
 
-std::string reason_of(std::size_t impacts, std::size_t companion_impacts, const std::vector<Peak>& unsettled,
-                      std::size_t all) {
+std::string reason_of(std::size_t impacts, std::size_t companion_impacts, double divergence,
+                      const std::vector<Peak>& unsettled, std::size_t all) {
   constexpr std::size_t most_named = 4;
   std::string text;
   if (impacts != companion_impacts)
     text = "with finer steps it has " + std::to_string(companion_impacts) +
-           (companion_impacts == 1 ? " impact instead of " : " impacts instead of ") + std::to_string(impacts) +
-           (unsettled.empty() ? "; all peaks are known to 1 % nevertheless" : "; ");
+           (companion_impacts == 1 ? " impact instead of " : " impacts instead of ") + std::to_string(impacts);
+  if (std::isfinite(divergence))
+    text += (text.empty() ? "" : "; ") + std::string{"from t = "} + with_decimals(divergence, 2) +
+            " s on, impacts with finer steps have other speeds, by more than 1 % of the fastest, so that bars of later "
+            "peaks may be too small";
+  else if (!text.empty() && unsettled.empty())
+    text += "; all peaks are known to 1 % nevertheless";
+  if (!text.empty() && !unsettled.empty()) text += "; ";
   if (unsettled.empty()) return text;
   text += std::to_string(unsettled.size()) + " of " + std::to_string(all) + " peaks " +
           (unsettled.size() == 1 ? "is" : "are") + " not settled, with an error above 1 %: ";
@@ -178,36 +207,38 @@ PeaksAndImpacts compute_peaks(Model& model, const GroundMotion& motion, const Tr
   UnconnectedBodies bodies{model};
   Transient transient{model, motion, options};
   PeakRecorder peaks{model};
-  ImpactCounter impacts;
+  TouchRecorder touches;
   ClearanceRecorder clearances{model};
   transient.attach(peaks);
-  transient.attach(impacts);
+  transient.attach(touches);
   transient.attach(clearances);
   if (observer != nullptr) transient.attach(*observer);
   transient.run(stop);
   if (!transient.finished()) throw Error{"it was stopped."};
-  PeaksAndImpacts result{peaks.peaks(), impacts.count(), transient.statistics(), clearances.clearances()};
+  PeaksAndImpacts result{peaks.peaks(), touches.touches(), transient.statistics(), clearances.clearances()};
   if (bodies.size() > 0) bodies.replace(result.peaks, result.clearances, motion, options, nullptr, stop);
   return result;
 }
 
-ErrorBars estimate_errors(std::vector<Peak>& peaks, std::size_t impacts, const PeaksAndImpacts& companion,
+ErrorBars estimate_errors(std::vector<Peak>& peaks, std::span<const Touch> touches, const PeaksAndImpacts& companion,
                           double least_share) {
-  const bool same_impacts = impacts == companion.impacts;
-  set_errors(peaks, companion.peaks, factor_of(same_impacts), least_share);
+  const double diverges = divergence(touches, companion.touches);
+  const bool same = same_impacts(touches, companion.touches);
+  set_errors(peaks, companion.peaks, factor_of(same), least_share);
   ErrorBars bars;
   bars.checked = true;
-  bars.companion_impacts = companion.impacts;
+  bars.companion_impacts = companion.touches.size();
   bars.companion_solver = companion.solver;
   bars.unsettled = unsettled_of(peaks);
-  bars.sensitive = !same_impacts || !bars.unsettled.empty();
-  bars.reason = reason_of(impacts, companion.impacts, bars.unsettled, peaks.size());
+  bars.sensitive = !same || !bars.unsettled.empty();
+  bars.reason = reason_of(touches.size(), companion.touches.size(), diverges, bars.unsettled, peaks.size());
   return bars;
 }
 
 void estimate_clearance_errors(PeaksAndImpacts& main, const PeaksAndImpacts& companion, double least_share) {
   std::vector<Peak> approaches = with_approaches(main);
-  set_errors(approaches, with_approaches(companion), factor_of(main.impacts == companion.impacts), least_share);
+  set_errors(approaches, with_approaches(companion), factor_of(same_impacts(main.touches, companion.touches)),
+             least_share);
   for (std::size_t i = 0; i < main.clearances.size(); ++i)
     main.clearances[i].error = approaches[main.peaks.size() + i].error;
 }

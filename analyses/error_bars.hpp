@@ -1,8 +1,8 @@
 // Error bars of peaks, from a second run with finer steps.
 #pragma once
 
-#include <cstddef>
 #include <functional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -11,6 +11,7 @@
 #include "motions/ground_motion.hpp"
 #include "output/case_result.hpp"
 #include "output/step_observer.hpp"
+#include "output/touch_recorder.hpp"
 
 namespace moat {
 
@@ -25,15 +26,15 @@ TransientOptions companion_options(const TransientOptions& options, double longe
 /// The companion in one sentence, for reports.
 std::string companion_description(const TransientOptions& companion);
 
-/// Peaks, clearances and number of impacts of one run, and its cost.
+/// Peaks, clearances and touches of one run, and its cost.
 struct PeaksAndImpacts {
   std::vector<Peak> peaks;                 ///< of every quantity and place
-  std::size_t impacts = 0;                 ///< number of touches
+  std::vector<Touch> touches;              ///< one for every impact
   SolverStatistics solver;                 ///< steps, iterations, seconds
   std::vector<GapClearance> clearances{};  ///< of every gap
 };
 
-/// Runs the model and returns its peaks and impacts; peaks and clearances of bodies that nothing connects are those of
+/// Runs the model and returns its peaks and touches; peaks and clearances of bodies that nothing connects are those of
 /// runs of their own (analyses/unconnected_bodies.hpp). The observer, if any, gets every step of the whole model. stop:
 /// asked before every step; true ends the run with an Error. Throws as Transient does.
 PeaksAndImpacts compute_peaks(Model& model, const GroundMotion& motion, const TransientOptions& options,
@@ -48,9 +49,11 @@ PeaksAndImpacts compute_peaks(Model& model, const GroundMotion& motion, const Tr
 /// at least `least_share` >= 0 of the value. A peak that the companion does not have, or that is not finite, has the
 /// error NaN.
 ///
-/// Returns the verdict with the companion's impacts and cost. The case is sensitive if the numbers of impacts differ
-/// or any error is not within 1 % of its peak.
-ErrorBars estimate_errors(std::vector<Peak>& peaks, std::size_t impacts, const PeaksAndImpacts& companion,
+/// Returns the verdict with the companion's impacts and cost. The case is sensitive if the numbers of impacts differ,
+/// if the speeds of an impact differ by more than 1 % of the fastest approach (from then on the two runs are two
+/// motions, whose peaks may agree by chance), or if any error is not within 1 % of its peak. `touches` are those of the
+/// main run.
+ErrorBars estimate_errors(std::vector<Peak>& peaks, std::span<const Touch> touches, const PeaksAndImpacts& companion,
                           double least_share = 0.0);
 
 /// Gives every clearance of the main run its error: that of the largest approach of the two sides, estimated like the

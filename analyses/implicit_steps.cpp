@@ -23,8 +23,14 @@ void ImplicitSteps::predict(const StepTask& step) {
   is_set_up_ = true;
 }
 
+void ImplicitSteps::add_missed_impulses(double length) {
+  const bool any = scheme_.balances_at_end() && model_->find_missed_impulses(length, scheme_.impulse_rules(), missed_);
+  missed_in_ = any ? length : 0.0;
+}
+
 bool ImplicitSteps::solve(const StepTask& part) {
   if (!std::exchange(is_set_up_, false)) equations_.begin(part, scheme_, acceleration_);
+  if (part.length == missed_in_) equations_.add_impulses(missed_);
   // The first Newton step may have been taken already.
   const int taken = equations_.has_extrapolated() ? 1 : 0;
   last_report_ = newton_.solve(acceleration_, 1 - taken);

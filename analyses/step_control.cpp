@@ -1,6 +1,7 @@
 #include "analyses/step_control.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "analyses/ground_component.hpp"
@@ -133,16 +134,19 @@ double StepControl::error_of(const Model& model, const StepTask& step, StepSchem
   return (fourth_order ? 1.0 : stricter_at_second_order) * largest / (share_of_tolerance_ * options_.tolerance);
 }
 
-// The scales of all nodes. They are infinite for nodes of elements that change inside the step: these are not judged.
+// The scales of all nodes. They are infinite for nodes of elements that change inside the step or did so inside the
+// last two, where forces need not be smooth yet: these are not judged.
 const Vector& StepControl::scales_without(const Model& model, std::span<const RegimeChange> inside) {
-  if (inside.empty()) return scales_.values();
+  if (inside.empty() && changed_before_.empty() && changed_last_.empty()) return scales_.values();
   scales_without_bends_ = scales_.values();
-  for (const RegimeChange& change : inside) {
-    const ElementInfo& element = model.blocks()[change.block]->info(change.element);
-    for (const NodeId end : {element.first, element.second})
-      for (const NodeId node : model.body_of(end))
-        scales_without_bends_[node.index] = std::numeric_limits<double>::infinity();
-  }
+  for (const std::span<const RegimeChange> changes :
+       std::array<std::span<const RegimeChange>, 3>{inside, changed_last_, changed_before_})
+    for (const RegimeChange& change : changes) {
+      const ElementInfo& element = model.blocks()[change.block]->info(change.element);
+      for (const NodeId end : {element.first, element.second})
+        for (const NodeId node : model.body_of(end))
+          scales_without_bends_[node.index] = std::numeric_limits<double>::infinity();
+    }
   return scales_without_bends_;
 }
 
@@ -180,6 +184,8 @@ void StepControl::accepted(const Model& model, double h, PlanVector ground_accel
     ++most_doublings_;
     steps_until_more_ = restraint_;
   }
+  changed_before_.swap(changed_last_);
+  changed_last_.clear();
   scales_.accepted(model, h, ground_acceleration);
   watch_round_off(model);
   // The ramp after a touch does not count steps cut short by a sample of the motion: the jerk behind one that is short
@@ -211,7 +217,8 @@ void StepControl::stay_below(double h) {
   restraint_ = steps_until_more_ = steps_of_restraint;
 }
 
-void StepControl::changed_inside(const Model& model) {
+void StepControl::changed_inside(const Model& model, std::span<const RegimeChange> changes) {
+  changed_last_.assign(changes.begin(), changes.end());
   since_event_ = 0.0;
   if (adaptive()) scales_.regimes_changed(model);
 }

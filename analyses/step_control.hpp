@@ -67,8 +67,8 @@ class StepControl {
   /// The step to try next from the committed state.
   [[nodiscard]] Step next_step(const Model& model);
   /// Judges the trial state that a step of this scheme led to, but not the nodes (ElementInfo::first and second) of
-  /// elements that change their regime inside it, because the rates of their accelerations jump there. False: repeat
-  /// with next_step(), which is shorter.
+  /// elements that change their regime inside it or did so inside the last two, because the rates of their
+  /// accelerations jump there or are not smooth yet. False: repeat with next_step(), which is shorter.
   [[nodiscard]] bool accepts(const Model& model, const StepTask& step, StepScheme scheme,
                              std::span<const RegimeChange> inside = {});
   /// The trial state was committed.
@@ -99,7 +99,7 @@ class StepControl {
   /// some steps.
   void stay_below(double h);
   /// Elements changed their regime inside the last step.
-  void changed_inside(const Model& model);
+  void changed_inside(const Model& model, std::span<const RegimeChange> changes);
 
   /// Fewest steps any contact was divided into so far; infinite without contact.
   [[nodiscard]] double fewest_steps_per_contact() const { return fewest_steps_per_contact_; }
@@ -127,7 +127,8 @@ class StepControl {
   Resultants resultants_;
   AccelerationScales scales_;
   Vector scales_without_bends_;
-  std::vector<double> steps_;  // the longest, divided by 1, 2, 4, ...; s
+  std::vector<RegimeChange> changed_last_, changed_before_;  // inside the last step, and inside the one before
+  std::vector<double> steps_;                                // the longest, divided by 1, 2, 4, ...; s
   double share_of_tolerance_ = 1.0;
   int halvings_ = 0;
   int ramp_ = 0;              // further halvings after a touch

@@ -24,6 +24,7 @@ void StepEquations::begin(const StepTask& task, StepScheme scheme, Vector& guess
   scheme_ = scheme;
   is_moved_ = false;
   is_guess_ = true;
+  added_velocity_.resize(0);
   const double h = task.length;
   const MotionState& start = model_->state();
   const double *u = start.displacement.data(), *v = start.velocity.data(), *a = start.acceleration.data(),
@@ -124,6 +125,15 @@ void StepEquations::predict(const StepTask& task, StepScheme scheme, Vector& gue
   model_->evaluate_regimes();
 }
 
+void StepEquations::add_impulses(const MissedImpulses& missed) {
+  const Vector& masses = model_->masses();
+  const Eigen::Index count = masses.size();
+  predicted_displacement_ += task_.length * missed.of_displacement.head(count).cwiseQuotient(masses);
+  predicted_velocity_ += missed.of_evaluated_velocity.head(count).cwiseQuotient(masses);
+  added_velocity_ = missed.of_velocity.head(count).cwiseQuotient(masses);
+  is_moved_ = false;
+}
+
 void StepEquations::complete() {
   model_->evaluate_rates();
   balanced_scales_.swap(scales_);  // the next residual writes all of scales_
@@ -141,6 +151,7 @@ void StepEquations::complete() {
   for (int i = 0; i < size(); ++i)
     velocity[i] =
         v[i] + half * (a[i] + end_acceleration[i]) - correction * (end_jerk[i] - jerk[i]) - deviation_.velocity;
+  if (added_velocity_.size() > 0) end.velocity.head(size()) += added_velocity_;
 }
 
 void StepEquations::balance_committed_state(PlanVector ground_acceleration) {

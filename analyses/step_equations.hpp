@@ -43,6 +43,8 @@ class StepEquations final : public NonlinearSystem {
   /// begin(), and the trial state that the guess leads to; only elements that can change their regime are evaluated.
   /// The next compute_residual() is that of the guess.
   void predict(const StepTask& task, StepScheme scheme, Vector& guess);
+  /// After begin() or predict(): the step has these impulses besides those that the scheme sees.
+  void add_impulses(const MissedImpulses& missed);
   /// After the last compute_residual(): jerks of the trial state, and its velocities where the scheme corrects them.
   void complete();
 
@@ -81,7 +83,8 @@ class StepEquations final : public NonlinearSystem {
   StepTask task_;
   GroundDeviation deviation_;  // of the ground in the whole step; used by schemes that correct the velocity
   Vector predicted_displacement_, predicted_velocity_;
-  Vector of_start_;  // the share of the start in averaged equations
+  Vector added_velocity_;  // by add_impulses(); empty: none
+  Vector of_start_;        // the share of the start in averaged equations
   // Largest force of every row: of the iterate, and of the last balanced step. All terms of a row may be zero at the
   // same instant; its scale is therefore at least half of the latter.
   Vector scales_, balanced_scales_;

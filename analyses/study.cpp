@@ -169,7 +169,7 @@ CaseOutcome outcome_of_model(Model& model, const GroundMotion& motion, const Stu
       const PeaksAndImpacts companion =
           compute_peaks(*untouched, motion, companion_options(options.transient, main.solver.longest_step));
       const double least_share = least_share_of_errors(model, options.transient);
-      sensitive = estimate_errors(main.peaks, main.impacts, companion, least_share).sensitive ? 1.0 : 0.0;
+      sensitive = estimate_errors(main.peaks, main.touches, companion, least_share).sensitive ? 1.0 : 0.0;
       estimate_clearance_errors(main, companion, least_share);
     } catch (const Error&) {
       // The case itself is computed; its errors stay unknown.
@@ -185,7 +185,7 @@ CaseOutcome outcome_of_model(Model& model, const GroundMotion& motion, const Stu
     record.push_back({"clearance_left", gap.where, "m", gap.left});
     if (options.error_bars) record.push_back({"clearance_left_error", gap.where, "m", gap.error});
   }
-  record.push_back({"impacts", "", "1", static_cast<double>(main.impacts)});
+  record.push_back({"impacts", "", "1", static_cast<double>(main.touches.size())});
   if (options.error_bars) record.push_back({"sensitive", "", "1", sensitive});
   if (energy) add_energies(outcome, energy->balance(model));
   return outcome;

@@ -135,10 +135,9 @@ void Transient::change_regimes_at_end() {
 }
 
 void Transient::report_changes_inside() {
-  model_->open_gaps(changes_);
   if (changes_.empty()) return;
   statistics_.changes_inside += static_cast<long>(changes_.size());
-  implicit_.control().changed_inside(*model_);
+  implicit_.control().changed_inside(*model_, changes_);
   if (exact_) exact_->restart();
   report_changes();
 }

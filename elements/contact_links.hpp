@@ -82,21 +82,6 @@ class ContactLinks : public LinksWithRegimes<Law, Ends>, public Contacts {
     }
   }
 
-  void open_gaps(std::size_t block_index, std::vector<RegimeChange>& changes) override {
-    if (touching_ == 0) return;
-    for (std::size_t i = 0; i < this->size(); ++i) {
-      if (!is_touching(i) || this->start_.deformations[i] > 0.0) continue;
-      const HermiteQuintic path = path_between(this->before_, this->start_, i, this->last_step_);
-      const double fraction = first_fall([&](double x) { return path.value(x); }, 1.0, 0.0);
-      changes.push_back({.block = block_index,
-                         .element = i,
-                         .time = (fraction - 1.0) * this->last_step_,
-                         .rate = path.rate(fraction),
-                         .inside = true});
-      enter(i, {}, 0.0, changes.back());
-    }
-  }
-
  protected:
   /// Becomes a copy of these contacts of the whole model.
   void take(const ContactLinks& whole, std::span<const std::size_t> contacts, const NumbersInPart& numbers) {

@@ -10,6 +10,11 @@
 
 namespace moat {
 
+/// Of one link, J.
+struct TotalWork {
+  double work = 0.0, dissipated = 0.0;  ///< J
+};
+
 /// Work and dissipation of every link of a block, added up step by step.
 ///
 ///     work = integral of F d' dt        dissipated = integral of dissipation_rate dt
@@ -86,6 +91,15 @@ class LinkEnergies {
     if (kept_) accounts_[link].dissipated += energy;
   }
 
+  /// Up to the last step.
+  [[nodiscard]] TotalWork total_work(std::size_t link) const {
+    return {accounts_[link].work, accounts_[link].dissipated};
+  }
+  /// Of a step that was integrated elsewhere.
+  void set_total_work(std::size_t link, const TotalWork& total) {
+    accounts_[link].work = total.work;
+    accounts_[link].dissipated = total.dissipated;
+  }
   /// `stored` J is the link's energy now.
   [[nodiscard]] ElementEnergy energy(std::size_t link, double stored) const {
     const Account& account = accounts_[link];

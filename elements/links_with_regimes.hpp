@@ -3,10 +3,13 @@
 
 #include <algorithm>
 #include <memory>
+#include <ranges>
 #include <span>
 #include <utility>
 #include <vector>
 
+#include "elements/link_changes.hpp"
+#include "elements/link_over_step.hpp"
 #include "elements/links.hpp"
 #include "elements/regime_search.hpp"
 
@@ -57,16 +60,15 @@ class LinksWithRegimes : public Links<Law, Ends>, public Regimes {
     for (std::size_t i = 0; i < this->size(); ++i) {
       if (this->laws_[i].regime_margin(this->committed_[i], this->now_.deformations[i], this->now_.rates[i]) >= 0.0)
         continue;
-      if (opens(i)) {
-        if (jumps_at_opening(i)) return false;
-        continue;  // it has no force any more
-      }
-      const double fraction = margin_path(i, step).first_crossing(1.0, aim);
+      const bool opening = opens(i);
+      if (opening && jumps_at_opening(i)) return false;
       const HermiteQuintic path = path_between(this->start_, this->now_, i, step);
-      const double rate = path.rate(fraction);
-      const State next = this->laws_[i].next_regime(this->committed_[i], path.value(fraction), rate);
-      if (jumps_at_entry(i, next, rate)) return false;
-      before_changes_inside_.push_back({i, this->committed_[i], heat_before(i, next)});
+      const double fraction = opening ? first_fall([&](double x) { return path.value(x); }, 1.0, 0.0)
+                                      : margin_path(i, step).first_crossing(1.0, aim);
+      const double deformation = path.value(fraction), rate = path.rate(fraction);
+      const State next = opening ? State{} : this->laws_[i].next_regime(this->committed_[i], deformation, rate);
+      if (!opening && jumps_at_entry(i, next, rate)) return false;
+      changes_.add({i, this->committed_[i], fraction, heat_until(i, next, deformation)});
       changes.push_back({.block = block_index, .element = i, .time = fraction * step, .rate = rate, .inside = true});
       enter(i, next, rate, changes.back());
     }
@@ -74,17 +76,37 @@ class LinksWithRegimes : public Links<Law, Ends>, public Regimes {
   }
 
   void undo_changes_inside() override {
-    for (; !before_changes_inside_.empty(); before_changes_inside_.pop_back()) {
-      const ChangeInside& change = before_changes_inside_.back();
+    for (const Change& change : changes_.of_step() | std::views::reverse) {
       RegimeChange taken_back;
-      enter(change.link, change.state, 0.0, taken_back);
+      enter(change.link, change.before, 0.0, taken_back);
     }
+    changes_.clear();
+  }
+
+  bool add_missed_impulses(double step, const ImpulseRules& rules, MissedImpulses& missed) const override {
+    const std::vector<std::size_t> links = changes_.links();
+    for (const std::size_t i : links) {
+      const ForceOverStep force = over_step(i, step).force();
+      const auto add = [&](double integral, const ImpulseRule& rule, Vector& impulses) {
+        this->ends_[i].add_force(-force.missed(integral, rule, step), impulses.data());
+      };
+      add(force.impulse, rules.of_velocity, missed.of_velocity);
+      add(force.impulse, rules.of_evaluated_velocity, missed.of_evaluated_velocity);
+      add(force.falling, rules.of_displacement, missed.of_displacement);
+    }
+    return !links.empty();
   }
 
   void commit(double step, WorkRule rule) override {
+    // The work of links that change is that of the parts of the step.
+    works_.clear();
+    if (this->energies_.kept())
+      for (const Change& change : changes_.of_step()) works_.push_back(total_work(change.link, step));
     Base::commit(step, rule);
-    for (const ChangeInside& change : before_changes_inside_) this->energies_.release(change.link, change.heat);
-    before_changes_inside_.clear();
+    for (std::size_t k = 0; k < works_.size(); ++k)
+      this->energies_.set_total_work(changes_.of_step()[k].link, works_[k]);
+    for (const Change& change : changes_.of_step()) this->energies_.release(change.link, change.heat);
+    changes_.commit();
   }
 
  protected:
@@ -121,21 +143,29 @@ class LinksWithRegimes : public Links<Law, Ends>, public Regimes {
     if (scan.fraction > 0.0) scan.fraction = std::min(scan.fraction, margin_path(i, step).first_crossing(beyond, aim));
   }
 
-  // A change inside the step being tried.
-  struct ChangeInside {
-    std::size_t link;
-    State state;  // before
-    double heat;  // J, from the start of the step until the change
-  };
-  // The account of the step begins in the next regime.
-  [[nodiscard]] double heat_before(std::size_t i, const State& next) const {
-    if constexpr (LinkEnergies<Law>::hysteretic)
-      return this->laws_[i].dissipated_energy(this->committed_[i], next);
-    else
-      return 0.0;
+  [[nodiscard]] double heat_until(std::size_t i, const State& next, double deformation) const {
+    const Law& law = this->laws_[i];
+    const State& before = this->committed_[i];
+    double heat = law.stored_energy(before, deformation) - law.stored_energy(next, deformation);
+    if constexpr (LinkEnergies<Law>::hysteretic) heat += law.dissipated_energy(before, next);
+    return heat;
   }
 
-  std::vector<ChangeInside> before_changes_inside_;
+  [[nodiscard]] LinkOverStep<Law> over_step(std::size_t i, double step) const {
+    return {this->laws_[i], this->start_, this->now_, i, step, changes_.of(i), this->committed_[i]};
+  }
+  // Until the end of the step being tried.
+  [[nodiscard]] TotalWork total_work(std::size_t i, double step) const {
+    const TotalWork before = this->energies_.total_work(i), of_step = over_step(i, step).work();
+    TotalWork total{before.work + of_step.work, before.dissipated + of_step.dissipated};
+    if constexpr (LinkEnergies<Law>::hysteretic)
+      total.dissipated += this->laws_[i].dissipated_energy(this->committed_[i], this->trial_[i]);
+    return total;
+  }
+
+  using Change = typename LinkChanges<State>::Change;
+  LinkChanges<State> changes_;
+  std::vector<TotalWork> works_;  // of changes_.of_step(), in commit()
 };
 
 }  // namespace moat

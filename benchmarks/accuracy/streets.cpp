@@ -26,6 +26,7 @@ struct Run {
 
 struct Street {
   int buildings;
+  std::string law;  // of all gaps, by name
   Time end;
   Run located, defaults;
   double change_of_reference = 0.0;  // largest of a peak, relative
@@ -34,7 +35,7 @@ struct Street {
 };
 
 Run run(const Street& street, TransientOptions options) {
-  Model model = performance::street(street.buildings);
+  Model model = performance::street(street.buildings, performance::street_law(street.law));
   options.end = street.end;
   PeakRecorder peaks{model};
   ImpactRecorder impacts;
@@ -82,8 +83,9 @@ std::vector<double> errors_of_rebounds(const Run& run, const Run& truth) {
   return errors;
 }
 
-Street measure(int buildings, Time end) {
-  Street street{.buildings = buildings, .end = end, .located = {}, .defaults = {}, .errors = {}, .of_rebounds = {}};
+Street measure(int buildings, const std::string& law, Time end) {
+  Street street{
+      .buildings = buildings, .law = law, .end = end, .located = {}, .defaults = {}, .errors = {}, .of_rebounds = {}};
   TransientOptions tight{.tolerance = 1e-5, .steps_per_contact = 128, .events = EventTreatment::located};
   street.located = run(street, tight);
   tight.tolerance *= 0.1;
@@ -98,12 +100,27 @@ Street measure(int buildings, Time end) {
 
 std::string whole(std::size_t number) { return std::to_string(number); }
 
+// Of every law that a name chooses.
+std::string table_of_laws() {
+  std::string table =
+      "| law | impacts | changes inside | error of a peak: 99th percentile | largest | of a rebound |\n"
+      "|---|---|---|---|---|---|\n";
+  for (const std::string& law : impact_law_names()) {
+    const Street street = measure(200, law, 1 * s);
+    table += "| `" + law + "` | " + whole(street.defaults.impacts.size()) + " | " +
+             std::to_string(street.defaults.solver.changes_inside) + " of " +
+             std::to_string(street.defaults.solver.events) + " | " + percent(quantile(street.errors, 0.99)) + " | " +
+             percent(street.errors.back()) + " | " + percent(street.of_rebounds.back()) + " |\n";
+  }
+  return table;
+}
+
 }  // namespace
 
 std::string run_streets() {
   std::vector<Street> streets;
   for (const auto& [buildings, end] : {std::pair{10, 5 * s}, {100, 5 * s}, {1000, 2 * s}})
-    streets.push_back(measure(buildings, end));
+    streets.push_back(measure(buildings, "hertz_damp", end));
   std::string table = "| |", line = "|---|";
   for (const Street& street : streets) {
     table += " " + std::to_string(street.buildings) + " buildings |";
@@ -131,7 +148,7 @@ std::string run_streets() {
   row("error of a rebound: median", [](const S& s) { return percent(quantile(s.of_rebounds, 0.5)); });
   row("99th percentile", [](const S& s) { return percent(quantile(s.of_rebounds, 0.99)); });
   row("largest", [](const S& s) { return percent(s.of_rebounds.back()); });
-  return table;
+  return table + "\n200 buildings, 1 s of motion, every law of `NamedImpactLaw`:\n\n" + table_of_laws();
 }
 
 }  // namespace moat

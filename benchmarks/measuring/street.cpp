@@ -58,28 +58,47 @@ void set_in_motion(Model& model) {
 
 }  // namespace
 
-Model street(int buildings) {
+namespace {
+
+template <class Law>
+Model street_of(int buildings, const Law& law) {
   Check{"Street", ""}.that(buildings >= 2, "buildings", buildings, "1", ">= 2");
-  const HertzDamp law{.stiffness = 2.95e9 * N / m_3_2, .restitution = 0.65};
   Model model;
   NodeId left = ground;
   for (int number = 1; number <= buildings; ++number) {
     const NodeId base = add_building(model, number).base;
-    add(model, Gap{.name = "gap " + std::to_string(number),
-                   .left = left,
-                   .right = base,
-                   .clearance = clearance_after(number - 1),
-                   .law = law});
+    add(model, Gap<Law>{.name = "gap " + std::to_string(number),
+                        .left = left,
+                        .right = base,
+                        .clearance = clearance_after(number - 1),
+                        .law = law});
     left = base;
   }
-  add(model, Gap{.name = "gap " + std::to_string(buildings + 1),
-                 .left = left,
-                 .right = ground,
-                 .clearance = clearance_after(buildings),
-                 .law = law});
+  add(model, Gap<Law>{.name = "gap " + std::to_string(buildings + 1),
+                      .left = left,
+                      .right = ground,
+                      .clearance = clearance_after(buildings),
+                      .law = law});
   set_in_motion(model);
   return model;
 }
+
+constexpr double restitution = 0.65;
+
+}  // namespace
+
+NamedImpactLaw street_law(const std::string& name) {
+  return {.name = name,
+          .linear_stiffness = 5.8e8 * N / m,
+          .hertz_stiffness = 2.95e9 * N / m_3_2,
+          .restitution = restitution};
+}
+
+Model street(int buildings) {
+  return street_of(buildings, HertzDamp{.stiffness = 2.95e9 * N / m_3_2, .restitution = restitution});
+}
+
+Model street(int buildings, const NamedImpactLaw& law) { return street_of(buildings, law); }
 
 GroundMotion street_motion() { return near_fault_pulse({.lead_in = 0 * s}).scaled_to_pga(0.4 * g); }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <moat.hpp>
+#include <string>
 
 namespace moat::performance {
 
@@ -17,8 +18,12 @@ namespace moat::performance {
 /// Bases and floors start at the instant of the pulse's largest motion: every building stands within 2 cm of its
 /// place and moves with up to 0.6 m/s, so that contacts begin and end from the first steps on.
 ///
-/// Throws InputError unless buildings >= 2.
+/// Gaps have the contact law of the first tour, or another one. Throws InputError unless buildings >= 2.
 Model street(int buildings);
+Model street(int buildings, const NamedImpactLaw& law);  ///< With this law in all gaps.
+
+/// A law of that name (impact_law_names()) about as stiff as that of street(int), with a restitution of 0.65.
+NamedImpactLaw street_law(const std::string& name);
 
 inline constexpr int degrees_of_freedom_per_building = 6;
 

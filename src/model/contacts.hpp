@@ -2,9 +2,6 @@
 #pragma once
 
 #include <cstddef>
-#include <vector>
-
-#include "model/regimes.hpp"
 
 namespace moat {
 
@@ -27,8 +24,6 @@ class Contacts {
   /// Restitution that the element's law delivers in a free impact at this approach speed, m/s. NaN if the speed is not
   /// positive, and for a law whose contact never ends.
   [[nodiscard]] virtual double delivered_restitution(std::size_t element, double approach_speed) const = 0;
-  /// After commit(): opens the gaps that opened inside the last step and lists them. Their forces are zero already.
-  virtual void open_gaps(std::size_t block_index, std::vector<RegimeChange>& changes) = 0;
 
  protected:
   ~Contacts() = default;

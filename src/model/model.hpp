@@ -181,8 +181,9 @@ class Model {
   bool change_regimes_inside(double step, double aim, std::vector<RegimeChange>& changes);
   /// Takes back all changes inside the step being tried.
   void undo_changes_inside();
-  /// After commit(): gaps that opened inside the step; their forces are zero already.
-  void open_gaps(std::vector<RegimeChange>& changes);
+  /// The part that these rules leave out of the forces of elements that change inside the trial step, `step` s long, or
+  /// changed inside the last ones (Regimes::add_missed_impulses). Returns whether there are such elements.
+  bool find_missed_impulses(double step, const ImpulseRules& rules, MissedImpulses& missed) const;
   /// Number of gaps that are closed.
   [[nodiscard]] int contacts_going_on() const;
   /// Duration of the shortest contact in progress, s; infinite if there is none.

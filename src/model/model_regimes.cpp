@@ -43,10 +43,12 @@ void Model::undo_changes_inside() {
   for (const std::size_t i : blocks_with_regimes_) blocks_[i]->regimes()->undo_changes_inside();
 }
 
-void Model::open_gaps(std::vector<RegimeChange>& changes) {
-  const std::size_t before = changes.size();
-  for (const std::size_t i : blocks_with_contacts_) blocks_[i]->contacts()->open_gaps(i, changes);
-  for (std::size_t i = before; i < changes.size(); ++i) changes[i].time += state_.time;
+bool Model::find_missed_impulses(double step, const ImpulseRules& rules, MissedImpulses& missed) const {
+  missed.clear(masses_.size());
+  bool any = false;
+  for (const std::size_t i : blocks_with_regimes_)
+    any = blocks_[i]->regimes()->add_missed_impulses(step, rules, missed) || any;
+  return any;
 }
 
 int Model::contacts_going_on() const {

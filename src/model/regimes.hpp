@@ -7,6 +7,8 @@
 #include <span>
 #include <vector>
 
+#include "model/impulses.hpp"
+
 namespace moat {
 
 /// The regimes of all elements at the end of a trial step.
@@ -55,13 +57,17 @@ class Regimes {
 
   /// Puts elements that are beyond their margin at the last evaluate(), `step` seconds after the committed state, into
   /// their next regime from the interpolated instant on, and lists them, with times from the committed state. The step
-  /// is then solved again with the new regimes instead of ending there. Openings of gaps are left to open_gaps(): an
-  /// opened gap has no force. False if a force would jump, which no step can cross; elements before that one stay
-  /// changed until undo_changes_inside().
+  /// is then solved again with the new regimes instead of ending there. False if a force would jump, which no step can
+  /// cross; elements before that one stay changed until undo_changes_inside().
   virtual bool change_inside(double step, double aim, std::size_t block_index, std::vector<RegimeChange>& changes) = 0;
 
   /// Undoes the changes inside the step being tried.
   virtual void undo_changes_inside() = 0;
+
+  /// Adds the part that these rules leave out of the forces of elements that change inside the step being tried, or
+  /// changed inside the last ones: forces that begin, end or bend inside a step. They are integrated along the
+  /// interpolated deformation of the last evaluate(). Returns whether there are such elements.
+  virtual bool add_missed_impulses(double step, const ImpulseRules& rules, MissedImpulses& missed) const = 0;
 
  protected:
   ~Regimes() = default;

@@ -67,20 +67,20 @@ class PeakTrackers {
 
   /// The rate of a quantity jumps at a time inside the last step. The cubic over that step does not follow the bend:
   /// where it turned does not count. The value at the bend counts, and where the paths before and behind it turn. Up to
-  /// the bend the path is the cubic over the step before, continued. If there is none, or that step was bent, too, or
-  /// is so short that its cubic would magnify round-off, the value is extrapolated along straight lines from both ends
-  /// of the last step, the nearer one with the larger weight.
+  /// the bend the path is the cubic over the step before, continued, or over as many steps before as are long enough
+  /// not to magnify round-off. If the quantity jumped or bent in these, or they are not known any more, the value is
+  /// extrapolated along straight lines from both ends of the last step, the nearer one with the larger weight.
   void add_bend(std::size_t i, double time) {
-    const Instant from = of(start(), i), to = of(last(), i), earlier = of(before(2), i);
+    const Instant from = of(start(), i), to = of(last(), i);
     const double from_start = time - from.time, to_end = to.time - time;
     if (from_start <= 0.0 || to_end <= 0.0) return;
     take_back_turn(i);
     Instant bend{time, from.value + from_start * from.rate, from.rate};
-    const double earlier_step = from.time - earlier.time;
-    constexpr double farthest = 4.0;  // steps
-    if (farthest * earlier_step > from_start && last_bends_[i] <= earlier.time) {
-      const HermiteCubic path{earlier.value, earlier.rate, from.value, from.rate, earlier_step};
-      const double beyond = 1.0 + from_start / earlier_step;
+    constexpr double farthest = 4.0;  // of the length of the steps before
+    const Instant earlier = smooth_since(i, from_start / farthest);
+    if (const double earlier_steps = from.time - earlier.time; farthest * earlier_steps > from_start) {
+      const HermiteCubic path{earlier.value, earlier.rate, from.value, from.rate, earlier_steps};
+      const double beyond = 1.0 + from_start / earlier_steps;
       bend = {time, path.value(beyond), path.rate(beyond)};
     } else {
       const double backward = to.value - to_end * to.rate;
@@ -109,11 +109,27 @@ class PeakTrackers {
   [[nodiscard]] double time(std::size_t i) const { return times_[i]; }
 
  private:
-  static constexpr std::size_t kept = 4;  // the next instant, both ends of the last step, and the instant before them
+  static constexpr std::size_t kept = 6;  // the next instant, both ends of the last step, and three before them
 
   [[nodiscard]] const CommonInstant& before(std::size_t steps) const { return instants_[(newest_ - steps) % kept]; }
   [[nodiscard]] static Instant of(const CommonInstant& instant, std::size_t i) {
     return {instant.time, instant.values[i], instant.rates[i]};
+  }
+
+  // The last known instant that is at least so much earlier than the start of the last step, or the earliest one, since
+  // which a quantity has neither jumped nor bent.
+  [[nodiscard]] Instant smooth_since(std::size_t i, double earlier) const {
+    constexpr double round_off = 1e-5;  // of the peak
+    const double start_time = start().time;
+    Instant known = of(start(), i);
+    for (std::size_t steps = 2; steps < kept - 1 && start_time - known.time <= earlier; ++steps) {
+      const Instant before_it = of(before(steps), i);
+      const double jump = std::abs(before_it.value - known.value) + earlier * std::abs(before_it.rate - known.rate);
+      const bool jumped = before_it.time == known.time && jump > round_off * magnitude(i);
+      if (jumped || last_bends_[i] > before_it.time) break;
+      known = before_it;
+    }
+    return known;
   }
 
   // A peak inside the last step that replaced another one.

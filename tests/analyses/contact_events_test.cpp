@@ -136,7 +136,7 @@ TEST(ContactEvents, AreLocatedInFewSolvesInLongSteps) {
     const Building building = add(model, testing::paper_building());
     add(model, Moat{.around = building.base, .clearance = 10 * cm, .law = testing::paper_hertz_damp()});
     const PeaksAndImpacts run = compute_peaks(model, near_fault_pulse().scaled_to_pga(0.4 * g), {.step = length * s});
-    ASSERT_GT(run.impacts, 5u);
+    ASSERT_GT(run.touches.size(), 5u);
     EXPECT_LT(run.solver.event_solves, 4 * run.solver.events);
   }
 }

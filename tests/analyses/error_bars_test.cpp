@@ -216,9 +216,17 @@ TEST(ErrorBars, AGrazingContactIsSensitive) {
 
 Peak peak(std::string quantity, double value) { return {std::move(quantity), "here", value, "m", 1.0}; }
 
+// So many impacts, one a second, each with 1 m/s.
+std::vector<Touch> touches(int count) {
+  std::vector<Touch> list;
+  for (int i = 0; i < count; ++i) list.push_back({"wall", 1.0 * i, 1.0});
+  return list;
+}
+
 TEST(EstimateErrors, IsAtLeastRichardsons) {
   std::vector<Peak> peaks{peak("displacement", 100.0), peak("drift", 10.0)};
-  const ErrorBars bars = estimate_errors(peaks, 3, {{peak("displacement", 100.03), peak("drift", 9.997)}, 3, {}});
+  const ErrorBars bars =
+      estimate_errors(peaks, touches(3), {{peak("displacement", 100.03), peak("drift", 9.997)}, touches(3), {}});
   EXPECT_GE(peaks[0].error, 4.0 / 3.0 * 0.03);
   EXPECT_LE(peaks[0].error, 10.0 * 0.03);
   EXPECT_NEAR(peaks[1].error, 0.1 * peaks[0].error, 1e-4 * peaks[1].error);
@@ -229,14 +237,14 @@ TEST(EstimateErrors, IsAtLeastRichardsons) {
 
 TEST(EstimateErrors, DoesNotTrustAgreementByAccident) {
   std::vector<Peak> peaks{peak("a", 100.0), peak("b", 100.0), peak("c", 100.0)};
-  estimate_errors(peaks, 0, {{peak("a", 100.0), peak("b", 100.2), peak("c", 100.3)}, 0, {}});
+  estimate_errors(peaks, touches(0), {{peak("a", 100.0), peak("b", 100.2), peak("c", 100.3)}, touches(0), {}});
   EXPECT_GT(peaks[0].error, 0.02);
   EXPECT_LT(peaks[0].error, peaks[1].error);
 }
 
 TEST(EstimateErrors, IsAtLeastTheShareThatTheRunPromises) {
   std::vector<Peak> peaks{peak("displacement", 100.0), peak("drift", 0.0)};
-  estimate_errors(peaks, 0, {{peak("displacement", 100.0), peak("drift", 0.0)}, 0, {}}, 1e-4);
+  estimate_errors(peaks, touches(0), {{peak("displacement", 100.0), peak("drift", 0.0)}, touches(0), {}}, 1e-4);
   EXPECT_NEAR(peaks[0].error, 0.01, 1e-5);
   EXPECT_EQ(peaks[1].error, 0.0);
 }
@@ -259,7 +267,8 @@ TEST(EstimateErrors, PromisesNoMoreThanTheToleranceWhereBendsAreNotLocated) {
 
 TEST(EstimateErrors, LeavesNoErrorToAForceThatNeitherRunHas) {
   std::vector<Peak> peaks{peak("displacement", 1.0), peak("indentation", 0.0)};
-  const ErrorBars bars = estimate_errors(peaks, 0, {{peak("displacement", 1.001), peak("indentation", 0.0)}, 0, {}});
+  const ErrorBars bars =
+      estimate_errors(peaks, touches(0), {{peak("displacement", 1.001), peak("indentation", 0.0)}, touches(0), {}});
   EXPECT_EQ(peaks[1].error, 0.0);
   EXPECT_FALSE(bars.sensitive);
 }
@@ -268,28 +277,53 @@ TEST(EstimateErrors, DoesNotCallRoundOffSensitive) {
   // The second does not move but for round-off, which differs altogether between the runs.
   std::vector<Peak> peaks{peak("displacement", 1.0), peak("displacement", 3e-17)};
   EXPECT_FALSE(
-      estimate_errors(peaks, 0, {{peak("displacement", 1.0001), peak("displacement", 7e-17)}, 0, {}}).sensitive);
+      estimate_errors(peaks, touches(0), {{peak("displacement", 1.0001), peak("displacement", 7e-17)}, touches(0), {}})
+          .sensitive);
 }
 
 // Surfaces of a pendulum that never slide: all there is of this quantity is round-off.
 TEST(EstimateErrors, DoesNotCallAQuantityOfRoundOffAloneSensitive) {
   std::vector<Peak> peaks{peak("displacement", 0.2), peak("third_surface_slip", 1.6e-19)};
-  EXPECT_FALSE(
-      estimate_errors(peaks, 0, {{peak("displacement", 0.2001), peak("third_surface_slip", -7e-20)}, 0, {}}).sensitive);
+  EXPECT_FALSE(estimate_errors(peaks, touches(0),
+                               {{peak("displacement", 0.2001), peak("third_surface_slip", -7e-20)}, touches(0), {}})
+                   .sensitive);
   // A slip of a micrometre is a motion.
   peaks[1].value = 1e-6;
-  EXPECT_TRUE(
-      estimate_errors(peaks, 0, {{peak("displacement", 0.2001), peak("third_surface_slip", 1.1e-6)}, 0, {}}).sensitive);
+  EXPECT_TRUE(estimate_errors(peaks, touches(0),
+                              {{peak("displacement", 0.2001), peak("third_surface_slip", 1.1e-6)}, touches(0), {}})
+                  .sensitive);
 }
 
 TEST(EstimateErrors, OtherImpactsAreSensitiveEvenIfThePeaksAgree) {
   std::vector<Peak> same{peak("displacement", 1.0)}, other = same;
   const std::vector<Peak> companion{peak("displacement", 1.0001)};
-  EXPECT_FALSE(estimate_errors(same, 7, {companion, 7, {}}).sensitive);
-  const ErrorBars bars = estimate_errors(other, 7, {companion, 8, {}});
+  EXPECT_FALSE(estimate_errors(same, touches(7), {companion, touches(7), {}}).sensitive);
+  const ErrorBars bars = estimate_errors(other, touches(7), {companion, touches(8), {}});
   EXPECT_TRUE(bars.sensitive);
   EXPECT_EQ(bars.reason, "with finer steps it has 8 impacts instead of 7; all peaks are known to 1 % nevertheless");
   EXPECT_GT(other[0].error, same[0].error) << "the difference of two motions is no measure of an error";
+}
+
+// Two runs of a chaotic case have equally many impacts and, by chance, the same peaks, but their impacts part.
+TEST(EstimateErrors, ImpactsThatPartAreSensitiveEvenIfThePeaksAgree) {
+  std::vector<Peak> close{peak("displacement", 1.0)}, far = close;
+  PeaksAndImpacts companion{{peak("displacement", 1.0001)}, touches(7), {}};
+  companion.touches[5].approach_speed = 0.991;
+  EXPECT_FALSE(estimate_errors(close, touches(7), companion).sensitive);
+  companion.touches[5].approach_speed = 0.989;
+  const ErrorBars bars = estimate_errors(far, touches(7), companion);
+  EXPECT_TRUE(bars.sensitive);
+  EXPECT_EQ(bars.reason,
+            "from t = 5.00 s on, impacts with finer steps have other speeds, by more than 1 % of the fastest, so that "
+            "bars of later peaks may be too small");
+  EXPECT_GT(far[0].error, close[0].error);
+}
+
+TEST(EstimateErrors, ComparesImpactsGapByGap) {
+  // The same impacts, but those of two gaps at one instant are listed in the other order.
+  const std::vector<Touch> list{{"left", 1.0, 0.5}, {"right", 1.0, 0.9}};
+  std::vector<Peak> peaks{peak("displacement", 1.0)};
+  EXPECT_FALSE(estimate_errors(peaks, list, {{peak("displacement", 1.0001)}, {list[1], list[0]}, {}}).sensitive);
 }
 
 TEST(EstimateErrors, NamesTheWorstPeaksFirst) {
@@ -299,7 +333,7 @@ TEST(EstimateErrors, NamesTheWorstPeaksFirst) {
     companion.push_back(peaks.back());
     companion.back().value *= 1.0 + share;
   }
-  const ErrorBars bars = estimate_errors(peaks, 2, {companion, 2, {}});
+  const ErrorBars bars = estimate_errors(peaks, touches(2), {companion, touches(2), {}});
   ASSERT_EQ(bars.unsettled.size(), 6u) << "the last is judged by a share of the median of all";
   EXPECT_EQ(bars.unsettled[0].where, "storey 5");
   EXPECT_EQ(bars.unsettled[1].where, "storey 4");
@@ -313,7 +347,8 @@ TEST(EstimateErrors, NamesTheWorstPeaksFirst) {
 TEST(EstimateErrors, DoesNotKnowTheErrorOfAPeakThatIsMissingOrNotANumber) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   std::vector<Peak> peaks{peak("a", 1.0), peak("b", 1.0), peak("c", nan), peak("d", 1.0)};
-  const ErrorBars bars = estimate_errors(peaks, 0, {{peak("a", 1.0), peak("b", nan), peak("c", 1.0)}, 0, {}});
+  const ErrorBars bars =
+      estimate_errors(peaks, touches(0), {{peak("a", 1.0), peak("b", nan), peak("c", 1.0)}, touches(0), {}});
   EXPECT_TRUE(std::isfinite(peaks[0].error));
   for (const std::size_t i : {1u, 2u, 3u}) EXPECT_TRUE(std::isnan(peaks[i].error)) << i;
   EXPECT_EQ(bars.unsettled.size(), 3u);

@@ -20,6 +20,10 @@ class One {
   void add(double time, double value, double rate) {
     add(time, value, rate, [](double, double turned) { return turned; });
   }
+  void restart(double time, double value, double rate) {
+    set(time, value, rate);
+    trackers_.restart();
+  }
   void add_bend(double time) { trackers_.add_bend(0, time); }
 
   [[nodiscard]] double value() const { return trackers_.value(0); }
@@ -170,6 +174,25 @@ TEST(PeakTrackers, ABendFarBehindAShortStepIsExtrapolatedFromBothEnds) {
   tracker.add(1.0, 1.5, -1.0);  // bent at 0.75 s
   tracker.add_bend(0.75);
   EXPECT_NEAR(tracker.value(), 1.75, 1e-8);
+}
+
+/// An event elsewhere has left a short step, over which this quantity went on: the path is that since before the event.
+TEST(PeakTrackers, ABendFarBehindAShortStepContinuesThePathOfTheStepsBefore) {
+  const auto parabola = [](double t) { return 3.0 - (t - 1.4) * (t - 1.4); };
+  const auto rate = [](double t) { return -2.0 * (t - 1.4); };
+  for (const double jump : {0.0, 0.5}) {
+    SCOPED_TRACE(jump);
+    One tracker;
+    for (const double t : {0.0, 1.0}) tracker.add(t, parabola(t) - jump, rate(t));
+    tracker.restart(1.0, parabola(1.0), rate(1.0));
+    tracker.add(1.1, parabola(1.1), rate(1.1));
+    tracker.add(1.8, parabola(1.7) - 0.5, -5.0);  // bent at 1.7 s
+    tracker.add_bend(1.7);
+    if (jump == 0.0)
+      EXPECT_NEAR(tracker.value(), 3.0, 1e-12);
+    else
+      EXPECT_NEAR(tracker.value(), (0.1 * 3.27 + 0.6 * 2.91) / 0.7, 1e-12) << "straight lines from both ends";
+  }
 }
 
 /// A parabola on both sides of the bend, with one curvature.

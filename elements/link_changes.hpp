@@ -1,0 +1,60 @@
+// Changes of regime inside steps, of the links of a block.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <span>
+#include <vector>
+
+namespace moat {
+
+/// The links that change their regime inside the step being tried, and those that did so inside the last two steps:
+/// their forces need not be smooth yet.
+template <class State>
+class LinkChanges {
+ public:
+  /// One change inside the step.
+  struct Change {
+    std::size_t link;  ///< index in the block
+    State before;      ///< its history
+    double fraction;   ///< of the step
+    double heat;       ///< J, lost until then and then, which the account of the next regime does not see
+  };
+
+  /// Those of one link in the order in which they happen.
+  void add(const Change& change) {
+    of_step_.insert(std::ranges::upper_bound(of_step_, change.link, {}, &Change::link), change);
+  }
+  /// All, by link.
+  [[nodiscard]] std::span<const Change> of_step() const { return of_step_; }
+  /// Those of one link.
+  [[nodiscard]] std::span<const Change> of(std::size_t link) const {
+    const auto found = std::ranges::equal_range(of_step_, link, {}, &Change::link);
+    return {found.begin(), found.end()};
+  }
+  /// The step is tried again.
+  void clear() { of_step_.clear(); }
+  /// The step was accepted.
+  void commit() {
+    before_last_.swap(last_);
+    last_.clear();
+    for (const Change& change : of_step_) last_.push_back(change.link);
+    of_step_.clear();
+  }
+  /// The links that change or changed, ascending.
+  [[nodiscard]] std::vector<std::size_t> links() const {
+    std::vector<std::size_t> all{last_};
+    all.insert(all.end(), before_last_.begin(), before_last_.end());
+    for (const Change& change : of_step_) all.push_back(change.link);
+    std::ranges::sort(all);
+    const auto repeated = std::ranges::unique(all);
+    all.erase(repeated.begin(), repeated.end());
+    return all;
+  }
+
+ private:
+  std::vector<Change> of_step_;                  // by link
+  std::vector<std::size_t> last_, before_last_;  // inside the last step, and inside the one before
+};
+
+}  // namespace moat
