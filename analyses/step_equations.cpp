@@ -24,7 +24,7 @@ void StepEquations::begin(const StepTask& task, StepScheme scheme, Vector& guess
   scheme_ = scheme;
   is_moved_ = false;
   is_guess_ = true;
-  added_velocity_.resize(0);
+  added_velocities_.clear();
   const double h = task.length;
   const MotionState& start = model_->state();
   const double *u = start.displacement.data(), *v = start.velocity.data(), *a = start.acceleration.data(),
@@ -126,11 +126,16 @@ void StepEquations::predict(const StepTask& task, StepScheme scheme, Vector& gue
 }
 
 void StepEquations::add_impulses(const MissedImpulses& missed) {
-  const Vector& masses = model_->masses();
-  const Eigen::Index count = masses.size();
-  predicted_displacement_ += task_.length * missed.of_displacement.head(count).cwiseQuotient(masses);
-  predicted_velocity_ += missed.of_evaluated_velocity.head(count).cwiseQuotient(masses);
-  added_velocity_ = missed.of_velocity.head(count).cwiseQuotient(masses);
+  const double *mass = model_->masses().data(), *of_displacement = missed.of_displacement.data(),
+               *of_velocity = missed.of_velocity.data(), *of_evaluated_velocity = missed.of_evaluated_velocity.data();
+  const int count = size();
+  for (int i = 0; i < count; ++i) {
+    // Few degrees of freedom have any.
+    if (of_displacement[i] == 0.0 && of_velocity[i] == 0.0) continue;
+    predicted_displacement_[i] += task_.length * of_displacement[i] / mass[i];
+    predicted_velocity_[i] += of_evaluated_velocity[i] / mass[i];
+    added_velocities_.push_back({i, of_velocity[i] / mass[i]});
+  }
   is_moved_ = false;
 }
 
@@ -151,7 +156,7 @@ void StepEquations::complete() {
   for (int i = 0; i < size(); ++i)
     velocity[i] =
         v[i] + half * (a[i] + end_acceleration[i]) - correction * (end_jerk[i] - jerk[i]) - deviation_.velocity;
-  if (added_velocity_.size() > 0) end.velocity.head(size()) += added_velocity_;
+  for (const auto& [i, added] : added_velocities_) velocity[i] += added;
 }
 
 void StepEquations::balance_committed_state(PlanVector ground_acceleration) {

@@ -3,6 +3,8 @@
 
 #include <limits>
 #include <optional>
+#include <utility>
+#include <vector>
 
 #include "analyses/resultants.hpp"
 #include "analyses/step_scheme.hpp"
@@ -83,8 +85,8 @@ class StepEquations final : public NonlinearSystem {
   StepTask task_;
   GroundDeviation deviation_;  // of the ground in the whole step; used by schemes that correct the velocity
   Vector predicted_displacement_, predicted_velocity_;
-  Vector added_velocity_;  // by add_impulses(); empty: none
-  Vector of_start_;        // the share of the start in averaged equations
+  std::vector<std::pair<int, double>> added_velocities_;  // by add_impulses(), m/s, with their degrees of freedom
+  Vector of_start_;                                       // the share of the start in averaged equations
   // Largest force of every row: of the iterate, and of the last balanced step. All terms of a row may be zero at the
   // same instant; its scale is therefore at least half of the latter.
   Vector scales_, balanced_scales_;
