@@ -132,6 +132,12 @@ MotionFacts facts_of(const GroundMotion& motion) {
           .components = motion.components()};
 }
 
+std::vector<Touch> touches_of(const std::vector<Impact>& impacts) {
+  std::vector<Touch> touches;
+  for (const Impact& impact : impacts) touches.push_back({impact.where, impact.start, impact.approach_speed});
+  return touches;
+}
+
 }  // namespace
 
 CaseRun::CaseRun(Model& model, const GroundMotion& motion, CaseOptions options)
@@ -179,16 +185,6 @@ void CaseRun::run_bodies() {
     failure_of_bodies_ = error.what();
   }
 }
-
-namespace {
-
-std::vector<Touch> touches_of(const std::vector<Impact>& impacts) {
-  std::vector<Touch> touches;
-  for (const Impact& impact : impacts) touches.push_back({impact.where, impact.start, impact.approach_speed});
-  return touches;
-}
-
-}  // namespace
 
 void CaseRun::run_companion() {
   const SolverStatistics& spent = transient_.statistics();

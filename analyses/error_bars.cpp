@@ -22,8 +22,8 @@ namespace {
 namespace caution {
 /// Richardson's estimate is multiplied by it, because not all errors shrink to a quarter.
 constexpr double factor = 4.0;
-/// Replaces `factor` where the impacts differ. The difference of the runs is then the distance of two
-/// different motions and does not show the convergence of an error.
+/// Replaces `factor` where the impacts differ. The difference of the runs is then the distance of two different motions
+/// and does not show the convergence of an error.
 constexpr double factor_of_different_impacts = 8.0;
 /// The relative difference of a peak counts as at least this share of the median of the peaks of its unit, and of all
 /// peaks.
@@ -107,21 +107,25 @@ std::vector<Peak> with_approaches(const PeaksAndImpacts& run) {
   return peaks;
 }
 
+std::map<std::string_view, std::vector<Touch>> by_gap(std::span<const Touch> touches) {
+  std::map<std::string_view, std::vector<Touch>> of_gap;
+  for (const Touch& touch : touches) of_gap[touch.where].push_back(touch);
+  return of_gap;
+}
+
 // When the speeds of an impact first differ by more than `settled_within` of the fastest approach, s; infinite if they
-// never do. Impacts of one gap are compared in their order, as many as both runs have.
+// never do. Compared are impacts of gaps that have equally many in both runs, in their order.
 double divergence(std::span<const Touch> touches, std::span<const Touch> of_companion) {
-  std::map<std::string_view, std::vector<const Touch*>> of_gap;
-  for (const Touch& touch : of_companion) of_gap[touch.where].push_back(&touch);
   double fastest = 0.0;
   for (const Touch& touch : touches) fastest = std::max(fastest, touch.approach_speed);
-  std::map<std::string_view, std::size_t> counts;
   double first = std::numeric_limits<double>::infinity();
-  for (const Touch& touch : touches) {
-    const std::vector<const Touch*>& others = of_gap[touch.where];
-    const std::size_t number = counts[touch.where]++;
-    if (number >= others.size()) continue;
-    const double difference = std::abs(touch.approach_speed - others[number]->approach_speed);
-    if (difference > settled_within * fastest) first = std::min(first, touch.time);
+  const auto others = by_gap(of_companion);
+  for (const auto& [gap, own] : by_gap(touches)) {
+    const auto other = others.find(gap);
+    if (other == others.end() || other->second.size() != own.size()) continue;
+    for (std::size_t i = 0; i < own.size(); ++i)
+      if (std::abs(own[i].approach_speed - other->second[i].approach_speed) > settled_within * fastest)
+        first = std::min(first, own[i].time);
   }
   return first;
 }

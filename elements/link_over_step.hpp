@@ -1,7 +1,6 @@
 // The force and the work of a link over a step inside which its regime changes.
 #pragma once
 
-#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <span>
@@ -84,7 +83,7 @@ class LinkOverStep {
         add(state, from + points[k] * (to - from), weights[k] * (to - from) * step_);
       from = to;
     };
-    for (const Change& change : changes_) add_part(change.before, std::max(change.fraction, from));
+    for (const Change& change : changes_) add_part(change.before, change.fraction);
     add_part(*last_, 1.0);
   }
   [[nodiscard]] Response respond_at(const State& state, double x) const {

@@ -63,8 +63,10 @@ class LinksWithRegimes : public Links<Law, Ends>, public Regimes {
       const bool opening = opens(i);
       if (opening && jumps_at_opening(i)) return false;
       const HermiteQuintic path = path_between(this->start_, this->now_, i, step);
-      const double fraction = opening ? first_fall([&](double x) { return path.value(x); }, 1.0, 0.0)
-                                      : margin_path(i, step).first_crossing(1.0, aim);
+      const auto before = changes_.of(i);
+      const double fraction = std::max(before.empty() ? 0.0 : before.back().fraction,
+                                       opening ? first_fall([&](double x) { return path.value(x); }, 1.0, 0.0)
+                                               : margin_path(i, step).first_crossing(1.0, aim));
       const double deformation = path.value(fraction), rate = path.rate(fraction);
       const State next = opening ? State{} : this->laws_[i].next_regime(this->committed_[i], deformation, rate);
       if (!opening && jumps_at_entry(i, next, rate)) return false;
