@@ -19,8 +19,8 @@ struct ImpulseRules {
   ImpulseRule of_displacement;        ///< of the integral of (1 - t/h) f dt: mass times displacement, over h
 };
 
-/// The part that a scheme leaves out of the integrals of forces over a step, N s, by degree of freedom; the last entry is that
-/// of the ground.
+/// The part that a scheme leaves out of the integrals of forces over a step, N s, by degree of freedom; the last entry
+/// is that of the ground.
 struct MissedImpulses {
   Vector of_velocity, of_evaluated_velocity, of_displacement;  ///< as in ImpulseRules
 
