@@ -9,6 +9,7 @@
 
 #include "checked_reference.hpp"
 #include "reference_cases.hpp"
+#include "reference_peak.hpp"
 
 namespace moat::testing {
 namespace {
@@ -170,6 +171,14 @@ TEST(ReferenceHistory, ABodyPressedAgainstAWallComesToRestAtItsStaticIndentation
   const ReferenceResult result = reference_history(model);
   EXPECT_GE(result.touches.size(), 2U);
   EXPECT_NEAR(result.displacement[0] - 0.01, 1e5 * 2.0 / 1e10, 1e-12);
+}
+
+// The acceleration of a body that touches while another contact presses it has a nearly infinite rate at the touch.
+TEST(ReferencePeak, IsThatOfACurveAndNotOfACubicThatLeavesIt) {
+  EXPECT_NEAR((HermiteCubic{1.0, 0.0, 1.0, 0.0, -1.0}.turned()), 0.25, 1e-15);
+  EXPECT_NEAR((HermiteCubic{1.0, 0.0, -1.0, 0.0, 1.0}.turned()), -0.25, 1e-15);
+  EXPECT_NEAR((HermiteCubic{1.0, 1.0, 1e6, 1.3, -0.2}.turned()), 1.5, 1e-5);
+  EXPECT_NEAR((HermiteCubic{1.0, -1.0, -1e6, -1.3, 0.2}.turned()), -1.5, 1e-5);
 }
 
 TEST(ReferenceHistory, TheCheckNamesTheChangeOfEveryPeak) {

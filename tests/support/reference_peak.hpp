@@ -24,6 +24,15 @@ struct HermiteCubic {
     const double x = a > 0.0 ? a / (root - b) : -a / (root + b);
     return std::clamp(x, 0.0, 1.0);
   }
+  /// Its value there, but not beyond the point in which the lines through both ends meet: a curve that bends one way
+  /// stays within. Where a rate is nearly infinite, like that of d^1/4 behind a touch, the cubic would leave it far
+  /// behind.
+  [[nodiscard]] double turned() const {
+    const double a = step * start_rate, b = step * end_rate;
+    const double meeting = start + a * std::clamp((end - start - b) / (a - b), 0.0, 1.0), value = at(turn());
+    return a > 0.0 ? std::min(value, std::max({meeting, start, end}))
+                   : std::max(value, std::min({meeting, start, end}));
+  }
 };
 
 /// Largest magnitude over continuous time. A step is so short that a quantity turns at most once within it.
@@ -39,8 +48,7 @@ struct ReferencePeakTracker {
     keep(cubic.start, from);
     keep(cubic.end, from + cubic.step);
     if (!(cubic.start_rate * cubic.end_rate < 0.0)) return;
-    const double x = cubic.turn();
-    keep(cubic.at(x), from + x * cubic.step);
+    keep(cubic.turned(), from + cubic.turn() * cubic.step);
   }
 };
 
