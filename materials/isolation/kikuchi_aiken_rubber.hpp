@@ -17,6 +17,7 @@
 #include "materials/course.hpp"
 #include "materials/response.hpp"
 #include "materials/rubber_compound.hpp"
+#include "materials/rubber_loop.hpp"
 
 namespace moat {
 
@@ -51,12 +52,7 @@ struct KikuchiAikenRubber {
   Required<Length> height;
   Compound compound = Compound::x06;  ///< Of this bearing.
 
-  /// A turn of the deformation.
-  struct Reversal {
-    double x = 0.0, q = 0.0;      ///< q = Q2/f_m
-    double alpha = 1.0, b = 0.0;  ///< of the branch that begins here
-    friend bool operator==(const Reversal&, const Reversal&) = default;
-  };
+  using Reversal = RubberLoop::Reversal;             ///< A turn of the deformation.
   static constexpr std::size_t most_reversals = 64;  ///< That are remembered.
   struct State {
     double strain = 0.0, largest = 0.0;            ///< g, g_m
@@ -104,8 +100,8 @@ struct KikuchiAikenRubber {
   double dissipation_rate(const State& committed, double, double rate) const {
     if (committed.largest < elastic_strain) return 0.0;
     const Stress stress = stress_of(committed, committed.direction);
-    const Properties p = properties(committed.largest);
-    return area.si() * (stress.value - elastic_part(p, committed.strain / committed.largest).value) * rate;
+    const double elastic = loop(committed).elastic(committed.strain / committed.largest).value;
+    return area.si() * (stress.value - elastic) * rate;
   }
   double dissipated_energy(const State& from, const State& to) const { return to.heat - from.heat; }
   double linear_stiffness(StiffnessStage stage) const {
@@ -148,40 +144,9 @@ struct KikuchiAikenRubber {
  private:
   static constexpr double elastic_strain = 0.05;
 
-  struct Properties {
-    double f = 0.0, share = 0.0, exponent = 1.0, a = 1.0, b = 0.0, c = 1.0;  // f_m, u, n
-  };
-  struct Stress {
-    double value, slope;  // over the strain
-  };
+  using Stress = RubberLoop::Stress;
 
-  [[nodiscard]] Properties properties(double largest) const {
-    const RubberCompound rubber = of_rubber();
-    const double g = std::min(largest, RubberCompound::largest_strain);
-    return {.f = rubber.skeleton(largest),
-            .share = rubber.hysteretic_share(g),
-            .exponent = rubber.elastic_exponent(g),
-            .a = rubber.decay(g),
-            .b = rubber.second_size(g),
-            .c = rubber.second_decay()};
-  }
-  // Q1 and its slope over the strain times g_m.
-  static Stress elastic_part(const Properties& p, double x) {
-    const double size = std::abs(x);
-    return {0.5 * (1.0 - p.share) * p.f * (x + std::copysign(std::pow(size, p.exponent), x)),
-            0.5 * (1.0 - p.share) * p.f * (1.0 + p.exponent * std::pow(size, p.exponent - 1.0))};
-  }
-  // Of a branch at the distance X from its reversal, over alpha u f_m: value, slope and integral.
-  struct Shape {
-    double value, slope, integral;
-  };
-  static Shape shape(const Properties& p, double b, double distance) {
-    const double first = std::exp(-p.a * distance), second = std::exp(-p.c * distance);
-    return {2.0 - 2.0 * first + b * distance * second, 2.0 * p.a * first + b * (1.0 - p.c * distance) * second,
-            2.0 * distance + 2.0 / p.a * (first - 1.0) +
-                b * (1.0 / (p.c * p.c) - second * (distance / p.c + 1.0 / (p.c * p.c)))};
-  }
-
+  [[nodiscard]] RubberLoop loop(const State& state) const { return RubberLoop::at(of_rubber(), state.largest); }
   [[nodiscard]] const Reversal& last(const State& state) const {
     return state.stack[static_cast<std::size_t>(state.reversals - 1)];
   }
@@ -190,54 +155,36 @@ struct KikuchiAikenRubber {
       const double modulus = of_rubber().shear_modulus(elastic_strain);
       return {modulus * state.strain, modulus};
     }
-    const Properties p = properties(state.largest);
+    const RubberLoop loop = this->loop(state);
     const double x = state.strain / state.largest;
+    const Stress elastic = loop.elastic(x);
     if (state.reversals == 0) {
-      const double value = std::copysign(of_rubber().skeleton(std::abs(state.strain)), state.strain);
-      if (direction * state.strain >= 0.0) return {value, of_rubber().skeleton_slope(std::abs(state.strain))};
+      const double size = std::abs(state.strain), value = std::copysign(of_rubber().skeleton(size), state.strain);
+      if (direction * state.strain >= 0.0) return {value, of_rubber().skeleton_slope(size)};
       // About to unload.
-      return {value, (elastic_part(p, x).slope + p.share * p.f * shape(p, p.b, 0.0).slope) / state.largest};
+      return {value, elastic.slope + loop.first_slope({.b = loop.second_size})};
     }
     const Reversal& from = last(state);
-    const Shape branch = shape(p, from.b, std::abs(x - from.x));
-    const Stress elastic = elastic_part(p, x);
-    const double size = from.alpha * p.share * p.f;
-    if (direction != state.direction && direction != 0) {
-      // About to turn: the slope of the branch that would begin here.
-      const Reversal next = turned(p, from, x, hysteretic(p, state));
-      return {elastic.value + p.f * next.q,
-              (elastic.slope + next.alpha * p.share * p.f * shape(p, next.b, 0.0).slope) / state.largest};
-    }
-    return {elastic.value + p.f * hysteretic(p, state), (elastic.slope + size * branch.slope) / state.largest};
+    const double q = hysteretic(loop, state), value = elastic.value + loop.skeleton * q;
+    // About to turn: the slope of the branch that would begin here.
+    if (direction != state.direction && direction != 0)
+      return {value, elastic.slope + loop.first_slope(loop.turned(from, x, q))};
+    return {value, elastic.slope + from.alpha * loop.share * loop.skeleton *
+                                       loop.branch(from.b, std::abs(x - from.x)).slope / state.largest};
   }
   // Q2/f_m.
-  [[nodiscard]] double hysteretic(const Properties& p, const State& state) const {
+  [[nodiscard]] double hysteretic(const RubberLoop& loop, const State& state) const {
     const double x = state.strain / state.largest;
-    if (state.reversals == 0) return p.share * x;
+    if (state.reversals == 0) return loop.share * x;
     const Reversal& from = last(state);
-    const int along = x > from.x || (x == from.x && state.direction > 0) ? 1 : -1;
-    return from.q + along * from.alpha * p.share * shape(p, from.b, std::abs(x - from.x)).value;
-  }
-  static Reversal turned(const Properties& p, const Reversal& before, double x, double q) {
-    Reversal next{.x = x, .q = q, .b = before.b};
-    if (before.x * x >= 0.0) next.b = 0.0;
-    const double distance = std::abs(before.x - x);
-    if (distance == 0.0) {
-      next.alpha = before.alpha;
-      return next;
-    }
-    next.alpha = before.alpha * shape(p, before.b, distance).value / shape(p, next.b, distance).value;
-    return next;
+    return loop.hysteretic(from, x, x > from.x || (x == from.x && state.direction > 0) ? 1 : -1);
   }
 
   // Energy of the elastic part, over A H.
   [[nodiscard]] double stored(const State& state) const {
     if (state.largest < elastic_strain)
       return 0.5 * of_rubber().shear_modulus(elastic_strain) * state.strain * state.strain;
-    const Properties p = properties(state.largest);
-    const double x = std::abs(state.strain / state.largest);
-    return 0.5 * (1.0 - p.share) * p.f * state.largest *
-           (0.5 * x * x + std::pow(x, p.exponent + 1.0) / (p.exponent + 1.0));
+    return loop(state).elastic_energy(state.strain / state.largest);
   }
 
   // Leads the state to a strain in one direction and returns the integral of the stress.
@@ -254,21 +201,20 @@ struct KikuchiAikenRubber {
       state.largest = elastic_strain;
     }
     if (state.reversals == 0 && direction * state.strain < 0.0) {
-      const Properties p = properties(state.largest);
+      const RubberLoop loop = this->loop(state);
       const double x = state.strain < 0.0 ? -1.0 : 1.0;
-      push(state, {.x = x, .q = p.share * x, .alpha = 1.0, .b = p.b});
+      push(state, {.x = x, .q = loop.share * x, .alpha = 1.0, .b = loop.second_size});
     } else if (state.reversals > 0 && direction != state.direction) {
-      const Properties p = properties(state.largest);
-      push(state, turned(p, last(state), state.strain / state.largest, hysteretic(p, state)));
+      const RubberLoop loop = this->loop(state);
+      push(state, loop.turned(last(state), state.strain / state.largest, hysteretic(loop, state)));
     }
     state.direction = direction;
     while (state.reversals > 0) {
-      const Properties p = properties(state.largest);
       const double end =
           state.reversals == 1 ? direction : state.stack[static_cast<std::size_t>(state.reversals - 2)].x;
       const bool passes = direction * (target / state.largest - end) >= 0.0;
       const double to = passes ? end : target / state.largest;
-      work += branch_work(p, state, to);
+      work += loop(state).work(last(state), state.strain / state.largest, to);
       state.strain = passes ? end * state.largest : target;
       if (!passes) return work;
       state.reversals = state.reversals > 2 ? state.reversals - 2 : 0;
@@ -285,18 +231,6 @@ struct KikuchiAikenRubber {
   static void push(State& state, const Reversal& reversal) {
     state.reversals = before_push(state);
     state.stack[static_cast<std::size_t>(state.reversals++)] = reversal;
-  }
-  [[nodiscard]] double branch_work(const Properties& p, const State& state, double to) const {
-    const Reversal& from = last(state);
-    const double start = state.strain / state.largest;
-    const auto elastic = [&](double x) {
-      const double size = std::abs(x);
-      return 0.5 * (1.0 - p.share) * p.f * (0.5 * size * size + std::pow(size, p.exponent + 1.0) / (p.exponent + 1.0));
-    };
-    const double hysteretic = p.f * (from.q * (to - start) + from.alpha * p.share *
-                                                                 (shape(p, from.b, std::abs(to - from.x)).integral -
-                                                                  shape(p, from.b, std::abs(start - from.x)).integral));
-    return state.largest * (elastic(to) - elastic(start) + hysteretic);
   }
 };
 
