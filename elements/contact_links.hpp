@@ -110,21 +110,16 @@ class ContactLinks : public LinksWithRegimes<Law, Ends>, public Contacts {
       durations_[i] = this->laws_[i].contact_duration(effective_masses_[i], this->committed_[i].approach_speed);
   }
 
-  bool opens(std::size_t i) const override { return is_touching(i) && this->now_.deformations[i] <= 0.0; }
-
-  bool jumps_at_opening(std::size_t i) const override {
-    constexpr double of_expected = 0.01;
-    const double last = force_at(i, this->committed_[i], least_indentation, this->now_.rates[i]);
-    return std::abs(last) > of_expected * contact(i).expected_force;
-  }
-
-  // Whether the force right after a touch is of the size it has at the end of the step.
-  bool jumps_at_entry(std::size_t i, const State& next, double rate) const override {
-    if (is_touching(i)) return false;
-    constexpr double of_its_size = 0.3;
-    const double first = force_at(i, next, least_indentation, rate);
-    const double last = force_at(i, next, this->now_.deformations[i], this->now_.rates[i]);
-    return std::abs(first) > of_its_size * std::abs(last);
+  // At touch, if the force is of the size it has at the end of the step at once; and where the gap opens while it still
+  // pulls.
+  bool jumps(std::size_t i, const State& next, double rate) const override {
+    constexpr double of_end = 0.3, of_expected = 0.01;
+    if (!is_touching(i)) {
+      const double end = force_at(i, next, this->now_.deformations[i], this->now_.rates[i]);
+      return std::abs(force_at(i, next, least_indentation, rate)) > of_end * std::abs(end);
+    }
+    return next.phase == ContactPhase::open && std::abs(force_at(i, this->committed_[i], least_indentation, rate)) >
+                                                   of_expected * contact(i).expected_force;
   }
 
   /// Whether a contact has touched and not opened, at the committed state.

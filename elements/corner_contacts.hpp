@@ -216,8 +216,8 @@ class CornerContacts final : public ContactLinks<Law, PlanEnds>, public PlanCont
     speeds_at_touch_[i] = start_grips_[i].rate;
   }
   /// The slip at touch is known where a step ends, and not inside.
-  bool jumps_at_entry(std::size_t i, const State& next, double rate) const override {
-    return (friction(i).coefficient > 0.0 && !this->is_touching(i)) || Base::jumps_at_entry(i, next, rate);
+  bool jumps(std::size_t i, const State& next, double rate) const override {
+    return (friction(i).coefficient > 0.0 && !this->is_touching(i)) || Base::jumps(i, next, rate);
   }
 
  private:

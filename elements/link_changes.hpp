@@ -9,7 +9,7 @@
 namespace moat {
 
 /// The links that change their regime inside the step being tried, and those that did so inside the last two steps:
-/// their forces need not be smooth yet.
+/// their forces need not be smooth yet. (StepControl does not judge the nodes of these elements.)
 template <class State>
 class LinkChanges {
  public:
@@ -41,19 +41,20 @@ class LinkChanges {
     for (const Change& change : of_step_) last_.push_back(change.link);
     of_step_.clear();
   }
-  /// The links that change or changed, ascending.
-  [[nodiscard]] std::vector<std::size_t> links() const {
-    std::vector<std::size_t> all{last_};
-    all.insert(all.end(), before_last_.begin(), before_last_.end());
-    for (const Change& change : of_step_) all.push_back(change.link);
-    std::ranges::sort(all);
-    const auto repeated = std::ranges::unique(all);
-    all.erase(repeated.begin(), repeated.end());
-    return all;
+  /// The links that change or changed, ascending. Valid until the next call.
+  [[nodiscard]] std::span<const std::size_t> links() {
+    links_.assign(last_.begin(), last_.end());
+    links_.insert(links_.end(), before_last_.begin(), before_last_.end());
+    for (const Change& change : of_step_) links_.push_back(change.link);
+    std::ranges::sort(links_);
+    const auto repeated = std::ranges::unique(links_);
+    links_.erase(repeated.begin(), repeated.end());
+    return links_;
   }
 
  private:
-  std::vector<Change> of_step_;                  // by link
+  std::vector<Change> of_step_;  // by link
+  std::vector<std::size_t> links_;
   std::vector<std::size_t> last_, before_last_;  // inside the last step, and inside the one before
 };
 

@@ -1,10 +1,10 @@
 // The force and the work of a link over a step inside which its regime changes.
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <span>
 
+#include "base/gauss.hpp"
 #include "elements/link_changes.hpp"
 #include "elements/link_energies.hpp"
 #include "elements/link_motion.hpp"
@@ -73,14 +73,9 @@ class LinkOverStep {
   // Calls add(state, x, length) at the points of the quadrature; `length` s is the weight of the point.
   template <class Add>
   void for_each_point(const Add& add) const {
-    static constexpr std::array<double, 5> points{0.04691007703066802, 0.23076534494715845, 0.5, 0.7692346550528415,
-                                                  0.953089922969332};
-    static constexpr std::array<double, 5> weights{0.11846344252809454, 0.23931433524968324, 0.28444444444444444,
-                                                   0.23931433524968324, 0.11846344252809454};
     double from = 0.0;
     const auto add_part = [&](const State& state, double to) {
-      for (std::size_t k = 0; k < points.size(); ++k)
-        add(state, from + points[k] * (to - from), weights[k] * (to - from) * step_);
+      Gauss::visit(from, to, [&](double x, double weight) { add(state, x, weight * step_); });
       from = to;
     };
     for (const Change& change : changes_) add_part(change.before, change.fraction);

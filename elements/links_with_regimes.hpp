@@ -57,23 +57,20 @@ class LinksWithRegimes : public Links<Law, Ends>, public Regimes {
   }
 
   bool change_inside(double step, double aim, std::size_t block_index, std::vector<RegimeChange>& changes) override {
-    for (std::size_t i = 0; i < this->size(); ++i) {
-      if (this->laws_[i].regime_margin(this->committed_[i], this->now_.deformations[i], this->now_.rates[i]) >= 0.0)
-        continue;
-      const bool opening = opens(i);
-      if (opening && jumps_at_opening(i)) return false;
-      const HermiteQuintic path = path_between(this->start_, this->now_, i, step);
-      const auto before = changes_.of(i);
-      const double fraction = std::max(before.empty() ? 0.0 : before.back().fraction,
-                                       opening ? first_fall([&](double x) { return path.value(x); }, 1.0, 0.0)
-                                               : margin_path(i, step).first_crossing(1.0, aim));
-      const double deformation = path.value(fraction), rate = path.rate(fraction);
-      const State next = opening ? State{} : this->laws_[i].next_regime(this->committed_[i], deformation, rate);
-      if (!opening && jumps_at_entry(i, next, rate)) return false;
-      changes_.add({i, this->committed_[i], fraction, heat_until(i, next, deformation)});
-      changes.push_back({.block = block_index, .element = i, .time = fraction * step, .rate = rate, .inside = true});
-      enter(i, next, rate, changes.back());
-    }
+    for (std::size_t i = 0; i < this->size(); ++i)
+      // As in change().
+      for (int count = 0; count < 3 && margin_now(i) < 0.0; ++count) {
+        const HermiteQuintic path = path_between(this->start_, this->now_, i, step);
+        const auto before = changes_.of(i);
+        const double crossing = MarginPath{this->laws_[i], this->committed_[i], path}.first_crossing(1.0, aim),
+                     fraction = std::max(before.empty() ? 0.0 : before.back().fraction, crossing);
+        const double deformation = path.value(fraction), rate = path.rate(fraction);
+        const State next = this->laws_[i].next_regime(this->committed_[i], deformation, rate);
+        if (jumps(i, next, rate)) return false;
+        changes_.add({i, this->committed_[i], fraction, heat_until(i, next, deformation)});
+        changes.push_back({.block = block_index, .element = i, .time = fraction * step, .rate = rate, .inside = true});
+        enter(i, next, rate, changes.back());
+      }
     return true;
   }
 
@@ -85,8 +82,8 @@ class LinksWithRegimes : public Links<Law, Ends>, public Regimes {
     changes_.clear();
   }
 
-  bool add_missed_impulses(double step, const ImpulseRules& rules, MissedImpulses& missed) const override {
-    const std::vector<std::size_t> links = changes_.links();
+  bool add_missed_impulses(double step, const ImpulseRules& rules, MissedImpulses& missed) override {
+    const std::span<const std::size_t> links = changes_.links();
     for (const std::size_t i : links) {
       const ForceOverStep force = over_step(i, step).force();
       const auto add = [&](double integral, const ImpulseRule& rule, Vector& impulses) {
@@ -114,21 +111,20 @@ class LinksWithRegimes : public Links<Law, Ends>, public Regimes {
  protected:
   /// Puts a link into a regime at this rate of deformation, m/s, and notes whether a contact touched or opened.
   virtual void enter(std::size_t i, const State& next, double, RegimeChange&) { this->committed_[i] = next; }
-  /// Whether a contact opens inside the trial step, and whether it still pulls there.
-  [[nodiscard]] virtual bool opens(std::size_t) const { return false; }
-  /// Whether it still pulls there, so that the force jumps to zero.
-  [[nodiscard]] virtual bool jumps_at_opening(std::size_t) const { return false; }
-  /// Whether the force jumps where a link enters `next` inside the trial step.
-  [[nodiscard]] virtual bool jumps_at_entry(std::size_t, const State&, double) const { return false; }
+  /// Whether the force jumps where a link enters `next` inside the trial step, at this rate of deformation, m/s.
+  [[nodiscard]] virtual bool jumps(std::size_t, const State& /*next*/, double) const { return false; }
 
  private:
-  [[nodiscard]] MarginPath<Law> margin_path(std::size_t i, double step) const {
+  // At the end of the trial step, m.
+  [[nodiscard]] double margin_now(std::size_t i) const {
+    return this->laws_[i].regime_margin(this->committed_[i], this->now_.deformations[i], this->now_.rates[i]);
+  }
+  [[nodiscard]] MarginPath<Law, HermiteCubic> margin_path(std::size_t i, double step) const {
     return {this->laws_[i], this->committed_[i], cubic_between(this->start_, this->now_, i, step)};
   }
 
   void scan_link(std::size_t i, double step, double aim, RegimeScan& scan) const {
-    const double end_margin =
-        this->laws_[i].regime_margin(this->committed_[i], this->now_.deformations[i], this->now_.rates[i]);
+    const double end_margin = margin_now(i);
     if (end_margin < scan.margin) {
       scan.margin = end_margin;
       scan.nearest = i;
@@ -145,6 +141,8 @@ class LinksWithRegimes : public Links<Law, Ends>, public Regimes {
     if (scan.fraction > 0.0) scan.fraction = std::min(scan.fraction, margin_path(i, step).first_crossing(beyond, aim));
   }
 
+  // The energy, J, that a link loses until and in a change, and that the account of its next regime does not see: that
+  // of a law with a path begins there, and a contact that ends while still indented gives up the energy it had stored.
   [[nodiscard]] double heat_until(std::size_t i, const State& next, double deformation) const {
     const Law& law = this->laws_[i];
     const State& before = this->committed_[i];

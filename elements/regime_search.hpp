@@ -18,12 +18,12 @@ double first_fall(const Function& function, double beyond, double aim) {
   return bracket_root(above_aim, 0.0, beyond, close).high;
 }
 
-/// The margin of one law along the interpolated deformation of a step.
-template <LawWithRegimes Law>
+/// The margin of one law along the interpolated deformation of a step, a HermiteCubic or HermiteQuintic.
+template <LawWithRegimes Law, class Path>
 class MarginPath {
  public:
   /// The law and its history must outlive this object.
-  MarginPath(const Law& law, const typename Law::State& committed, const HermiteCubic& path)
+  MarginPath(const Law& law, const typename Law::State& committed, const Path& path)
       : law_{&law}, committed_{&committed}, path_{path} {}
 
   /// At a fraction of the step, m.
@@ -36,7 +36,7 @@ class MarginPath {
  private:
   const Law* law_;
   const typename Law::State* committed_;
-  HermiteCubic path_;
+  Path path_;
 };
 
 /// Fraction at which the deformation turns inside a step with these rates at its ends, 0 if it does not. A linear rate

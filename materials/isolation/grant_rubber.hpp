@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "base/check.hpp"
+#include "base/gauss.hpp"
 #include "base/parameter.hpp"
 #include "base/quantity.hpp"
 #include "base/required.hpp"
@@ -232,19 +233,15 @@ struct GrantRubber {
   /// `damage` is that at the start of the part; `deformation(share)` gives |d| and its derivative by the distance.
   template <class Deformation>
   [[nodiscard]] double smooth_work(const Damage& damage, double distance, const Deformation& deformation) const {
-    constexpr std::array<double, 5> points{0.04691007703066802, 0.23076534494715845, 0.5, 0.7692346550528415,
-                                           0.953089922969332};
-    constexpr std::array<double, 5> weights{0.11846344252809454, 0.23931433524968324, 0.28444444444444444,
-                                            0.23931433524968324, 0.11846344252809454};
     const double start = deformation(0.0).first, fastest = std::cbrt(std::max({c1.si(), c2.si(), c4.si()}));
     const int panels = 1 + static_cast<int>(4.0 * distance * fastest);
     double sum = 0.0;
     for (int panel = 0; panel < panels; ++panel)
-      for (std::size_t i = 0; i < points.size(); ++i) {
-        const auto [u, slope] = deformation((panel + points[i]) / panels);
+      Gauss::visit(0.0, 1.0, [&](double x, double weight) {
+        const auto [u, slope] = deformation((panel + x) / panels);
         const Wear wear = wear_of(worn(damage, {start, std::min(start, u), u}));
-        sum += weights[i] * (wear.elastic * secant(u) * u * slope + bound(wear, u));
-      }
+        sum += weight * (wear.elastic * secant(u) * u * slope + bound(wear, u));
+      });
     return sum * distance / panels;
   }
   /// The work of the decaying part over a straight move; `along`, N, is the component of R n - F2 at its start in the

@@ -183,7 +183,7 @@ class Model {
   void undo_changes_inside();
   /// The part that these rules leave out of the forces of elements that change inside the trial step, `step` s long, or
   /// changed inside the last ones (Regimes::add_missed_impulses). Returns whether there are such elements.
-  bool find_missed_impulses(double step, const ImpulseRules& rules, MissedImpulses& missed) const;
+  bool find_missed_impulses(double step, const ImpulseRules& rules, MissedImpulses& missed);
   /// Number of gaps that are closed.
   [[nodiscard]] int contacts_going_on() const;
   /// Duration of the shortest contact in progress, s; infinite if there is none.

@@ -43,7 +43,7 @@ void Model::undo_changes_inside() {
   for (const std::size_t i : blocks_with_regimes_) blocks_[i]->regimes()->undo_changes_inside();
 }
 
-bool Model::find_missed_impulses(double step, const ImpulseRules& rules, MissedImpulses& missed) const {
+bool Model::find_missed_impulses(double step, const ImpulseRules& rules, MissedImpulses& missed) {
   missed.clear(masses_.size());
   bool any = false;
   for (const std::size_t i : blocks_with_regimes_)

@@ -67,7 +67,7 @@ class Regimes {
   /// Adds the part that these rules leave out of the forces of elements that change inside the step being tried, or
   /// changed inside the last ones: forces that begin, end or bend inside a step. They are integrated along the
   /// interpolated deformation of the last evaluate(). Returns whether there are such elements.
-  virtual bool add_missed_impulses(double step, const ImpulseRules& rules, MissedImpulses& missed) const = 0;
+  virtual bool add_missed_impulses(double step, const ImpulseRules& rules, MissedImpulses& missed) = 0;
 
  protected:
   ~Regimes() = default;
