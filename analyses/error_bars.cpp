@@ -130,11 +130,22 @@ double divergence(std::span<const Touch> touches, std::span<const Touch> of_comp
   return first;
 }
 
-bool same_impacts(std::span<const Touch> touches, std::span<const Touch> of_companion) {
-  return touches.size() == of_companion.size() && !std::isfinite(divergence(touches, of_companion));
-}
+// The impacts of a run beside those of its companion.
+struct ImpactComparison {
+  ImpactComparison(std::span<const Touch> touches, std::span<const Touch> of_companion)
+      : count{touches.size()},
+        companion_count{of_companion.size()},
+        diverges_at{divergence(touches, of_companion)},
+        same{count == companion_count && !std::isfinite(diverges_at)} {}
 
-double factor_of(bool same_impacts) { return same_impacts ? caution::factor : caution::factor_of_different_impacts; }
+  std::size_t count, companion_count;
+  double diverges_at;  // s; infinite: never
+  bool same;
+};
+
+double factor_of(const ImpactComparison& impacts) {
+  return impacts.same ? caution::factor : caution::factor_of_different_impacts;
+}
 
 double relative_error(const Peak& peak) {
   return peak.magnitude() > 0.0 ? peak.error / peak.magnitude() : std::numeric_limits<double>::infinity();
@@ -164,15 +175,15 @@ std::string in_percent(const Peak& peak) {
   return with_decimals(100.0 * relative, relative < 0.1 ? 1 : 0) + " %";
 }
 
-std::string reason_of(std::size_t impacts, std::size_t companion_impacts, double divergence,
-                      const std::vector<Peak>& unsettled, std::size_t all) {
+std::string reason_of(const ImpactComparison& impacts, const std::vector<Peak>& unsettled, std::size_t all) {
   constexpr std::size_t most_named = 4;
   std::string text;
-  if (impacts != companion_impacts)
-    text = "with finer steps it has " + std::to_string(companion_impacts) +
-           (companion_impacts == 1 ? " impact instead of " : " impacts instead of ") + std::to_string(impacts);
-  if (std::isfinite(divergence))
-    text += (text.empty() ? "" : "; ") + std::string{"from t = "} + with_decimals(divergence, 2) +
+  if (impacts.count != impacts.companion_count)
+    text = "with finer steps it has " + std::to_string(impacts.companion_count) +
+           (impacts.companion_count == 1 ? " impact instead of " : " impacts instead of ") +
+           std::to_string(impacts.count);
+  if (std::isfinite(impacts.diverges_at))
+    text += (text.empty() ? "" : "; ") + std::string{"from t = "} + with_decimals(impacts.diverges_at, 2) +
             " s on, impacts with finer steps have other speeds, by more than 1 % of the fastest, so that bars of later "
             "peaks may be too small";
   else if (!text.empty() && unsettled.empty())
@@ -226,23 +237,21 @@ PeaksAndImpacts compute_peaks(Model& model, const GroundMotion& motion, const Tr
 
 ErrorBars estimate_errors(std::vector<Peak>& peaks, std::span<const Touch> touches, const PeaksAndImpacts& companion,
                           double least_share) {
-  const double diverges = divergence(touches, companion.touches);
-  const bool same = same_impacts(touches, companion.touches);
-  set_errors(peaks, companion.peaks, factor_of(same), least_share);
+  const ImpactComparison impacts{touches, companion.touches};
+  set_errors(peaks, companion.peaks, factor_of(impacts), least_share);
   ErrorBars bars;
   bars.checked = true;
-  bars.companion_impacts = companion.touches.size();
+  bars.companion_impacts = impacts.companion_count;
   bars.companion_solver = companion.solver;
   bars.unsettled = unsettled_of(peaks);
-  bars.sensitive = !same || !bars.unsettled.empty();
-  bars.reason = reason_of(touches.size(), companion.touches.size(), diverges, bars.unsettled, peaks.size());
+  bars.sensitive = !impacts.same || !bars.unsettled.empty();
+  bars.reason = reason_of(impacts, bars.unsettled, peaks.size());
   return bars;
 }
 
 void estimate_clearance_errors(PeaksAndImpacts& main, const PeaksAndImpacts& companion, double least_share) {
   std::vector<Peak> approaches = with_approaches(main);
-  set_errors(approaches, with_approaches(companion), factor_of(same_impacts(main.touches, companion.touches)),
-             least_share);
+  set_errors(approaches, with_approaches(companion), factor_of({main.touches, companion.touches}), least_share);
   for (std::size_t i = 0; i < main.clearances.size(); ++i)
     main.clearances[i].error = approaches[main.peaks.size() + i].error;
 }
