@@ -56,10 +56,6 @@ void set_in_motion(Model& model) {
   model.commit();
 }
 
-}  // namespace
-
-namespace {
-
 template <class Law>
 Model street_of(int buildings, const Law& law) {
   Check{"Street", ""}.that(buildings >= 2, "buildings", buildings, "1", ">= 2");
@@ -83,19 +79,18 @@ Model street_of(int buildings, const Law& law) {
   return model;
 }
 
+constexpr HertzStiffness hertz_stiffness = 2.95e9 * N / m_3_2;
 constexpr double restitution = 0.65;
 
 }  // namespace
 
 NamedImpactLaw street_law(const std::string& name) {
-  return {.name = name,
-          .linear_stiffness = 5.8e8 * N / m,
-          .hertz_stiffness = 2.95e9 * N / m_3_2,
-          .restitution = restitution};
+  return {
+      .name = name, .linear_stiffness = 5.8e8 * N / m, .hertz_stiffness = hertz_stiffness, .restitution = restitution};
 }
 
 Model street(int buildings) {
-  return street_of(buildings, HertzDamp{.stiffness = 2.95e9 * N / m_3_2, .restitution = restitution});
+  return street_of(buildings, HertzDamp{.stiffness = hertz_stiffness, .restitution = restitution});
 }
 
 Model street(int buildings, const NamedImpactLaw& law) { return street_of(buildings, law); }

@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "measuring/measure.hpp"
+#include "measuring/street.hpp"
 #include "performance/sections.hpp"
 #include "performance/street_run.hpp"
 
@@ -51,9 +52,11 @@ class Report {
     grow(quick);
     show_sizes();
     show_parts();
+    compare_events(quick);
     record_->table(sizes_table_);
     record_->table(parts_table_);
     record_->table(targets_);
+    record_->table(events_table_);
   }
 
  private:
@@ -133,12 +136,43 @@ class Report {
           beside_streaming(both, evaluation.bytes + assembly.bytes), Target{2.0});
   }
 
+  // Adapted steps that go on over changes of regime, beside steps that end at each of them, in turns.
+  void compare_events(bool quick) {
+    constexpr int buildings = 1000;
+    const Time end = quick ? 0.1 * units::s : 1.0 * units::s;
+    const auto seconds_of = [&](EventTreatment events, long& steps) {
+      Model model = street(buildings);
+      Transient transient{model, street_motion(), {.end = end, .events = events}};
+      const double start = seconds();
+      transient.run();
+      steps = transient.statistics().accepted_steps;
+      return (seconds() - start) / end.si();
+    };
+    std::vector<double> inside, located;
+    long steps_inside = 0, steps_located = 0;
+    for (int round = 0; round < 3; ++round) {
+      located.push_back(seconds_of(EventTreatment::located, steps_located));
+      inside.push_back(seconds_of(EventTreatment::automatic, steps_inside));
+    }
+    const std::string name = named(buildings * degrees_of_freedom_per_building) + "adapted steps, ";
+    const auto put = [&](const std::string& row, const std::vector<double>& taken, long steps) {
+      events_table_.put(row, "CPU seconds per second of motion",
+                        cell(record_->add({name + row + ", per second of motion", spread_of(taken), "s"})));
+      events_table_.put(row, "steps", std::to_string(steps));
+    };
+    put("default", inside, steps_inside);
+    put("every event located", located, steps_located);
+    events_table_.put("located / default", "CPU seconds per second of motion",
+                      cell(record_->add({name + "located / default", ratio_of(located, inside)})));
+  }
+
   Record* record_;
   std::vector<Size> sizes_;
   StreetReport largest_;
   Table sizes_table_{{"DOF", "step [ms]", "Newton iteration [ms]", "peak memory of the process per DOF [B]"}};
   Table parts_table_{{"Largest street", "bytes it must touch per DOF", "time [ms]", "time over streaming the bytes"}};
   Table targets_{{"", "Measured", "Target"}};
+  Table events_table_{{"Street of 6,000 DOF", "CPU seconds per second of motion", "steps"}};
 };
 
 }  // namespace

@@ -66,6 +66,31 @@ TEST_P(ReferencePeaks, HertzDamp) {
   }
 }
 
+// Contacts ten times stiffer, and more dissipative ones: defaults against a tight run, which has no error to speak of.
+TEST_P(ReferencePeaks, OtherContacts) {
+  struct Contact {
+    double stiffness, restitution;  // times that of the paper's building
+  };
+  for (const Contact& contact : {Contact{1.0, 0.65}, Contact{10.0, 0.65}, Contact{1.0, 0.4}, Contact{10.0, 0.4}}) {
+    SCOPED_TRACE(contact.stiffness);
+    SCOPED_TRACE(contact.restitution);
+    HertzDamp law = paper_hertz_damp();
+    law.stiffness = contact.stiffness * law.stiffness.value();
+    law.restitution = contact.restitution;
+    Model model;
+    add(model, Moat<HertzDamp>{.around = add(model, paper_building()).base, .clearance = 10 * cm, .law = law});
+    Model copy = model;
+    const CaseResult tight =
+        run_case(copy, *motion_,
+                 {.transient = {.tolerance = 1e-8, .steps_per_contact = 2048}, .error_bars = ErrorBarMode::never});
+    const CaseResult defaults = run(model, 0 * s);
+    ASSERT_EQ(defaults.impacts.size(), tight.impacts.size());
+    for (std::size_t i = 0; i < tight.peaks.size(); ++i)
+      EXPECT_NEAR(defaults.peaks[i].magnitude(), tight.peaks[i].magnitude(), 5e-5 * tight.peaks[i].magnitude())
+          << tight.peaks[i].quantity << " " << tight.peaks[i].where;
+  }
+}
+
 TEST_P(ReferencePeaks, NoPounding) {
   const Row row = reference_row(record(), "no_pounding");
   Model model;
