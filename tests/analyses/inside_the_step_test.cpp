@@ -183,7 +183,8 @@ double largest_rebound_error(const Law& law, double exact, int steps_per_contact
 }
 
 // A force that begins or ends inside a step has its whole impulse. Without the part that the scheme leaves out the
-// rebound would have errors of (pi/32)^2/12 = 8e-4, and of second order. (Average acceleration conserves the energy of this contact.)
+// rebound would have errors of (pi/32)^2/12 = 8e-4, and of second order. (Average acceleration conserves the energy of
+// this contact.)
 TEST(InsideTheStep, TheReboundKeepsTheOrderOfTheScheme) {
   const LinearElastic elastic{.stiffness = 1 * GN / m};
   for (const Integrator& integrator :
