@@ -145,16 +145,16 @@ bool ExactSteps::accepts(const StepTask& step, std::span<const RegimeChange>) {
 
 // Whether the cubics through both ends of the step meet the exact motion inside.
 bool ExactSteps::interpolates(const StepTask& step) const {
-  const std::size_t pieces = path_.pieces();
+  const std::size_t parts = path_.parts();
   // A single piece is short enough: largest_phase().
-  if (pieces == 1) return true;
+  if (parts == 1) return true;
   const Vector& scales = control_->acceleration_scales();
   const double h = step.length, allowed = cubics_within * control_->tolerance();
   for (Eigen::Index i = 0; i < model_->degrees_of_freedom(); ++i) {
-    const NodeCubics cubics{i, model_->state(), path_.ground_at(0), model_->trial(), path_.ground_at(pieces), h};
-    for (std::size_t piece = 1; piece < pieces; ++piece)
-      if (!cubics.meet(path_.start_of(piece) / h, path_.velocity(piece, i), path_.absolute_acceleration(piece, i),
-                       allowed, velocity_scale(i), scales[i]))
+    const NodeCubics cubics{i, model_->state(), path_.ground_at(0), model_->trial(), path_.ground_at(parts), h};
+    for (std::size_t part = 1; part < parts; ++part)
+      if (!cubics.meet(path_.start_of(part) / h, path_.velocity(part, i), path_.absolute_acceleration(part, i), allowed,
+                       velocity_scale(i), scales[i]))
         return false;
   }
   return true;
@@ -166,7 +166,7 @@ bool ExactSteps::would_interpolate_doubled(const StepTask& step) const {
   if (earlier_.length != step.length || wanted_ > step.length) return false;
   const Vector& scales = control_->acceleration_scales();
   const MotionState& middle = model_->state();
-  const double ground_at_middle = path_.ground_at(0), ground_at_end = path_.ground_at(path_.pieces());
+  const double ground_at_middle = path_.ground_at(0), ground_at_end = path_.ground_at(path_.parts());
   constexpr double reserve = 0.5;
   const double allowed = reserve * cubics_within * control_->tolerance();
   for (Eigen::Index i = 0; i < model_->degrees_of_freedom(); ++i) {

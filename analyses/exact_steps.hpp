@@ -24,12 +24,12 @@ namespace moat {
 /// Its motion from one time to the next is exact to round-off (analyses/linear_system.hpp): there is no error of
 /// period.
 ///
-/// A step consists of pieces (analyses/linear_path.hpp), as many as a power of two, at most 16. A piece is the
+/// A step consists of pieces (analyses/linear_path.hpp), as many as a power of two, at most 32. A piece is the
 /// interval of the samples (or less, by largest_step), halved until the fastest eigenvalue of the system times the
 /// piece is at most 1/2, and so small that the cubic over one piece meets a vibration of this frequency to the
 /// tolerance below. Elements, changes of regime and peaks are looked at from end to end of a step, by the
 /// cubic through values and rates. A step of several pieces is accepted only if this cubic meets the exact motion of
-/// every node at the end of every piece, to `cubics_within` tolerances: its absolute acceleration, of the scale of that
+/// every node at the end of every part, to `cubics_within` tolerances: its absolute acceleration, of the scale of that
 /// place (analyses/acceleration_scales.hpp), and its velocity, of its largest so far, but at least of 1e-6 of that of
 /// the fastest node: less may be round-off. (A stiff wall follows the ground: its acceleration is smooth, its velocity
 /// hardly.) Unlike errors of implicit steps this one does not accumulate. Steps double where the cubic over the last

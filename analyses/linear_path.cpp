@@ -1,6 +1,7 @@
 #include "analyses/linear_path.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 #include "analyses/step_grid.hpp"
@@ -21,71 +22,96 @@ double ground_inside(const StepTask& step, double time) {
 
 LinearPath::LinearPath(Eigen::Index count) : count_{count}, series_{count} {
   const Eigen::Index result = LinearSystem::result_size(count);
-  path_.setZero(LinearStart::motion + result, most_pieces + 2);
+  path_.setZero(result, most_pieces + 1);
+  start_.setZero(result);
   inside_.setZero(result);
 }
 
 void LinearPath::begin(const LinearSystem& system, const MotionState& start, const StepTask& step) {
   system_ = &system;
-  const double piece = system.step();
-  ground_[0] = step.ground_acceleration_at_start.x;
-  pieces_ = 0;
-  if (step.length > piece) {
-    double end = StepGrid::next_multiple(step.start_time, piece) - step.start_time;
-    for (; end < (1.0 - round_off) * step.length && pieces_ < most_pieces; end += piece) {
-      ends_[pieces_++] = end;
-      ground_[pieces_] = ground_inside(step, step.start_time + end);
-    }
-  }
-  ends_[pieces_++] = step.length;
-  ground_[pieces_] = step.ground_acceleration.x;
-
-  double* first = column(0);
-  first[LinearStart::one] = 1.0;
-  first[LinearStart::ground] = ground_[0];
-  first[LinearStart::slope] = (ground_[1] - ground_[0]) / ends_[0];
-  const double *displacement = start.displacement.data(), *velocity = start.velocity.data();
-  std::copy_n(displacement, count_, first + LinearStart::motion);
-  std::copy_n(velocity, count_, first + LinearStart::motion + count_);
+  divide(step);
+  join_pieces();
+  std::copy_n(start.displacement.data(), count_, start_of_part(0));
+  std::copy_n(start.velocity.data(), count_, start_of_part(0) + count_);
   known_ = 0;
   expanded_ = none;
 }
 
-const double* LinearPath::at(double h) {
-  std::size_t piece = 0;
-  while (piece + 1 < pieces_ && h > ends_[piece]) ++piece;
-  if (h == ends_[piece]) {
-    advance_to(piece + 1);
-    return column(piece + 1) + LinearStart::motion;
-  }
-  advance_to(piece);
-  expand(piece);
-  series_.evaluate(h - start_of(piece), inside_.data());
-  return inside_.data();
-}
-
-// The path up to the start of this piece.
-void LinearPath::advance_to(std::size_t piece) {
-  for (; known_ < piece; ++known_) {
-    const std::size_t next = known_ + 1;
-    double* end = column(next);
-    const double length = length_of(known_);
-    if (std::abs(length - system_->step()) <= round_off * system_->step()) {
-      system_->advance(column(known_), end + LinearStart::motion);
-    } else {
-      expand(known_);
-      series_.evaluate(length, end + LinearStart::motion);
+// Pieces end on multiples of the system's step.
+void LinearPath::divide(const StepTask& step) {
+  const double piece = system_->step();
+  pieces_ = 0;
+  ground_[0] = step.ground_acceleration_at_start.x;
+  if (step.length > piece) {
+    double end = StepGrid::next_multiple(step.start_time, piece) - step.start_time;
+    for (; end < (1.0 - round_off) * step.length && pieces_ + 1 < most_pieces; end += piece) {
+      times_[++pieces_] = end;
+      ground_[pieces_] = ground_inside(step, step.start_time + end);
     }
-    if (next == pieces_) continue;
-    end[LinearStart::one] = 1.0;
-    end[LinearStart::ground] = ground_[next];
-    end[LinearStart::slope] = (ground_[next + 1] - ground_[next]) / length_of(next);
+  }
+  times_[++pieces_] = step.length;
+  ground_[pieces_] = step.ground_acceleration.x;
+}
+
+bool LinearPath::is_whole(std::size_t piece) const {
+  return std::abs(times_[piece + 1] - times_[piece] - system_->step()) <= round_off * system_->step();
+}
+
+// Whole pieces are taken 2, 4 or 8 at once where there are enough for four parts. Only the first and the last piece may
+// be shorter.
+void LinearPath::join_pieces() {
+  constexpr std::size_t fewest_parts = 2;
+  std::size_t at_once = 1;
+  while (at_once < LinearSystem::most_steps_at_once && 2 * at_once * fewest_parts <= pieces_) at_once *= 2;
+  const std::size_t end_of_whole = is_whole(pieces_ - 1) ? pieces_ : pieces_ - 1;
+  parts_ = 0;
+  for (std::size_t piece = 0; piece < pieces_;) {
+    first_pieces_[parts_++] = piece;
+    std::size_t taken = is_whole(piece) ? at_once : 1;
+    while (taken > 1 && piece + taken > end_of_whole) taken /= 2;
+    piece += taken;
+  }
+  first_pieces_[parts_] = pieces_;
+}
+
+const double* LinearPath::at(double h) {
+  std::size_t part = 0;
+  while (part + 1 < parts_ && h > start_of(part + 1)) ++part;
+  if (h != start_of(part + 1)) return inside(part, h);
+  advance_to(part + 1);
+  return start_of_part(part + 1);
+}
+
+// The path up to the start of this part.
+void LinearPath::advance_to(std::size_t part) {
+  for (; known_ < part; ++known_) {
+    const std::size_t first = first_pieces_[known_], taken = first_pieces_[known_ + 1] - first;
+    if (is_whole(first))
+      system_->advance(static_cast<std::size_t>(std::countr_zero(taken)), start_of_part(known_), &ground_[first],
+                       start_of_part(known_ + 1));
+    else
+      std::copy_n(inside(known_, times_[first + 1]), path_.rows(), start_of_part(known_ + 1));
   }
 }
 
-void LinearPath::expand(std::size_t piece) {
-  if (expanded_ != piece) series_.expand(*system_, column(piece), length_of(piece));
-  expanded_ = piece;
+// After h s, in this part.
+const double* LinearPath::inside(std::size_t part, double h) {
+  advance_to(part);
+  std::size_t piece = first_pieces_[part];
+  while (h > times_[piece + 1]) ++piece;
+  if (expanded_ != piece) {
+    const double* start = start_of_part(part);
+    for (std::size_t i = first_pieces_[part]; i < piece; ++i) {
+      system_->advance(0, start, &ground_[i], inside_.data());
+      start_.swap(inside_);
+      start = start_.data();
+    }
+    const double slope = (ground_[piece + 1] - ground_[piece]) / (times_[piece + 1] - times_[piece]);
+    series_.expand(*system_, start, ground_[piece], slope);
+    expanded_ = piece;
+  }
+  series_.evaluate(h - times_[piece], inside_.data());
+  return inside_.data();
 }
 
 }  // namespace moat

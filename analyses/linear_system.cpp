@@ -3,8 +3,8 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
+#include <initializer_list>
 #include <string>
-#include <unsupported/Eigen/MatrixFunctions>
 
 #include "base/check.hpp"
 
@@ -16,29 +16,38 @@ using Matrix = Eigen::MatrixXd;
 constexpr int most_terms = 60;
 constexpr int most_halvings = 12;
 
+// The first column of a transition that belongs to a ground's acceleration; before it the constant 1.
+constexpr Eigen::Index first_ground = 1;
+
 // Rows of a transition are filled up to a multiple of this.
 constexpr Eigen::Index rows_at_once = 8;
 
 using FourRows = double __attribute__((vector_size(32), aligned(8), may_alias));
 
-// y = A x for a matrix in columns whose number of rows is a multiple of rows_at_once. Steps between events spend most
-// of their time here. The function is therefore compiled for newer processors as well, and the version is chosen when
-// the program starts.
+// Some columns of a matrix with the numbers that they are multiplied by.
+struct Columns {
+  const double* entries;
+  Eigen::Index count;
+  const double* factors;
+};
+
+// y = A x + B z + ... for columns whose number of rows is a multiple of rows_at_once. The function is compiled for
+// newer processors as well, and the version is chosen when the program starts.
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__)
 __attribute__((target_clones("default", "arch=x86-64-v3")))
 #endif
-void multiply(const double* __restrict matrix, Eigen::Index rows, Eigen::Index columns, const double* __restrict x,
-              double* __restrict y) {
+void multiply(Eigen::Index rows, std::initializer_list<Columns> parts, double* __restrict y) {
   for (Eigen::Index row = 0; row < rows; row += rows_at_once) {
-    FourRows first{}, second{};
-    for (Eigen::Index column = 0; column < columns; ++column) {
-      const auto* entries = reinterpret_cast<const FourRows*>(matrix + column * rows + row);
-      first += entries[0] * x[column];
-      second += entries[1] * x[column];
-    }
+    FourRows upper{}, lower{};
+    for (const Columns& columns : parts)
+      for (Eigen::Index column = 0; column < columns.count; ++column) {
+        const auto* entries = reinterpret_cast<const FourRows*>(columns.entries + column * rows + row);
+        upper += entries[0] * columns.factors[column];
+        lower += entries[1] * columns.factors[column];
+      }
     auto* sums = reinterpret_cast<FourRows*>(y + row);
-    sums[0] = first;
-    sums[1] = second;
+    sums[0] = upper;
+    sums[1] = lower;
   }
 }
 
@@ -60,22 +69,21 @@ double fastest_eigenvalue(const Matrix& stiffness, const Matrix& damping) {
 
 }  // namespace
 
-Eigen::Index LinearSystem::result_size(Eigen::Index degrees_of_freedom) {
-  return (3 * degrees_of_freedom + rows_at_once - 1) / rows_at_once * rows_at_once;
+Eigen::Index LinearSystem::filled_up(Eigen::Index rows) {
+  return (rows + rows_at_once - 1) / rows_at_once * rows_at_once;
 }
 
 LinearSystem::LinearSystem(const SparseMatrix& stiffness, const SparseMatrix& damping, const Vector& masses,
                            double longest_step, double largest_phase)
     : stiffness_values_{stiffness.values}, damping_values_{damping.values}, step_{longest_step} {
   const Vector inverse_mass = masses.cwiseInverse();
-  stiffness_ = inverse_mass.asDiagonal() * Matrix{stiffness.view()};
-  damping_ = inverse_mass.asDiagonal() * Matrix{damping.view()};
-  offset_.setZero(masses.size());
+  const Matrix of_stiffness = inverse_mass.asDiagonal() * Matrix{stiffness.view()},
+               of_damping = inverse_mass.asDiagonal() * Matrix{damping.view()};
 
   constexpr double longest_against_fastest = 0.5;
   // The bound costs much less than the eigenvalues, and is often enough.
-  const double bound = bound_of_eigenvalues(stiffness_, damping_),
-               fastest = bound * longest_step <= largest_phase ? bound : fastest_eigenvalue(stiffness_, damping_);
+  const double bound = bound_of_eigenvalues(of_stiffness, of_damping),
+               fastest = bound * longest_step <= largest_phase ? bound : fastest_eigenvalue(of_stiffness, of_damping);
   Check{"TransientOptions", ""}.that(
       fastest * std::ldexp(longest_step, -most_halvings) <= longest_against_fastest,
       "integrator = ExactBetweenEvents{} would need more than " + std::to_string(1 << most_halvings) +
@@ -83,98 +91,147 @@ LinearSystem::LinearSystem(const SparseMatrix& stiffness, const SparseMatrix& da
           to_text(fastest) + " 1/s.",
       "Look for a very stiff spring or damper at a small mass, or use Newmark{}.");
   while (step_ * fastest > largest_phase) step_ *= 0.5;
-  make_transition();
+  const Eigen::Index n = masses.size();
+  rates_.setZero(filled_up(n), 2 * n);
+  rates_.topLeftCorner(n, n) = -step_ * step_ * of_stiffness;
+  rates_.topRightCorner(n, n) = -step_ * of_damping;
+  transitions_.push_back(of_one_step());
+  for (std::size_t steps = 2; steps <= most_steps_at_once; steps *= 2)
+    transitions_.push_back(twice(transitions_.back()));
+  set_offset(Vector::Zero(n));
 }
 
-void LinearSystem::make_transition() {
-  const Eigen::Index n = stiffness_.rows();
-  // States u, u', the constant acceleration w of every degree of freedom, and the slope s of the ground's:
-  // u'' = -M^-1 (K u + C u') + w, w' = -iota s, s' = 0. The states are scaled to (u, h u', h^2 w, h^3 s) over a step of
-  // 1. All entries are then of order 1, and the exponential loses no digits.
+// The Taylor series of the scaled state (u, h u') over a step of 1, for unit values of all that it starts from:
+// constant accelerations h^2 w, the ground's accelerations h^2 a at both ends, and the state itself. All entries are of
+// order 1, and the terms decrease like 1 / (2^k k!).
+LinearSystem::Transition LinearSystem::of_one_step() const {
+  const Eigen::Index n = rates_.cols() / 2, of_ground = n, of_state = n + 2;
+  const auto rates = rates_.topRows(n);
+  const Vector ones = Vector::Ones(n);
+  Matrix term = Matrix::Zero(2 * n, 3 * n + 2), next = term;
+  term.rightCols(2 * n).setIdentity();
+  Matrix state = term;
+  constexpr double negligible = 1e-17;
+  int small_in_a_row = 0;
+  // Ends after two negligible terms in a row, because a single one may vanish.
+  for (int k = 1; k < most_terms && small_in_a_row < 2; ++k) {
+    next.topRows(n) = term.bottomRows(n);
+    next.bottomRows(n).noalias() = rates * term;
+    if (k == 1) {
+      next.bottomLeftCorner(n, n).diagonal() += ones;
+      next.col(of_ground).tail(n) -= ones;
+    } else if (k == 2) {
+      next.col(of_ground).tail(n) += ones;
+      next.col(of_ground + 1).tail(n) -= ones;
+    }
+    next /= k;
+    state += next;
+    term.swap(next);
+    small_in_a_row = term.lpNorm<Eigen::Infinity>() <= negligible ? small_in_a_row + 1 : 0;
+  }
+  Matrix after(3 * n, state.cols());
+  after.topRows(2 * n) = state;
+  after.bottomRows(n).noalias() = rates * state;
+  after.bottomLeftCorner(n, n).diagonal() += ones;
+  after.col(of_ground + 1).tail(n) -= ones;
+  // The scaling is removed.
   const double h = step_;
-  Matrix generator = Matrix::Zero(3 * n + 1, 3 * n + 1);
-  generator.block(0, n, n, n).setIdentity();
-  generator.block(n, 0, n, n) = -h * h * stiffness_;
-  generator.block(n, n, n, n) = -h * damping_;
-  generator.block(n, 2 * n, n, n).setIdentity();
-  generator.block(2 * n, 3 * n, n, 1).setConstant(-1.0);
-  const Matrix exponential = generator.exp();
-  // The rows of (u, h u', h^2 u'') at the end; then the scaling is removed.
-  Matrix after(3 * n, 3 * n + 1);
-  after.topRows(2 * n) = exponential.topRows(2 * n);
-  after.bottomRows(n).noalias() = generator.middleRows(n, n) * exponential;
-  after.middleCols(n, n) *= h;
-  after.middleCols(2 * n, n) *= h * h;
-  after.col(3 * n) *= h * h * h;
+  after.leftCols(of_state) *= h * h;
+  after.rightCols(n) *= h;
   after.middleRows(n, n) /= h;
   after.bottomRows(n) /= h * h;
-  from_constant_ = after.middleCols(2 * n, n);
-  transition_.setZero(result_size(n), LinearStart::motion + 2 * n);
-  auto transition = transition_.topRows(3 * n);
-  transition.col(LinearStart::ground) = -from_constant_.rowwise().sum();
-  transition.col(LinearStart::slope) = after.col(3 * n);
-  transition.middleCols(LinearStart::motion, 2 * n) = after.leftCols(2 * n);
+  Transition one;
+  one.from_constant = after.leftCols(n);
+  one.from_start.setZero(result_size(n), first_ground + 2 + 2 * n);
+  one.from_start.topRightCorner(3 * n, 2 + 2 * n) = after.rightCols(2 + 2 * n);
+  return one;
+}
+
+// The end of the first half is the start of the second.
+LinearSystem::Transition LinearSystem::twice(const Transition& half) const {
+  const Eigen::Index n = rates_.cols() / 2, steps = half.from_start.cols() - 2 * n - first_ground - 1;
+  const auto from_motion = half.from_start.rightCols(2 * n);
+  const auto grounds = half.from_start.middleCols(first_ground, steps + 1);
+  Transition whole;
+  whole.from_constant = half.from_constant;
+  whole.from_constant.noalias() += from_motion.topRows(3 * n) * half.from_constant.topRows(2 * n);
+  whole.from_start.setZero(half.from_start.rows(), first_ground + 2 * steps + 1 + 2 * n);
+  whole.from_start.middleCols(first_ground, steps + 1).noalias() = from_motion * grounds.topRows(2 * n);
+  whole.from_start.middleCols(first_ground + steps, steps + 1) += grounds;
+  whole.from_start.rightCols(2 * n).noalias() = from_motion * from_motion.topRows(2 * n);
+  return whole;
 }
 
 void LinearSystem::set_offset(const Vector& offset) {
   offset_ = offset;
-  transition_.col(LinearStart::one).head(3 * offset.size()).noalias() = from_constant_ * offset;
+  for (Transition& transition : transitions_)
+    transition.from_start.col(0).head(3 * offset.size()).noalias() = transition.from_constant * offset;
 }
 
-void LinearSystem::advance(const double* start, double* result) const {
-  multiply(transition_.data(), transition_.rows(), transition_.cols(), start, result);
+void LinearSystem::advance(std::size_t doublings, const double* start, const double* ground, double* end) const {
+  const Matrix& from_start = transitions_[doublings].from_start;
+  const Eigen::Index rows = from_start.rows(), grounds = (Eigen::Index{1} << doublings) + 1;
+  const double* columns = from_start.data();
+  constexpr double one = 1.0;
+  multiply(rows,
+           {{columns, 1, &one},
+            {columns + first_ground * rows, grounds, ground},
+            {columns + (first_ground + grounds) * rows, rates_.cols(), start}},
+           end);
 }
 
-LinearMotionSeries::LinearMotionSeries(Eigen::Index count) { coefficients_.setZero(count, most_terms); }
+void LinearSystem::scaled_rates(const double* state, double* result) const {
+  multiply(rates_.rows(), {{rates_.data(), rates_.cols(), state}}, result);
+}
 
-// With coefficients U_k of t^k in u, those of u' are (k + 1) U_{k+1}. The differential equation gives U_{k+2} from U_k
-// and U_{k+1}. Scaled by powers of the longest time they decrease like 1 / (2^k k!).
-void LinearMotionSeries::expand(const LinearSystem& system, const double* start, double longest) {
-  const Eigen::Index n = coefficients_.rows();
-  const Eigen::Map<const Vector> displacement{start + LinearStart::motion, n},
-      velocity{start + LinearStart::motion + n, n};
+LinearMotionSeries::LinearMotionSeries(Eigen::Index count) {
+  coefficients_.setZero(2 * count, most_terms);
+  state_.setZero(2 * count);
+  rates_.setZero(LinearSystem::filled_up(count));
+}
+
+// With coefficients U_k of (t/h)^k in u, those of h u' are V_k = (k + 1) U_{k+1}, and those of its rate (k + 1) V_{k+1}
+// follow from U_k and V_k by the differential equation. They decrease like 1 / (2^k k!).
+void LinearMotionSeries::expand(const LinearSystem& system, const double* start, double ground, double slope) {
+  const Eigen::Index n = coefficients_.rows() / 2;
+  const double h = system.step();
   system_ = &system;
-  longest_ = longest;
-  ground_ = start[LinearStart::ground];
-  slope_ = start[LinearStart::slope];
-  coefficients_.col(0) = displacement;
-  coefficients_.col(1) = longest * velocity;
+  ground_ = ground;
+  slope_ = slope;
+  coefficients_.col(0).head(n) = Eigen::Map<const Vector>{start, n};
+  coefficients_.col(0).tail(n) = h * Eigen::Map<const Vector>{start + n, n};
   constexpr double round_off = 1e-17;
-  double largest = coefficients_.col(0).lpNorm<Eigen::Infinity>(),
-         largest_rate = coefficients_.col(1).lpNorm<Eigen::Infinity>();
+  double largest = 0.0, largest_rate = 0.0;
   int small_in_a_row = 0;
-  for (terms_ = 2; terms_ < most_terms && small_in_a_row < 2; ++terms_) {
-    const auto k = static_cast<double>(terms_ - 2);
+  // The series ends after two negligible terms in a row, because a single term may vanish.
+  for (terms_ = 1; terms_ < most_terms && small_in_a_row < 2; ++terms_) {
+    const auto last = coefficients_.col(terms_ - 1);
     auto next = coefficients_.col(terms_);
-    next.noalias() = -longest * longest * (system.stiffness() * coefficients_.col(terms_ - 2));
-    next.noalias() -= longest * (k + 1.0) * (system.damping() * coefficients_.col(terms_ - 1));
-    if (terms_ == 2) next += longest * longest * (system.offset().array() - ground_).matrix();
-    if (terms_ == 3) next.array() -= longest * longest * longest * slope_;
-    next /= (k + 1.0) * (k + 2.0);
-    const double size = next.lpNorm<Eigen::Infinity>();
-    // The series ends after two negligible terms in a row, because a single term may vanish.
-    const bool small = size <= round_off * largest && (k + 2.0) * size <= round_off * largest_rate;
+    system.scaled_rates(last.data(), rates_.data());
+    auto rates = rates_.head(n);
+    if (terms_ == 1) rates += h * h * (system.offset().array() - ground).matrix();
+    if (terms_ == 2) rates.array() -= h * h * h * slope;
+    next.head(n) = last.tail(n) / terms_;
+    next.tail(n) = rates / terms_;
+    const double size = next.head(n).lpNorm<Eigen::Infinity>(), rate = next.tail(n).lpNorm<Eigen::Infinity>();
+    largest = std::max(largest, last.head(n).lpNorm<Eigen::Infinity>());
+    largest_rate = std::max(largest_rate, last.tail(n).lpNorm<Eigen::Infinity>());
+    const bool small = size <= round_off * largest && rate <= round_off * largest_rate;
     small_in_a_row = small ? small_in_a_row + 1 : 0;
-    largest = std::max(largest, size);
-    largest_rate = std::max(largest_rate, (k + 2.0) * size);
   }
 }
 
-void LinearMotionSeries::evaluate(double h, double* result) const {
-  const Eigen::Index n = coefficients_.rows();
-  const double x = h / longest_;
-  Eigen::Map<Vector> displacement{result, n}, rate{result + n, n}, acceleration{result + 2 * n, n};
-  displacement = coefficients_.col(terms_ - 1);
-  rate.setZero();
-  // Horner's scheme for the series and its derivative. The acceleration follows from the differential equation.
-  for (int k = terms_ - 2; k >= 0; --k) {
-    rate = x * rate + displacement;
-    displacement = x * displacement + coefficients_.col(k);
-  }
-  rate /= longest_;
-  acceleration = (system_->offset().array() - (ground_ + slope_ * h)).matrix();
-  acceleration.noalias() -= system_->stiffness() * displacement;
-  acceleration.noalias() -= system_->damping() * rate;
+void LinearMotionSeries::evaluate(double h, double* result) {
+  const Eigen::Index n = coefficients_.rows() / 2;
+  const double step = system_->step(), x = h / step;
+  state_ = coefficients_.col(terms_ - 1);
+  for (int k = terms_ - 2; k >= 0; --k) state_ = x * state_ + coefficients_.col(k);
+  // The acceleration follows from the differential equation.
+  system_->scaled_rates(state_.data(), rates_.data());
+  Eigen::Map<Vector>{result, n} = state_.head(n);
+  Eigen::Map<Vector>{result + n, n} = state_.tail(n) / step;
+  Eigen::Map<Vector>{result + 2 * n, n} =
+      rates_.head(n) / (step * step) + (system_->offset().array() - (ground_ + slope_ * h)).matrix();
 }
 
 }  // namespace moat

@@ -9,24 +9,19 @@
 
 namespace moat {
 
-/// The start of a linear motion, in one array: 1, the ground's acceleration and its slope, then u and u' of every
-/// degree of freedom. The motion that it leads to is an array of u, u' and u''. Both have room for whole groups of rows
-/// (LinearSystem::result_size()).
-struct LinearStart {
-  static constexpr int one = 0;     ///< Index of the constant 1.
-  static constexpr int ground = 1;  ///< Index of the ground's acceleration, m/s^2.
-  static constexpr int slope = 2;   ///< Index of its slope, m/s^3.
-  static constexpr int motion = 3;  ///< Index of the first displacement.
-};
-
 /// The motion of
 ///
-///     u'' = -M^-1 (K u + C u' + f0) - iota (a_g + s t)
+///     u'' = -M^-1 (K u + C u' + f0) - iota a_g
 ///
-/// over a step of one length. It is a matrix times the start, exact to round-off: the exponential of the augmented
-/// first-order system.
+/// over steps of one length. The ground's acceleration is linear over each. The motion at the end is a matrix times the
+/// motion at the start and the ground's accelerations, exact to round-off: the Taylor series of the solution.
+///
+/// A motion is an array of u, u' and u'', or of u and u' alone where it starts.
 class LinearSystem {
  public:
+  /// Steps that one product passes: 1, 2, 4, ... up to this.
+  static constexpr std::size_t most_steps_at_once = 8;
+
   /// Tangents of a model, with its masses in kg. The step is the longest, in s, halved until the fastest eigenvalue
   /// times the step is at most the largest phase, 0 < phase <= 1/2. Throws InputError where 1/2 needs more than 12
   /// halvings.
@@ -42,43 +37,55 @@ class LinearSystem {
 
   /// s
   [[nodiscard]] double step() const { return step_; }
-  /// From the start of a step to (u, u', u'') at its end.
-  void advance(const double* start, double* result) const;
+  /// From the start of 2^doublings steps to their end. `ground` is the acceleration of the ground at the start and at
+  /// the end of each of them, m/s^2. `end` has room for result_size() numbers.
+  void advance(std::size_t doublings, const double* start, const double* ground, double* end) const;
   /// The numbers that advance() writes for so many degrees of freedom.
-  static Eigen::Index result_size(Eigen::Index degrees_of_freedom);
+  static Eigen::Index result_size(Eigen::Index degrees_of_freedom) { return filled_up(3 * degrees_of_freedom); }
+  /// The next multiple of the rows that a product computes at once.
+  static Eigen::Index filled_up(Eigen::Index rows);
 
-  [[nodiscard]] const Eigen::MatrixXd& stiffness() const { return stiffness_; }  ///< M^-1 K, 1/s^2.
-  [[nodiscard]] const Eigen::MatrixXd& damping() const { return damping_; }      ///< M^-1 C, 1/s.
-  [[nodiscard]] const Vector& offset() const { return offset_; }                 ///< -M^-1 f0, m/s^2.
+  /// -h^2 M^-1 (K u + C u') of a state (u, h u'), with h the step. `result` has room for filled_up(n) numbers.
+  void scaled_rates(const double* state, double* result) const;
+  /// -M^-1 f0, m/s^2.
+  [[nodiscard]] const Vector& offset() const { return offset_; }
 
  private:
-  void make_transition();
+  // (u, u', u'') at the end of some steps.
+  struct Transition {
+    Eigen::MatrixXd from_constant;  // per constant acceleration of each degree of freedom
+    // Per entry of its start: constant 1, the ground's accelerations, the motion. Rows are filled up.
+    Eigen::MatrixXd from_start;
+  };
+
+  [[nodiscard]] Transition of_one_step() const;
+  [[nodiscard]] Transition twice(const Transition& transition) const;
 
   std::vector<double> stiffness_values_, damping_values_;
-  Eigen::MatrixXd stiffness_, damping_;
+  Eigen::MatrixXd rates_;  // -h^2 M^-1 K and -h M^-1 C, side by side; rows are filled up
   Vector offset_;
   double step_;
-  Eigen::MatrixXd transition_;     // (u, u', u'') at the end of a step, per entry of its start; rows filled up
-  Eigen::MatrixXd from_constant_;  // the same per constant acceleration of each degree of freedom
+  std::vector<Transition> transitions_;  // of 1, 2, 4, ... steps
 };
 
-/// The Taylor series of a linear motion, summed to round-off, for lengths other than the step of the system.
+/// The Taylor series of a linear motion, summed to round-off, for lengths up to the step of the system.
 class LinearMotionSeries {
  public:
   /// So many degrees of freedom.
   explicit LinearMotionSeries(Eigen::Index count);
 
-  /// The motion of a system from a start, for lengths up to `longest` s.
-  void expand(const LinearSystem& system, const double* start, double longest);
-  /// (u, u', u'') after h s.
-  void evaluate(double h, double* result) const;
+  /// The motion of a system from a start, (u, u'), under a ground with this acceleration, m/s^2, and slope, m/s^3.
+  void expand(const LinearSystem& system, const double* start, double ground, double slope);
+  /// (u, u', u'') after h s; `result` has room for LinearSystem::result_size() numbers.
+  void evaluate(double h, double* result);
 
  private:
   const LinearSystem* system_ = nullptr;
-  double longest_ = 0.0, ground_ = 0.0, slope_ = 0.0;
-  // Column k holds the coefficients of (t / longest)^k in u, of which terms_ are known.
+  double ground_ = 0.0, slope_ = 0.0;
+  // Column k holds the coefficients of (t/h)^k in (u, h u'), with h the step of the system; terms_ are known.
   Eigen::MatrixXd coefficients_;
   int terms_ = 0;
+  Vector state_, rates_;  // of evaluate()
 };
 
 }  // namespace moat

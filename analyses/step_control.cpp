@@ -181,7 +181,8 @@ void StepControl::accepted(const Model& model, double h, PlanVector ground_accel
   if (!adaptive()) return;
   since_event_ += h;
   if (most_doublings_ < options_.doublings && --steps_until_more_ <= 0) {
-    ++most_doublings_;
+    // One doubling at a time behind hidden motion, all of them behind a change of regime.
+    most_doublings_ = restraint_ > 1 ? most_doublings_ + 1 : options_.doublings;
     steps_until_more_ = restraint_;
   }
   changed_before_.swap(changed_last_);

@@ -134,7 +134,7 @@ class StepControl {
   int ramp_ = 0;              // further halvings after a touch
   double planned_ = 0.0;      // s, length of the last next_step(); samples of the motion may cut it
   int most_doublings_ = 0;    // at present, of the grid interval
-  int steps_until_more_ = 0;  // after which there is one more
+  int steps_until_more_ = 0;  // after which there is one more; all of them if restraint_ is 1
   int restraint_ = 1;         // steps from one more to the next
   double since_event_ = 0.0;  // s
   double fewest_steps_per_contact_ = std::numeric_limits<double>::infinity();

@@ -6,9 +6,11 @@
 #include <array>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "elements/spring.hpp"
+#include "exponential_motion.hpp"
 #include "materials/linear.hpp"
 #include "motions/ground_motion.hpp"
 
@@ -38,26 +40,27 @@ class LinearPathTest : public ::testing::Test {
     model.assemble_tangent(0.0, 0.0, 1.0, stiffness);
     model.assemble_tangent(0.0, 1.0, 0.0, damping);
     system.emplace(stiffness, damping, model.masses(), piece);
-    system->set_offset(Vector{{0.3, -0.2, 0.1}});
+    const Vector offset{{0.3, -0.2, 0.1}};
+    system->set_offset(offset);
+    exact.emplace(stiffness, damping, model.masses(), offset);
     model.trial().displacement.head(count) << 0.01, -0.02, 0.03;
     model.trial().velocity.head(count) << 0.5, 0.1, -0.4;
   }
 
-  // (u, u', u'') after h, by one series from the start of the step.
-  [[nodiscard]] std::vector<double> by_series(const StepTask& step, double h) const {
-    std::vector<double> start{1.0, step.ground_acceleration_at_start.x, step.ground_jerk.x};
-    for (Eigen::Index i = 0; i < count; ++i) start.push_back(model.trial().displacement[i]);
-    for (Eigen::Index i = 0; i < count; ++i) start.push_back(model.trial().velocity[i]);
-    LinearMotionSeries series{count};
-    series.expand(*system, start.data(), step.length);
-    std::vector<double> result(static_cast<std::size_t>(LinearSystem::result_size(count)));
-    series.evaluate(h, result.data());
-    return result;
+  [[nodiscard]] Vector start() const {
+    Vector motion(2 * count);
+    motion << model.trial().displacement.head(count), model.trial().velocity.head(count);
+    return motion;
   }
 
   Model model;
   std::optional<LinearSystem> system;
+  std::optional<testing::ExponentialMotion> exact;
 };
+
+void expect_equal(const double* found, const Vector& exact, double time) {
+  for (Eigen::Index i = 0; i < exact.size(); ++i) EXPECT_NEAR(found[i], exact[i], 1e-12) << time << " " << i;
+}
 
 // The ground accelerates as 2 + 30 t (m/s^2). The step begins between multiples of the piece.
 StepTask step_of(double start, double length) {
@@ -69,55 +72,64 @@ StepTask step_of(double start, double length) {
           .start_time = start};
 }
 
-TEST_F(LinearPathTest, IsTheMotionOfOneSeriesUnderASteadySlopeOfTheGround) {
-  const StepTask step = step_of(0.004, 0.033);
+TEST_F(LinearPathTest, IsTheExponentialUnderASteadySlopeOfTheGround) {
+  const StepTask step = step_of(0.004, 0.113);
   LinearPath path{count};
   path.begin(*system, model.trial(), step);
-  ASSERT_EQ(path.pieces(), 4U);
-  EXPECT_DOUBLE_EQ(path.start_of(1), 0.006);
-  EXPECT_DOUBLE_EQ(path.start_of(4), step.length);
-  // Ends and insides of pieces, not in their order.
-  for (const double h : {0.02, step.length, 0.001, path.start_of(2), path.start_of(1), 0.0299, 0.0001}) {
-    const std::vector<double> exact = by_series(step, h);
-    const double* found = path.at(h);
-    for (std::size_t i = 0; i < 3 * count; ++i) EXPECT_NEAR(found[i], exact[i], 1e-10) << h << " " << i;
-  }
-  for (std::size_t k = 1; k < path.pieces(); ++k) {
-    const std::vector<double> exact = by_series(step, path.start_of(k));
-    for (Eigen::Index i = 0; i < count; ++i)
-      EXPECT_NEAR(path.absolute_acceleration(k, i),
-                  exact[static_cast<std::size_t>(2 * count + i)] + 2.0 + 30.0 * (0.004 + path.start_of(k)), 1e-10);
+  // A piece to the first multiple, four at once twice, two, and the rest.
+  const std::array starts{0.0, 0.006, 0.046, 0.086, 0.106, 0.113};
+  ASSERT_EQ(path.parts() + 1, starts.size());
+  for (std::size_t part = 0; part <= path.parts(); ++part) EXPECT_DOUBLE_EQ(path.start_of(part), starts.at(part));
+  // Ends and insides of parts and of their pieces, not in their order.
+  for (const double h : {0.02, step.length, 0.001, path.start_of(2), 0.056, path.start_of(1), 0.0299, 0.0001, 0.11})
+    expect_equal(path.at(h), exact->after(h, start(), 2.0 + 30.0 * 0.004, 30.0), h);
+  for (std::size_t part = 1; part <= path.parts(); ++part) {
+    const double time = path.start_of(part), of_ground = 2.0 + 30.0 * (0.004 + time);
+    const Vector motion = exact->after(time, start(), 2.0 + 30.0 * 0.004, 30.0);
+    EXPECT_NEAR(path.ground_at(part), of_ground, 1e-12);
+    for (Eigen::Index i = 0; i < count; ++i) {
+      EXPECT_NEAR(path.velocity(part, i), motion[count + i], 1e-12);
+      EXPECT_NEAR(path.absolute_acceleration(part, i), motion[2 * count + i] + of_ground, 1e-12);
+    }
   }
 }
 
-// A path over samples is a path from sample to sample.
+// The step has at least two parts where it has two pieces, so that it is looked at inside.
+TEST_F(LinearPathTest, IsKnownInside) {
+  LinearPath path{count};
+  for (const auto& [length, parts] : {std::pair{0.5, 1},
+                                      {1.0, 1},
+                                      {2.0, 2},
+                                      {3.0, 3},
+                                      {4.0, 2},
+                                      {7.0, 4},
+                                      {8.0, 2},
+                                      {16.0, 2},
+                                      {31.0, 6},
+                                      {32.0, 4}}) {
+    path.begin(*system, model.trial(), step_of(0.0, length * piece));
+    EXPECT_EQ(path.parts(), static_cast<std::size_t>(parts)) << length;
+  }
+}
+
+// A path over samples follows the bends of the ground's acceleration.
 TEST_F(LinearPathTest, FollowsTheSamplesOfTheGround) {
-  const GroundMotion motion{"to and fro", piece, {0.0, 2.0, -1.0, 3.0, 1.0}};
-  StepTask whole{.length = 4 * piece, .end_time = 4 * piece, .ground_acceleration = {1.0, 0.0}};
+  const std::vector<double> samples{0.0, 2.0, -1.0, 3.0, 1.0, 0.5, -2.0, -2.5, 0.3};
+  const GroundMotion motion{"to and fro", piece, samples};
+  StepTask whole{.length = 8 * piece, .end_time = 8 * piece, .ground_acceleration = {samples.back(), 0.0}};
   whole.ground.emplace(motion, 0.0, whole.length);
   LinearPath path{count};
   path.begin(*system, model.trial(), whole);
-  ASSERT_EQ(path.pieces(), 4U);
-  constexpr std::array samples{0.0, 2.0, -1.0, 3.0, 1.0};
-  for (std::size_t k = 0; k < samples.size(); ++k) EXPECT_NEAR(path.ground_at(k), samples.at(k), 1e-12) << k;
-  MotionState at_sample = model.trial();
-  LinearPath single{count};
-  for (std::size_t k = 0; k < path.pieces(); ++k) {
-    const double start = static_cast<double>(k) * piece;
-    single.begin(*system, at_sample,
-                 {.length = piece,
-                  .end_time = start + piece,
-                  .ground_acceleration = {samples.at(k + 1), 0.0},
-                  .ground_jerk = {(samples.at(k + 1) - samples.at(k)) / piece, 0.0},
-                  .ground_acceleration_at_start = {samples.at(k), 0.0},
-                  .start_time = start});
-    const double* end = single.at(piece);
-    const double* of_whole = path.at(start + piece);
-    for (std::size_t i = 0; i < 3 * count; ++i) EXPECT_NEAR(of_whole[i], end[i], 1e-10) << k << " " << i;
-    for (Eigen::Index i = 0; i < count; ++i) {
-      at_sample.displacement[i] = end[i];
-      at_sample.velocity[i] = end[count + i];
-    }
+  ASSERT_EQ(path.parts(), 2U);
+  EXPECT_NEAR(path.ground_at(1), samples[4], 1e-12);
+  Vector at_sample = start();
+  for (std::size_t k = 0; k + 1 < samples.size(); ++k) {
+    const double time = static_cast<double>(k) * piece, slope = (samples[k + 1] - samples[k]) / piece;
+    const Vector middle = exact->after(0.4 * piece, at_sample, samples[k], slope);
+    expect_equal(path.at(time + 0.4 * piece), middle, time);
+    at_sample = exact->after(piece, at_sample, samples[k], slope);
+    expect_equal(path.at(time + piece), at_sample, time);
+    at_sample.conservativeResize(2 * count);
   }
 }
 

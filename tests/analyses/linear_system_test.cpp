@@ -2,10 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
-#include <vector>
+#include <string>
 
 #include "elements/spring.hpp"
+#include "exponential_motion.hpp"
 #include "materials/linear.hpp"
 #include "message_of.hpp"
 #include "model/model.hpp"
@@ -43,76 +45,102 @@ struct Chain {
   }
 };
 
-// 1, the ground's acceleration and slope, displacements, velocities.
-std::vector<double> start_of(int count) {
-  std::vector<double> start{1.0, 2.3, -17.0};
-  for (int i = 0; i < count; ++i) start.push_back(0.01 * std::sin(1.0 + i));
-  for (int i = 0; i < count; ++i) start.push_back(0.4 * std::cos(2.0 + 3.0 * i));
+// Displacements, then velocities.
+Vector start_of(int count) {
+  Vector start(2 * count);
+  for (int i = 0; i < count; ++i) start[i] = 0.01 * std::sin(1.0 + i);
+  for (int i = 0; i < count; ++i) start[count + i] = 0.4 * std::cos(2.0 + 3.0 * i);
   return start;
 }
 
-std::vector<double> room_for(int count) {
-  return std::vector<double>(static_cast<std::size_t>(LinearSystem::result_size(count)));
+Vector offset_of(int count) {
+  Vector offset(count);
+  for (int i = 0; i < count; ++i) offset[i] = 0.7 - 0.2 * i;
+  return offset;
 }
 
-TEST(LinearSystem, StepsAndSeriesAgree) {
+Vector room_for(int count) { return Vector::Zero(LinearSystem::result_size(count)); }
+
+// Each part of the motion to a share of its largest entry.
+void expect_equal(const Vector& found, const Vector& exact) {
+  const Eigen::Index count = exact.size() / 3;
+  for (Eigen::Index part = 0; part < 3; ++part) {
+    const Vector of_part = exact.segment(part * count, count);
+    const double allowed = 1e-12 * of_part.cwiseAbs().maxCoeff();
+    for (Eigen::Index i = 0; i < count; ++i) EXPECT_NEAR(found[part * count + i], of_part[i], allowed) << part << i;
+  }
+}
+
+// 1, 2, 4 and 8 steps at once, while the ground's acceleration bends at the end of each.
+TEST(LinearSystem, AdvancesAsTheExponential) {
+  constexpr std::array ground{2.3, -1.0, 0.4, 3.0, 3.0, -2.0, 0.0, 1.0, -0.7};
   for (const int count : {1, 2, 3, 5, 8, 11}) {
     SCOPED_TRACE(count);
     const Chain chain{count};
     LinearSystem system = chain.system(0.04);
-    Vector offset(count);
-    for (int i = 0; i < count; ++i) offset[i] = 0.7 - 0.2 * i;
-    system.set_offset(offset);
-    const std::vector<double> start = start_of(count);
-    std::vector<double> by_matrix = room_for(count), by_series = room_for(count);
-    system.advance(start.data(), by_matrix.data());
-    LinearMotionSeries series{count};
-    series.expand(system, start.data(), system.step());
-    series.evaluate(system.step(), by_series.data());
-    for (int i = 0; i < 3 * count; ++i) {
-      const auto k = static_cast<std::size_t>(i);
-      EXPECT_NEAR(by_matrix[k], by_series[k], 1e-12 * (1.0 + std::abs(by_series[k]))) << i;
+    system.set_offset(offset_of(count));
+    const testing::ExponentialMotion exact{chain.stiffness, chain.damping, chain.model.masses(), offset_of(count)};
+    const Vector start = start_of(count);
+    Vector end = start;
+    std::size_t steps = 0;
+    for (std::size_t doublings = 0; (std::size_t{1} << doublings) <= LinearSystem::most_steps_at_once; ++doublings) {
+      SCOPED_TRACE(doublings);
+      for (; steps < (std::size_t{1} << doublings); ++steps)
+        end = exact.after(system.step(), end, ground.at(steps),
+                          (ground.at(steps + 1) - ground.at(steps)) / system.step());
+      Vector found = room_for(count);
+      system.advance(doublings, start.data(), ground.data(), found.data());
+      expect_equal(found, end);
     }
   }
 }
 
-// The sum of two steps is the series of a step of double length.
-TEST(LinearSystem, TwoStepsAreOneOfDoubleLength) {
-  constexpr int count = 4;
-  const Chain chain{count};
-  const LinearSystem system = chain.system(0.01);
-  const double h = system.step();
-  std::vector<double> start = start_of(count), middle = room_for(count), end = room_for(count), whole = room_for(count);
-  system.advance(start.data(), middle.data());
-  LinearMotionSeries series{count};
-  series.expand(system, start.data(), 2.0 * h);
-  series.evaluate(2.0 * h, whole.data());
-  start[LinearStart::ground] += h * start[LinearStart::slope];
-  std::copy_n(middle.begin(), 2 * count, start.begin() + LinearStart::motion);
-  system.advance(start.data(), end.data());
-  for (std::size_t i = 0; i < 3 * count; ++i) EXPECT_NEAR(end[i], whole[i], 1e-11) << i;
+// A series tells the motion at every time in a step.
+TEST(LinearSystem, TheSeriesIsTheExponential) {
+  constexpr double ground = 2.3, slope = -17.0;
+  for (const int count : {1, 3, 8}) {
+    SCOPED_TRACE(count);
+    const Chain chain{count};
+    LinearSystem system = chain.system(0.02);
+    system.set_offset(offset_of(count));
+    const testing::ExponentialMotion exact{chain.stiffness, chain.damping, chain.model.masses(), offset_of(count)};
+    const Vector start = start_of(count);
+    LinearMotionSeries series{count};
+    series.expand(system, start.data(), ground, slope);
+    Vector found = room_for(count);
+    for (const double share : {1e-6, 0.1, 0.6, 1.0}) {
+      const double h = share * system.step();
+      series.evaluate(h, found.data());
+      expect_equal(found, exact.after(h, start, ground, slope));
+    }
+    series.evaluate(0.0, found.data());
+    for (Eigen::Index i = 0; i < start.size(); ++i) EXPECT_DOUBLE_EQ(found[i], start[i]) << i;
+  }
 }
 
-// The series obeys the equation: its acceleration is the derivative of its velocity.
-TEST(LinearSystem, TheSeriesObeysItsEquation) {
-  constexpr int count = 3;
-  const Chain chain{count};
-  const LinearSystem system = chain.system(0.02);
-  const std::vector<double> start = start_of(count);
-  LinearMotionSeries series{count};
-  series.expand(system, start.data(), system.step());
-  constexpr double little = 1e-5;
-  const double h = 0.6 * system.step();
-  std::vector<double> before = room_for(count), here = room_for(count), after = room_for(count);
-  series.evaluate(h - little, before.data());
-  series.evaluate(h, here.data());
-  series.evaluate(h + little, after.data());
-  for (std::size_t i = 0; i < count; ++i) {
-    EXPECT_NEAR((after[i] - before[i]) / (2.0 * little), here[count + i], 1e-7) << i;
-    EXPECT_NEAR((after[count + i] - before[count + i]) / (2.0 * little), here[2 * count + i], 1e-5) << i;
+// Terms of the series grow before they shrink where a light body hangs on a heavy one.
+TEST(LinearSystem, KeepsItsDigitsBetweenLightAndHeavyBodies) {
+  Model model;
+  NodeId below = ground;
+  for (int i = 0; i < 4; ++i) {
+    const NodeId above = add(model, Node{.name = "body " + std::to_string(i), .mass = (i % 2 == 0 ? 1e6 : 1.0) * kg});
+    add(model, Spring<Linear>{.name = "spring " + std::to_string(i),
+                              .lower = below,
+                              .upper = above,
+                              .law = {.stiffness = 4e4 * N / m, .damping = 20.0 * N * s / m}});
+    below = above;
   }
-  series.evaluate(0.0, here.data());
-  for (std::size_t i = 0; i < 2 * count; ++i) EXPECT_DOUBLE_EQ(here[i], start[LinearStart::motion + i]);
+  model.prepare();
+  SparseMatrix stiffness = model.pattern(), damping = model.pattern();
+  model.assemble_tangent(0.0, 0.0, 1.0, stiffness);
+  model.assemble_tangent(0.0, 1.0, 0.0, damping);
+  const LinearSystem system{stiffness, damping, model.masses(), 0.01};
+  const testing::ExponentialMotion exact{stiffness, damping, model.masses(), Vector::Zero(4)};
+  constexpr std::array ground{2.3, -1.0};
+  const Vector start = start_of(4);
+  Vector found = room_for(4);
+  system.advance(0, start.data(), ground.data(), found.data());
+  expect_equal(found, exact.after(system.step(), start, ground[0], (ground[1] - ground[0]) / system.step()));
 }
 
 TEST(LinearSystem, HalvesItsStepForTheFastestVibration) {

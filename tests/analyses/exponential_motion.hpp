@@ -1,0 +1,45 @@
+// The motion of a linear system by the exponential of a matrix.
+#pragma once
+
+#include <Eigen/Core>
+#include <Eigen/LU>
+#include <unsupported/Eigen/MatrixFunctions>
+
+#include "base/sparse_matrix.hpp"
+#include "base/vector.hpp"
+
+namespace moat::testing {
+
+/// u'' = -M^-1 (K u + C u') + offset - (a_g + s t), by the exponential of the first-order system of u, u', a_g and 1:
+/// another way than that of LinearSystem.
+struct ExponentialMotion {
+  Eigen::MatrixXd stiffness, damping;  ///< M^-1 K, M^-1 C
+  Vector offset;
+
+  /// Of the tangents of a model, with its masses.
+  ExponentialMotion(const SparseMatrix& of_stiffness, const SparseMatrix& of_damping, const Vector& masses,
+                    Vector of_offset)
+      : stiffness{masses.cwiseInverse().asDiagonal() * Eigen::MatrixXd{of_stiffness.view()}},
+        damping{masses.cwiseInverse().asDiagonal() * Eigen::MatrixXd{of_damping.view()}},
+        offset{std::move(of_offset)} {}
+
+  /// (u, u', u'') h s after a start (u, u'), under a ground with this acceleration there and this slope.
+  [[nodiscard]] Vector after(double h, const Vector& start, double ground, double slope) const {
+    const Eigen::Index n = offset.size();
+    Eigen::MatrixXd rates = Eigen::MatrixXd::Zero(2 * n + 2, 2 * n + 2);
+    rates.block(0, n, n, n).setIdentity();
+    rates.block(n, 0, n, n) = -stiffness;
+    rates.block(n, n, n, n) = -damping;
+    rates.block(n, 2 * n, n, 1).setConstant(-1.0);
+    rates.block(n, 2 * n + 1, n, 1) = offset;
+    rates(2 * n, 2 * n + 1) = slope;
+    Vector state(2 * n + 2);
+    state << start.head(2 * n), ground, 1.0;
+    const Vector end = (h * rates).exp() * state;
+    Vector motion(3 * n);
+    motion << end.head(2 * n), (rates * end).segment(n, n);
+    return motion;
+  }
+};
+
+}  // namespace moat::testing
