@@ -62,7 +62,7 @@ double effective_mass(const Model& model, const Check& check, const MemberPoint&
 
 /// Registers the gap, and describes its element. A gap at a point between nodes is drawn at the height of the end that
 /// is a node, else of the left one. `law`: as reports show it, null for the contact's own.
-ElementInfo register_gap(Model& model, const GapPlace& gap, std::shared_ptr<const LawAsGiven> law);
+ElementInfo register_gap(Model& model, const GapPlace& gap, std::unique_ptr<const LawAsGiven> law);
 
 /// Adds the element to the block of its law.
 template <ContactLaw Contact>
@@ -84,7 +84,7 @@ void add(Model& model, const Gap<Law>& gap) {
   const double mass = effective_mass(model, check, place.left, place.right);
   const auto law = gap.law.between(mass);
   // Reports show the law as the script gave it, with its restitution, and not the contact made of it.
-  std::shared_ptr<const LawAsGiven> as_given;
+  std::unique_ptr<const LawAsGiven> as_given;
   if constexpr (requires { gap.law.parameters(); }) as_given = law_as_given(name_of(gap.law), gap.law.parameters());
   add_contact(model, register_gap(model, place, std::move(as_given)), law, mass, place.left, place.right);
 }

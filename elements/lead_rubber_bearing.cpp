@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "elements/isolator.hpp"
 #include "materials/bilinear.hpp"
@@ -30,11 +31,11 @@ void add(Model& model, const LeadRubberBearing& bearing) {
                      .post_yield_stiffness = bearing.post_yield_stiffness};
   law.check(check);
   model.register_element("LeadRubberBearing", bearing.name);
-  const ElementInfo info = isolator_info(bearing.name, bearing.lower, bearing.upper);
+  ElementInfo info = isolator_info(bearing.name, bearing.lower, bearing.upper);
   if (bearing.locate_yield)
-    model.block<LinkBlock<LocatedBilinear>>().add(info, LocatedBilinear{law});
+    model.block<LinkBlock<LocatedBilinear>>().add(std::move(info), LocatedBilinear{law});
   else
-    model.block<LinkBlock<Bilinear>>().add(info, law);
+    model.block<LinkBlock<Bilinear>>().add(std::move(info), law);
 }
 
 }  // namespace moat

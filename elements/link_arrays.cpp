@@ -44,16 +44,11 @@ void LinkArrays::resize(Needs needs) {
     stiffnesses_.resize(count, 0.0);
     dampings_.resize(count, 0.0);
   }
-  if (needs.start) {
-    start_.resize(count);
-    before_.resize(count);
-  }
+  if (needs.start) start_.resize(count);
+  if (needs.before) before_.resize(count);
 }
 
-void LinkArrays::start_motion() {
-  start_ = now_;
-  before_.resize(infos_.size());
-}
+void LinkArrays::start_motion() { start_ = now_; }
 
 void LinkArrays::keep_stiffnesses() { start_stiffnesses_ = stiffnesses_; }
 

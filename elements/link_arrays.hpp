@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <deque>
 #include <span>
 #include <vector>
 
@@ -23,7 +24,8 @@ class LinkArrays {
   /// Which of the arrays a block needs.
   struct Needs {
     bool tangents;  ///< of every link
-    bool start;     ///< the motion at the last two commits
+    bool start;     ///< the motion at the last commit
+    bool before;    ///< and that at the one before
   };
 
   /// Becomes a copy of these links of the whole model.
@@ -37,7 +39,7 @@ class LinkArrays {
   /// The stiffnesses now become those at the last commit.
   void keep_stiffnesses();
 
-  std::vector<ElementInfo> infos_;              ///< as added
+  std::deque<ElementInfo> infos_;               ///< as added; names do not move when links are added
   std::vector<double> offsets_;                 ///< m, of the deformation
   LinkMotion now_;                              ///< at the last evaluate()
   LinkMotion start_, before_;                   ///< at the last commit, and at the one before

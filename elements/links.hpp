@@ -170,7 +170,7 @@ class Links : public ElementBlock, public ElementLaws, protected LinkArrays {
   void commit(double step, WorkRule rule) override {
     if (energies_.kept()) energies_.add_step({laws_, committed_, trial_, start_, now_, forces_, step}, rule);
     if (keeps_start()) {
-      before_.swap(start_);
+      if constexpr (!is_linear) before_.swap(start_);
       start_.copy(now_);
       if constexpr (has_unlocated_corners) keep_stiffnesses();
       last_step_ = step;
@@ -199,7 +199,7 @@ class Links : public ElementBlock, public ElementLaws, protected LinkArrays {
   ElementResults results() const override { return {now_.deformations, now_.rates, forces_, force_rates_}; }
 
   double force_inside(std::size_t i, double fraction) const override {
-    if (!keeps_start()) throw std::logic_error{"Links: a linear element's force needs no law to interpolate"};
+    if (is_linear) throw std::logic_error{"Links: a linear element's force needs no law to interpolate"};
     const HermiteQuintic path = path_between(before_, start_, i, last_step_);
     State after;
     // commit() has left the states of the step's start in trial_.
@@ -246,12 +246,12 @@ class Links : public ElementBlock, public ElementLaws, protected LinkArrays {
     }
   }
 
-  // Changes of regime, forces inside a step and energies need the motion at the last commits.
+  // Changes of regime, forces inside a step and energies need the motion at the last commit.
   [[nodiscard]] bool keeps_start() const { return !is_linear || energies_.kept(); }
   // At first once for all elements, so that nothing is larger than it must be.
   void resize_results() {
     const std::size_t count = size();
-    resize({.tangents = !is_linear, .start = keeps_start()});
+    resize({.tangents = !is_linear, .start = keeps_start(), .before = !is_linear});
     slots_.resize(count);
     committed_.resize(count);
     trial_.resize(count);

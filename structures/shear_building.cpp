@@ -103,7 +103,7 @@ void add_storeys(Model& model, const ShearBuilding& building, const std::string&
     if (building.p_delta)
       add_p_delta(model, building, name + " P-delta", static_cast<int>(i) + 1, below, above, stiffnesses[i]);
     if (rayleigh.stiffness_factor > 0.0)
-      add(model, ViscousDamper{.name = prefix + "storey " + number + " damping",
+      add(model, ViscousDamper{.name = name + " damping",
                                .lower = below,
                                .upper = above,
                                .damping = rayleigh.stiffness_factor * units::s * stiffnesses[i]});

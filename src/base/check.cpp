@@ -35,8 +35,7 @@ void Check::that(bool allowed, std::string_view parameter, double value, std::st
   throw InputError{message};
 }
 
-void Check::that(bool allowed, std::string_view problem, std::string_view advice) const {
-  if (allowed) return;
+void Check::refuse(std::string_view problem, std::string_view advice) const {
   std::string message = object() + ": ";
   message.append(problem);
   if (!advice.empty()) message.append(" ").append(advice);

@@ -45,7 +45,9 @@ class Check {
   void that(bool allowed, std::string_view parameter, double value, std::string_view unit, std::string_view range,
             std::string_view advice = {}) const;
   /// A condition that is not about one number: throws `Kind "name": problem advice`.
-  void that(bool allowed, std::string_view problem, std::string_view advice = {}) const;
+  void that(bool allowed, std::string_view problem, std::string_view advice = {}) const {
+    if (!allowed) refuse(problem, advice);
+  }
 
   /// Throws InputError unless the value is > 0 and finite.
   template <int m, int l, int t>
@@ -76,6 +78,7 @@ class Check {
 
  private:
   [[nodiscard]] std::string object() const;
+  [[noreturn]] void refuse(std::string_view problem, std::string_view advice) const;
 
   std::string_view kind_, name_;
 };

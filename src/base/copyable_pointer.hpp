@@ -6,17 +6,17 @@
 
 namespace moat {
 
-/// Owns an object of a class with `std::unique_ptr<T> clone() const`. Copying the pointer clones the object, so that a
-/// class which holds such pointers is copied by default.
+/// Owns an object, and copies it when the pointer is copied: by `std::unique_ptr<T> clone() const` where its class has
+/// that. A class which holds such pointers is copied by default.
 template <class T>
 class CopyablePointer {
  public:
   CopyablePointer() = default;
   /// Takes the object; null is none.
   CopyablePointer(std::unique_ptr<T> object) : object_{std::move(object)} {}
-  /// Clones the object of the other.
-  CopyablePointer(const CopyablePointer& other) : object_{other.object_ ? other.object_->clone() : nullptr} {}
-  /// Clones the object of the other.
+  /// Copies the object of the other.
+  CopyablePointer(const CopyablePointer& other) : object_{other.object_ ? copy_of(*other.object_) : nullptr} {}
+  /// Copies the object of the other.
   CopyablePointer& operator=(const CopyablePointer& other) {
     if (this != &other) *this = CopyablePointer{other};
     return *this;
@@ -31,8 +31,17 @@ class CopyablePointer {
   T* operator->() const { return object_.get(); }
   /// Null where there is none.
   [[nodiscard]] T* get() const { return object_.get(); }
+  /// Whether there is one.
+  explicit operator bool() const { return object_ != nullptr; }
 
  private:
+  static std::unique_ptr<T> copy_of(const T& object) {
+    if constexpr (requires { object.clone(); })
+      return object.clone();
+    else
+      return std::make_unique<T>(object);
+  }
+
   std::unique_ptr<T> object_;
 };
 

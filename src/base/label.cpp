@@ -5,7 +5,10 @@
 
 namespace moat {
 
-Label::Label(std::string_view text) {
+constinit const std::string Label::none{};
+
+Label::Label(std::string_view text) : Label{} {
+  if (text.empty()) return;
   static std::mutex mutex;
   // Elements of a set of nodes do not move.
   static std::unordered_set<std::string> texts;

@@ -1,16 +1,10 @@
 #include "base/sparse_matrix.hpp"
 
 #include <algorithm>
+#include <numeric>
 #include <stdexcept>
 
 namespace moat {
-namespace {
-
-std::uint64_t key(int row, int column) {
-  return (static_cast<std::uint64_t>(column) << 32) | static_cast<std::uint32_t>(row);
-}
-
-}  // namespace
 
 int SparseMatrix::slot(int row, int column) const {
   if (row == ground_index || column == ground_index) return nonzeros();
@@ -24,32 +18,45 @@ int SparseMatrix::slot(int row, int column) const {
 }
 
 PatternBuilder::PatternBuilder(int size) : size_{size}, coupled_(static_cast<std::size_t>(size), false) {
-  entries_.reserve(static_cast<std::size_t>(size) * 4);
-  for (int i = 0; i < size; ++i) entries_.push_back(key(i, i));
+  pairs_.reserve(static_cast<std::size_t>(size) * 4);
 }
 
 void PatternBuilder::couple(int a, int b) {
   for (const int end : {a, b})
     if (end != ground_index) coupled_[static_cast<std::size_t>(end)] = true;
   if (a == ground_index || b == ground_index || a == b) return;
-  entries_.push_back(key(a, b));
-  entries_.push_back(key(b, a));
+  pairs_.emplace_back(a, b);
 }
 
 SparseMatrix PatternBuilder::build() {
-  std::sort(entries_.begin(), entries_.end());
-  entries_.erase(std::unique(entries_.begin(), entries_.end()), entries_.end());
   SparseMatrix matrix;
   matrix.size = size_;
-  matrix.column_starts.assign(static_cast<std::size_t>(size_) + 1, 0);
-  matrix.row_indices.reserve(entries_.size());
-  for (const std::uint64_t entry : entries_) {
-    matrix.row_indices.push_back(static_cast<int>(entry & 0xffffffffu));
-    ++matrix.column_starts[static_cast<std::size_t>(entry >> 32) + 1];
+  const auto size = static_cast<std::size_t>(size_);
+  // Rows of every column, as often as they were coupled, are put in from the end of the column: `places` first holds
+  // the ends of columns, at last their starts.
+  std::vector<std::size_t> places(size + 1, 0);
+  const auto for_each_entry = [&](const auto& action) {
+    for (int i = 0; i < size_; ++i) action(i, places[static_cast<std::size_t>(i)]);
+    for (const auto& [a, b] : pairs_) {
+      action(a, places[static_cast<std::size_t>(b)]);
+      action(b, places[static_cast<std::size_t>(a)]);
+    }
+  };
+  for_each_entry([](int, std::size_t& count) { ++count; });
+  std::partial_sum(places.begin(), places.end(), places.begin());
+  std::vector<int> rows(places.back());
+  for_each_entry([&](int row, std::size_t& place) { rows[--place] = row; });
+  matrix.column_starts.reserve(size + 1);
+  matrix.row_indices.reserve(rows.size());
+  for (std::size_t column = 0; column < size; ++column) {
+    const auto row = [&](std::size_t place) { return rows.begin() + static_cast<std::ptrdiff_t>(place); };
+    const auto begin = row(places[column]), end = row(places[column + 1]);
+    std::sort(begin, end);
+    matrix.column_starts.push_back(matrix.nonzeros());
+    matrix.row_indices.insert(matrix.row_indices.end(), begin, std::unique(begin, end));
   }
-  for (std::size_t column = 0; column < static_cast<std::size_t>(size_); ++column)
-    matrix.column_starts[column + 1] += matrix.column_starts[column];
-  matrix.values.assign(entries_.size() + 1, 0.0);
+  matrix.column_starts.push_back(matrix.nonzeros());
+  matrix.values.assign(matrix.row_indices.size() + 1, 0.0);
   return matrix;
 }
 

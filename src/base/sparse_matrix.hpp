@@ -2,7 +2,7 @@
 #pragma once
 
 #include <Eigen/SparseCore>
-#include <cstdint>
+#include <utility>
 #include <vector>
 
 namespace moat {
@@ -48,7 +48,7 @@ class PatternBuilder {
  private:
   int size_;
   std::vector<bool> coupled_;
-  std::vector<std::uint64_t> entries_;  // column in the upper half, row in the lower: sorts column by column
+  std::vector<std::pair<int, int>> pairs_;  // coupled, without the ground
 };
 
 }  // namespace moat

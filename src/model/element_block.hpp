@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/copyable_pointer.hpp"
 #include "base/label.hpp"
 #include "base/plan_vector.hpp"
 #include "base/sparse_matrix.hpp"
@@ -42,14 +43,14 @@ struct ElementInfo {
   /// Names under which deformation and force are reported; not reported where empty.
   Label deformation_quantity{}, force_quantity{};
   /// The law as the script gave it; null where it is the block's law.
-  std::shared_ptr<const LawAsGiven> law_as_given{};
+  CopyablePointer<const LawAsGiven> law_as_given{};
   /// Whether it carries a building on the ground and lets it move: characteristic periods hold the floor above it.
   bool isolates = false;
   DrawnAs drawn_as = DrawnAs::other;  ///< in pictures and in ParaView
   /// Null for an element between two nodes; else `first` and `second` are the nodes where the shares of its ends are 0.
-  std::shared_ptr<const MemberEnds> member_ends{};
+  CopyablePointer<const MemberEnds> member_ends{};
   /// Null on a line, and for an element that has no such ends.
-  std::shared_ptr<const PlanPlaces> plan_places{};
+  CopyablePointer<const PlanPlaces> plan_places{};
 
   /// Name under which its peaks are listed.
   [[nodiscard]] const std::string& listed_under() const { return place.empty() ? name : place.text(); }

@@ -4,8 +4,8 @@
 
 namespace moat {
 
-std::shared_ptr<const LawAsGiven> law_as_given(std::string_view name, std::vector<Parameter> parameters) {
-  return std::make_shared<const LawAsGiven>(LawAsGiven{std::string{name}, std::move(parameters)});
+std::unique_ptr<const LawAsGiven> law_as_given(std::string_view name, std::vector<Parameter> parameters) {
+  return std::make_unique<const LawAsGiven>(LawAsGiven{std::string{name}, std::move(parameters)});
 }
 
 }  // namespace moat

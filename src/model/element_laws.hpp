@@ -19,8 +19,8 @@ struct LawAsGiven {
   std::vector<Parameter> parameters;  ///< in SI units
 };
 
-/// Name and parameters in SI units, shared by all elements and reports that show them.
-std::shared_ptr<const LawAsGiven> law_as_given(std::string_view name, std::vector<Parameter> parameters);
+/// Name and parameters in SI units.
+std::unique_ptr<const LawAsGiven> law_as_given(std::string_view name, std::vector<Parameter> parameters);
 
 /// The side of an ElementBlock whose elements have laws with a name (materials/).
 class ElementLaws {

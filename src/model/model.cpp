@@ -19,9 +19,12 @@ Model::~Model() = default;
 
 ElementBlock& Model::block_of(std::type_index type, std::unique_ptr<ElementBlock> (*make)()) {
   prepared_ = false;
-  const auto [found, inserted] = block_of_type_.try_emplace(type, blocks_.size());
-  if (inserted) blocks_.emplace_back(make());
-  return *blocks_[found->second];
+  // They are few.
+  const auto found = std::ranges::find(block_types_, type);
+  if (found != block_types_.end()) return *blocks_[static_cast<std::size_t>(found - block_types_.begin())];
+  block_types_.push_back(type);
+  blocks_.emplace_back(make());
+  return *blocks_.back();
 }
 
 NodeId Model::add_node(Node node) {
@@ -96,8 +99,8 @@ void Model::register_element(std::string_view kind, const std::string& name) {
   const Check check{kind, name};
   check.that(!name.empty(), "an element has no name.", "Give .name: results are listed under it.");
   check_name(check, name);
-  check.that(!has_element(name), "an element of this name exists.", "Give every element its own name.");
-  element_names_.add(name);
+  if (!element_names_.add(name))
+    check.that(!has_element(name), "an element of this name exists.", "Give every element its own name.");
 }
 
 void Model::add_building(Building building) {
@@ -105,8 +108,9 @@ void Model::add_building(Building building) {
   const std::vector<NodeId> nodes = building.nodes();
   check.that(!nodes.empty(), "no floors are given.", "Give .base and .floors, from the lowest up.");
   check_name(check, building.name);
-  check.that(building_names_.insert(building.name).second, "a building of this name exists.",
-             "Give every building its own .name.");
+  check.that(!building_names_.may_contain(building.name) ||
+                 std::ranges::find(buildings_, building.name, &Building::name) == buildings_.end(),
+             "a building of this name exists.", "Give every building its own .name.");
   in_building_.resize(nodes_.size(), false);
   for (std::size_t i = 0; i < nodes.size(); ++i) {
     require_node(nodes[i], check, i == 0 && building.base != ground ? "base" : "a floor");
@@ -117,6 +121,7 @@ void Model::add_building(Building building) {
                  "Its inertia would count twice.");
     in_building_[index] = true;
   }
+  building_names_.add(building.name);
   buildings_.push_back(std::move(building));
 }
 

@@ -1,13 +1,12 @@
 // Nodes, elements and their state.
 #pragma once
 
+#include <deque>
 #include <memory>
 #include <span>
 #include <string>
 #include <string_view>
 #include <typeindex>
-#include <unordered_map>
-#include <unordered_set>
 #include <vector>
 
 #include "base/check.hpp"
@@ -72,8 +71,8 @@ class Model {
   /// Whether it has diaphragms: it moves in plan, not on a line.
   [[nodiscard]] bool is_plan() const { return !diaphragms_.empty(); }
   [[nodiscard]] int node_count() const { return static_cast<int>(nodes_.size()); }  ///< Without the ground.
-  [[nodiscard]] const Node& node(NodeId id) const;                         ///< One of the model; not the ground.
-  [[nodiscard]] const std::vector<Node>& nodes() const { return nodes_; }  ///< In the order of their numbers.
+  [[nodiscard]] const Node& node(NodeId id) const;                        ///< One of the model; not the ground.
+  [[nodiscard]] const std::deque<Node>& nodes() const { return nodes_; }  ///< In the order of their numbers.
   /// The node's name; "ground" for the ground.
   [[nodiscard]] std::string_view node_name(NodeId id) const;
   [[nodiscard]] bool has_element(const std::string& name) const;  ///< Whether the name is taken.
@@ -211,15 +210,14 @@ class Model {
                          double displacement_weight, double* values) const;
   void assemble_changing(double velocity_weight, double displacement_weight, SparseMatrix& matrix) const;
 
-  std::vector<Node> nodes_;
+  std::deque<Node> nodes_;
   std::vector<NodeId> ids_;  // 0, 1, 2, ...
   std::vector<PlacedDiaphragm> diaphragms_;
   std::vector<int> diaphragm_of_node_;  // by node; -1 for none. Empty on a line
-  TakenNames node_names_, element_names_;
+  TakenNames node_names_, element_names_, building_names_;
   std::vector<CopyablePointer<ElementBlock>> blocks_;
-  std::unordered_map<std::type_index, std::size_t> block_of_type_;
+  std::vector<std::type_index> block_types_;  // of blocks_
   std::vector<Building> buildings_;
-  std::unordered_set<std::string> building_names_;
   std::vector<bool> in_building_;  // by node
 
   bool prepared_ = false;

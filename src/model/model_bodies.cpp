@@ -122,17 +122,13 @@ Model Model::part(std::span<const std::size_t> nodes, const std::vector<std::vec
     part.diaphragm_of_node_.resize(part.nodes_.size(), -1);
     part.diaphragm_of_node_[static_cast<std::size_t>(id.index)] = static_cast<int>(part.diaphragms_.size()) - 1;
   }
-  for (const auto& [type, b] : block_of_type_)
-    if (!elements[b].empty()) part.block_of_type_.emplace(type, b);
   // Blocks stand in the order of the whole model.
-  std::vector<std::size_t> place(blocks_.size());
   for (std::size_t b = 0; b < blocks_.size(); ++b) {
     if (elements[b].empty()) continue;
-    place[b] = part.blocks_.size();
+    part.block_types_.push_back(block_types_[b]);
     part.blocks_.emplace_back(blocks_[b]->part(elements[b], numbers));
     for (std::size_t e = 0; e < elements[b].size(); ++e) part.element_names_.add(part.blocks_.back()->info(e).name);
   }
-  for (auto& [type, b] : part.block_of_type_) b = place[b];
   part.state_.time = state_.time;
   for (Vector MotionState::*values :
        {&MotionState::displacement, &MotionState::velocity, &MotionState::acceleration, &MotionState::jerk}) {

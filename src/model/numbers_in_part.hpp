@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <memory>
+#include <ranges>
 #include <span>
 #include <utility>
 #include <vector>
@@ -39,7 +40,7 @@ class NumbersInPart {
       MemberEnds ends = *info.member_ends;
       ends.first = of(ends.first);
       ends.second = of(ends.second);
-      info.member_ends = std::make_shared<const MemberEnds>(ends);
+      info.member_ends = std::make_unique<const MemberEnds>(ends);
     }
     return info;
   }
@@ -49,13 +50,11 @@ class NumbersInPart {
 };
 
 /// The entries of `values` at these positions, in their order; nothing of an array without entries.
-template <class T>
-[[nodiscard]] std::vector<T> chosen(const std::vector<T>& values, std::span<const std::size_t> positions) {
-  std::vector<T> list;
-  if (values.empty()) return list;
-  list.reserve(positions.size());
-  for (const std::size_t position : positions) list.push_back(values[position]);
-  return list;
+template <class List>
+[[nodiscard]] List chosen(const List& values, std::span<const std::size_t> positions) {
+  if (values.empty()) return {};
+  const auto entries = positions | std::views::transform([&](std::size_t i) -> const auto& { return values[i]; });
+  return List(entries.begin(), entries.end());
 }
 
 /// The arrays of the part get the entries of those of the whole at these positions.

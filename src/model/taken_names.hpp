@@ -11,18 +11,21 @@
 namespace moat {
 
 /// Remembers names by their hashes alone: the names of a million elements, kept a second time, would be a seventh of a
-/// model's memory. Two names may share a hash; after true the caller has to compare the names.
+/// model's memory. Two names may share a hash; the caller then has to compare the names.
 ///
-/// The hashes stand in one array of 2^n places, at least a third of which are free: each in the place that its last n
+/// The hashes stand in one array of 2^n places, at least a fifth of which are free: each in the place that its last n
 /// bits name, or in the next free one. std::unordered_set would ask for memory for every hash.
 class TakenNames {
  public:
-  /// Remembers a name; a second time changes nothing.
-  void add(std::string_view name) {
-    if (3 * (count_ + 1) > 2 * places_.size()) grow();
-    std::size_t& place = places_[place_of(hash_of(name))];
-    if (place == free) ++count_;
-    place = hash_of(name);
+  /// Remembers a name. False if it may have been taken already; a second time changes nothing.
+  bool add(std::string_view name) {
+    if (5 * (count_ + 1) > 4 * places_.size()) grow();
+    const std::size_t hash = hash_of(name);
+    std::size_t& place = places_[place_of(hash)];
+    if (place != free) return false;
+    place = hash;
+    ++count_;
+    return true;
   }
   /// False: surely not taken.
   [[nodiscard]] bool may_contain(std::string_view name) const {

@@ -14,7 +14,7 @@ StoreyShears::StoreyShears(const Model& model, const std::vector<std::pair<NodeI
     for (std::size_t e = 0; e < block.size(); ++e) {
       const ElementInfo& info = block.info(e);
       const auto storey = numbers.find({info.first.index, info.second.index});
-      const bool carries = model.is_plan() ? info.plan_places != nullptr : !info.force_quantity.empty();
+      const bool carries = model.is_plan() ? info.plan_places.get() != nullptr : !info.force_quantity.empty();
       if (storey != numbers.end() && carries) parts_.push_back({b, e, storey->second});
     }
   }

@@ -46,16 +46,32 @@ struct Factorisation::Factors {
     return symbolic != nullptr;
   }
 
-  // Copies the values of a column. Whether they differ.
-  bool take(int column, const double* from) {
-    const int *starts = matrix.column_starts.data(), begin = starts[column], end = starts[column + 1];
-    double* __restrict to = matrix.values.data();
-    bool equal = true;
-    for (int p = begin; p < end; ++p) {
-      equal &= to[p] == from[p];
-      to[p] = from[p];
+  // Whether a column has other values than the last ones.
+  [[nodiscard]] bool differs(int column, const std::vector<double>& values) const {
+    const int* starts = matrix.column_starts.data();
+    const double *before = matrix.values.data(), *now = values.data();
+    return !std::equal(now + starts[column], now + starts[column + 1], before + starts[column]);
+  }
+
+  // Takes all values. The first column in order of elimination that differs; the size if none does.
+  int take_all(const std::vector<double>& values) {
+    int first = 0;
+    while (first < matrix.size && !differs(lu.column(first), values)) ++first;
+    if (first < matrix.size) matrix.values = values;
+    return first;
+  }
+
+  // The same where no other columns can differ than those that change.
+  int take_changing(const std::vector<double>& values) {
+    const int* starts = matrix.column_starts.data();
+    int first = matrix.size;
+    for (const int column : changing) {
+      if (!differs(column, values)) continue;
+      first = std::min(first, lu.position(column));
+      std::copy(values.data() + starts[column], values.data() + starts[column + 1],
+                matrix.values.data() + starts[column]);
     }
-    return !equal;
+    return first;
   }
 
   // Factors of these values, from the first column in order of elimination that differs from the last ones.
@@ -65,14 +81,7 @@ struct Factorisation::Factors {
       ++count;
       return factorise_anew();
     }
-    int first = matrix.size;
-    const auto look_at = [&](int column) {
-      if (take(column, values.data())) first = std::min(first, lu.position(column));
-    };
-    if (all_columns)
-      for (int column = 0; column < matrix.size; ++column) look_at(column);
-    else
-      for (const int column : changing) look_at(column);
+    const int first = all_columns ? take_all(values) : take_changing(values);
     if (first == matrix.size) return true;
     ++count;
     return lu.refactorise(matrix, first) || factorise_anew();

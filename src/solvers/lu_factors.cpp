@@ -84,15 +84,15 @@ bool LuFactors::refactorise(const SparseMatrix& matrix, int first) {
     eliminate(upper_starts[k], upper_starts[k + 1]);
     finish(k);
   }
-  if (first < condensed_) {
-    for (int k = condensed_; k < count; ++k) {
+  const bool keeps_share = first >= condensed_;
+  for (int k = std::max(first, condensed_); k < count; ++k) {
+    if (keeps_share) {
+      for (int p = share_starts[k]; p < share_starts[k + 1]; ++p) column[share_rows[p]] = share[p];
+    } else {
       add_entries(k, 0, condensed_);
       eliminate(upper_starts[k], splits[k]);
-      for (int p = share_starts[k]; p < share_starts[k + 1]; ++p) share[p] = std::exchange(column[share_rows[p]], 0.0);
+      for (int p = share_starts[k]; p < share_starts[k + 1]; ++p) share[p] = column[share_rows[p]];
     }
-  }
-  for (int k = std::max(first, condensed_); k < count; ++k) {
-    for (int p = share_starts[k]; p < share_starts[k + 1]; ++p) column[share_rows[p]] = share[p];
     add_entries(k, condensed_, count);
     eliminate(splits[k], upper_starts[k + 1]);
     finish(k);

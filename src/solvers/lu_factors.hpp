@@ -35,6 +35,8 @@ class LuFactors {
   [[nodiscard]] bool empty() const { return columns_.empty(); }
   /// The k of a column of A in A Q.
   [[nodiscard]] int position(int column) const { return positions_[static_cast<std::size_t>(column)]; }
+  /// The column of A that is column k of A Q.
+  [[nodiscard]] int column(int k) const { return columns_[static_cast<std::size_t>(k)]; }
 
   /// Factorises a matrix that differs from the last one in columns `first` of A Q and later ones only, and if these
   /// belong to A22, in no row of A12. False if a pivot is zero, not finite, or smaller than the largest one by 1e13:

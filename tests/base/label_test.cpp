@@ -14,6 +14,12 @@ TEST(Label, HoldsItsText) {
   EXPECT_FALSE(Label{"drift"}.empty());
 }
 
+TEST(Label, WithoutTextIsTheOneOfAnEmptyText) {
+  EXPECT_EQ(Label{}.text(), "");
+  EXPECT_EQ(Label{}, Label{""});
+  EXPECT_EQ(Label{}, Label{std::string{}});
+}
+
 TEST(Label, IsEqualWhereTheTextIs) {
   const std::string text = "storey_shear";
   EXPECT_EQ(Label{text}, Label{"storey_shear"});
