@@ -95,7 +95,7 @@ TEST(LinearSystem, AdvancesAsTheExponential) {
   }
 }
 
-// A series tells the motion at every time in a step.
+// A series gives the motion at every time in a step.
 TEST(LinearSystem, TheSeriesIsTheExponential) {
   constexpr double ground = 2.3, slope = -17.0;
   for (const int count : {1, 3, 8}) {
