@@ -57,8 +57,8 @@ bool LinearPath::is_whole(std::size_t piece) const {
   return std::abs(times_[piece + 1] - times_[piece] - system_->step()) <= round_off * system_->step();
 }
 
-// Whole pieces are taken 2, 4 or 8 at once where there are enough for four parts. Only the first and the last piece may
-// be shorter.
+// Whole pieces are taken 2, 4 or 8 at once, but never all of them: the motion must be known inside the step, where the
+// cubic is compared with it. Only the first and the last piece may be shorter.
 void LinearPath::join_pieces() {
   constexpr std::size_t fewest_parts = 2;
   std::size_t at_once = 1;

@@ -13,7 +13,7 @@ namespace moat {
 
 /// The motion of a linear system over one step. The step is divided into pieces, each at most one step of the system
 /// long and within one interval of the motion's samples, so that the ground acceleration is linear in it. Where there
-/// are many, a product takes several of them at once: the step has about four parts, at whose ends the motion is known.
+/// are many, a product takes several of them at once: the step has about two parts, at whose ends the motion is known.
 /// Inside a part it goes from piece to piece, and inside a piece by the Taylor series from its start. It is computed as
 /// far as it was asked for.
 class LinearPath {

@@ -101,49 +101,29 @@ LinearSystem::LinearSystem(const SparseMatrix& stiffness, const SparseMatrix& da
   set_offset(Vector::Zero(n));
 }
 
-// The Taylor series of the scaled state (u, h u') over a step of 1, for unit values of all that it starts from:
-// constant accelerations h^2 w, the ground's accelerations h^2 a at both ends, and the state itself. All entries are of
-// order 1, and the terms decrease like 1 / (2^k k!).
-LinearSystem::Transition LinearSystem::of_one_step() const {
-  const Eigen::Index n = rates_.cols() / 2, of_ground = n, of_state = n + 2;
-  const auto rates = rates_.topRows(n);
-  const Vector ones = Vector::Ones(n);
-  Matrix term = Matrix::Zero(2 * n, 3 * n + 2), next = term;
-  term.rightCols(2 * n).setIdentity();
-  Matrix state = term;
-  constexpr double negligible = 1e-17;
-  int small_in_a_row = 0;
-  // Ends after two negligible terms in a row, because a single one may vanish.
-  for (int k = 1; k < most_terms && small_in_a_row < 2; ++k) {
-    next.topRows(n) = term.bottomRows(n);
-    next.bottomRows(n).noalias() = rates * term;
-    if (k == 1) {
-      next.bottomLeftCorner(n, n).diagonal() += ones;
-      next.col(of_ground).tail(n) -= ones;
-    } else if (k == 2) {
-      next.col(of_ground).tail(n) += ones;
-      next.col(of_ground + 1).tail(n) -= ones;
-    }
-    next /= k;
-    state += next;
-    term.swap(next);
-    small_in_a_row = term.lpNorm<Eigen::Infinity>() <= negligible ? small_in_a_row + 1 : 0;
+// The motion over one step from unit values of all that it starts from, one by one.
+LinearSystem::Transition LinearSystem::of_one_step() {
+  const Eigen::Index n = rates_.cols() / 2, rows = result_size(n);
+  LinearMotionSeries series{n};
+  Vector start = Vector::Zero(2 * n);
+  const auto find_motion = [&](double ground, double slope, double* motion) {
+    series.expand(*this, start.data(), ground, slope);
+    series.evaluate(step_, motion);
+  };
+  Transition one{Matrix::Zero(rows, n), Matrix::Zero(rows, first_ground + 2 + 2 * n)};
+  offset_.setZero(n);
+  for (Eigen::Index i = 0; i < n; ++i) {
+    offset_[i] = 1.0;
+    find_motion(0.0, 0.0, one.from_constant.col(i).data());
+    offset_[i] = 0.0;
   }
-  Matrix after(3 * n, state.cols());
-  after.topRows(2 * n) = state;
-  after.bottomRows(n).noalias() = rates * state;
-  after.bottomLeftCorner(n, n).diagonal() += ones;
-  after.col(of_ground + 1).tail(n) -= ones;
-  // The scaling is removed.
-  const double h = step_;
-  after.leftCols(of_state) *= h * h;
-  after.rightCols(n) *= h;
-  after.middleRows(n, n) /= h;
-  after.bottomRows(n) /= h * h;
-  Transition one;
-  one.from_constant = after.leftCols(n);
-  one.from_start.setZero(result_size(n), first_ground + 2 + 2 * n);
-  one.from_start.topRightCorner(3 * n, 2 + 2 * n) = after.rightCols(2 + 2 * n);
+  find_motion(1.0, -1.0 / step_, one.from_start.col(first_ground).data());
+  find_motion(0.0, 1.0 / step_, one.from_start.col(first_ground + 1).data());
+  for (Eigen::Index i = 0; i < 2 * n; ++i) {
+    start[i] = 1.0;
+    find_motion(0.0, 0.0, one.from_start.col(first_ground + 2 + i).data());
+    start[i] = 0.0;
+  }
   return one;
 }
 
@@ -154,7 +134,7 @@ LinearSystem::Transition LinearSystem::twice(const Transition& half) const {
   const auto grounds = half.from_start.middleCols(first_ground, steps + 1);
   Transition whole;
   whole.from_constant = half.from_constant;
-  whole.from_constant.noalias() += from_motion.topRows(3 * n) * half.from_constant.topRows(2 * n);
+  whole.from_constant.noalias() += from_motion * half.from_constant.topRows(2 * n);
   whole.from_start.setZero(half.from_start.rows(), first_ground + 2 * steps + 1 + 2 * n);
   whole.from_start.middleCols(first_ground, steps + 1).noalias() = from_motion * grounds.topRows(2 * n);
   whole.from_start.middleCols(first_ground + steps, steps + 1) += grounds;
@@ -165,7 +145,7 @@ LinearSystem::Transition LinearSystem::twice(const Transition& half) const {
 void LinearSystem::set_offset(const Vector& offset) {
   offset_ = offset;
   for (Transition& transition : transitions_)
-    transition.from_start.col(0).head(3 * offset.size()).noalias() = transition.from_constant * offset;
+    transition.from_start.col(0).noalias() = transition.from_constant * offset;
 }
 
 void LinearSystem::advance(std::size_t doublings, const double* start, const double* ground, double* end) const {

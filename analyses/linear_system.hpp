@@ -51,14 +51,13 @@ class LinearSystem {
   [[nodiscard]] const Vector& offset() const { return offset_; }
 
  private:
-  // (u, u', u'') at the end of some steps.
+  // (u, u', u'') at the end of some steps. Rows are filled up.
   struct Transition {
     Eigen::MatrixXd from_constant;  // per constant acceleration of each degree of freedom
-    // Per entry of its start: constant 1, the ground's accelerations, the motion. Rows are filled up.
-    Eigen::MatrixXd from_start;
+    Eigen::MatrixXd from_start;     // per 1 with the present offset, acceleration of the ground, entry of the start
   };
 
-  [[nodiscard]] Transition of_one_step() const;
+  [[nodiscard]] Transition of_one_step();
   [[nodiscard]] Transition twice(const Transition& transition) const;
 
   std::vector<double> stiffness_values_, damping_values_;

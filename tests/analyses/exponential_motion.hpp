@@ -4,24 +4,36 @@
 #include <Eigen/Core>
 #include <Eigen/LU>
 #include <unsupported/Eigen/MatrixFunctions>
+#include <utility>
 
 #include "base/sparse_matrix.hpp"
 #include "base/vector.hpp"
+#include "model/model.hpp"
 
 namespace moat::testing {
+
+/// The tangents of a linear model, which must be prepared.
+struct Tangents {
+  SparseMatrix stiffness, damping;  ///< df/du, df/dv
+
+  /// Of this model.
+  explicit Tangents(const Model& model) : stiffness{model.pattern()}, damping{model.pattern()} {
+    model.assemble_tangent(0.0, 0.0, 1.0, stiffness);
+    model.assemble_tangent(0.0, 1.0, 0.0, damping);
+  }
+};
 
 /// u'' = -M^-1 (K u + C u') + offset - (a_g + s t), by the exponential of the first-order system of u, u', a_g and 1:
 /// another way than that of LinearSystem.
 struct ExponentialMotion {
   Eigen::MatrixXd stiffness, damping;  ///< M^-1 K, M^-1 C
-  Vector offset;
+  Vector offset;                       ///< m/s^2
 
-  /// Of the tangents of a model, with its masses.
-  ExponentialMotion(const SparseMatrix& of_stiffness, const SparseMatrix& of_damping, const Vector& masses,
-                    Vector of_offset)
-      : stiffness{masses.cwiseInverse().asDiagonal() * Eigen::MatrixXd{of_stiffness.view()}},
-        damping{masses.cwiseInverse().asDiagonal() * Eigen::MatrixXd{of_damping.view()}},
-        offset{std::move(of_offset)} {}
+  /// Of a model with these tangents.
+  ExponentialMotion(const Model& model, const Tangents& tangents, Vector its_offset)
+      : stiffness{model.masses().cwiseInverse().asDiagonal() * Eigen::MatrixXd{tangents.stiffness.view()}},
+        damping{model.masses().cwiseInverse().asDiagonal() * Eigen::MatrixXd{tangents.damping.view()}},
+        offset{std::move(its_offset)} {}
 
   /// (u, u', u'') h s after a start (u, u'), under a ground with this acceleration there and this slope.
   [[nodiscard]] Vector after(double h, const Vector& start, double ground, double slope) const {

@@ -36,13 +36,11 @@ class LinearPathTest : public ::testing::Test {
       lower = upper;
     }
     model.prepare();
-    SparseMatrix stiffness = model.pattern(), damping = model.pattern();
-    model.assemble_tangent(0.0, 0.0, 1.0, stiffness);
-    model.assemble_tangent(0.0, 1.0, 0.0, damping);
-    system.emplace(stiffness, damping, model.masses(), piece);
+    const testing::Tangents tangents{model};
     const Vector offset{{0.3, -0.2, 0.1}};
+    system.emplace(tangents.stiffness, tangents.damping, model.masses(), piece);
     system->set_offset(offset);
-    exact.emplace(stiffness, damping, model.masses(), offset);
+    exact.emplace(model, tangents, offset);
     model.trial().displacement.head(count) << 0.01, -0.02, 0.03;
     model.trial().velocity.head(count) << 0.5, 0.1, -0.4;
   }
