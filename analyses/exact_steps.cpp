@@ -18,26 +18,6 @@ constexpr std::size_t most_systems = 256;
 // phase^4/384.
 double largest_phase(double share) { return std::min(0.5, std::pow(384.0 * share, 0.25)); }
 
-// The cubics of a node over a step, through values and rates at its ends.
-class NodeCubics {
- public:
-  NodeCubics(Eigen::Index node, const MotionState& from, double ground_at_from, const MotionState& to,
-             double ground_at_to, double h)
-      : velocity_{from.velocity[node], from.acceleration[node], to.velocity[node], to.acceleration[node], h},
-        absolute_acceleration_{from.acceleration[node] + ground_at_from, from.jerk[node],
-                               to.acceleration[node] + ground_at_to, to.jerk[node], h} {}
-
-  // Whether they meet this motion at x, 0 to 1, each to `allowed` of its scale.
-  [[nodiscard]] bool meet(double x, double velocity, double absolute_acceleration, double allowed,
-                          double velocity_scale, double acceleration_scale) const {
-    return std::abs(velocity_.value(x) - velocity) <= allowed * velocity_scale &&
-           std::abs(absolute_acceleration_.value(x) - absolute_acceleration) <= allowed * acceleration_scale;
-  }
-
- private:
-  HermiteCubic velocity_, absolute_acceleration_;
-};
-
 }  // namespace
 
 ExactSteps::ExactSteps(Model& model, StepControl& control)
@@ -78,13 +58,7 @@ void ExactSteps::restart() {
 }
 
 void ExactSteps::linearise() {
-  MotionState& trial = model_->trial();
-  // At zero displacement and velocity the internal forces are f0. The tangents are those of the current regimes.
-  trial.displacement.setZero();
-  trial.velocity.setZero();
-  model_->evaluate();
-  model_->assemble_tangent(0.0, 0.0, 1.0, stiffness_);
-  model_->assemble_tangent(0.0, 1.0, 0.0, damping_);
+  model_->linearise(stiffness_, damping_, forces_at_rest_);
   const auto known =
       std::ranges::find_if(systems_, [&](const LinearSystem& system) { return system.is_of(stiffness_, damping_); });
   current_ = static_cast<std::size_t>(known - systems_.begin());
@@ -95,7 +69,7 @@ void ExactSteps::linearise() {
     systems_.emplace_back(stiffness_, damping_, masses, control_->grid_interval(),
                           largest_phase(cubics_within * control_->tolerance()));
   }
-  offset_ = -model_->internal_forces().head(masses.size()).cwiseQuotient(masses);
+  offset_ = -forces_at_rest_.head(masses.size()).cwiseQuotient(masses);
   systems_[current_].set_offset(offset_);
   linearised_ = true;
 }
@@ -115,6 +89,23 @@ void ExactSteps::begin(const StepTask& step) {
 }
 
 bool ExactSteps::solve(const StepTask& part) {
+  move_to_end(part);
+  complete();
+  return true;
+}
+
+bool ExactSteps::look(const StepTask& part) {
+  move_to_end(part);
+  model_->evaluate_regimes();
+  return true;
+}
+
+void ExactSteps::complete() {
+  model_->evaluate();
+  model_->evaluate_rates();
+}
+
+void ExactSteps::move_to_end(const StepTask& part) {
   const double* end = path_.at(part.length);
   const Eigen::Index n = model_->degrees_of_freedom();
   MotionState& trial = model_->trial();
@@ -122,9 +113,6 @@ bool ExactSteps::solve(const StepTask& part) {
   std::copy_n(end, n, trial.displacement.data());
   std::copy_n(end + n, n, trial.velocity.data());
   std::copy_n(end + 2 * n, n, trial.acceleration.data());
-  model_->evaluate();
-  model_->evaluate_rates();
-  return true;
 }
 
 bool ExactSteps::accepts(const StepTask& step, std::span<const RegimeChange>) {
@@ -137,46 +125,55 @@ bool ExactSteps::accepts(const StepTask& step, std::span<const RegimeChange>) {
     return false;
   }
   if (would_interpolate_doubled(step)) wanted_ = 2.0 * step.length;
+  earlier_.length = 0.0;
+  if (wanted_ > step.length) return true;  // longer steps are wanted already
   earlier_.length = step.length;
   earlier_.ground_acceleration = step.ground_acceleration_at_start.x;
   earlier_.motion = model_->state();
   return true;
 }
 
-// Whether the cubics through both ends of the step meet the exact motion inside.
-bool ExactSteps::interpolates(const StepTask& step) const {
-  const std::size_t parts = path_.parts();
-  // A single piece is short enough: largest_phase().
-  if (parts == 1) return true;
-  const Vector& scales = control_->acceleration_scales();
-  const double h = step.length, allowed = cubics_within * control_->tolerance();
-  for (Eigen::Index i = 0; i < model_->degrees_of_freedom(); ++i) {
-    const NodeCubics cubics{i, model_->state(), path_.ground_at(0), model_->trial(), path_.ground_at(parts), h};
-    for (std::size_t part = 1; part < parts; ++part)
-      if (!cubics.meet(path_.start_of(part) / h, path_.velocity(part, i), path_.absolute_acceleration(part, i), allowed,
-                       velocity_scale(i), scales[i]))
-        return false;
+// Whether the cubics of all nodes between two motions, h s apart, meet this motion (u, u', u'') at `time`, to `allowed`
+// of the scales. Each motion has its acceleration of the ground, m/s^2.
+bool ExactSteps::meets(const MotionOnGround& from, const MotionOnGround& to, double h, double time,
+                       const double* motion, double ground_there, double allowed) {
+  const HermiteCubicsAt cubics{time / h, h};
+  const Eigen::Index n = model_->degrees_of_freedom();
+  const double *v0 = from.motion->velocity.data(), *a0 = from.motion->acceleration.data(),
+               *j0 = from.motion->jerk.data(), *v1 = to.motion->velocity.data(), *a1 = to.motion->acceleration.data(),
+               *j1 = to.motion->jerk.data(), *scales = control_->acceleration_scales().data(),
+               *fastest = fastest_.data();
+  for (Eigen::Index i = 0; i < n; ++i) {
+    const double velocity = cubics.value(v0[i], a0[i], v1[i], a1[i]),
+                 acceleration = cubics.value(a0[i] + from.ground, j0[i], a1[i] + to.ground, j1[i]);
+    if (std::abs(velocity - motion[n + i]) > allowed * std::max(fastest[i], least_velocity_) ||
+        std::abs(acceleration - (motion[2 * n + i] + ground_there)) > allowed * scales[i])
+      return false;
   }
+  return true;
+}
+
+// Whether the cubics through both ends of the step meet the exact motion inside. A single piece is short enough:
+// largest_phase().
+bool ExactSteps::interpolates(const StepTask& step) {
+  const std::size_t parts = path_.parts();
+  const MotionOnGround from{&model_->state(), path_.ground_at(0)}, to{&model_->trial(), path_.ground_at(parts)};
+  for (std::size_t part = 1; part < parts; ++part)
+    if (!meets(from, to, step.length, path_.start_of(part), path_.motion(part), path_.ground_at(part),
+               cubics_within * control_->tolerance()))
+      return false;
   return true;
 }
 
 // Whether the same holds for a step from the start of the step before, with a reserve, so that lengths do not
 // alternate.
-bool ExactSteps::would_interpolate_doubled(const StepTask& step) const {
+bool ExactSteps::would_interpolate_doubled(const StepTask& step) {
   if (earlier_.length != step.length || wanted_ > step.length) return false;
-  const Vector& scales = control_->acceleration_scales();
-  const MotionState& middle = model_->state();
-  const double ground_at_middle = path_.ground_at(0), ground_at_end = path_.ground_at(path_.parts());
   constexpr double reserve = 0.5;
-  const double allowed = reserve * cubics_within * control_->tolerance();
-  for (Eigen::Index i = 0; i < model_->degrees_of_freedom(); ++i) {
-    const NodeCubics cubics{
-        i, earlier_.motion, earlier_.ground_acceleration, model_->trial(), ground_at_end, 2.0 * step.length};
-    if (!cubics.meet(0.5, middle.velocity[i], middle.acceleration[i] + ground_at_middle, allowed, velocity_scale(i),
-                     scales[i]))
-      return false;
-  }
-  return true;
+  const MotionOnGround from{&earlier_.motion, earlier_.ground_acceleration},
+      to{&model_->trial(), path_.ground_at(path_.parts())};
+  return meets(from, to, 2.0 * step.length, step.length, path_.motion(0), path_.ground_at(0),
+               reserve * cubics_within * control_->tolerance());
 }
 
 }  // namespace moat

@@ -60,6 +60,8 @@ class ExactSteps final : public Stepper {
   double next_length() override;
   void begin(const StepTask& step) override;
   bool solve(const StepTask& part) override;
+  bool look(const StepTask& part) override;
+  void complete() override;
   bool accepts(const StepTask& step, std::span<const RegimeChange>) override;
   bool may_leave_samples() const override { return control_->may_leave_samples(); }
   WorkRule work_rule() const override { return WorkRule::quadrature; }
@@ -72,11 +74,18 @@ class ExactSteps final : public Stepper {
     MotionState motion;
   };
 
+  struct MotionOnGround {
+    const MotionState* motion;
+    double ground;  // acceleration, m/s^2
+  };
+
   void check() const;
   void linearise();
-  [[nodiscard]] bool interpolates(const StepTask& step) const;
-  [[nodiscard]] bool would_interpolate_doubled(const StepTask& step) const;
-  [[nodiscard]] double velocity_scale(Eigen::Index i) const { return std::max(fastest_[i], least_velocity_); }
+  void move_to_end(const StepTask& part);
+  [[nodiscard]] bool meets(const MotionOnGround& from, const MotionOnGround& to, double h, double time,
+                           const double* motion, double ground_there, double allowed);
+  [[nodiscard]] bool interpolates(const StepTask& step);
+  [[nodiscard]] bool would_interpolate_doubled(const StepTask& step);
 
   Model* model_;
   StepControl* control_;
@@ -85,8 +94,8 @@ class ExactSteps final : public Stepper {
   std::vector<LinearSystem> systems_;
   std::size_t current_ = 0;
   SparseMatrix stiffness_, damping_;
-  Vector offset_;        // -M^-1 f0
-  double wanted_ = 0.0;  // length of the next step, if the system allows it; s
+  Vector forces_at_rest_, offset_;  // f0, -M^-1 f0
+  double wanted_ = 0.0;             // length of the next step, if the system allows it; s
   Earlier earlier_;
   Vector fastest_;               // largest velocity of every node so far, m/s; as long as those of a MotionState
   double least_velocity_ = 0.0;  // of the scales, m/s

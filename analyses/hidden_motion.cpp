@@ -18,10 +18,10 @@ bool HiddenMotion::in(const StepTask& step, const Model& model, double margin) {
   const Vector& displacement = model.state().displacement;
   for (Eigen::Index i = 0; i < largest_.size(); ++i) {
     double& largest = largest_[building_[static_cast<std::size_t>(i)]];
-    largest = std::max(largest, std::abs(displacement[i]));
+    // Written seldom: each look would wait for the last write.
+    if (const double size = std::abs(displacement[i]); size > largest) largest = size;
   }
-  constexpr double negligible = 1e-4;  // share of a displacement
-  const double harmless = std::min(negligible * largest_.minCoeff(), 0.5 * margin);
+  const double harmless = std::min(negligible_bump(), share_of_margin * margin);
   if (step.ground->bump_bounds().displacement <= harmless) return false;
   double bump = 0.0;  // m
   step.ground->for_each_bump_inside([&](const GroundBump& b) { bump = std::max(bump, std::abs(b.displacement)); });

@@ -23,8 +23,20 @@ class HiddenMotion {
   /// Notes the displacements at the start of the step, and returns whether the step to the trial state hides motion.
   /// `margin` is the smallest one of an element at the ends of the step, m.
   [[nodiscard]] bool in(const StepTask& step, const Model& model, double margin);
+  /// Whether such a margin, m, and not the size of the displacements, decides which bumps are hidden motion. True as
+  /// long as nothing moved.
+  [[nodiscard]] bool is_close(double margin) const {
+    const double bump = negligible_bump();
+    return bump == 0.0 || share_of_margin * margin <= bump;
+  }
 
  private:
+  static constexpr double negligible = 1e-4;  // share of a displacement
+  static constexpr double share_of_margin = 0.5;
+
+  // m
+  [[nodiscard]] double negligible_bump() const { return negligible * largest_.minCoeff(); }
+
   std::vector<int> building_;  // of every node: the number of one of its nodes
   Vector largest_;             // displacement, m, at the indices that building_ names; infinite elsewhere
 };

@@ -33,6 +33,7 @@ void LinearPath::begin(const LinearSystem& system, const MotionState& start, con
   join_pieces();
   std::copy_n(start.displacement.data(), count_, start_of_part(0));
   std::copy_n(start.velocity.data(), count_, start_of_part(0) + count_);
+  std::copy_n(start.acceleration.data(), count_, start_of_part(0) + 2 * count_);
   known_ = 0;
   expanded_ = none;
 }

@@ -34,14 +34,9 @@ class LinearPath {
   [[nodiscard]] double start_of(std::size_t part) const { return times_[first_pieces_[part]]; }
   /// The ground acceleration there, m/s^2.
   [[nodiscard]] double ground_at(std::size_t part) const { return ground_[first_pieces_[part]]; }
-  /// Velocity (m/s) and absolute acceleration (m/s^2) there. The part must not be the first, and at() must have gone
-  /// as far.
-  [[nodiscard]] double velocity(std::size_t part, Eigen::Index degree_of_freedom) const {
-    return path_(count_ + degree_of_freedom, static_cast<Eigen::Index>(part));
-  }
-  /// See velocity().
-  [[nodiscard]] double absolute_acceleration(std::size_t part, Eigen::Index degree_of_freedom) const {
-    return path_(2 * count_ + degree_of_freedom, static_cast<Eigen::Index>(part)) + ground_at(part);
+  /// (u, u', u'') there. at() must have gone as far.
+  [[nodiscard]] const double* motion(std::size_t part) const {
+    return path_.col(static_cast<Eigen::Index>(part)).data();
   }
 
  private:

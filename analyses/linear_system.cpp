@@ -2,6 +2,7 @@
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <initializer_list>
 #include <string>
@@ -31,24 +32,30 @@ struct Columns {
   const double* factors;
 };
 
+// Rows `row` to `row` + 4 fours of A x + B z + ...
+template <int fours>
+[[gnu::always_inline]] inline void multiply_rows(Eigen::Index rows, Eigen::Index row,
+                                                 const std::initializer_list<Columns>& parts, double* __restrict y) {
+  FourRows sums[fours]{};
+  for (const Columns& columns : parts)
+    for (Eigen::Index column = 0; column < columns.count; ++column) {
+      const auto* entries = reinterpret_cast<const FourRows*>(columns.entries + column * rows + row);
+      for (int i = 0; i < fours; ++i) sums[i] += entries[i] * columns.factors[column];
+    }
+  for (int i = 0; i < fours; ++i) reinterpret_cast<FourRows*>(y + row)[i] = sums[i];
+}
+
 // y = A x + B z + ... for columns whose number of rows is a multiple of rows_at_once. The function is compiled for
 // newer processors as well, and the version is chosen when the program starts.
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__)
 __attribute__((target_clones("default", "arch=x86-64-v3")))
 #endif
 void multiply(Eigen::Index rows, std::initializer_list<Columns> parts, double* __restrict y) {
-  for (Eigen::Index row = 0; row < rows; row += rows_at_once) {
-    FourRows upper{}, lower{};
-    for (const Columns& columns : parts)
-      for (Eigen::Index column = 0; column < columns.count; ++column) {
-        const auto* entries = reinterpret_cast<const FourRows*>(columns.entries + column * rows + row);
-        upper += entries[0] * columns.factors[column];
-        lower += entries[1] * columns.factors[column];
-      }
-    auto* sums = reinterpret_cast<FourRows*>(y + row);
-    sums[0] = upper;
-    sums[1] = lower;
-  }
+  static_assert(rows_at_once == 8);
+  Eigen::Index row = 0;
+  for (; rows - row >= 24; row += 24) multiply_rows<6>(rows, row, parts, y);
+  if (rows - row == 16) multiply_rows<4>(rows, row, parts, y);
+  if (rows - row == 8) multiply_rows<2>(rows, row, parts, y);
 }
 
 // An eigenvalue x of a vector v has x^2 v = -(K + x C) v, so that |x|^2 <= |K| + |x| |C| in the norm of row sums.
@@ -144,8 +151,13 @@ LinearSystem::Transition LinearSystem::twice(const Transition& half) const {
 
 void LinearSystem::set_offset(const Vector& offset) {
   offset_ = offset;
-  for (Transition& transition : transitions_)
-    transition.from_start.col(0).noalias() = transition.from_constant * offset;
+  for (Transition& transition : transitions_) {
+    auto from_offset = transition.from_start.col(0);
+    from_offset.setZero();
+    // Few nodes have forces at rest.
+    for (Eigen::Index i = 0; i < offset.size(); ++i)
+      if (offset[i] != 0.0) from_offset += offset[i] * transition.from_constant.col(i);
+  }
 }
 
 void LinearSystem::advance(std::size_t doublings, const double* start, const double* ground, double* end) const {
@@ -164,54 +176,65 @@ void LinearSystem::scaled_rates(const double* state, double* result) const {
   multiply(rates_.rows(), {{rates_.data(), rates_.cols(), state}}, result);
 }
 
-LinearMotionSeries::LinearMotionSeries(Eigen::Index count) {
-  coefficients_.setZero(2 * count, most_terms);
-  state_.setZero(2 * count);
+LinearMotionSeries::LinearMotionSeries(Eigen::Index count) : count_{count} {
+  coefficients_.setZero(LinearSystem::filled_up(2 * count), most_terms);
+  state_.setZero(coefficients_.rows());
   rates_.setZero(LinearSystem::filled_up(count));
 }
 
 // With coefficients U_k of (t/h)^k in u, those of h u' are V_k = (k + 1) U_{k+1}, and those of its rate (k + 1) V_{k+1}
 // follow from U_k and V_k by the differential equation. They decrease like 1 / (2^k k!).
 void LinearMotionSeries::expand(const LinearSystem& system, const double* start, double ground, double slope) {
-  const Eigen::Index n = coefficients_.rows() / 2;
+  const Eigen::Index n = count_;
   const double h = system.step();
   system_ = &system;
   ground_ = ground;
   slope_ = slope;
   coefficients_.col(0).head(n) = Eigen::Map<const Vector>{start, n};
-  coefficients_.col(0).tail(n) = h * Eigen::Map<const Vector>{start + n, n};
-  constexpr double round_off = 1e-17;
-  double largest = 0.0, largest_rate = 0.0;
+  coefficients_.col(0).segment(n, n) = h * Eigen::Map<const Vector>{start + n, n};
+  constexpr double round_off = 1e-16;
+  double size = coefficients_.col(0).head(n).lpNorm<Eigen::Infinity>(), largest = 0.0;
+  double rate = coefficients_.col(0).segment(n, n).lpNorm<Eigen::Infinity>(), largest_rate = 0.0;
   int small_in_a_row = 0;
   // The series ends after two negligible terms in a row, because a single term may vanish.
   for (terms_ = 1; terms_ < most_terms && small_in_a_row < 2; ++terms_) {
-    const auto last = coefficients_.col(terms_ - 1);
-    auto next = coefficients_.col(terms_);
-    system.scaled_rates(last.data(), rates_.data());
+    largest = std::max(largest, size);
+    largest_rate = std::max(largest_rate, rate);
+    const double* last = coefficients_.col(terms_ - 1).data();
+    double* next = coefficients_.col(terms_).data();
+    system.scaled_rates(last, rates_.data());
     auto rates = rates_.head(n);
     if (terms_ == 1) rates += h * h * (system.offset().array() - ground).matrix();
     if (terms_ == 2) rates.array() -= h * h * h * slope;
-    next.head(n) = last.tail(n) / terms_;
-    next.tail(n) = rates / terms_;
-    const double size = next.head(n).lpNorm<Eigen::Infinity>(), rate = next.tail(n).lpNorm<Eigen::Infinity>();
-    largest = std::max(largest, last.head(n).lpNorm<Eigen::Infinity>());
-    largest_rate = std::max(largest_rate, last.tail(n).lpNorm<Eigen::Infinity>());
+    const double share = 1.0 / terms_;
+    size = rate = 0.0;
+    for (Eigen::Index i = 0; i < n; ++i) {
+      next[i] = share * last[n + i];
+      next[n + i] = share * rates_[i];
+      size = std::max(size, std::abs(next[i]));
+      rate = std::max(rate, std::abs(next[n + i]));
+    }
     const bool small = size <= round_off * largest && rate <= round_off * largest_rate;
     small_in_a_row = small ? small_in_a_row + 1 : 0;
   }
 }
 
 void LinearMotionSeries::evaluate(double h, double* result) {
-  const Eigen::Index n = coefficients_.rows() / 2;
+  const Eigen::Index n = count_;
   const double step = system_->step(), x = h / step;
-  state_ = coefficients_.col(terms_ - 1);
-  for (int k = terms_ - 2; k >= 0; --k) state_ = x * state_ + coefficients_.col(k);
+  std::array<double, most_terms> powers;
+  powers[0] = 1.0;
+  for (int k = 1; k < terms_; ++k) powers[k] = x * powers[k - 1];
+  multiply(coefficients_.rows(), {{coefficients_.data(), terms_, powers.data()}}, state_.data());
   // The acceleration follows from the differential equation.
   system_->scaled_rates(state_.data(), rates_.data());
-  Eigen::Map<Vector>{result, n} = state_.head(n);
-  Eigen::Map<Vector>{result + n, n} = state_.tail(n) / step;
-  Eigen::Map<Vector>{result + 2 * n, n} =
-      rates_.head(n) / (step * step) + (system_->offset().array() - (ground_ + slope_ * h)).matrix();
+  const double per_step = 1.0 / step, ground = ground_ + slope_ * h;
+  const double *state = state_.data(), *rates = rates_.data(), *offset = system_->offset().data();
+  for (Eigen::Index i = 0; i < n; ++i) {
+    result[i] = state[i];
+    result[n + i] = per_step * state[n + i];
+    result[2 * n + i] = per_step * per_step * rates[i] + offset[i] - ground;
+  }
 }
 
 }  // namespace moat

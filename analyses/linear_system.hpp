@@ -79,9 +79,11 @@ class LinearMotionSeries {
   void evaluate(double h, double* result);
 
  private:
+  Eigen::Index count_;
   const LinearSystem* system_ = nullptr;
   double ground_ = 0.0, slope_ = 0.0;
-  // Column k holds the coefficients of (t/h)^k in (u, h u'), with h the step of the system; terms_ are known.
+  // Column k holds the coefficients of (t/h)^k in (u, h u'), with h the step of the system; terms_ are known. Rows are
+  // filled up.
   Eigen::MatrixXd coefficients_;
   int terms_ = 0;
   Vector state_, rates_;  // of evaluate()

@@ -49,7 +49,7 @@ StepControl::StepControl(const Model& model, Options options)
   if (has_dampers_to_ground(matrix)) options_.doublings = 0;
   for (int halvings = -options_.doublings; halvings <= options_.max_halvings; ++halvings)
     steps_.push_back(std::ldexp(options_.grid_interval, -halvings));
-  restart(model, false);
+  restart(model, false, true);
 }
 
 // Longest step inside the bound of stability of the fourth-order scheme, during a contact of this duration.
@@ -224,13 +224,12 @@ void StepControl::changed_inside(const Model& model, std::span<const RegimeChang
   if (adaptive()) scales_.regimes_changed(model);
 }
 
-void StepControl::restart(const Model& model, bool touched) {
+void StepControl::restart(const Model& model, bool touched, bool close) {
   if (touched)
     ramp_ = at_touch;
   else if (ramp_ < at_touch)  // a whole step was taken since the touch
     ramp_ = 0;
-  // An element is at its margin now: the first step stays within an interval of the samples.
-  most_doublings_ = 0;
+  most_doublings_ = close ? 0 : options_.doublings;
   restraint_ = steps_until_more_ = 1;
   since_event_ = 0.0;
   if (adaptive()) scales_.regimes_changed(model);

@@ -73,8 +73,9 @@ class StepControl {
                              std::span<const RegimeChange> inside = {});
   /// The trial state was committed.
   void accepted(const Model& model, double h, PlanVector ground_acceleration);
-  /// Elements changed their regime at the committed state, or the ground stopped; `touched` if a gap closed.
-  void restart(const Model& model, bool touched);
+  /// Elements changed their regime at the committed state, or the ground stopped; `touched` if a gap closed. The next
+  /// step stays within one interval of the samples if an element is `close` to a change of regime.
+  void restart(const Model& model, bool touched, bool close);
 
   /// Whether a step of this length divides a contact of this duration finely enough, both in s. A fixed one always.
   [[nodiscard]] bool is_short_enough(double step, double contact) const {

@@ -22,6 +22,10 @@ class Stepper {
   /// Solves the step, or its first part, into the trial state, with all forces and their rates. False if it did not
   /// converge.
   virtual bool solve(const StepTask& part) = 0;
+  /// The same as far as changes of regime depend on it. complete() must follow if the step is to end there.
+  virtual bool look(const StepTask& part) { return solve(part); }
+  /// Adds all that solve() would have found and look() left out.
+  virtual void complete() {}
   /// Judges the trial state that solve() led to, with these changes of regime inside the step. False: begin again with
   /// next_length(), which is shorter.
   [[nodiscard]] virtual bool accepts(const StepTask& step, std::span<const RegimeChange> inside) = 0;

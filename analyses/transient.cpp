@@ -128,7 +128,9 @@ void Transient::balance() {
 void Transient::change_regimes_at_end() {
   changes_.clear();
   model_->change_regimes(changes_);
-  implicit_.control().restart(*model_, std::ranges::any_of(changes_, &RegimeChange::touched));
+  margin_ = std::max(model_->scan_regimes(0.0, 0.0).margin, 0.0);
+  implicit_.control().restart(*model_, std::ranges::any_of(changes_, &RegimeChange::touched),
+                              hidden_.is_close(margin_));
   if (changes_.empty()) return;
   balance();
   report_changes();
@@ -151,7 +153,7 @@ void Transient::report_changes() {
 void Transient::end_motion() {
   if (!grid_.end_motion()) return;
   balance();
-  implicit_.control().restart(*model_, false);
+  implicit_.control().restart(*model_, false, true);
   observers_.event(view(false), {});
 }
 

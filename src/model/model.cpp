@@ -251,6 +251,20 @@ void Model::assemble_changing_columns(double acceleration_weight, double velocit
   assemble_changing(velocity_weight, displacement_weight, matrix);
 }
 
+void Model::linearise(SparseMatrix& stiffness, SparseMatrix& damping, Vector& forces) {
+  trial_.displacement.setZero();
+  trial_.velocity.setZero();
+  const double *displacement = trial_.displacement.data(), *velocity = trial_.velocity.data();
+  linear_part_.evaluate(pattern_, displacement, velocity, forces);
+  stiffness.values = linear_part_.stiffness();
+  damping.values = linear_part_.damping();
+  for (const std::size_t i : changing_blocks_) {
+    blocks_[i]->evaluate(displacement, velocity, forces.data());
+    blocks_[i]->add_tangent(1.0, 0.0, stiffness.values.data());
+    blocks_[i]->add_tangent(0.0, 1.0, damping.values.data());
+  }
+}
+
 bool Model::has_corner() const {
   return std::ranges::any_of(changing_blocks_, [&](std::size_t i) { return blocks_[i]->has_corner(); });
 }

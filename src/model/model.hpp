@@ -145,6 +145,9 @@ class Model {
   /// Computes only the elements that can change their regime, with the rates of their forces: enough for
   /// scan_regimes() and change_regimes_inside(). evaluate() must follow before a commit().
   void evaluate_regimes();
+  /// The linear system of the current regimes: df/du and df/dv, and the forces at zero displacement and velocity, as
+  /// internal_forces() has them. evaluate() must follow before a commit().
+  void linearise(SparseMatrix& stiffness, SparseMatrix& damping, Vector& forces);
   /// Internal forces of the last evaluate(). The last entry is the sum of the forces on the ground: the reactions.
   [[nodiscard]] const Vector& internal_forces() const { return internal_forces_; }
   /// The same at the committed state, after the last change of regime.

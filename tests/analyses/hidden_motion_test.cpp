@@ -71,6 +71,16 @@ TEST_F(HiddenMotionTest, IsComparedWithHalfTheMargin) {
   EXPECT_FALSE(hidden.in(task, model, 2.1 * bump));
 }
 
+TEST_F(HiddenMotionTest, KnowsMarginsThatDecideIt) {
+  HiddenMotion hidden{model};
+  EXPECT_TRUE(hidden.is_close(far));  // nothing moved yet
+  move(0.5, 2.0);
+  static_cast<void>(hidden.in(task, model, far));
+  EXPECT_TRUE(hidden.is_close(0.0));
+  EXPECT_TRUE(hidden.is_close(0.9e-4));
+  EXPECT_FALSE(hidden.is_close(1.1e-4));
+}
+
 TEST_F(HiddenMotionTest, IsNoneWithinAnIntervalOfTheSamples) {
   task.ground.reset();
   EXPECT_FALSE(HiddenMotion{model}.in(task, model, 0.0));

@@ -85,10 +85,7 @@ TEST_F(LinearPathTest, IsTheExponentialUnderASteadySlopeOfTheGround) {
     const double time = path.start_of(part), of_ground = 2.0 + 30.0 * (0.004 + time);
     const Vector motion = exact->after(time, start(), 2.0 + 30.0 * 0.004, 30.0);
     EXPECT_NEAR(path.ground_at(part), of_ground, 1e-12);
-    for (Eigen::Index i = 0; i < count; ++i) {
-      EXPECT_NEAR(path.velocity(part, i), motion[count + i], 1e-12);
-      EXPECT_NEAR(path.absolute_acceleration(part, i), motion[2 * count + i] + of_ground, 1e-12);
-    }
+    expect_equal(path.motion(part), motion, time);
   }
 }
 

@@ -101,5 +101,45 @@ TEST(LinearPart, ChangingColumnsAssembledAloneEqualTheWholeTangent) {
   }
 }
 
+// Forces follow from the tangents and the forces at rest, with a bearing that slides, and open gaps.
+TEST(LinearPart, LinearisedModelHasTheForcesOfItsElements) {
+  Model model;
+  const NodeId base = add(model, Node{.name = "base", .mass = 50 * tonne});
+  const NodeId floor = add(model, Node{.name = "floor", .mass = 40 * tonne});
+  add(model, ShearSpring{.name = "storey", .lower = base, .upper = floor, .stiffness = 80 * MN / m});
+  add(model, ViscousDamper{.name = "damper", .lower = base, .upper = floor, .damping = 90 * kN * s / m});
+  add(model, LeadRubberBearing{.upper = base,
+                               .yield_force = 40 * kN,
+                               .yield_displacement = 1 * cm,
+                               .post_yield_stiffness = 400 * kN / m,
+                               .locate_yield = true});
+  add(model, Gap<HertzDamp>{.name = "gap",
+                            .left = base,
+                            .right = ground,
+                            .clearance = 1 * m,
+                            .law = HertzDamp{.stiffness = 3e8 * N / m_3_2, .restitution = 0.65}});
+  model.prepare();
+  SparseMatrix stiffness = model.pattern(), damping = model.pattern();
+  Vector at_rest;
+  for (const double displacement : {0.005, 0.02}) {  // elastic, sliding
+    model.trial().displacement[0] = displacement;
+    model.trial().velocity[0] = 0.1;
+    model.evaluate();
+    model.commit();
+    std::vector<RegimeChange> changes;
+    model.change_regimes(changes);
+    EXPECT_EQ(changes.size(), displacement > 0.01 ? 1u : 0u);
+    model.linearise(stiffness, damping, at_rest);
+    MotionState& trial = model.trial();
+    trial.displacement.head(2) << 0.03, 0.05;
+    trial.velocity.head(2) << 0.4, -0.2;
+    model.evaluate();
+    const Vector expected = model.internal_forces().head(2);
+    const Vector found =
+        at_rest.head(2) + stiffness.view() * trial.displacement.head(2) + damping.view() * trial.velocity.head(2);
+    EXPECT_LT((found - expected).norm(), 1e-12 * expected.norm());
+  }
+}
+
 }  // namespace
 }  // namespace moat

@@ -1,0 +1,29 @@
+// Polynomials over a step.
+#include "base/hermite.hpp"
+
+#include <gtest/gtest.h>
+
+namespace moat {
+namespace {
+
+// A cubic, its rate, and its ends over a step of 0.4 s that begins at 1 s.
+constexpr double start = 1.0, h = 0.4;
+double value(double t) { return 2.0 - 3.0 * t + 0.5 * t * t + 7.0 * t * t * t; }
+double rate(double t) { return -3.0 + t + 21.0 * t * t; }
+
+TEST(HermiteCubic, IsTheCubicThroughItsEnds) {
+  const HermiteCubic cubic{value(start), rate(start), value(start + h), rate(start + h), h};
+  for (const double x : {0.0, 0.1, 0.5, 0.9, 1.0}) {
+    EXPECT_NEAR(cubic.value(x), value(start + x * h), 1e-14 * value(start + h));
+    EXPECT_NEAR(cubic.rate(x), rate(start + x * h), 1e-14 * rate(start + h));
+  }
+}
+
+TEST(HermiteCubic, ManyAtOnePlaceAreTheSame) {
+  for (const double x : {0.0, 0.1, 0.5, 0.9, 1.0})
+    EXPECT_NEAR((HermiteCubicsAt{x, h}.value(value(start), rate(start), value(start + h), rate(start + h))),
+                value(start + x * h), 1e-14 * value(start + h));
+}
+
+}  // namespace
+}  // namespace moat
