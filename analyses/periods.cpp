@@ -32,13 +32,13 @@ std::vector<int> indices_of(const std::vector<NodeId>& nodes) {
 // First period of the given nodes, all others held; infinite if they are free, 0 if there are none.
 double first_period(const SparseMatrix& stiffness, const Vector& masses, const std::vector<int>& nodes) {
   if (nodes.empty()) return 0.0;
-  std::vector<int> position(static_cast<std::size_t>(stiffness.size), -1);
+  std::vector<int> position(static_cast<std::size_t>(stiffness.size()), -1);
   for (std::size_t i = 0; i < nodes.size(); ++i) position[static_cast<std::size_t>(nodes[i])] = static_cast<int>(i);
   const auto for_each_entry = [&](auto action) {
     for (std::size_t i = 0; i < nodes.size(); ++i) {
       const auto column = static_cast<std::size_t>(nodes[i]);
-      for (int k = stiffness.column_starts[column]; k < stiffness.column_starts[column + 1]; ++k) {
-        const int row = position[static_cast<std::size_t>(stiffness.row_indices[static_cast<std::size_t>(k)])];
+      for (int k = stiffness.column_starts()[column]; k < stiffness.column_starts()[column + 1]; ++k) {
+        const int row = position[static_cast<std::size_t>(stiffness.row_indices()[static_cast<std::size_t>(k)])];
         if (row >= 0) action(row, static_cast<int>(i), stiffness.values[static_cast<std::size_t>(k)]);
       }
     }
@@ -104,7 +104,7 @@ std::vector<NamedPeriod> characteristic_periods(Model& model, std::size_t most_b
     for (const int node : nodes) {
       mass += model.masses()[node];
       const auto column = static_cast<std::size_t>(node);
-      for (int k = post_yield.column_starts[column]; k < post_yield.column_starts[column + 1]; ++k)
+      for (int k = post_yield.column_starts()[column]; k < post_yield.column_starts()[column + 1]; ++k)
         isolation_stiffness += post_yield.values[static_cast<std::size_t>(k)];
     }
     report("fixed base", first_period(initial, model.masses(), superstructure));

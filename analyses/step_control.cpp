@@ -12,10 +12,10 @@ namespace {
 // Whether damping coefficients of a column do not add up to zero: the rest couples to the ground.
 bool has_dampers_to_ground(const SparseMatrix& damping) {
   constexpr double round_off = 1e-9;
-  for (std::size_t column = 0; column < static_cast<std::size_t>(damping.size); ++column) {
+  for (std::size_t column = 0; column < static_cast<std::size_t>(damping.size()); ++column) {
     double sum = 0.0, magnitudes = 0.0;
-    for (auto k = static_cast<std::size_t>(damping.column_starts[column]);
-         k < static_cast<std::size_t>(damping.column_starts[column + 1]); ++k) {
+    for (auto k = static_cast<std::size_t>(damping.column_starts()[column]);
+         k < static_cast<std::size_t>(damping.column_starts()[column + 1]); ++k) {
       sum += damping.values[k];
       magnitudes += std::abs(damping.values[k]);
     }

@@ -79,7 +79,7 @@ bool StepEquations::knows_velocity_of_forces() {
 //     a = a0 - T^-1 (M a0 + f + K (u(a0) - u) + C (v(a0) - v) + M iota a_g)
 void StepEquations::extrapolate(Vector& guess) {
   if (linear_version_ != factorised_version_) {
-    if (stiffness_.size == 0) stiffness_ = damping_ = model_->pattern();
+    if (stiffness_.size() == 0) stiffness_ = damping_ = model_->pattern();
     model_->assemble_tangent(0.0, 0.0, 1.0, stiffness_);
     model_->assemble_tangent(0.0, 1.0, 0.0, damping_);
     linear_version_ = factorised_version_;
@@ -96,7 +96,7 @@ void StepEquations::extrapolate(Vector& guess) {
   double* __restrict unbalanced = unbalanced_.data();
   for (int i = 0; i < count; ++i)
     unbalanced[i] = -(mass[i] * (a[i] + shares.of(task_.ground_acceleration, i)) + force[i]);
-  const int *starts = stiffness_.column_starts.data(), *rows = stiffness_.row_indices.data();
+  const int *starts = stiffness_.column_starts().data(), *rows = stiffness_.row_indices().data();
   const double *stiffness = stiffness_.values.data(), *damping = damping_.values.data();
   for (int i = 0; i < count; ++i) {
     const double du = predicted_displacement[i] + displacement_weight * a[i] - u[i],
@@ -263,9 +263,9 @@ double StepEquations::round_off(int row) const {
   const double weight = scheme_.displacement_weight(task_.length);
   double sum = 0.0;
   // The pattern is symmetric, and so are nearly all tangents: the column is used in place of the row.
-  for (int k = tangent_.column_starts[static_cast<std::size_t>(row)];
-       k < tangent_.column_starts[static_cast<std::size_t>(row) + 1]; ++k) {
-    const int other = tangent_.row_indices[static_cast<std::size_t>(k)];
+  for (int k = tangent_.column_starts()[static_cast<std::size_t>(row)];
+       k < tangent_.column_starts()[static_cast<std::size_t>(row) + 1]; ++k) {
+    const int other = tangent_.row_indices()[static_cast<std::size_t>(k)];
     const double entry = tangent_.values[static_cast<std::size_t>(k)] - (other == row ? model_->masses()[row] : 0.0);
     sum += std::abs(entry * model_->trial().displacement[other]);
   }

@@ -72,9 +72,9 @@ class CornerContacts final : public ContactLinks<Law, PlanEnds>, public PlanCont
     Base::add_couplings(pattern);
     for (const CornerAndEdge& corner : corners_) corner.ends.add_couplings(pattern);
   }
-  void find_slots(const SparseMatrix& matrix) override {
-    Base::find_slots(matrix);
-    for (std::size_t i = 0; i < corners_.size(); ++i) corners_[i].ends.find(this->infos_[i], matrix);
+  void find_slots(const SparsityPattern& pattern) override {
+    Base::find_slots(pattern);
+    for (std::size_t i = 0; i < corners_.size(); ++i) corners_[i].ends.find(this->infos_[i], pattern);
   }
 
   void evaluate(const double* displacement, const double* velocity, double* force) override {
@@ -103,14 +103,15 @@ class CornerContacts final : public ContactLinks<Law, PlanEnds>, public PlanCont
     }
   }
 
-  void add_tangent(double displacement_weight, double velocity_weight, double* values) const override {
-    Base::add_tangent(displacement_weight, velocity_weight, values);
+  void add_tangent(double displacement_weight, double velocity_weight, SparseMatrix& matrix) const override {
+    Base::add_tangent(displacement_weight, velocity_weight, matrix);
     for (std::size_t i = 0; i < corners_.size(); ++i) {
       const CornerGrip& now = now_grips_[i];
       const double coupling = now.follows * now.sense * friction(i).coefficient *
                               (displacement_weight * this->stiffnesses_[i] + velocity_weight * this->dampings_[i]);
       const double stiffness = displacement_weight * now.stiffness(friction(i));
-      if (coupling != 0.0 || stiffness != 0.0) corners_[i].ends.add_stiffness({0.0, 0.0, coupling, stiffness}, values);
+      if (coupling != 0.0 || stiffness != 0.0)
+        corners_[i].ends.add_stiffness({0.0, 0.0, coupling, stiffness}, matrix.values.data());
     }
   }
   bool take_tangent_change() override {

@@ -84,7 +84,8 @@ ElementInfo register_corner(Model& model, const CornerPlace& gap, const CornerAn
     parameters.push_back({"friction", corner.friction.coefficient, "1"});
     parameters.push_back({"tangential_stiffness", corner.friction.tangential_stiffness, "N/m"});
     if (gap.share != 1.0) parameters.push_back({"share", gap.share, "1"});
-    info.law_as_given = law_as_given(law, std::move(parameters));
+    info.details = std::make_shared<const ElementDetails>(
+        ElementDetails{.law_as_given = LawAsGiven{std::string{law}, std::move(parameters)}});
   }
   return info;
 }

@@ -30,9 +30,9 @@ class NodePair {
     pattern.couple(info.first.index, info.second.index);
   }
   /// Keeps the positions of both ends in global arrays.
-  void find_entries(const ElementInfo& info, const SparseMatrix& matrix) {
-    first_ = info.first == ground ? matrix.size : info.first.index;
-    second_ = info.second == ground ? matrix.size : info.second.index;
+  void find_entries(const ElementInfo& info, const SparsityPattern& pattern) {
+    first_ = info.first == ground ? pattern.size : info.first.index;
+    second_ = info.second == ground ? pattern.size : info.second.index;
   }
   /// Of a global array: value at `second` minus value at `first`.
   [[nodiscard]] double difference(const double* values) const { return values[second_] - values[first_]; }
@@ -46,12 +46,13 @@ class NodePair {
   class Slots {
    public:
     /// Keeps the positions in the values of the matrix.
-    void find(const NodePair&, const ElementInfo& info, const SparseMatrix& matrix) {
-      const int first = info.first.index, second = info.second.index;
-      first_first_ = matrix.slot(first, first);
-      first_second_ = matrix.slot(first, second);
-      second_first_ = matrix.slot(second, first);
-      second_second_ = matrix.slot(second, second);
+    void find(const NodePair& ends, const SparsityPattern& pattern) {
+      const auto index = [&](int entry) { return entry == pattern.size ? ground_index : entry; };
+      const int first = index(ends.first_), second = index(ends.second_);
+      first_first_ = pattern.slot(first, first);
+      first_second_ = pattern.slot(first, second);
+      second_first_ = pattern.slot(second, first);
+      second_second_ = pattern.slot(second, second);
     }
     /// Adds a stiffness between both ends, N/m.
     void add_stiffness(const NodePair&, double stiffness, double* values) const {
@@ -117,8 +118,8 @@ class PointPair {
         if (weight_[i] != 0.0 && weight_[j] != 0.0) pattern.couple(node_[i], node_[j]);
   }
   /// Keeps the positions of the nodes in global arrays.
-  void find_entries(const ElementInfo&, const SparseMatrix& matrix) {
-    for (std::size_t i = 0; i < count; ++i) entry_[i] = node_[i] == ground_index ? matrix.size : node_[i];
+  void find_entries(const ElementInfo&, const SparsityPattern& pattern) {
+    for (std::size_t i = 0; i < count; ++i) entry_[i] = node_[i] == ground_index ? pattern.size : node_[i];
   }
   /// Of a global array: value at the second point minus value at the first.
   [[nodiscard]] double difference(const double* values) const {
@@ -135,11 +136,11 @@ class PointPair {
   class Slots {
    public:
     /// Keeps the positions in the values of the matrix.
-    void find(const PointPair& ends, const ElementInfo&, const SparseMatrix& matrix) {
+    void find(const PointPair& ends, const SparsityPattern& pattern) {
       for (std::size_t i = 0; i < count; ++i)
         for (std::size_t j = 0; j < count; ++j)
-          slot_[i][j] = ends.weight_[i] != 0.0 && ends.weight_[j] != 0.0 ? matrix.slot(ends.node_[i], ends.node_[j])
-                                                                         : matrix.nonzeros();
+          slot_[i][j] = ends.weight_[i] != 0.0 && ends.weight_[j] != 0.0 ? pattern.slot(ends.node_[i], ends.node_[j])
+                                                                         : pattern.nonzeros();
     }
     /// Adds a stiffness between both points, N/m.
     void add_stiffness(const PointPair& ends, double stiffness, double* values) const {

@@ -24,12 +24,11 @@ Check check_ends(const Model& model, const GapPlace& gap) {
   return check;
 }
 
-std::unique_ptr<const MemberEnds> member_ends(const Model& model, const MemberPoint& left, const MemberPoint& right) {
-  if (left.is_node() && right.is_node()) return nullptr;
+std::optional<MemberEnds> member_ends(const Model& model, const MemberPoint& left, const MemberPoint& right) {
+  if (left.is_node() && right.is_node()) return std::nullopt;
   const MemberPoint& drawn = !left.is_node() && right.is_node() && right.node != ground ? right : left;
   const auto height = [&](NodeId node) { return node == ground ? 0.0 : model.node(node).height.si(); };
-  return std::make_unique<const MemberEnds>(
-      MemberEnds{right, left, (1.0 - drawn.share) * height(drawn.node) + drawn.share * height(drawn.other)});
+  return MemberEnds{right, left, (1.0 - drawn.share) * height(drawn.node) + drawn.share * height(drawn.other)};
 }
 
 }  // namespace
@@ -48,7 +47,7 @@ double effective_mass(const Model& model, const Check& check, const MemberPoint&
   return 1.0 / mobility;
 }
 
-ElementInfo register_gap(Model& model, const GapPlace& gap, std::unique_ptr<const LawAsGiven> law) {
+ElementInfo register_gap(Model& model, const GapPlace& gap, std::optional<LawAsGiven> law) {
   model.register_element("Gap", gap.name);
   static const Label indentation{"indentation"}, impact_force{"impact_force"};
   return {.name = gap.name,
@@ -58,8 +57,8 @@ ElementInfo register_gap(Model& model, const GapPlace& gap, std::unique_ptr<cons
           .offset = gap.clearance.si(),
           .deformation_quantity = indentation,
           .force_quantity = impact_force,
-          .law_as_given = std::move(law),
-          .member_ends = member_ends(model, gap.left, gap.right)};
+          .details = std::make_shared<const ElementDetails>(
+              ElementDetails{.law_as_given = std::move(law), .member_ends = member_ends(model, gap.left, gap.right)})};
 }
 
 template void add_contact(Model&, ElementInfo, const AnyContact&, double, const MemberPoint&, const MemberPoint&);

@@ -1,6 +1,8 @@
 // A gap that can close: impact between two nodes.
 #pragma once
 
+#include <optional>
+
 #include "elements/link_block.hpp"
 #include "elements/link_checks.hpp"
 #include "materials/any_contact.hpp"
@@ -61,8 +63,8 @@ Check check_gap(const Model& model, const GapPlace& gap);
 double effective_mass(const Model& model, const Check& check, const MemberPoint& first, const MemberPoint& second);
 
 /// Registers the gap, and describes its element. A gap at a point between nodes is drawn at the height of the end that
-/// is a node, else of the left one. `law`: as reports show it, null for the contact's own.
-ElementInfo register_gap(Model& model, const GapPlace& gap, std::unique_ptr<const LawAsGiven> law);
+/// is a node, else of the left one. `law`: as reports show it, none for the contact's own.
+ElementInfo register_gap(Model& model, const GapPlace& gap, std::optional<LawAsGiven> law);
 
 /// Adds the element to the block of its law.
 template <ContactLaw Contact>
@@ -84,8 +86,9 @@ void add(Model& model, const Gap<Law>& gap) {
   const double mass = effective_mass(model, check, place.left, place.right);
   const auto law = gap.law.between(mass);
   // Reports show the law as the script gave it, with its restitution, and not the contact made of it.
-  std::unique_ptr<const LawAsGiven> as_given;
-  if constexpr (requires { gap.law.parameters(); }) as_given = law_as_given(name_of(gap.law), gap.law.parameters());
+  std::optional<LawAsGiven> as_given;
+  if constexpr (requires { gap.law.parameters(); })
+    as_given = LawAsGiven{std::string{name_of(gap.law)}, gap.law.parameters()};
   add_contact(model, register_gap(model, place, std::move(as_given)), law, mass, place.left, place.right);
 }
 

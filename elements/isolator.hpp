@@ -57,7 +57,8 @@ void add(Model& model, const Isolator<Law>& isolator) {
     if (isolator.count > 1) given.push_back({"count", static_cast<double>(isolator.count), "1"});
     // Reports show the law as the script gave it.
     if (isolator.count > 1 || !std::is_same_v<Placed, Law>)
-      info.law_as_given = law_as_given(name_of(isolator.law), given);
+      info.details = std::make_shared<const ElementDetails>(
+          ElementDetails{.law_as_given = LawAsGiven{std::string{name_of(isolator.law)}, given}});
     if (isolator.count == 1)
       model.block<LinkBlock<Placed>>().add(info, law);
     else

@@ -31,7 +31,13 @@ void LinkArrays::take(const LinkArrays& whole, std::span<const std::size_t> link
 }
 
 void LinkArrays::append(ElementInfo info) {
-  offsets_.push_back(info.offset);
+  // Those of most blocks are zero.
+  if (info.offset != 0.0 || !offsets_.empty()) {
+    offsets_.resize(infos_.size(), 0.0);
+    offsets_.push_back(info.offset);
+  }
+  if (!infos_.empty() && info.details && infos_.back().details && *info.details == *infos_.back().details)
+    info.details = infos_.back().details;
   infos_.push_back(std::move(info));
 }
 

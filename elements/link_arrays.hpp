@@ -40,7 +40,7 @@ class LinkArrays {
   void keep_stiffnesses();
 
   std::deque<ElementInfo> infos_;               ///< as added; names do not move when links are added
-  std::vector<double> offsets_;                 ///< m, of the deformation
+  std::vector<double> offsets_;                 ///< m, of the deformation; empty where all are zero
   LinkMotion now_;                              ///< at the last evaluate()
   LinkMotion start_, before_;                   ///< at the last commit, and at the one before
   double last_step_ = 0.0;                      ///< between them, s

@@ -53,36 +53,36 @@ class LinkEnergies {
 
   /// Makes room for more elements.
   void resize(std::size_t count) {
-    if (kept_) accounts_.resize(count);
+    if (!kept_) return;
+    accounts_.resize(count);
+    if constexpr (!is_linear) loads_.resize(count);
   }
 
   /// Starts all accounts at zero, in the state and motion of the committed instant.
   void start(const std::vector<Law>& laws, const std::vector<State>& committed, const LinkMotion& now,
              const std::vector<double>& forces) {
     kept_ = true;
-    accounts_.resize(laws.size());
-    for (std::size_t i = 0; i < laws.size(); ++i)
-      accounts_[i] = {.force = forces[i],
-                      .power = laws[i].dissipation_rate(committed[i], now.deformations[i], now.rates[i]),
-                      .stored_at_start = laws[i].stored_energy(committed[i], now.deformations[i])};
+    resize(laws.size());
+    for (std::size_t i = 0; i < laws.size(); ++i) {
+      accounts_[i] = {.stored_at_start = laws[i].stored_energy(committed[i], now.deformations[i])};
+      if constexpr (!is_linear)
+        loads_[i] = {forces[i], laws[i].dissipation_rate(committed[i], now.deformations[i], now.rates[i])};
+    }
   }
 
   /// Adds work and dissipation of a step to every account.
   void add_step(const Step& step, WorkRule rule) {
     for (std::size_t i = 0; i < accounts_.size(); ++i) {
-      Account& account = accounts_[i];
-      const double deformation = step.end.deformations[i], rate = step.end.rates[i];
-      const double power = hysteretic ? 0.0 : step.laws[i].dissipation_rate(step.trial[i], deformation, rate);
+      const Load end{step.forces[i], power(step.laws[i], step.trial[i], step.end, i)};
       if (step.length > 0.0) {
         if (rule == WorkRule::mean_force)
-          add_by_mean_force(step, i, power);
+          add_by_mean_force(step, i, end);
         else
-          add_by_quadrature(step, i, power);
+          add_by_quadrature(step, i, end);
         if constexpr (hysteretic)
-          account.dissipated += step.laws[i].dissipated_energy(step.committed[i], step.trial[i]);
+          accounts_[i].dissipated += step.laws[i].dissipated_energy(step.committed[i], step.trial[i]);
       }
-      account.force = step.forces[i];
-      account.power = power;
+      if constexpr (!is_linear) loads_[i] = end;
     }
   }
 
@@ -107,27 +107,49 @@ class LinkEnergies {
   }
 
  private:
+  static constexpr bool is_linear = LawWithConstantTangents<Law>;
+
   struct Account {
-    double force = 0.0, power = 0.0;  // at the last commit
     double work = 0.0, dissipated = 0.0, stored_at_start = 0.0;
   };
+  struct Load {
+    double force = 0.0, power = 0.0;  // N, W
+  };
 
-  void add_by_mean_force(const Step& step, std::size_t i, double end_power) {
-    Account& account = accounts_[i];
-    account.work += 0.5 * (account.force + step.forces[i]) * (step.end.deformations[i] - step.start.deformations[i]);
-    if constexpr (!hysteretic) {
-      const HermiteCubic path = cubic_between(step.start, step.end, i, step.length);
-      const double middle = step.laws[i].dissipation_rate(step.committed[i], path.value(0.5), path.rate(0.5));
-      account.dissipated += step.length / 6.0 * (account.power + 4.0 * middle + end_power);
+  static double power(const Law& law, const State& state, const LinkMotion& motion, std::size_t i) {
+    return hysteretic ? 0.0 : law.dissipation_rate(state, motion.deformations[i], motion.rates[i]);
+  }
+  // At the last commit.
+  [[nodiscard]] Load start_of(const Step& step, std::size_t i) const {
+    if constexpr (is_linear) {
+      State after;
+      const State& state = step.committed[i];
+      const Response response =
+          respond(step.laws[i], state, step.start.deformations[i], step.start.rates[i], {}, after);
+      return {response.force, power(step.laws[i], state, step.start, i)};
+    } else {
+      return loads_[i];
     }
   }
 
-  void add_by_quadrature(const Step& step, std::size_t i, double end_power) {
+  void add_by_mean_force(const Step& step, std::size_t i, const Load& end) {
+    Account& account = accounts_[i];
+    const Load start = start_of(step, i);
+    account.work += 0.5 * (start.force + end.force) * (step.end.deformations[i] - step.start.deformations[i]);
+    if constexpr (!hysteretic) {
+      const HermiteCubic path = cubic_between(step.start, step.end, i, step.length);
+      const double middle = step.laws[i].dissipation_rate(step.committed[i], path.value(0.5), path.rate(0.5));
+      account.dissipated += step.length / 6.0 * (start.power + 4.0 * middle + end.power);
+    }
+  }
+
+  void add_by_quadrature(const Step& step, std::size_t i, const Load& end) {
     constexpr double first_inside = 0.27639320225002103;  // (1 - 1/sqrt(5))/2
     Account& account = accounts_[i];
     const HermiteQuintic path = path_between(step.start, step.end, i, step.length);
-    double work = account.force * step.start.rates[i] + step.forces[i] * step.end.rates[i];
-    double dissipated = account.power + end_power;
+    const Load start = start_of(step, i);
+    double work = start.force * step.start.rates[i] + end.force * step.end.rates[i];
+    double dissipated = start.power + end.power;
     for (const double x : {first_inside, 1.0 - first_inside}) {
       const double deformation = path.value(x), rate = path.rate(x);
       const Interval interval{x * step.length, step.start.deformations[i], step.start.rates[i]};
@@ -142,6 +164,7 @@ class LinkEnergies {
 
   bool kept_ = false;
   std::vector<Account> accounts_;
+  std::vector<Load> loads_;  // at the last commit; empty for linear laws, which have them from the motion
 };
 
 }  // namespace moat

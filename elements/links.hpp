@@ -72,11 +72,11 @@ class Links : public ElementBlock, public ElementLaws, protected LinkArrays {
     for (std::size_t i = 0; i < size(); ++i) ends_[i].add_couplings(infos_[i], pattern);
   }
 
-  void find_slots(const SparseMatrix& matrix) override {
+  void find_slots(const SparsityPattern& pattern) override {
     resize_results();
     for (std::size_t i = 0; i < size(); ++i) {
-      ends_[i].find_entries(infos_[i], matrix);
-      slots_[i].find(ends_[i], infos_[i], matrix);
+      ends_[i].find_entries(infos_[i], pattern);
+      if constexpr (!is_linear) slots_[i].find(ends_[i], pattern);
     }
   }
 
@@ -84,7 +84,7 @@ class Links : public ElementBlock, public ElementLaws, protected LinkArrays {
     const Law* laws = laws_.data();
     const Ends* ends = ends_.data();
     const State* committed = committed_.data();
-    const double* offsets = offsets_.data();
+    const double* offsets = offsets_.empty() ? nullptr : offsets_.data();
     State* __restrict trial = trial_.data();
     double* __restrict deformations = now_.deformations.data();
     double* __restrict rates = now_.rates.data();
@@ -94,7 +94,8 @@ class Links : public ElementBlock, public ElementLaws, protected LinkArrays {
     const std::size_t count = size();
     bool changed = false;
     for (std::size_t i = 0; i < count; ++i) {
-      const double deformation = ends[i].difference(displacement) - offsets[i], rate = ends[i].difference(velocity);
+      const double deformation = ends[i].difference(displacement) - (offsets == nullptr ? 0.0 : offsets[i]),
+                   rate = ends[i].difference(velocity);
       Interval interval;
       if constexpr (TimeDependentLaw<Law>) interval = {step_, start_.deformations[i], start_.rates[i]};
       const Response response = respond(laws[i], committed[i], deformation, rate, interval, trial[i]);
@@ -133,17 +134,15 @@ class Links : public ElementBlock, public ElementLaws, protected LinkArrays {
     }
   }
 
-  void add_tangent(double displacement_weight, double velocity_weight, double* values) const override {
+  void add_tangent(double displacement_weight, double velocity_weight, SparseMatrix& matrix) const override {
     for (std::size_t i = 0; i < size(); ++i) {
       const Tangents tangents = tangents_of(i);
-      slots_[i].add_stiffness(ends_[i], displacement_weight * tangents.stiffness + velocity_weight * tangents.damping,
-                              values);
+      add_stiffness(i, displacement_weight * tangents.stiffness + velocity_weight * tangents.damping, matrix);
     }
   }
 
-  void add_linear_stiffness(StiffnessStage stage, double* values) const override {
-    for (std::size_t i = 0; i < size(); ++i)
-      slots_[i].add_stiffness(ends_[i], laws_[i].linear_stiffness(stage), values);
+  void add_linear_stiffness(StiffnessStage stage, SparseMatrix& matrix) const override {
+    for (std::size_t i = 0; i < size(); ++i) add_stiffness(i, laws_[i].linear_stiffness(stage), matrix);
   }
 
   bool constant_tangent() const override { return is_linear; }
@@ -216,8 +215,7 @@ class Links : public ElementBlock, public ElementLaws, protected LinkArrays {
     tangent_changed_ = true;
   }
 
-  /// Without history and without regimes: both tangents are constants of the law.
-  static constexpr bool is_linear = LinearWithinRegimes<Law> && !LawWithRegimes<Law> && std::is_empty_v<State>;
+  static constexpr bool is_linear = LawWithConstantTangents<Law>;  ///< Both tangents are constants.
   static constexpr bool has_unlocated_corners =
       !is_linear && !LawWithRegimes<Law>;  ///< Its force has corners inside steps, which nobody locates.
 
@@ -228,7 +226,7 @@ class Links : public ElementBlock, public ElementLaws, protected LinkArrays {
 
   std::vector<Law> laws_;                    ///< one per element, like all arrays below; as added
   std::vector<Ends> ends_;                   ///< as added
-  std::vector<typename Ends::Slots> slots_;  ///< positions in the tangent
+  std::vector<typename Ends::Slots> slots_;  ///< positions in the tangent; empty for linear laws
   std::vector<State> committed_, trial_;     ///< histories at both states
   LinkEnergies<Law> energies_;               ///< their accounts
 
@@ -246,13 +244,24 @@ class Links : public ElementBlock, public ElementLaws, protected LinkArrays {
     }
   }
 
+  // A linear law adds to matrices once: a search then costs less than the memory for its places.
+  void add_stiffness(std::size_t i, double stiffness, SparseMatrix& matrix) const {
+    if constexpr (is_linear) {
+      typename Ends::Slots slots;
+      slots.find(ends_[i], *matrix.pattern());
+      slots.add_stiffness(ends_[i], stiffness, matrix.values.data());
+    } else {
+      slots_[i].add_stiffness(ends_[i], stiffness, matrix.values.data());
+    }
+  }
+
   // Changes of regime, forces inside a step and energies need the motion at the last commit.
   [[nodiscard]] bool keeps_start() const { return !is_linear || energies_.kept(); }
   // At first once for all elements, so that nothing is larger than it must be.
   void resize_results() {
     const std::size_t count = size();
     resize({.tangents = !is_linear, .start = keeps_start(), .before = !is_linear});
-    slots_.resize(count);
+    if constexpr (!is_linear) slots_.resize(count);
     committed_.resize(count);
     trial_.resize(count);
     energies_.resize(count);

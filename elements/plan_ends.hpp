@@ -65,7 +65,7 @@ class PlanEnds {
       for (std::size_t j = 0; j < i; ++j) pattern.couple(node_[i], node_[j]);
   }
   /// Nothing to keep: indices are known from the start.
-  void find_entries(const ElementInfo&, const SparseMatrix&) {}
+  void find_entries(const ElementInfo&, const SparsityPattern&) {}
   /// Of a global array: the sum of weight * value.
   [[nodiscard]] double difference(const double* values) const {
     double sum = 0.0;
@@ -81,9 +81,9 @@ class PlanEnds {
   class Slots {
    public:
     /// Keeps the positions in the values of the matrix.
-    void find(const PlanEnds& ends, const ElementInfo&, const SparseMatrix& matrix) {
+    void find(const PlanEnds& ends, const SparsityPattern& pattern) {
       for (std::size_t i = 0; i < ends.count_; ++i)
-        for (std::size_t j = 0; j < ends.count_; ++j) slot_[i][j] = matrix.slot(ends.node_[i], ends.node_[j]);
+        for (std::size_t j = 0; j < ends.count_; ++j) slot_[i][j] = pattern.slot(ends.node_[i], ends.node_[j]);
     }
     /// Adds a stiffness along the direction, N/m.
     void add_stiffness(const PlanEnds& ends, double stiffness, double* values) const {
@@ -138,9 +138,9 @@ class PlanEndsBothWays {
       for (std::size_t j = 0; j < i; ++j) pattern.couple(along_.node(i), along_.node(j));
   }
   /// Keeps the positions in the values of the matrix.
-  void find(const ElementInfo&, const SparseMatrix& matrix) {
+  void find(const ElementInfo&, const SparsityPattern& pattern) {
     for (std::size_t i = 0; i < along_.size(); ++i)
-      for (std::size_t j = 0; j < along_.size(); ++j) slot_[i][j] = matrix.slot(along_.node(i), along_.node(j));
+      for (std::size_t j = 0; j < along_.size(); ++j) slot_[i][j] = pattern.slot(along_.node(i), along_.node(j));
   }
   /// The sum of the products of both weights over mass, 1/kg: the change of either difference under a unit impulse
   /// along the other.

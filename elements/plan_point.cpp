@@ -50,8 +50,10 @@ PlanVector unit_direction(const Check& check, std::string_view field, PlanVector
   return direction / size;
 }
 
-std::unique_ptr<const PlanPlaces> plan_places(const PlanPoint& first, const PlanPoint& second, PlanVector direction) {
-  return std::make_unique<const PlanPlaces>(PlanPlaces{first.at.si(), second.at.si(), direction});
+std::shared_ptr<const ElementDetails> plan_details(const PlanPoint& first, const PlanPoint& second,
+                                                   PlanVector direction) {
+  return std::make_shared<const ElementDetails>(
+      ElementDetails{.plan_places = PlanPlaces{first.at.si(), second.at.si(), direction}});
 }
 
 }  // namespace moat

@@ -40,6 +40,7 @@ Check check_points(const Model& model, std::string_view kind, const std::string&
 /// The direction with length 1. Throws InputError for a vector without length.
 PlanVector unit_direction(const Check& check, std::string_view field, PlanVector direction);
 /// For ElementInfo; `direction` has length 1, or is zero for an element that acts in both directions.
-std::unique_ptr<const PlanPlaces> plan_places(const PlanPoint& first, const PlanPoint& second, PlanVector direction);
+std::shared_ptr<const ElementDetails> plan_details(const PlanPoint& first, const PlanPoint& second,
+                                                   PlanVector direction);
 
 }  // namespace moat

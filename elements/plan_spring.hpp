@@ -45,7 +45,7 @@ void add(Model& model, const PlanSpring<Law>& spring) {
                                                .force_quantity = spring.force_quantity,
                                                .isolates = spring.isolates,
                                                .drawn_as = DrawnAs::nothing,
-                                               .plan_places = plan_places(lower, upper, direction)},
+                                               .details = plan_details(lower, upper, direction)},
                                               spring.law, PlanEnds{model, lower, upper, direction});
 }
 

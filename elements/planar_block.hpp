@@ -66,8 +66,8 @@ class PlanarBlock final : public ElementBlock, public ElementLaws, public Planar
   void add_couplings(PatternBuilder& pattern) const override {
     for (const PlanEndsBothWays& ends : ends_) ends.add_couplings(pattern);
   }
-  void find_slots(const SparseMatrix& matrix) override {
-    for (std::size_t i = 0; i < size(); ++i) ends_[i].find(infos_[i], matrix);
+  void find_slots(const SparsityPattern& pattern) override {
+    for (std::size_t i = 0; i < size(); ++i) ends_[i].find(infos_[i], pattern);
   }
 
   void begin_step(double step) override { step_ = step; }
@@ -96,14 +96,14 @@ class PlanarBlock final : public ElementBlock, public ElementLaws, public Planar
     }
   }
 
-  void add_tangent(double displacement_weight, double velocity_weight, double* values) const override {
+  void add_tangent(double displacement_weight, double velocity_weight, SparseMatrix& matrix) const override {
     for (std::size_t i = 0; i < size(); ++i)
       ends_[i].add_stiffness(displacement_weight * responses_[i].stiffness + velocity_weight * responses_[i].damping,
-                             values);
+                             matrix.values.data());
   }
-  void add_linear_stiffness(StiffnessStage stage, double* values) const override {
+  void add_linear_stiffness(StiffnessStage stage, SparseMatrix& matrix) const override {
     for (std::size_t i = 0; i < size(); ++i)
-      ends_[i].add_stiffness(PlanMatrix::diagonal(laws_[i].linear_stiffness(stage)), values);
+      ends_[i].add_stiffness(PlanMatrix::diagonal(laws_[i].linear_stiffness(stage)), matrix.values.data());
   }
 
   bool take_tangent_change() override { return std::exchange(tangent_changed_, false); }

@@ -51,7 +51,7 @@ void add(Model& model, const PlanarSpring<Law>& spring) {
                                        .force_quantity = spring.force_quantity,
                                        .isolates = spring.isolates,
                                        .drawn_as = DrawnAs::nothing,
-                                       .plan_places = plan_places(lower, upper, {})},
+                                       .details = plan_details(lower, upper, {})},
                                       spring.law, PlanEndsBothWays{model, lower, upper, {1.0, 0.0}}, upper.at.si());
 }
 

@@ -141,4 +141,9 @@ concept LawWithRegimes = ForceLaw<Law> && requires(const Law& law, const typenam
 template <class Law>
 concept LinearWithinRegimes = ForceLaw<Law> && Law::linear_within_regimes;
 
+/// A law without history and without regimes that is linear: both tangents are constants.
+template <class Law>
+concept LawWithConstantTangents =
+    LinearWithinRegimes<Law> && !LawWithRegimes<Law> && std::is_empty_v<typename Law::State>;
+
 }  // namespace moat

@@ -39,8 +39,8 @@ class ModelProblem final : public SundialsProblem {
     for (int i = 0; i < unknowns; ++i) SM_ELEMENT_D(matrix, i, unknowns + i) = 1.0;
     const auto scatter = [&](const SparseMatrix& tangent, int shift) {
       for (std::size_t column = 0; column < unknowns; ++column)
-        for (int k = tangent.column_starts[column]; k < tangent.column_starts[column + 1]; ++k) {
-          const int row = tangent.row_indices[static_cast<std::size_t>(k)];
+        for (int k = tangent.column_starts()[column]; k < tangent.column_starts()[column + 1]; ++k) {
+          const int row = tangent.row_indices()[static_cast<std::size_t>(k)];
           SM_ELEMENT_D(matrix, unknowns + row, shift + static_cast<int>(column)) =
               -inverse_masses_[row] * tangent.values[static_cast<std::size_t>(k)];
         }

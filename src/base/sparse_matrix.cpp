@@ -6,13 +6,13 @@
 
 namespace moat {
 
-int SparseMatrix::slot(int row, int column) const {
+int SparsityPattern::slot(int row, int column) const {
   if (row == ground_index || column == ground_index) return nonzeros();
   const auto first = row_indices.begin() + column_starts[static_cast<std::size_t>(column)];
   const auto last = row_indices.begin() + column_starts[static_cast<std::size_t>(column) + 1];
   const auto found = std::lower_bound(first, last, row);
   if (found == last || *found != row)
-    throw std::out_of_range{"SparseMatrix: entry (" + std::to_string(row) + ", " + std::to_string(column) +
+    throw std::out_of_range{"SparsityPattern: entry (" + std::to_string(row) + ", " + std::to_string(column) +
                             ") is not in the pattern"};
   return static_cast<int>(found - row_indices.begin());
 }
@@ -28,9 +28,9 @@ void PatternBuilder::couple(int a, int b) {
   pairs_.emplace_back(a, b);
 }
 
-SparseMatrix PatternBuilder::build() {
-  SparseMatrix matrix;
-  matrix.size = size_;
+std::shared_ptr<const SparsityPattern> PatternBuilder::build() {
+  auto pattern = std::make_shared<SparsityPattern>();
+  pattern->size = size_;
   const auto size = static_cast<std::size_t>(size_);
   // Rows of every column, as often as they were coupled, are put in from the end of the column: `places` first holds
   // the ends of columns, at last their starts.
@@ -46,18 +46,17 @@ SparseMatrix PatternBuilder::build() {
   std::partial_sum(places.begin(), places.end(), places.begin());
   std::vector<int> rows(places.back());
   for_each_entry([&](int row, std::size_t& place) { rows[--place] = row; });
-  matrix.column_starts.reserve(size + 1);
-  matrix.row_indices.reserve(rows.size());
+  pattern->column_starts.reserve(size + 1);
+  pattern->row_indices.reserve(rows.size());
   for (std::size_t column = 0; column < size; ++column) {
     const auto row = [&](std::size_t place) { return rows.begin() + static_cast<std::ptrdiff_t>(place); };
     const auto begin = row(places[column]), end = row(places[column + 1]);
     std::sort(begin, end);
-    matrix.column_starts.push_back(matrix.nonzeros());
-    matrix.row_indices.insert(matrix.row_indices.end(), begin, std::unique(begin, end));
+    pattern->column_starts.push_back(pattern->nonzeros());
+    pattern->row_indices.insert(pattern->row_indices.end(), begin, std::unique(begin, end));
   }
-  matrix.column_starts.push_back(matrix.nonzeros());
-  matrix.values.assign(matrix.row_indices.size() + 1, 0.0);
-  return matrix;
+  pattern->column_starts.push_back(pattern->nonzeros());
+  return pattern;
 }
 
 }  // namespace moat

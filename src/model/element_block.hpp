@@ -2,7 +2,9 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -29,7 +31,19 @@ namespace moat {
 class NumbersInPart;
 
 /// How an element is drawn.
-enum class DrawnAs { nothing, storey, bearing, gap, other };
+enum class DrawnAs : std::uint8_t { nothing, storey, bearing, gap, other };
+
+/// Facts that few elements have, and that many may have in common.
+struct ElementDetails {
+  /// The law as the script gave it; none where it is the block's law.
+  std::optional<LawAsGiven> law_as_given{};
+  /// None for an element between two nodes; else its nodes are those where the shares of its ends are 0.
+  std::optional<MemberEnds> member_ends{};
+  /// None on a line, and for an element that has no such ends.
+  std::optional<PlanPlaces> plan_places{};
+
+  friend bool operator==(const ElementDetails&, const ElementDetails&) = default;
+};
 
 /// The name of an element, the nodes it joins and the quantities it reports.
 struct ElementInfo {
@@ -42,18 +56,24 @@ struct ElementInfo {
   double offset = 0.0;  ///< m
   /// Names under which deformation and force are reported; not reported where empty.
   Label deformation_quantity{}, force_quantity{};
-  /// The law as the script gave it; null where it is the block's law.
-  CopyablePointer<const LawAsGiven> law_as_given{};
   /// Whether it carries a building on the ground and lets it move: characteristic periods hold the floor above it.
   bool isolates = false;
   DrawnAs drawn_as = DrawnAs::other;  ///< in pictures and in ParaView
-  /// Null for an element between two nodes; else `first` and `second` are the nodes where the shares of its ends are 0.
-  CopyablePointer<const MemberEnds> member_ends{};
-  /// Null on a line, and for an element that has no such ends.
-  CopyablePointer<const PlanPlaces> plan_places{};
+  /// Null where it has none. Elements added one after the other share equal ones.
+  std::shared_ptr<const ElementDetails> details{};
 
   /// Name under which its peaks are listed.
   [[nodiscard]] const std::string& listed_under() const { return place.empty() ? name : place.text(); }
+  /// Null where it has none of these details.
+  [[nodiscard]] const LawAsGiven* law_as_given() const { return detail(&ElementDetails::law_as_given); }
+  [[nodiscard]] const MemberEnds* member_ends() const { return detail(&ElementDetails::member_ends); }  ///< As the law.
+  [[nodiscard]] const PlanPlaces* plan_places() const { return detail(&ElementDetails::plan_places); }  ///< As the law.
+
+  /// One of the details; null where it has none.
+  template <class Detail>
+  [[nodiscard]] const Detail* detail(std::optional<Detail> ElementDetails::*which) const {
+    return details && (*details).*which ? &*((*details).*which) : nullptr;
+  }
 };
 
 /// Results of the elements of a block, one entry per element.
@@ -94,7 +114,7 @@ class ElementBlock {
   /// Adds the pairs of degrees of freedom that its elements couple.
   virtual void add_couplings(PatternBuilder& pattern) const = 0;
   /// Keeps the positions in the matrix to which its elements add.
-  virtual void find_slots(const SparseMatrix& matrix) = 0;
+  virtual void find_slots(const SparsityPattern& pattern) = 0;
 
   /// Called before evaluate() with the time from the committed state to the trial state, s; 0 is the committed instant
   /// again. For laws that evolve in time.
@@ -106,9 +126,9 @@ class ElementBlock {
   /// `force_rate` unless that is null.
   virtual void evaluate_rates(const double* acceleration, double* force_rate) = 0;
   /// Adds displacement_weight * df/du + velocity_weight * df/dv of the last evaluate().
-  virtual void add_tangent(double displacement_weight, double velocity_weight, double* values) const = 0;
+  virtual void add_tangent(double displacement_weight, double velocity_weight, SparseMatrix& matrix) const = 0;
   /// Adds the constant stiffness of a linear analysis.
-  virtual void add_linear_stiffness(StiffnessStage stage, double* values) const = 0;
+  virtual void add_linear_stiffness(StiffnessStage stage, SparseMatrix& matrix) const = 0;
   /// Whether df/du and df/dv never change, and are symmetric. The model then keeps the block as matrices too
   /// (model/linear_part.hpp).
   [[nodiscard]] virtual bool constant_tangent() const { return false; }
@@ -152,7 +172,7 @@ class ElementBlock {
 
 /// The law of an element as a report names it: as the script gave it, else as its block names it.
 [[nodiscard]] inline LawAsGiven law_of(const ElementBlock& block, std::size_t element) {
-  if (const LawAsGiven* given = block.info(element).law_as_given.get()) return *given;
+  if (const LawAsGiven* given = block.info(element).law_as_given()) return *given;
   if (const ElementLaws* laws = block.laws()) return {laws->law_name(element), laws->parameters(element)};
   return {"law of the script", {}};
 }

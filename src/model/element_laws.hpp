@@ -2,10 +2,8 @@
 #pragma once
 
 #include <cstddef>
-#include <memory>
 #include <span>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "base/parameter.hpp"
@@ -17,10 +15,9 @@ namespace moat {
 struct LawAsGiven {
   std::string name;                   ///< as the script calls it
   std::vector<Parameter> parameters;  ///< in SI units
-};
 
-/// Name and parameters in SI units.
-std::unique_ptr<const LawAsGiven> law_as_given(std::string_view name, std::vector<Parameter> parameters);
+  friend bool operator==(const LawAsGiven&, const LawAsGiven&) = default;
+};
 
 /// The side of an ElementBlock whose elements have laws with a name (materials/).
 class ElementLaws {

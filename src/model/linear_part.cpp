@@ -2,33 +2,33 @@
 
 namespace moat {
 
-void LinearPart::clear(const SparseMatrix& pattern) {
-  stiffness_.assign(pattern.values.size(), 0.0);
-  damping_.assign(pattern.values.size(), 0.0);
-  forces_at_rest_.setZero(pattern.size + 1);
+void LinearPart::clear(const std::shared_ptr<const SparsityPattern>& pattern) {
+  stiffness_ = damping_ = SparseMatrix{pattern};
+  forces_at_rest_.setZero(pattern->size + 1);
 }
 
 void LinearPart::add(ElementBlock& block) {
-  block.add_tangent(1.0, 0.0, stiffness_.data());
-  block.add_tangent(0.0, 1.0, damping_.data());
+  block.add_tangent(1.0, 0.0, stiffness_);
+  block.add_tangent(0.0, 1.0, damping_);
   const Vector at_rest = Vector::Zero(forces_at_rest_.size());
   block.evaluate(at_rest.data(), at_rest.data(), forces_at_rest_.data());
 }
 
-void LinearPart::evaluate(const SparseMatrix& pattern, const double* displacement, const double* velocity,
-                          Vector& forces) const {
-  const int *starts = pattern.column_starts.data(), *rows = pattern.row_indices.data();
-  const double *stiffness = stiffness_.data(), *damping = damping_.data(), *at_rest = forces_at_rest_.data();
+void LinearPart::evaluate(const double* displacement, const double* velocity, Vector& forces) const {
+  const int *starts = stiffness_.column_starts().data(), *rows = stiffness_.row_indices().data();
+  const double *stiffness = stiffness_.values.data(), *damping = damping_.values.data(),
+               *at_rest = forces_at_rest_.data();
   forces.resize(forces_at_rest_.size());
   double* __restrict result = forces.data();
   // Columns of symmetric matrices are their rows.
-  for (int i = 0; i < pattern.size; ++i) {
+  const int count = stiffness_.size();
+  for (int i = 0; i < count; ++i) {
     double sum = at_rest[i];
     for (int k = starts[i]; k < starts[i + 1]; ++k)
       sum += stiffness[k] * displacement[rows[k]] + damping[k] * velocity[rows[k]];
     result[i] = sum;
   }
-  result[pattern.size] = 0.0;
+  result[count] = 0.0;
 }
 
 }  // namespace moat

@@ -1,6 +1,7 @@
 // The elements of a model whose tangents never change, as matrices.
 #pragma once
 
+#include <memory>
 #include <vector>
 
 #include "base/sparse_matrix.hpp"
@@ -17,19 +18,21 @@ namespace moat {
 class LinearPart {
  public:
   /// Starts again, with no elements.
-  void clear(const SparseMatrix& pattern);
+  void clear(const std::shared_ptr<const SparsityPattern>& pattern);
   /// Adds the elements of a block with constant tangents, which has its slots in the pattern. The block is evaluated at
   /// rest.
   void add(ElementBlock& block);
 
-  [[nodiscard]] const std::vector<double>& stiffness() const { return stiffness_; }  ///< K, values of the pattern.
-  [[nodiscard]] const std::vector<double>& damping() const { return damping_; }      ///< C, values of the pattern.
+  /// K, values of the pattern.
+  [[nodiscard]] const std::vector<double>& stiffness() const { return stiffness_.values; }
+  /// C, values of the pattern.
+  [[nodiscard]] const std::vector<double>& damping() const { return damping_.values; }
 
   /// forces := K u + C v + f_0, without the forces on the ground.
-  void evaluate(const SparseMatrix& pattern, const double* displacement, const double* velocity, Vector& forces) const;
+  void evaluate(const double* displacement, const double* velocity, Vector& forces) const;
 
  private:
-  std::vector<double> stiffness_, damping_;
+  SparseMatrix stiffness_, damping_;
   Vector forces_at_rest_;
 };
 

@@ -23,12 +23,16 @@ struct MemberPoint {
 
   /// Whether the point is a node.
   [[nodiscard]] bool is_node() const { return share == 0.0; }
+
+  friend bool operator==(const MemberPoint&, const MemberPoint&) = default;
 };
 
 /// The ends of an element that is attached between nodes, and where it is drawn.
 struct MemberEnds {
   MemberPoint first, second;  ///< as ElementInfo::first and second
   double height = 0.0;        ///< m, of drawings
+
+  friend bool operator==(const MemberEnds&, const MemberEnds&) = default;
 };
 
 }  // namespace moat

@@ -145,7 +145,7 @@ void Model::prepare() {
   blocks_with_regimes_.clear();
   blocks_with_contacts_.clear();
   for (std::size_t i = 0; i < blocks_.size(); ++i) {
-    blocks_[i]->find_slots(pattern_);
+    blocks_[i]->find_slots(*pattern_);
     if (blocks_[i]->regimes() != nullptr) blocks_with_regimes_.push_back(i);
     if (blocks_[i]->contacts() != nullptr) blocks_with_contacts_.push_back(i);
   }
@@ -153,8 +153,8 @@ void Model::prepare() {
   linear_part_.clear(pattern_);
   for (const auto& block : blocks_)
     if (block->constant_tangent()) linear_part_.add(*block);
-  diagonal_slots_.clear();
-  for (int i = 0; i < count; ++i) diagonal_slots_.push_back(pattern_.slot(i, i));
+  diagonal_slots_.resize(static_cast<std::size_t>(count));
+  for (int i = 0; i < count; ++i) diagonal_slots_[static_cast<std::size_t>(i)] = pattern_->slot(i, i);
 
   masses_.resize(count);
   ground_share_x_.setOnes(count);
@@ -198,7 +198,7 @@ void Model::evaluate() {
 void Model::evaluate_forces() {
   const double step = trial_.time - state_.time;
   const double *displacement = trial_.displacement.data(), *velocity = trial_.velocity.data();
-  linear_part_.evaluate(pattern_, displacement, velocity, internal_forces_);
+  linear_part_.evaluate(displacement, velocity, internal_forces_);
   for (const std::size_t i : changing_blocks_) {
     blocks_[i]->begin_step(step);
     blocks_[i]->evaluate(displacement, velocity, internal_forces_.data());
@@ -207,12 +207,14 @@ void Model::evaluate_forces() {
 }
 
 void Model::evaluate_rates() {
-  force_rates_.setZero(degrees_of_freedom() + 1);
-  for (const auto& block : blocks_) block->evaluate_rates(trial_.acceleration.data(), force_rates_.data());
   const int count = degrees_of_freedom();
-  const double *mass = masses_.data(), *force_rate = force_rates_.data();
+  trial_.jerk.setZero(count + 1);
   double* __restrict jerk = trial_.jerk.data();
-  for (int i = 0; i < count; ++i) jerk[i] = -force_rate[i] / mass[i];
+  // First the rates of forces.
+  for (const auto& block : blocks_) block->evaluate_rates(trial_.acceleration.data(), jerk);
+  const double* mass = masses_.data();
+  for (int i = 0; i < count; ++i) jerk[i] = -jerk[i] / mass[i];
+  jerk[count] = 0.0;
 }
 
 // These columns of acceleration_weight M + velocity_weight C + displacement_weight K, without elements that change.
@@ -220,7 +222,7 @@ void Model::assemble_constant(int begin, int end, double acceleration_weight, do
                               double displacement_weight, double* __restrict values) const {
   const double *stiffness = linear_part_.stiffness().data(), *damping = linear_part_.damping().data(),
                *mass = masses_.data();
-  const int *diagonal = diagonal_slots_.data(), *starts = pattern_.column_starts.data();
+  const int *diagonal = diagonal_slots_.data(), *starts = pattern_->column_starts.data();
   for (int k = starts[begin]; k < starts[end]; ++k)
     values[k] = displacement_weight * stiffness[k] + velocity_weight * damping[k];
   for (int i = begin; i < end; ++i) values[diagonal[i]] += acceleration_weight * mass[i];
@@ -229,16 +231,15 @@ void Model::assemble_constant(int begin, int end, double acceleration_weight, do
 void Model::assemble_changing(double velocity_weight, double displacement_weight, SparseMatrix& matrix) const {
   // The entry of the ground: elements add to it, and nothing reads it.
   matrix.values.back() = 0.0;
-  for (const std::size_t i : changing_blocks_)
-    blocks_[i]->add_tangent(displacement_weight, velocity_weight, matrix.values.data());
+  for (const std::size_t i : changing_blocks_) blocks_[i]->add_tangent(displacement_weight, velocity_weight, matrix);
 }
 
 void Model::assemble_tangent(double acceleration_weight, double velocity_weight, double displacement_weight,
                              SparseMatrix& matrix) const {
   // Chunks of 256 columns, so that their values are still in L1 when the masses are added.
   constexpr int chunk = 256;
-  for (int begin = 0; begin < matrix.size; begin += chunk)
-    assemble_constant(begin, std::min(begin + chunk, matrix.size), acceleration_weight, velocity_weight,
+  for (int begin = 0; begin < matrix.size(); begin += chunk)
+    assemble_constant(begin, std::min(begin + chunk, matrix.size()), acceleration_weight, velocity_weight,
                       displacement_weight, matrix.values.data());
   assemble_changing(velocity_weight, displacement_weight, matrix);
 }
@@ -255,13 +256,13 @@ void Model::linearise(SparseMatrix& stiffness, SparseMatrix& damping, Vector& fo
   trial_.displacement.setZero();
   trial_.velocity.setZero();
   const double *displacement = trial_.displacement.data(), *velocity = trial_.velocity.data();
-  linear_part_.evaluate(pattern_, displacement, velocity, forces);
+  linear_part_.evaluate(displacement, velocity, forces);
   stiffness.values = linear_part_.stiffness();
   damping.values = linear_part_.damping();
   for (const std::size_t i : changing_blocks_) {
     blocks_[i]->evaluate(displacement, velocity, forces.data());
-    blocks_[i]->add_tangent(1.0, 0.0, stiffness.values.data());
-    blocks_[i]->add_tangent(0.0, 1.0, damping.values.data());
+    blocks_[i]->add_tangent(1.0, 0.0, stiffness);
+    blocks_[i]->add_tangent(0.0, 1.0, damping);
   }
 }
 
@@ -271,7 +272,7 @@ bool Model::has_corner() const {
 
 void Model::assemble_linear_stiffness(StiffnessStage stage, SparseMatrix& matrix) const {
   std::fill(matrix.values.begin(), matrix.values.end(), 0.0);
-  for (const auto& block : blocks_) block->add_linear_stiffness(stage, matrix.values.data());
+  for (const auto& block : blocks_) block->add_linear_stiffness(stage, matrix);
 }
 
 void Model::commit(WorkRule rule) {

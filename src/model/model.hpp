@@ -110,8 +110,8 @@ class Model {
   [[nodiscard]] const Vector& masses() const { return masses_; }
   /// The model must be prepared.
   [[nodiscard]] GroundShares ground_shares() const { return {ground_share_x_.data(), ground_share_y_.data()}; }
-  /// A zero matrix with the pattern of this model.
-  [[nodiscard]] const SparseMatrix& pattern() const { return pattern_; }
+  /// Of the matrices of this model; converts to a zero matrix.
+  [[nodiscard]] const std::shared_ptr<const SparsityPattern>& pattern() const { return pattern_; }
 
   /// Committed motion of a node relative to the ground: m, m/s, m/s^2, m/s^3. Zero for the ground. The model must be
   /// prepared: an analysis of it exists, or prepare() was called. Throws InputError where it is not, and for a node
@@ -227,10 +227,10 @@ class Model {
   Vector masses_;
   Vector ground_share_x_, ground_share_y_;
   std::vector<int> diagonal_slots_;
-  SparseMatrix pattern_;
+  std::shared_ptr<const SparsityPattern> pattern_;
   LinearPart linear_part_;
   MotionState state_, trial_;
-  Vector internal_forces_, committed_forces_, force_rates_;
+  Vector internal_forces_, committed_forces_;
   long tangent_version_ = 0;
   std::vector<std::size_t> changing_blocks_;  // those without constant tangent
   std::vector<int> changing_columns_;

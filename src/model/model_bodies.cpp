@@ -40,7 +40,7 @@ class Sets {
 
 Sets bodies_of(const Model& model) {
   Sets bodies{model.node_count()};
-  const SparseMatrix& pattern = model.pattern();
+  const SparsityPattern& pattern = *model.pattern();
   for (int column = 0; column < pattern.size; ++column)
     for (int k = pattern.column_starts[static_cast<std::size_t>(column)];
          k < pattern.column_starts[static_cast<std::size_t>(column) + 1]; ++k)
@@ -61,8 +61,8 @@ Sets bodies_of(const Model& model) {
 NodeId any_node_of(const ElementInfo& info) {
   for (const NodeId node : {info.first, info.second})
     if (node != ground) return node;
-  if (info.member_ends)
-    for (const NodeId node : {info.member_ends->first.other, info.member_ends->second.other})
+  if (const MemberEnds* ends = info.member_ends())
+    for (const NodeId node : {ends->first.other, ends->second.other})
       if (node != ground) return node;
   return ground;
 }

@@ -36,11 +36,10 @@ class NumbersInPart {
   [[nodiscard]] ElementInfo of(ElementInfo info) const {
     info.first = of(info.first);
     info.second = of(info.second);
-    if (info.member_ends) {
-      MemberEnds ends = *info.member_ends;
-      ends.first = of(ends.first);
-      ends.second = of(ends.second);
-      info.member_ends = std::make_unique<const MemberEnds>(ends);
+    if (const MemberEnds* ends = info.member_ends()) {
+      ElementDetails details = *info.details;
+      details.member_ends = MemberEnds{of(ends->first), of(ends->second), ends->height};
+      info.details = std::make_shared<const ElementDetails>(std::move(details));
     }
     return info;
   }

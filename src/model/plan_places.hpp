@@ -9,6 +9,8 @@ namespace moat {
 struct PlanPlaces {
   PlanVector first{}, second{};  ///< as ElementInfo::first and second, m
   PlanVector direction{};        ///< of length 1, along its force; zero for one that acts in both directions
+
+  friend bool operator==(const PlanPlaces&, const PlanPlaces&) = default;
 };
 
 }  // namespace moat

@@ -31,9 +31,9 @@ ElementFacts facts_of(const Model& model, const ElementBlock& block, std::size_t
                      .first = name_of_body(model, info.first),
                      .second = name_of_body(model, info.second),
                      .parameters = {}};
-  if (info.plan_places) facts.plan_places = *info.plan_places;
-  if (info.member_ends) {
-    const auto& [first, second, height] = *info.member_ends;
+  if (const PlanPlaces* places = info.plan_places()) facts.plan_places = *places;
+  if (const MemberEnds* ends = info.member_ends()) {
+    const auto& [first, second, height] = *ends;
     if (!first.is_node()) facts.first_other = model.node_name(first.other);
     if (!second.is_node()) facts.second_other = model.node_name(second.other);
     facts.first_share = first.share;

@@ -104,7 +104,7 @@ class SceneBuilder {
   void add_gap(const ElementInfo& info, int number) {
     const bool wall_right = info.first == ground, wall_left = info.second == ground;
     const Place right = place(info.first, info.second), left = place(info.second, info.first);
-    const double height = info.member_ends ? info.member_ends->height : wall_right ? left.z : right.z;
+    const double height = info.member_ends() != nullptr ? info.member_ends()->height : wall_right ? left.z : right.z;
     const double level = height - 0.5 * slab_thickness;
     const double left_face = wall_left ? right.x - right.half_width - info.offset : left.x + left.half_width;
     const double right_face = wall_right ? left.x + left.half_width + info.offset : right.x - right.half_width;

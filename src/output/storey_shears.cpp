@@ -14,7 +14,7 @@ StoreyShears::StoreyShears(const Model& model, const std::vector<std::pair<NodeI
     for (std::size_t e = 0; e < block.size(); ++e) {
       const ElementInfo& info = block.info(e);
       const auto storey = numbers.find({info.first.index, info.second.index});
-      const bool carries = model.is_plan() ? info.plan_places.get() != nullptr : !info.force_quantity.empty();
+      const bool carries = model.is_plan() ? info.plan_places() != nullptr : !info.force_quantity.empty();
       if (storey != numbers.end() && carries) parts_.push_back({b, e, storey->second});
     }
   }
@@ -24,7 +24,7 @@ std::span<const double> StoreyShears::evaluate(const Model& model) {
   for (PlanVector& sum : sums_) sum = {};
   for (const Part& part : parts_) {
     const ElementBlock& block = *model.blocks()[part.block];
-    const PlanVector along = model.is_plan() ? block.info(part.element).plan_places->direction : PlanVector{1.0, 0.0};
+    const PlanVector along = model.is_plan() ? block.info(part.element).plan_places()->direction : PlanVector{1.0, 0.0};
     sums_[part.storey] +=
         block.planar() != nullptr ? block.planar()->force(part.element) : block.results().forces[part.element] * along;
   }

@@ -14,10 +14,8 @@ namespace moat {
 
 struct Factorisation::Factors {
   klu_common common{};
-  klu_symbolic* symbolic = nullptr;
   std::vector<int> changing;  // columns eliminated last
-  std::vector<int> column_starts, row_indices;
-  SparseMatrix matrix;  // that of `lu`
+  SparseMatrix matrix;        // that of `lu`
   LuFactors lu;
   long count = 0;
 
@@ -28,27 +26,25 @@ struct Factorisation::Factors {
     common.btf = 0;
     common.scale = -1;
   }
-  ~Factors() { klu_free_symbolic(&symbolic, &common); }
-  Factors(const Factors&) = delete;
-  Factors& operator=(const Factors&) = delete;
 
-  bool analyse(const SparseMatrix& given) {
-    matrix = given;
-    int *starts = matrix.column_starts.data(), *rows = matrix.row_indices.data();
-    if (changing.empty() || changing.size() == static_cast<std::size_t>(matrix.size)) {
-      symbolic = klu_analyze(matrix.size, starts, rows, &common);
-    } else {
-      std::vector<int> order(static_cast<std::size_t>(matrix.size)), group(order.size(), 0);
-      for (const int column : changing) group[static_cast<std::size_t>(column)] = 1;
-      if (camd_order(matrix.size, starts, rows, order.data(), nullptr, nullptr, group.data()) != CAMD_OK) return false;
-      symbolic = klu_analyze_given(matrix.size, starts, rows, order.data(), order.data(), &common);
-    }
-    return symbolic != nullptr;
+  // KLU and CAMD take pointers to variables, and do not write there.
+  [[nodiscard]] int* starts() const { return const_cast<int*>(matrix.column_starts().data()); }
+  [[nodiscard]] int* rows() const { return const_cast<int*>(matrix.row_indices().data()); }
+
+  // Null where that fails.
+  klu_symbolic* analyse() {
+    if (changing.empty() || changing.size() == static_cast<std::size_t>(matrix.size()))
+      return klu_analyze(matrix.size(), starts(), rows(), &common);
+    std::vector<int> order(static_cast<std::size_t>(matrix.size())), group(order.size(), 0);
+    for (const int column : changing) group[static_cast<std::size_t>(column)] = 1;
+    if (camd_order(matrix.size(), starts(), rows(), order.data(), nullptr, nullptr, group.data()) != CAMD_OK)
+      return nullptr;
+    return klu_analyze_given(matrix.size(), starts(), rows(), order.data(), order.data(), &common);
   }
 
   // Whether a column has other values than the last ones.
   [[nodiscard]] bool differs(int column, const std::vector<double>& values) const {
-    const int* starts = matrix.column_starts.data();
+    const int* starts = matrix.column_starts().data();
     const double *before = matrix.values.data(), *now = values.data();
     return !std::equal(now + starts[column], now + starts[column + 1], before + starts[column]);
   }
@@ -56,15 +52,15 @@ struct Factorisation::Factors {
   // Takes all values. The first column in order of elimination that differs; the size if none does.
   int take_all(const std::vector<double>& values) {
     int first = 0;
-    while (first < matrix.size && !differs(lu.column(first), values)) ++first;
-    if (first < matrix.size) matrix.values = values;
+    while (first < matrix.size() && !differs(lu.column(first), values)) ++first;
+    if (first < matrix.size()) matrix.values = values;
     return first;
   }
 
   // The same where no other columns can differ than those that change.
   int take_changing(const std::vector<double>& values) {
-    const int* starts = matrix.column_starts.data();
-    int first = matrix.size;
+    const int* starts = matrix.column_starts().data();
+    int first = matrix.size();
     for (const int column : changing) {
       if (!differs(column, values)) continue;
       first = std::min(first, lu.position(column));
@@ -75,48 +71,54 @@ struct Factorisation::Factors {
   }
 
   // Factors of these values, from the first column in order of elimination that differs from the last ones.
-  bool factorise(const std::vector<double>& values, bool all_columns) {
+  bool factorise(const SparseMatrix& given, bool all_columns) {
     if (lu.empty()) {
-      matrix.values = values;
+      matrix = given;
       ++count;
       return factorise_anew();
     }
-    const int first = all_columns ? take_all(values) : take_changing(values);
-    if (first == matrix.size) return true;
+    if (matrix.nonzeros() != given.nonzeros())
+      throw std::logic_error{"Factorisation: the pattern of the matrix changed"};
+    const int first = all_columns ? take_all(given.values) : take_changing(given.values);
+    if (first == matrix.size()) return true;
     ++count;
     return lu.refactorise(matrix, first) || factorise_anew();
   }
 
-  // Permutations and pattern by KLU.
+  // Permutations and pattern by KLU, which needs more memory than the factors: none of it stays.
   bool factorise_anew() {
-    klu_numeric* numeric =
-        klu_factor(matrix.column_starts.data(), matrix.row_indices.data(), matrix.values.data(), symbolic, &common);
+    lu = {};
+    klu_symbolic* symbolic = analyse();
+    if (symbolic == nullptr) return false;
+    klu_numeric* numeric = klu_factor(starts(), rows(), matrix.values.data(), symbolic, &common);
     // KLU takes a pivot that is not a number for one that is not zero; its condition estimate does not.
     const bool good = numeric != nullptr && common.status == KLU_OK && klu_rcond(symbolic, numeric, &common) != 0 &&
                       common.rcond > 0.0 && klu_sort(symbolic, numeric, &common) != 0;
-    lu = good ? on_pattern_of(*numeric) : LuFactors{};
+    if (good) lu = on_pattern_of(*numeric, *symbolic);
     klu_free_numeric(&numeric, &common);
+    klu_free_symbolic(&symbolic, &common);
     if (good && lu.refactorise(matrix, 0)) return true;
     lu = {};
     return false;
   }
 
-  LuFactors on_pattern_of(klu_numeric& numeric) {
-    const auto size = static_cast<std::size_t>(matrix.size);
+  LuFactors on_pattern_of(klu_numeric& numeric, klu_symbolic& symbolic) {
+    const auto size = static_cast<std::size_t>(matrix.size());
     LuFactors::Columns lower, upper;
     for (auto [columns, entries] : {std::pair{&lower, numeric.lnz}, {&upper, numeric.unz}}) {
       columns->starts.resize(size + 1);
       columns->rows.resize(static_cast<std::size_t>(entries));
-      columns->values.resize(static_cast<std::size_t>(entries));
     }
     std::vector<int> rows(size), columns(size);
-    if (klu_extract(&numeric, symbolic, lower.starts.data(), lower.rows.data(), lower.values.data(),
-                    upper.starts.data(), upper.rows.data(), upper.values.data(), nullptr, nullptr, nullptr, rows.data(),
-                    columns.data(), nullptr, nullptr, &common) == 0)
+    // Values are computed again: those of both triangles go to the same place.
+    std::vector<double> unused(static_cast<std::size_t>(std::max(numeric.lnz, numeric.unz)));
+    if (klu_extract(&numeric, &symbolic, lower.starts.data(), lower.rows.data(), unused.data(), upper.starts.data(),
+                    upper.rows.data(), unused.data(), nullptr, nullptr, nullptr, rows.data(), columns.data(), nullptr,
+                    nullptr, &common) == 0)
       throw std::logic_error{"Factorisation: KLU's factors could not be read"};
     without_diagonal(lower);
     without_diagonal(upper);
-    const int condensed = unchanging_first(rows, columns) ? matrix.size - static_cast<int>(changing.size()) : 0;
+    const int condensed = unchanging_first(rows, columns) ? matrix.size() - static_cast<int>(changing.size()) : 0;
     return {std::move(lower), std::move(upper), std::move(rows), std::move(columns), condensed};
   }
 
@@ -140,7 +142,7 @@ struct Factorisation::Factors {
     }
     triangle.starts.back() = static_cast<int>(kept);
     triangle.rows.resize(kept);
-    triangle.values.resize(kept);
+    triangle.rows.shrink_to_fit();
   }
 };
 
@@ -152,17 +154,9 @@ Factorisation::~Factorisation() = default;
 Factorisation::Factorisation(Factorisation&&) noexcept = default;
 Factorisation& Factorisation::operator=(Factorisation&&) noexcept = default;
 
-bool Factorisation::factorise(const SparseMatrix& matrix) {
-  Factors& f = *factors_;
-  if (f.symbolic == nullptr && !f.analyse(matrix)) return false;
-  if (f.matrix.row_indices.size() != matrix.row_indices.size())
-    throw std::logic_error{"Factorisation: the pattern of the matrix changed"};
-  return f.factorise(matrix.values, true);
-}
+bool Factorisation::factorise(const SparseMatrix& matrix) { return factors_->factorise(matrix, true); }
 
-bool Factorisation::factorise_changing(const SparseMatrix& matrix) {
-  return factors_->symbolic == nullptr ? factorise(matrix) : factors_->factorise(matrix.values, false);
-}
+bool Factorisation::factorise_changing(const SparseMatrix& matrix) { return factors_->factorise(matrix, false); }
 
 void Factorisation::solve(Vector& x) const {
   if (factors_->lu.empty()) throw std::logic_error{"Factorisation: solve() before a successful factorise()"};

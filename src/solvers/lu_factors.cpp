@@ -25,8 +25,11 @@ LuFactors::LuFactors(Columns lower, Columns upper, std::vector<int> rows, std::v
       positions_of_rows_{inverse_of(rows_)},
       condensed_{condensed} {
   const int count = static_cast<int>(columns_.size());
+  lower_.values.resize(lower_.rows.size());
+  upper_.values.resize(upper_.rows.size());
   inverse_pivots_.setZero(count);
   work_.setZero(count);
+  upper_splits_.reserve(columns_.size());
   share_.starts.assign(static_cast<std::size_t>(condensed_) + 1, 0);
   const auto rows_of = [](const Columns& triangle, int k) {
     const auto column = static_cast<std::size_t>(k);
@@ -48,8 +51,8 @@ LuFactors::LuFactors(Columns lower, Columns upper, std::vector<int> rows, std::v
 }
 
 bool LuFactors::refactorise(const SparseMatrix& matrix, int first) {
-  const int *starts = matrix.column_starts.data(), *matrix_rows = matrix.row_indices.data(), *columns = columns_.data(),
-            *position_of = positions_of_rows_.data(), *lower_starts = lower_.starts.data(),
+  const int *starts = matrix.column_starts().data(), *matrix_rows = matrix.row_indices().data(),
+            *columns = columns_.data(), *position_of = positions_of_rows_.data(), *lower_starts = lower_.starts.data(),
             *upper_starts = upper_.starts.data(), *lower_rows = lower_.rows.data(), *upper_rows = upper_.rows.data(),
             *splits = upper_splits_.data(), *share_starts = share_.starts.data(), *share_rows = share_.rows.data();
   const double* values = matrix.values.data();
@@ -78,7 +81,7 @@ bool LuFactors::refactorise(const SparseMatrix& matrix, int first) {
     for (int q = lower_starts[k]; q < lower_starts[k + 1]; ++q)
       lower[q] = inverse_pivot * std::exchange(column[lower_rows[q]], 0.0);
   };
-  const int count = matrix.size;
+  const int count = matrix.size();
   for (int k = first; k < condensed_; ++k) {
     add_entries(k, 0, count);
     eliminate(upper_starts[k], upper_starts[k + 1]);

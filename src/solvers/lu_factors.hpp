@@ -22,13 +22,14 @@ class LuFactors {
   /// Compressed columns, with ascending rows in each.
   struct Columns {
     std::vector<int> starts, rows;  ///< `starts` has one entry more than there are columns
-    std::vector<double> values;     ///< as long as `rows`
+    std::vector<double> values{};   ///< as long as `rows`
   };
 
   /// No factors.
   LuFactors() = default;
   /// The pattern of L below and of U above their diagonals, the row of A that is row k of P A, the column of A that is
-  /// column k of A Q, and the size of A11, 0 where any row or column may change. Values are those of refactorise().
+  /// column k of A Q, and the size of A11, 0 where any row or column may change. Values are those of
+  /// refactorise(), and may be left out here.
   LuFactors(Columns lower, Columns upper, std::vector<int> rows, std::vector<int> columns, int condensed);
 
   /// Whether there are none.

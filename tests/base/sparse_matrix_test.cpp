@@ -22,9 +22,9 @@ SparseMatrix chain_and_loner() {
 
 TEST(SparseMatrix, HoldsTheDiagonalAndBothSidesOfACouplingOnce) {
   const SparseMatrix matrix = chain_and_loner();
-  EXPECT_EQ(matrix.size, 4);
-  EXPECT_EQ(matrix.column_starts, (std::vector<int>{0, 2, 5, 7, 8}));
-  EXPECT_EQ(matrix.row_indices, (std::vector<int>{0, 1, 0, 1, 2, 1, 2, 3}));
+  EXPECT_EQ(matrix.size(), 4);
+  EXPECT_EQ(matrix.column_starts(), (std::vector<int>{0, 2, 5, 7, 8}));
+  EXPECT_EQ(matrix.row_indices(), (std::vector<int>{0, 1, 0, 1, 2, 1, 2, 3}));
   EXPECT_EQ(matrix.nonzeros(), 8);
 }
 
@@ -37,9 +37,9 @@ TEST(SparseMatrix, SlotsAreDistinctAndThoseOfTheGroundAreTheLast) {
   const SparseMatrix matrix = chain_and_loner();
   std::vector<int> slots;
   for (int column = 0; column < 4; ++column)
-    for (int k = matrix.column_starts[static_cast<std::size_t>(column)];
-         k < matrix.column_starts[static_cast<std::size_t>(column) + 1]; ++k)
-      slots.push_back(matrix.slot(matrix.row_indices[static_cast<std::size_t>(k)], column));
+    for (int k = matrix.column_starts()[static_cast<std::size_t>(column)];
+         k < matrix.column_starts()[static_cast<std::size_t>(column) + 1]; ++k)
+      slots.push_back(matrix.slot(matrix.row_indices()[static_cast<std::size_t>(k)], column));
   EXPECT_EQ(slots, (std::vector<int>{0, 1, 2, 3, 4, 5, 6, 7}));
   for (const int i : {0, 1, 2, 3, ground_index}) {
     EXPECT_EQ(matrix.slot(ground_index, i), 8);
@@ -84,7 +84,7 @@ TEST(SparseMatrix, IndicesOfALargePatternDoNotMixRowsAndColumns) {
   builder.couple(99999, 70000);
   const SparseMatrix matrix = builder.build();
   EXPECT_EQ(matrix.nonzeros(), 100002);
-  EXPECT_EQ(matrix.row_indices[static_cast<std::size_t>(matrix.slot(99999, 70000))], 99999);
+  EXPECT_EQ(matrix.row_indices()[static_cast<std::size_t>(matrix.slot(99999, 70000))], 99999);
   EXPECT_EQ(matrix.slot(70000, 99999), 100000);
 }
 

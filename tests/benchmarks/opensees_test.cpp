@@ -99,8 +99,8 @@ TEST(OpenSeesModel, HasTheMatricesOfTheModel) {
     for (int row = 0; row < size; ++row)
       for (int column = 0; column < size; ++column) {
         double value = 0.0;
-        for (int k = of_moat.column_starts[column]; k < of_moat.column_starts[column + 1]; ++k)
-          if (of_moat.row_indices[k] == row) value = of_moat.values[k];
+        for (int k = of_moat.column_starts()[column]; k < of_moat.column_starts()[column + 1]; ++k)
+          if (of_moat.row_indices()[k] == row) value = of_moat.values[k];
         EXPECT_NEAR(written(row + 1, column + 1), value, 1e-9 * written.lpNorm<Eigen::Infinity>());
       }
   };

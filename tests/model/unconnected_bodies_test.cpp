@@ -83,7 +83,8 @@ TEST(UnconnectedBodiesOfAModel, AreJoinedByAGapBetweenFloors) {
   std::set<NodeId> ends;
   for (const auto& block : bodies[0].blocks())
     for (std::size_t e = 0; e < block->size(); ++e)
-      if (const auto& of_gap = block->info(e).member_ends) ends.insert({of_gap->first.other, of_gap->second.other});
+      if (const MemberEnds* of_gap = block->info(e).member_ends())
+        ends.insert({of_gap->first.other, of_gap->second.other});
   EXPECT_EQ(ends, (std::set<NodeId>{NodeId{0}, NodeId{1}}));
 }
 

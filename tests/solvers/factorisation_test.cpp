@@ -23,7 +23,7 @@ Vector right_hand_side(int size) { return Vector::LinSpaced(size, -1.0, 2.0).arr
 
 // Largest difference from Eigen's dense LU, over the largest entry of its solution.
 double difference_from_dense(const Factorisation& factors, const SparseMatrix& matrix) {
-  const Vector b = right_hand_side(matrix.size);
+  const Vector b = right_hand_side(matrix.size());
   const Vector expected = Eigen::MatrixXd{matrix.view()}.fullPivLu().solve(b);
   Vector x = b;
   factors.solve(x);
@@ -114,7 +114,7 @@ TEST(Factorisation, SingularInBetweenThenRecovers) {
   const SparseMatrix regular = matrix;
   Factorisation factors;
   ASSERT_TRUE(factors.factorise(matrix));
-  for (int row = 0; row < matrix.size; ++row)
+  for (int row = 0; row < matrix.size(); ++row)
     if (Eigen::MatrixXd{matrix.view()}(row, 8) != 0.0) entry(matrix, row, 8) = 0.0;
   EXPECT_FALSE(factors.factorise(matrix));
   EXPECT_FALSE(factors.factorise(matrix));

@@ -52,7 +52,7 @@ class CubicChain final : public NonlinearSystem {
   CubicChain(int size, double load) : tangent_{testing::chain_stiffness(size, 3.0, 3.0)}, load_{load} {
     linear_ = tangent_;
   }
-  int size() const override { return linear_.size; }
+  int size() const override { return linear_.size(); }
   bool compute_residual(const Vector& x, Vector& residual) override {
     ++residuals;
     x_ = x;
