@@ -22,12 +22,12 @@ AccelerationScales::AccelerationScales(const Model& model, double lowest)
     : lowest_{std::max(lowest, std::numeric_limits<double>::min())},
       resultants_{model},
       building_{connected_parts(model)},
-      touching_(building_.size(), 0),
-      touched_before_(building_.size(), 0) {
+      touching_(static_cast<std::size_t>(std::ranges::max(building_)) + 1, 0),
+      touched_before_(touching_) {
   values_.setConstant(model.degrees_of_freedom(), lowest_);
   own_ = values_;
   outside_contact_ = values_;
-  of_building_ = values_;
+  of_building_.setZero(static_cast<Eigen::Index>(touching_.size()));
   for (int i = 0; i < static_cast<int>(building_.size()); ++i) {
     const int building = building_[static_cast<std::size_t>(i)];
     if (runs_.empty() || runs_.back().building != building) runs_.push_back({i, i, building});

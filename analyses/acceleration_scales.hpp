@@ -37,7 +37,7 @@ class AccelerationScales {
   double lowest_;
   Resultants resultants_;
 
-  std::vector<int> building_;                    // of every node: the number of one of its nodes
+  std::vector<int> building_;                    // of every node
   std::vector<char> touching_, touched_before_;  // of every building, now and before the last change
   bool any_touching_ = false;
   double step_of_fade_ = 0.0, fade_ = 1.0;  // the last step, s, and how much is left after it
@@ -45,7 +45,7 @@ class AccelerationScales {
   bool up_to_date_ = false;
   Vector own_;              // of each node alone
   Vector outside_contact_;  // the same, without contacts; kept while there are any
-  Vector of_building_;      // largest, at the index building_ names
+  Vector of_building_;      // largest of every building
   // Nodes that follow each other in one building.
   struct Run {
     int begin, end, building;

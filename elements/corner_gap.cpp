@@ -77,9 +77,9 @@ ElementInfo register_corner(Model& model, const CornerPlace& gap, const CornerAn
                    .place = gap.place,
                    .first = gap.edge_of,
                    .second = gap.corner.of,
-                   .offset = clearance,
                    .deformation_quantity = "indentation",
-                   .force_quantity = "impact_force"};
+                   .force_quantity = "impact_force",
+                   .offset = clearance};
   if (!parameters.empty()) {
     parameters.push_back({"friction", corner.friction.coefficient, "1"});
     parameters.push_back({"tangential_stiffness", corner.friction.tangential_stiffness, "N/m"});

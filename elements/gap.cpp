@@ -54,9 +54,9 @@ ElementInfo register_gap(Model& model, const GapPlace& gap, std::optional<LawAsG
           .place = gap.place,
           .first = gap.right.node,
           .second = gap.left.node,
-          .offset = gap.clearance.si(),
           .deformation_quantity = indentation,
           .force_quantity = impact_force,
+          .offset = gap.clearance.si(),
           .details = std::make_shared<const ElementDetails>(
               ElementDetails{.law_as_given = std::move(law), .member_ends = member_ends(model, gap.left, gap.right)})};
 }

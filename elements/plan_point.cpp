@@ -23,7 +23,7 @@ void check_point(const Model& model, std::string_view kind, const std::string& n
   check.finite(text + ".at.y", point.at.y);
   const NodeId body = point.of;
   if (body == ground || model.diaphragm_of(body) != nullptr) return;
-  check.that(model.node(body).direction.has_value(),
+  check.that(model.node(body).direction.get() != nullptr,
              text + ".of is the node \"" + model.node(body).name + "\", which moves on a line.",
              "Give a diaphragm, a node with a .direction, or `ground`.");
 }

@@ -14,6 +14,8 @@ class CopyablePointer {
   CopyablePointer() = default;
   /// Takes the object; null is none.
   CopyablePointer(std::unique_ptr<T> object) : object_{std::move(object)} {}
+  /// A copy of the object.
+  CopyablePointer(const T& object) : object_{copy_of(object)} {}
   /// Copies the object of the other.
   CopyablePointer(const CopyablePointer& other) : object_{other.object_ ? copy_of(*other.object_) : nullptr} {}
   /// Copies the object of the other.

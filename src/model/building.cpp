@@ -65,8 +65,14 @@ std::vector<int> connected_parts(const Model& model) {
     if (model.blocks()[id.block]->contacts() != nullptr || info.first == ground || info.second == ground) return;
     parent[static_cast<std::size_t>(root(info.first.index))] = root(info.second.index);
   });
-  std::vector<int> part(parent.size());
-  for (std::size_t i = 0; i < part.size(); ++i) part[i] = root(static_cast<int>(i));
+  constexpr int none = -1;
+  std::vector<int> part(parent.size()), part_of_root(parent.size(), none);
+  int count = 0;
+  for (std::size_t i = 0; i < part.size(); ++i) {
+    int& number = part_of_root[static_cast<std::size_t>(root(static_cast<int>(i)))];
+    if (number == none) number = count++;
+    part[i] = number;
+  }
   return part;
 }
 

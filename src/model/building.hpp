@@ -44,8 +44,8 @@ struct ElementId {
 /// The isolators of every building: elements that separate one of its nodes from the ground (ElementInfo::isolates).
 std::vector<std::vector<ElementId>> isolators_of(const Model& model, std::span<const Building> buildings);
 
-/// The number of a part for every node: two nodes have the same one if elements other than contacts lead from one to
-/// the other, without passing the ground.
+/// The number of a part, 0, 1, ..., for every node: two nodes have the same one if elements other than contacts lead
+/// from one to the other, without passing the ground.
 std::vector<int> connected_parts(const Model& model);
 
 /// The buildings of a model, and every connected part in which there is none, as a building with the name of its first

@@ -53,12 +53,12 @@ struct ElementInfo {
   Label place{};
   /// Deformation = displacement of `second` - displacement of `first` - offset, for elements between two nodes.
   NodeId first, second;
-  double offset = 0.0;  ///< m
   /// Names under which deformation and force are reported; not reported where empty.
   Label deformation_quantity{}, force_quantity{};
   /// Whether it carries a building on the ground and lets it move: characteristic periods hold the floor above it.
   bool isolates = false;
   DrawnAs drawn_as = DrawnAs::other;  ///< in pictures and in ParaView
+  double offset = 0.0;                ///< m, of the deformation
   /// Null where it has none. Elements added one after the other share equal ones.
   std::shared_ptr<const ElementDetails> details{};
 

@@ -33,7 +33,7 @@ class LinearPart {
 
  private:
   SparseMatrix stiffness_, damping_;
-  Vector forces_at_rest_;
+  Vector forces_at_rest_;  // empty where all are zero
 };
 
 }  // namespace moat

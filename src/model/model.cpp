@@ -43,7 +43,7 @@ NodeId Model::add_node(Node node) {
     check.that(std::abs(its_length - 1.0) <= round_off, "length of direction", its_length, "1", "1",
                "Give the unit vector along which the node moves.");
   }
-  check.that(node.direction.has_value() || !is_plan(), "a node without direction in a model with diaphragms.",
+  check.that(node.direction || !is_plan(), "a node without direction in a model with diaphragms.",
              "Give .direction, or a Diaphragm in place of the node: a model moves on a line or in plan.");
   return append_node(std::move(node));
 }

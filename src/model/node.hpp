@@ -2,9 +2,9 @@
 #pragma once
 
 #include <compare>
-#include <optional>
 #include <string>
 
+#include "base/copyable_pointer.hpp"
 #include "base/plan_vector.hpp"
 #include "base/quantity.hpp"
 #include "base/required.hpp"
@@ -45,7 +45,7 @@ struct Node {
   Length half_width = 5.0 * units::m;  ///< For drawings.
   /// For models in plan only, where it must be given: the direction of its motion, of length 1. A node on a line moves
   /// along the shaking.
-  std::optional<PlanVector> direction{};
+  CopyablePointer<const PlanVector> direction{};
 };
 
 }  // namespace moat

@@ -18,9 +18,10 @@ double kinetic_energy(const Model& model) {
 void EnergyLedger::start(const StepView& view) {
   const int count = view.model.degrees_of_freedom();
   const GroundShares shares = view.model.ground_shares();
-  mass_along_x_.resize(count);
+  const bool all_along_x = std::all_of(shares.x, shares.x + count, [](double share) { return share == 1.0; });
+  mass_along_x_.resize(all_along_x ? 0 : count);
   mass_along_y_.resize(view.model.is_plan() ? count : 0);
-  for (int i = 0; i < count; ++i) mass_along_x_[i] = view.model.masses()[i] * shares.x[i];
+  for (int i = 0; i < mass_along_x_.size(); ++i) mass_along_x_[i] = view.model.masses()[i] * shares.x[i];
   for (int i = 0; i < mass_along_y_.size(); ++i) mass_along_y_[i] = view.model.masses()[i] * shares.y[i];
   remember(view);
   kinetic_at_start_ = kinetic_energy(view.model);
@@ -28,7 +29,8 @@ void EnergyLedger::start(const StepView& view) {
 }
 
 void EnergyLedger::step(const StepView& view) {
-  add_input(view, mass_along_x_, ground_acceleration_.x, view.ground_acceleration);
+  add_input(view, mass_along_x_.size() == 0 ? view.model.masses() : mass_along_x_, ground_acceleration_.x,
+            view.ground_acceleration);
   if (view.model.is_plan()) add_input(view, mass_along_y_, ground_acceleration_.y, view.ground_acceleration_y);
   largest_input_ = std::max(largest_input_, std::abs(input_));
   largest_kinetic_ = std::max(largest_kinetic_, kinetic_energy(view.model));

@@ -34,7 +34,7 @@ class EnergyLedger final : public StepObserver {
   double time_ = 0.0;  // of the last instant, s
   Vector displacement_, velocity_, acceleration_;
   PlanVector ground_acceleration_{};
-  Vector mass_along_x_, mass_along_y_;  // masses times the shares of the ground's components; y in plan only
+  Vector mass_along_x_, mass_along_y_;  // masses times the ground's shares; y in plan, x where it is not the mass
   double kinetic_at_start_ = 0.0;
   double input_ = 0.0, largest_input_ = 0.0, largest_kinetic_ = 0.0;
 };

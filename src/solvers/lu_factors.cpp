@@ -29,18 +29,16 @@ LuFactors::LuFactors(Columns lower, Columns upper, std::vector<int> rows, std::v
   upper_.values.resize(upper_.rows.size());
   inverse_pivots_.setZero(count);
   work_.setZero(count);
-  upper_splits_.reserve(columns_.size());
-  share_.starts.assign(static_cast<std::size_t>(condensed_) + 1, 0);
+  share_.starts.push_back(0);
   const auto rows_of = [](const Columns& triangle, int k) {
     const auto column = static_cast<std::size_t>(k);
     return std::pair{triangle.rows.begin() + triangle.starts[column],
                      triangle.rows.begin() + triangle.starts[column + 1]};
   };
-  for (int k = 0; k < count; ++k) {
+  for (int k = condensed_; k < count; ++k) {
     const auto [begin, end] = rows_of(upper_, k);
     const auto split = std::lower_bound(begin, end, condensed_);
     upper_splits_.push_back(static_cast<int>(split - upper_.rows.begin()));
-    if (k < condensed_) continue;
     share_.rows.insert(share_.rows.end(), split, end);
     share_.rows.push_back(k);
     const auto [below, last] = rows_of(lower_, k);
@@ -89,15 +87,16 @@ bool LuFactors::refactorise(const SparseMatrix& matrix, int first) {
   }
   const bool keeps_share = first >= condensed_;
   for (int k = std::max(first, condensed_); k < count; ++k) {
+    const int of_share = k - condensed_, split = splits[of_share];
     if (keeps_share) {
-      for (int p = share_starts[k]; p < share_starts[k + 1]; ++p) column[share_rows[p]] = share[p];
+      for (int p = share_starts[of_share]; p < share_starts[of_share + 1]; ++p) column[share_rows[p]] = share[p];
     } else {
       add_entries(k, 0, condensed_);
-      eliminate(upper_starts[k], splits[k]);
-      for (int p = share_starts[k]; p < share_starts[k + 1]; ++p) share[p] = column[share_rows[p]];
+      eliminate(upper_starts[k], split);
+      for (int p = share_starts[of_share]; p < share_starts[of_share + 1]; ++p) share[p] = column[share_rows[p]];
     }
     add_entries(k, condensed_, count);
-    eliminate(splits[k], upper_starts[k + 1]);
+    eliminate(split, upper_starts[k + 1]);
     finish(k);
   }
   return has_good_pivots();

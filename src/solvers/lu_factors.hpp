@@ -53,7 +53,7 @@ class LuFactors {
   std::vector<int> rows_, columns_;                 // of A, in order of elimination
   std::vector<int> positions_, positions_of_rows_;  // the inverse permutations
   int condensed_ = 0;                               // size of A11
-  std::vector<int> upper_splits_;                   // of every column of U, where the rows of A22 begin
+  std::vector<int> upper_splits_;                   // of every column of U22, where its rows begin
   Columns share_;                                   // -A21 A11^-1 A12, on the pattern of L22 + U22
   Vector inverse_pivots_;
   mutable Vector work_;  // zero between calls of refactorise()

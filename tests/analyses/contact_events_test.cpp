@@ -122,8 +122,8 @@ Model body_before_dashpot() {
                                              .place = "dashpot",
                                              .first = ground,
                                              .second = body,
-                                             .offset = 0.0103,
-                                             .force_quantity = "impact_force"},
+                                             .force_quantity = "impact_force",
+                                             .offset = 0.0103},
                                             DashpotWall{dashpot_damping}, dashpot_mass);
   return model;
 }
