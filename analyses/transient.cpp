@@ -14,6 +14,14 @@
 namespace moat {
 namespace {
 
+// Of all elements at the last evaluate(), m; 0 where one is beyond its margin, as some laws are at rest.
+double smallest_margin(const Model& model) {
+  RegimeScan scan{.fraction = 0.0};  // no instant is looked for
+  for (const auto& block : model.blocks())
+    if (block->regimes() != nullptr) block->regimes()->scan(0.0, 0.0, scan);
+  return std::max(scan.margin, 0.0);
+}
+
 double process_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
 }  // namespace
@@ -128,7 +136,7 @@ void Transient::balance() {
 void Transient::change_regimes_at_end() {
   changes_.clear();
   model_->change_regimes(changes_);
-  margin_ = std::max(model_->scan_regimes(0.0, 0.0).margin, 0.0);
+  margin_ = smallest_margin(*model_);
   implicit_.control().restart(*model_, std::ranges::any_of(changes_, &RegimeChange::touched),
                               hidden_.is_close(margin_));
   if (changes_.empty()) return;
