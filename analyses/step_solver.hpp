@@ -27,8 +27,9 @@ class StepSolver {
 
   /// Solves the first h seconds into the trial state. False if that did not converge.
   bool solve(double h);
-  /// The same as far as changes of regime depend on it, and all the rest, if the step is to end there.
+  /// The same as far as changes of regime depend on it.
   bool look(double h) { return stepper_->look(first_part(h)); }
+  /// Adds all that solve() would have found and look() left out: the step is to end where look() went.
   void complete() { stepper_->complete(); }
   /// Solves them cut in half until that converges; returns the length that did. Throws ConvergenceError that names
   /// time, step, residual and the worst node after `max_cuts` cuts.
