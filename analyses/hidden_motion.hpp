@@ -37,8 +37,8 @@ class HiddenMotion {
   // m
   [[nodiscard]] double negligible_bump() const { return negligible * largest_.minCoeff(); }
 
-  std::vector<int> building_;  // of every node: the number of one of its nodes
-  Vector largest_;             // displacement, m, at the indices that building_ names; infinite elsewhere
+  std::vector<int> building_;  // of every node
+  Vector largest_;             // displacement of every building, m
 };
 
 }  // namespace moat

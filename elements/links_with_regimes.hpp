@@ -138,7 +138,7 @@ class LinksWithRegimes : public Links<Law, Ends>, public Regimes {
     }
     scan.crossed = true;
     ++scan.crossings;
-    // A located step ends where it should.
+    // The step ends in the band that locate_change() aims at: to look for the instant would be in vain.
     if (end_margin >= 2.0 * aim && !scan.crossed_back) return;
     if (scan.fraction > 0.0) scan.fraction = std::min(scan.fraction, margin_path(i, step).first_crossing(beyond, aim));
   }

@@ -24,7 +24,8 @@ struct RegimeScan {
   bool crossed_back = false;
   /// Number of elements that crossed.
   int crossings = 0;
-  /// Fraction of the step at which the first margin is expected to reach the aim; 1 if none does.
+  /// Fraction of the step at which the first margin is expected to reach the aim; 1 if none does. Given as 0 it is not
+  /// looked for.
   double fraction = 1.0;
 };
 
