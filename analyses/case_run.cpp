@@ -7,6 +7,7 @@
 #include "analyses/case_warnings.hpp"
 #include "analyses/periods.hpp"
 #include "analyses/torsion.hpp"
+#include "analyses/transient_setup.hpp"
 #include "analyses/transient_texts.hpp"
 #include "base/check.hpp"
 #include "base/error.hpp"
@@ -150,7 +151,13 @@ CaseRun::CaseRun(Model& model, const GroundMotion& motion, CaseOptions options)
       clearances_{model},
       histories_{model, history_interval(options_, motion), &energy_,
                  !rows_at_steps(history_interval(options_, motion),
-                                longest_step_of_any(options_.transient, motion.time_step()))} {}
+                                longest_step_of_any(options_.transient, motion.time_step()))} {
+  histories_.share_samples_of(peaks_);
+  constexpr double most_rows = 1e6;
+  const double duration = end_of(options_.transient, model, motion) - model.state().time;
+  histories_.reserve(
+      static_cast<std::size_t>(std::min(duration / history_interval(options_, motion) + 2.0, most_rows)));
+}
 
 void CaseRun::attach(StepObserver& observer) {
   transient_.attach(observer);
@@ -209,7 +216,7 @@ void CaseRun::run_companion() {
   untouched_.reset();
 }
 
-CaseResult CaseRun::result() const {
+CaseResult CaseRun::result_with(Table histories) const {
   const GroundMotion& motion = transient_.motion();
   CaseResult result{
       .title = options_.title,
@@ -223,7 +230,7 @@ CaseResult CaseRun::result() const {
       .peaks = peaks_of_bodies_.empty() ? peaks_.peaks() : peaks_of_bodies_,
       .clearances = peaks_of_bodies_.empty() ? clearances_.clearances() : clearances_of_bodies_,
       .impacts = impacts_.impacts(),
-      .histories = histories_.table(),
+      .histories = std::move(histories),
       .offered = offered_.list(),
       .energy = energy_.balance(transient_.model()),
       .solver = transient_.statistics(),
@@ -276,7 +283,7 @@ void CaseRun::add_errors(CaseResult& result) const {
 CaseResult run_case(Model& model, const GroundMotion& motion, CaseOptions options) {
   CaseRun run{model, motion, std::move(options)};
   run.run();
-  return run.result();
+  return run.take_result();
 }
 
 }  // namespace moat

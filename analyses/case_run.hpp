@@ -75,11 +75,15 @@ class CaseRun {
   void run();
 
   [[nodiscard]] const Transient& transient() const { return transient_; }  ///< The analysis behind the case.
-  [[nodiscard]] CaseResult result() const;                                 ///< All that was recorded up to now.
+  /// All that was recorded up to now.
+  [[nodiscard]] CaseResult result() const { return result_with(histories_.table()); }
+  /// The same, without a copy of the histories, which are gone from the run afterwards.
+  [[nodiscard]] CaseResult take_result() { return result_with(histories_.take_table()); }
 
  private:
   void run_bodies();
   void run_companion();
+  [[nodiscard]] CaseResult result_with(Table histories) const;
   void add_errors(CaseResult& result) const;
 
   CaseOptions options_;

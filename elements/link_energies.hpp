@@ -1,6 +1,7 @@
 // The energy accounts of a block of links.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <vector>
 
@@ -72,18 +73,14 @@ class LinkEnergies {
 
   /// Adds work and dissipation of a step to every account.
   void add_step(const Step& step, WorkRule rule) {
-    for (std::size_t i = 0; i < accounts_.size(); ++i) {
-      const Load end{step.forces[i], power(step.laws[i], step.trial[i], step.end, i)};
-      if (step.length > 0.0) {
-        if (rule == WorkRule::mean_force)
-          add_by_mean_force(step, i, end);
-        else
-          add_by_quadrature(step, i, end);
-        if constexpr (hysteretic)
-          accounts_[i].dissipated += step.laws[i].dissipated_energy(step.committed[i], step.trial[i]);
-      }
-      if constexpr (!is_linear) loads_[i] = end;
+    if (step.length > 0.0) {
+      if (rule == WorkRule::mean_force)
+        add_by_mean_force(step);
+      else
+        add_by_quadrature(step);
     }
+    if constexpr (!is_linear)
+      for (std::size_t i = 0; i < loads_.size(); ++i) loads_[i] = end_of(step, i);
   }
 
   /// A change of regime released stored energy, J.
@@ -132,34 +129,51 @@ class LinkEnergies {
     }
   }
 
-  void add_by_mean_force(const Step& step, std::size_t i, const Load& end) {
-    Account& account = accounts_[i];
-    const Load start = start_of(step, i);
-    account.work += 0.5 * (start.force + end.force) * (step.end.deformations[i] - step.start.deformations[i]);
-    if constexpr (!hysteretic) {
-      const HermiteCubic path = cubic_between(step.start, step.end, i, step.length);
-      const double middle = step.laws[i].dissipation_rate(step.committed[i], path.value(0.5), path.rate(0.5));
-      account.dissipated += step.length / 6.0 * (start.power + 4.0 * middle + end.power);
+  [[nodiscard]] static Load end_of(const Step& step, std::size_t i) {
+    return {step.forces[i], power(step.laws[i], step.trial[i], step.end, i)};
+  }
+
+  void add_by_mean_force(const Step& step) {
+    for (std::size_t i = 0; i < accounts_.size(); ++i) {
+      Account& account = accounts_[i];
+      const Load start = start_of(step, i), end = end_of(step, i);
+      account.work += 0.5 * (start.force + end.force) * (step.end.deformations[i] - step.start.deformations[i]);
+      if constexpr (hysteretic) {
+        account.dissipated += step.laws[i].dissipated_energy(step.committed[i], step.trial[i]);
+      } else {
+        const HermiteCubic path = cubic_between(step.start, step.end, i, step.length);
+        const double middle = step.laws[i].dissipation_rate(step.committed[i], path.value(0.5), path.rate(0.5));
+        account.dissipated += step.length / 6.0 * (start.power + 4.0 * middle + end.power);
+      }
     }
   }
 
-  void add_by_quadrature(const Step& step, std::size_t i, const Load& end) {
-    constexpr double first_inside = 0.27639320225002103;  // (1 - 1/sqrt(5))/2
-    Account& account = accounts_[i];
-    const HermiteQuintic path = path_between(step.start, step.end, i, step.length);
-    const Load start = start_of(step, i);
-    double work = start.force * step.start.rates[i] + end.force * step.end.rates[i];
-    double dissipated = start.power + end.power;
-    for (const double x : {first_inside, 1.0 - first_inside}) {
-      const double deformation = path.value(x), rate = path.rate(x);
-      const Interval interval{x * step.length, step.start.deformations[i], step.start.rates[i]};
-      State after;
-      work += 5.0 * respond(step.laws[i], step.committed[i], deformation, rate, interval, after).force * rate;
-      if constexpr (!hysteretic)
-        dissipated += 5.0 * step.laws[i].dissipation_rate(step.committed[i], deformation, rate);
+  void add_by_quadrature(const Step& step) {
+    constexpr std::array inside{0.27639320225002103, 0.72360679774997897};  // (1 -+ 1/sqrt(5))/2
+    const double h = step.length;
+    const std::array places{HermiteQuinticsAt{inside[0], h}, HermiteQuinticsAt{inside[1], h}};
+    for (std::size_t i = 0; i < accounts_.size(); ++i) {
+      const double d0 = step.start.deformations[i], v0 = step.start.rates[i], a0 = step.start.second_rates[i],
+                   d1 = step.end.deformations[i], v1 = step.end.rates[i], a1 = step.end.second_rates[i];
+      const Load start = start_of(step, i), end = end_of(step, i);
+      double work = start.force * v0 + end.force * v1, dissipated = start.power + end.power;
+      for (std::size_t k = 0; k < inside.size(); ++k) {
+        const double deformation = places[k].value(d0, v0, a0, d1, v1, a1),
+                     rate = places[k].rate(d0, v0, a0, d1, v1, a1);
+        State after;
+        const Response response =
+            respond(step.laws[i], step.committed[i], deformation, rate, Interval{inside[k] * h, d0, v0}, after);
+        work += 5.0 * response.force * rate;
+        if constexpr (!hysteretic)
+          dissipated += 5.0 * step.laws[i].dissipation_rate(step.committed[i], deformation, rate);
+      }
+      Account& account = accounts_[i];
+      account.work += h / 12.0 * work;
+      if constexpr (hysteretic)
+        account.dissipated += step.laws[i].dissipated_energy(step.committed[i], step.trial[i]);
+      else
+        account.dissipated += h / 12.0 * dissipated;
     }
-    account.work += step.length / 12.0 * work;
-    if constexpr (!hysteretic) account.dissipated += step.length / 12.0 * dissipated;
   }
 
   bool kept_ = false;

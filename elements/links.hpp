@@ -187,6 +187,15 @@ class Links : public ElementBlock, public ElementLaws, protected LinkArrays {
     return energies_.energy(element, stored(element));
   }
 
+  void add_energies(EnergySums& sums) const override {
+    if constexpr (is_linear) {
+      if (!energies_.kept()) throw std::logic_error{"Links: add_energies() without start_energy_accounts()"};
+      for (std::size_t i = 0; i < size(); ++i) sums.add(false, energies_.energy(i, stored(i)));
+    } else {
+      ElementBlock::add_energies(sums);
+    }
+  }
+
   std::span<const ReportedQuantity> law_quantities(std::size_t i) const override { return quantities_of(laws_[i]); }
   ReportedValue law_quantity(std::size_t i, std::size_t quantity) const override {
     return law_quantity_at(i, quantity, committed_[i], now_.deformations[i], now_.rates[i], now_.second_rates[i]);

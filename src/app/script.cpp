@@ -245,7 +245,7 @@ Script::Outcome Script::compute(CaseRun& run, const Model& model, const RunOptio
     outcome.failure = error.what();
     outcome.exit_code = exit_error;
   }
-  outcome.result = run.result();
+  outcome.result = run.take_result();
   outcome.result.provenance = parts_->origin;
   const std::vector<std::string> of_laws = law_assumptions(outcome.result.model);
   outcome.result.assumptions.insert(outcome.result.assumptions.end(), of_laws.begin(), of_laws.end());

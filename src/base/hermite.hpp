@@ -101,4 +101,42 @@ class HermiteQuintic {
   double h_;
 };
 
+/// One place on many such quintics over the same step, as HermiteCubicsAt.
+class HermiteQuinticsAt {
+ public:
+  /// At x, 0 to 1, of a step of length h > 0 s.
+  HermiteQuinticsAt(double x, double h)
+      : value_{.of_rise = x * x * x * (10.0 - x * (15.0 - 6.0 * x)),
+               .of_rate0 = h * x * (1.0 - x * x * (6.0 - x * (8.0 - 3.0 * x))),
+               .of_rate1 = -h * x * x * x * (4.0 - x * (7.0 - 3.0 * x)),
+               .of_second0 = 0.5 * h * h * x * x * (1.0 - x) * (1.0 - x) * (1.0 - x),
+               .of_second1 = 0.5 * h * h * x * x * x * (1.0 - x) * (1.0 - x)},
+        rate_{.of_rise = 30.0 * x * x * (1.0 - x) * (1.0 - x) / h,
+              .of_rate0 = 1.0 - x * x * (18.0 - x * (32.0 - 15.0 * x)),
+              .of_rate1 = -x * x * (12.0 - x * (28.0 - 15.0 * x)),
+              .of_second0 = 0.5 * h * x * (1.0 - x) * (1.0 - x) * (2.0 - 5.0 * x),
+              .of_second1 = 0.5 * h * x * x * (1.0 - x) * (3.0 - 5.0 * x)} {}
+
+  /// Of the quintic with these values, rates and their rates (per second, per second squared) at its ends.
+  [[nodiscard]] double value(double value0, double rate0, double second0, double value1, double rate1,
+                             double second1) const {
+    return value0 + value_.sum(value1 - value0, rate0, second0, rate1, second1);
+  }
+  /// Per second.
+  [[nodiscard]] double rate(double value0, double rate0, double second0, double value1, double rate1,
+                            double second1) const {
+    return rate_.sum(value1 - value0, rate0, second0, rate1, second1);
+  }
+
+ private:
+  struct Weights {
+    double of_rise, of_rate0, of_rate1, of_second0, of_second1;
+
+    [[nodiscard]] double sum(double rise, double rate0, double second0, double rate1, double second1) const {
+      return of_rise * rise + of_rate0 * rate0 + of_rate1 * rate1 + of_second0 * second0 + of_second1 * second1;
+    }
+  };
+  Weights value_, rate_;
+};
+
 }  // namespace moat

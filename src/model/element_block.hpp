@@ -150,6 +150,10 @@ class ElementBlock {
   virtual void start_energy_accounts() = 0;
   /// Energy account of an element since then. Throws std::logic_error where none was started.
   [[nodiscard]] virtual ElementEnergy energy(std::size_t element) const = 0;
+  /// Adds those of all elements.
+  virtual void add_energies(EnergySums& sums) const {
+    for (std::size_t e = 0; e < size(); ++e) sums.add(contacts() != nullptr, energy(e));
+  }
 
   /// Views that stay valid until elements are added.
   [[nodiscard]] virtual ElementResults results() const = 0;
@@ -175,11 +179,6 @@ class ElementBlock {
   if (const LawAsGiven* given = block.info(element).law_as_given()) return *given;
   if (const ElementLaws* laws = block.laws()) return {laws->law_name(element), laws->parameters(element)};
   return {"law of the script", {}};
-}
-
-/// Adds up the energies of a block's elements.
-inline void add_energies(const ElementBlock& block, EnergySums& sums) {
-  for (std::size_t e = 0; e < block.size(); ++e) sums.add(block.contacts() != nullptr, block.energy(e));
 }
 
 }  // namespace moat

@@ -102,7 +102,7 @@ EnergyBalance EnergyLedger::totals(const Model& model) const {
   balance.largest_kinetic = largest_kinetic_;
   balance.kinetic = kinetic_energy(model) - kinetic_at_start_;
   EnergySums sums;
-  for (const auto& block : model.blocks()) add_energies(*block, sums);
+  for (const auto& block : model.blocks()) block->add_energies(sums);
   balance.strain = sums.stored;
   balance.integration_error = sums.error;
   balance.viscous = sums.viscous;

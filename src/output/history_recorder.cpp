@@ -12,24 +12,25 @@ namespace moat {
 HistoryRecorder::HistoryRecorder(const Model& model, double interval, const EnergyLedger* ledger, bool inside_steps)
     : channels_{model}, interval_{interval}, ledger_{ledger}, inside_steps_{inside_steps}, in_plan_{model.is_plan()} {
   Check{"HistoryRecorder", ""}.positive("interval", interval, "s");
-  heads_.push_back({"time", "", "s", {}});
+  columns_.push_back({"time", "", "s", {}});
   if (in_plan_) {
-    heads_.push_back({"ground_acceleration_x", "ground", "m/s^2", {}});
-    heads_.push_back({"ground_acceleration_y", "ground", "m/s^2", {}});
+    columns_.push_back({"ground_acceleration_x", "ground", "m/s^2", {}});
+    columns_.push_back({"ground_acceleration_y", "ground", "m/s^2", {}});
   } else {
-    heads_.push_back({"ground_acceleration", "ground", "m/s^2", {}});
+    columns_.push_back({"ground_acceleration", "ground", "m/s^2", {}});
   }
-  for (const Channel& channel : channels_.list()) heads_.push_back({channel.quantity, channel.where, channel.unit, {}});
+  for (const Channel& channel : channels_.list())
+    columns_.push_back({channel.quantity, channel.where, channel.unit, {}});
   for (std::size_t b = 0; b < model.blocks().size(); ++b) {
     if (!has_gaps(*model.blocks()[b])) continue;
     for (std::size_t e = 0; e < model.blocks()[b]->size(); ++e) {
       gaps_.push_back({b, e});
-      heads_.push_back({"opening", model.blocks()[b]->info(e).name, "m", {}});
+      columns_.push_back({"opening", model.blocks()[b]->info(e).name, "m", {}});
     }
   }
   if (ledger_ != nullptr)
     for (const EnergyColumn& column : energy_columns(in_plan_))
-      heads_.push_back({std::string{column.name} + "_energy", "structure", "J", {}});
+      columns_.push_back({std::string{column.name} + "_energy", "structure", "J", {}});
 }
 
 void HistoryRecorder::add(const OfferedQuantities& quantities) {
@@ -37,10 +38,10 @@ void HistoryRecorder::add(const OfferedQuantities& quantities) {
   for (; offered_columns_ < quantities.list().size(); ++offered_columns_) {
     const OfferedQuantity& each = quantities.list()[offered_columns_];
     const bool is_new = std::ranges::none_of(
-        heads_, [&](const Column& head) { return head.quantity == each.quantity && head.where == each.where; });
+        columns_, [&](const Column& head) { return head.quantity == each.quantity && head.where == each.where; });
     Check{"QuantityRecorder", each.quantity}.that(
         is_new, "moat records a quantity of this name at \"" + each.where + "\" itself.", "Choose another name.");
-    heads_.push_back({each.quantity, each.where, each.unit, {}});
+    columns_.push_back({each.quantity, each.where, each.unit, {}});
   }
 }
 
@@ -75,7 +76,12 @@ void HistoryRecorder::event(const StepView& view, std::span<const RegimeChange> 
 void HistoryRecorder::take(const StepView& view, bool with_energies) {
   now_.time = view.model.state().time;
   now_.ground_acceleration = view.ground();
-  channels_.sample(view, now_.values, now_.rates);
+  if (sampled_ != nullptr) {
+    now_.values = sampled_->last().values;
+    now_.rates = sampled_->last().rates;
+  } else {
+    channels_.sample(view, now_.values, now_.rates);
+  }
   for (const auto& [b, e] : gaps_) {
     const ElementResults results = view.model.blocks()[b]->results();
     now_.values.push_back(-results.deformations[e]);
@@ -116,29 +122,20 @@ const HistoryRecorder::Sample& HistoryRecorder::between(const StepView& view, do
   return inside_;
 }
 
-void HistoryRecorder::add_row(const Sample& sample) {
-  if (pieces_.empty() || pieces_.back().size() == rows_per_piece * heads_.size()) {
-    pieces_.emplace_back();
-    pieces_.back().reserve(rows_per_piece * heads_.size());
-  }
-  std::vector<double>& piece = pieces_.back();
-  piece.push_back(sample.time);
-  piece.push_back(sample.ground_acceleration.x);
-  if (in_plan_) piece.push_back(sample.ground_acceleration.y);
-  piece.insert(piece.end(), sample.values.begin(), sample.values.end());
-  if (ledger_ != nullptr) piece.insert(piece.end(), sample.energies.begin(), sample.energies.end());
-  piece.insert(piece.end(), sample.offered.begin(), sample.offered.end());
+void HistoryRecorder::reserve(std::size_t rows) {
+  constexpr std::size_t most = std::size_t{1} << 23;  // numbers in all columns
+  for (Column& column : columns_) column.values.reserve(std::min(rows, most / columns_.size()));
 }
 
-Table HistoryRecorder::table() const {
-  Table table{heads_};
-  for (std::size_t i = 0; i < heads_.size(); ++i) {
-    std::vector<double>& values = table.columns[i].values;
-    if (!pieces_.empty()) values.reserve((pieces_.size() - 1) * rows_per_piece + pieces_.back().size() / heads_.size());
-    for (const std::vector<double>& piece : pieces_)
-      for (std::size_t k = i; k < piece.size(); k += heads_.size()) values.push_back(piece[k]);
-  }
-  return table;
+void HistoryRecorder::add_row(const Sample& sample) {
+  auto column = columns_.begin();
+  const auto add = [&](double value) { (column++)->values.push_back(value); };
+  add(sample.time);
+  add(sample.ground_acceleration.x);
+  if (in_plan_) add(sample.ground_acceleration.y);
+  std::ranges::for_each(sample.values, add);
+  if (ledger_ != nullptr) std::ranges::for_each(sample.energies, add);
+  std::ranges::for_each(sample.offered, add);
 }
 
 }  // namespace moat

@@ -7,6 +7,7 @@
 #include "output/channels.hpp"
 #include "output/energy_ledger.hpp"
 #include "output/offered_quantities.hpp"
+#include "output/peak_recorder.hpp"
 #include "output/table.hpp"
 
 namespace moat {
@@ -30,8 +31,16 @@ class HistoryRecorder final : public StepObserver {
   /// listed since. Throws InputError for one that has a column already.
   void add(const OfferedQuantities& quantities);
 
+  /// Before the start: channels are those that these peaks sample, which must outlive the recorder and be attached
+  /// before it. Otherwise they are sampled a second time.
+  void share_samples_of(const PeakRecorder& peaks) { sampled_ = &peaks; }
+  /// Before the start: so many rows are expected. More may come; room is kept for up to 64 MB of them.
+  void reserve(std::size_t rows);
+
   /// All columns, from the start to the last recorded time.
-  [[nodiscard]] Table table() const;
+  [[nodiscard]] Table table() const { return {columns_}; }
+  /// The same, which the recorder then no longer has.
+  [[nodiscard]] Table take_table() { return {std::move(columns_)}; }
 
  private:
   // Everything at one instant.
@@ -52,14 +61,12 @@ class HistoryRecorder final : public StepObserver {
   const EnergyLedger* ledger_;
   bool inside_steps_;
   bool in_plan_;
+  const PeakRecorder* sampled_ = nullptr;
   const OfferedQuantities* offered_ = nullptr;
   std::size_t offered_columns_ = 0;
   long next_ = 0;  // multiple of the interval
   Sample before_, now_, inside_;
-  std::vector<Column> heads_;  // without values
-  // Rows one after the other, in pieces, so that a long history is not copied while it grows.
-  static constexpr std::size_t rows_per_piece = 256;
-  std::vector<std::vector<double>> pieces_;
+  std::vector<Column> columns_;
 };
 
 }  // namespace moat

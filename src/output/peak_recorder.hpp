@@ -22,6 +22,8 @@ class PeakRecorder final : public StepObserver {
   void step(const StepView& view) override;
   void event(const StepView& view, std::span<const RegimeChange> changes) override;
 
+  /// All channels at the end of the last step, or just after an event behind which they jumped.
+  [[nodiscard]] const CommonInstant& last() const { return peaks_.last(); }
   /// One for every channel that has a peak.
   [[nodiscard]] std::vector<Peak> peaks() const;
 

@@ -130,8 +130,11 @@ TEST(FailingStep, WhatWasComputedBeforeIsKept) {
   Model model = pulling(Brittle{});
   CaseRun run{model, still_ground(1 * s), {.title = "fails", .transient = {.step = 10 * ms}}};
   const ConvergenceError error = failure_of(run);
-  const CaseResult result = run.result();
+  const CaseResult copied = run.result(), result = run.take_result();
   EXPECT_EQ(result.title, "fails");
+  ASSERT_EQ(copied.histories.columns.size(), result.histories.columns.size());
+  for (std::size_t i = 0; i < result.histories.columns.size(); ++i)
+    EXPECT_EQ(copied.histories.columns[i].values, result.histories.columns[i].values);
   ASSERT_FALSE(result.histories.columns.empty());
   const auto& times = result.histories.columns.front().values;
   ASSERT_GE(times.size(), 5u);

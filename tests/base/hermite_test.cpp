@@ -25,5 +25,38 @@ TEST(HermiteCubic, ManyAtOnePlaceAreTheSame) {
                 value(start + x * h), 1e-14 * value(start + h));
 }
 
+// A quintic with its first two derivatives.
+double quintic(double t) { return value(t) + t * t * t * t * (2.0 - 3.0 * t); }
+double quintic_rate(double t) { return rate(t) + t * t * t * (8.0 - 15.0 * t); }
+double quintic_second_rate(double t) { return 1.0 + 42.0 * t + t * t * (24.0 - 60.0 * t); }
+
+TEST(HermiteQuintic, IsTheQuinticThroughItsEnds) {
+  constexpr double end = start + h;
+  const HermiteQuintic path{quintic(start),
+                            quintic_rate(start),
+                            quintic_second_rate(start),
+                            quintic(end),
+                            quintic_rate(end),
+                            quintic_second_rate(end),
+                            h};
+  for (const double x : {0.0, 0.1, 0.5, 0.9, 1.0}) {
+    EXPECT_NEAR(path.value(x), quintic(start + x * h), 1e-13);
+    EXPECT_NEAR(path.rate(x), quintic_rate(start + x * h), 1e-12);
+  }
+}
+
+TEST(HermiteQuintic, ManyAtOnePlaceAreTheSame) {
+  constexpr double end = start + h;
+  for (const double x : {0.0, 0.1, 0.5, 0.9, 1.0}) {
+    const HermiteQuinticsAt quintics{x, h};
+    EXPECT_NEAR(quintics.value(quintic(start), quintic_rate(start), quintic_second_rate(start), quintic(end),
+                               quintic_rate(end), quintic_second_rate(end)),
+                quintic(start + x * h), 1e-13);
+    EXPECT_NEAR(quintics.rate(quintic(start), quintic_rate(start), quintic_second_rate(start), quintic(end),
+                              quintic_rate(end), quintic_second_rate(end)),
+                quintic_rate(start + x * h), 1e-12);
+  }
+}
+
 }  // namespace
 }  // namespace moat

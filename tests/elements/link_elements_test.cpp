@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <stdexcept>
+
 #include "elements/lead_rubber_bearing.hpp"
 #include "elements/shear_spring.hpp"
 #include "elements/viscous_damper.hpp"
@@ -112,6 +114,37 @@ TEST(LinkElements, OfOneModelActTogether) {
   expect_exact_tangent(nodes, 0.03, 0.035, 0.2, -0.1, 1e-4);
   expect_action_is_reaction(nodes);
   expect_rollback(nodes, 0.03, 0.035, 0.2, -0.1);
+}
+
+TEST(LinkElements, TheEnergiesOfABlockAreTheSumOfThoseOfItsElements) {
+  TwoNodes nodes;
+  ShearSpring second = spring(ground, nodes.a);
+  second.name = "storey 0";
+  add(nodes.model, spring(nodes.a, nodes.b));
+  add(nodes.model, second);
+  add(nodes.model, damper(nodes.a, nodes.b));
+  add(nodes.model, bearing(ground, nodes.b));
+  nodes.start();
+  EnergySums none;
+  EXPECT_THROW(nodes.model.blocks()[0]->add_energies(none), std::logic_error) << "no accounts";
+  nodes.model.start_energy_accounts();
+  for (const double u : {0.01, 0.03, -0.02}) {
+    nodes.move(u, 2.0 * u, 0.1, 0.4);
+    nodes.model.trial().time += 0.1;
+    nodes.model.evaluate_rates();
+    nodes.model.commit(u > 0.02 ? WorkRule::mean_force : WorkRule::quadrature);
+  }
+  for (const auto& block : nodes.model.blocks()) {
+    EnergySums expected, found;
+    for (std::size_t e = 0; e < block->size(); ++e) expected.add(false, block->energy(e));
+    block->add_energies(found);
+    EXPECT_EQ(found.work, expected.work);
+    EXPECT_EQ(found.stored, expected.stored);
+    EXPECT_EQ(found.viscous, expected.viscous);
+    EXPECT_EQ(found.hysteretic, expected.hysteretic);
+    EXPECT_EQ(found.error, expected.error);
+    EXPECT_NE(found.work, 0.0);
+  }
 }
 
 TEST(LinkElements, OfACopiedModelAreIndependent) {

@@ -83,6 +83,41 @@ TEST(HistoryRecorder, StartsWhereTheModelIs) {
   EXPECT_EQ(recorded_times(0.5, {7.3, 7.5, 7.9, 8.1}), (std::vector<double>{7.5, 8.0}));
 }
 
+TEST(HistoryRecorder, SharesTheSamplesOfPeaks) {
+  HandMovedBuilding building;
+  PeakRecorder peaks{building.model};
+  HistoryRecorder own{building.model, 0.1}, sharing{building.model, 0.1};
+  sharing.share_samples_of(peaks);
+  const std::vector<StepObserver*> observers{&peaks, &own, &sharing};
+  const StepView at_start = building.move(0.0, 0.0, 0.01);
+  for (StepObserver* observer : observers) observer->start(at_start);
+  const StepView touch = building.move(0.17, 0.1, 0.02, -3.0, 2.0, 1.0);
+  for (StepObserver* observer : observers) observer->step(touch);
+  // The force jumps here, and the accelerations with it.
+  const std::vector<RegimeChange> changes{{.touched = true}};
+  const StepView behind = building.move(0.17, 0.1, 0.02, -7.0, 2.0, 1.0);
+  for (StepObserver* observer : observers) observer->event(behind, changes);
+  const StepView at_end = building.move(0.32, 0.12, 0.05, -5.0, 1.0);
+  for (StepObserver* observer : observers) observer->step(at_end);
+  const Table expected = own.table(), found = sharing.table();
+  ASSERT_EQ(found.rows(), 4u);
+  ASSERT_EQ(found.columns.size(), expected.columns.size());
+  for (std::size_t i = 0; i < found.columns.size(); ++i)
+    EXPECT_EQ(found.columns[i].values, expected.columns[i].values) << found.columns[i].quantity;
+}
+
+TEST(HistoryRecorder, HasMoreRowsThanExpected) {
+  HandMovedBuilding building;
+  HistoryRecorder recorder{building.model, 0.1};
+  recorder.reserve(3);
+  recorder.start(building.move(0.0, 0.0, 0.01));
+  recorder.step(building.move(1.0, 0.0, 0.01));
+  EXPECT_EQ(recorder.table().rows(), 11u);
+  const Table taken = recorder.take_table();
+  EXPECT_EQ(taken.rows(), 11u);
+  require_equal_lengths(taken);
+}
+
 TEST(HistoryRecorder, HasAColumnForTimeGroundAndEveryChannel) {
   HandMovedBuilding building;
   HistoryRecorder recorder{building.model, 0.1};
