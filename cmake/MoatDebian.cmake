@@ -56,7 +56,7 @@ set(CPACK_DEBIAN_PACKAGE_SECTION science)
 # tests/package compares with those that the programs name.
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS OFF)
 set(_depends g++ ninja-build libeigen3-dev libjs-dygraphs "libc6 (>= 2.36)" libgcc-s1 "libstdc++6 (>= 12)" libcamd2 libklu1
-  libsqlite3-0 libssl3 libtrilinos-nox-13.2 libtrilinos-teuchos-13.2)
+  libmd0 libsqlite3-0 libtrilinos-nox-13.2 libtrilinos-teuchos-13.2)
 if(MOAT_MPI)
   list(APPEND _depends libopenmpi3)
 endif()

@@ -16,7 +16,8 @@
 
 namespace moat {
 
-void write_results(const CaseResult& result, const std::filesystem::path& folder, const WritingProgress& progress) {
+void write_results(const CaseResult& result, const std::filesystem::path& folder, const WritingProgress& progress,
+                   const std::function<void()>& wait_for_others) {
   constexpr double parts = 6.0;
   double done = 0.0;
   const auto written = [&](const std::string& part) {
@@ -38,7 +39,7 @@ void write_results(const CaseResult& result, const std::filesystem::path& folder
   written("charts");
   histories.get();
   written(results_file::histories_csv);
-  // Last: a folder with a summary is complete.
+  if (wait_for_others) wait_for_others();
   write_summary_json(result, folder / results_file::summary);
   written(results_file::summary);
 }

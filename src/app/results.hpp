@@ -12,9 +12,11 @@ namespace moat {
 /// Called when so many of `all` parts of the results are written, with the name of the last one.
 using WritingProgress = std::function<void(double done, double all, const std::string& written)>;
 
-/// Writes summary.json, histories.csv, histories.vtt, impacts.csv, charts.svg, single charts and report.html into the
-/// folder. Throws FileError where a file cannot be written.
-void write_results(const CaseResult& result, const std::filesystem::path& folder, const WritingProgress& progress = {});
+/// Writes histories.csv, histories.vtt, impacts.csv, charts.svg, single charts, report.html, and at last summary.json
+/// into the folder: one with a summary is complete. wait_for_others: called before the summary, until files that others
+/// write are there. Throws FileError where a file cannot be written, and as wait_for_others does.
+void write_results(const CaseResult& result, const std::filesystem::path& folder, const WritingProgress& progress = {},
+                   const std::function<void()>& wait_for_others = {});
 
 /// Periods, peaks, clearances, energy, number of impacts and cost, for the terminal.
 std::string terminal_summary(const CaseResult& result);

@@ -38,7 +38,7 @@ namespace {
   std::_Exit(exit_error);
 }
 
-// Frames whose files may still be written while bodies and the second run are computed.
+// Frames whose files may still be written while bodies and the second run are computed, and while results are written.
 class FramesOfScript final : public StepObserver {
  public:
   FramesOfScript(const Model& model, const std::filesystem::path& folder, double interval)
@@ -167,14 +167,35 @@ int Script::run(Model& model, const GroundMotion& motion, const TransientOptions
                .error_bars = options.check ? ErrorBarMode::always : ErrorBarMode::automatic}};
   for (StepObserver* observer : parts_->observers) run.attach(*observer);
   ResultsFolder folder{options.folder, options.force ? WhenFolderExists::overwrite : WhenFolderExists::use_new_number};
-  const Outcome outcome = compute(run, model, options, folder);
+  std::optional<FramesOfScript> frames;
+  if (options.frame_interval.si() != 0.0) run.attach(frames.emplace(model, folder.path(), options.frame_interval.si()));
+  Outcome outcome = compute(run, options);
   // Small results are written before a bar could be seen.
   constexpr double many_numbers = 2e6;
   const Table& histories = outcome.result.histories;
   const bool takes_time =
       static_cast<double>(histories.columns.size()) * static_cast<double>(histories.rows()) > many_numbers;
-  write_results(outcome.result, folder.path(),
-                takes_time && !options.quiet ? WritingProgress{ProgressBar{"writing", "parts"}} : WritingProgress{});
+  const auto write = [&](const std::function<void()>& wait_for_others) {
+    write_results(outcome.result, folder.path(),
+                  takes_time && !options.quiet ? WritingProgress{ProgressBar{"writing", "parts"}} : WritingProgress{},
+                  wait_for_others);
+  };
+  std::string failure_of_frames;
+  const auto wait_for_frames = [&] {
+    try {
+      if (frames) frames->wait();
+    } catch (const FileError& error) {
+      failure_of_frames = error.what();
+    }
+  };
+  write(wait_for_frames);
+  // A run that failed has its reason already.
+  if (!failure_of_frames.empty() && outcome.failure.empty()) {
+    outcome.failure = failure_of_frames;
+    outcome.exit_code = exit_error;
+    outcome.result.warnings.insert(outcome.result.warnings.begin(), "The frames are incomplete: " + outcome.failure);
+    write({});
+  }
   const std::filesystem::path wanted = folder.final_path();
   const bool beside_old = !outcome.failure.empty() && folder.finish_incomplete();
   folder.finish();
@@ -216,10 +237,7 @@ std::optional<int> Script::read_options(const GroundMotion& motion, RunOptions& 
   return std::nullopt;
 }
 
-Script::Outcome Script::compute(CaseRun& run, const Model& model, const RunOptions& options,
-                                const ResultsFolder& folder) {
-  std::optional<FramesOfScript> frames;
-  if (options.frame_interval.si() != 0.0) run.attach(frames.emplace(model, folder.path(), options.frame_interval.si()));
+Script::Outcome Script::compute(CaseRun& run, const RunOptions& options) {
   std::optional<ProgressObserver> progress, progress_of_bodies, progress_of_check;
   if (!options.quiet) {
     std::cout << parts_->line.title() << "\n" << run.transient().motion().description() << "\n" << std::flush;
@@ -233,7 +251,6 @@ Script::Outcome Script::compute(CaseRun& run, const Model& model, const RunOptio
   run.stop_when([] { return StopSignals::received() != 0; });
   try {
     run.run();
-    if (frames) frames->wait();
     if (run.stopped()) {
       outcome.failure = std::string{StopSignals::name()} + ". To compute the whole: " + parts_->origin.command_line;
       outcome.exit_code = StopSignals::exit_code();

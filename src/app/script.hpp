@@ -144,7 +144,7 @@ class Script {
   struct Outcome;
   // The exit code, if there is nothing to compute.
   std::optional<int> read_options(const GroundMotion& motion, RunOptions& options);
-  Outcome compute(CaseRun& run, const Model& model, const RunOptions& options, const ResultsFolder& folder);
+  Outcome compute(CaseRun& run, const RunOptions& options);
   static int print(const Outcome& outcome, const RunOptions& options, const std::filesystem::path& folder);
   ScriptStudy& study_parts();
   ScriptStudy& studies_done();

@@ -1,8 +1,9 @@
 #include "base/sha256.hpp"
 
-#include <openssl/evp.h>
+#include <sha2.h>
 
 #include <array>
+#include <cstdint>
 #include <fstream>
 #include <iterator>
 #include <stdexcept>
@@ -10,17 +11,10 @@
 namespace moat {
 
 std::string sha256_of(std::string_view bytes) {
-  std::array<unsigned char, EVP_MAX_MD_SIZE> digest;
-  unsigned int length = 0;
-  if (EVP_Digest(bytes.data(), bytes.size(), digest.data(), &length, EVP_sha256(), nullptr) != 1)
-    throw std::runtime_error{"OpenSSL could not compute a SHA-256."};
-  constexpr std::string_view digits = "0123456789abcdef";
-  std::string text;
-  for (std::size_t i = 0; i < length; ++i) {
-    text += digits[digest[i] / 16];
-    text += digits[digest[i] % 16];
-  }
-  return text;
+  std::array<char, SHA256_DIGEST_STRING_LENGTH> digits;
+  if (SHA256Data(reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size(), digits.data()) == nullptr)
+    throw std::runtime_error{"libmd could not compute a SHA-256."};
+  return digits.data();
 }
 
 std::optional<std::string> sha256_of_file(const std::filesystem::path& path) {

@@ -7,6 +7,7 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <cstdlib>
 
 #include "launcher/stop.hpp"
 
@@ -78,9 +79,12 @@ Output output_of(const Command& command) {
   return output;
 }
 
+void prefer_large_pages() { ::setenv("GLIBC_TUNABLES", "glibc.malloc.hugetlb=1", 0); }
+
 int become(const std::filesystem::path& program, const std::string& name, const std::vector<std::string>& arguments) {
   std::vector<std::string> words{name};
   words.insert(words.end(), arguments.begin(), arguments.end());
+  prefer_large_pages();
   ::execv(program.c_str(), argument_list(words).data());
   return errno;
 }

@@ -23,7 +23,11 @@ struct Output {
 /// As run(), with no input, keeps standard output and drops standard error.
 Output output_of(const Command& command);
 
-/// Replaces the launcher by a program, called `name`. Returns errno where that fails.
+/// From now on programs take memory in large pages where the system offers them: a new small page costs a script more
+/// than filling it. A setting of the user stays.
+void prefer_large_pages();
+
+/// Replaces the launcher by a program, with large pages, called `name`. Returns errno where that fails.
 int become(const std::filesystem::path& program, const std::string& name, const std::vector<std::string>& arguments);
 
 }  // namespace moat::launcher

@@ -43,8 +43,10 @@ std::string take_ranks(std::vector<std::string>& words) {
 
 /// The job of Open MPI that runs the program on this number of ranks. In a job of Slurm its nodes are used.
 int run_ranks(const std::string& ranks, const fs::path& program, const std::vector<std::string>& options) {
-  Command job{"mpirun", "-n",          ranks, "--oversubscribe", "--bind-to", "none",
-              "-x",     "MOAT_SCRIPT", "-x",  "MOAT_LAUNCHER"};
+  prefer_large_pages();
+  Command job{"mpirun", "-n", ranks, "--oversubscribe", "--bind-to", "none"};
+  for (const char* variable : {"MOAT_SCRIPT", "MOAT_LAUNCHER", "GLIBC_TUNABLES"})
+    job.insert(job.end(), {"-x", variable});
   if (::geteuid() == 0) job.emplace_back("--allow-run-as-root");
   job.push_back(program);
   job.insert(job.end(), options.begin(), options.end());

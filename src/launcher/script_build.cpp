@@ -71,16 +71,21 @@ ScriptBuild::ScriptBuild(const Places& places, const fs::path& typed)
 }
 
 bool ScriptBuild::is_newer_than_its_files(const fs::path& precompiled_header) const {
-  // The first line says whether Ninja finished this very program: "program: #deps 3, deps mtime 1700000000 (VALID)".
-  const std::vector<std::string> lines = lines_of(output_of({MOAT_NINJA, "-C", folder_, "-t", "deps", "program"}).text);
-  if (lines.empty() || !lines.front().ends_with("(VALID)")) return false;
   std::vector<fs::path> files{script_};
   if (!precompiled_header.empty()) files.push_back(precompiled_header);
-  for (const std::string& line : lines)
-    if (line.starts_with("    ")) files.emplace_back(line.substr(4));
+  const std::vector<std::string> included = lines_of(text_of(list_of_files()));
+  files.insert(files.end(), included.begin(), included.end());
   std::error_code missing;
-  return fs::file_size(program(), missing) > 0 && !missing &&
+  return !included.empty() && fs::file_size(program(), missing) > 0 && !missing &&
          std::ranges::none_of(files, [&](const fs::path& file) { return changed_after(file, program()); });
+}
+
+void ScriptBuild::keep_list_of_files() const {
+  // "program: #deps 3, deps mtime 1700000000 (VALID)", and behind it one indented line for each file.
+  std::string files;
+  for (const std::string& line : lines_of(output_of({MOAT_NINJA, "-C", folder_, "-t", "deps", "program"}).text))
+    if (line.starts_with("    ")) files += line.substr(4) + "\n";
+  write_text(list_of_files(), files);
 }
 
 void ScriptBuild::bring_up_to_date() const {
@@ -99,9 +104,11 @@ void ScriptBuild::bring_up_to_date() const {
   if (words_now == words_before && is_newer_than_its_files(rule.precompiled_header)) return;
   // Ninja compares dates of writing, which moving and copying a file keep: without a program it must build.
   fs::remove(program());
+  fs::remove(list_of_files());
   fs::remove(folder_ / "diagnostics");
   const int code = phase(places_.logs(), "compile", typed_.filename().string(), {MOAT_NINJA, "-C", folder_, "program"});
   if (code != 0) fail();
+  keep_list_of_files();
   if (!fs::exists(folder_ / "diagnostics")) return;
   std::fputs(replaced(text_of(folder_ / "diagnostics"), script_.string(), typed_.string()).c_str(),
              stderr);  // warnings

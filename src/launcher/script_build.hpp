@@ -41,6 +41,10 @@ class ScriptBuild {
  private:
   // Whether the program is whole and no file that it was made of has changed since.
   [[nodiscard]] bool is_newer_than_its_files(const std::filesystem::path& precompiled_header) const;
+  // The files that a program was made of. It exists where the compilation came to its end, and saves the next start a
+  // call of Ninja.
+  [[nodiscard]] std::filesystem::path list_of_files() const { return folder_ / "files"; }
+  void keep_list_of_files() const;
   [[noreturn]] void fail() const;
 
   Places places_;

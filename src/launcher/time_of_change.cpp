@@ -19,9 +19,10 @@ bool changed_after(const std::filesystem::path& file, const std::filesystem::pat
   return is_later(status_of(file).st_ctim, status_of(other).st_ctim);
 }
 
-bool changed_since_written(const std::filesystem::path& file, const std::filesystem::path& stamp) {
-  const timespec written = status_of(stamp).st_mtim;
-  return written.tv_sec == 0 || !is_later(written, status_of(file).st_ctim);
+timespec time_of_writing(const std::filesystem::path& file) { return status_of(file).st_mtim; }
+
+bool changed_since(const std::filesystem::path& file, timespec instant) {
+  return instant.tv_sec == 0 || !is_later(instant, status_of(file).st_ctim);
 }
 
 }  // namespace moat::launcher

@@ -290,6 +290,22 @@ TEST_F(ScriptRun, NoFramesWithoutAnInterval) {
   EXPECT_FALSE(exists("results/01_moat_wall/frames.pvd"));
 }
 
+TEST_F(ScriptRun, FramesThatCannotBeWrittenAreAnErrorAndTheOtherResultsStay) {
+  ASSERT_EQ(tour({"--end", "0.5 s", "--quiet"}).exit_code, 0);
+  // New results are written to this folder until they are complete.
+  std::filesystem::create_directories(folder / "results/01_moat_wall.new/frames/frame_000003.vtu");
+  const ProgramResult result = tour({"--end", "0.5 s", "--force"});
+  EXPECT_EQ(result.exit_code, 1);
+  EXPECT_NE(result.errors.find("moat: error: results/01_moat_wall.new/frames/frame_000003.vtu"), std::string::npos)
+      << result.errors;
+  EXPECT_NE(result.errors.find("The old results in results/01_moat_wall stay"), std::string::npos) << result.errors;
+  const json summary = json::parse(text_of(folder / "results/01_moat_wall_2/summary.json"));
+  const std::string warning = summary.at("warnings").at(0).get<std::string>();
+  EXPECT_TRUE(warning.starts_with("The frames are incomplete: ")) << warning;
+  EXPECT_NE(text_of(folder / "results/01_moat_wall_2/report.html").find("The frames are incomplete: "),
+            std::string::npos);
+}
+
 TEST_F(ScriptRun, BadParametersOfTheModelAreOneMessage) {
   const ProgramResult result = tour({"--gap", "-5 cm"});
   EXPECT_EQ(result.exit_code, 1);

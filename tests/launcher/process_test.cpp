@@ -1,6 +1,12 @@
 #include "launcher/process.hpp"
 
 #include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdlib>
+#include <filesystem>
 
 #include "launcher/text.hpp"
 #include "run_program.hpp"
@@ -8,6 +14,7 @@
 namespace moat::launcher {
 namespace {
 
+namespace fs = std::filesystem;
 using Process = moat::testing::InTemporaryFolder;
 
 TEST_F(Process, GivesTheExitCode) {
@@ -26,6 +33,34 @@ TEST_F(Process, KeepsStandardOutput) {
   const Output output = output_of({"sh", "-c", "echo 'a  b'; echo no >&2; exit 3"});
   EXPECT_EQ(output.text, "a  b\n");
   EXPECT_EQ(output.exit_code, 3);
+}
+
+// A program of this test that became another one.
+Output became(const std::string& script) {
+  const fs::path file = fs::temp_directory_path() / ("moat_became_" + std::to_string(::getpid()));
+  const pid_t child = ::fork();
+  if (child == 0) {
+    become("/bin/sh", "name of it", {"-c", script + " >'" + file.string() + "'"});
+    std::_Exit(127);
+  }
+  int status = 0;
+  ::waitpid(child, &status, 0);
+  Output output{.exit_code = WEXITSTATUS(status), .text = text_of(file)};
+  fs::remove(file);
+  return output;
+}
+
+TEST(Becoming, GivesTheExitCodeOfTheProgram) {
+  EXPECT_EQ(became("exit 4").exit_code, 4);
+  EXPECT_EQ(become("/no/such/program", "x", {}), ENOENT);
+}
+
+TEST(Becoming, AsksForLargePagesUnlessTheUserSetThem) {
+  ::unsetenv("GLIBC_TUNABLES");
+  EXPECT_EQ(became("printf %s \"$GLIBC_TUNABLES\"").text, "glibc.malloc.hugetlb=1");
+  ::setenv("GLIBC_TUNABLES", "glibc.malloc.check=0", 1);
+  EXPECT_EQ(became("printf %s \"$GLIBC_TUNABLES\"").text, "glibc.malloc.check=0");
+  ::unsetenv("GLIBC_TUNABLES");
 }
 
 }  // namespace

@@ -106,6 +106,16 @@ TEST_F(ScriptBuildTest, CompilesAnEmptyProgramAgain) {
   EXPECT_EQ(output_of_program(built(script)), "hello\n");
 }
 
+// As a compilation leaves it that was killed behind its last write.
+TEST_F(ScriptBuildTest, CompilesAgainWithoutTheListOfFiles) {
+  const ScriptBuild script{places, write_script("tower.cpp", "hello")};
+  const auto before = identity(built(script));
+  fs::remove(script.program().parent_path() / "files");
+  EXPECT_NE(identity(built(script)), before);
+  const auto after = identity(script.program());
+  EXPECT_EQ(identity(built(script)), after);
+}
+
 TEST_F(ScriptBuildTest, RebuildsADamagedProgramWhenAsked) {
   const ScriptBuild script{places, write_script("tower.cpp", "hello")};
   write_text(built(script), "no program");
