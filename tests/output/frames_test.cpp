@@ -10,8 +10,16 @@
 #include <vtkUnstructuredGrid.h>
 #include <vtkXMLUnstructuredGridReader.h>
 
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
 #include <array>
+#include <chrono>
 #include <cmath>
+#include <csignal>
+#include <string>
+#include <thread>
 #include <vector>
 
 #include "analyses/transient.hpp"
@@ -151,33 +159,48 @@ TEST_F(Frames, ReadBackUnchanged) {
   EXPECT_EQ(names->GetValue(static_cast<int>(CellKind::other)), "other");
 }
 
-TEST_F(Frames, CollectionIsCompleteAtAnyTime) {
+// The frames that frames.pvd lists, whose files must exist, at the times 0, 0.1, 0.2, ... s.
+int listed_frames(const fs::path& folder) {
+  const auto root = parse_xml(read_file(folder / "frames.pvd"));
+  if (root == nullptr) throw Error{"frames.pvd is not XML"};
+  EXPECT_STREQ(root->GetName(), "VTKFile");
+  EXPECT_STREQ(root->GetAttribute("type"), "Collection");
+  vtkXMLDataElement* list = root->FindNestedElementWithName("Collection");
+  const int listed = list->GetNumberOfNestedElements();
+  for (int i = 0; i < listed; ++i) {
+    vtkXMLDataElement* entry = list->GetNestedElement(i);
+    EXPECT_EQ(std::stod(entry->GetAttribute("timestep")), 0.1 * i);
+    EXPECT_TRUE(fs::exists(folder / entry->GetAttribute("file"))) << entry->GetAttribute("file");
+  }
+  return listed;
+}
+
+TEST_F(Frames, CollectionListsEveryFrame) {
   const Values values;
   FrameWriter writer{folder, small_scene()};
-  constexpr int frames = 12;
-  for (int written = 0; written <= frames; ++written) {
-    if (written < frames)
-      writer.write(0.1 * written, values.data());
-    else
-      writer.finish();
-    // Read while the writer exists: the same files remain if the run is killed now.
-    const auto root = parse_xml(read_file(folder / "frames.pvd"));
-    ASSERT_NE(root, nullptr) << written;
-    ASSERT_STREQ(root->GetName(), "VTKFile");
-    EXPECT_STREQ(root->GetAttribute("type"), "Collection");
-    vtkXMLDataElement* list = root->FindNestedElementWithName("Collection");
-    ASSERT_NE(list, nullptr);
-    const int listed = list->GetNumberOfNestedElements();
-    if (written < frames)
-      ASSERT_LE(listed, written + 1);
-    else
-      ASSERT_EQ(listed, frames);
-    for (int i = 0; i < listed; ++i) {
-      vtkXMLDataElement* entry = list->GetNestedElement(i);
-      EXPECT_EQ(std::stod(entry->GetAttribute("timestep")), 0.1 * i);
-      EXPECT_TRUE(fs::exists(folder / entry->GetAttribute("file"))) << entry->GetAttribute("file");
+  for (int i = 0; i < 12; ++i) writer.write(0.1 * i, values.data());
+  writer.finish();
+  EXPECT_EQ(listed_frames(folder), 12);
+}
+
+TEST_F(Frames, CollectionIsCompleteWhereTheRunIsKilled) {
+  int most = 0;
+  for (int i = 0; i < 20; ++i) {
+    const fs::path run = folder / std::to_string(i);
+    fs::create_directories(run);
+    const pid_t child = ::fork();
+    if (child == 0) {
+      const Values values;
+      FrameWriter writer{run, small_scene()};
+      for (int frame = 0;; ++frame) writer.write(0.1 * frame, values.data());
     }
+    while (!fs::exists(run / "moat.py")) std::this_thread::yield();  // the last file that is made before the frames
+    std::this_thread::sleep_for(std::chrono::milliseconds{i});
+    ::kill(child, SIGKILL);
+    ::waitpid(child, nullptr, 0);
+    most = std::max(most, listed_frames(run));
   }
+  EXPECT_GT(most, 10);
 }
 
 TEST_F(Frames, AFileThatCannotBeWrittenIsAnErrorOfFinish) {
