@@ -7,7 +7,6 @@
 #include "analyses/case_warnings.hpp"
 #include "analyses/periods.hpp"
 #include "analyses/torsion.hpp"
-#include "analyses/transient_setup.hpp"
 #include "analyses/transient_texts.hpp"
 #include "base/check.hpp"
 #include "base/error.hpp"
@@ -153,10 +152,7 @@ CaseRun::CaseRun(Model& model, const GroundMotion& motion, CaseOptions options)
                  !rows_at_steps(history_interval(options_, motion),
                                 longest_step_of_any(options_.transient, motion.time_step()))} {
   histories_.share_samples_of(peaks_);
-  constexpr double most_rows = 1e6;
-  const double duration = end_of(options_.transient, model, motion) - model.state().time;
-  histories_.reserve(
-      static_cast<std::size_t>(std::min(duration / history_interval(options_, motion) + 2.0, most_rows)));
+  histories_.reserve(transient_.end_time() - model.state().time);
 }
 
 void CaseRun::attach(StepObserver& observer) {

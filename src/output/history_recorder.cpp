@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "base/check.hpp"
 #include "base/hermite.hpp"
@@ -122,9 +123,17 @@ const HistoryRecorder::Sample& HistoryRecorder::between(const StepView& view, do
   return inside_;
 }
 
-void HistoryRecorder::reserve(std::size_t rows) {
-  constexpr std::size_t most = std::size_t{1} << 23;  // numbers in all columns
-  for (Column& column : columns_) column.values.reserve(std::min(rows, most / columns_.size()));
+void HistoryRecorder::reserve(double duration) {
+  constexpr double most = 1 << 23;  // numbers in all columns
+  const double rows = std::min(duration / interval_ + 2.0, most / static_cast<double>(columns_.size()));
+  for (Column& column : columns_) column.values.reserve(static_cast<std::size_t>(rows));
+}
+
+Table HistoryRecorder::take_table() {
+  Table taken;
+  for (Column& column : columns_)
+    taken.columns.push_back({column.quantity, column.where, column.unit, std::exchange(column.values, {})});
+  return taken;
 }
 
 void HistoryRecorder::add_row(const Sample& sample) {

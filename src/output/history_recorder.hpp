@@ -34,13 +34,13 @@ class HistoryRecorder final : public StepObserver {
   /// Before the start: channels are those that these peaks sample, which must outlive the recorder and be attached
   /// before it. Otherwise they are sampled a second time.
   void share_samples_of(const PeakRecorder& peaks) { sampled_ = &peaks; }
-  /// Before the start: so many rows are expected. More may come; room is kept for up to 64 MB of them.
-  void reserve(std::size_t rows);
+  /// Before the start: room for the rows of so many seconds, up to 64 MB. More may come.
+  void reserve(double duration);
 
   /// All columns, from the start to the last recorded time.
   [[nodiscard]] Table table() const { return {columns_}; }
-  /// The same, which the recorder then no longer has.
-  [[nodiscard]] Table take_table() { return {std::move(columns_)}; }
+  /// The same, whose rows the recorder then no longer has.
+  [[nodiscard]] Table take_table();
 
  private:
   // Everything at one instant.

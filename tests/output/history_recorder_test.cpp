@@ -109,13 +109,17 @@ TEST(HistoryRecorder, SharesTheSamplesOfPeaks) {
 TEST(HistoryRecorder, HasMoreRowsThanExpected) {
   HandMovedBuilding building;
   HistoryRecorder recorder{building.model, 0.1};
-  recorder.reserve(3);
+  recorder.reserve(0.2);
   recorder.start(building.move(0.0, 0.0, 0.01));
   recorder.step(building.move(1.0, 0.0, 0.01));
   EXPECT_EQ(recorder.table().rows(), 11u);
   const Table taken = recorder.take_table();
   EXPECT_EQ(taken.rows(), 11u);
   require_equal_lengths(taken);
+  // It goes on with the rows behind those.
+  recorder.step(building.move(1.1, 0.0, 0.01));
+  EXPECT_EQ(recorder.table().columns.front().values, std::vector<double>{11 * 0.1});
+  EXPECT_EQ(recorder.table().columns.size(), taken.columns.size());
 }
 
 TEST(HistoryRecorder, HasAColumnForTimeGroundAndEveryChannel) {
