@@ -6,9 +6,11 @@
 
 namespace moat {
 
-void CollapseGuard::look(const Model& model) {
+void CollapseGuard::look(Model& model) {
   // A deformation is a difference of two displacements, if not one of them.
-  if (model.state().displacement.cwiseAbs().maxCoeff() > 0.5 * largest_deformation) look_at_elements(model);
+  if (model.state().displacement.cwiseAbs().maxCoeff() <= 0.5 * largest_deformation) return;
+  model.keep_all_results();
+  look_at_elements(model);
 }
 
 void CollapseGuard::look_at_elements(const Model& model) {

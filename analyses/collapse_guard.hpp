@@ -15,7 +15,7 @@ class CollapseGuard {
   static constexpr double largest_deformation = 100.0;  ///< m
 
   /// Looks at the committed state.
-  void look(const Model& model);
+  void look(Model& model);
   /// Whether one was found.
   [[nodiscard]] bool collapsed() const { return !warning_.empty(); }
   /// Names element and time; empty without a collapse.

@@ -55,20 +55,19 @@ double locate_change(StepSolver& step, double h, RegimeScan seen) {
   const double start = step.model().state().time;
   const double shortest = 4.0 * std::numeric_limits<double>::epsilon() * (start + h);
   Bracket bracket{.before = {}, .beyond = {h, seen.margin}};
-  Trial last;  // the last one that shows the margin of this change; of length 0: none
   double next = seen.fraction * h;
-  constexpr int most_solves = 100, solves_by_secant = 8;
+  constexpr int most_solves = 100, solves_by_motion = 8;
   const auto ended_at = [&](double length) {
     step.complete();
     return length;
   };
   for (int count = 0; count < most_solves; ++count) {
-    // Every iterate solves the step again with a new length. The length comes from the secant through the last two
-    // trials. Before there are two, or where this leaves the bracket, it comes from the interpolated margin of a step
-    // that ends beyond the change, or else from the secant of the bracket. Bisection replaces a length outside the
-    // bracket, and every second one after the eighth. A bracket of round-off width ends the search.
+    // Every iterate solves the step again with a new length. The length comes from the motion at the end of the last
+    // trial. Where this leaves the bracket, it comes from the interpolated margin of a step that ends beyond the
+    // change, or else from the straight line between the margins of the bracket. Bisection replaces a length outside
+    // the bracket, and every second one after the eighth. A bracket of round-off width ends the search.
     const double width = bracket.width();
-    const bool slow = count > solves_by_secant && count % 2 == 0;
+    const bool slow = count > solves_by_motion && count % 2 == 0;
     if (!bracket.contains(next) || slow) next = bracket.before.length + 0.5 * width;
     if (width <= shortest) next = bracket.beyond.length;
     ++step.statistics().event_solves;
@@ -84,14 +83,12 @@ double locate_change(StepSolver& step, double h, RegimeScan seen) {
     // This step has no change. If the longer step crossed a margin and came back, the change lies in the rest of it,
     // which the next step scans again.
     if (!seen.crossed && (width <= shortest || bracket.beyond.margin >= 0.0)) return ended_at(next);
-    const Trial now{next, seen.margin};
-    (seen.crossed ? bracket.beyond : bracket.before) = now;
-    next = seen.crossed ? seen.fraction * next : secant(bracket.before, bracket.beyond, step.aim());
-    // Where a margin was crossed and came back, the margin at the end of the step is not that of the change.
-    const bool shows_change = !seen.crossed_back;
-    if (shows_change && last.length > 0.0)
-      if (const double straight = secant(now, last, step.aim()); bracket.contains(straight)) next = straight;
-    last = shows_change ? now : Trial{};
+    (seen.crossed ? bracket.beyond : bracket.before) = {next, seen.margin};
+    // Where a margin was crossed and came back, the motion at the end of the step is not that of the change.
+    const double by_motion = seen.crossed_back ? 0.0 : next + step.model().time_to_next_change(step.aim());
+    next = bracket.contains(by_motion) ? by_motion
+           : seen.crossed              ? seen.fraction * next
+                                       : secant(bracket.before, bracket.beyond, step.aim());
   }
   const std::string element = nearest_element(step, bracket.beyond.length);
   throw ConvergenceError{"A change of \"" + element + "\" after t = " + to_text(start) + " s could not be located to " +

@@ -100,18 +100,22 @@ const double* LinearPath::inside(std::size_t part, double h) {
   advance_to(part);
   std::size_t piece = first_pieces_[part];
   while (h > times_[piece + 1]) ++piece;
-  if (expanded_ != piece) {
+  const double time = h - times_[piece];
+  if (expanded_ != piece || time > expanded_until_) {
     const double* start = start_of_part(part);
     for (std::size_t i = first_pieces_[part]; i < piece; ++i) {
       system_->advance(0, start, &ground_[i], inside_.data());
       start_.swap(inside_);
       start = start_.data();
     }
-    const double slope = (ground_[piece + 1] - ground_[piece]) / (times_[piece + 1] - times_[piece]);
-    series_.expand(*system_, start, ground_[piece], slope);
+    const double length = times_[piece + 1] - times_[piece];
+    // The next time that is asked for is not much later.
+    constexpr double reserve = 1.25;
+    expanded_until_ = std::min(reserve * time, length);
+    series_.expand(*system_, start, ground_[piece], (ground_[piece + 1] - ground_[piece]) / length, expanded_until_);
     expanded_ = piece;
   }
-  series_.evaluate(h - times_[piece], inside_.data());
+  series_.evaluate(time, inside_.data());
   return inside_.data();
 }
 

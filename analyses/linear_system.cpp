@@ -114,7 +114,7 @@ LinearSystem::Transition LinearSystem::of_one_step() {
   LinearMotionSeries series{n};
   Vector start = Vector::Zero(2 * n);
   const auto find_motion = [&](double ground, double slope, double* motion) {
-    series.expand(*this, start.data(), ground, slope);
+    series.expand(*this, start.data(), ground, slope, step_);
     series.evaluate(step_, motion);
   };
   Transition one{Matrix::Zero(rows, n), Matrix::Zero(rows, first_ground + 2 + 2 * n)};
@@ -184,7 +184,8 @@ LinearMotionSeries::LinearMotionSeries(Eigen::Index count) : count_{count} {
 
 // With coefficients U_k of (t/h)^k in u, those of h u' are V_k = (k + 1) U_{k+1}, and those of its rate (k + 1) V_{k+1}
 // follow from U_k and V_k by the differential equation. They decrease like 1 / (2^k k!).
-void LinearMotionSeries::expand(const LinearSystem& system, const double* start, double ground, double slope) {
+void LinearMotionSeries::expand(const LinearSystem& system, const double* start, double ground, double slope,
+                                double longest) {
   const Eigen::Index n = count_;
   const double h = system.step();
   system_ = &system;
@@ -195,6 +196,8 @@ void LinearMotionSeries::expand(const LinearSystem& system, const double* start,
   constexpr double round_off = 1e-16;
   double size = coefficients_.col(0).head(n).lpNorm<Eigen::Infinity>(), largest = 0.0;
   double rate = coefficients_.col(0).segment(n, n).lpNorm<Eigen::Infinity>(), largest_rate = 0.0;
+  const double x = longest / h;
+  double power = 1.0;
   int small_in_a_row = 0;
   // The series ends after two negligible terms in a row, because a single term may vanish.
   for (terms_ = 1; terms_ < most_terms && small_in_a_row < 2; ++terms_) {
@@ -207,6 +210,7 @@ void LinearMotionSeries::expand(const LinearSystem& system, const double* start,
     if (terms_ == 1) rates += h * h * (system.offset().array() - ground).matrix();
     if (terms_ == 2) rates.array() -= h * h * h * slope;
     const double share = 1.0 / terms_;
+    power *= x;
     size = rate = 0.0;
     for (Eigen::Index i = 0; i < n; ++i) {
       next[i] = share * last[n + i];
@@ -214,6 +218,8 @@ void LinearMotionSeries::expand(const LinearSystem& system, const double* start,
       size = std::max(size, std::abs(next[i]));
       rate = std::max(rate, std::abs(next[n + i]));
     }
+    size *= power;
+    rate *= power;
     const bool small = size <= round_off * largest && rate <= round_off * largest_rate;
     small_in_a_row = small ? small_in_a_row + 1 : 0;
   }

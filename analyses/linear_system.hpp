@@ -73,9 +73,10 @@ class LinearMotionSeries {
   /// So many degrees of freedom.
   explicit LinearMotionSeries(Eigen::Index count);
 
-  /// The motion of a system from a start, (u, u'), under a ground with this acceleration, m/s^2, and slope, m/s^3.
-  void expand(const LinearSystem& system, const double* start, double ground, double slope);
-  /// (u, u', u'') after h s; `result` has room for LinearSystem::result_size() numbers.
+  /// The motion of a system from a start, (u, u'), under a ground with this acceleration, m/s^2, and slope, m/s^3, for
+  /// the longest time that evaluate() will be asked for, s: less needs fewer terms.
+  void expand(const LinearSystem& system, const double* start, double ground, double slope, double longest);
+  /// (u, u', u'') after h <= longest s; `result` has room for LinearSystem::result_size() numbers.
   void evaluate(double h, double* result);
 
  private:

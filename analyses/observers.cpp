@@ -1,10 +1,15 @@
 #include "analyses/observers.hpp"
 
+#include <algorithm>
 #include <exception>
 
 namespace moat {
 
 void Observers::add(StepObserver& observer) { followers_.push_back({&observer, false}); }
+
+bool Observers::need_results_of(std::size_t block) const {
+  return std::ranges::any_of(followers_, [&](const Follower& each) { return each.observer->needs_results_of(block); });
+}
 
 void Observers::start(const StepView& view) {
   for (Follower& follower : followers_) {

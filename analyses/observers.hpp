@@ -1,6 +1,7 @@
 // The observers of one analysis.
 #pragma once
 
+#include <cstddef>
 #include <span>
 #include <vector>
 
@@ -14,6 +15,8 @@ class Observers {
   /// The observer must outlive this object.
   void add(StepObserver& observer);
 
+  /// Whether one of them needs the results of this block (StepObserver::needs_results_of).
+  [[nodiscard]] bool need_results_of(std::size_t block) const;
   /// Starts those that were not started before.
   void start(const StepView& view);
   /// After every committed step.

@@ -23,7 +23,6 @@ void StepEquations::begin(const StepTask& task, StepScheme scheme, Vector& guess
   task_ = task;
   scheme_ = scheme;
   is_moved_ = false;
-  is_guess_ = true;
   added_velocities_.clear();
   const double h = task.length;
   const MotionState& start = model_->state();
@@ -194,11 +193,7 @@ void StepEquations::move(const Vector& acceleration) {
 bool StepEquations::compute_residual(const Vector& acceleration, Vector& residual) {
   const int count = size();
   if (!std::exchange(is_moved_, false)) move(acceleration);
-  // A Newton step follows the guess, which then needs no results of elements.
-  if (std::exchange(is_guess_, false) && !has_extrapolated_)
-    model_->evaluate_forces();
-  else
-    model_->evaluate();
+  model_->evaluate();
 
   const double* a = acceleration.data();
   const double* mass = model_->masses().data();

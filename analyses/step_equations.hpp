@@ -99,7 +99,6 @@ class StepEquations final : public NonlinearSystem {
   long linear_version_ = -1;
   Vector unbalanced_;
   bool has_extrapolated_ = false;
-  bool is_guess_ = false;  // the next iterate
   bool is_moved_ = false;  // the trial state is that of the guess, since predict()
   // The velocities with which forces were evaluated; complete() corrects velocities after that.
   struct EvaluatedVelocity {

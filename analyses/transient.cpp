@@ -51,6 +51,8 @@ Transient::~Transient() = default;
 void Transient::attach(StepObserver& observer) {
   if (observer.needs_energy_accounts() && !model_->keeps_energy_accounts()) model_->start_energy_accounts();
   observers_.add(observer);
+  // run() leaves out some results; this observer may need them.
+  model_->keep_all_results();
 }
 
 StepView Transient::view(bool on_grid) const {
@@ -165,18 +167,28 @@ void Transient::end_motion() {
   observers_.event(view(false), {});
 }
 
+void Transient::keep_results_that_are_needed() {
+  std::vector<bool> needed;
+  for (std::size_t block = 0; block < model_->blocks().size(); ++block)
+    needed.push_back(observers_.need_results_of(block));
+  model_->keep_results_of(needed);
+}
+
 void Transient::finish() { observers_.finish(view(true)); }
 
 void Transient::run(const std::function<bool()>& stop) {
   const double started = process_seconds();
   const auto end = [&] {
     statistics_.cpu_seconds += process_seconds() - started;
+    model_->keep_all_results();
     finish();
   };
   observers_.start(view(true));
+  keep_results_that_are_needed();
   try {
     while (!finished() && !(stop && stop())) advance();
   } catch (...) {
+    model_->return_to_committed_state();
     try {
       end();
     } catch (const std::exception&) {

@@ -142,6 +142,18 @@ class CornerContacts final : public ContactLinks<Law, PlanEnds>, public PlanCont
     }
   }
 
+  double next_fall(double aim) const override {
+    double first = Base::next_fall(aim);
+    for (std::size_t i = 0; i < corners_.size(); ++i) {
+      if (!this->is_touching(i)) continue;
+      const auto margin_above_aim = [&](double time) {
+        return margin_at_ends(i, now_grips_[i].path + time * now_grips_[i].rate) - aim;
+      };
+      first = std::min(first, fall_near(margin_above_aim));
+    }
+    return first;
+  }
+
   void change(std::size_t block_index, std::vector<RegimeChange>& changes) override {
     for (std::size_t i = 0; i < corners_.size(); ++i) {
       if (!this->is_touching(i) || margin_at_ends(i, start_grips_[i].path) >= 0.0) continue;

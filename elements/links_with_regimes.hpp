@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <limits>
 #include <memory>
 #include <ranges>
 #include <span>
@@ -17,8 +18,9 @@ namespace moat {
 
 /// Links whose law has regimes: bearings that yield and unload at located instants, and contacts (ContactLinks).
 ///
-/// The margin inside a step is that of the cubic through deformation and rate at both ends. A change at the end of a
-/// located step is entered there; a change inside a step is entered at its interpolated instant.
+/// Whether a margin is crossed inside a step is judged on the cubic through deformation and rate at both ends, and where
+/// on the quintic through both rates. A change at the end of a located step is entered there; a change inside a step is
+/// entered at its interpolated instant.
 template <LawWithRegimes Law, class Ends = NodePair>
 class LinksWithRegimes : public Links<Law, Ends>, public Regimes {
   using Base = Links<Law, Ends>;
@@ -38,6 +40,22 @@ class LinksWithRegimes : public Links<Law, Ends>, public Regimes {
 
   void scan(double step, double aim, RegimeScan& scan) const override {
     for (std::size_t i = 0; i < this->size(); ++i) scan_link(i, step, aim, scan);
+  }
+
+  double next_fall(double aim) const override {
+    double first = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < this->size(); ++i) {
+      const double deformation = this->now_.deformations[i], rate = this->now_.rates[i],
+                   second_rate = this->now_.second_rates[i];
+      const auto margin_above_aim = [&](double time) {
+        return this->laws_[i].regime_margin(this->committed_[i],
+                                            deformation + time * (rate + 0.5 * time * second_rate),
+                                            rate + time * second_rate) -
+               aim;
+      };
+      first = std::min(first, fall_near(margin_above_aim));
+    }
+    return first;
   }
 
   void change(std::size_t block_index, std::vector<RegimeChange>& changes) override {
@@ -62,7 +80,7 @@ class LinksWithRegimes : public Links<Law, Ends>, public Regimes {
       for (int count = 0; count < 3 && margin_now(i) < 0.0; ++count) {
         const HermiteQuintic path = path_between(this->start_, this->now_, i, step);
         const auto before = changes_.of(i);
-        const double crossing = MarginPath{this->laws_[i], this->committed_[i], path}.first_crossing(1.0, aim),
+        const double crossing = margin_on_quintic(i, step).first_crossing(1.0, aim),
                      fraction = std::max(before.empty() ? 0.0 : before.back().fraction, crossing);
         const double deformation = path.value(fraction), rate = path.rate(fraction);
         const State next = this->laws_[i].next_regime(this->committed_[i], deformation, rate);
@@ -119,8 +137,12 @@ class LinksWithRegimes : public Links<Law, Ends>, public Regimes {
   [[nodiscard]] double margin_now(std::size_t i) const {
     return this->laws_[i].regime_margin(this->committed_[i], this->now_.deformations[i], this->now_.rates[i]);
   }
-  [[nodiscard]] MarginPath<Law, HermiteCubic> margin_path(std::size_t i, double step) const {
+  // Over the trial step.
+  [[nodiscard]] MarginPath<Law, HermiteCubic> margin_on_cubic(std::size_t i, double step) const {
     return {this->laws_[i], this->committed_[i], cubic_between(this->start_, this->now_, i, step)};
+  }
+  [[nodiscard]] MarginPath<Law, HermiteQuintic> margin_on_quintic(std::size_t i, double step) const {
+    return {this->laws_[i], this->committed_[i], path_between(this->start_, this->now_, i, step)};
   }
 
   void scan_link(std::size_t i, double step, double aim, RegimeScan& scan) const {
@@ -133,14 +155,15 @@ class LinksWithRegimes : public Links<Law, Ends>, public Regimes {
     if (end_margin >= 0.0) {
       // A crossing that returns within the step is possible only where the deformation turns inside it.
       beyond = turning_point(this->start_.rates[i], this->now_.rates[i]);
-      if (beyond <= 0.0 || margin_path(i, step)(beyond) >= 0.0) return;
+      if (beyond <= 0.0 || margin_on_cubic(i, step)(beyond) >= 0.0) return;
       scan.crossed_back = true;
     }
     scan.crossed = true;
     ++scan.crossings;
     // The step ends in the band that locate_change() aims at: to look for the instant would be in vain.
     if (end_margin >= 2.0 * aim && !scan.crossed_back) return;
-    if (scan.fraction > 0.0) scan.fraction = std::min(scan.fraction, margin_path(i, step).first_crossing(beyond, aim));
+    if (scan.fraction > 0.0)
+      scan.fraction = std::min(scan.fraction, margin_on_quintic(i, step).first_crossing(beyond, aim));
   }
 
   // The energy, J, that a link loses until and in a change, and that the account of its next regime does not see: that

@@ -1,21 +1,68 @@
 // Where inside a step a law changes its regime.
 #pragma once
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
 #include "base/hermite.hpp"
-#include "base/root.hpp"
 #include "materials/response.hpp"
 
 namespace moat {
 
-/// The point from 0 to `beyond` at which a function falls to `aim`, taken on the far side of the root. `beyond` if the
-/// function stays above `aim`, 0 if it starts at or below `aim`.
+/// The point from 0 to `beyond` <= 1 at which a function falls to `aim`, taken on the far side of the root. `beyond` if
+/// the function stays above `aim`, 0 if it starts at or below `aim`.
+///
+/// The regula falsi called Illinois: the straight line through both ends of the bracket, where the value at an end that
+/// stays twice is halved. It is called thousands of times for functions of a few operations, which a library's method behind
+/// a std::function would take several times as long for.
 template <class Function>
 double first_fall(const Function& function, double beyond, double aim) {
   constexpr double close = 1e-15;
-  const auto above_aim = [&](double x) { return function(x) - aim; };
-  if (above_aim(beyond) >= 0.0) return beyond;
-  if (above_aim(0.0) <= 0.0) return 0.0;
-  return bracket_root(above_aim, 0.0, beyond, close).high;
+  constexpr int evaluations_by_lines = 20, most_evaluations = 100;
+  double low = 0.0, high = beyond, at_high = function(beyond) - aim;
+  if (at_high >= 0.0) return beyond;
+  double at_low = function(0.0) - aim;
+  if (at_low <= 0.0) return 0.0;
+  enum { none, at_the_low_end, at_the_high_end } last = none;  // where the bracket was narrowed
+  for (int count = 0; high - low > close && count < most_evaluations; ++count) {
+    double x = high + at_high * (high - low) / (at_low - at_high);
+    if (count >= evaluations_by_lines || !std::isfinite(x)) x = 0.5 * (low + high);
+    // Not at an end, so that the bracket closes from both sides.
+    x = std::clamp(x, low + 0.5 * close, high - 0.5 * close);
+    const double value = function(x) - aim;
+    if (value > 0.0) {
+      low = x;
+      at_low = value;
+      if (last == at_the_low_end) at_high *= 0.5;
+      last = at_the_low_end;
+    } else {
+      high = x;
+      at_high = value;
+      if (last == at_the_high_end) at_low *= 0.5;
+      last = at_the_high_end;
+    }
+  }
+  return high;
+}
+
+/// The time, s, near 0 at which a function of time falls through zero: Newton's method with differences. Infinite if
+/// the function does not fall at 0.
+template <class Function>
+double fall_near(const Function& function) {
+  constexpr double apart = 1e-6, close = 1e-15;  // s
+  constexpr int most_corrections = 5;
+  double before = 0.0, at_before = function(before), time = apart, value = function(time);
+  if (!(value < at_before)) return std::numeric_limits<double>::infinity();
+  for (int count = 0; count < most_corrections && value != at_before; ++count) {
+    const double next = time - value * (time - before) / (value - at_before);
+    before = time;
+    at_before = value;
+    time = next;
+    if (std::abs(time - before) <= close) break;
+    value = function(time);
+  }
+  return time;
 }
 
 /// The margin of one law along the interpolated deformation of a step, a HermiteCubic or HermiteQuintic.

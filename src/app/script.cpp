@@ -10,6 +10,7 @@
 #include "analyses/case_run.hpp"
 #include "analyses/integrators.hpp"
 #include "app/command_line.hpp"
+#include "app/frames_of_script.hpp"
 #include "app/law_assumptions.hpp"
 #include "app/progress_bar.hpp"
 #include "app/results.hpp"
@@ -17,7 +18,6 @@
 #include "app/stop_signals.hpp"
 #include "base/check.hpp"
 #include "base/error.hpp"
-#include "output/frame_recorder.hpp"
 #include "output/results_folder.hpp"
 
 namespace moat {
@@ -37,20 +37,6 @@ namespace {
   std::fflush(stdout);
   std::_Exit(exit_error);
 }
-
-// Frames whose files may still be written while bodies and the second run are computed, and while results are written.
-class FramesOfScript final : public StepObserver {
- public:
-  FramesOfScript(const Model& model, const std::filesystem::path& folder, double interval)
-      : frames_{model, folder, interval} {}
-
-  void start(const StepView& view) override { frames_.start(view); }
-  void step(const StepView& view) override { frames_.step(view); }
-  void wait() { frames_.wait(); }
-
- private:
-  FrameRecorder frames_;
-};
 
 }  // namespace
 
@@ -180,18 +166,12 @@ int Script::run(Model& model, const GroundMotion& motion, const TransientOptions
                   takes_time && !options.quiet ? WritingProgress{ProgressBar{"writing", "parts"}} : WritingProgress{},
                   wait_for_others);
   };
-  std::string failure_of_frames;
-  const auto wait_for_frames = [&] {
-    try {
-      if (frames) frames->wait();
-    } catch (const FileError& error) {
-      failure_of_frames = error.what();
-    }
-  };
-  write(wait_for_frames);
+  write([&] {
+    if (frames) frames->wait();
+  });
   // A run that failed has its reason already.
-  if (!failure_of_frames.empty() && outcome.failure.empty()) {
-    outcome.failure = failure_of_frames;
+  if (frames && !frames->failure().empty() && outcome.failure.empty()) {
+    outcome.failure = frames->failure();
     outcome.exit_code = exit_error;
     outcome.result.warnings.insert(outcome.result.warnings.begin(), "The frames are incomplete: " + outcome.failure);
     write({});

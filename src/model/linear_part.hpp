@@ -14,13 +14,17 @@ namespace moat {
 ///
 ///     f = K u + C v + f_0,   K and C symmetric;   f_0 the forces at rest
 ///
+/// A product is formed from differences, as the elements form them, so that a stiff link between nodes that move
+/// together has no more round-off here than there:
+///
+///     f_i = sum_j K_ij (u_j - u_i) + k_i u_i + ...,   k_i the force on node i where all nodes are displaced by 1
+///
 /// Matrices have the pattern of the model; vectors have one entry per degree of freedom, and one for the ground.
 class LinearPart {
  public:
   /// Starts again, with no elements.
   void clear(const std::shared_ptr<const SparsityPattern>& pattern);
-  /// Adds the elements of a block with constant tangents, which has its slots in the pattern. The block is evaluated at
-  /// rest.
+  /// Adds the elements of a block with constant tangents, which has its slots in the pattern. The block is evaluated.
   void add(ElementBlock& block);
 
   /// K, values of the pattern.
@@ -28,12 +32,17 @@ class LinearPart {
   /// C, values of the pattern.
   [[nodiscard]] const std::vector<double>& damping() const { return damping_.values; }
 
-  /// forces := K u + C v + f_0, without the forces on the ground.
+  /// forces := K u + C v + f_0. The last entry is the sum of the forces on the ground, for a model on a line.
   void evaluate(const double* displacement, const double* velocity, Vector& forces) const;
+  /// The rates of these forces: rates := K v + C a, the last entry as above.
+  void evaluate_rates(const double* velocity, const double* acceleration, Vector& rates) const;
 
  private:
+  void multiply(const double* displacement, const double* velocity, const Vector& added, Vector& result) const;
+
   SparseMatrix stiffness_, damping_;
-  Vector forces_at_rest_;  // empty where all are zero
+  Vector forces_at_rest_;                  // empty where all are zero
+  Vector per_displacement_, per_velocity_;  // the forces where all nodes are displaced by 1, or move with 1
 };
 
 }  // namespace moat

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 #include "base/error.hpp"
@@ -131,16 +130,14 @@ void Model::prepare() {
   const int count = node_count();
   PatternBuilder builder{count};
   changing_blocks_.clear();
-  for (std::size_t i = 0; i < blocks_.size(); ++i) {
-    if (blocks_[i]->constant_tangent()) continue;
-    changing_blocks_.push_back(i);
-    blocks_[i]->add_couplings(builder);
-  }
+  constant_blocks_.clear();
+  for (std::size_t i = 0; i < blocks_.size(); ++i)
+    (blocks_[i]->constant_tangent() ? constant_blocks_ : changing_blocks_).push_back(i);
+  for (const std::size_t i : changing_blocks_) blocks_[i]->add_couplings(builder);
   changing_columns_.clear();
   for (int i = 0; i < count; ++i)
     if (builder.couples(i)) changing_columns_.push_back(i);
-  for (const auto& block : blocks_)
-    if (block->constant_tangent()) block->add_couplings(builder);
+  for (const std::size_t i : constant_blocks_) blocks_[i]->add_couplings(builder);
   pattern_ = builder.build();
   blocks_with_regimes_.clear();
   blocks_with_contacts_.clear();
@@ -151,8 +148,7 @@ void Model::prepare() {
   }
   ++tangent_version_;
   linear_part_.clear(pattern_);
-  for (const auto& block : blocks_)
-    if (block->constant_tangent()) linear_part_.add(*block);
+  for (const std::size_t i : constant_blocks_) linear_part_.add(*blocks_[i]);
   diagonal_slots_.resize(static_cast<std::size_t>(count));
   for (int i = 0; i < count; ++i) diagonal_slots_[static_cast<std::size_t>(i)] = pattern_->slot(i, i);
 
@@ -179,100 +175,11 @@ void Model::prepare() {
   trial_ = state_;
   // Evaluate and commit once, so that forces and states of all elements belong to the current state.
   prepared_ = true;
-  internal_forces_.resize(count + 1);
   evaluate();
+  blocks_with_results_.clear();
+  keep_all_results();
   for (const auto& block : blocks_) block->commit(0.0, WorkRule::mean_force);
   committed_forces_ = internal_forces_;
-}
-
-void Model::evaluate() {
-  const double step = trial_.time - state_.time;
-  for (const std::size_t i : changing_blocks_) blocks_[i]->begin_step(step);
-  internal_forces_.setZero(degrees_of_freedom() + 1);
-  for (const auto& block : blocks_)
-    block->evaluate(trial_.displacement.data(), trial_.velocity.data(), internal_forces_.data());
-  for (const std::size_t i : changing_blocks_)
-    if (blocks_[i]->take_tangent_change()) ++tangent_version_;
-}
-
-void Model::evaluate_forces() {
-  const double step = trial_.time - state_.time;
-  const double *displacement = trial_.displacement.data(), *velocity = trial_.velocity.data();
-  linear_part_.evaluate(displacement, velocity, internal_forces_);
-  for (const std::size_t i : changing_blocks_) {
-    blocks_[i]->begin_step(step);
-    blocks_[i]->evaluate(displacement, velocity, internal_forces_.data());
-    if (blocks_[i]->take_tangent_change()) ++tangent_version_;
-  }
-}
-
-void Model::evaluate_rates() {
-  const int count = degrees_of_freedom();
-  trial_.jerk.setZero(count + 1);
-  double* __restrict jerk = trial_.jerk.data();
-  // First the rates of forces.
-  for (const auto& block : blocks_) block->evaluate_rates(trial_.acceleration.data(), jerk);
-  const double* mass = masses_.data();
-  for (int i = 0; i < count; ++i) jerk[i] = -jerk[i] / mass[i];
-  jerk[count] = 0.0;
-}
-
-// These columns of acceleration_weight M + velocity_weight C + displacement_weight K, without elements that change.
-void Model::assemble_constant(int begin, int end, double acceleration_weight, double velocity_weight,
-                              double displacement_weight, double* __restrict values) const {
-  const double *stiffness = linear_part_.stiffness().data(), *damping = linear_part_.damping().data(),
-               *mass = masses_.data();
-  const int *diagonal = diagonal_slots_.data(), *starts = pattern_->column_starts.data();
-  for (int k = starts[begin]; k < starts[end]; ++k)
-    values[k] = displacement_weight * stiffness[k] + velocity_weight * damping[k];
-  for (int i = begin; i < end; ++i) values[diagonal[i]] += acceleration_weight * mass[i];
-}
-
-void Model::assemble_changing(double velocity_weight, double displacement_weight, SparseMatrix& matrix) const {
-  // The entry of the ground: elements add to it, and nothing reads it.
-  matrix.values.back() = 0.0;
-  for (const std::size_t i : changing_blocks_) blocks_[i]->add_tangent(displacement_weight, velocity_weight, matrix);
-}
-
-void Model::assemble_tangent(double acceleration_weight, double velocity_weight, double displacement_weight,
-                             SparseMatrix& matrix) const {
-  // Chunks of 256 columns, so that their values are still in L1 when the masses are added.
-  constexpr int chunk = 256;
-  for (int begin = 0; begin < matrix.size(); begin += chunk)
-    assemble_constant(begin, std::min(begin + chunk, matrix.size()), acceleration_weight, velocity_weight,
-                      displacement_weight, matrix.values.data());
-  assemble_changing(velocity_weight, displacement_weight, matrix);
-}
-
-void Model::assemble_changing_columns(double acceleration_weight, double velocity_weight, double displacement_weight,
-                                      SparseMatrix& matrix) const {
-  for (const int column : changing_columns_)
-    assemble_constant(column, column + 1, acceleration_weight, velocity_weight, displacement_weight,
-                      matrix.values.data());
-  assemble_changing(velocity_weight, displacement_weight, matrix);
-}
-
-void Model::linearise(SparseMatrix& stiffness, SparseMatrix& damping, Vector& forces) {
-  trial_.displacement.setZero();
-  trial_.velocity.setZero();
-  const double *displacement = trial_.displacement.data(), *velocity = trial_.velocity.data();
-  linear_part_.evaluate(displacement, velocity, forces);
-  stiffness.values = linear_part_.stiffness();
-  damping.values = linear_part_.damping();
-  for (const std::size_t i : changing_blocks_) {
-    blocks_[i]->evaluate(displacement, velocity, forces.data());
-    blocks_[i]->add_tangent(1.0, 0.0, stiffness);
-    blocks_[i]->add_tangent(0.0, 1.0, damping);
-  }
-}
-
-bool Model::has_corner() const {
-  return std::ranges::any_of(changing_blocks_, [&](std::size_t i) { return blocks_[i]->has_corner(); });
-}
-
-void Model::assemble_linear_stiffness(StiffnessStage stage, SparseMatrix& matrix) const {
-  std::fill(matrix.values.begin(), matrix.values.end(), 0.0);
-  for (const auto& block : blocks_) block->add_linear_stiffness(stage, matrix);
 }
 
 void Model::commit(WorkRule rule) {
@@ -283,12 +190,23 @@ void Model::commit(WorkRule rule) {
   state_.acceleration.swap(trial_.acceleration);
   state_.jerk.swap(trial_.jerk);
   committed_forces_.swap(internal_forces_);
-  for (const auto& block : blocks_) block->commit(step, rule);
+  evaluate_results(state_);
+  for (const std::size_t i : changing_blocks_) blocks_[i]->commit(step, rule);
+  for (const std::size_t i : blocks_with_results_) blocks_[i]->commit(step, rule);
 }
 
 void Model::start_energy_accounts() {
   keeps_energy_accounts_ = true;
+  keep_all_results();
   for (const auto& block : blocks_) block->start_energy_accounts();
+}
+
+void Model::return_to_committed_state() {
+  if (!prepared_) return;
+  undo_changes_inside();
+  trial_ = state_;
+  evaluate();
+  evaluate_rates();
 }
 
 }  // namespace moat

@@ -134,11 +134,9 @@ class Model {
   [[nodiscard]] MotionState& trial() { return trial_; }
   [[nodiscard]] const MotionState& trial() const { return trial_; }  ///< To read.
 
-  /// Computes all elements at the trial state.
+  /// Computes internal_forces() at the trial state, and all elements but those with constant tangents, whose results
+  /// follow in commit().
   void evaluate();
-  /// Computes internal_forces() at the trial state, but no results of elements with constant tangents. evaluate() must
-  /// follow before evaluate_rates() and commit().
-  void evaluate_forces();
   /// After evaluate(): the rates of all forces at the trial state, from both tangents and the trial accelerations, and
   /// from them the trial jerk, -M^-1 df/dt.
   void evaluate_rates();
@@ -169,12 +167,23 @@ class Model {
   /// The trial state of nodes and elements becomes the committed one; energy accounts grow by the step between them,
   /// whose work is formed by `rule`. The contents of trial() are unspecified afterwards: the next step fills it.
   void commit(WorkRule rule = WorkRule::mean_force);
+  /// Drops the trial state: results of all elements are those of the committed one again. Does nothing, like
+  /// keep_all_results(), where something was added since prepare().
+  void return_to_committed_state();
+  /// From now on elements with constant tangents have results, in ElementBlock::results(), only in the wanted blocks:
+  /// one flag per block. They cost more than their forces. All have results where energy accounts are kept.
+  void keep_results_of(const std::vector<bool>& wanted);
+  /// Ends that; all have the results of the committed state.
+  void keep_all_results();
   /// Starts the energy accounts of all elements at the committed state; they are kept from then on.
   void start_energy_accounts();
   [[nodiscard]] bool keeps_energy_accounts() const { return keeps_energy_accounts_; }  ///< Once started.
   /// Looks for changes of regime between the committed and the trial state, `step` seconds apart;
   /// `aim` <= 0 m is the margin at which a located step should end.
   [[nodiscard]] RegimeScan scan_regimes(double step, double aim) const;
+  /// The time, s, from the trial state to the next change of regime, after evaluate_rates() or evaluate_regimes()
+  /// (Regimes::next_fall).
+  [[nodiscard]] double time_to_next_change(double aim) const;
   /// Changes the regime of every element that is beyond its margin, then evaluates again at the committed state.
   void change_regimes(std::vector<RegimeChange>& changes);
   /// Changes the regime of elements that cross their margin inside the trial step, from there on
@@ -212,6 +221,7 @@ class Model {
   void assemble_constant(int begin, int end, double acceleration_weight, double velocity_weight,
                          double displacement_weight, double* values) const;
   void assemble_changing(double velocity_weight, double displacement_weight, SparseMatrix& matrix) const;
+  void evaluate_results(const MotionState& motion);
 
   std::deque<Node> nodes_;
   std::vector<NodeId> ids_;  // 0, 1, 2, ...
@@ -232,7 +242,8 @@ class Model {
   MotionState state_, trial_;
   Vector internal_forces_, committed_forces_;
   long tangent_version_ = 0;
-  std::vector<std::size_t> changing_blocks_;  // those without constant tangent
+  std::vector<std::size_t> changing_blocks_, constant_blocks_;  // those without and with constant tangents
+  std::vector<std::size_t> blocks_with_results_;                // of constant_blocks_
   std::vector<int> changing_columns_;
   std::vector<std::size_t> blocks_with_regimes_;
   std::vector<std::size_t> blocks_with_contacts_;

@@ -21,6 +21,12 @@ RegimeScan Model::scan_regimes(double step, double aim) const {
   return scan;
 }
 
+double Model::time_to_next_change(double aim) const {
+  double first = std::numeric_limits<double>::infinity();
+  for (const std::size_t i : blocks_with_regimes_) first = std::min(first, blocks_[i]->regimes()->next_fall(aim));
+  return first;
+}
+
 void Model::change_regimes(std::vector<RegimeChange>& changes) {
   const std::size_t before = changes.size();
   for (const std::size_t i : blocks_with_regimes_) blocks_[i]->regimes()->change(i, changes);

@@ -53,6 +53,10 @@ class Regimes {
   /// margin at which a located step is meant to end, just beyond zero.
   virtual void scan(double step, double aim, RegimeScan& scan) const = 0;
 
+  /// The time, s, from the last evaluate_rates() on at which the first margin falls to `aim`, on the parabola through
+  /// the deformation with both rates there; negative: it has fallen to it before. Infinite where none falls.
+  [[nodiscard]] virtual double next_fall(double aim) const = 0;
+
   /// Puts every element that is beyond its margin at the committed state into its next regime and lists it.
   virtual void change(std::size_t block_index, std::vector<RegimeChange>& changes) = 0;
 

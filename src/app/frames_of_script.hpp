@@ -1,0 +1,49 @@
+// The frames of a script's run.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "base/error.hpp"
+#include "output/frame_recorder.hpp"
+#include "output/step_observer.hpp"
+
+namespace moat {
+
+/// Frames whose files may still be written while bodies and the second run are computed, and while results are written.
+/// Where one cannot be written there are no more, and the analysis goes on.
+class FramesOfScript final : public StepObserver {
+ public:
+  /// As FrameRecorder.
+  FramesOfScript(const Model& model, const std::filesystem::path& folder, double interval)
+      : frames_{model, folder, interval} {}
+
+  void start(const StepView& view) override {
+    attempt([&] { frames_.start(view); });
+  }
+  void step(const StepView& view) override {
+    attempt([&] { frames_.step(view); });
+  }
+  /// Waits for the files.
+  void wait() {
+    attempt([&] { frames_.wait(); });
+  }
+  /// Why frames are missing; empty where none are.
+  [[nodiscard]] const std::string& failure() const { return failure_; }
+
+ private:
+  template <class Action>
+  void attempt(const Action& action) {
+    if (!failure_.empty()) return;
+    try {
+      action();
+    } catch (const FileError& error) {
+      failure_ = error.what();
+    }
+  }
+
+  FrameRecorder frames_;
+  std::string failure_;
+};
+
+}  // namespace moat

@@ -1,0 +1,108 @@
+// Forces, rates and tangents of all elements of a model.
+#include <algorithm>
+
+#include "model/model.hpp"
+
+namespace moat {
+
+void Model::evaluate() {
+  const double step = trial_.time - state_.time;
+  const double *displacement = trial_.displacement.data(), *velocity = trial_.velocity.data();
+  linear_part_.evaluate(displacement, velocity, internal_forces_);
+  for (const std::size_t i : changing_blocks_) {
+    blocks_[i]->begin_step(step);
+    blocks_[i]->evaluate(displacement, velocity, internal_forces_.data());
+    if (blocks_[i]->take_tangent_change()) ++tangent_version_;
+  }
+}
+
+void Model::evaluate_rates() {
+  const int count = degrees_of_freedom();
+  // First the rates of forces.
+  linear_part_.evaluate_rates(trial_.velocity.data(), trial_.acceleration.data(), trial_.jerk);
+  double* __restrict jerk = trial_.jerk.data();
+  for (const std::size_t i : changing_blocks_) blocks_[i]->evaluate_rates(trial_.acceleration.data(), jerk);
+  const double* mass = masses_.data();
+  for (int i = 0; i < count; ++i) jerk[i] = -jerk[i] / mass[i];
+  jerk[count] = 0.0;
+}
+
+// Those of blocks_with_results_ at a motion, without their forces on nodes, which linear_part_ has.
+void Model::evaluate_results(const MotionState& motion) {
+  for (const std::size_t i : blocks_with_results_) {
+    blocks_[i]->evaluate(motion.displacement.data(), motion.velocity.data(), nullptr);
+    blocks_[i]->evaluate_rates(motion.acceleration.data(), nullptr);
+  }
+}
+
+void Model::keep_results_of(const std::vector<bool>& wanted) {
+  blocks_with_results_.clear();
+  for (const std::size_t i : constant_blocks_)
+    if (wanted[i] || keeps_energy_accounts_) blocks_with_results_.push_back(i);
+}
+
+void Model::keep_all_results() {
+  if (!prepared_ || blocks_with_results_.size() == constant_blocks_.size()) return;
+  blocks_with_results_ = constant_blocks_;
+  evaluate_results(state_);
+}
+
+// These columns of acceleration_weight M + velocity_weight C + displacement_weight K, without elements that change.
+void Model::assemble_constant(int begin, int end, double acceleration_weight, double velocity_weight,
+                              double displacement_weight, double* __restrict values) const {
+  const double *stiffness = linear_part_.stiffness().data(), *damping = linear_part_.damping().data(),
+               *mass = masses_.data();
+  const int *diagonal = diagonal_slots_.data(), *starts = pattern_->column_starts.data();
+  for (int k = starts[begin]; k < starts[end]; ++k)
+    values[k] = displacement_weight * stiffness[k] + velocity_weight * damping[k];
+  for (int i = begin; i < end; ++i) values[diagonal[i]] += acceleration_weight * mass[i];
+}
+
+void Model::assemble_changing(double velocity_weight, double displacement_weight, SparseMatrix& matrix) const {
+  // The entry of the ground: elements add to it, and nothing reads it.
+  matrix.values.back() = 0.0;
+  for (const std::size_t i : changing_blocks_) blocks_[i]->add_tangent(displacement_weight, velocity_weight, matrix);
+}
+
+void Model::assemble_tangent(double acceleration_weight, double velocity_weight, double displacement_weight,
+                             SparseMatrix& matrix) const {
+  // Chunks of 256 columns, so that their values are still in L1 when the masses are added.
+  constexpr int chunk = 256;
+  for (int begin = 0; begin < matrix.size(); begin += chunk)
+    assemble_constant(begin, std::min(begin + chunk, matrix.size()), acceleration_weight, velocity_weight,
+                      displacement_weight, matrix.values.data());
+  assemble_changing(velocity_weight, displacement_weight, matrix);
+}
+
+void Model::assemble_changing_columns(double acceleration_weight, double velocity_weight, double displacement_weight,
+                                      SparseMatrix& matrix) const {
+  for (const int column : changing_columns_)
+    assemble_constant(column, column + 1, acceleration_weight, velocity_weight, displacement_weight,
+                      matrix.values.data());
+  assemble_changing(velocity_weight, displacement_weight, matrix);
+}
+
+void Model::linearise(SparseMatrix& stiffness, SparseMatrix& damping, Vector& forces) {
+  trial_.displacement.setZero();
+  trial_.velocity.setZero();
+  const double *displacement = trial_.displacement.data(), *velocity = trial_.velocity.data();
+  linear_part_.evaluate(displacement, velocity, forces);
+  stiffness.values = linear_part_.stiffness();
+  damping.values = linear_part_.damping();
+  for (const std::size_t i : changing_blocks_) {
+    blocks_[i]->evaluate(displacement, velocity, forces.data());
+    blocks_[i]->add_tangent(1.0, 0.0, stiffness);
+    blocks_[i]->add_tangent(0.0, 1.0, damping);
+  }
+}
+
+bool Model::has_corner() const {
+  return std::ranges::any_of(changing_blocks_, [&](std::size_t i) { return blocks_[i]->has_corner(); });
+}
+
+void Model::assemble_linear_stiffness(StiffnessStage stage, SparseMatrix& matrix) const {
+  std::fill(matrix.values.begin(), matrix.values.end(), 0.0);
+  for (const auto& block : blocks_) block->add_linear_stiffness(stage, matrix);
+}
+
+}  // namespace moat
