@@ -43,17 +43,24 @@ void LinearPart::multiply(const double* displacement, const double* velocity, co
   const int count = stiffness_.size();
   result.resize(count + 1);
   double* __restrict sums = result.data();
-  double on_ground = 0.0;
-  // Columns of symmetric matrices are their rows.
+  double by_ground = 0.0;
   for (int i = 0; i < count; ++i) {
-    const double u = displacement[i], v = velocity[i], by_ground = per_displacement[i] * u + per_velocity[i] * v;
-    double sum = by_ground;
-    for (int k = starts[i]; k < starts[i + 1]; ++k)
-      sum += stiffness[k] * (displacement[rows[k]] - u) + damping[k] * (velocity[rows[k]] - v);
-    sums[i] = sum;
-    on_ground -= by_ground;
+    sums[i] = per_displacement[i] * displacement[i] + per_velocity[i] * velocity[i];
+    by_ground += sums[i];
   }
-  sums[count] = on_ground;
+  sums[count] = -by_ground;
+  // Every pair of nodes once: the entries below the diagonal.
+  for (int j = 0; j < count; ++j) {
+    const double u = displacement[j], v = velocity[j];
+    double sum = 0.0;
+    for (int k = starts[j + 1] - 1; rows[k] > j; --k) {
+      const int i = rows[k];
+      const double force = stiffness[k] * (displacement[i] - u) + damping[k] * (velocity[i] - v);
+      sum += force;
+      sums[i] -= force;
+    }
+    sums[j] += sum;
+  }
   if (added.size() != 0) result += added;
 }
 

@@ -137,6 +137,9 @@ class Model {
   /// Computes internal_forces() at the trial state, and all elements but those with constant tangents, whose results
   /// follow in commit().
   void evaluate();
+  /// The same without forces, for a trial state whose accelerations are known: internal_forces(), and behind a commit()
+  /// committed_forces(), are then of another state until the next evaluate().
+  void evaluate_elements();
   /// After evaluate(): the rates of all forces at the trial state, from both tangents and the trial accelerations, and
   /// from them the trial jerk, -M^-1 df/dt.
   void evaluate_rates();
@@ -221,6 +224,7 @@ class Model {
   void assemble_constant(int begin, int end, double acceleration_weight, double velocity_weight,
                          double displacement_weight, double* values) const;
   void assemble_changing(double velocity_weight, double displacement_weight, SparseMatrix& matrix) const;
+  void evaluate_changing(double* forces);
   void evaluate_results(const MotionState& motion);
 
   std::deque<Node> nodes_;

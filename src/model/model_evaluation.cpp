@@ -6,12 +6,18 @@
 namespace moat {
 
 void Model::evaluate() {
+  linear_part_.evaluate(trial_.displacement.data(), trial_.velocity.data(), internal_forces_);
+  evaluate_changing(internal_forces_.data());
+}
+
+void Model::evaluate_elements() { evaluate_changing(nullptr); }
+
+// The elements without constant tangents at the trial state; adds their forces unless `forces` is null.
+void Model::evaluate_changing(double* forces) {
   const double step = trial_.time - state_.time;
-  const double *displacement = trial_.displacement.data(), *velocity = trial_.velocity.data();
-  linear_part_.evaluate(displacement, velocity, internal_forces_);
   for (const std::size_t i : changing_blocks_) {
     blocks_[i]->begin_step(step);
-    blocks_[i]->evaluate(displacement, velocity, internal_forces_.data());
+    blocks_[i]->evaluate(trial_.displacement.data(), trial_.velocity.data(), forces);
     if (blocks_[i]->take_tangent_change()) ++tangent_version_;
   }
 }
