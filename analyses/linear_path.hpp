@@ -59,7 +59,7 @@ class LinearPath {
   std::size_t known_ = 0;                                    // parts whose end is known
   LinearMotionSeries series_;
   static constexpr std::size_t none = most_pieces;
-  std::size_t expanded_ = none;   // the piece of the series
+  std::size_t expanded_ = none;  // the piece of the series
   double expanded_until_ = 0.0;  // from its start, s
   Vector start_, inside_;        // (u, u', u'') at the start of a piece, and at a time inside
 };

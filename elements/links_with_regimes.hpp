@@ -18,9 +18,9 @@ namespace moat {
 
 /// Links whose law has regimes: bearings that yield and unload at located instants, and contacts (ContactLinks).
 ///
-/// Whether a margin is crossed inside a step is judged on the cubic through deformation and rate at both ends, and where
-/// on the quintic through both rates. A change at the end of a located step is entered there; a change inside a step is
-/// entered at its interpolated instant.
+/// Whether a margin is crossed inside a step is judged on the cubic through deformation and rate at both ends, and
+/// where on the quintic through both rates. A change at the end of a located step is entered there; a change inside a
+/// step is entered at its interpolated instant.
 template <LawWithRegimes Law, class Ends = NodePair>
 class LinksWithRegimes : public Links<Law, Ends>, public Regimes {
   using Base = Links<Law, Ends>;
@@ -48,8 +48,7 @@ class LinksWithRegimes : public Links<Law, Ends>, public Regimes {
       const double deformation = this->now_.deformations[i], rate = this->now_.rates[i],
                    second_rate = this->now_.second_rates[i];
       const auto margin_above_aim = [&](double time) {
-        return this->laws_[i].regime_margin(this->committed_[i],
-                                            deformation + time * (rate + 0.5 * time * second_rate),
+        return this->laws_[i].regime_margin(this->committed_[i], deformation + time * (rate + 0.5 * time * second_rate),
                                             rate + time * second_rate) -
                aim;
       };

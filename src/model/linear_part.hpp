@@ -41,7 +41,7 @@ class LinearPart {
   void multiply(const double* displacement, const double* velocity, const Vector& added, Vector& result) const;
 
   SparseMatrix stiffness_, damping_;
-  Vector forces_at_rest_;                  // empty where all are zero
+  Vector forces_at_rest_;                   // empty where all are zero
   Vector per_displacement_, per_velocity_;  // the forces where all nodes are displaced by 1, or move with 1
 };
 

@@ -153,6 +153,17 @@ TEST(FailingStep, WhatWasComputedBeforeIsKept) {
   EXPECT_EQ(model.state().time, error.time);
 }
 
+// An observer is finished behind the failure, and reads results of elements.
+TEST(FailingStep, LeavesResultsOfTheCommittedState) {
+  Model model = pulling(Brittle{});
+  Transient analysis{model, still_ground(1 * s), {.step = 10 * ms}};
+  EXPECT_THROW(analysis.run(), ConvergenceError);
+  const double stretch = model.displacement(NodeId{1});
+  const ElementResults results = model.blocks()[0]->results();
+  EXPECT_EQ(results.deformations[0], stretch);
+  EXPECT_EQ(results.forces[0], Brittle{}.stiffness * stretch);
+}
+
 TEST(FailingStep, AStepThatOnlyNeedsCuttingIsAccepted) {
   // Two iterations are too few for the large step around the corner, enough for a shorter one.
   struct Corner {
