@@ -126,7 +126,8 @@ TEST(LinearSystem, TheSeriesIsTheExponential) {
     for (const double longest : {1.0, 0.6, 0.1, 1e-6})
       for (const double share : {1e-6, 0.1, 0.6, 1.0}) {
         if (share > longest) continue;
-        SCOPED_TRACE(testing::Message{} << share << " of the step, of at most " << longest);
+        SCOPED_TRACE(longest);
+        SCOPED_TRACE(share);
         series.expand(chain.system, chain.start.data(), ground, slope, longest * chain.system.step());
         const double h = share * chain.system.step();
         series.evaluate(h, found.data());
