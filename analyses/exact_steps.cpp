@@ -101,7 +101,7 @@ bool ExactSteps::look(const StepTask& part) {
 }
 
 void ExactSteps::complete() {
-  // Whoever needs the forces next is Transient::balance(), behind a touch.
+  // Forces are needed behind a touch, and Transient::balance() computes them there.
   model_->evaluate_elements();
   model_->evaluate_rates();
 }

@@ -256,6 +256,7 @@ class Links : public ElementBlock, public ElementLaws, protected LinkArrays {
   // A linear law adds to matrices once: a search then costs less than the memory for its places.
   void add_stiffness(std::size_t i, double stiffness, SparseMatrix& matrix) const {
     if constexpr (is_linear) {
+      if (stiffness == 0.0) return;
       typename Ends::Slots slots;
       slots.find(ends_[i], *matrix.pattern());
       slots.add_stiffness(ends_[i], stiffness, matrix.values.data());

@@ -51,7 +51,7 @@ double first_fall(const Function& function, double beyond, double aim) {
 template <class Function>
 double fall_near(const Function& function) {
   constexpr double apart = 1e-6, close = 1e-15;  // s
-  constexpr int most_corrections = 5;
+  constexpr int most_corrections = 8;
   double before = 0.0, at_before = function(before), time = apart, value = function(time);
   if (!(value < at_before)) return std::numeric_limits<double>::infinity();
   for (int count = 0; count < most_corrections && value != at_before; ++count) {

@@ -37,6 +37,7 @@ TEST(ShearSpring, PullsTheUpperNodeBackAndTheLowerOneAlong) {
   EXPECT_NEAR(nodes.forces()[0], -20e3, 1e-8);
   EXPECT_NEAR(nodes.forces()[1], 20e3, 1e-8);
   expect_action_is_reaction(nodes);
+  nodes.model.commit();
   const ElementBlock& block = *nodes.model.blocks()[0];
   EXPECT_NEAR(block.results().deformations[0], 0.02, 1e-15);
   EXPECT_NEAR(block.results().forces[0], 20e3, 1e-8);

@@ -27,6 +27,7 @@ TEST(StoreyShears, AddUpTheSpringsBetweenTheSameFloors) {
   model.trial().displacement.head(2) << 0.01, -0.04;
   model.trial().velocity.head(2) << 1.0, 2.0;
   model.evaluate();
+  model.commit();
   StoreyShears shears{model, {{ground, low}, {low, high}}};
   const std::span<const double> values = shears.evaluate(model);
   ASSERT_EQ(values.size(), 2u);
@@ -51,6 +52,7 @@ TEST(StoreyShears, InPlanAreTheLengthOfTheSumOfAllColumns) {
   move(tower.floors[0], 0.04, 0.03, 0.002);
   move(tower.floors[1], 0.04, 0.03, 0.001);
   model.evaluate();
+  model.commit();
   const Scene scene = scene_of(model);
   ASSERT_EQ(scene.storeys.size(), 2u);
   StoreyShears shears{model, scene.storeys};
