@@ -118,7 +118,7 @@ TEST(LeftOutResults, NoneAreStepByStep) {
 TEST(LeftOutResults, ComeBackWhereARunIsStopped) {
   Model model = isolated_storey();
   Transient analysis{model, push()};
-  Reader reader{{bearings}, {storeys, dampers}};
+  Reader reader{{bearings}};
   analysis.attach(reader);
   analysis.run([&] { return model.state().time > 0.3; });  // and finish() looks
   EXPECT_FALSE(analysis.finished());
