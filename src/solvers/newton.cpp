@@ -5,12 +5,11 @@
 #include <NOX_Direction_UserDefinedFactory.H>
 #include <Teuchos_oblackholestream.hpp>
 
-#include <algorithm>
 #include <cmath>
-#include <limits>
 #include <stdexcept>
 
 #include "base/check.hpp"
+#include "solvers/force_balance.hpp"
 
 namespace moat {
 namespace {
@@ -156,76 +155,44 @@ class NewtonDirectionFactory final : public NOX::Direction::UserDefinedFactory {
   }
 };
 
-// Converged when every residual is small relative to the scale of its own row, or is round-off. Failed when a residual
-// is not a number, or after the largest number of iterations.
+// Converged when all rows balance (ForceBalance). Failed when a residual is not a number, or after the largest number
+// of iterations.
 class ForceBalanceTest final : public NOX::StatusTest::Generic {
  public:
-  explicit ForceBalanceTest(NewtonOptions options) : options_{options} {}
-
-  // Limit for residuals that pass as round-off. The estimate of round-off uses the tangent of the previous iterate,
-  // which may be far from the solution.
-  static constexpr double loosest_by_round_off = 1e-6;
+  explicit ForceBalanceTest(NewtonOptions options) : options_{options}, balance_{options.tolerance} {}
 
   NewtonReport report;
   int least_iterations = 1;
 
   NOX::StatusTest::StatusType checkStatus(const NOX::Solver::Generic& solver, NOX::StatusTest::CheckType) override {
     const auto& iterate = static_cast<const NoxGroup&>(solver.getSolutionGroup());
-    report.iterations = solver.getNumIterations();
-    report.converged = false;
-    const moat::Vector &residual = iterate.residual(), &scales = iterate.system().residual_scales();
-    bool is_number = iterate.isF();
-    double largest = 0.0;
-    int worst = 0;
-    for (int i = 0; i < static_cast<int>(residual.size()); ++i) {
-      const double magnitude = std::abs(residual[i]);
-      // A division for every row would take longer than the rest of the loop.
-      if (magnitude <= largest * scales[i]) continue;
-      // No comparison with NaN is true.
-      if (!std::isfinite(magnitude)) {
-        is_number = false;
-        break;
-      }
-      largest = magnitude / scales[i];
-      worst = i;
-    }
-    report.residual = largest;
-    report.worst_degree_of_freedom = worst;
-    if (!is_number) {
-      report_no_number(residual);
-      status_ = NOX::StatusTest::Failed;
-    } else if (report.iterations >= least_iterations &&
-               (report.residual <= options_.tolerance ||
-                (report.residual <= loosest_by_round_off && is_round_off(iterate)))) {
-      report.converged = true;
+    const WorstRow worst = iterate.isF() ? ForceBalance::worst_row(iterate.residual(), iterate.system())
+                                         : ForceBalance::no_number(iterate.residual());
+    const int iterations = solver.getNumIterations();
+    set_report(worst, iterations,
+               iterations >= least_iterations && balance_.holds(worst, iterate.residual(), iterate.system()));
+    if (report.converged)
       status_ = NOX::StatusTest::Converged;
-    } else {
-      status_ = report.iterations >= options_.max_iterations ? NOX::StatusTest::Failed : NOX::StatusTest::Unconverged;
-    }
+    else
+      status_ = std::isnan(report.residual) || iterations >= options_.max_iterations ? NOX::StatusTest::Failed
+                                                                                     : NOX::StatusTest::Unconverged;
     return status_;
-  }
-  // Whether every residual beyond the tolerance is within the round-off of its row.
-  [[nodiscard]] bool is_round_off(const NoxGroup& iterate) const {
-    const moat::Vector &residual = iterate.residual(), &scales = iterate.system().residual_scales();
-    for (int i = 0; i < static_cast<int>(residual.size()); ++i)
-      if (std::abs(residual[i]) > options_.tolerance * scales[i] &&
-          std::abs(residual[i]) > iterate.system().round_off(i))
-        return false;
-    return true;
   }
   // The residual is not a number, or could not be computed.
   void report_no_number(const moat::Vector& residual) {
-    report.converged = false;
-    report.residual = std::numeric_limits<double>::quiet_NaN();
-    const auto bad = std::find_if_not(residual.begin(), residual.end(), [](double r) { return std::isfinite(r); });
-    report.worst_degree_of_freedom = bad == residual.end() ? 0 : static_cast<int>(bad - residual.begin());
+    set_report(ForceBalance::no_number(residual), report.iterations, false);
   }
 
   NOX::StatusTest::StatusType getStatus() const override { return status_; }
   std::ostream& print(std::ostream& stream, int) const override { return stream << "force balance"; }
 
  private:
+  void set_report(const WorstRow& worst, int iterations, bool converged) {
+    report = {converged, iterations, worst.residual, worst.degree_of_freedom};
+  }
+
   NewtonOptions options_;
+  ForceBalance balance_;
   NOX::StatusTest::StatusType status_ = NOX::StatusTest::Unevaluated;
 };
 

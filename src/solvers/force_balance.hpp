@@ -1,0 +1,38 @@
+// Whether the rows of a nonlinear system balance.
+#pragma once
+
+#include "base/vector.hpp"
+#include "solvers/nonlinear_system.hpp"
+
+namespace moat {
+
+/// The row of an iterate that is farthest from its balance.
+struct WorstRow {
+  double residual = 0.0;      ///< over the scale of the row; NaN where one is not a number
+  int degree_of_freedom = 0;  ///< where it is
+};
+
+/// Rows balance where each residual is small relative to the scale of its own row, or is round-off (of displacements,
+/// for example) and negligible: beside the scale of its row, or beside the largest of all. Where a structure is
+/// released, rows far from there have no forces but such round-off for many steps.
+class ForceBalance {
+ public:
+  /// Limit for residuals that pass as round-off. The estimate of round-off uses the tangent of the previous iterate,
+  /// which may be far from the solution.
+  static constexpr double loosest_by_round_off = 1e-6;
+
+  /// tolerance: of a residual over its row's scale, > 0.
+  explicit ForceBalance(double tolerance) : tolerance_{tolerance} {}
+
+  /// Of the x last given to the system.
+  [[nodiscard]] static WorstRow worst_row(const Vector& residual, const NonlinearSystem& system);
+  /// The row that is no number, or the first if the residual could not be computed.
+  [[nodiscard]] static WorstRow no_number(const Vector& residual);
+  /// Whether all rows balance, after the first compute_direction() of a solve.
+  [[nodiscard]] bool holds(const WorstRow& worst, const Vector& residual, const NonlinearSystem& system) const;
+
+ private:
+  double tolerance_;
+};
+
+}  // namespace moat
