@@ -42,6 +42,8 @@ Transient::Transient(Model& model, GroundMotion motion, TransientOptions options
   choice_ = choice.reason;
   constexpr std::size_t most_at_one_instant = 64;  // more is rare
   changes_.reserve(most_at_one_instant);
+  // The model may be a copy that was made during the run of another.
+  model_->keep_all_results();
   balance();
   change_regimes_at_end();
 }

@@ -62,7 +62,7 @@ class PlanEnds {
   /// Adds the pairs of degrees of freedom that stiffness couples.
   void add_couplings(const ElementInfo&, PatternBuilder& pattern) const {
     for (std::size_t i = 0; i < count_; ++i)
-      for (std::size_t j = 0; j < i; ++j) pattern.couple(node_[i], node_[j]);
+      for (std::size_t j = 0; j <= i; ++j) pattern.couple(node_[i], node_[j]);
   }
   /// Nothing to keep: indices are known from the start.
   void find_entries(const ElementInfo&, const SparsityPattern&) {}
@@ -135,7 +135,7 @@ class PlanEndsBothWays {
   /// Adds the pairs of degrees of freedom that stiffness couples.
   void add_couplings(PatternBuilder& pattern) const {
     for (std::size_t i = 0; i < along_.size(); ++i)
-      for (std::size_t j = 0; j < i; ++j) pattern.couple(along_.node(i), along_.node(j));
+      for (std::size_t j = 0; j <= i; ++j) pattern.couple(along_.node(i), along_.node(j));
   }
   /// Keeps the positions in the values of the matrix.
   void find(const ElementInfo&, const SparsityPattern& pattern) {

@@ -174,7 +174,8 @@ class Model {
   /// keep_all_results(), where something was added since prepare().
   void return_to_committed_state();
   /// From now on elements with constant tangents have results, in ElementBlock::results(), only in the wanted blocks:
-  /// one flag per block. They cost more than their forces. All have results where energy accounts are kept.
+  /// one flag per block. They cost more than their forces. All have results where energy accounts are kept. A copy has
+  /// those of its model.
   void keep_results_of(const std::vector<bool>& wanted);
   /// Ends that; all have the results of the committed state.
   void keep_all_results();

@@ -26,12 +26,18 @@ WorstRow ForceBalance::no_number(const Vector& residual) {
           bad == residual.end() ? 0 : static_cast<int>(bad - residual.begin())};
 }
 
-bool ForceBalance::holds(const WorstRow& worst, const Vector& residual, const NonlinearSystem& system) const {
+bool ForceBalance::holds(const WorstRow& worst, const Vector& residual, const NonlinearSystem& system) {
   if (std::isnan(worst.residual)) return false;
-  if (worst.residual <= tolerance_) return true;
-  // Every residual beyond the tolerance must be negligible, and round-off.
+  const double largest = std::max(largest_, system.residual_scales().maxCoeff());
+  if (worst.residual > tolerance_ && !is_round_off(residual, system, largest)) return false;
+  largest_ = largest;
+  return true;
+}
+
+// Whether every residual beyond the tolerance is negligible beside the largest scale and within the round-off of its
+// row.
+bool ForceBalance::is_round_off(const Vector& residual, const NonlinearSystem& system, double largest) const {
   const Vector& scales = system.residual_scales();
-  const double largest = scales.maxCoeff();
   for (int i = 0; i < static_cast<int>(residual.size()); ++i) {
     const double magnitude = std::abs(residual[i]);
     if (magnitude <= tolerance_ * scales[i]) continue;

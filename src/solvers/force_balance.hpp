@@ -13,8 +13,9 @@ struct WorstRow {
 };
 
 /// Rows balance where each residual is small relative to the scale of its own row, or is round-off (of displacements,
-/// for example) and negligible: beside the scale of its row, or beside the largest of all. Where a structure is
-/// released, rows far from there have no forces but such round-off for many steps.
+/// for example) and negligible: beside the scale of its row, or beside the largest of all rows in any solution so far.
+/// Where a structure is released, rows far from there have no forces but such round-off for many steps; behind the end
+/// of a motion that may hold for all rows.
 class ForceBalance {
  public:
   /// Limit for residuals that pass as round-off. The estimate of round-off uses the tangent of the previous iterate,
@@ -29,10 +30,13 @@ class ForceBalance {
   /// The row that is no number, or the first if the residual could not be computed.
   [[nodiscard]] static WorstRow no_number(const Vector& residual);
   /// Whether all rows balance, after the first compute_direction() of a solve.
-  [[nodiscard]] bool holds(const WorstRow& worst, const Vector& residual, const NonlinearSystem& system) const;
+  [[nodiscard]] bool holds(const WorstRow& worst, const Vector& residual, const NonlinearSystem& system);
 
  private:
+  [[nodiscard]] bool is_round_off(const Vector& residual, const NonlinearSystem& system, double largest) const;
+
   double tolerance_;
+  double largest_ = 0.0;  // scale in a solution so far
 };
 
 }  // namespace moat

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -140,6 +141,24 @@ TEST(LeftOutResults, AreThereForAnObserverThatIsAttachedDuringTheRun) {
     return false;
   });
   EXPECT_GT(reader.steps, 10);
+}
+
+TEST(LeftOutResults, AreThereInAnAnalysisOfACopyThatWasMadeDuringTheRun) {
+  Model model = isolated_storey();
+  std::optional<Model> copy;
+  Transient analysis{model, push()};
+  Reader reader{{bearings}, {storeys, dampers}};
+  analysis.attach(reader);
+  analysis.run([&] {
+    if (!copy && model.state().time > 0.3) copy.emplace(model);
+    return false;
+  });
+  ASSERT_TRUE(copy);
+  Transient of_copy{*copy, push()};
+  Reader all{{storeys, dampers, bearings}};
+  all.step({*copy});
+  of_copy.advance();
+  all.step({*copy});
 }
 
 // No result of an element is needed for the motion.

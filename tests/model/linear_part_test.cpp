@@ -9,8 +9,10 @@
 #include "elements/gap.hpp"
 #include "elements/lead_rubber_bearing.hpp"
 #include "elements/link_block.hpp"
+#include "elements/plan_spring.hpp"
 #include "elements/shear_spring.hpp"
 #include "elements/viscous_damper.hpp"
+#include "materials/bilinear.hpp"
 #include "materials/impact/hertz_damp.hpp"
 #include "materials/linear.hpp"
 #include "model/model.hpp"
@@ -134,6 +136,25 @@ TEST(LinearPart, ForcesAtRestOfASpringThatIsTooLong) {
 TEST(LinearPart, ChangingColumnsAreThoseOfBearingsAndGaps) {
   const Model model = pounding_buildings();
   EXPECT_EQ(model.changing_columns(), (std::vector<int>{0, 2}));
+}
+
+// Of all springs that change, also where one acts along a single degree of freedom.
+TEST(LinearPart, ChangingColumnsInPlan) {
+  Model model;
+  const DiaphragmId floor =
+      add(model, Diaphragm{.name = "floor", .mass = 100 * tonne, .outline = rectangle(10 * m, 10 * m)});
+  const PlanPoint centre{floor, {0 * m, 0 * m}}, below{ground, {0 * m, 0 * m}};
+  add(model, PlanSpring<Linear>{
+                 .name = "y", .lower = below, .upper = centre, .direction = {0, 1}, .law = {.stiffness = 5 * MN / m}});
+  add(model,
+      PlanSpring<Bilinear>{
+          .name = "x",
+          .lower = below,
+          .upper = centre,
+          .direction = {1, 0},
+          .law = Bilinear{.yield_force = 100 * kN, .yield_displacement = 1 * cm, .post_yield_stiffness = 2 * MN / m}});
+  model.prepare();
+  EXPECT_EQ(model.changing_columns(), (std::vector<int>{floor.x.index}));
 }
 
 TEST(LinearPart, ChangingColumnsAssembledAloneEqualTheWholeTangent) {

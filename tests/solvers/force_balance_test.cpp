@@ -56,6 +56,22 @@ TEST(ForceBalance, PassesRoundOffThatIsSmallBesideTheLargestForce) {
   EXPECT_FALSE(holds(Vector{{0.0, 1e-2}}, {Vector{{1e3, 1e-2}}, 1.0}));
 }
 
+// Behind the end of a motion all rows may have no other force.
+TEST(ForceBalance, PassesRoundOffThatIsSmallBesideTheLargestForceSoFar) {
+  const Rows shaken{Vector{{1e3, 1e3}}, 2e-9}, at_rest{Vector{{1e-9, 1e-9}}, 2e-9};
+  const Vector balanced{{0.0, 0.0}}, round_off{{0.0, 1e-9}};
+  const auto holds = [](ForceBalance& balance, const Vector& residual, const Rows& rows) {
+    return balance.holds(ForceBalance::worst_row(residual, rows), residual, rows);
+  };
+  ForceBalance balance{1e-8};
+  EXPECT_FALSE(holds(balance, round_off, at_rest));
+  // An iterate that does not balance may have any force.
+  EXPECT_FALSE(holds(balance, Vector{{1.0, 1.0}}, shaken));
+  EXPECT_FALSE(holds(balance, round_off, at_rest));
+  EXPECT_TRUE(holds(balance, balanced, shaken));
+  EXPECT_TRUE(holds(balance, round_off, at_rest));
+}
+
 TEST(ForceBalance, NamesARowThatIsNoNumber) {
   const Rows rows{Vector{{1.0, 1.0, 1.0}}, 1.0};
   for (const double bad : {std::numeric_limits<double>::quiet_NaN(), -std::numeric_limits<double>::infinity()}) {
