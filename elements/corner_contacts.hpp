@@ -11,23 +11,13 @@
 #include <vector>
 
 #include "elements/contact_links.hpp"
+#include "elements/corner_and_edge.hpp"
 #include "elements/corner_grip.hpp"
 #include "elements/corner_grip_energy.hpp"
 #include "elements/plan_ends.hpp"
 #include "model/plan_contacts.hpp"
 
 namespace moat {
-
-/// A corner and its edge. The edge reaches from `edge_begin` to `edge_end` > edge_begin along the tangent t, from the
-/// corner at rest, m.
-struct CornerAndEdge {
-  CornerPair pair;                                  ///< names and places
-  PlanEndsBothWays ends;                            ///< along n and t, of the corner relative to the edge
-  ContactFriction friction;                         ///< along the edge
-  double edge_begin = 0.0, edge_end = 0.0;          ///< along t, m
-  double normal_mass = 0.0, tangential_mass = 0.0;  ///< effective, kg
-  double cross_mobility = 0.0;                      ///< of one direction under a force along the other, 1/kg
-};
 
 /// All contacts of corners with edges that have a normal law of type Law. The normal force F_n is that of ContactLinks
 /// along the normal n. Along the tangent t (model/plan_contacts.hpp) acts Coulomb friction F_t (corner_grip.hpp). The
@@ -129,13 +119,13 @@ class CornerContacts final : public ContactLinks<Law, PlanEnds>, public PlanCont
     Base::scan(step, aim, scan);
     for (std::size_t i = 0; i < corners_.size(); ++i) {
       if (!this->is_touching(i)) continue;
-      const double margin = margin_at_ends(i, now_grips_[i].path);
+      const double margin = corners_[i].margin_at_ends(now_grips_[i].path);
       if (margin < scan.margin) {
         scan.margin = margin;
         scan.nearest = i;
       }
       if (margin >= 0.0) continue;
-      const double before = margin_at_ends(i, start_grips_[i].path);
+      const double before = corners_[i].margin_at_ends(start_grips_[i].path);
       scan.crossed = true;
       ++scan.crossings;
       scan.fraction = std::min(scan.fraction, std::clamp((before - aim) / (before - margin), 0.0, 1.0));
@@ -147,7 +137,7 @@ class CornerContacts final : public ContactLinks<Law, PlanEnds>, public PlanCont
     for (std::size_t i = 0; i < corners_.size(); ++i) {
       if (!this->is_touching(i)) continue;
       const auto margin_above_aim = [&](double time) {
-        return margin_at_ends(i, now_grips_[i].path + time * now_grips_[i].rate) - aim;
+        return corners_[i].margin_at_ends(now_grips_[i].path + time * now_grips_[i].rate) - aim;
       };
       first = std::min(first, fall_near(margin_above_aim));
     }
@@ -156,7 +146,7 @@ class CornerContacts final : public ContactLinks<Law, PlanEnds>, public PlanCont
 
   void change(std::size_t block_index, std::vector<RegimeChange>& changes) override {
     for (std::size_t i = 0; i < corners_.size(); ++i) {
-      if (!this->is_touching(i) || margin_at_ends(i, start_grips_[i].path) >= 0.0) continue;
+      if (!this->is_touching(i) || corners_[i].margin_at_ends(start_grips_[i].path) >= 0.0) continue;
       changes.push_back({.block = block_index, .element = i, .rate = this->start_.rates[i]});
       const double stored_before = this->stored(i);
       enter(i, {}, this->start_.rates[i], changes.back());
@@ -236,13 +226,6 @@ class CornerContacts final : public ContactLinks<Law, PlanEnds>, public PlanCont
  private:
   [[nodiscard]] ContactFriction friction(std::size_t i) const { return corners_[i].friction; }
 
-  // > 0 while the corner is beside the edge, or past an end by less than 1 % of it, m.
-  [[nodiscard]] double margin_at_ends(std::size_t i, double path) const {
-    const CornerAndEdge& corner = corners_[i];
-    const double beyond = std::max(path - corner.edge_end, corner.edge_begin - path);
-    return 0.01 * (corner.edge_end - corner.edge_begin) - beyond;
-  }
-
   [[nodiscard]] Distance distance_of(std::size_t i, Distance gap, const CornerGrip& along) const {
     const CornerAndEdge& corner = corners_[i];
     const double past_end = along.path - corner.edge_end, before_begin = corner.edge_begin - along.path;
@@ -264,7 +247,7 @@ class CornerContacts final : public ContactLinks<Law, PlanEnds>, public PlanCont
     }
     const double path = now_grips_[i].path;
     const bool behind = misses_[i] != 0 && gaps_[i].value < 0.0;
-    misses_[i] = behind || margin_at_ends(i, path) < 0.0 ? 1 : 0;
+    misses_[i] = behind || corners_[i].margin_at_ends(path) < 0.0 ? 1 : 0;
   }
 
   // A corner that misses stays open: its indentation counts as a distance.

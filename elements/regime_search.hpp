@@ -14,8 +14,8 @@ namespace moat {
 /// the function stays above `aim`, 0 if it starts at or below `aim`.
 ///
 /// The regula falsi called Illinois: the straight line through both ends of the bracket, where the value at an end that
-/// stays twice is halved. It is called thousands of times for functions of a few operations, which a library's method
-/// behind a std::function would take several times as long for.
+/// stays twice is halved. Written here, because the functions are a few operations, and calls of them through a
+/// std::function, as bracket_root() makes them, would be most of the search.
 template <class Function>
 double first_fall(const Function& function, double beyond, double aim) {
   constexpr double close = 1e-15;

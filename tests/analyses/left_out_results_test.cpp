@@ -79,74 +79,66 @@ class Reader final : public StepObserver {
 
 GroundMotion push() { return constant_acceleration(2.0, 1 * s); }
 
-TEST(LeftOutResults, AreThoseThatNoObserverReads) {
+class LeftOutResults : public ::testing::Test {
+ protected:
+  Model model = isolated_storey();
+  Transient analysis{model, push()};
+  Reader reader_of_bearings{{bearings}}, reader_of_all{{storeys, dampers, bearings}};
+};
+
+TEST_F(LeftOutResults, AreThoseThatNoObserverReads) {
   for (const auto& [reads, left_out] :
        std::vector<std::pair<std::vector<std::size_t>, std::vector<std::size_t>>>{{{bearings}, {storeys, dampers}},
                                                                                   {{storeys, bearings}, {dampers}},
                                                                                   {{dampers, bearings}, {storeys}},
                                                                                   {{storeys, dampers, bearings}, {}}}) {
-    Model model = isolated_storey();
-    Transient analysis{model, push()};
+    Model each = isolated_storey();
+    Transient of_each{each, push()};
     Reader reader{reads, left_out};
-    analysis.attach(reader);
-    analysis.run();
+    of_each.attach(reader);
+    of_each.run();
     EXPECT_GT(reader.steps, 10);
   }
 }
 
-TEST(LeftOutResults, NoneAreWhereAnotherObserverReadsThem) {
-  Model model = isolated_storey();
-  Transient analysis{model, push()};
-  Reader some{{bearings}}, all{{storeys, dampers, bearings}};
-  analysis.attach(some);
-  analysis.attach(all);
+TEST_F(LeftOutResults, NoneAreWhereAnotherObserverReadsThem) {
+  analysis.attach(reader_of_bearings);
+  analysis.attach(reader_of_all);
   analysis.run();
-  EXPECT_GT(all.steps, 10);
+  EXPECT_GT(reader_of_all.steps, 10);
 }
 
 // By hand, anything may be read between the steps.
-TEST(LeftOutResults, NoneAreStepByStep) {
-  Model model = isolated_storey();
-  Transient analysis{model, push()};
-  Reader reader{{storeys, dampers, bearings}};
+TEST_F(LeftOutResults, NoneAreStepByStep) {
   while (!analysis.finished()) {
     analysis.advance();
-    reader.step({model});
+    reader_of_all.step({model});
   }
-  EXPECT_GT(reader.steps, 10);
+  EXPECT_GT(reader_of_all.steps, 10);
 }
 
-TEST(LeftOutResults, ComeBackWhereARunIsStopped) {
-  Model model = isolated_storey();
-  Transient analysis{model, push()};
-  Reader reader{{bearings}};
-  analysis.attach(reader);
+TEST_F(LeftOutResults, ComeBackWhereARunIsStopped) {
+  analysis.attach(reader_of_bearings);
   analysis.run([&] { return model.state().time > 0.3; });  // and finish() looks
   EXPECT_FALSE(analysis.finished());
-  Reader all{{storeys, dampers, bearings}};
   analysis.advance();
-  all.step({model});
+  reader_of_all.step({model});
 }
 
-TEST(LeftOutResults, AreThereForAnObserverThatIsAttachedDuringTheRun) {
-  Model model = isolated_storey();
-  Transient analysis{model, push()};
-  Reader reader{{storeys, dampers, bearings}};
+TEST_F(LeftOutResults, AreThereForAnObserverThatIsAttachedDuringTheRun) {
   bool attached = false;
   analysis.run([&] {
     if (!attached && model.state().time > 0.3) {
-      analysis.attach(reader);
+      analysis.attach(reader_of_all);
       attached = true;
     }
     return false;
   });
-  EXPECT_GT(reader.steps, 10);
+  EXPECT_GT(reader_of_all.steps, 10);
 }
 
-TEST(LeftOutResults, AreThereInAnAnalysisOfACopyThatWasMadeDuringTheRun) {
-  Model model = isolated_storey();
+TEST_F(LeftOutResults, AreThereInAnAnalysisOfACopyThatWasMadeDuringTheRun) {
   std::optional<Model> copy;
-  Transient analysis{model, push()};
   Reader reader{{bearings}, {storeys, dampers}};
   analysis.attach(reader);
   analysis.run([&] {
@@ -155,22 +147,21 @@ TEST(LeftOutResults, AreThereInAnAnalysisOfACopyThatWasMadeDuringTheRun) {
   });
   ASSERT_TRUE(copy);
   Transient of_copy{*copy, push()};
-  Reader all{{storeys, dampers, bearings}};
-  all.step({*copy});
+  reader_of_all.step({*copy});
   of_copy.advance();
-  all.step({*copy});
+  reader_of_all.step({*copy});
 }
 
 // No result of an element is needed for the motion.
-TEST(LeftOutResults, DoNotChangeTheMotion) {
-  Model with = isolated_storey(), without = isolated_storey();
-  Transient first{with, push()}, second{without, push()};
+TEST_F(LeftOutResults, DoNotChangeTheMotion) {
+  Model with = isolated_storey();
+  Transient of_with{with, push()};
   PeakRecorder peaks{with};
-  first.attach(peaks);
-  first.run();
-  second.run();
-  EXPECT_EQ(with.state().displacement, without.state().displacement);
-  EXPECT_EQ(with.state().velocity, without.state().velocity);
+  of_with.attach(peaks);
+  of_with.run();
+  analysis.run();
+  EXPECT_EQ(with.state().displacement, model.state().displacement);
+  EXPECT_EQ(with.state().velocity, model.state().velocity);
 }
 
 }  // namespace
