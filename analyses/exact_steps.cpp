@@ -100,11 +100,8 @@ bool ExactSteps::look(const StepTask& part) {
   return true;
 }
 
-void ExactSteps::complete() {
-  // Forces are needed behind a touch, and Transient::balance() computes them there.
-  model_->evaluate_elements();
-  model_->evaluate_rates();
-}
+// Forces on nodes are needed behind a touch, and Transient::balance() computes them there.
+void ExactSteps::complete() { model_->evaluate_elements(); }
 
 void ExactSteps::move_to_end(const StepTask& part) {
   const double* end = path_.at(part.length);
@@ -114,6 +111,7 @@ void ExactSteps::move_to_end(const StepTask& part) {
   std::copy_n(end, n, trial.displacement.data());
   std::copy_n(end + n, n, trial.velocity.data());
   std::copy_n(end + 2 * n, n, trial.acceleration.data());
+  std::copy_n(end + 3 * n, n, trial.jerk.data());
 }
 
 bool ExactSteps::accepts(const StepTask& step, std::span<const RegimeChange>) {

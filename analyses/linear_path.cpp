@@ -34,6 +34,7 @@ void LinearPath::begin(const LinearSystem& system, const MotionState& start, con
   std::copy_n(start.displacement.data(), count_, start_of_part(0));
   std::copy_n(start.velocity.data(), count_, start_of_part(0) + count_);
   std::copy_n(start.acceleration.data(), count_, start_of_part(0) + 2 * count_);
+  std::copy_n(start.jerk.data(), count_, start_of_part(0) + 3 * count_);
   known_ = 0;
   expanded_ = none;
 }

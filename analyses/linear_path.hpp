@@ -26,7 +26,7 @@ class LinearPath {
   /// Begins at this state. The system must exist until the next begin() or the end of the path.
   void begin(const LinearSystem& system, const MotionState& start, const StepTask& step);
 
-  /// (u, u', u'') after h s, 0 < h <= the length of the step. Valid until the next call.
+  /// The motion (analyses/linear_system.hpp) after h s, 0 < h <= the length of the step. Valid until the next call.
   [[nodiscard]] const double* at(double h);
 
   [[nodiscard]] std::size_t parts() const { return parts_; }  ///< Of this step.
@@ -34,7 +34,7 @@ class LinearPath {
   [[nodiscard]] double start_of(std::size_t part) const { return times_[first_pieces_[part]]; }
   /// The ground acceleration there, m/s^2.
   [[nodiscard]] double ground_at(std::size_t part) const { return ground_[first_pieces_[part]]; }
-  /// (u, u', u'') there. at() must have gone as far.
+  /// The motion there. at() must have gone as far.
   [[nodiscard]] const double* motion(std::size_t part) const {
     return path_.col(static_cast<Eigen::Index>(part)).data();
   }
@@ -55,13 +55,13 @@ class LinearPath {
   std::array<double, most_pieces + 1> times_{}, ground_{};
   std::size_t parts_ = 0;
   std::array<std::size_t, most_pieces + 1> first_pieces_{};  // of every part, and pieces_
-  Eigen::MatrixXd path_;                                     // column i: (u, u', u'') at the start of part i
+  Eigen::MatrixXd path_;                                     // column i: the motion at the start of part i
   std::size_t known_ = 0;                                    // parts whose end is known
   LinearMotionSeries series_;
   static constexpr std::size_t none = most_pieces;
   std::size_t expanded_ = none;  // the piece of the series
   double expanded_until_ = 0.0;  // from its start, s
-  Vector start_, inside_;        // (u, u', u'') at the start of a piece, and at a time inside
+  Vector start_, inside_;        // the motion at the start of a piece, and at a time inside
 };
 
 }  // namespace moat

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <initializer_list>
 #include <string>
+#include <utility>
 
 #include "base/check.hpp"
 
@@ -32,30 +33,72 @@ struct Columns {
   const double* factors;
 };
 
-// Rows `row` to `row` + 4 fours of A x + B z + ...
-template <int fours>
-[[gnu::always_inline]] inline void multiply_rows(Eigen::Index rows, Eigen::Index row,
+// Rows `row` to `row` + 4 fours of A x + B z + ... The compiler keeps sums in registers where their indices are
+// constants.
+template <std::size_t... fours>
+[[gnu::always_inline]] inline void multiply_rows(std::index_sequence<fours...>, Eigen::Index rows, Eigen::Index row,
                                                  const std::initializer_list<Columns>& parts, double* __restrict y) {
-  FourRows sums[fours]{};
+  FourRows sums[sizeof...(fours)]{};
   for (const Columns& columns : parts)
     for (Eigen::Index column = 0; column < columns.count; ++column) {
       const auto* entries = reinterpret_cast<const FourRows*>(columns.entries + column * rows + row);
-      for (int i = 0; i < fours; ++i) sums[i] += entries[i] * columns.factors[column];
+      ((sums[fours] += entries[fours] * columns.factors[column]), ...);
     }
-  for (int i = 0; i < fours; ++i) reinterpret_cast<FourRows*>(y + row)[i] = sums[i];
+  ((reinterpret_cast<FourRows*>(y + row)[fours] = sums[fours]), ...);
 }
 
-// y = A x + B z + ... for columns whose number of rows is a multiple of rows_at_once. The function is compiled for
-// newer processors as well, and the version is chosen when the program starts.
+// Functions with this are compiled for newer processors as well, and the version is chosen when the program starts.
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__)
-__attribute__((target_clones("default", "arch=x86-64-v3")))
+#define MOAT_FOR_NEWER_PROCESSORS __attribute__((target_clones("default", "arch=x86-64-v3")))
+#else
+#define MOAT_FOR_NEWER_PROCESSORS
 #endif
-void multiply(Eigen::Index rows, std::initializer_list<Columns> parts, double* __restrict y) {
+
+// y = A x + B z + ... for columns whose number of rows is a multiple of rows_at_once.
+[[gnu::always_inline]] inline void multiply_columns(Eigen::Index rows, const std::initializer_list<Columns>& parts,
+                                                    double* __restrict y) {
   static_assert(rows_at_once == 8);
   Eigen::Index row = 0;
-  for (; rows - row >= 24; row += 24) multiply_rows<6>(rows, row, parts, y);
-  if (rows - row == 16) multiply_rows<4>(rows, row, parts, y);
-  if (rows - row == 8) multiply_rows<2>(rows, row, parts, y);
+  for (; rows - row >= 24; row += 24) multiply_rows(std::make_index_sequence<6>{}, rows, row, parts, y);
+  if (rows - row == 16) multiply_rows(std::make_index_sequence<4>{}, rows, row, parts, y);
+  if (rows - row == 8) multiply_rows(std::make_index_sequence<2>{}, rows, row, parts, y);
+}
+
+MOAT_FOR_NEWER_PROCESSORS
+void multiply(Eigen::Index rows, std::initializer_list<Columns> parts, double* __restrict y) {
+  multiply_columns(rows, parts, y);
+}
+
+// The largest magnitudes of a term of a series.
+struct TermSize {
+  double displacement, velocity;
+};
+
+[[gnu::always_inline]] inline double largest_of(const FourRows& magnitudes) {
+  return std::max(std::max(magnitudes[0], magnitudes[1]), std::max(magnitudes[2], magnitudes[3]));
+}
+
+// A term (U, V) of a series from the one before: `share` times V and the rates of (U, V), which the parts add up to.
+// U and V have filled-up rows.
+MOAT_FOR_NEWER_PROCESSORS
+TermSize add_term(Eigen::Index rows, std::initializer_list<Columns> rates, double share, const double* last,
+                  double* __restrict next) {
+  multiply_columns(rows, rates, next + rows);
+  const auto* last_velocities = reinterpret_cast<const FourRows*>(last + rows);
+  auto* displacements = reinterpret_cast<FourRows*>(next);
+  auto* velocities = reinterpret_cast<FourRows*>(next + rows);
+  FourRows displacement{}, velocity{};
+  const auto keep_larger = [](FourRows& largest, const FourRows& value) {
+    const FourRows magnitude = value < 0.0 ? -value : value;
+    largest = magnitude > largest ? magnitude : largest;
+  };
+  for (Eigen::Index i = 0; i < rows / 4; ++i) {
+    displacements[i] = share * last_velocities[i];
+    velocities[i] *= share;
+    keep_larger(displacement, displacements[i]);
+    keep_larger(velocity, velocities[i]);
+  }
+  return {largest_of(displacement), largest_of(velocity)};
 }
 
 // An eigenvalue x of a vector v has x^2 v = -(K + x C) v, so that |x|^2 <= |K| + |x| |C| in the norm of row sums.
@@ -136,16 +179,18 @@ LinearSystem::Transition LinearSystem::of_one_step() {
 
 // The end of the first half is the start of the second.
 LinearSystem::Transition LinearSystem::twice(const Transition& half) const {
-  const Eigen::Index n = rates_.cols() / 2, steps = half.from_start.cols() - 2 * n - first_ground - 1;
-  const auto from_motion = half.from_start.rightCols(2 * n);
-  const auto grounds = half.from_start.middleCols(first_ground, steps + 1);
-  Transition whole;
-  whole.from_constant = half.from_constant;
-  whole.from_constant.noalias() += from_motion * half.from_constant.topRows(2 * n);
-  whole.from_start.setZero(half.from_start.rows(), first_ground + 2 * steps + 1 + 2 * n);
-  whole.from_start.middleCols(first_ground, steps + 1).noalias() = from_motion * grounds.topRows(2 * n);
-  whole.from_start.middleCols(first_ground + steps, steps + 1) += grounds;
-  whole.from_start.rightCols(2 * n).noalias() = from_motion * from_motion.topRows(2 * n);
+  const Eigen::Index n = rates_.cols() / 2, rows = half.from_start.rows(),
+                     steps = half.from_start.cols() - 2 * n - first_ground - 1, motions = first_ground + steps + 1;
+  const auto move_on = [&](const Matrix& middle, Eigen::Index column, Matrix& end, Eigen::Index column_of_end) {
+    multiply(rows, {{half.from_start.col(motions).data(), 2 * n, middle.col(column).data()}},
+             end.col(column_of_end).data());
+  };
+  Transition whole{Matrix::Zero(rows, n), Matrix::Zero(rows, motions + steps + 2 * n)};
+  for (Eigen::Index i = 0; i < n; ++i) move_on(half.from_constant, i, whole.from_constant, i);
+  whole.from_constant += half.from_constant;
+  for (Eigen::Index i = first_ground; i < motions; ++i) move_on(half.from_start, i, whole.from_start, i);
+  whole.from_start.middleCols(first_ground + steps, steps + 1) += half.from_start.middleCols(first_ground, steps + 1);
+  for (Eigen::Index i = 0; i < 2 * n; ++i) move_on(half.from_start, motions + i, whole.from_start, motions + steps + i);
   return whole;
 }
 
@@ -172,75 +217,73 @@ void LinearSystem::advance(std::size_t doublings, const double* start, const dou
            end);
 }
 
-void LinearSystem::scaled_rates(const double* state, double* result) const {
-  multiply(rates_.rows(), {{rates_.data(), rates_.cols(), state}}, result);
-}
-
-LinearMotionSeries::LinearMotionSeries(Eigen::Index count) : count_{count} {
-  coefficients_.setZero(LinearSystem::filled_up(2 * count), most_terms);
-  state_.setZero(coefficients_.rows());
-  rates_.setZero(LinearSystem::filled_up(count));
+LinearMotionSeries::LinearMotionSeries(Eigen::Index count) : count_{count}, rows_{LinearSystem::filled_up(count)} {
+  coefficients_.setZero(2 * rows_, most_terms);
+  state_.setZero(2 * rows_);
+  constant_.setZero(rows_);
+  rates_.setZero(rows_);
+  velocity_.setZero(2 * rows_);
 }
 
 // With coefficients U_k of (t/h)^k in u, those of h u' are V_k = (k + 1) U_{k+1}, and those of its rate (k + 1) V_{k+1}
 // follow from U_k and V_k by the differential equation. They decrease like 1 / (2^k k!).
 void LinearMotionSeries::expand(const LinearSystem& system, const double* start, double ground, double slope,
                                 double longest) {
-  const Eigen::Index n = count_;
-  const double h = system.step();
+  const Eigen::Index n = count_, rows = rows_;
+  const double h = system.step(), *of_displacement = system.scaled_rates(), *of_velocity = of_displacement + n * rows;
   system_ = &system;
   ground_ = ground;
   slope_ = slope;
   coefficients_.col(0).head(n) = Eigen::Map<const Vector>{start, n};
-  coefficients_.col(0).segment(n, n) = h * Eigen::Map<const Vector>{start + n, n};
-  constexpr double round_off = 1e-16;
-  double size = coefficients_.col(0).head(n).lpNorm<Eigen::Infinity>(), largest = 0.0;
-  double rate = coefficients_.col(0).segment(n, n).lpNorm<Eigen::Infinity>(), largest_rate = 0.0;
+  coefficients_.col(0).segment(rows, n) = h * Eigen::Map<const Vector>{start + n, n};
+  constexpr double round_off = 1e-16, one = 1.0;
+  TermSize largest{}, size{coefficients_.col(0).head(rows).lpNorm<Eigen::Infinity>(),
+                           coefficients_.col(0).tail(rows).lpNorm<Eigen::Infinity>()};
   const double x = longest / h;
   double power = 1.0;
   int small_in_a_row = 0;
   // The series ends after two negligible terms in a row, because a single term may vanish.
   for (terms_ = 1; terms_ < most_terms && small_in_a_row < 2; ++terms_) {
-    largest = std::max(largest, size);
-    largest_rate = std::max(largest_rate, rate);
+    largest = {std::max(largest.displacement, size.displacement), std::max(largest.velocity, size.velocity)};
     const double* last = coefficients_.col(terms_ - 1).data();
-    double* next = coefficients_.col(terms_).data();
-    system.scaled_rates(last, rates_.data());
-    auto rates = rates_.head(n);
-    if (terms_ == 1) rates += h * h * (system.offset().array() - ground).matrix();
-    if (terms_ == 2) rates.array() -= h * h * h * slope;
-    const double share = 1.0 / terms_;
+    if (terms_ == 1) constant_.head(n) = h * h * (system.offset().array() - ground);
+    if (terms_ == 2) constant_.head(n).setConstant(-h * h * h * slope);
+    size = add_term(
+        rows,
+        {{constant_.data(), terms_ <= 2 ? 1 : 0, &one}, {of_displacement, n, last}, {of_velocity, n, last + rows}},
+        1.0 / terms_, last, coefficients_.col(terms_).data());
     power *= x;
-    size = rate = 0.0;
-    for (Eigen::Index i = 0; i < n; ++i) {
-      next[i] = share * last[n + i];
-      next[n + i] = share * rates_[i];
-      size = std::max(size, std::abs(next[i]));
-      rate = std::max(rate, std::abs(next[n + i]));
-    }
-    size *= power;
-    rate *= power;
-    const bool small = size <= round_off * largest && rate <= round_off * largest_rate;
+    const bool small = power * size.displacement <= round_off * largest.displacement &&
+                       power * size.velocity <= round_off * largest.velocity;
+    size = {power * size.displacement, power * size.velocity};
     small_in_a_row = small ? small_in_a_row + 1 : 0;
   }
 }
 
 void LinearMotionSeries::evaluate(double h, double* result) {
-  const Eigen::Index n = count_;
+  const Eigen::Index n = count_, rows = rows_;
   const double step = system_->step(), x = h / step;
   std::array<double, most_terms> powers;
   powers[0] = 1.0;
   for (int k = 1; k < terms_; ++k) powers[k] = x * powers[k - 1];
-  multiply(coefficients_.rows(), {{coefficients_.data(), terms_, powers.data()}}, state_.data());
-  // The acceleration follows from the differential equation.
-  system_->scaled_rates(state_.data(), rates_.data());
+  multiply(2 * rows, {{coefficients_.data(), terms_, powers.data()}}, state_.data());
+  const double *of_displacement = system_->scaled_rates(), *of_velocity = of_displacement + n * rows;
+  const auto find_rates = [&](const double* state) {
+    multiply(rows, {{of_displacement, n, state}, {of_velocity, n, state + rows}}, rates_.data());
+  };
+  // The acceleration follows from the differential equation, and the jerk from its rate.
+  find_rates(state_.data());
   const double per_step = 1.0 / step, ground = ground_ + slope_ * h;
   const double *state = state_.data(), *rates = rates_.data(), *offset = system_->offset().data();
+  double* velocity = velocity_.data();
   for (Eigen::Index i = 0; i < n; ++i) {
     result[i] = state[i];
-    result[n + i] = per_step * state[n + i];
+    result[n + i] = velocity[i] = per_step * state[rows + i];
     result[2 * n + i] = per_step * per_step * rates[i] + offset[i] - ground;
+    velocity[rows + i] = step * result[2 * n + i];
   }
+  find_rates(velocity);
+  for (Eigen::Index i = 0; i < n; ++i) result[3 * n + i] = per_step * per_step * rates[i];
 }
 
 }  // namespace moat

@@ -16,7 +16,7 @@ namespace moat {
 /// over steps of one length. The ground's acceleration is linear over each. The motion at the end is a matrix times the
 /// motion at the start and the ground's accelerations, exact to round-off: the Taylor series of the solution.
 ///
-/// A motion is an array of u, u' and u'', or of u and u' alone where it starts.
+/// A motion is an array of u, u', u'' and the absolute jerk -M^-1 (K u' + C u''), or of u and u' alone where it starts.
 class LinearSystem {
  public:
   /// Steps that one product passes: 1, 2, 4, ... up to this.
@@ -41,17 +41,17 @@ class LinearSystem {
   /// the end of each of them, m/s^2. `end` has room for result_size() numbers.
   void advance(std::size_t doublings, const double* start, const double* ground, double* end) const;
   /// The numbers that advance() writes for so many degrees of freedom.
-  static Eigen::Index result_size(Eigen::Index degrees_of_freedom) { return filled_up(3 * degrees_of_freedom); }
+  static Eigen::Index result_size(Eigen::Index degrees_of_freedom) { return filled_up(4 * degrees_of_freedom); }
   /// The next multiple of the rows that a product computes at once.
   static Eigen::Index filled_up(Eigen::Index rows);
 
-  /// -h^2 M^-1 (K u + C u') of a state (u, h u'), with h the step. `result` has room for filled_up(n) numbers.
-  void scaled_rates(const double* state, double* result) const;
+  /// With h the step: the columns of -h^2 M^-1 K, and behind them those of -h M^-1 C. Each has filled_up(n) rows.
+  [[nodiscard]] const double* scaled_rates() const { return rates_.data(); }
   /// -M^-1 f0, m/s^2.
   [[nodiscard]] const Vector& offset() const { return offset_; }
 
  private:
-  // (u, u', u'') at the end of some steps. Rows are filled up.
+  // The motion at the end of some steps. Rows are filled up.
   struct Transition {
     Eigen::MatrixXd from_constant;  // per constant acceleration of each degree of freedom
     Eigen::MatrixXd from_start;     // per 1 with the present offset, acceleration of the ground, entry of the start
@@ -76,18 +76,19 @@ class LinearMotionSeries {
   /// The motion of a system from a start, (u, u'), under a ground with this acceleration, m/s^2, and slope, m/s^3, for
   /// the longest time that evaluate() will be asked for, s: less needs fewer terms.
   void expand(const LinearSystem& system, const double* start, double ground, double slope, double longest);
-  /// (u, u', u'') after h <= longest s; `result` has room for LinearSystem::result_size() numbers.
+  /// The motion after h <= longest s; `result` has room for LinearSystem::result_size() numbers.
   void evaluate(double h, double* result);
 
  private:
-  Eigen::Index count_;
+  Eigen::Index count_, rows_;  // rows_: count_, filled up
   const LinearSystem* system_ = nullptr;
   double ground_ = 0.0, slope_ = 0.0;
-  // Column k holds the coefficients of (t/h)^k in (u, h u'), with h the step of the system; terms_ are known. Rows are
-  // filled up.
+  // Column k holds the coefficients of (t/h)^k in u, and rows_ below in h u', with h the step of the system; terms_ are
+  // known.
   Eigen::MatrixXd coefficients_;
   int terms_ = 0;
-  Vector state_, rates_;  // of evaluate()
+  Vector constant_;                  // part of a term, in expand()
+  Vector state_, velocity_, rates_;  // of evaluate(): (u, h u'), (u', h u''), the rates of one of them
 };
 
 }  // namespace moat

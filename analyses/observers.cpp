@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <exception>
+#include <utility>
 
 namespace moat {
 
@@ -12,18 +13,15 @@ bool Observers::need_results_of(std::size_t block) const {
 }
 
 void Observers::start(const StepView& view) {
-  for (Follower& follower : followers_) {
-    if (follower.started) continue;
-    follower.started = true;
-    follower.observer->start(view);
-  }
+  for (std::size_t i = 0; i < followers_.size(); ++i)
+    if (!std::exchange(followers_[i].started, true)) followers_[i].observer->start(view);
 }
 
 void Observers::finish(const StepView& view) const {
   std::exception_ptr failure;
-  for (const Follower& follower : followers_) {
+  for (std::size_t i = 0; i < followers_.size(); ++i) {
     try {
-      follower.observer->finish(view);
+      followers_[i].observer->finish(view);
     } catch (...) {
       if (!failure) failure = std::current_exception();
     }

@@ -9,7 +9,8 @@
 
 namespace moat {
 
-/// Calls observers in the order in which they were added. Each gets the start before its first step.
+/// Calls observers in the order in which they were added. Each gets the start before anything else, also one that is
+/// added while another is called.
 class Observers {
  public:
   /// The observer must outlive this object.
@@ -21,11 +22,11 @@ class Observers {
   void start(const StepView& view);
   /// After every committed step.
   void step(const StepView& view) const {
-    for (const Follower& follower : followers_) follower.observer->step(view);
+    for_each_started([&](StepObserver& observer) { observer.step(view); });
   }
   /// After every change of regime.
   void event(const StepView& view, std::span<const RegimeChange> changes) const {
-    for (const Follower& follower : followers_) follower.observer->event(view, changes);
+    for_each_started([&](StepObserver& observer) { observer.event(view, changes); });
   }
   /// After the last step. All are finished, also if one of them throws; the first exception goes on.
   void finish(const StepView& view) const;
@@ -35,6 +36,14 @@ class Observers {
     StepObserver* observer;
     bool started;
   };
+
+  // The list may grow meanwhile.
+  template <class Call>
+  void for_each_started(const Call& call) const {
+    for (std::size_t i = 0; i < followers_.size(); ++i)
+      if (followers_[i].started) call(*followers_[i].observer);
+  }
+
   std::vector<Follower> followers_;
 };
 

@@ -6,7 +6,13 @@
 
 namespace moat {
 
-bool is_utf8(std::string_view text) { return utf8::is_valid(text.begin(), text.end()); }
+bool is_utf8(std::string_view text) {
+  // Nearly all texts are plain ASCII, which takes a fifth of the time.
+  unsigned all = 0;
+  for (const char byte : text) all |= static_cast<unsigned char>(byte);
+  constexpr unsigned beyond_ascii = 0x80;
+  return all < beyond_ascii || utf8::is_valid(text.begin(), text.end());
+}
 
 std::string as_utf8(std::string_view text) {
   std::string valid;

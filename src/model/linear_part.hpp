@@ -2,8 +2,10 @@
 #pragma once
 
 #include <memory>
+#include <span>
 #include <vector>
 
+#include "base/copyable_pointer.hpp"
 #include "base/sparse_matrix.hpp"
 #include "base/vector.hpp"
 #include "model/element_block.hpp"
@@ -22,10 +24,12 @@ namespace moat {
 /// Matrices have the pattern of the model; vectors have one entry per degree of freedom, and one for the ground.
 class LinearPart {
  public:
-  /// Starts again, with no elements.
-  void clear(const std::shared_ptr<const SparsityPattern>& pattern);
-  /// Adds the elements of a block with constant tangents, which has its slots in the pattern. The block is evaluated.
-  void add(ElementBlock& block);
+  /// No elements; of use when assigned to.
+  LinearPart() = default;
+  /// Of the elements in those blocks that have constant tangents. They have their slots in the pattern, and are
+  /// evaluated.
+  LinearPart(const std::shared_ptr<const SparsityPattern>& pattern,
+             std::span<const CopyablePointer<ElementBlock>> blocks);
 
   /// K, values of the pattern.
   [[nodiscard]] const std::vector<double>& stiffness() const { return stiffness_.values; }
@@ -38,9 +42,17 @@ class LinearPart {
   void evaluate_rates(const double* velocity, const double* acceleration, Vector& rates) const;
 
  private:
-  void multiply(const double* displacement, const double* velocity, const Vector& added, Vector& result) const;
+  void find_pairs();
+  void multiply(const double* displacement, const double* velocity, double* sums) const;
+
+  // Two degrees of freedom with their entries of the matrices.
+  struct Pair {
+    int first, second;
+    double stiffness, damping;
+  };
 
   SparseMatrix stiffness_, damping_;
+  std::vector<Pair> pairs_;                 // the entries below the diagonal
   Vector forces_at_rest_;                   // empty where all are zero
   Vector per_displacement_, per_velocity_;  // the forces where all nodes are displaced by 1, or move with 1
 };

@@ -147,8 +147,7 @@ void Model::prepare() {
     if (blocks_[i]->contacts() != nullptr) blocks_with_contacts_.push_back(i);
   }
   ++tangent_version_;
-  linear_part_.clear(pattern_);
-  for (const std::size_t i : constant_blocks_) linear_part_.add(*blocks_[i]);
+  linear_part_ = LinearPart{pattern_, blocks_};
   diagonal_slots_.resize(static_cast<std::size_t>(count));
   for (int i = 0; i < count; ++i) diagonal_slots_[static_cast<std::size_t>(i)] = pattern_->slot(i, i);
 

@@ -137,8 +137,8 @@ class Model {
   /// Computes internal_forces() at the trial state, and all elements but those with constant tangents, whose results
   /// follow in commit().
   void evaluate();
-  /// The same without forces, for a trial state whose accelerations are known: internal_forces(), and behind a commit()
-  /// committed_forces(), are then of another state until the next evaluate().
+  /// The same elements, and the rates of their forces, for a trial state whose accelerations and jerks are known:
+  /// internal_forces(), and behind a commit() committed_forces(), are then of another state until the next evaluate().
   void evaluate_elements();
   /// After evaluate(): the rates of all forces at the trial state, from both tangents and the trial accelerations, and
   /// from them the trial jerk, -M^-1 df/dt.

@@ -10,7 +10,10 @@ void Model::evaluate() {
   evaluate_changing(internal_forces_.data());
 }
 
-void Model::evaluate_elements() { evaluate_changing(nullptr); }
+void Model::evaluate_elements() {
+  evaluate_changing(nullptr);
+  for (const std::size_t i : changing_blocks_) blocks_[i]->evaluate_rates(trial_.acceleration.data(), nullptr);
+}
 
 // The elements without constant tangents at the trial state; adds their forces unless `forces` is null.
 void Model::evaluate_changing(double* forces) {

@@ -35,7 +35,8 @@ struct ExponentialMotion {
         damping{model.masses().cwiseInverse().asDiagonal() * Eigen::MatrixXd{tangents.damping.view()}},
         offset{std::move(its_offset)} {}
 
-  /// (u, u', u'') h s after a start (u, u'), under a ground with this acceleration there and this slope.
+  /// (u, u', u'') and the absolute jerk h s after a start (u, u'), under a ground with this acceleration there and this
+  /// slope.
   [[nodiscard]] Vector after(double h, const Vector& start, double ground, double slope) const {
     const Eigen::Index n = offset.size();
     Eigen::MatrixXd rates = Eigen::MatrixXd::Zero(2 * n + 2, 2 * n + 2);
@@ -48,8 +49,9 @@ struct ExponentialMotion {
     Vector state(2 * n + 2);
     state << start.head(2 * n), ground, 1.0;
     const Vector end = (h * rates).exp() * state;
-    Vector motion(3 * n);
-    motion << end.head(2 * n), (rates * end).segment(n, n);
+    const Vector velocity = end.segment(n, n), acceleration = (rates * end).segment(n, n);
+    Vector motion(4 * n);
+    motion << end.head(2 * n), acceleration, -stiffness * velocity - damping * acceleration;
     return motion;
   }
 };

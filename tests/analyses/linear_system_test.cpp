@@ -75,8 +75,8 @@ struct MovingChain {
 
 // Each part of the motion to a share of its largest entry.
 void expect_equal(const Vector& found, const Vector& exact) {
-  const Eigen::Index count = exact.size() / 3;
-  for (Eigen::Index part = 0; part < 3; ++part) {
+  const Eigen::Index count = exact.size() / 4;
+  for (Eigen::Index part = 0; part < 4; ++part) {
     const Vector of_part = exact.segment(part * count, count);
     const double allowed = 1e-12 * of_part.cwiseAbs().maxCoeff();
     for (Eigen::Index i = 0; i < count; ++i) EXPECT_NEAR(found[part * count + i], of_part[i], allowed) << part << i;

@@ -87,10 +87,7 @@ TEST(LinearPart, RatesAreThoseOfTheForces) {
   MotionState& trial = model.trial();
   for (int i = 0; i < count; ++i) trial.acceleration[i] = std::sin(0.3 + i);
   const MotionState start = trial;
-  LinearPart part;
-  part.clear(model.pattern());
-  for (const auto& block : model.blocks())
-    if (block->constant_tangent()) part.add(*block->clone());
+  const LinearPart part{model.pattern(), std::vector{model.blocks()}};
   Vector before, after, rates;
   part.evaluate(start.displacement.data(), start.velocity.data(), before);
   const Vector displacement = start.displacement + time * start.velocity,
