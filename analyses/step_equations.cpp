@@ -17,9 +17,11 @@ StepEquations::StepEquations(Model& model) : model_{&model}, resultants_{model} 
   predicted_velocity_.setZero(size());
   scales_.setZero(size());
   balanced_scales_.setZero(size());
+  for (Start* start : {&earlier_, &start_}) start->acceleration = start->jerk = model.state().jerk;
 }
 
 void StepEquations::begin(const StepTask& task, StepScheme scheme, Vector& guess) {
+  const bool goes_on = task_.end_time == task.start_time && task_.start_time == start_.time;
   task_ = task;
   scheme_ = scheme;
   is_moved_ = false;
@@ -57,7 +59,39 @@ void StepEquations::begin(const StepTask& task, StepScheme scheme, Vector& guess
   if (!scheme.balances_at_end()) average_start();
   model_->trial().time = task.end_time;
   has_extrapolated_ = scheme.balances_at_end() && factors_serve() && knows_velocity_of_forces();
-  if (has_extrapolated_) extrapolate(guess);
+  if (has_extrapolated_)
+    extrapolate(guess);
+  else if (scheme.corrects_velocity)
+    add_curvature(goes_on, guess);
+}
+
+// With y = h/H of both steps' lengths, the cubic through the absolute accelerations A0, A1 and jerks j0, j1 at the
+// start of the step before and of this one leaves the tangent at A1 by
+//
+//     y^2 (Q + 3 P + y (Q + 2 P)),   P = A0 - A1 + H j1,   Q = H (j0 - j1)
+void StepEquations::add_curvature(bool goes_on, Vector& guess) {
+  const MotionState& now = model_->state();
+  if (start_.time != now.time) {
+    std::swap(earlier_, start_);
+    start_.time = now.time;
+    start_.ground_acceleration = task_.ground_acceleration_at_start;
+    start_.acceleration = now.acceleration;
+    start_.jerk = now.jerk;
+    if (!goes_on) earlier_.time = std::numeric_limits<double>::quiet_NaN();
+  }
+  const double length = start_.time - earlier_.time, y = task_.length / length;
+  constexpr double longest = 2.0;  // beyond the step before; false where there is none
+  if (!(y <= longest)) return;
+  const double *a0 = earlier_.acceleration.data(), *j0 = earlier_.jerk.data(), *a1 = start_.acceleration.data(),
+               *j1 = start_.jerk.data();
+  double* __restrict first = guess.data();
+  with_ground_component(
+      *model_, earlier_.ground_acceleration - start_.ground_acceleration, [&, count = size()](const auto& of_ground) {
+        for (int i = 0; i < count; ++i) {
+          const double p = a0[i] - a1[i] + of_ground(i) + length * j1[i], q = length * (j0[i] - j1[i]);
+          first[i] += y * y * (q + 3.0 * p + y * (q + 2.0 * p));
+        }
+      });
 }
 
 bool StepEquations::has_factors_of_step() const {
@@ -168,6 +202,8 @@ void StepEquations::balance_committed_state(PlanVector ground_acceleration) {
     trial.acceleration[i] = -force[i] / model_->masses()[i] - shares.of(ground_acceleration, i);
   model_->evaluate_rates();
   model_->commit();
+  // Accelerations may have jumped.
+  start_.time = std::numeric_limits<double>::quiet_NaN();
   of_committed_.time = model_->state().time;
   of_committed_.velocity = model_->state().velocity;
 }

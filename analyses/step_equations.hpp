@@ -74,6 +74,7 @@ class StepEquations final : public NonlinearSystem {
   }
   [[nodiscard]] bool knows_velocity_of_forces();
   void extrapolate(Vector& guess);
+  void add_curvature(bool goes_on, Vector& guess);
   void move(const Vector& acceleration);
   void average_start();
 
@@ -100,6 +101,13 @@ class StepEquations final : public NonlinearSystem {
   Vector unbalanced_;
   bool has_extrapolated_ = false;
   bool is_moved_ = false;  // the trial state is that of the guess, since predict()
+  // A committed state from which a step began.
+  struct Start {
+    double time = std::numeric_limits<double>::quiet_NaN();  // s
+    PlanVector ground_acceleration{};                        // m/s^2
+    Vector acceleration, jerk;
+  };
+  Start earlier_, start_;  // of the step before, NaN where it did not end here, and of this one; for add_curvature()
   // The velocities with which forces were evaluated; complete() corrects velocities after that.
   struct EvaluatedVelocity {
     double time = std::numeric_limits<double>::quiet_NaN();  // s
