@@ -1,1 +1,0 @@
-for v in "$@"; do echo -n "$v "; valgrind --tool=callgrind --toggle-collect='moat::performance::moat_peaks*' --callgrind-out-file=/tmp/w/cg.ins.$v $v/drive JEN022 4 7.68e-3 exact 4 2>&1 | grep "Collected"; done
