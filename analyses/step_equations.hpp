@@ -74,7 +74,7 @@ class StepEquations final : public NonlinearSystem {
   }
   [[nodiscard]] bool knows_velocity_of_forces();
   void extrapolate(Vector& guess);
-  void add_curvature(bool goes_on, Vector& guess);
+  void add_curvature(bool follows_last_step, Vector& guess);
   void move(const Vector& acceleration);
   void average_start();
 
