@@ -9,19 +9,25 @@
 
 namespace moat {
 
-StepEquations::StepEquations(Model& model) : model_{&model}, resultants_{model} {
+namespace {
+
+Model& prepared(Model& model) {
   model.prepare();
+  return model;
+}
+
+}  // namespace
+
+StepEquations::StepEquations(Model& model) : model_{&prepared(model)}, resultants_{model}, curvature_{model} {
   tangent_ = model.pattern();
   factorisation_ = Factorisation{model.changing_columns()};
   predicted_displacement_.setZero(size());
   predicted_velocity_.setZero(size());
   scales_.setZero(size());
   balanced_scales_.setZero(size());
-  for (Start* start : {&earlier_, &start_}) start->acceleration = start->jerk = model.state().jerk;
 }
 
 void StepEquations::begin(const StepTask& task, StepScheme scheme, Vector& guess) {
-  const bool follows_last_step = task_.end_time == task.start_time && task_.start_time == start_.time;
   task_ = task;
   scheme_ = scheme;
   is_moved_ = false;
@@ -62,7 +68,7 @@ void StepEquations::begin(const StepTask& task, StepScheme scheme, Vector& guess
   if (has_extrapolated_)
     extrapolate(guess);
   else if (scheme.corrects_velocity)
-    add_curvature(follows_last_step, guess);
+    curvature_.add_to(guess, task);
 }
 
 bool StepEquations::has_factors_of_step() const {
@@ -133,8 +139,7 @@ void StepEquations::balance_committed_state(PlanVector ground_acceleration) {
     trial.acceleration[i] = -force[i] / model_->masses()[i] - shares.of(ground_acceleration, i);
   model_->evaluate_rates();
   model_->commit();
-  // Accelerations may have jumped.
-  start_.time = std::numeric_limits<double>::quiet_NaN();
+  curvature_.forget();
   of_committed_.time = model_->state().time;
   of_committed_.velocity = model_->state().velocity;
 }

@@ -2,31 +2,18 @@
 #pragma once
 
 #include <limits>
-#include <optional>
 #include <utility>
 #include <vector>
 
+#include "analyses/acceleration_curvature.hpp"
 #include "analyses/resultants.hpp"
 #include "analyses/step_scheme.hpp"
+#include "analyses/step_task.hpp"
 #include "model/model.hpp"
-#include "motions/ground_span.hpp"
 #include "solvers/factorisation.hpp"
 #include "solvers/newton.hpp"
 
 namespace moat {
-
-/// A step from the committed state.
-struct StepTask {
-  double length = 0.0;                        ///< h > 0 s
-  double end_time = 0.0;                      ///< s
-  PlanVector ground_acceleration{};           ///< m/s^2, at the end
-  PlanVector ground_jerk{};                   ///< m/s^3, mean of the step; used by schemes that correct the velocity
-  PlanVector ground_acceleration_at_start{};  ///< m/s^2
-  double start_time = 0.0;                    ///< s
-  /// The motion of the ground over several samples; none where its acceleration is linear. Models in plan have none:
-  /// their steps end at all samples.
-  std::optional<GroundSpan> ground{};
-};
 
 /// M a + f(u(a), v(a)) = -M (iota_x a_gx + iota_y a_gy) at the end of a step, or averaged over it (StepScheme); the
 /// unknown is the acceleration a at the end.
@@ -74,7 +61,6 @@ class StepEquations final : public NonlinearSystem {
   }
   [[nodiscard]] bool knows_velocity_of_forces();
   void extrapolate(Vector& guess);
-  void add_curvature(bool follows_last_step, Vector& guess);
   void move(const Vector& acceleration);
   void average_start();
 
@@ -101,13 +87,7 @@ class StepEquations final : public NonlinearSystem {
   Vector unbalanced_;
   bool has_extrapolated_ = false;
   bool is_moved_ = false;  // the trial state is that of the guess, since predict()
-  // A committed state from which a step began.
-  struct Start {
-    double time = std::numeric_limits<double>::quiet_NaN();  // s
-    PlanVector ground_acceleration{};                        // m/s^2
-    Vector acceleration, jerk;
-  };
-  Start earlier_, start_;  // of the step before, NaN where it did not end here, and of this one; for add_curvature()
+  AccelerationCurvature curvature_;
   // The velocities with which forces were evaluated; complete() corrects velocities after that.
   struct EvaluatedVelocity {
     double time = std::numeric_limits<double>::quiet_NaN();  // s

@@ -1,8 +1,6 @@
 // First guesses of the accelerations at the end of a step, better than the tangent at its start.
-#include <limits>
 #include <utility>
 
-#include "analyses/ground_component.hpp"
 #include "analyses/step_equations.hpp"
 
 namespace moat {
@@ -45,37 +43,6 @@ void StepEquations::extrapolate(Vector& guess) {
   }
   factorisation_.solve(unbalanced_);
   guess += unbalanced_;
-}
-
-// With y = h/H of both steps' lengths, the cubic through the absolute accelerations A0, A1 and jerks j0, j1 at the
-// start of the step before and of this one leaves the tangent at A1 by
-//
-//     y^2 (Q + 3 P + y (Q + 2 P)),   P = A0 - A1 + H j1,   Q = H (j0 - j1)
-void StepEquations::add_curvature(bool follows_last_step, Vector& guess) {
-  const MotionState& now = model_->state();
-  if (start_.time != now.time) {
-    std::swap(earlier_, start_);
-    start_.time = now.time;
-    start_.ground_acceleration = task_.ground_acceleration_at_start;
-    start_.acceleration = now.acceleration;
-    start_.jerk = now.jerk;
-    if (!follows_last_step) earlier_.time = std::numeric_limits<double>::quiet_NaN();
-  }
-  const double length = start_.time - earlier_.time, y = task_.length / length;
-  constexpr double longest =
-      2.0;  // of the step before: an extrapolation farther than that is no better than the tangent
-  // Without a step before, y is no number.
-  if (!(y <= longest)) return;
-  const double *a0 = earlier_.acceleration.data(), *j0 = earlier_.jerk.data(), *a1 = start_.acceleration.data(),
-               *j1 = start_.jerk.data();
-  double* __restrict first = guess.data();
-  with_ground_component(
-      *model_, earlier_.ground_acceleration - start_.ground_acceleration, [&, count = size()](const auto& of_ground) {
-        for (int i = 0; i < count; ++i) {
-          const double p = a0[i] - a1[i] + of_ground(i) + length * j1[i], q = length * (j0[i] - j1[i]);
-          first[i] += y * y * (q + 3.0 * p + y * (q + 2.0 * p));
-        }
-      });
 }
 
 }  // namespace moat

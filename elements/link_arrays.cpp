@@ -30,7 +30,7 @@ void LinkArrays::take(const LinkArrays& whole, std::span<const std::size_t> link
   step_ = whole.step_;
 }
 
-void LinkArrays::append(ElementInfo info) {
+void LinkArrays::append(ElementInfo&& info) {
   // Those of most blocks are zero.
   if (info.offset != 0.0 || !offsets_.empty()) {
     offsets_.resize(infos_.size(), 0.0);

@@ -31,7 +31,7 @@ class LinkArrays {
   /// Becomes a copy of these links of the whole model.
   void take(const LinkArrays& whole, std::span<const std::size_t> links, const NumbersInPart& numbers);
   /// Appends a link; its results follow with resize().
-  void append(ElementInfo info);
+  void append(ElementInfo&& info);
   /// Room for the results of all links; new entries are zero.
   void resize(Needs needs);
   /// The motion now becomes that at the last commit.

@@ -1,18 +1,20 @@
 #include "elements/shear_spring.hpp"
 
+#include <utility>
+
 #include "elements/link_block.hpp"
 #include "elements/link_checks.hpp"
 #include "materials/linear.hpp"
 
 namespace moat {
 
-void add(Model& model, const ShearSpring& spring) {
+void add(Model& model, ShearSpring spring) {
   const Check check = check_link(model, "ShearSpring", spring.name, {"lower", spring.lower}, {"upper", spring.upper});
   const Linear law{.stiffness = spring.stiffness};
   law.check(check);
   model.register_element("ShearSpring", spring.name);
   static const Label drift{"drift"}, storey_shear{"storey_shear"};
-  model.block<LinkBlock<Linear>>().add({.name = spring.name,
+  model.block<LinkBlock<Linear>>().add({.name = std::move(spring.name),
                                         .first = spring.lower,
                                         .second = spring.upper,
                                         .deformation_quantity = drift,

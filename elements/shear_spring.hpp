@@ -23,6 +23,6 @@ struct ShearSpring {
 };
 
 /// Throws InputError for a bad parameter, unknown or equal nodes, or a name that is taken.
-void add(Model& model, const ShearSpring& spring);
+void add(Model& model, ShearSpring spring);
 
 }  // namespace moat

@@ -1,18 +1,21 @@
 #include "elements/viscous_damper.hpp"
 
+#include <utility>
+
 #include "elements/link_block.hpp"
 #include "elements/link_checks.hpp"
 #include "materials/viscous.hpp"
 
 namespace moat {
 
-void add(Model& model, const ViscousDamper& damper) {
+void add(Model& model, ViscousDamper damper) {
   const Check check = check_link(model, "ViscousDamper", damper.name, {"lower", damper.lower}, {"upper", damper.upper});
   const Viscous law{.damping = damper.damping};
   law.check(check);
   model.register_element("ViscousDamper", damper.name);
   model.block<LinkBlock<Viscous>>().add(
-      {.name = damper.name, .first = damper.lower, .second = damper.upper, .drawn_as = DrawnAs::nothing}, law);
+      {.name = std::move(damper.name), .first = damper.lower, .second = damper.upper, .drawn_as = DrawnAs::nothing},
+      law);
 }
 
 }  // namespace moat

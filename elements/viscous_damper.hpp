@@ -16,6 +16,6 @@ struct ViscousDamper {
 };
 
 /// Throws InputError for a bad parameter, unknown or equal nodes, or a name that is taken.
-void add(Model& model, const ViscousDamper& damper);
+void add(Model& model, ViscousDamper damper);
 
 }  // namespace moat

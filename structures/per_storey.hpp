@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <initializer_list>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -39,17 +40,19 @@ class PerStorey {
   }
 
   /// Throws InputError unless a list has one value for each storey.
-  void check_count(const Check& check, const std::string& field, int storeys) const {
-    check.that(!is_list_ || values_.size() == static_cast<std::size_t>(storeys),
-               field + " has " + std::to_string(values_.size()) + " values for " + std::to_string(storeys) +
-                   (storeys == 1 ? " storey." : " storeys."),
-               "Give one value for all storeys, or one for each from the lowest up.");
+  void check_count(const Check& check, std::string_view field, int storeys) const {
+    if (is_list_ && values_.size() != static_cast<std::size_t>(storeys))
+      check.that(false,
+                 std::string{field} + " has " + std::to_string(values_.size()) + " values for " +
+                     std::to_string(storeys) + (storeys == 1 ? " storey." : " storeys."),
+                 "Give one value for all storeys, or one for each from the lowest up.");
   }
   /// Throws InputError unless every value is > 0 and a list has one for each storey.
-  void check(const Check& check, const std::string& field, int storeys) const {
+  void check(const Check& check, std::string_view field, int storeys) const {
     check_count(check, field, storeys);
+    if (!is_list_) return check.positive(field, values_.front());
     for (std::size_t i = 0; i < values_.size(); ++i)
-      check.positive(is_list_ ? field + " of storey " + std::to_string(i + 1) : field, values_[i]);
+      check.positive(std::string{field} + " of storey " + std::to_string(i + 1), values_[i]);
   }
 
  private:

@@ -92,6 +92,7 @@ void add_storeys(Model& model, const ShearBuilding& building, const std::string&
   const std::vector<Stiffness> stiffnesses = initial_stiffnesses(building);
   const RayleighFactors rayleigh = rayleigh_factors_of_chain(building.damping.ratio, masses, stiffnesses);
   NodeId below = nodes.base;
+  std::string of_damper;  // copied from here, names take no more memory than they need
   for (std::size_t i = 0; i < nodes.floors.size(); ++i) {
     const NodeId above = nodes.floors[i];
     const std::string number = std::to_string(i + 1);
@@ -103,12 +104,12 @@ void add_storeys(Model& model, const ShearBuilding& building, const std::string&
     if (building.p_delta)
       add_p_delta(model, building, name + " P-delta", static_cast<int>(i) + 1, below, above, stiffnesses[i]);
     if (rayleigh.stiffness_factor > 0.0)
-      add(model, ViscousDamper{.name = name + " damping",
+      add(model, ViscousDamper{.name = of_damper.assign(name).append(" damping"),
                                .lower = below,
                                .upper = above,
                                .damping = rayleigh.stiffness_factor * units::s * stiffnesses[i]});
     if (rayleigh.mass_factor > 0.0)
-      add(model, ViscousDamper{.name = prefix + "floor " + number + " damping",
+      add(model, ViscousDamper{.name = of_damper.assign(prefix).append("floor ").append(number).append(" damping"),
                                .lower = nodes.base,
                                .upper = above,
                                .damping = rayleigh.mass_factor / units::s * masses[i]});

@@ -25,6 +25,7 @@ NodeId isolated_node(const ElementInfo& info) {
 
 std::vector<NodeId> Building::nodes() const {
   std::vector<NodeId> list;
+  list.reserve(floors.size() + 1);
   if (base != ground) list.push_back(base);
   list.insert(list.end(), floors.begin(), floors.end());
   return list;

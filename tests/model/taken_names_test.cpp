@@ -21,6 +21,36 @@ TEST(TakenNames, RemembersEveryNameWhileItGrows) {
   EXPECT_FALSE(names.may_contain("floor 5000"));
 }
 
+TEST(TakenNames, RemembersNamesOfManyBuildingsInTurn) {
+  TakenNames names;
+  const auto name = [](int building, int floor) {
+    return std::to_string(building) + " floor " + std::to_string(floor);
+  };
+  for (int floor = 1; floor <= 30; ++floor)
+    for (int building = 1; building <= 40; ++building) {
+      ASSERT_FALSE(names.may_contain(name(building, floor)));
+      ASSERT_TRUE(names.add(name(building, floor)));
+      ASSERT_FALSE(names.add(name(building, floor)));
+    }
+  for (int building = 1; building <= 40; ++building) {
+    for (int floor = 1; floor <= 30; ++floor) EXPECT_TRUE(names.may_contain(name(building, floor)));
+    EXPECT_FALSE(names.may_contain(name(building, 31)));
+    EXPECT_FALSE(names.may_contain(std::to_string(building))) << "the first word alone";
+  }
+  EXPECT_FALSE(names.may_contain(name(41, 1)));
+}
+
+TEST(TakenNames, AreCopied) {
+  TakenNames names;
+  names.add("left floor 1");
+  TakenNames copy = names;
+  EXPECT_TRUE(copy.add("left floor 2"));
+  EXPECT_TRUE(copy.add("right floor 1"));
+  EXPECT_FALSE(names.may_contain("left floor 2"));
+  EXPECT_FALSE(names.may_contain("right floor 1"));
+  EXPECT_FALSE(names.add("left floor 1"));
+}
+
 TEST(TakenNames, TakesTheEmptyNameForOneToo) {
   TakenNames names;
   names.add("");
