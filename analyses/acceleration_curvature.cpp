@@ -7,6 +7,7 @@
 namespace moat {
 
 AccelerationCurvature::AccelerationCurvature(const Model& model) : model_{&model} {
+  // Only room, so that steps need not ask for it.
   for (Start* start : {&earlier_, &start_}) start->acceleration = start->jerk = model.state().jerk;
 }
 

@@ -36,8 +36,8 @@ class AccelerationCurvature {
   };
 
   const Model* model_;
-  Start earlier_, start_;  // of the step before, at no time where it did not end here, and of this one
-  double end_ = unknown;   // of the step tried last, s
+  Start earlier_, start_;  // of the step before, its time unknown where it did not end here; and of this one
+  double end_ = unknown;   // of the step given last, s
 };
 
 }  // namespace moat

@@ -18,6 +18,7 @@ Model& prepared(Model& model) {
 
 }  // namespace
 
+// Members behind the model need it prepared.
 StepEquations::StepEquations(Model& model) : model_{&prepared(model)}, resultants_{model}, curvature_{model} {
   tangent_ = model.pattern();
   factorisation_ = Factorisation{model.changing_columns()};
@@ -106,6 +107,7 @@ void StepEquations::add_impulses(const MissedImpulses& missed) {
     predicted_velocity_[i] += of_evaluated_velocity[i] / mass[i];
     added_velocities_.push_back({i, of_velocity[i] / mass[i]});
   }
+  curvature_.forget();  // accelerations bend or jump inside this step
   is_moved_ = false;
 }
 

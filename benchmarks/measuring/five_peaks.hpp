@@ -10,10 +10,16 @@ namespace moat::performance {
 /// Base and top displacement (m), base and top absolute acceleration (m/s^2), impact force (N).
 using Peaks = std::array<double, 5>;
 
+/// The largest relative error; very large where a peak is no number.
 inline double largest_error(const Peaks& peaks, const Peaks& reference) {
+  constexpr double useless = 1e9;
   double worst = 0.0;
-  for (std::size_t i = 0; i < peaks.size(); ++i) worst = std::max(worst, std::abs(peaks[i] / reference[i] - 1.0));
-  return std::isfinite(worst) ? worst : 1e9;
+  for (std::size_t i = 0; i < peaks.size(); ++i) {
+    const double error = std::abs(peaks[i] / reference[i] - 1.0);
+    worst = std::isfinite(error) ? std::max(worst, error) : useless;
+    if (worst == useless) break;
+  }
+  return worst;
 }
 
 /// Follows the five through instants at unequal distances by samples alone, for methods that have no rates, and keeps

@@ -8,6 +8,7 @@
 
 #include "documentation_section.hpp"
 #include "output/file_io.hpp"
+#include "output/provenance.hpp"
 
 namespace moat::performance {
 namespace {
@@ -22,6 +23,14 @@ std::string machine() {
     if (line.starts_with("model name")) processor = line.substr(line.find(':') + 2);
   return processor + ", " + std::to_string(std::thread::hardware_concurrency()) + " cores, GCC " __VERSION__ ", " +
          MOAT_COMPILE_FLAGS;
+}
+
+// Its first digits, with "-dirty" behind them where files had been changed.
+std::string commit() {
+  constexpr std::size_t digits = 40, shown = 7;
+  std::string text = provenance_of_library().git_commit;
+  if (text.size() > digits) return text.substr(0, shown) + text.substr(digits);
+  return text.empty() ? "unknown" : text.substr(0, shown);
 }
 
 Json json_of(const Figure& figure) {
@@ -119,7 +128,11 @@ int Record::missed() const {
 }
 
 void Record::write(const std::filesystem::path& folder) const {
-  Json json{{"machine", machine()}, {"targets", targets()}, {"missed", missed()}, {"sections", Json::array()}};
+  Json json{{"machine", machine()},
+            {"commit", commit()},
+            {"targets", targets()},
+            {"missed", missed()},
+            {"sections", Json::array()}};
   for (const Section& section : sections_) {
     Json figures = Json::array();
     for (const Figure& figure : section.figures) figures.push_back(json_of(figure));
@@ -130,12 +143,11 @@ void Record::write(const std::filesystem::path& folder) const {
 }
 
 void Record::write_documentation(const std::filesystem::path& document) const {
-  replace_section(document, "machine", machine() + "\n");
   for (const Section& section : sections_) {
     std::string text;
     for (const std::string& table : section.tables) text += table + "\n";
     for (const std::string& note : section.notes) text += note + "\n\n";
-    text.pop_back();
+    text += "Measured on " + machine() + "; commit " + commit() + ".\n";
     replace_section(document, section.name, text);
   }
 }

@@ -73,7 +73,8 @@ class Record {
   [[nodiscard]] int missed() const;
   /// FOLDER/performance.json. Throws FileError.
   void write(const std::filesystem::path& folder) const;
-  /// Brings the sections that were run up to date in a Markdown file. Throws FileError.
+  /// Brings the sections that were run up to date in a Markdown file; each ends with the machine and the commit it was
+  /// measured on. Throws FileError.
   void write_documentation(const std::filesystem::path& document) const;
 
  private:

@@ -30,9 +30,6 @@ class OpenSees {
   /// Throws InputError where OPENSEES names no program.
   static std::optional<OpenSees> find(const std::filesystem::path& folder);
 
-  /// The path of the program, as documents state it.
-  [[nodiscard]] const std::string& program() const { return program_; }
-
   /// Steps of `step` s to the end of the motion or `end` s, whichever comes first. Peaks are those of nodes `base` and
   /// `top`. Throws Error where OpenSees prints no result.
   [[nodiscard]] OpenSeesRun run(const Model& model, const GroundMotion& motion, double step, double end,

@@ -272,6 +272,8 @@ int run(const Options& options, bool write_docs) {
         "its path: OPENSEES=/opt/opensees/bin/OpenSees ./moat bench peers");
     return 0;
   }
+  if (write_docs && options.records.empty())
+    throw InputError{"--write-docs needs the recorded motions (MOAT_RECORDS)."};
   performance::Record record;
   compare_buildings(record, *opensees, options);
   compare_streets(record, *opensees, options);

@@ -4,10 +4,12 @@
 #include <map>
 #include <moat.hpp>
 #include <optional>
+#include <utility>
 
 #include "measuring/error_curve.hpp"
 #include "measuring/measure.hpp"
 #include "performance/methods.hpp"
+#include "performance/moat_five_storeys.hpp"
 #include "performance/octave.hpp"
 #include "performance/sections.hpp"
 
@@ -169,7 +171,20 @@ class Report {
         if (error == fine && !times.empty()) at_fine[method.name] = times;
       }
     compare(at_fine);
+    show_steps(each);
     if (each.name == octave_motion) compare_octave(each, found.moat, at_fine);
+  }
+
+  // Rows of histories are ends of steps.
+  void show_steps(const Case& each) {
+    const Model model = five_storey_model();
+    for (const auto& [recorded, words] :
+         {std::pair{Recorded::five_peaks, "five peaks"}, std::pair{Recorded::everything, "everything recorded"}}) {
+      const std::string name = std::string{"steps of moat exact between events, default options, "} + words;
+      const auto steps =
+          static_cast<double>(moat_steps(model, each.motion, {.integrator = ExactBetweenEvents{}}, recorded));
+      targets_->put(name, column_, cell(add(name, single(steps), "")));
+    }
   }
 
   const Figure& add(const std::string& name, const Spread& value, const std::string& unit,

@@ -104,4 +104,13 @@ Peaks moat_case(const Model& model, const GroundMotion& motion, const TransientO
   return five_of(run_case(copy, motion, {.transient = options, .error_bars = error_bars}).peaks);
 }
 
+long moat_steps(const Model& model, const GroundMotion& motion, const TransientOptions& options, Recorded recorded) {
+  Model copy = model;
+  if (recorded == Recorded::everything)
+    return run_case(copy, motion, {.transient = options, .error_bars = ErrorBarMode::never}).solver.accepted_steps;
+  Transient analysis{copy, motion, options};
+  analysis.run();
+  return analysis.statistics().accepted_steps;
+}
+
 }  // namespace moat::performance

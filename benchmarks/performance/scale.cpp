@@ -1,5 +1,6 @@
 #include <boost/math/statistics/linear_regression.hpp>
 #include <cmath>
+#include <numeric>
 
 #include "measuring/measure.hpp"
 #include "measuring/street.hpp"
@@ -13,7 +14,7 @@ constexpr Target largest_bytes{1500.0};
 
 struct Size {
   double degrees_of_freedom = 0.0;
-  std::vector<double> per_step, per_iteration;  // s, of every step
+  std::vector<double> per_step, per_iteration, iterations;  // s, of every step; their number
   double bytes_per_degree_of_freedom = 0.0;
 };
 
@@ -34,11 +35,16 @@ double slope(const std::vector<double>& x, const std::vector<double>& y) {
   return boost::math::statistics::simple_ordinary_least_squares(log(x), log(y)).second;
 }
 
+double mean(const std::vector<double>& values) {
+  return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
+}
+
 void add_steps(Size& size, const StreetReport& report) {
   size.degrees_of_freedom = report.degrees_of_freedom;
   size.bytes_per_degree_of_freedom = report.peak_bytes / report.degrees_of_freedom;
   for (std::size_t i = 0; i < report.step_seconds.size(); ++i) {
     size.per_step.push_back(report.step_seconds[i]);
+    size.iterations.push_back(report.step_iterations[i]);
     if (report.step_iterations[i] > 0.0)
       size.per_iteration.push_back(report.step_seconds[i] / report.step_iterations[i]);
   }
@@ -96,11 +102,16 @@ class Report {
       sizes_table_.put(row, "peak memory of the process per DOF [B]",
                        cell(&size == &sizes_.back() ? judge(memory, bytes, largest_bytes, "B")
                                                     : record_->add({memory, bytes, "B"})));
+      sizes_table_.put(row, "iterations of a step",
+                       cell(record_->add({name + "iterations of a step, mean", single(mean(size.iterations))})));
       n.push_back(size.degrees_of_freedom);
       per_step.push_back(step.median);
       per_iteration.push_back(iteration.median);
     }
     const std::string largest = named(largest_.degrees_of_freedom);
+    const std::string until_built = largest + "peak memory until the model is built, per DOF";
+    const double model_bytes = largest_.model_bytes / largest_.degrees_of_freedom;
+    targets_.put(until_built + " [B]", "Measured", cell(record_->add({until_built, single(model_bytes), "B"})));
     judge(largest + "time to build the model", single(largest_.build_seconds), Target{2.0}, "s");
     judge("street, slope of log time per step over log DOF", single(slope(n, per_step)), Target{1.05});
     judge("street, slope of log time per iteration over log DOF", single(slope(n, per_iteration)), Target{1.05});
@@ -169,7 +180,8 @@ class Report {
   Record* record_;
   std::vector<Size> sizes_;
   StreetReport largest_;
-  Table sizes_table_{{"DOF", "step [ms]", "Newton iteration [ms]", "peak memory of the process per DOF [B]"}};
+  Table sizes_table_{
+      {"DOF", "step [ms]", "iterations of a step", "Newton iteration [ms]", "peak memory of the process per DOF [B]"}};
   Table parts_table_{{"Largest street", "bytes it must touch per DOF", "time [ms]", "time over streaming the bytes"}};
   Table targets_{{"", "Measured", "Target"}};
   Table events_table_{{"Street of 6,000 DOF", "CPU seconds per second of motion", "steps"}};

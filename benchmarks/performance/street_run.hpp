@@ -29,12 +29,13 @@ struct StreetReport {
   double build_seconds = 0.0;           ///< of the model
   std::vector<double> step_seconds;     ///< wall clock, of every accepted step measured
   std::vector<double> step_iterations;  ///< Newton iterations of the same steps
-  double peak_bytes = 0.0;              ///< resident, of the whole process up to the last step
+  double model_bytes = 0.0;             ///< peak resident, of the whole process up to the finished model
+  double peak_bytes = 0.0;              ///< the same, up to the last step
   std::vector<StreetPart> parts;
   std::vector<double> seconds_per_byte;  ///< copying memory, in turn with the parts
 
   NLOHMANN_DEFINE_TYPE_INTRUSIVE(StreetReport, degrees_of_freedom, build_seconds, step_seconds, step_iterations,
-                                 peak_bytes, parts, seconds_per_byte)
+                                 model_bytes, peak_bytes, parts, seconds_per_byte)
 };
 
 /// In this process.

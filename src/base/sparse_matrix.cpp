@@ -8,7 +8,7 @@ namespace moat {
 
 int SparsityPattern::slot(int row, int column) const {
   if (row == ground_index || column == ground_index) return nonzeros();
-  // As std::lower_bound, without its jumps, which short columns make at random.
+  // As std::lower_bound, without branches that depend on the rows: in short columns a processor cannot foresee them.
   const int* place = row_indices.data() + column_starts[static_cast<std::size_t>(column)];
   int rest = column_starts[static_cast<std::size_t>(column) + 1] - column_starts[static_cast<std::size_t>(column)];
   while (rest > 1) {

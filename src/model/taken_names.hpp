@@ -47,7 +47,7 @@ class TakenNames {
     }
     // Null where there is none.
     [[nodiscard]] const Entry* find(std::size_t hash) const {
-      if (count_ == 0) return nullptr;
+      if (places_.empty()) return nullptr;
       const Entry& entry = places_[place_of(hash)];
       return entry.hash == free ? nullptr : &entry;
     }

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <string>
+#include <utility>
 
 namespace moat {
 namespace {
@@ -49,6 +50,28 @@ TEST(TakenNames, AreCopied) {
   EXPECT_FALSE(names.may_contain("left floor 2"));
   EXPECT_FALSE(names.may_contain("right floor 1"));
   EXPECT_FALSE(names.add("left floor 1"));
+}
+
+TEST(TakenNames, AreEmptyAfterTheyWereMoved) {
+  TakenNames names;
+  names.add("floor 1");
+  const TakenNames moved = std::move(names);
+  EXPECT_TRUE(moved.may_contain("floor 1"));
+  EXPECT_FALSE(names.may_contain("floor 1"));  // NOLINT(bugprone-use-after-move)
+  EXPECT_TRUE(names.add("floor 1"));
+}
+
+TEST(TakenNames, TellsANameFromItsFirstWord) {
+  TakenNames names;
+  names.add("base");
+  EXPECT_FALSE(names.may_contain("base floor"));
+  names.add("left floor");
+  EXPECT_FALSE(names.may_contain("left"));
+  EXPECT_TRUE(names.add("left"));
+  EXPECT_TRUE(names.add("left "));
+  EXPECT_TRUE(names.add(" left"));
+  EXPECT_FALSE(names.add("left floor"));
+  EXPECT_FALSE(names.add("base"));
 }
 
 TEST(TakenNames, TakesTheEmptyNameForOneToo) {
