@@ -29,7 +29,7 @@ std::vector<fs::path> copies_of_tours(const fs::path& folder) {
     fs::copy_file(tour.path(), copies.back(), fs::copy_options::overwrite_existing);
   }
   std::ranges::sort(copies);
-  // What every script costs.
+  // The cost of every script.
   copies.push_back(folder / "empty.cpp");
   std::ofstream{copies.back()} << "#include <moat.hpp>\n\nint main() {}\n";
   return copies;
