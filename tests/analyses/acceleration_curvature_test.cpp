@@ -34,7 +34,7 @@ class AccelerationCurvatureTest : public ::testing::Test {
     model.evaluate();
     model.commit();
   }
-  // What a step from the committed state adds to its guess; `end` need not be reached.
+  // The addition to the guess of a step from the committed state; `end` need not be reached.
   double added(AccelerationCurvature& curvature, double end) {
     const double start = model.state().time;
     Vector guess = Vector::Zero(1);
