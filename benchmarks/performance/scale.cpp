@@ -87,6 +87,13 @@ class Report {
         add_steps(sizes_[i], report);
         if (last) largest_ = report;
       }
+    // After one that warms up the memory of the machine.
+    constexpr int builds = 6;
+    for (int build = 0; build < builds && !quick; ++build) {
+      const StreetReport report = run_street({.buildings = buildings.back(), .steps_before = 0, .steps = 0});
+      if (build > 0) build_seconds_.push_back(report.build_seconds);
+    }
+    if (quick) build_seconds_ = {largest_.build_seconds};
   }
 
   void show_sizes() {
@@ -112,7 +119,7 @@ class Report {
     const std::string until_built = largest + "peak memory until the model is built, per DOF";
     const double model_bytes = largest_.model_bytes / largest_.degrees_of_freedom;
     targets_.put(until_built + " [B]", "Measured", cell(record_->add({until_built, single(model_bytes), "B"})));
-    judge(largest + "time to build the model", single(largest_.build_seconds), Target{2.0}, "s");
+    judge(largest + "time to build the model", spread_of(build_seconds_), Target{2.0}, "s");
     judge("street, slope of log time per step over log DOF", single(slope(n, per_step)), Target{1.05});
     judge("street, slope of log time per iteration over log DOF", single(slope(n, per_iteration)), Target{1.05});
   }
@@ -180,6 +187,7 @@ class Report {
   Record* record_;
   std::vector<Size> sizes_;
   StreetReport largest_;
+  std::vector<double> build_seconds_;  // of the largest
   Table sizes_table_{
       {"DOF", "step [ms]", "iterations of a step", "Newton iteration [ms]", "peak memory of the process per DOF [B]"}};
   Table parts_table_{{"Largest street", "bytes it must touch per DOF", "time [ms]", "time over streaming the bytes"}};
