@@ -87,13 +87,15 @@ class Report {
         add_steps(sizes_[i], report);
         if (last) largest_ = report;
       }
-    // After one that warms up the memory of the machine.
-    constexpr int builds = 6;
-    for (int build = 0; build < builds && !quick; ++build) {
-      const StreetReport report = run_street({.buildings = buildings.back(), .steps_before = 0, .steps = 0});
-      if (build > 0) build_seconds_.push_back(report.build_seconds);
+    time_builds({.buildings = buildings.back(), .steps_before = 0, .steps = 0}, quick ? 1 : 5);
+  }
+
+  // After one that warms up the memory of the machine.
+  void time_builds(const StreetSetting& largest, int rounds) {
+    for (int round = -1; round < rounds; ++round) {
+      const double seconds = run_street(largest).build_seconds;
+      if (round >= 0) build_seconds_.push_back(seconds);
     }
-    if (quick) build_seconds_ = {largest_.build_seconds};
   }
 
   void show_sizes() {

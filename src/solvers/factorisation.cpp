@@ -14,8 +14,9 @@ namespace moat {
 
 struct Factorisation::Factors {
   klu_common common{};
-  std::vector<int> changing;  // columns eliminated last
-  SparseMatrix matrix;        // that of `lu`
+  std::vector<int> changing;                       // columns eliminated last
+  std::shared_ptr<const SparsityPattern> pattern;  // of the matrix of `lu`
+  std::vector<double> changing_values;             // of that matrix, in the changing columns
   LuFactors lu;
   long count = 0;
 
@@ -28,82 +29,77 @@ struct Factorisation::Factors {
   }
 
   // KLU and CAMD take pointers to variables, and do not write there.
-  [[nodiscard]] int* starts() const { return const_cast<int*>(matrix.column_starts().data()); }
-  [[nodiscard]] int* rows() const { return const_cast<int*>(matrix.row_indices().data()); }
+  [[nodiscard]] int* starts() const { return const_cast<int*>(pattern->column_starts.data()); }
+  [[nodiscard]] int* rows() const { return const_cast<int*>(pattern->row_indices.data()); }
 
   // Null where that fails.
   klu_symbolic* analyse() {
-    if (changing.empty() || changing.size() == static_cast<std::size_t>(matrix.size()))
-      return klu_analyze(matrix.size(), starts(), rows(), &common);
-    std::vector<int> order(static_cast<std::size_t>(matrix.size())), group(order.size(), 0);
+    if (changing.empty() || changing.size() == static_cast<std::size_t>(pattern->size))
+      return klu_analyze(pattern->size, starts(), rows(), &common);
+    std::vector<int> order(static_cast<std::size_t>(pattern->size)), group(order.size(), 0);
     for (const int column : changing) group[static_cast<std::size_t>(column)] = 1;
-    if (camd_order(matrix.size(), starts(), rows(), order.data(), nullptr, nullptr, group.data()) != CAMD_OK)
+    if (camd_order(pattern->size, starts(), rows(), order.data(), nullptr, nullptr, group.data()) != CAMD_OK)
       return nullptr;
-    return klu_analyze_given(matrix.size(), starts(), rows(), order.data(), order.data(), &common);
+    return klu_analyze_given(pattern->size, starts(), rows(), order.data(), order.data(), &common);
   }
 
-  // Whether a column has other values than the last ones.
-  [[nodiscard]] bool differs(int column, const std::vector<double>& values) const {
-    const int* starts = matrix.column_starts().data();
-    const double *before = matrix.values.data(), *now = values.data();
-    return !std::equal(now + starts[column], now + starts[column + 1], before + starts[column]);
-  }
-
-  // Takes all values. The first column in order of elimination that differs; the size if none does.
-  int take_all(const std::vector<double>& values) {
-    int first = 0;
-    while (first < matrix.size() && !differs(lu.column(first), values)) ++first;
-    if (first < matrix.size()) matrix.values = values;
-    return first;
-  }
-
-  // The same where no other columns can differ than those that change.
-  int take_changing(const std::vector<double>& values) {
+  // Keeps the values of the changing columns. The first column in order of elimination where they differ from the last
+  // ones; the size if there is none.
+  int take_changing(const SparseMatrix& matrix) {
     const int* starts = matrix.column_starts().data();
     int first = matrix.size();
+    double* before = changing_values.data();
     for (const int column : changing) {
-      if (!differs(column, values)) continue;
-      first = std::min(first, lu.position(column));
-      std::copy(values.data() + starts[column], values.data() + starts[column + 1],
-                matrix.values.data() + starts[column]);
+      const double *begin = matrix.values.data() + starts[column], *end = matrix.values.data() + starts[column + 1];
+      if (!std::equal(begin, end, before)) {
+        first = std::min(first, lu.position(column));
+        std::copy(begin, end, before);
+      }
+      before += end - begin;
     }
     return first;
   }
 
-  // Factors of these values, from the first column in order of elimination that differs from the last ones.
-  bool factorise(const SparseMatrix& given, bool all_columns) {
+  // Factors of a matrix that differs from the last one in the changing columns only, or in any.
+  bool factorise(const SparseMatrix& matrix, bool all_columns) {
     if (lu.empty()) {
-      matrix = given;
       ++count;
-      return factorise_anew();
+      return factorise_anew(matrix);
     }
-    if (matrix.nonzeros() != given.nonzeros())
+    if (pattern->nonzeros() != matrix.nonzeros())
       throw std::logic_error{"Factorisation: the pattern of the matrix changed"};
-    const int first = all_columns ? take_all(given.values) : take_changing(given.values);
+    const int first_changed = take_changing(matrix), first = all_columns ? 0 : first_changed;
     if (first == matrix.size()) return true;
     ++count;
-    return lu.refactorise(matrix, first) || factorise_anew();
+    return lu.refactorise(matrix, first) || factorise_anew(matrix);
   }
 
   // Permutations and pattern by KLU, which needs more memory than the factors: none of it stays.
-  bool factorise_anew() {
+  bool factorise_anew(const SparseMatrix& matrix) {
     lu = {};
+    pattern = matrix.pattern();
     klu_symbolic* symbolic = analyse();
     if (symbolic == nullptr) return false;
-    klu_numeric* numeric = klu_factor(starts(), rows(), matrix.values.data(), symbolic, &common);
+    klu_numeric* numeric = klu_factor(starts(), rows(), const_cast<double*>(matrix.values.data()), symbolic, &common);
     // KLU takes a pivot that is not a number for one that is not zero; its condition estimate does not.
     const bool good = numeric != nullptr && common.status == KLU_OK && klu_rcond(symbolic, numeric, &common) != 0 &&
                       common.rcond > 0.0 && klu_sort(symbolic, numeric, &common) != 0;
     if (good) lu = on_pattern_of(*numeric, *symbolic);
     klu_free_numeric(&numeric, &common);
     klu_free_symbolic(&symbolic, &common);
-    if (good && lu.refactorise(matrix, 0)) return true;
+    if (good && lu.refactorise(matrix, 0)) {
+      std::size_t entries = 0;
+      for (const int column : changing) entries += static_cast<std::size_t>(starts()[column + 1] - starts()[column]);
+      changing_values.resize(entries);
+      take_changing(matrix);
+      return true;
+    }
     lu = {};
     return false;
   }
 
   LuFactors on_pattern_of(klu_numeric& numeric, klu_symbolic& symbolic) {
-    const auto size = static_cast<std::size_t>(matrix.size());
+    const auto size = static_cast<std::size_t>(pattern->size);
     LuFactors::Columns lower, upper;
     for (auto [columns, entries] : {std::pair{&lower, numeric.lnz}, {&upper, numeric.unz}}) {
       columns->starts.resize(size + 1);
@@ -118,7 +114,7 @@ struct Factorisation::Factors {
       throw std::logic_error{"Factorisation: KLU's factors could not be read"};
     without_diagonal(lower);
     without_diagonal(upper);
-    const int condensed = unchanging_first(rows, columns) ? matrix.size() - static_cast<int>(changing.size()) : 0;
+    const int condensed = unchanging_first(rows, columns) ? pattern->size - static_cast<int>(changing.size()) : 0;
     return {std::move(lower), std::move(upper), std::move(rows), std::move(columns), condensed};
   }
 

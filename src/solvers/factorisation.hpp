@@ -10,8 +10,8 @@
 namespace moat {
 
 /// LU factors of a sparse matrix, symmetric or not. KLU (SuiteSparse) finds permutations and pattern at the first
-/// matrix. Later matrices of the same pattern are factorised on it (solvers/lu_factors.hpp), from the first column in
-/// order of elimination that changed; where that leads to poor pivots, KLU looks for others.
+/// matrix. Later matrices of the same pattern are factorised on it (solvers/lu_factors.hpp); where that leads to poor
+/// pivots, KLU looks for others.
 ///
 /// Move-only; one per thread.
 class Factorisation {
@@ -25,10 +25,10 @@ class Factorisation {
   Factorisation(Factorisation&&) noexcept;
   Factorisation& operator=(Factorisation&&) noexcept;
 
-  /// Factorises A, whose pattern must be that of the first call. A call with the same values as
-  /// before keeps the factors. False if A is singular or not finite.
+  /// Factorises A, whose pattern must be that of the first call. False if A is singular or not finite.
   [[nodiscard]] bool factorise(const SparseMatrix& matrix);
-  /// The same for a matrix that may differ from the last one in the changing columns only.
+  /// The same for a matrix that may differ from the last one in the changing columns only: from the first of them, in
+  /// order of elimination, whose values are other ones. The factors stay where there is none.
   [[nodiscard]] bool factorise_changing(const SparseMatrix& matrix);
 
   /// x := A^-1 x.
