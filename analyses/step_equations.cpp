@@ -8,7 +8,6 @@
 #include "analyses/ground_component.hpp"
 
 namespace moat {
-
 namespace {
 
 Model& prepared(Model& model) {

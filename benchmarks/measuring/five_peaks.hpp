@@ -16,8 +16,8 @@ inline double largest_error(const Peaks& peaks, const Peaks& reference) {
   double worst = 0.0;
   for (std::size_t i = 0; i < peaks.size(); ++i) {
     const double error = std::abs(peaks[i] / reference[i] - 1.0);
-    worst = std::isfinite(error) ? std::max(worst, error) : useless;
-    if (worst == useless) break;
+    if (!std::isfinite(error)) return useless;
+    worst = std::max(worst, error);
   }
   return worst;
 }

@@ -18,8 +18,10 @@ Peaks moat_peaks(const Model& model, const GroundMotion& motion, const Transient
 Peaks moat_case(const Model& model, const GroundMotion& motion, const TransientOptions& options,
                 ErrorBarMode error_bars = ErrorBarMode::never);
 
-/// The steps of moat_peaks(), or of moat_case() without error bars.
+/// The observers of moat_peaks(), or those of moat_case() without error bars.
 enum class Recorded { five_peaks, everything };
+
+/// The number of steps of such an analysis.
 long moat_steps(const Model& model, const GroundMotion& motion, const TransientOptions& options, Recorded recorded);
 
 }  // namespace moat::performance

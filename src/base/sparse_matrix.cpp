@@ -8,18 +8,13 @@ namespace moat {
 
 int SparsityPattern::slot(int row, int column) const {
   if (row == ground_index || column == ground_index) return nonzeros();
-  // As std::lower_bound, without branches that depend on the rows: in short columns a processor cannot foresee them.
-  const int* place = row_indices.data() + column_starts[static_cast<std::size_t>(column)];
-  int rest = column_starts[static_cast<std::size_t>(column) + 1] - column_starts[static_cast<std::size_t>(column)];
-  while (rest > 1) {
-    const int half = rest / 2;
-    place += place[half - 1] < row ? half : 0;
-    rest -= half;
-  }
-  if (rest == 0 || *place != row)
+  const auto first = row_indices.begin() + column_starts[static_cast<std::size_t>(column)];
+  const auto last = row_indices.begin() + column_starts[static_cast<std::size_t>(column) + 1];
+  const auto found = std::lower_bound(first, last, row);
+  if (found == last || *found != row)
     throw std::out_of_range{"SparsityPattern: entry (" + std::to_string(row) + ", " + std::to_string(column) +
                             ") is not in the pattern"};
-  return static_cast<int>(place - row_indices.data());
+  return static_cast<int>(found - row_indices.begin());
 }
 
 PatternBuilder::PatternBuilder(int size) : size_{size}, coupled_(static_cast<std::size_t>(size), false) {

@@ -10,8 +10,8 @@
 
 namespace moat {
 
-/// Remembers names by their hashes alone: the names of a million elements, kept a second time, would be a seventh of a
-/// model's memory. Two names may share a hash; the caller then has to compare the names.
+/// Remembers names by their hashes alone: the names of a million elements, kept a second time, would be a notable part
+/// of a model's memory. Two names may share a hash; the caller then has to compare the names.
 ///
 /// Hashes of names with the same first word stand together: those of one building, which are added one after the other.
 /// In one table for all names nearly every new name would wait for memory.
