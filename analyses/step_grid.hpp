@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "analyses/step_equations.hpp"
+#include "analyses/step_task.hpp"
 #include "motions/ground_motion.hpp"
 
 namespace moat {

@@ -16,7 +16,6 @@ struct Factorisation::Factors {
   klu_common common{};
   std::vector<int> changing;                       // columns eliminated last
   std::shared_ptr<const SparsityPattern> pattern;  // of the matrix of `lu`
-  std::vector<double> changing_values;             // of that matrix, in the changing columns
   LuFactors lu;
   long count = 0;
 
@@ -43,35 +42,13 @@ struct Factorisation::Factors {
     return klu_analyze_given(pattern->size, starts(), rows(), order.data(), order.data(), &common);
   }
 
-  // Keeps the values of the changing columns. The first column in order of elimination where they differ from the last
-  // ones; the size if there is none.
-  int take_changing(const SparseMatrix& matrix) {
-    const int* starts = matrix.column_starts().data();
-    int first = matrix.size();
-    double* before = changing_values.data();
-    for (const int column : changing) {
-      const double *begin = matrix.values.data() + starts[column], *end = matrix.values.data() + starts[column + 1];
-      if (!std::equal(begin, end, before)) {
-        first = std::min(first, lu.position(column));
-        std::copy(begin, end, before);
-      }
-      before += end - begin;
-    }
-    return first;
-  }
-
   // Factors of a matrix that differs from the last one in the changing columns only, or in any.
   bool factorise(const SparseMatrix& matrix, bool all_columns) {
-    if (lu.empty()) {
-      ++count;
-      return factorise_anew(matrix);
-    }
+    ++count;
+    if (lu.empty()) return factorise_anew(matrix);
     if (pattern->nonzeros() != matrix.nonzeros())
       throw std::logic_error{"Factorisation: the pattern of the matrix changed"};
-    const int first_changed = take_changing(matrix), first = all_columns ? 0 : first_changed;
-    if (first == matrix.size()) return true;
-    ++count;
-    return lu.refactorise(matrix, first) || factorise_anew(matrix);
+    return (all_columns ? lu.refactorise(matrix) : lu.refactorise_condensed(matrix)) || factorise_anew(matrix);
   }
 
   // Permutations and pattern by KLU, which needs more memory than the factors: none of it stays.
@@ -87,13 +64,7 @@ struct Factorisation::Factors {
     if (good) lu = on_pattern_of(*numeric, *symbolic);
     klu_free_numeric(&numeric, &common);
     klu_free_symbolic(&symbolic, &common);
-    if (good && lu.refactorise(matrix, 0)) {
-      std::size_t entries = 0;
-      for (const int column : changing) entries += static_cast<std::size_t>(starts()[column + 1] - starts()[column]);
-      changing_values.resize(entries);
-      take_changing(matrix);
-      return true;
-    }
+    if (good && lu.refactorise(matrix)) return true;
     lu = {};
     return false;
   }
@@ -115,7 +86,7 @@ struct Factorisation::Factors {
     without_diagonal(lower);
     without_diagonal(upper);
     const int condensed = unchanging_first(rows, columns) ? pattern->size - static_cast<int>(changing.size()) : 0;
-    return {std::move(lower), std::move(upper), std::move(rows), std::move(columns), condensed};
+    return {std::move(lower), std::move(upper), std::move(rows), std::move(columns), *pattern, condensed};
   }
 
   // Whether rows and columns that change are the last ones in order of elimination.

@@ -18,8 +18,8 @@ class Factorisation {
  public:
   /// In AMD's order of elimination.
   Factorisation();
-  /// These columns, which change more often than the others, are eliminated last, in CAMD's order: where no other
-  /// changes, they are all that is factorised again.
+  /// These rows and columns, ascending, change more often than the others and are eliminated last, in CAMD's order:
+  /// where no other changes, they are all that is factorised again.
   explicit Factorisation(std::vector<int> changing_columns);
   ~Factorisation();
   Factorisation(Factorisation&&) noexcept;
@@ -27,14 +27,13 @@ class Factorisation {
 
   /// Factorises A, whose pattern must be that of the first call. False if A is singular or not finite.
   [[nodiscard]] bool factorise(const SparseMatrix& matrix);
-  /// The same for a matrix that may differ from the last one in the changing columns only: from the first of them, in
-  /// order of elimination, whose values are other ones. The factors stay where there is none.
+  /// The same for a matrix that may differ from the last one in the changing rows and columns only.
   [[nodiscard]] bool factorise_changing(const SparseMatrix& matrix);
 
   /// x := A^-1 x.
   void solve(Vector& x) const;
 
-  /// How often factors were computed, not reused.
+  /// How often factors were computed.
   [[nodiscard]] long count() const;
 
  private:

@@ -72,49 +72,28 @@ TEST(Factorisation, NeedsNoPivotOnTheDiagonal) {
   EXPECT_DOUBLE_EQ(x[1], 2.0);
 }
 
-TEST(Factorisation, KeepsFactorsWhileTheChangingColumnsStay) {
-  SparseMatrix matrix = random_matrix(20, true, 3);
+TEST(Factorisation, CountsWhatItComputes) {
+  const SparseMatrix matrix = random_matrix(20, true, 3);
   Factorisation factors{{5, 9}};
   EXPECT_EQ(factors.count(), 0);
   ASSERT_TRUE(factors.factorise_changing(matrix));
   ASSERT_TRUE(factors.factorise_changing(matrix));
-  const SparseMatrix copy = matrix;
-  ASSERT_TRUE(factors.factorise_changing(copy));
-  EXPECT_EQ(factors.count(), 1);
-  entry(matrix, 5, 5) += 1e-12;
-  ASSERT_TRUE(factors.factorise_changing(matrix));
-  EXPECT_EQ(factors.count(), 2);
-  // Back to the first values: only the last ones are kept.
-  ASSERT_TRUE(factors.factorise_changing(copy));
-  EXPECT_EQ(factors.count(), 3);
-  EXPECT_LT(difference_from_dense(factors, copy), 1e-12);
-}
-
-TEST(Factorisation, ComparesWithTheMatrixFactorisedLastAsAWhole) {
-  SparseMatrix matrix = random_matrix(20, true, 3);
-  Factorisation factors{{5, 9}};
   ASSERT_TRUE(factors.factorise(matrix));
-  for (double& value : matrix.values) value *= 1.5;
-  ASSERT_TRUE(factors.factorise(matrix));
-  EXPECT_EQ(factors.count(), 2);
-  ASSERT_TRUE(factors.factorise_changing(matrix));
-  EXPECT_EQ(factors.count(), 2);
-  EXPECT_LT(difference_from_dense(factors, matrix), 1e-12);
-  entry(matrix, 9, 9) *= 2.0;
-  ASSERT_TRUE(factors.factorise_changing(matrix));
   EXPECT_EQ(factors.count(), 3);
-  EXPECT_LT(difference_from_dense(factors, matrix), 1e-12);
 }
 
 TEST(Factorisation, TheGroundsSlotIsNotPartOfTheMatrix) {
   SparseMatrix matrix = random_matrix(20, true, 3);
   std::vector<int> all(20);
   std::iota(all.begin(), all.end(), 0);
-  Factorisation factors{all};
-  ASSERT_TRUE(factors.factorise_changing(matrix));
-  matrix.values.back() = 1e30;
-  ASSERT_TRUE(factors.factorise_changing(matrix));
-  EXPECT_EQ(factors.count(), 1);
+  for (const std::vector<int>& changing : {all, {5, 9}}) {
+    Factorisation factors{changing};
+    matrix.values.back() = 0.0;
+    ASSERT_TRUE(factors.factorise_changing(matrix));
+    matrix.values.back() = 1e30;
+    ASSERT_TRUE(factors.factorise_changing(matrix));
+    EXPECT_LT(difference_from_dense(factors, matrix), 1e-12);
+  }
 }
 
 TEST(Factorisation, SingularAtFirstThenRecovers) {

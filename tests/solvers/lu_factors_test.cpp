@@ -26,7 +26,8 @@ LuFactors full_factors(std::vector<int> rows, std::vector<int> columns, int cond
       triangle->values.resize(triangle->rows.size());
     }
   }
-  return {std::move(lower), std::move(upper), std::move(rows), std::move(columns), condensed};
+  return {std::move(lower), std::move(upper), std::move(rows), std::move(columns), *full_pattern(size).pattern(),
+          condensed};
 }
 
 // Every entry differs, and the diagonal is strong.
@@ -49,31 +50,37 @@ TEST(LuFactors, SolveForEveryOrderAndSizeOfTheCondensedPart) {
     for (int condensed = 0; condensed <= size; ++condensed) {
       SparseMatrix matrix = unsymmetric_matrix();
       LuFactors factors = full_factors(order, order, condensed);
-      ASSERT_TRUE(factors.refactorise(matrix, 0));
+      ASSERT_TRUE(factors.refactorise(matrix));
       EXPECT_LT(difference_from_dense(factors, matrix), 1e-14) << condensed;
     }
 }
 
-TEST(LuFactors, FromTheFirstChangedColumnOn) {
+TEST(LuFactors, CondensedPartAloneAnyNumberOfTimes) {
   const std::vector<int> order{3, 1, 0, 2};
-  for (int condensed = 0; condensed < size; ++condensed)
-    for (int first = 0; first < size; ++first) {
-      SparseMatrix matrix = unsymmetric_matrix();
-      LuFactors factors = full_factors(order, order, condensed);
-      ASSERT_TRUE(factors.refactorise(matrix, 0));
-      // An entry of A22 if column `first` belongs to it.
-      const int column = order[static_cast<std::size_t>(first)];
-      EXPECT_EQ(factors.position(column), first);
-      entry(matrix, column, column) += 2.0;
-      ASSERT_TRUE(factors.refactorise(matrix, first));
-      EXPECT_LT(difference_from_dense(factors, matrix), 1e-14) << condensed << ", " << first;
+  for (int condensed = 0; condensed <= size; ++condensed) {
+    SparseMatrix matrix = unsymmetric_matrix();
+    LuFactors factors = full_factors(order, order, condensed);
+    for (int round = 0; round < 4; ++round) {
+      // All entries change, then three times those of A22 alone, which begins behind `condensed` rows and columns.
+      for (int row = round == 0 ? 0 : condensed; row < size; ++row)
+        for (int column = round == 0 ? 0 : condensed; column < size; ++column)
+          entry(matrix, order[static_cast<std::size_t>(row)], order[static_cast<std::size_t>(column)]) *=
+              1.0 + 0.1 * round + 0.03 * row + 0.02 * column;
+      ASSERT_TRUE(round == 0 ? factors.refactorise(matrix) : factors.refactorise_condensed(matrix));
+      EXPECT_LT(difference_from_dense(factors, matrix), 1e-14) << condensed << ", round " << round;
     }
+    // What was condensed is not that of another matrix.
+    for (double& value : matrix.values) value *= 1.5;
+    ASSERT_TRUE(factors.refactorise(matrix));
+    ASSERT_TRUE(factors.refactorise_condensed(matrix));
+    EXPECT_LT(difference_from_dense(factors, matrix), 1e-14) << condensed;
+  }
 }
 
 TEST(LuFactors, RowsAndColumnsInOtherOrders) {
   const SparseMatrix matrix = unsymmetric_matrix();
   LuFactors factors = full_factors({2, 0, 1, 3}, {3, 0, 1, 2}, 0);
-  ASSERT_TRUE(factors.refactorise(matrix, 0));
+  ASSERT_TRUE(factors.refactorise(matrix));
   EXPECT_LT(difference_from_dense(factors, matrix), 1e-13);
 }
 
@@ -83,7 +90,7 @@ TEST(LuFactors, RefusePivotsThatAreZeroPoorOrNotFinite) {
     SparseMatrix matrix = full_pattern(size);
     for (int i = 0; i < size; ++i) entry(matrix, i, i) = i == 2 ? pivot : 1.0;
     LuFactors factors = full_factors({0, 1, 2, 3}, {0, 1, 2, 3}, 2);
-    EXPECT_FALSE(factors.refactorise(matrix, 0)) << pivot;
+    EXPECT_FALSE(factors.refactorise(matrix)) << pivot;
   }
   EXPECT_TRUE(LuFactors{}.empty());
 }
