@@ -45,14 +45,15 @@ struct Factorisation::Factors {
   // Factors of a matrix that differs from the last one in the changing columns only, or in any.
   bool factorise(const SparseMatrix& matrix, bool all_columns) {
     ++count;
-    if (lu.empty()) return factorise_anew(matrix);
+    if (lu.empty()) return factorise_with_new_permutations(matrix);
     if (pattern->nonzeros() != matrix.nonzeros())
       throw std::logic_error{"Factorisation: the pattern of the matrix changed"};
-    return (all_columns ? lu.refactorise(matrix) : lu.refactorise_condensed(matrix)) || factorise_anew(matrix);
+    return (all_columns ? lu.refactorise(matrix) : lu.refactorise_condensed(matrix)) ||
+           factorise_with_new_permutations(matrix);
   }
 
   // Permutations and pattern by KLU, which needs more memory than the factors: none of it stays.
-  bool factorise_anew(const SparseMatrix& matrix) {
+  bool factorise_with_new_permutations(const SparseMatrix& matrix) {
     lu = {};
     pattern = matrix.pattern();
     klu_symbolic* symbolic = analyse();
