@@ -69,7 +69,7 @@ TEST(LuFactors, CondensedPartAloneAnyNumberOfTimes) {
       ASSERT_TRUE(round == 0 ? factors.refactorise(matrix) : factors.refactorise_condensed(matrix));
       EXPECT_LT(difference_from_dense(factors, matrix), 1e-14) << condensed << ", round " << round;
     }
-    // What was condensed is not that of another matrix.
+    // The condensed part of the last matrix is not used for another one.
     for (double& value : matrix.values) value *= 1.5;
     ASSERT_TRUE(factors.refactorise(matrix));
     ASSERT_TRUE(factors.refactorise_condensed(matrix));
