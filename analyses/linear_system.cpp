@@ -265,7 +265,7 @@ void LinearMotionSeries::evaluate(double h, double* result) {
   const double step = system_->step(), x = h / step;
   std::array<double, most_terms> powers;
   powers[0] = 1.0;
-  for (int k = 1; k < terms_; ++k) powers[k] = x * powers[k - 1];
+  for (std::size_t k = 1; k < static_cast<std::size_t>(terms_); ++k) powers[k] = x * powers[k - 1];
   multiply(2 * rows, {{coefficients_.data(), terms_, powers.data()}}, state_.data());
   const double *of_displacement = system_->scaled_rates(), *of_velocity = of_displacement + n * rows;
   const auto find_rates = [&](const double* state) {

@@ -29,8 +29,8 @@ class LinkChanges {
   [[nodiscard]] std::span<const Change> of_step() const { return of_step_; }
   /// Those of one link.
   [[nodiscard]] std::span<const Change> of(std::size_t link) const {
-    const auto found = std::ranges::equal_range(of_step_, link, {}, &Change::link);
-    return {found.begin(), found.end()};
+    const auto first = std::ranges::lower_bound(of_step_, link, {}, &Change::link);
+    return {first, std::ranges::upper_bound(first, of_step_.end(), link, {}, &Change::link)};
   }
   /// The step is tried again.
   void clear() { of_step_.clear(); }
@@ -47,8 +47,7 @@ class LinkChanges {
     links_.insert(links_.end(), before_last_.begin(), before_last_.end());
     for (const Change& change : of_step_) links_.push_back(change.link);
     std::ranges::sort(links_);
-    const auto repeated = std::ranges::unique(links_);
-    links_.erase(repeated.begin(), repeated.end());
+    links_.erase(std::unique(links_.begin(), links_.end()), links_.end());
     return links_;
   }
 

@@ -87,13 +87,12 @@ class LinkOverStep {
   }
   // At an end of the step, with the rate that the scheme sees there (Links::evaluate_rates()).
   [[nodiscard]] ForceAndRate force_at(const State& state, double time, const Motion& motion) const {
-    const auto [deformation, rate, second_rate] = motion;
     State after;
-    const Response response = respond(*law_, state, deformation, rate, interval(time), after);
-    if constexpr (requires { law_->force_rate(after, deformation, rate, second_rate); })
-      return {response.force, law_->force_rate(after, deformation, rate, second_rate)};
+    const Response response = respond(*law_, state, motion.deformation, motion.rate, interval(time), after);
+    if constexpr (requires { law_->force_rate(after, motion.deformation, motion.rate, motion.second_rate); })
+      return {response.force, law_->force_rate(after, motion.deformation, motion.rate, motion.second_rate)};
     else
-      return {response.force, response.stiffness * rate + response.damping * second_rate};
+      return {response.force, response.stiffness * motion.rate + response.damping * motion.second_rate};
   }
   [[nodiscard]] Interval interval(double time) const { return {time, start_.deformation, start_.rate}; }
 

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <limits>
 #include <memory>
-#include <ranges>
 #include <span>
 #include <utility>
 #include <vector>
@@ -92,9 +91,10 @@ class LinksWithRegimes : public Links<Law, Ends>, public Regimes {
   }
 
   void undo_changes_inside() override {
-    for (const Change& change : changes_.of_step() | std::views::reverse) {
+    const std::span<const Change> changes = changes_.of_step();
+    for (auto change = changes.rbegin(); change != changes.rend(); ++change) {
       RegimeChange taken_back;
-      enter(change.link, change.before, 0.0, taken_back);
+      enter(change->link, change->before, 0.0, taken_back);
     }
     changes_.clear();
   }

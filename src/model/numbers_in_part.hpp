@@ -3,7 +3,6 @@
 
 #include <cstddef>
 #include <memory>
-#include <ranges>
 #include <span>
 #include <utility>
 #include <vector>
@@ -52,8 +51,9 @@ class NumbersInPart {
 template <class List>
 [[nodiscard]] List chosen(const List& values, std::span<const std::size_t> positions) {
   if (values.empty()) return {};
-  const auto entries = positions | std::views::transform([&](std::size_t i) -> const auto& { return values[i]; });
-  return List(entries.begin(), entries.end());
+  List entries;
+  for (const std::size_t i : positions) entries.push_back(values[i]);
+  return entries;
 }
 
 /// The arrays of the part get the entries of those of the whole at these positions.
