@@ -129,7 +129,10 @@ class LinksWithRegimes : public Links<Law, Ends>, public Regimes {
   /// Puts a link into a regime at this rate of deformation, m/s, and notes whether a contact touched or opened.
   virtual void enter(std::size_t i, const State& next, double, RegimeChange&) { this->committed_[i] = next; }
   /// Whether the force jumps where a link enters `next` inside the trial step, at this rate of deformation, m/s.
-  [[nodiscard]] virtual bool jumps(std::size_t, const State& /*next*/, double) const { return false; }
+  [[nodiscard]] virtual bool jumps([[maybe_unused]] std::size_t i, [[maybe_unused]] const State& next, double) const {
+    if constexpr (requires { next.jumps_to(next); }) return this->committed_[i].jumps_to(next);
+    return false;
+  }
 
  private:
   // At the end of the trial step, m.

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <string_view>
 
@@ -12,9 +13,10 @@
 
 namespace moat {
 
-/// The law of a HeatedFrictionPendulum under its weight: stick and slip are located as in SlidingIsolator.
+/// The law of a HeatedFrictionPendulum under its weight: stick and slip are located as in SlidingIsolator, and so are
+/// the instants at which the flux of heat begins or ends, because the slider reaches or leaves the centre.
 ///
-/// Temperature and friction at the end of a step solve each other; the flux counts with the mean of both ends.
+/// Temperature and friction at the end of a step solve each other; the flux is linear in a step.
 struct HeatedSlidingIsolator {
   static constexpr std::string_view name = "HeatedSlidingIsolator";
 
@@ -30,7 +32,10 @@ struct HeatedSlidingIsolator {
     double flux = 0.0;                                                      ///< W/m^2
     std::array<double, PressureTemperatureVelocity::memory_size> memory{};  ///< of the heat that flowed in earlier
     int direction = 0;                                                      ///< of sliding; 0: sticks
+    int side = 0;  ///< of the centre, where the last slide left it, -1 or +1; 0: over the centre
 
+    /// Whether the force jumps at a change of regime: the flux of heat begins or ends there.
+    [[nodiscard]] bool jumps_to(const State& next) const { return side != next.side; }
     friend bool operator==(const State&, const State&) = default;
   };
   static constexpr std::array<ReportedQuantity, 3> quantities{
@@ -39,7 +44,8 @@ struct HeatedSlidingIsolator {
 
   Response evaluate(const State& committed, double deformation, double rate, Interval interval, State& trial) const {
     trial = committed;
-    const Surface end = heat(committed, deformation, committed.direction * rate, interval, trial);
+    const Surface end = heat(committed, committed.direction * rate, interval.length, trial);
+    if (interval.length == 0.0) trial = committed;
     if (committed.direction == 0) {
       trial.friction_force = elastic_stiffness * (deformation - committed.slip);
       return {restoring_stiffness * deformation + trial.friction_force, restoring_stiffness + elastic_stiffness, 0.0};
@@ -51,10 +57,9 @@ struct HeatedSlidingIsolator {
     trial.slip = deformation - trial.friction_force / elastic_stiffness;
     return {restoring_stiffness * deformation + trial.friction_force, restoring_stiffness, end.slope * normal_force};
   }
-  double force_rate(const State& state, double deformation, double rate, double second_rate) const {
+  double force_rate(const State& state, double, double rate, double second_rate) const {
     if (state.direction == 0) return (restoring_stiffness + elastic_stiffness) * rate;
-    const Rates rates =
-        rates_of(state, deformation, std::max(state.direction * rate, 0.0), state.direction * second_rate);
+    const Rates rates = rates_of(state, std::max(state.direction * rate, 0.0), state.direction * second_rate);
     return restoring_stiffness * rate + state.direction * normal_force * rates.coefficient;
   }
   double stored_energy(const State& committed, double deformation) const {
@@ -72,25 +77,32 @@ struct HeatedSlidingIsolator {
   }
 
   double regime_margin(const State& committed, double deformation, double rate) const {
-    if (committed.direction != 0) return committed.direction * rate * time_of_rate;
+    if (committed.direction != 0)
+      return std::min(committed.direction * rate * time_of_rate, margin_of_edge(committed, deformation));
     return limit(committed, std::abs(rate)) / elastic_stiffness * (1.0 + threshold) -
            std::abs(deformation - committed.slip);
   }
   State next_regime(const State& committed, double deformation, double rate) const {
     State next = committed;
-    const int direction = committed.direction != 0 ? committed.direction : deformation > committed.slip ? 1 : -1;
-    next.friction_force = direction * limit(committed, committed.direction != 0 ? 0.0 : std::abs(rate));
+    if (committed.direction == 0) {
+      next.direction = deformation > committed.slip ? 1 : -1;
+      next.side = std::abs(deformation) < edge() ? 0 : deformation > 0.0 ? 1 : -1;
+    } else if (committed.direction * rate * time_of_rate <= margin_of_edge(committed, deformation)) {
+      next.direction = 0;
+    } else {
+      next.side = committed.side == 0 ? committed.direction : 0;
+    }
+    const double sliding = committed.direction != 0 ? committed.direction : next.direction;
+    const Surface surface = heat(next, next.direction * rate, 0.0, next);
+    next.friction_force = sliding * surface.coefficient * normal_force;
     next.slip = deformation - next.friction_force / elastic_stiffness;
-    next.direction = committed.direction != 0 ? 0 : direction;
-    next.flux = next.direction == 0 ? 0.0 : flux_at(committed, deformation, std::abs(rate));
     return next;
   }
-  ReportedValue quantity(std::size_t index, const State& state, double deformation, double rate,
-                         double second_rate) const {
+  ReportedValue quantity(std::size_t index, const State& state, double, double rate, double second_rate) const {
     // The rate at the end of a slide may have the other sign by round-off.
     const int direction = state.direction != 0 ? state.direction : rate < 0.0 ? -1 : 1;
     const double speed = std::max(direction * rate, 0.0);
-    const Rates rates = rates_of(state, deformation, speed, direction * second_rate);
+    const Rates rates = rates_of(state, speed, direction * second_rate);
     if (index == 0) return {limit(state, speed) / normal_force, rates.coefficient};
     if (index == 2) return {friction.initial_temperature + state.rise, rates.rise};
     return {state.slip,
@@ -111,7 +123,7 @@ struct HeatedSlidingIsolator {
     double coefficient, rise;  // 1/s, K/s
   };
   // At a speed and its rate.
-  [[nodiscard]] Rates rates_of(const State& state, double deformation, double speed, double faster) const {
+  [[nodiscard]] Rates rates_of(const State& state, double speed, double faster) const {
     const double celsius = friction.initial_temperature + state.rise;
     const double by_speed = factor() * friction.speed_factor(speed),
                  by_speed_slope = factor() * friction.speed_slope(speed),
@@ -123,7 +135,7 @@ struct HeatedSlidingIsolator {
                  state.memory[j] / PressureTemperatureVelocity::memory_times[j];
     // The flux p mu |v| heats at once by memory_rest, and the warmer surface lowers mu.
     const double scale = friction.heating_factor(),
-                 at_once = state.direction != 0 && covers_centre(deformation)
+                 at_once = state.direction != 0 && state.side == 0
                                ? scale * PressureTemperatureVelocity::memory_rest * pressure()
                                : 0.0;
     const double rise_rate =
@@ -137,39 +149,37 @@ struct HeatedSlidingIsolator {
     return factor() * friction.speed_factor(speed) *
            friction.temperature_factor(friction.initial_temperature + state.rise) * normal_force;
   }
-  [[nodiscard]] bool covers_centre(double deformation) const {
-    return std::abs(deformation) < 0.5 * std::sqrt(std::numbers::pi) * friction.slider_radius.si();
-  }
-  [[nodiscard]] double flux_at(const State& state, double deformation, double speed) const {
-    return covers_centre(deformation) ? limit(state, speed) / normal_force * pressure() * speed : 0.0;
+  // The distance from the centre at which a slider of this contact stops to cover it, m.
+  [[nodiscard]] double edge() const { return 0.5 * std::sqrt(std::numbers::pi) * friction.slider_radius.si(); }
+  // Of a slide, until its flux of heat begins or ends, m.
+  [[nodiscard]] double margin_of_edge(const State& sliding, double deformation) const {
+    if (sliding.side == 0) return edge() - sliding.direction * deformation;
+    if (sliding.side == sliding.direction) return std::numeric_limits<double>::infinity();
+    return sliding.side * deformation - edge();
   }
 
-  // Temperature and friction at the end of the interval, at a rate in the direction of sliding. A step may overshoot
-  // the turn of the rate: friction goes on along its tangent, so that it stays smooth.
-  [[nodiscard]] Surface heat(const State& committed, double deformation, double rate, Interval interval,
-                             State& trial) const {
+  // Temperature and friction after a time h >= 0, at a rate in the direction of sliding. A step may overshoot the turn
+  // of the rate: friction goes on along its tangent, so that it stays smooth.
+  [[nodiscard]] Surface heat(const State& committed, double rate, double h, State& trial) const {
     const double speed = std::max(rate, 0.0), initial = friction.initial_temperature;
     const double by_speed_slope = factor() * friction.speed_slope(speed);
     const double by_speed = factor() * friction.speed_factor(speed) + by_speed_slope * std::min(rate, 0.0);
-    const double h = interval.length;
-    if (h == 0.0)
-      return {by_speed * friction.temperature_factor(initial + committed.rise),
-              by_speed_slope * friction.temperature_factor(initial + committed.rise)};
-    // rise = known + gain q1 with q1 = share mu(rise): the flux counts with the mean of both ends.
-    const bool covers = committed.direction != 0 && covers_centre(deformation);
-    const double share = covers ? pressure() * speed : 0.0;
-    double decayed = 0.0, per_flux = 0.0;
-    std::array<double, PressureTemperatureVelocity::memory_size> kept, added;
-    for (std::size_t j = 0; j < kept.size(); ++j) {
+    // rise = known + gain q1 with q1 = share mu(rise); the flux is linear from q0 to q1.
+    const double share = committed.direction != 0 && committed.side == 0 ? pressure() * speed : 0.0;
+    double from_start = 0.0, per_flux = 0.0;
+    std::array<double, PressureTemperatureVelocity::memory_size> known_memory, added;
+    for (std::size_t j = 0; j < added.size(); ++j) {
       const double time = PressureTemperatureVelocity::memory_times[j], x = -std::expm1(-h / time);
-      kept[j] = 1.0 - x;
-      added[j] = PressureTemperatureVelocity::memory_weights[j] * time * x;
-      decayed += committed.memory[j] * kept[j];
+      // Of a flux that rises from 0 to 1.
+      added[j] = h > 0.0 ? PressureTemperatureVelocity::memory_weights[j] * time * (1.0 - x * time / h) : 0.0;
+      known_memory[j] = committed.memory[j] * (1.0 - x) +
+                        (PressureTemperatureVelocity::memory_weights[j] * time * x - added[j]) * committed.flux;
+      from_start += known_memory[j];
       per_flux += added[j];
     }
-    const double scale = friction.heating_factor(), start_flux = committed.flux;
-    const double known = scale * (decayed + 0.5 * per_flux * start_flux);
-    const double gain = scale * (0.5 * per_flux + PressureTemperatureVelocity::memory_rest) * share;
+    const double scale = friction.heating_factor();
+    const double known = scale * from_start;
+    const double gain = scale * (per_flux + PressureTemperatureVelocity::memory_rest) * share;
     double rise = committed.rise;
     constexpr int iterations = 30;
     for (int i = 0; i < iterations; ++i) {
@@ -183,9 +193,7 @@ struct HeatedSlidingIsolator {
     const double coefficient = by_speed * of_temperature;
     trial.rise = rise;
     trial.flux = share * coefficient;
-    const double mean_flux = 0.5 * (start_flux + trial.flux);
-    for (std::size_t j = 0; j < kept.size(); ++j)
-      trial.memory[j] = committed.memory[j] * kept[j] + added[j] * mean_flux;
+    for (std::size_t j = 0; j < added.size(); ++j) trial.memory[j] = known_memory[j] + added[j] * trial.flux;
     // d(rise)/dv from rise = known + gain(v) by_speed(v) k_T(rise).
     const double temperature_slope = friction.temperature_slope(initial + rise);
     const double gain_slope = speed > 0.0 ? gain / speed : 0.0;

@@ -15,8 +15,10 @@ namespace moat {
 
 /// Up to three sliders in series, which carry the same force F; the deformation is the sum of their displacements.
 ///
-///     branch i:   F = k_i u_i + clamp(k_e (u_i - s_i), +-f_i) + k_stop (|u_i| - b_i) sgn u_i beyond the capacity b_i
+///     branch i:   F = k_i u_i + clamp(k_e (u_i - s_i), +-f_i) + k_i (|u_i| - p_i) sgn u_i beyond p_i
+///                                                           + k_stop (|u_i| - b_i) sgn u_i beyond the capacity b_i
 ///
+/// Beyond p_i one of two equal surfaces of a branch is at its stop, and the other one moves on.
 /// The displacement of every branch is a monotone, piecewise linear function of F, and so is their sum: the force
 /// follows from the corners without iteration. Stored energy is that of the springs, dissipation the sum of f_i |ds_i|.
 /// Both are exact for any length of a monotone step. Turns and all corners are located. Tension positive.
@@ -26,9 +28,10 @@ struct SeriesOfSliders {
 
   /// One slider: a spring beside friction, with a stop.
   struct Branch {
-    double stiffness = 0.0;                                     ///< k_i > 0 N/m
-    double friction = 0.0;                                      ///< f_i > 0 N
-    double capacity = std::numeric_limits<double>::infinity();  ///< b_i > 0 m
+    double stiffness = 0.0;                                       ///< k_i > 0 N/m
+    double friction = 0.0;                                        ///< f_i > 0 N
+    double capacity = std::numeric_limits<double>::infinity();    ///< b_i > 0 m
+    double first_stop = std::numeric_limits<double>::infinity();  ///< p_i > 0 m
   };
   std::array<Branch, most> branches{};  ///< the first `count` of them exist
   std::size_t count = 0;                ///< 1 to most
@@ -64,10 +67,10 @@ struct SeriesOfSliders {
     for (std::size_t i = 0; i < count; ++i) {
       const Branch& branch = branches[i];
       const double u = displacement(branch, committed.slips[i], force),
-                   friction = friction_of(branch, committed.slips[i], u),
-                   beyond = std::max(std::abs(u) - branch.capacity, 0.0);
-      energy += 0.5 * branch.stiffness * u * u + 0.5 * friction * friction / elastic_stiffness +
-                0.5 * stop_stiffness * beyond * beyond;
+                   friction = friction_of(branch, committed.slips[i], u), alone = beyond(u, branch.first_stop),
+                   pressed = beyond(u, branch.capacity);
+      energy += 0.5 * branch.stiffness * (u * u + alone * alone) + 0.5 * friction * friction / elastic_stiffness +
+                0.5 * stop_stiffness * pressed * pressed;
     }
     return energy;
   }
@@ -110,18 +113,22 @@ struct SeriesOfSliders {
   }
 
  private:
+  // How far a displacement passes a stop on either side, m.
+  static double beyond(double u, double stop) { return std::max(std::abs(u) - stop, 0.0); }
   [[nodiscard]] double friction_of(const Branch& branch, double slip, double u) const {
     return std::clamp(elastic_stiffness * (u - slip), -branch.friction, branch.friction);
   }
   [[nodiscard]] double force_of(const Branch& branch, double slip, double u) const {
-    const double beyond = std::max(std::abs(u) - branch.capacity, 0.0);
-    return branch.stiffness * u + friction_of(branch, slip, u) + std::copysign(stop_stiffness * beyond, u);
+    const double of_stops =
+        branch.stiffness * beyond(u, branch.first_stop) + stop_stiffness * beyond(u, branch.capacity);
+    return branch.stiffness * u + friction_of(branch, slip, u) + std::copysign(of_stops, u);
   }
   [[nodiscard]] double tangent(const Branch& branch, double slip, double u) const {
     return tangent(branch, u, elastic_stiffness * std::abs(u - slip) < branch.friction);
   }
   [[nodiscard]] double tangent(const Branch& branch, double u, bool sticks) const {
     return branch.stiffness + (sticks ? elastic_stiffness : 0.0) +
+           (std::abs(u) > branch.first_stop ? branch.stiffness : 0.0) +
            (std::abs(u) > branch.capacity ? stop_stiffness : 0.0);
   }
   // At a rate of the deformation, m/s.
@@ -141,11 +148,12 @@ struct SeriesOfSliders {
     for (double& slip_rate : slip_rates) slip_rate /= flexibility;
     return slip_rates;
   }
-  static constexpr std::size_t corners_per_branch = 4;
+  static constexpr std::size_t corners_per_branch = 6;
   // The displacements at which a branch changes its stiffness, ascending.
   [[nodiscard]] std::array<double, corners_per_branch> corners(const Branch& branch, double slip) const {
     const double reach = branch.friction / elastic_stiffness;
-    std::array<double, corners_per_branch> list{slip - reach, slip + reach, -branch.capacity, branch.capacity};
+    std::array<double, corners_per_branch> list{slip - reach,      slip + reach,     -branch.first_stop,
+                                                branch.first_stop, -branch.capacity, branch.capacity};
     std::ranges::sort(list);
     return list;
   }

@@ -21,7 +21,8 @@ namespace moat {
 ///     T(t) = T_0 + (1/k) sqrt(D/pi) integral of q(t - tau)/sqrt(tau) dtau,      q = mu p |v|
 ///
 /// q is the heat flux while the slider covers the centre of the surface, |d| < r_c sqrt(pi)/2, else 0. The memory
-/// 1/sqrt(tau) is a sum of twelve exponentials, right to 0.12 % from 1 ms to 60 s.
+/// 1/sqrt(tau) is a sum of sixteen exponentials, right to 0.13 % from 1 ms to one hour. After a longer rest the surface
+/// counts as too cold, by less than sqrt(D/s)/120 of the rise after sliding for a time D.
 /// Sources: Kumar, Whittaker & Constantinou (2015); Kim & Constantinou (2023); FPBearingPTV of OpenSees.
 struct PressureTemperatureVelocity {
   /// How far heating reduces friction: k_T at 200 degrees Celsius.
@@ -45,7 +46,7 @@ struct PressureTemperatureVelocity {
   /// T_0, degrees Celsius, from -50 to 100.
   double initial_temperature = 20.0;
 
-  static constexpr std::size_t memory_size = 12;  ///< Number of exponentials.
+  static constexpr std::size_t memory_size = 16;  ///< Number of exponentials.
   /// Of the exponentials, s.
   static constexpr std::array<double, memory_size> memory_times = [] {
     constexpr double shortest = 4e-4, ratio = 3.21166;
@@ -58,9 +59,9 @@ struct PressureTemperatureVelocity {
     return times;
   }();
   /// Of the exponentials, s^-1/2.
-  static constexpr std::array<double, memory_size> memory_weights{31.0271,  18.8793,  10.0178,   5.84403,
-                                                                  3.12446,  1.81896,  0.971398,  0.569888,
-                                                                  0.293971, 0.202913, 0.0152448, 0.181184};
+  static constexpr std::array<double, memory_size> memory_weights{
+      31.0271,  18.8793,  10.0178,  5.84403,  3.12446,  1.81896, 0.971398, 0.567258,
+      0.302257, 0.176759, 0.093914, 0.055447, 0.028274, 0.0201,  0.000813, 0.017939};
   /// The part of the integral that the sum lacks below 1 ms, s^1/2.
   static constexpr double memory_rest = 0.017077;
 

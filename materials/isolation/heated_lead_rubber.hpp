@@ -14,6 +14,7 @@
 #include "base/required.hpp"
 #include "base/units.hpp"
 #include "materials/response.hpp"
+#include "materials/steel_around_lead.hpp"
 
 namespace moat {
 
@@ -22,13 +23,14 @@ namespace moat {
 ///     F = k2 d + q,   |q| <= Q(T) = Q0 exp(-E2 T),   elastic with k1 - k2 below;   T = rise of the lead's temperature,
 ///     K
 ///
-///     rho c h dT/dt = P/A - (k_s T/a) [1/F(t+) + 1.274 (t_s/a) (t+)^(-1/3)],   t+ = alpha_s t/a^2
+///     A rho c h dT/dt = P - J,   P = Q |slip rate|,   slip = d - q/(k1 - k2)
 ///
-/// P = Q |slip rate|, a and A the radius and area of the lead, h the height of rubber and shims, t_s the total
-/// thickness of shims, t the time since the first slip. The steel conducts the heat away; F(t+) is the integral of its
-/// response. d_y = Q/(k1 - k2) shrinks with Q. Without cooling Q/Q0 = 1/(1 + E2 Q0 S/(A rho c h)) after a slip path S:
-/// a step follows this exactly, with the cooling taken at its middle, and the force at its end belongs to the
-/// temperature there. Yield and unloading are located, as in LocatedBilinear.
+/// a and A are the radius and area of the lead, h the height of rubber and shims, t_s the total thickness of shims. J
+/// is the flow of heat into the steel by the history of T (materials/steel_around_lead.hpp). d_y = Q/(k1 - k2) shrinks
+/// with Q. Without cooling Q/Q0 = 1/(1 + E2 Q0 S/(A rho c h)) after a slip path S: a step follows this exactly, with
+/// cooling of second order, and the force at its end belongs to the temperature there. Lead that cools while it slides
+/// regains strength: its elastic part grows at the cost of the slip. Yield and unloading are located, as in
+/// LocatedBilinear.
 ///
 /// Q0 is the strength of the first cycle, about 13 MPa times A; a bilinear model without heating takes the mean of
 /// three cycles, 8 to 11 MPa. All is for one bearing: give a layer by Isolator::count. Sources: Kalpakidis &
@@ -65,11 +67,11 @@ struct HeatedLeadRubber {
   double steel_diffusivity = 1.41e-5;
 
   struct State {
-    double slip = 0.0;          ///< m
-    double temperature = 0.0;   ///< T, K
-    double heating_time = 0.0;  ///< t, s; 0 before the first slip
-    double heat = 0.0;          ///< J, dissipated so far
-    int direction = 0;          ///< of sliding; 0: elastic
+    double slip = 0.0;                      ///< m
+    double temperature = 0.0;               ///< T, K
+    double heat = 0.0;                      ///< J, dissipated so far
+    SteelAroundLead::Temperatures steel{};  ///< K, of the steel around the lead
+    int direction = 0;                      ///< of sliding; 0: elastic
 
     friend bool operator==(const State&, const State&) = default;
   };
@@ -120,23 +122,22 @@ struct HeatedLeadRubber {
   Response evaluate(const State& committed, double deformation, double, Interval interval, State& trial) const {
     const double post_yield = post_yield_stiffness.si(), elastic = elastic_stiffness();
     trial = committed;
-    const double cooling = cooling_of(committed, interval.length);
-    if (committed.heating_time > 0.0 || committed.direction != 0) trial.heating_time += interval.length;
     if (committed.direction == 0) {
-      trial.temperature = cooled(committed.temperature, committed.temperature, cooling);
+      steel().rest(interval.length, trial.temperature, trial.steel);
       return {post_yield * deformation + elastic * (deformation - committed.slip), post_yield + elastic, 0.0};
     }
-    const Warmed warmed = warm(committed, deformation);
     if (interval.length == 0.0)
       return {post_yield * deformation + committed.direction * strength_at(committed.temperature), post_yield, 0.0};
-    trial.temperature = cooled(committed.temperature, warmed.temperature, cooling);
-    trial.heat = committed.heat + heat_capacity() * (warmed.temperature - committed.temperature);
-    const double limit = strength_at(trial.temperature), uncooled = strength_at(warmed.temperature);
-    // The lead that cools regains strength: its elastic part grows at the cost of the slip.
-    trial.heat -= 0.5 * (limit * limit - uncooled * uncooled) / elastic;
+    const SteelAroundLead::Step cooling{steel(), interval.length};
+    const Slide slide =
+        slide_to(committed, deformation, cooling.lost(committed.temperature, committed.steel), cooling.share());
+    trial.temperature = slide.temperature;
+    trial.heat += slide.heat;
+    cooling.advance(committed.temperature, trial.temperature, trial.steel);
+    const double limit = strength_at(trial.temperature);
     trial.slip = deformation - committed.direction * limit / elastic;
-    const double slope = trial.temperature > 0.0 ? -weakening * limit * (1.0 - 0.5 * cooling) * warmed.per_move : 0.0;
-    return {post_yield * deformation + committed.direction * limit, post_yield + slope, 0.0};
+    return {post_yield * deformation + committed.direction * limit, post_yield - weakening * limit * slide.per_move,
+            0.0};
   }
   double force_rate(const State& state, double, double rate, double) const {
     const double post_yield = post_yield_stiffness.si();
@@ -156,7 +157,8 @@ struct HeatedLeadRubber {
   }
 
   double regime_margin(const State& committed, double deformation, double rate) const {
-    if (committed.direction != 0) return committed.direction * rate * time_of_rate;
+    // A bearing at rest sticks: its force does not follow the strength that the lead regains.
+    if (committed.direction != 0) return committed.direction * rate * time_of_rate - 1e-14;
     return strength_at(committed.temperature) / elastic_stiffness() * (1.0 + threshold) -
            std::abs(deformation - committed.slip);
   }
@@ -165,8 +167,9 @@ struct HeatedLeadRubber {
     const int direction = committed.direction != 0 ? committed.direction : deformation > committed.slip ? 1 : -1;
     if (committed.direction != 0) {
       // Of a slide that ends inside a step.
-      next.temperature = warm(committed, deformation).temperature;
-      next.heat += heat_capacity() * (next.temperature - committed.temperature);
+      const Slide slide = slide_to(committed, deformation, 0.0, 0.0);
+      next.temperature = slide.temperature;
+      next.heat += slide.heat;
     }
     next.slip = deformation - direction * strength_at(next.temperature) / elastic_stiffness();
     next.direction = committed.direction != 0 ? 0 : direction;
@@ -196,13 +199,19 @@ struct HeatedLeadRubber {
 
  private:
   [[nodiscard]] double elastic_stiffness() const { return strength.si() / yield_displacement.si(); }
+  [[nodiscard]] SteelAroundLead steel() const {
+    const double a = radius();
+    return {.rate = steel_conductivity / (a * lead_density.si() * lead_specific_heat * lead_height.si()),
+            .time = a * a / steel_diffusivity,
+            .shims = 1.274 * shim_thickness.si() / a};
+  }
   // K/s
   [[nodiscard]] double warming(const State& state, double rate) const {
-    const double cooling = state.temperature * cooling_rate(state.heating_time);
+    const double cooling = steel().cooling(state.temperature, state.steel);
     if (state.direction == 0) return -cooling;
+    // The slip rate is that of the deformation less that of the elastic part, which follows the strength.
     const double limit = strength_at(state.temperature), per_slip = -weakening * limit * limit / heat_capacity();
-    const double slip_rate = state.direction * rate / (1.0 + per_slip / elastic_stiffness());
-    return limit * slip_rate / heat_capacity() - cooling;
+    return (limit * state.direction * rate / heat_capacity() - cooling) / (1.0 + per_slip / elastic_stiffness());
   }
   [[nodiscard]] double radius() const { return 0.5 * lead_diameter.si(); }
   // A rho c h, J/K.
@@ -210,42 +219,33 @@ struct HeatedLeadRubber {
     return std::numbers::pi * radius() * radius() * lead_density.si() * lead_specific_heat * lead_height.si();
   }
 
-  struct Warmed {
-    double temperature;  // K, without cooling
-    double per_move;     // K/m
+  struct Slide {
+    double temperature;  // K
+    double heat;         // J
+    double per_move;     // of the temperature, K/m
   };
-  // After sliding to a deformation. The slip is longer than the move, because the elastic part shrinks with the
-  // strength: S = move + (Q(T0) - Q(T1))/(k1 - k2), with 1/Q(T1) = 1/Q(T0) + E2 S/(A rho c h). The move is counted from
-  // the slip, so that a slide that begins inside a step heats from there on.
-  [[nodiscard]] Warmed warm(const State& sliding, double deformation) const {
-    const double temperature = sliding.temperature, start = strength_at(temperature);
-    const double move = sliding.direction * (deformation - sliding.slip) - start / elastic_stiffness();
-    const double rate = weakening / heat_capacity();
-    // Together these are square Q1^2 - sum Q1 + 1 = 0.
-    const double square = rate / elastic_stiffness();
-    const double sum = std::max(1.0 / start + rate * move + square * start, 2.0 * std::sqrt(square));
-    const double end = 2.0 / (sum + std::sqrt(sum * sum - 4.0 * square));
-    const double slip = move + (start - end) / elastic_stiffness();
-    const double per_slip = -rate * end * end;  // dQ/dS
-    const double slip_per_move = 1.0 / (1.0 + per_slip / elastic_stiffness());
-    const double rise = weakening > 0.0 ? std::log(start / end) / weakening : start * slip / heat_capacity();
-    return {temperature + rise, end / heat_capacity() * slip_per_move};
-  }
-
-  // The share of the temperature that is lost in a second, at a time since the first slip.
-  [[nodiscard]] double cooling_rate(double time) const {
-    if (time <= 0.0 || steel_conductivity == 0.0) return 0.0;
-    const double a = radius(), t = steel_diffusivity * time / (a * a);
-    return steel_conductivity / (a * lead_density.si() * lead_specific_heat * lead_height.si()) *
-           (1.0 / steel_response(t) + 1.274 * shim_thickness.si() / a / std::cbrt(t));
-  }
-  // The share of the mean temperature that a step loses.
-  [[nodiscard]] double cooling_of(const State& committed, double length) const {
-    const bool has_slipped = committed.heating_time > 0.0 || committed.direction != 0;
-    return has_slipped ? length * cooling_rate(committed.heating_time + 0.5 * length) : 0.0;
-  }
-  static double cooled(double before, double warmed, double cooling) {
-    return std::max(warmed - 0.5 * cooling * (before + warmed), 0.0);
+  // To a deformation. The temperature T1 at its end solves
+  //     (1 + share) (T1 - T0) = R(S) - lost,   S = move + (Q(T0) - Q(T1))/(k1 - k2),
+  // with the adiabatic rise R = ln(1 + E2 Q(T0) S/(A rho c h))/E2: the elastic part shrinks with the strength. The move
+  // is counted from the slip, so that a slide that begins inside a step heats from there on.
+  [[nodiscard]] Slide slide_to(const State& sliding, double deformation, double lost, double share) const {
+    const double start = strength_at(sliding.temperature), elastic = elastic_stiffness(), capacity = heat_capacity();
+    const double move = sliding.direction * (deformation - sliding.slip) - start / elastic;
+    double rise = 0.0, adiabatic = 0.0, per_move = 0.0;
+    constexpr int iterations = 20;
+    for (int i = 0; i < iterations; ++i) {
+      const double end = strength_at(sliding.temperature + rise);
+      const double undiminished = start * (move + (start - end) / elastic) / capacity;
+      const double softening = std::max(weakening * undiminished, -0.9);
+      adiabatic = weakening > 0.0 ? std::log1p(softening) / weakening : undiminished;
+      const double per_slip = start / (1.0 + softening) / capacity;  // K/m
+      const double slope = std::max(1.0 + share - per_slip * weakening * end / elastic, 0.1);
+      per_move = per_slip / slope;
+      const double correction = ((1.0 + share) * rise + lost - adiabatic) / slope;
+      rise -= correction;
+      if (std::abs(correction) <= 1e-15 * (1.0 + sliding.temperature)) break;
+    }
+    return {sliding.temperature + rise, capacity * adiabatic, per_move};
   }
 };
 

@@ -1,6 +1,7 @@
 // Friction pendulum with an inner slider between two outer surfaces.
 #pragma once
 
+#include <algorithm>
 #include <string_view>
 #include <vector>
 
@@ -20,13 +21,16 @@ namespace moat {
 ///       |          .-'  IV       II   with the lower outer       W/(L_1 + L_2)
 ///       |       .-'  III         III  both outer                 W/(L_2 + L_3)
 ///       |    .-'  II             IV   the lower one at its stop  W/(L_1 + L_3)
-///       |  .' I                  V    both at their stops        W/(2 L_1), until all are at their stops
-///     --+--------------> u
+///       |  .' I                  V    both at their stops        W/(2 L_1), until one inner surface is at its stop
+///     --+--------------> u       VI   the other inner one alone  W/L_1, until u = 2 d_1 + d_2 + d_3
 ///
-/// Three sliders in series reproduce it exactly where mu_1 < mu_2 <= mu_3 and d_2 >= (mu_3 - mu_2) L_2, that is where
-/// the lower surface reaches its stop last; others are refused. Beyond a stop a branch has ten times its elastic
-/// stiffness. Friction does not depend on speed. L = R - h are effective radii, d = d_nominal L/R the true capacities.
-/// Source: Fenz & Constantinou (2008).
+/// Where d_3/L_3 + mu_3 < d_2/L_2 + mu_2 the upper one stops first, and IV has W/(L_1 + L_2). An inner surface, which
+/// the outer one on its side tilts, stops at F = W (d_1/L_1 + d_out/L_out + mu_1).
+///
+/// Three sliders in series reproduce it exactly where mu_1 < mu_2 <= mu_3, d_2 >= (mu_3 - mu_2) L_2 and
+/// d_1 >= (mu_3 - mu_1) L_1, that is where all surfaces slide before one is at its stop; others are refused. Beyond all
+/// stops a branch has ten times its elastic stiffness. Friction does not depend on speed. L = R - h are effective
+/// radii, d = d_nominal L/R the true capacities. Source: Fenz & Constantinou (2008).
 struct TriplePendulum {
   static constexpr std::string_view name = "TriplePendulum";
   static constexpr std::string_view formula = "three sliders in series, with stops";
@@ -78,7 +82,10 @@ struct TriplePendulum {
                "at most upper_friction = " + to_text(upper_friction),
                "The surface with less friction is the lower one.");
     check.above_up_to("upper_friction", upper_friction, 0.0, 0.3, "1");
-    check.positive("inner_capacity", inner_capacity);
+    const double least_inner = (upper_friction - inner_friction) * inner_radius.si();
+    check.that(inner_capacity.si() > 0.0 && inner_capacity.si() >= least_inner, "inner_capacity", inner_capacity.si(),
+               "m", ">= (upper_friction - inner_friction) inner_radius = " + to_text(least_inner) + " m",
+               "Else an inner surface reaches its stop before the upper one slides, which this model does not cover.");
     const double least = (upper_friction - lower_friction) * lower_radius.si();
     check.that(lower_capacity.si() > 0.0 && lower_capacity.si() >= least, "lower_capacity", lower_capacity.si(), "m",
                ">= (upper_friction - lower_friction) lower_radius = " + to_text(least) + " m",
@@ -98,9 +105,13 @@ struct TriplePendulum {
     const double normal = load.si(), elastic = 3.0 * inner_friction * normal / yield_displacement.si();
     const double inner = inner_radius.si(), lower = lower_radius.si(), upper = upper_radius.si();
     SeriesOfSliders law{.count = 3, .elastic_stiffness = elastic, .stop_stiffness = 10.0 * elastic};
+    // Of the displacement of each inner surface and the share of the outer one that tilts it.
+    const double beside_lower = inner_capacity.si() + inner / lower * lower_capacity.si(),
+                 beside_upper = inner_capacity.si() + inner / upper * upper_capacity.si();
     law.branches[0] = {.stiffness = normal / (2.0 * inner),
                        .friction = inner_friction * normal,
-                       .capacity = 2.0 * (inner_capacity.si() + inner / upper * upper_capacity.si())};
+                       .capacity = beside_lower + beside_upper};
+    if (beside_lower != beside_upper) law.branches[0].first_stop = 2.0 * std::min(beside_lower, beside_upper);
     law.branches[1] = {.stiffness = normal / (lower - inner),
                        .friction = lower_friction * normal,
                        .capacity = lower_capacity.si() * (1.0 - inner / lower)};

@@ -59,6 +59,29 @@ TEST(HeatedLeadRubber, HasTheResponseOfTheSteel) {
   EXPECT_NEAR(HeatedLeadRubber::steel_response(0.6), 0.526882, 1e-6);
 }
 
+// Lead that cools regains strength. A bearing that moves just as fast stretches its elastic part, slips by nothing and
+// gets no heat: it cools as one at rest.
+TEST(HeatedLeadRubber, IsHeatedBySlipAloneWhileItRegainsStrength) {
+  const HeatedLeadRubber law = HeatedLeadRubber::typical();
+  const double elastic = law.strength.si() / law.yield_displacement.si();
+  constexpr double hot = 120.0, h = 0.1;
+  HeatedLeadRubber::State rests{.temperature = hot}, slides{.temperature = hot, .direction = 1}, trial;
+  double d = law.strength_at(hot) / elastic;
+  for (int i = 0; i < 1000; ++i) {
+    law.evaluate(rests, 0.0, 0.0, {h, 0.0, 0.0}, trial);
+    rests = trial;
+    const double before = d;
+    d = law.strength_at(rests.temperature) / elastic;
+    const double force = law.evaluate(slides, d, (d - before) / h, {h, before, 0.0}, trial).force;
+    slides = trial;
+    EXPECT_NEAR(slides.temperature, rests.temperature, 1e-9);
+    EXPECT_NEAR(slides.slip, 0.0, 1e-12);
+    EXPECT_NEAR(slides.heat, 0.0, 1e-6);
+    EXPECT_NEAR(force, law.post_yield_stiffness.si() * d + law.strength_at(rests.temperature), 1e-6);
+  }
+  EXPECT_LT(rests.temperature, 0.9 * hot);
+}
+
 // The experiment of Kalpakidis, Constantinou & Whittaker (2010): energies of 25 cycles by the theory, from a program of
 // its own, beside a rubber dashpot of 128 kN s/m.
 TEST(HeatedLeadRubber, FollowsTheTheoryOverTwentyFiveCycles) {
