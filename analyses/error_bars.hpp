@@ -60,8 +60,8 @@ ErrorBars estimate_errors(std::vector<Peak>& peaks, std::span<const Touch> touch
 /// error of a peak. The errors of the peaks do not change.
 void estimate_clearance_errors(PeaksAndImpacts& main, const PeaksAndImpacts& companion, double least_share = 0.0);
 
-/// The least_share of a run. Zero where all changes of stiffness are located. The stiffness of other laws (a bearing
-/// without locate_yield, a law of the script) may change inside a step, and both runs may step over the same change.
+/// The least_share of a run. Zero where all changes of stiffness are located. The stiffness of other laws (a bearing in
+/// plan, a law of the script) may change inside a step, and both runs may step over the same change.
 /// The bars of an adapted run are then at least this share of the peak, in proportion to the tolerance.
 double least_share_of_errors(const Model& model, const TransientOptions& options);
 

@@ -47,7 +47,7 @@ void ExactSteps::check() const {
     check.that(false,
                "integrator = ExactBetweenEvents{} needs elements that are linear between located events, and \"" +
                    info.name + "\" is not.",
-               "Use Newmark{}, or a law whose changes of stiffness are located (LeadRubberBearing::locate_yield).");
+               "Use Newmark{}, or a law whose changes of stiffness are located.");
   }
 }
 

@@ -16,9 +16,9 @@ namespace moat {
 ///     beta = (1 - am + af)^2/4,   gamma = 1/2 - am + af
 ///
 /// Second order in displacement and velocity, unconditionally stable; of all such methods it damps slow vibrations
-/// least for its damping of fast ones. The acceleration belongs to an instant that lies (af - am) h beside the end of
-/// the step: it is of first order. moat's default needs no such damping; use this method to compare with other
-/// programs.
+/// least for its damping of fast ones. The unknown a1 belongs to an instant that lies (af - am) h beside the end of the
+/// step and is of first order there. Results have the acceleration that balances the forces at the end, of second
+/// order. moat's default needs no such damping; use this method to compare with other programs.
 struct GeneralizedAlpha {
   static constexpr std::string_view name = "generalized-alpha";
 

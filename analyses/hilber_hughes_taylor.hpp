@@ -15,8 +15,9 @@ namespace moat {
 ///     M a1 + (1 + alpha) p1 - alpha p0 = 0,   beta = (1 - alpha)^2/4,   gamma = 1/2 - alpha
 ///
 /// Second order, unconditionally stable. It damps vibrations that the step does not resolve: the spectral radius at
-/// infinite frequency is (1 + alpha)/(1 - alpha). moat's default needs no such damping; use this method to compare with
-/// other programs.
+/// infinite frequency is (1 + alpha)/(1 - alpha). Results have the acceleration that balances the forces at the end of
+/// the step, which is of second order; a1 is of first order. moat's default needs no such damping; use this method to
+/// compare with other programs.
 struct HilberHughesTaylor {
   static constexpr std::string_view name = "hht-alpha";
 

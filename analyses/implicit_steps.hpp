@@ -21,7 +21,7 @@ class ImplicitSteps final : public Stepper {
   }
   bool solve(const StepTask& part) override;
   bool accepts(const StepTask& step, std::span<const RegimeChange> inside) override {
-    return control_.accepts(*model_, step, scheme_, inside);
+    return control_.accepts(*model_, step, scheme_, inside, equations_.filtered_curve());
   }
   bool may_leave_samples() const override { return control_.may_leave_samples(); }
   WorkRule work_rule() const override { return scheme_.order() > 2 ? WorkRule::quadrature : WorkRule::mean_force; }

@@ -31,7 +31,7 @@ constexpr int at_touch = 6;
 constexpr int steps_of_restraint = 8;
 
 // The factor of a step's error when its length doubles.
-double change_by_doubling(StepScheme scheme) { return scheme.order() == 4 ? 8.0 : 4.0; }
+double change_by_doubling(StepScheme scheme) { return scheme.order() > 2 ? 8.0 : 4.0; }
 
 }  // namespace
 
@@ -52,15 +52,18 @@ StepControl::StepControl(const Model& model, Options options)
   restart(model, false, true);
 }
 
-// Longest step inside the bound of stability of the fourth-order scheme, during a contact of this duration.
+// Longest step inside the bound of stability of the fourth-order scheme, during a contact of this duration: h w <= 1.8
+// and h c/m <= 4 together leave room below the limit of stability. The first is that of strongly_damped() too.
 double StepControl::stable_step(double contact) const {
-  // h w <= 1.8 and h c/m <= 4 together leave room below the limit of stability. The frequency of the contact is
-  // doubled, because a contact under load is stiffer than in a free impact.
-  constexpr double of_frequency = 1.8, of_damping = 4.0, pi = 3.141592653589793, harder = 2.0;
+  // The frequency of the contact is doubled, because a contact under load is stiffer than in a free impact.
+  constexpr double of_frequency = 1.8, pi = 3.141592653589793, harder = 2.0;
   const double of_contact = std::isfinite(contact) ? harder * pi / contact : 0.0;
   const double frequency = std::sqrt(stiffest_squared_ + of_contact * of_contact);
-  return std::min(of_frequency / std::max(frequency, std::numeric_limits<double>::min()),
-                  of_damping / std::max(most_damped_, std::numeric_limits<double>::min()));
+  return of_frequency / std::max(frequency, std::numeric_limits<double>::min());
+}
+double StepControl::stable_damped_step() const {
+  constexpr double of_damping = 4.0;
+  return of_damping / std::max(most_damped_, std::numeric_limits<double>::min());
 }
 
 StepControl::Step StepControl::next_step(const Model& model) {
@@ -80,27 +83,32 @@ StepControl::Step StepControl::next_step(const Model& model) {
   if (options_.scheme) {
     scheme = *options_.scheme;
   } else if (ramp_ < at_touch) {
-    // Up to this many halvings for stability, the fourth-order scheme costs less than average acceleration.
-    constexpr int worth_halving = 6;
-    const double stable = stable_step(contact);
-    int stable_halvings = halvings;
-    while (stable_halvings < std::min(halvings_in_interval + worth_halving, options_.max_halvings) &&
-           step_at(stable_halvings) > stable)
-      ++stable_halvings;
-    if (step_at(stable_halvings) <= stable) {
+    // Up to this many halvings for stability, the fourth-order scheme costs less than average acceleration, and less
+    // than the scheme for strong dashpots. Steps that are halved more than once would not be judged.
+    constexpr int worth_halving = 6, worth_halving_for_dashpots = 1;
+    const auto halved = [&](double stable, int worth) {
+      int stable_halvings = halvings;
+      while (stable_halvings < std::min(halvings_in_interval + worth, options_.max_halvings) &&
+             step_at(stable_halvings) > stable)
+        ++stable_halvings;
+      if (step_at(stable_halvings) > stable) return false;
       halvings = stable_halvings;
-      scheme = StepScheme::fourth_order();
-    }
+      return true;
+    };
+    if (halved(stable_step(contact), worth_halving))
+      scheme = halved(stable_damped_step(), worth_halving_for_dashpots) ? StepScheme::fourth_order()
+                                                                        : StepScheme::strongly_damped();
   }
-  if (scheme.order() != 4) halvings = halvings_in_interval;
+  if (scheme.order() == 2) halvings = halvings_in_interval;
   planned_ = step_at(std::min(halvings + ramp_, options_.max_halvings));
+  scheme.filters_corrections |= !options_.scheme && scheme.order() == 2 && planned_ > stable_damped_step();
   if (pounding) fewest_steps_per_contact_ = std::min(fewest_steps_per_contact_, contact / planned_);
   return {planned_, scheme};
 }
 
 // Largest error of all nodes, divided by the tolerance.
-double StepControl::error_of(const Model& model, const StepTask& step, StepScheme scheme,
-                             const Vector& scales_of_nodes) const {
+double StepControl::error_of(const Model& model, const StepTask& step, StepScheme scheme, const Vector& scales_of_nodes,
+                             const double* filtered_curve) {
   // For an equal estimate the error of average acceleration is larger: its error of period equals the estimate.
   constexpr double stricter_at_second_order = 8.0;
   const int count = model.degrees_of_freedom();
@@ -109,20 +117,29 @@ double StepControl::error_of(const Model& model, const StepTask& step, StepSchem
                *j1 = end.jerk.data(), *u1 = end.displacement.data(), *scales = scales_of_nodes.data(),
                *round_off_per_displacement = round_off_per_displacement_.data();
   const double h = step.length;
-  const bool fourth_order = scheme.order() == 4;
+  const bool fourth_order = scheme.order() > 2;
   // The parabola and the cubic may agree by chance where a force has a corner inside the step. The jump of the jerk
-  // still shows the corner.
-  const double of_jump = !fourth_order || model.has_corner() ? h : 0.0, of_curve = fourth_order ? 1.0 : 0.0;
+  // still shows the corner, and the model knows the force that is lost where a path turns.
+  const UnlocatedCorners corners = model.find_corners(lost_forces_);
+  const double of_jump = !fourth_order || corners.jump ? h : 0.0, of_curve = fourth_order ? 1.0 : 0.0;
+  const double *lost = lost_forces_.data(), *masses = model.masses().data();
   double largest = 0.0;
   with_ground_component(model, h * step.ground_jerk, [&](const auto& rise_of_ground) {
-    const auto curve = [&](int i) { return 2.0 * (a1[i] - a0[i] + rise_of_ground(i)) - h * (j0[i] + j1[i]); };
-    const auto jump = [&](int i) { return j1[i] - j0[i]; };
+    const auto curve = [&](int i) {
+      if (filtered_curve != nullptr) return filtered_curve[i];
+      return 2.0 * (a1[i] - a0[i] + rise_of_ground(i)) - h * (j0[i] + j1[i]);
+    };
+    const auto jump = [&](int i) {
+      return filtered_curve != nullptr && !fourth_order ? filtered_curve[i] / h : j1[i] - j0[i];
+    };
     const auto displacement = [&](int i) { return u1[i]; };
+    const auto lost_acceleration = [&](int i) { return lost[i] / masses[i]; };
     const GroundShares shares = model.ground_shares();
     const auto acceleration = [&](int i) { return a1[i] + shares.of(step.ground_acceleration, i); };
     resultants_.with([&](const auto& size) {
       for (int i = 0; i < count; ++i) {
-        const double difference = std::max(of_curve * size(i, curve), of_jump * size(i, jump)) / 12.0;
+        double difference = std::max(of_curve * size(i, curve), of_jump * size(i, jump)) / 12.0;
+        if (corners.turn) difference += size(i, lost_acceleration);
         // Most nodes are far from the worst one, and need no look at their round-off.
         if (difference <= largest * scales[i]) continue;
         const double beyond_round_off = difference - round_off_per_displacement[i] * size(i, displacement);
@@ -151,10 +168,10 @@ const Vector& StepControl::scales_without(const Model& model, std::span<const Re
 }
 
 bool StepControl::accepts(const Model& model, const StepTask& step, StepScheme scheme,
-                          std::span<const RegimeChange> inside) {
+                          std::span<const RegimeChange> inside, const double* filtered_curve) {
   if (!adaptive() || ramp_ > 0) return true;
   const double h = step.length;
-  const double error = error_of(model, step, scheme, scales_without(model, inside));
+  const double error = error_of(model, step, scheme, scales_without(model, inside), filtered_curve);
   constexpr double repeat_above = 2.0;
   if (error > repeat_above && step_at(options_.max_halvings) < 0.5 * h) {
     // The repeated step must be shorter than h. In contact or for stability h may be shorter than the nominal step.
@@ -169,7 +186,7 @@ bool StepControl::accepts(const Model& model, const StepTask& step, StepScheme s
   // Halve above 1.2 times the tolerance; double only where the doubled step stays below 0.9 times. The distance of the
   // two limits keeps the length from alternating.
   const double of_doubling = change_by_doubling(scheme);
-  const double nominal_error = error * std::pow(nominal / h, scheme.order() == 4 ? 3 : 2);
+  const double nominal_error = error * std::pow(nominal / h, scheme.order() > 2 ? 3 : 2);
   if (nominal_error > 1.2 && halvings_ < options_.max_halvings)
     ++halvings_;
   else if (nominal_error * of_doubling < 0.9 && halvings_ > -options_.doublings)

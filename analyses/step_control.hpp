@@ -26,8 +26,9 @@ namespace moat {
 /// divided by the scale of the acceleration of the node (acceleration_scales.hpp); of the translations of a diaphragm
 /// the resultants count. The largest of all nodes is compared with the tolerance. The factor 8 is there because
 /// (w h)^2/12 is itself the error of period of average acceleration. Where the stiffness of a law without located
-/// regimes jumps inside a step, the error of the fourth-order scheme is at least h/12 |j1 - j0|. A step with more than
-/// twice the tolerance is repeated. Differences that are round-off of forces do not count.
+/// regimes jumps inside a step, the error of the fourth-order scheme is at least h/12 |j1 - j0|; the force that such a
+/// law loses where its path turns inside the step, over the mass, is added (ElementBlock::find_corners). A step with
+/// more than twice the tolerance is repeated. Differences that are round-off of forces do not count.
 ///
 /// In contact, the duration of the contact divided by steps_per_contact. After four such durations without an event the
 /// contact is sustained; from then on the error of acceleration alone sets the step. The first steps after a located
@@ -35,7 +36,8 @@ namespace moat {
 /// quarter they take average acceleration: some laws' forces rise with infinite slope there (like d^1/4).
 ///
 /// The scheme is that of fourth order where a step is inside its bound of stability. A model that needs more than six
-/// halvings for this bound takes average acceleration.
+/// halvings for the bound of its stiffness takes average acceleration; one that needs more than one for the bound of
+/// its damping takes StepScheme::strongly_damped().
 ///
 /// Adaptive steps are the grid interval times or divided by powers of two, so that they end on samples of the motion
 /// and the tangent takes few values. Only steps of fourth order are longer than the interval: the motion of the ground
@@ -68,9 +70,10 @@ class StepControl {
   [[nodiscard]] Step next_step(const Model& model);
   /// Judges the trial state that a step of this scheme led to, but not the nodes (ElementInfo::first and second) of
   /// elements that change their regime inside it or did so inside the last two, because the rates of their
-  /// accelerations jump there or are not smooth yet. False: repeat with next_step(), which is shorter.
+  /// accelerations jump there or are not smooth yet. `filtered_curve`: of a scheme that has it
+  /// (StepEquations::filtered_curve). False: repeat with next_step(), which is shorter.
   [[nodiscard]] bool accepts(const Model& model, const StepTask& step, StepScheme scheme,
-                             std::span<const RegimeChange> inside = {});
+                             std::span<const RegimeChange> inside = {}, const double* filtered_curve = nullptr);
   /// The trial state was committed.
   void accepted(const Model& model, double h, PlanVector ground_acceleration);
   /// Elements changed their regime at the committed state, or the ground stopped; `touched` if a gap closed. The next
@@ -119,15 +122,16 @@ class StepControl {
     return steps_[static_cast<std::size_t>(index)];
   }
   [[nodiscard]] double stable_step(double contact) const;
+  [[nodiscard]] double stable_damped_step() const;
   [[nodiscard]] double error_of(const Model& model, const StepTask& step, StepScheme scheme,
-                                const Vector& scales_of_nodes) const;
+                                const Vector& scales_of_nodes, const double* filtered_curve);
   [[nodiscard]] const Vector& scales_without(const Model& model, std::span<const RegimeChange> inside);
   void watch_round_off(const Model& model);
 
   Options options_;
   Resultants resultants_;
   AccelerationScales scales_;
-  Vector scales_without_bends_;
+  Vector scales_without_bends_, lost_forces_;
   std::vector<RegimeChange> changed_last_, changed_before_;  // inside the last step, and inside the one before
   std::vector<double> steps_;                                // the longest, divided by 1, 2, 4, ...; s
   double share_of_tolerance_ = 1.0;

@@ -36,6 +36,9 @@ void StepEquations::begin(const StepTask& task, StepScheme scheme, Vector& guess
   const MotionState& start = model_->state();
   const double *u = start.displacement.data(), *v = start.velocity.data(), *a = start.acceleration.data(),
                *jerk = start.jerk.data();
+  if (scheme.filters_corrections && !is_known(jerks_at_start_, jerks_at_end_))
+    jerks_at_start_ = {start.time, start.jerk};
+  if (!scheme.balances_at_end() && is_known(averaged_at_start_, averaged_at_end_)) a = averaged_at_start_.values.data();
   double* __restrict displacement = predicted_displacement_.data();
   double* __restrict velocity = predicted_velocity_.data();
   double* __restrict first = guess.data();
@@ -45,15 +48,24 @@ void StepEquations::begin(const StepTask& task, StepScheme scheme, Vector& guess
     deviation_ = task.ground ? task.ground->deviation() : GroundDeviation{};
     const double correction = h * h / 12.0;
     const double of_displacement = deviation_.displacement, of_velocity = deviation_.velocity;
-    with_ground_component(*model_, task.ground_jerk, [&, count = size()](const auto& ground_jerk) {
-      for (int i = 0; i < count; ++i) {
-        const double relative_jerk = jerk[i] - ground_jerk(i);
-        const double shift = correction * relative_jerk;
-        displacement[i] = u[i] + h * (v[i] + shift) + square * a[i] - of_displacement;
-        velocity[i] = v[i] + 2.0 * shift + (2.0 / 3.0) * h * a[i] - of_velocity;
-        first[i] = a[i] + h * relative_jerk;
+    if (scheme.filters_corrections) {
+      find_correction(jerks_at_start_.values, start_correction_);
+      for (int i = 0; i < size(); ++i) {
+        displacement[i] = u[i] + h * (v[i] + start_correction_[i]) + square * a[i] - of_displacement;
+        velocity[i] = v[i] + 0.5 * h * a[i] - of_velocity;
+        first[i] = a[i] + start_correction_[i] / (correction / h);
       }
-    });
+    } else {
+      with_ground_component(*model_, task.ground_jerk, [&, count = size()](const auto& ground_jerk) {
+        for (int i = 0; i < count; ++i) {
+          const double relative_jerk = jerk[i] - ground_jerk(i);
+          const double shift = correction * relative_jerk;
+          displacement[i] = u[i] + h * (v[i] + shift) + square * a[i] - of_displacement;
+          velocity[i] = v[i] + 2.0 * shift + (2.0 / 3.0) * h * a[i] - of_velocity;
+          first[i] = a[i] + h * relative_jerk;
+        }
+      });
+    }
   } else {
     const double half = (1.0 - scheme.gamma) * h;
     for (int i = 0; i < size(); ++i) {
@@ -62,12 +74,12 @@ void StepEquations::begin(const StepTask& task, StepScheme scheme, Vector& guess
       first[i] = a[i];
     }
   }
-  if (!scheme.balances_at_end()) average_start();
+  if (!scheme.balances_at_end()) average_start(a);
   model_->trial().time = task.end_time;
-  has_extrapolated_ = scheme.balances_at_end() && factors_serve() && knows_velocity_of_forces();
+  has_extrapolated_ = scheme.balances_at_end() && factors_serve() && is_known(of_committed_, of_trial_);
   if (has_extrapolated_)
     extrapolate(guess);
-  else if (scheme.corrects_velocity)
+  else if (scheme.order() == 4)
     curvature_.add_to(guess, task);
 }
 
@@ -77,10 +89,9 @@ bool StepEquations::has_factors_of_step() const {
          scheme_.mass_share == factorised_mass_share_;
 }
 
-void StepEquations::average_start() {
+void StepEquations::average_start(const double* acceleration) {
   const GroundShares shares = model_->ground_shares();
-  const Vector &masses = model_->masses(), &acceleration = model_->state().acceleration,
-               &force = model_->committed_forces();
+  const Vector &masses = model_->masses(), &force = model_->committed_forces();
   of_start_.resize(size());
   for (int i = 0; i < size(); ++i)
     of_start_[i] =
@@ -111,12 +122,18 @@ void StepEquations::add_impulses(const MissedImpulses& missed) {
 }
 
 void StepEquations::complete() {
+  // The unknown of an averaged equation is not the acceleration at the end, but one of first order.
+  if (!scheme_.balances_at_end()) {
+    averaged_at_end_ = {task_.end_time, model_->trial().acceleration};
+    balance_trial_state(task_.ground_acceleration);
+  }
   model_->evaluate_rates();
   balanced_scales_.swap(scales_);  // the next residual writes all of scales_
   if (factors_serve()) {
     of_trial_.time = task_.end_time;
-    of_trial_.velocity = model_->trial().velocity;
+    of_trial_.values = model_->trial().velocity;
   }
+  if (scheme_.filters_corrections) filter_corrections_at_end();
   if (!scheme_.corrects_velocity) return;
   const double h = task_.length, correction = h * h / 12.0, half = scheme_.gamma * h;
   const MotionState& start = model_->state();
@@ -124,25 +141,72 @@ void StepEquations::complete() {
   const double *v = start.velocity.data(), *a = start.acceleration.data(), *jerk = start.jerk.data(),
                *end_acceleration = end.acceleration.data(), *end_jerk = end.jerk.data();
   double* __restrict velocity = end.velocity.data();
-  for (int i = 0; i < size(); ++i)
-    velocity[i] =
-        v[i] + half * (a[i] + end_acceleration[i]) - correction * (end_jerk[i] - jerk[i]) - deviation_.velocity;
+  for (int i = 0; i < size(); ++i) {
+    const double corrected =
+        scheme_.filters_corrections ? end_correction_[i] - start_correction_[i] : correction * (end_jerk[i] - jerk[i]);
+    velocity[i] = v[i] + half * (a[i] + end_acceleration[i]) - corrected - deviation_.velocity;
+  }
   for (const auto& [i, added] : added_velocities_) velocity[i] += added;
+}
+
+// h^2/12 times relative jerks, filtered.
+void StepEquations::find_correction(const Vector& jerks, Vector& correction) {
+  const double factor = task_.length * task_.length / 12.0;
+  correction.resize(size());
+  with_ground_component(*model_, task_.ground_jerk, [&](const auto& ground_jerk) {
+    for (int i = 0; i < size(); ++i) correction[i] = factor * (jerks[i] - ground_jerk(i));
+  });
+  filter(correction, 2);
+}
+
+void StepEquations::filter(Vector& values, int power) {
+  if (!has_factors_of_step() && !factorise()) return;  // the solution of the step will fail too
+  for (int count = 0; count < power; ++count) {
+    values.array() *= model_->masses().array();
+    factorisation_.solve(values);
+  }
+}
+
+// Results have filtered jerks.
+void StepEquations::filter_corrections_at_end() {
+  const double h = task_.length;
+  const MotionState& start = model_->state();
+  MotionState& end = model_->trial();
+  jerks_at_end_ = {task_.end_time, end.jerk};
+  find_correction(end.jerk, end_correction_);
+  filtered_curve_.resize(size());
+  with_ground_component(*model_, task_.ground_jerk, [&](const auto& ground_jerk) {
+    for (int i = 0; i < size(); ++i) {
+      const double before = jerks_at_start_.values[i], after = end.jerk[i];
+      filtered_curve_[i] =
+          scheme_.corrects_velocity
+              ? 2.0 * (end.acceleration[i] - start.acceleration[i] + h * ground_jerk(i)) - h * (before + after)
+              : h * (after - before);
+      end.jerk[i] = ground_jerk(i) + 12.0 / (h * h) * end_correction_[i];
+    }
+  });
+  filter(filtered_curve_, 1);
 }
 
 void StepEquations::balance_committed_state(PlanVector ground_acceleration) {
   MotionState& trial = model_->trial();
   trial = model_->state();
   model_->evaluate();
-  const Vector& force = model_->internal_forces();
-  const GroundShares shares = model_->ground_shares();
-  for (int i = 0; i < size(); ++i)
-    trial.acceleration[i] = -force[i] / model_->masses()[i] - shares.of(ground_acceleration, i);
+  balance_trial_state(ground_acceleration);
   model_->evaluate_rates();
   model_->commit();
+  averaged_at_start_ = averaged_at_end_ = jerks_at_start_ = jerks_at_end_ = {};
   curvature_.forget();
   of_committed_.time = model_->state().time;
-  of_committed_.velocity = model_->state().velocity;
+  of_committed_.values = model_->state().velocity;
+}
+
+void StepEquations::balance_trial_state(PlanVector ground_acceleration) {
+  const Vector& force = model_->internal_forces();
+  const GroundShares shares = model_->ground_shares();
+  Vector& acceleration = model_->trial().acceleration;
+  for (int i = 0; i < size(); ++i)
+    acceleration[i] = -force[i] / model_->masses()[i] - shares.of(ground_acceleration, i);
 }
 
 // The trial state with these accelerations at its end.
@@ -203,25 +267,27 @@ bool StepEquations::compute_residual(const Vector& acceleration, Vector& residua
 }
 
 bool StepEquations::compute_direction(const Vector& residual, Vector& direction) {
-  const double velocity_weight = scheme_.force_share * scheme_.velocity_weight(task_.length),
-               displacement_weight = scheme_.force_share * scheme_.displacement_weight(task_.length);
-  if (!factors_serve()) {
-    // Factors of other tangents, but of the same weights: elements with constant tangents add the same.
-    const bool only_changing = has_factors_of_step();
-    if (only_changing)
-      model_->assemble_changing_columns(scheme_.mass_share, velocity_weight, displacement_weight, tangent_);
-    else
-      model_->assemble_tangent(scheme_.mass_share, velocity_weight, displacement_weight, tangent_);
-    factorised_ = only_changing ? factorisation_.factorise_changing(tangent_) : factorisation_.factorise(tangent_);
-    if (!factorised_) return false;
-    factorised_velocity_weight_ = velocity_weight;
-    factorised_displacement_weight_ = displacement_weight;
-    factorised_mass_share_ = scheme_.mass_share;
-    factorised_version_ = model_->tangent_version();
-  }
+  if (!factors_serve() && !factorise()) return false;
   direction = -residual;
   factorisation_.solve(direction);
   return true;
+}
+
+bool StepEquations::factorise() {
+  const double velocity_weight = scheme_.force_share * scheme_.velocity_weight(task_.length),
+               displacement_weight = scheme_.force_share * scheme_.displacement_weight(task_.length);
+  // Factors of other tangents, but of the same weights: elements with constant tangents add the same.
+  const bool only_changing = has_factors_of_step();
+  if (only_changing)
+    model_->assemble_changing_columns(scheme_.mass_share, velocity_weight, displacement_weight, tangent_);
+  else
+    model_->assemble_tangent(scheme_.mass_share, velocity_weight, displacement_weight, tangent_);
+  factorised_ = only_changing ? factorisation_.factorise_changing(tangent_) : factorisation_.factorise(tangent_);
+  factorised_velocity_weight_ = velocity_weight;
+  factorised_displacement_weight_ = displacement_weight;
+  factorised_mass_share_ = scheme_.mass_share;
+  factorised_version_ = model_->tangent_version();
+  return factorised_;
 }
 
 double StepEquations::round_off(int row) const {

@@ -50,6 +50,13 @@ class StepEquations final : public NonlinearSystem {
   /// Whether the guess of begin() is the result of a Newton step.
   [[nodiscard]] bool has_extrapolated() const { return has_extrapolated_; }
 
+  /// Where the scheme filters corrections: 2 (a1 - a0) - h (j0 + j1) of the last step completed, in absolute motion,
+  /// m/s^2, without the round-off of jerks of motions that strong dashpots hold; h (j1 - j0) where it does not correct
+  /// velocities. Else null.
+  [[nodiscard]] const double* filtered_curve() const {
+    return scheme_.filters_corrections ? filtered_curve_.data() : nullptr;
+  }
+
   /// Of the tangent, so far.
   [[nodiscard]] long factorisations() const { return factorisation_.count(); }
 
@@ -59,10 +66,16 @@ class StepEquations final : public NonlinearSystem {
   [[nodiscard]] bool factors_serve() const {
     return has_factors_of_step() && model_->tangent_version() == factorised_version_;
   }
-  [[nodiscard]] bool knows_velocity_of_forces();
+  [[nodiscard]] bool factorise();
+  // values := (T^-1 M)^power values, with the factors of this step's weights.
+  void filter(Vector& values, int power);
+  void find_correction(const Vector& jerks, Vector& correction);
+  void filter_corrections_at_end();
   void extrapolate(Vector& guess);
   void move(const Vector& acceleration);
-  void average_start();
+  void average_start(const double* acceleration);
+  // Accelerations of the trial state from its forces.
+  void balance_trial_state(PlanVector ground_acceleration);
 
   Model* model_;
   Resultants resultants_;
@@ -88,12 +101,19 @@ class StepEquations final : public NonlinearSystem {
   bool has_extrapolated_ = false;
   bool is_moved_ = false;  // the trial state is that of the guess, since predict()
   AccelerationCurvature curvature_;
-  // The velocities with which forces were evaluated; complete() corrects velocities after that.
-  struct EvaluatedVelocity {
+  // Values that belong to the state at this instant.
+  struct AtInstant {
     double time = std::numeric_limits<double>::quiet_NaN();  // s
-    Vector velocity;
+    Vector values;
   };
-  EvaluatedVelocity of_committed_, of_trial_;
+  [[nodiscard]] bool is_known(AtInstant& of_start, AtInstant& of_end) const;
+  // The velocities with which forces were evaluated; complete() corrects velocities after that.
+  AtInstant of_committed_, of_trial_;
+  // Jerks as the forces have them, h^2/12 times the filtered relative jerks at both ends, and filtered_curve().
+  AtInstant jerks_at_start_, jerks_at_end_;
+  Vector start_correction_, end_correction_, filtered_curve_;
+  // The accelerations of averaged equations, which the next step needs. Those of the state balance its forces.
+  AtInstant averaged_at_start_, averaged_at_end_;
 };
 
 }  // namespace moat

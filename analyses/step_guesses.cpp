@@ -6,10 +6,10 @@
 namespace moat {
 
 // Whether the trial state of the last complete() was committed, or is tried again from the one before.
-bool StepEquations::knows_velocity_of_forces() {
+bool StepEquations::is_known(AtInstant& of_start, AtInstant& of_end) const {
   const double now = model_->state().time;
-  if (of_trial_.time == now) std::swap(of_trial_, of_committed_);
-  return of_committed_.time == now;
+  if (of_end.time == now) std::swap(of_end, of_start);
+  return of_start.time == now;
 }
 
 // From the guess a0, with forces that follow the committed tangents K and C from the committed state (u, v, f) on:
@@ -25,7 +25,7 @@ void StepEquations::extrapolate(Vector& guess) {
   const int count = size();
   const double displacement_weight = factorised_displacement_weight_, velocity_weight = factorised_velocity_weight_;
   const MotionState& start = model_->state();
-  const double *a = guess.data(), *u = start.displacement.data(), *v = of_committed_.velocity.data(),
+  const double *a = guess.data(), *u = start.displacement.data(), *v = of_committed_.values.data(),
                *mass = model_->masses().data(), *force = model_->committed_forces().data(),
                *predicted_displacement = predicted_displacement_.data(),
                *predicted_velocity = predicted_velocity_.data();

@@ -14,7 +14,8 @@ namespace moat {
 ///     v1 = v0 + h ((1 - gamma) a0 + gamma a1)
 ///     mass_share M a1 + (1 - mass_share) M a0 + force_share p1 + (1 - force_share) p0 = 0,   p = f(u, v) + M iota a_g
 ///
-/// The unknown is a1. An integrator (analyses/integrators.hpp) is a choice of these numbers.
+/// The unknown is a1; where the equation is averaged, the acceleration of the state at 1 follows from p1. An integrator
+/// (analyses/integrators.hpp) is a choice of these numbers.
 ///
 /// With corrects_velocity, which beta = 1/12 needs (analyses/newmark.hpp), the step uses v' = v + h^2/12 j, where j is
 /// the rate of acceleration (the jerk), and returns the velocity of the motion at its end:
@@ -23,20 +24,31 @@ namespace moat {
 ///
 /// Forces that depend on velocity are evaluated with v1 = v'0 + h^2/12 j0 + h (2/3 a0 + 1/3 a1), where j1 is
 /// extrapolated from a0, j0 and a1, j1 = 2 (a1 - a0)/h - j0. All of it is of fourth order, over steps of any lengths.
+///
+/// Where dashpots are strong, h c/m > 4, this is not stable. With filters_corrections forces are evaluated with v1 = v0
+/// + h/2 (a0 + a1), and every correction h^2/12 j is multiplied by (T^-1 M)^2, where T = M + h/2 C + h^2/12 K is the
+/// tangent of the step. This factor is 1 for a slow motion and 0 for one that a strong dashpot holds, whose jerk is
+/// round-off of its acceleration times c/m. Third order; stable for dashpots of any strength and h w <= 1.8.
 struct StepScheme {
-  double beta = 0.25;              ///< 0 <= beta, of the displacement
-  double gamma = 0.5;              ///< 0 <= gamma, of the velocity
-  double mass_share = 1.0;         ///< of the inertia at the end of the step
-  double force_share = 1.0;        ///< of forces and loads at the end of the step
-  bool corrects_velocity = false;  ///< needs beta = 1/12
+  double beta = 0.25;                ///< 0 <= beta, of the displacement
+  double gamma = 0.5;                ///< 0 <= gamma, of the velocity
+  double mass_share = 1.0;           ///< of the inertia at the end of the step
+  double force_share = 1.0;          ///< of forces and loads at the end of the step
+  bool corrects_velocity = false;    ///< needs beta = 1/12
+  bool filters_corrections = false;  ///< and jerks, also where velocities are not corrected
 
   /// Beta = 1/4, gamma = 1/2: second order, stable for steps of any length.
   static constexpr StepScheme average_acceleration() { return {}; }
   /// Beta = 1/12 with corrected velocities.
   static constexpr StepScheme fourth_order() { return {.beta = 1.0 / 12.0, .corrects_velocity = true}; }
 
+  /// The same with filtered corrections.
+  static constexpr StepScheme strongly_damped() {
+    return {.beta = 1.0 / 12.0, .corrects_velocity = true, .filters_corrections = true};
+  }
+
   /// Of the error of displacements in the length of the step.
-  [[nodiscard]] constexpr int order() const { return corrects_velocity ? 4 : 2; }
+  [[nodiscard]] constexpr int order() const { return !corrects_velocity ? 2 : filters_corrections ? 3 : 4; }
   /// Whether the equation is that of the end of the step alone.
   [[nodiscard]] constexpr bool balances_at_end() const { return mass_share == 1.0 && force_share == 1.0; }
 
@@ -48,7 +60,7 @@ struct StepScheme {
   /// The derivative of the displacement at the end of a step of h s by the acceleration there, s^2.
   [[nodiscard]] constexpr double displacement_weight(double h) const { return beta * h * h; }
   /// The same of the velocity, s.
-  [[nodiscard]] constexpr double velocity_weight(double h) const { return corrects_velocity ? h / 3.0 : gamma * h; }
+  [[nodiscard]] constexpr double velocity_weight(double h) const { return order() == 4 ? h / 3.0 : gamma * h; }
 
   /// How the scheme integrates forces, where it balances them at the end.
   [[nodiscard]] constexpr ImpulseRules impulse_rules() const {
@@ -57,7 +69,7 @@ struct StepScheme {
       return {of_velocity, of_velocity, {0.5 - beta, beta, 0.0, 0.0}};
     }
     return {{0.5, 0.5, 1.0 / 12.0, -1.0 / 12.0},
-            {2.0 / 3.0, 1.0 / 3.0, 1.0 / 6.0, 0.0},
+            filters_corrections ? ImpulseRule{0.5, 0.5, 0.0, 0.0} : ImpulseRule{2.0 / 3.0, 1.0 / 3.0, 1.0 / 6.0, 0.0},
             {5.0 / 12.0, 1.0 / 12.0, 1.0 / 12.0, 0.0}};
   }
 

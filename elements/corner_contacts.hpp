@@ -108,11 +108,9 @@ class CornerContacts final : public ContactLinks<Law, PlanEnds>, public PlanCont
     const bool changed = Base::take_tangent_change();
     return std::exchange(friction_changed_, false) || changed;
   }
-  /// Whether a corner began to slide.
-  bool has_corner() const override {
-    for (std::size_t i = 0; i < corners_.size(); ++i)
-      if (now_grips_[i].begins_to_slide(start_grips_[i])) return true;
-    return false;
+  /// A corner that begins to slide is one.
+  void find_corners(UnlocatedCorners& corners, double*) const override {
+    for (std::size_t i = 0; i < corners_.size(); ++i) corners.jump |= now_grips_[i].begins_to_slide(start_grips_[i]);
   }
 
   void scan(double step, double aim, RegimeScan& scan) const override {

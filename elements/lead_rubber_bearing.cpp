@@ -2,11 +2,9 @@
 
 #include <cmath>
 #include <numbers>
-#include <utility>
 
 #include "elements/isolator.hpp"
 #include "materials/bilinear.hpp"
-#include "materials/located_bilinear.hpp"
 
 namespace moat {
 
@@ -31,11 +29,7 @@ void add(Model& model, const LeadRubberBearing& bearing) {
                      .post_yield_stiffness = bearing.post_yield_stiffness};
   law.check(check);
   model.register_element("LeadRubberBearing", bearing.name);
-  ElementInfo info = isolator_info(bearing.name, bearing.lower, bearing.upper);
-  if (bearing.locate_yield)
-    model.block<LinkBlock<LocatedBilinear>>().add(std::move(info), LocatedBilinear{law});
-  else
-    model.block<LinkBlock<Bilinear>>().add(std::move(info), law);
+  model.block<LinkBlock<Bilinear>>().add(isolator_info(bearing.name, bearing.lower, bearing.upper), law);
 }
 
 }  // namespace moat

@@ -18,7 +18,7 @@ struct BearingDesign {
 };
 
 /// The lead-rubber bearings (LRB) of a building taken together: bilinear hysteresis with kinematic
-/// hardening (materials/bilinear.hpp).
+/// hardening (materials/bilinear.hpp). Yields and unloadings are located.
 ///
 ///      [ base ] -> u          F_y at d_y, then post_yield_stiffness;
 ///     ====LRB====             initial stiffness F_y / d_y
@@ -36,9 +36,6 @@ struct LeadRubberBearing {
   Required<Length> yield_displacement;
   /// 0 <= post_yield_stiffness < F_y / d_y, N/m.
   Required<Stiffness> post_yield_stiffness;
-  /// Locate the instants of yield and unloading (materials/located_bilinear.hpp) instead of stepping over them: the
-  /// peaks are ten to a hundred times more accurate at equal steps.
-  bool locate_yield = true;
 
   /// Bearings of a design: post_yield_stiffness = W/g (2 pi / T)^2 and yield_force = Q_d + post_yield_stiffness d_y.
   /// Throws InputError for a value that is not positive.

@@ -15,6 +15,7 @@
 #include "elements/link_arrays.hpp"
 #include "elements/link_energies.hpp"
 #include "elements/link_motion.hpp"
+#include "elements/regime_search.hpp"
 #include "materials/response.hpp"
 #include "model/element_block.hpp"
 
@@ -148,15 +149,20 @@ class Links : public ElementBlock, public ElementLaws, protected LinkArrays {
   bool constant_tangent() const override { return is_linear; }
   bool take_tangent_change() override { return std::exchange(tangent_changed_, false); }
 
-  bool has_corner() const override {
+  void find_corners(UnlocatedCorners& corners, double* lost) const override {
     if constexpr (has_unlocated_corners) {
       constexpr double jump = 0.2;
-      for (std::size_t i = 0; i < start_stiffnesses_.size(); ++i)
-        if (std::abs(stiffnesses_[i] - start_stiffnesses_[i]) >
-            jump * std::max(std::abs(stiffnesses_[i]), std::abs(start_stiffnesses_[i])))
-          return true;
+      for (std::size_t i = 0; i < start_stiffnesses_.size(); ++i) {
+        corners.jump |= std::abs(stiffnesses_[i] - start_stiffnesses_[i]) >
+                        jump * std::max(std::abs(stiffnesses_[i]), std::abs(start_stiffnesses_[i]));
+        // A law that evolves in time follows the path itself.
+        if constexpr (TimeDependentLaw<Law>) continue;
+        const double turn = turning_point(start_.rates[i], now_.rates[i]);
+        if (turn <= 0.0 || turn >= 1.0) continue;
+        corners.turn = true;
+        ends_[i].add_force(lost_by_turn(i, turn), lost);
+      }
     }
-    return false;
   }
 
   bool linear_between_events() const override {
@@ -240,6 +246,17 @@ class Links : public ElementBlock, public ElementLaws, protected LinkArrays {
   LinkEnergies<Law> energies_;               ///< their accounts
 
  private:
+  // The force that the law loses where its path turns inside the trial step, N. It is the larger of two: the difference
+  // at the end if the law is led to the turn first, and the distance of its force at the turn from its tangent.
+  [[nodiscard]] double lost_by_turn(std::size_t i, double turn) const {
+    const double farthest = cubic_between(start_, now_, i, step_).value(turn), rate = now_.rates[i];
+    State at_turn, after;
+    const double force = respond(laws_[i], committed_[i], farthest, rate, {}, at_turn).force,
+                 at_end = respond(laws_[i], at_turn, now_.deformations[i], rate, {}, after).force - forces_[i],
+                 from_tangent = force - forces_[i] - stiffnesses_[i] * (farthest - now_.deformations[i]);
+    return std::abs(at_end) > std::abs(from_tangent) ? at_end : from_tangent;
+  }
+
   struct Tangents {
     double stiffness, damping;
   };

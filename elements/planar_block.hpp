@@ -23,7 +23,7 @@ namespace moat {
 ///     deformation d = u(second) - u(first), in x and y;  the law's force pulls `second` back and `first` along.
 ///
 /// Deformations and forces of results() are the resultants |d| and |F|; planar() has the components. Corners of the
-/// force are not located; has_corner() shows them.
+/// force are not located; find_corners() shows them.
 template <PlanarLaw Law>
 class PlanarBlock final : public ElementBlock, public ElementLaws, public PlanarElements {
  public:
@@ -108,13 +108,23 @@ class PlanarBlock final : public ElementBlock, public ElementLaws, public Planar
 
   bool take_tangent_change() override { return std::exchange(tangent_changed_, false); }
 
-  bool has_corner() const override {
+  void find_corners(UnlocatedCorners& corners, double* lost) const override {
     constexpr double jump = 0.2;
     for (std::size_t i = 0; i < size(); ++i) {
       const PlanMatrix &before = start_responses_[i].stiffness, &after = responses_[i].stiffness;
-      if (size_of(after + -1.0 * before) > jump * std::max(size_of(before), size_of(after))) return true;
+      corners.jump |= size_of(after + -1.0 * before) > jump * std::max(size_of(before), size_of(after));
+      // The path turns where it is slowest.
+      const PlanVector start = start_[i].rate, change = now_[i].rate - start;
+      const double turn = -dot(start, change) / dot(change, change);
+      if (!(turn > 0.0 && turn < 1.0)) continue;
+      corners.turn = true;
+      const Path path{start_[i], now_[i], step_};
+      State at_turn, at_end;
+      laws_[i].evaluate(committed_[i], path.value(turn), path.rate(turn), turn * step_, at_turn);
+      const PlanVector led_to_turn =
+          laws_[i].evaluate(at_turn, now_[i].deformation, now_[i].rate, (1.0 - turn) * step_, at_end).force;
+      ends_[i].add_force(led_to_turn - responses_[i].force, lost);
     }
-    return false;
   }
 
   void commit(double step, WorkRule rule) override {

@@ -1,7 +1,6 @@
 // Bilinear hysteresis with kinematic hardening.
 #pragma once
 
-#include <algorithm>
 #include <cmath>
 #include <string_view>
 #include <vector>
@@ -26,6 +25,9 @@ namespace moat {
 ///
 /// Unloading is elastic with k1 over a range of 2 d_y. Tension positive.
 /// The energy dissipated in a full cycle of amplitude D > d_y is 4 (k1 - k2) d_y (D - d_y).
+///
+/// Its regimes: elastic until |d - s| = d_y; sliding in one direction until the rate turns. The force is linear between
+/// these located instants, so that no step smears a corner.
 struct Bilinear {
   static constexpr std::string_view name = "Bilinear";
 
@@ -38,9 +40,19 @@ struct Bilinear {
 
   struct State {
     double slip = 0.0;  ///< m
+    int direction = 0;  ///< of sliding: -1, +1; 0: elastic
 
     friend bool operator==(const State&, const State&) = default;
   };
+
+  static constexpr bool linear_within_regimes = true;
+
+  /// A rate enters the regime margin as the distance in this time, s, which is of the order of 1/omega of an isolated
+  /// building. While the bearing slides, the margin is its rate of sliding times this time.
+  static constexpr double time_of_rate = 1.0;
+
+  /// Yield is noticed this much beyond d_y, relative: the end of unloading must not switch it by round-off.
+  static constexpr double threshold = 1e-9;
 
   void check(const Check& check) const {
     check.positive("yield_force", yield_force);
@@ -62,25 +74,25 @@ struct Bilinear {
   [[nodiscard]] double initial_stiffness() const { return yield_force.si() / yield_displacement.si(); }  ///< N/m
 
   Response evaluate(const State& committed, double deformation, double, State& trial) const {
-    const double post_yield = post_yield_stiffness.si();
-    const double sliding = initial_stiffness() - post_yield;
-    const double limit = yield_displacement.si();
-    const double stretch = deformation - committed.slip;
-    const bool slides = std::abs(stretch) > limit;
-    const double kept = slides ? std::copysign(limit, stretch) : stretch;
-    trial.slip = slides ? deformation - kept : committed.slip;
-    return {post_yield * deformation + sliding * kept, slides ? post_yield : post_yield + sliding, 0.0};
+    const double post_yield = post_yield_stiffness.si(), sliding = initial_stiffness() - post_yield;
+    trial = committed;
+    if (committed.direction == 0) {
+      const double stretch = deformation - committed.slip;
+      return {post_yield * deformation + sliding * stretch, post_yield + sliding, 0.0};
+    }
+    const double kept = committed.direction * yield_displacement.si();
+    trial.slip = deformation - kept;
+    return {post_yield * deformation + sliding * kept, post_yield, 0.0};
   }
   double stored_energy(const State& committed, double deformation) const {
     const double post_yield = post_yield_stiffness.si();
-    const double kept = std::clamp(deformation - committed.slip, -yield_displacement.si(), yield_displacement.si());
+    const double kept =
+        committed.direction == 0 ? deformation - committed.slip : committed.direction * yield_displacement.si();
     return 0.5 * post_yield * deformation * deformation + 0.5 * (initial_stiffness() - post_yield) * kept * kept;
   }
-  double dissipation_rate(const State& committed, double deformation, double rate) const {
-    const double stretch = deformation - committed.slip;
-    const double limit = yield_displacement.si();
-    const bool slides = std::abs(stretch) >= limit * (1.0 - 1e-12) && stretch * rate > 0.0;
-    return slides ? (initial_stiffness() - post_yield_stiffness.si()) * limit * std::abs(rate) : 0.0;
+  double dissipation_rate(const State& committed, double, double rate) const {
+    if (committed.direction * rate <= 0.0) return 0.0;
+    return (initial_stiffness() - post_yield_stiffness.si()) * yield_displacement.si() * std::abs(rate);
   }
   /// Exact for any path from one state to the other along which the slip grows or falls only: (k1 - k2) d_y |ds|.
   double dissipated_energy(const State& from, const State& to) const {
@@ -88,6 +100,16 @@ struct Bilinear {
   }
   double linear_stiffness(StiffnessStage stage) const {
     return stage == StiffnessStage::initial ? initial_stiffness() : post_yield_stiffness.si();
+  }
+
+  double regime_margin(const State& committed, double deformation, double rate) const {
+    if (committed.direction != 0) return committed.direction * rate * time_of_rate;
+    return yield_displacement.si() * (1.0 + threshold) - std::abs(deformation - committed.slip);
+  }
+  State next_regime(const State& committed, double deformation, double) const {
+    if (committed.direction != 0) return {deformation - committed.direction * yield_displacement.si(), 0};
+    const int direction = deformation > committed.slip ? 1 : -1;
+    return {deformation - direction * yield_displacement.si(), direction};
   }
 };
 

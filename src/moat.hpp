@@ -42,7 +42,6 @@
 #include "materials/free_impact.hpp"
 #include "materials/impact_laws.hpp"
 #include "materials/linear.hpp"
-#include "materials/located_bilinear.hpp"
 #include "materials/named_impact_law.hpp"
 #include "materials/spring_laws.hpp"
 #include "materials/viscous.hpp"

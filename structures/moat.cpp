@@ -2,8 +2,8 @@
 
 #include "elements/link_block.hpp"
 #include "elements/viscous_damper.hpp"
+#include "materials/bilinear.hpp"
 #include "materials/linear.hpp"
-#include "materials/located_bilinear.hpp"
 
 namespace moat {
 namespace {
@@ -63,9 +63,9 @@ void FlexibleWall::check(const Check& check) const {
 WallLaw FlexibleWall::acting_law() const {
   if (law) return *law;
   if (yield_force == Force{}) return Linear{.stiffness = stiffness, .damping = damping};
-  return LocatedBilinear{{.yield_force = yield_force,
-                          .yield_displacement = yield_force / stiffness,
-                          .post_yield_stiffness = hardening_ratio * stiffness}};
+  return Bilinear{.yield_force = yield_force,
+                  .yield_displacement = yield_force / stiffness,
+                  .post_yield_stiffness = hardening_ratio * stiffness};
 }
 
 NodeId add_wall(Model& model, const FlexibleWall& wall, const std::string& name, NodeId around, Length offset) {

@@ -27,11 +27,11 @@ std::vector<TrialSetting> trial_settings(double tolerance) {
   const std::string given = "tolerance " + to_text(tolerance);
   const std::string newmark_name = by_default ? "default" : given,
                     exact_name = by_default ? "exact" : "exact, " + given;
-  return {{newmark_name, newmark, testing::LocateYield::as_drawn},
-          {"tight", {.tolerance = 1e-7, .steps_per_contact = 512}, testing::LocateYield::as_drawn},
-          {exact_name, exact, testing::LocateYield::always},
-          {newmark_name + " in a study", newmark, testing::LocateYield::as_drawn, longest_in_a_study},
-          {exact_name + " in a study", exact, testing::LocateYield::always, longest_in_a_study}};
+  return {{newmark_name, newmark},
+          {"tight", {.tolerance = 1e-7, .steps_per_contact = 512}},
+          {exact_name, exact},
+          {newmark_name + " in a study", newmark, longest_in_a_study},
+          {exact_name + " in a study", exact, longest_in_a_study}};
 }
 
 bool usable(const TrialModel& model) { return model.failed.empty() && model.reference.settled(settled_reference); }

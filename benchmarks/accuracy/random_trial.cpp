@@ -36,7 +36,7 @@ Trial run_trial(const testing::PlainModel& plain, const testing::CheckedReferenc
   Trial trial;
   const double started = thread_seconds();
   try {
-    Model model = testing::moat_model(plain, setting.locate);
+    Model model = testing::moat_model(plain);
     TransientOptions options = setting.options;
     options.end = plain.end * units::s;
     const CaseResult result = run_case(

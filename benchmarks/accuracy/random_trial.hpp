@@ -16,7 +16,6 @@ namespace moat {
 struct TrialSetting {
   std::string name;
   TransientOptions options;
-  testing::LocateYield locate = testing::LocateYield::as_drawn;
   Time history_interval{};  ///< 0 s: that of the motion, so that no step is longer
 };
 

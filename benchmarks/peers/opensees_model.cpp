@@ -25,7 +25,7 @@ void write_material(const std::string& law, const Values& parameters, double cle
     tcl << "Elastic " << tag << ' ' << value("stiffness") << ' ' << value("damping");
   } else if (law == "Viscous") {
     tcl << "Elastic " << tag << " 0 " << value("damping");
-  } else if (law == "Bilinear" || law == "LocatedBilinear") {
+  } else if (law == "Bilinear") {
     const double initial_stiffness = value("yield_force") / value("yield_displacement");
     tcl << "Steel01 " << tag << ' ' << value("yield_force") << ' ' << initial_stiffness << ' '
         << value("post_yield_stiffness") / initial_stiffness;

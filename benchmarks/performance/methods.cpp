@@ -38,11 +38,11 @@ Ladder moat_adaptive(const MoatRun& run) {
   return ladder;
 }
 
-Ladder moat_fixed(const GroundMotion& motion, const Newmark& newmark, const std::string& yield, const MoatRun& run) {
+Ladder moat_fixed(const GroundMotion& motion, const Newmark& newmark, const MoatRun& run) {
   Ladder ladder;
   for (const int divisions : {1, 2, 3, 4, 6, 8, 12, 16}) {
     const Time step = motion.time_step() / divisions * units::s;
-    ladder.push_back({newmark.description() + ", " + yield + ", " + to_text(1e3 * step.si()) + " ms",
+    ladder.push_back({newmark.description() + ", " + to_text(1e3 * step.si()) + " ms",
                       [run, newmark, step] { return run({.integrator = newmark, .step = step}); }});
   }
   return ladder;
@@ -98,11 +98,9 @@ std::vector<Method> methods(const GroundMotion& motion, bool quick) {
   using enum SundialsMethod;
   namespace names = method_names;
   const auto model = std::make_shared<const Model>(five_storey_model());
-  const auto peaks_of = [&motion](const std::shared_ptr<const Model>& building) -> MoatRun {
-    return [&motion, building](const TransientOptions& options) { return moat_peaks(*building, motion, options); };
+  const MoatRun peaks = [&motion, model](const TransientOptions& options) {
+    return moat_peaks(*model, motion, options);
   };
-  const MoatRun peaks = peaks_of(model);
-  const MoatRun without_location = peaks_of(std::make_shared<const Model>(five_storey_model(false)));
   const auto everything = [&motion, model](ErrorBarMode error_bars) -> MoatRun {
     return [&motion, model, error_bars](const TransientOptions& options) {
       return moat_case(*model, motion, options, error_bars);
@@ -113,9 +111,8 @@ std::vector<Method> methods(const GroundMotion& motion, bool quick) {
                            {names::moat_recorded, {moat_adaptive(everything(ErrorBarMode::never))}},
                            {names::moat_checked, {moat_adaptive(everything(ErrorBarMode::always))}},
                            {names::moat_fixed,
-                            {moat_fixed(motion, Newmark::average_acceleration(), "yield not located", without_location),
-                             moat_fixed(motion, Newmark::fourth_order(), "yield not located", without_location),
-                             moat_fixed(motion, Newmark::fourth_order(), "yield located", peaks)}},
+                            {moat_fixed(motion, Newmark::average_acceleration(), peaks),
+                             moat_fixed(motion, Newmark::fourth_order(), peaks)}},
                            {names::moat_exact, {moat_exact(peaks)}},
                            {names::moat_exact_recorded, {moat_exact(everything(ErrorBarMode::never))}},
                            sundials(names::cvode_bdf, motion, {bdf}),

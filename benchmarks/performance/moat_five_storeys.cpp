@@ -70,18 +70,18 @@ class FivePeakObserver final : public StepObserver {
 
 }  // namespace
 
-Model five_storey_model(bool locate_yield) {
+Model five_storey_model() {
   using namespace units;
   Model model;
-  const auto building = add(model, ShearBuilding{.storeys = 5,
-                                                 .floor_mass = paper::floor_mass,
-                                                 .storey_stiffness = 1 * GN / m,
-                                                 .damping = RayleighDamping{.ratio = 0.05},
-                                                 .base_mass = paper::base_mass,
-                                                 .isolation = LeadRubberBearing{.yield_force = 1.93 * MN,
-                                                                                .yield_displacement = 1 * cm,
-                                                                                .post_yield_stiffness = 19.3 * MN / m,
-                                                                                .locate_yield = locate_yield}});
+  const auto building =
+      add(model, ShearBuilding{.storeys = 5,
+                               .floor_mass = paper::floor_mass,
+                               .storey_stiffness = 1 * GN / m,
+                               .damping = RayleighDamping{.ratio = 0.05},
+                               .base_mass = paper::base_mass,
+                               .isolation = LeadRubberBearing{.yield_force = 1.93 * MN,
+                                                              .yield_displacement = 1 * cm,
+                                                              .post_yield_stiffness = 19.3 * MN / m}});
   add(model, Moat{.around = building.base,
                   .clearance = paper::paper_gap,
                   .law = HertzDamp{.stiffness = paper::hertz_impact_stiffness, .restitution = paper::restitution}});

@@ -6,8 +6,8 @@
 
 namespace moat::performance {
 
-/// The building in its moat; `locate_yield` as in LeadRubberBearing.
-Model five_storey_model(bool locate_yield = true);
+/// The building in its moat.
+Model five_storey_model();
 
 /// Analyses a copy of the model, followed by an observer of the five peaks alone: the work of the loops written by
 /// hand.

@@ -36,8 +36,7 @@ class SundialsProblem {
 std::unique_ptr<SundialsProblem> hand_problem(const GroundMotion& motion);
 
 /// The elements of a model of the building, SUNDIALS in the place of Newmark and NOX: M v' = -f(u, v) - M a_g. Regimes
-/// of all elements change where the smallest of their margins falls below zero, so that yield must be located
-/// (LeadRubberBearing::locate_yield). The motion must outlive the problem.
+/// of all elements change where the smallest of their margins falls below zero. The motion must outlive the problem.
 std::unique_ptr<SundialsProblem> model_problem(const Model& model, const GroundMotion& motion);
 
 }  // namespace moat::performance

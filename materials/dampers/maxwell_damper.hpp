@@ -22,7 +22,8 @@ namespace moat {
 ///
 /// C as in NonlinearViscous: reference_force/reference_speed^alpha. The force follows by the trapezoidal rule over a
 /// step of h, F1 + (K h/2) g(F1) = F0 + K (d1 - d0) - (K h/2) g(F0), which has one root; where the rule would ring, K h
-/// g'/2 > 4 at the start of the step, by the backward Euler rule. The damper is without force at the start. Stored
+/// g'/2 > 4 at the start of the step, by the backward Euler rule for dF/dt = K (dd/dt - g(F)): the force then follows
+/// the rate at the end, as without a brace. The damper is without force at the start. Stored
 /// energy F^2/(2 K). Typical: K 50 to 500 MN/m. Source: Akcelyan & Lignos, ViscousDamper of OpenSees. Tension positive.
 struct MaxwellDamper {
   static constexpr std::string_view name = "MaxwellDamper";
@@ -39,8 +40,9 @@ struct MaxwellDamper {
   Speed reference_speed = 1.0 * units::m / units::s;
 
   struct State {
-    double piston = 0.0;  ///< x, m
-    double force = 0.0;   ///< N
+    double piston = 0.0;        ///< x, m
+    double force = 0.0;         ///< N
+    bool follows_rate = false;  ///< the brace has relaxed: dF/dt is that of g(F) = dd/dt
 
     friend bool operator==(const State&, const State&) = default;
   };
@@ -64,7 +66,7 @@ struct MaxwellDamper {
             {"reference_speed", reference_speed.si(), "m/s"}};
   }
 
-  Response evaluate(const State& committed, double deformation, double, Interval interval, State& trial) const {
+  Response evaluate(const State& committed, double deformation, double rate, Interval interval, State& trial) const {
     const double stiffness = brace_stiffness.si(), h = interval.length;
     if (h == 0.0) {
       trial = committed;
@@ -72,13 +74,16 @@ struct MaxwellDamper {
     }
     constexpr double rings = 4.0;
     const bool backward = 0.5 * stiffness * h * slope(committed.force) > rings;
-    const double weight = backward ? h : 0.5 * h;
-    const double known = backward ? 0.0 : 0.5 * h * speed(committed.force);
-    trial.force = solve(committed.force + stiffness * (interval.path(deformation) - known), stiffness * weight);
-    trial.piston = committed.piston + known + weight * speed(trial.force);
-    return {trial.force, stiffness / (1.0 + stiffness * weight * slope(trial.force)), 0.0};
+    const double weight = backward ? h : 0.5 * h, path = interval.path(deformation);
+    const double moved = backward ? h * rate : path - 0.5 * h * speed(committed.force);
+    trial.force = solve(committed.force + stiffness * moved, stiffness * weight);
+    trial.piston = committed.piston + path - (trial.force - committed.force) / stiffness;
+    trial.follows_rate = backward && stiffness * h * slope(trial.force) > rings;
+    const double tangent = stiffness / (1.0 + stiffness * weight * slope(trial.force));
+    return {trial.force, backward ? 0.0 : tangent, backward ? h * tangent : 0.0};
   }
-  double force_rate(const State& state, double, double rate, double) const {
+  double force_rate(const State& state, double, double rate, double second_rate) const {
+    if (state.follows_rate) return second_rate / slope(state.force);
     return brace_stiffness.si() * (rate - speed(state.force));
   }
   double stored_energy(const State& committed, double) const {

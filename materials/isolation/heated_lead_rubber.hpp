@@ -30,7 +30,7 @@ namespace moat {
 /// with Q. Without cooling Q/Q0 = 1/(1 + E2 Q0 S/(A rho c h)) after a slip path S: a step follows this exactly, with
 /// cooling of second order, and the force at its end belongs to the temperature there. Lead that cools while it slides
 /// regains strength: its elastic part grows at the cost of the slip. Yield and unloading are located, as in
-/// LocatedBilinear.
+/// Bilinear.
 ///
 /// Q0 is the strength of the first cycle, about 13 MPa times A; a bilinear model without heating takes the mean of
 /// three cycles, 8 to 11 MPa. All is for one bearing: give a layer by Isolator::count. Sources: Kalpakidis &
@@ -77,7 +77,7 @@ struct HeatedLeadRubber {
   };
   static constexpr std::array<ReportedQuantity, 2> quantities{
       {{"lead_temperature_rise", "K"}, {"characteristic_strength", "N"}}};
-  static constexpr double time_of_rate = 1.0, threshold = 1e-9;  ///< as LocatedBilinear
+  static constexpr double time_of_rate = 1.0, threshold = 1e-9;  ///< as Bilinear
 
   /// The bearing of the experiment of Kalpakidis, Constantinou & Whittaker (2010): 508 mm wide, lead of 139.7 mm.
   static HeatedLeadRubber typical() {

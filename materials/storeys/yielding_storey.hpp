@@ -11,12 +11,12 @@
 #include "base/quantity.hpp"
 #include "base/required.hpp"
 #include "base/units.hpp"
-#include "materials/located_bilinear.hpp"
+#include "materials/bilinear.hpp"
 #include "materials/response.hpp"
 
 namespace moat {
 
-/// A storey whose columns yield: bilinear with kinematic hardening, yield and unloading located (located_bilinear.hpp).
+/// A storey whose columns yield: bilinear with kinematic hardening, yield and unloading located (bilinear.hpp).
 ///
 ///     F = k d up to F_y, then with hardening_ratio k;    unloading with k over a range of 2 d_y,    d_y = F_y/k
 ///
@@ -32,7 +32,7 @@ struct YieldingStorey {
   /// 0 <= ratio < 1.
   double hardening_ratio = 0.05;
 
-  using State = LocatedBilinear::State;
+  using State = Bilinear::State;
   static constexpr bool linear_within_regimes = true;
   static constexpr std::array<ReportedQuantity, 2> quantities{
       {{.name = "ductility", .unit = "1", .of_deformation = true}, {.name = "residual_drift", .unit = "m"}}};
@@ -80,10 +80,10 @@ struct YieldingStorey {
   }
 
  private:
-  [[nodiscard]] LocatedBilinear law() const {
-    return {{.yield_force = yield_force,
-             .yield_displacement = yield_force.value() / stiffness.value(),
-             .post_yield_stiffness = hardening_ratio * stiffness.value()}};
+  [[nodiscard]] Bilinear law() const {
+    return {.yield_force = yield_force,
+            .yield_displacement = yield_force.value() / stiffness.value(),
+            .post_yield_stiffness = hardening_ratio * stiffness.value()};
   }
 };
 

@@ -45,6 +45,12 @@ struct ElementDetails {
   friend bool operator==(const ElementDetails&, const ElementDetails&) = default;
 };
 
+/// Corners of forces inside a step that are not located.
+struct UnlocatedCorners {
+  bool jump = false;  ///< the stiffness of an element jumped by more than a fifth
+  bool turn = false;  ///< the path of an element turns
+};
+
 /// The name of an element, the nodes it joins and the quantities it reports.
 struct ElementInfo {
   /// Unique in its model: "storey 1", "moat left".
@@ -134,9 +140,10 @@ class ElementBlock {
   [[nodiscard]] virtual bool constant_tangent() const { return false; }
   /// Whether df/du or df/dv of any element has changed since the last call.
   virtual bool take_tangent_change() { return true; }
-  /// Whether the stiffness of an element without located regimes jumped between the last commit and the last
-  /// evaluate(), by more than a fifth: its force has a corner inside the step.
-  [[nodiscard]] virtual bool has_corner() const { return false; }
+  /// Notes the corners that forces of elements without located regimes have between the last commit and the last
+  /// evaluate(). Such laws see the ends of a step alone. The forces that they lose where their path turns inside it are
+  /// added to `lost`, N.
+  virtual void find_corners(UnlocatedCorners& /*corners*/, double* /*lost*/) const {}
   /// Whether all forces are linear in displacement and velocity from one located change of regime to the next, not
   /// counting closed gaps: add_tangent() then adds constants, and an open gap adds nothing.
   [[nodiscard]] virtual bool linear_between_events() const { return false; }

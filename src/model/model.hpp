@@ -163,8 +163,9 @@ class Model {
   [[nodiscard]] const std::vector<int>& changing_columns() const { return changing_columns_; }
   /// A number that stays the same as long as df/du and df/dv do, from one evaluate() to the next.
   [[nodiscard]] long tangent_version() const { return tangent_version_; }
-  /// Whether a force has a corner inside the trial step that is not located (ElementBlock::has_corner).
-  [[nodiscard]] bool has_corner() const;
+  /// The corners of forces inside the trial step that are not located; `lost` := the forces that nodes lose where paths
+  /// turn, N (ElementBlock::find_corners).
+  UnlocatedCorners find_corners(Vector& lost) const;
   /// matrix := stiffness of a linear analysis.
   void assemble_linear_stiffness(StiffnessStage stage, SparseMatrix& matrix) const;
   /// The trial state of nodes and elements becomes the committed one; energy accounts grow by the step between them,

@@ -105,8 +105,11 @@ void Model::linearise(SparseMatrix& stiffness, SparseMatrix& damping, Vector& fo
   }
 }
 
-bool Model::has_corner() const {
-  return std::ranges::any_of(changing_blocks_, [&](std::size_t i) { return blocks_[i]->has_corner(); });
+UnlocatedCorners Model::find_corners(Vector& lost) const {
+  lost.setZero(degrees_of_freedom() + 1);
+  UnlocatedCorners corners;
+  for (const std::size_t i : changing_blocks_) blocks_[i]->find_corners(corners, lost.data());
+  return corners;
 }
 
 void Model::assemble_linear_stiffness(StiffnessStage stage, SparseMatrix& matrix) const {

@@ -11,11 +11,13 @@
 #include "analyses/case_run.hpp"
 #include "analysis_testing.hpp"
 #include "elements/gap.hpp"
+#include "elements/isolator.hpp"
 #include "elements/lead_rubber_bearing.hpp"
 #include "elements/shear_spring.hpp"
 #include "elements/spring.hpp"
 #include "elements/viscous_damper.hpp"
 #include "materials/impact_laws.hpp"
+#include "unlocated_bilinear.hpp"
 
 namespace moat {
 namespace {
@@ -252,11 +254,13 @@ TEST(EstimateErrors, IsAtLeastTheShareThatTheRunPromises) {
 TEST(EstimateErrors, PromisesNoMoreThanTheToleranceWhereBendsAreNotLocated) {
   const auto least_share = [](bool located, const TransientOptions& options) {
     Model model = Oscillator::model();
-    add(model, LeadRubberBearing{.upper = NodeId{0},
-                                 .yield_force = 1 * kN,
-                                 .yield_displacement = 1 * cm,
-                                 .post_yield_stiffness = 10 * kN / m,
-                                 .locate_yield = located});
+    if (located)
+      add(model, LeadRubberBearing{.upper = NodeId{0},
+                                   .yield_force = 1 * kN,
+                                   .yield_displacement = 1 * cm,
+                                   .post_yield_stiffness = 10 * kN / m});
+    else
+      add(model, Isolator<testing::UnlocatedBilinear>{.upper = NodeId{0}, .law = {1e3, 0.01, 1e4}});
     return least_share_of_errors(model, options);
   };
   EXPECT_EQ(least_share(false, {.tolerance = 4e-5}), 1e-5);

@@ -12,10 +12,12 @@
 #include "analysis_testing.hpp"
 #include "counted_allocations.hpp"
 #include "elements/gap.hpp"
+#include "elements/isolator.hpp"
 #include "elements/lead_rubber_bearing.hpp"
 #include "elements/spring.hpp"
 #include "elements/viscous_damper.hpp"
 #include "law_cases.hpp"
+#include "materials/dampers/nonlinear_viscous.hpp"
 #include "materials/linear.hpp"
 #include "message_of.hpp"
 #include "output/energy_ledger.hpp"
@@ -137,8 +139,7 @@ TEST(ExactBetweenEvents, AnElastoplasticMassStopsWhereItsEnergyIsSpent) {
   add(model, LeadRubberBearing{.upper = node,
                                .yield_force = yield_force * N,
                                .yield_displacement = yield_displacement * m,
-                               .post_yield_stiffness = 0 * N / m,
-                               .locate_yield = true});
+                               .post_yield_stiffness = 0 * N / m});
   std::vector<MotionState> events;
   Transient analysis{model, still_ground(0.5 * s), exact_options()};
   Watch watch{[&](const StepView& view) {
@@ -271,13 +272,11 @@ TEST(ExactBetweenEvents, StepsEndOnTheSamplesOfTheMotion) {
 
 TEST(ExactBetweenEvents, RefusesAModelThatIsNotLinearBetweenEvents) {
   Model model;
-  ShearBuilding building = paper_building();
-  building.isolation = paper_bearings(false);
-  add(model, building);
+  add(model, paper_building());
+  add(model, Isolator<NonlinearViscous>{.name = "damper", .upper = NodeId{0}, .law = NonlinearViscous::typical()});
   EXPECT_EQ(message_of([&] { Transient(model, still_ground(1 * s), exact_options()); }),
             "TransientOptions: integrator = ExactBetweenEvents{} needs elements that are linear between located "
-            "events, and \"bearings\" is not. Use Newmark{}, or a law whose changes of stiffness are located "
-            "(LeadRubberBearing::locate_yield).");
+            "events, and \"damper\" is not. Use Newmark{}, or a law whose changes of stiffness are located.");
 }
 
 TEST(ExactBetweenEvents, RefusesALawThatDoesNotSayItIsLinear) {
@@ -292,8 +291,7 @@ TEST(ExactBetweenEvents, RefusesALawThatDoesNotSayItIsLinear) {
   add(model, Spring<Cubic>{.name = "cubic", .lower = ground, .upper = NodeId{0}, .law = {}});
   EXPECT_EQ(message_of([&] { Transient(model, still_ground(1 * s), exact_options()); }),
             "TransientOptions: integrator = ExactBetweenEvents{} needs elements that are linear between located "
-            "events, and \"cubic\" is not. Use Newmark{}, or a law whose changes of stiffness are located "
-            "(LeadRubberBearing::locate_yield).");
+            "events, and \"cubic\" is not. Use Newmark{}, or a law whose changes of stiffness are located.");
 }
 
 TEST(ExactBetweenEvents, RefusesALargeModel) {

@@ -10,7 +10,7 @@
 #include "elements/lead_rubber_bearing.hpp"
 #include "elements/shear_spring.hpp"
 #include "elements/viscous_damper.hpp"
-#include "materials/located_bilinear.hpp"
+#include "materials/bilinear.hpp"
 #include "paper_building.hpp"
 
 namespace moat {
@@ -41,8 +41,7 @@ Model on_bearings() {
   add(model, LeadRubberBearing{.upper = body,
                                .yield_force = 0.05 * mass * 9.81 * N,
                                .yield_displacement = 1 * cm,
-                               .post_yield_stiffness = mass * 4.0 * N / m,
-                               .locate_yield = true});
+                               .post_yield_stiffness = mass * 4.0 * N / m});
   return model;
 }
 
@@ -95,7 +94,7 @@ TEST(ExactEnergy, OfABearingWhoseYieldIsLocated) {
     SCOPED_TRACE(interval);
     const CaseResult result = run(on_bearings(), shaking(interval), exact);
     expect_right(result, run(on_bearings(), shaking(interval), {.tolerance = 1e-9}),
-                 largest_residual(frequency, interval) + LocatedBilinear::threshold);
+                 largest_residual(frequency, interval) + Bilinear::threshold);
     EXPECT_GT(result.energy.hysteretic, 0.0);
   }
 }

@@ -5,6 +5,8 @@
 #include <string>
 
 #include "analyses/case_run.hpp"
+#include "elements/isolator.hpp"
+#include "materials/dampers/nonlinear_viscous.hpp"
 #include "motions/near_fault_pulse.hpp"
 #include "paper_building.hpp"
 #include "structures/moat.hpp"
@@ -16,10 +18,10 @@ namespace {
 using namespace units;
 using namespace testing;
 
-Model tower(int storeys, bool locate_yield = true) {
+Model tower(int storeys) {
   ShearBuilding building = paper_building();
   building.storeys = storeys;
-  building.isolation = paper_bearings(locate_yield);
+  building.isolation = paper_bearings();
   Model model;
   const NodeId base = add(model, building).base;
   add(model, Moat{.around = base, .clearance = 10 * cm, .law = paper_hertz_damp()});
@@ -61,10 +63,12 @@ TEST(IntegratorChoice, IsNewmarkForAFixedStep) {
 }
 
 TEST(IntegratorChoice, SaysWhichElementIsNotLinear) {
-  expect_choice(tower(5, false), {}, Newmark{},
+  Model model = tower(5);
+  add(model, Isolator<NonlinearViscous>{.name = "damper", .upper = NodeId{0}, .law = NonlinearViscous::typical()});
+  expect_choice(model, {}, Newmark{},
                 "Newmark's method, because exact steps do not apply. TransientOptions: integrator = "
-                "ExactBetweenEvents{} needs elements that are linear between located events, and \"bearings\" is not. "
-                "Use Newmark{}, or a law whose changes of stiffness are located (LeadRubberBearing::locate_yield).");
+                "ExactBetweenEvents{} needs elements that are linear between located events, and \"damper\" is not. "
+                "Use Newmark{}, or a law whose changes of stiffness are located.");
 }
 
 }  // namespace

@@ -11,12 +11,11 @@ namespace moat::testing {
 inline constexpr double floor_mass = 5e5, base_mass = 5.5e5, storey_stiffness = 1e9;
 inline constexpr double yield_force = 1.93e6, yield_displacement = 0.01, post_yield_stiffness = 1.93e7;
 
-inline LeadRubberBearing paper_bearings(bool locate_yield = true) {
+inline LeadRubberBearing paper_bearings() {
   using namespace units;
   return {.yield_force = yield_force * N,
           .yield_displacement = yield_displacement * m,
-          .post_yield_stiffness = post_yield_stiffness * N / m,
-          .locate_yield = locate_yield};
+          .post_yield_stiffness = post_yield_stiffness * N / m};
 }
 
 inline ShearBuilding paper_building(std::string name = {}) {

@@ -10,6 +10,7 @@
 
 #include "analyses/effective_properties.hpp"
 #include "base/units.hpp"
+#include "lead_bilinear.hpp"
 #include "materials/bilinear.hpp"
 #include "materials/impact_laws.hpp"
 #include "message_of.hpp"
@@ -93,14 +94,15 @@ TEST(PropertyBounds, FollowsAsce7) {
 TEST(EffectiveProperties, AreThoseOfABilinearLoop) {
   const Bilinear law{.yield_force = 1.93 * MN, .yield_displacement = 1 * cm, .post_yield_stiffness = 19.3 * MN / m};
   std::vector<double> deformations, forces;
-  Bilinear::State state, trial;
-  law.evaluate({}, 0.3, 0.0, state);
+  Bilinear::State state;
+  lead(law, state, 0.0, 0.3);
+  double before = 0.3;
   constexpr int steps = 20000;
   for (int i = 0; i < 2 * steps; ++i) {
     const double d = 0.3 * (i < steps ? 1.0 - 2.0 * i / steps : -3.0 + 2.0 * i / steps);
     deformations.push_back(d);
-    forces.push_back(law.evaluate(state, d, 0.0, trial).force);
-    state = trial;
+    forces.push_back(lead(law, state, before, d).force);
+    before = d;
   }
   const EffectiveProperties effective = effective_properties(deformations, forces);
   EXPECT_NEAR(effective.stiffness, 25.09e6, 1.0);

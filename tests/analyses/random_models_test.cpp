@@ -26,15 +26,12 @@ constexpr double settled = 1e-6;
 // for 99 of a hundred; of half of the models by default.
 constexpr double bound_with_default_settings = 1e-3, bound_of_exact_steps = 5e-4;
 constexpr double median_bound_with_default_settings = 2e-4;
-// Tight settings have no promise. Where all corners are located, errors are those of location. A bearing whose corners
-// are not sees the ends of a step alone: where it turns inside and ends beyond its start, the way from the turn back is
-// lost.
-constexpr double bound_with_tight_settings = 1e-6, bound_with_corners = 1e-4;
+// Tight settings have no promise. All corners are located, so that errors are those of location.
+constexpr double bound_with_tight_settings = 1e-6;
 
 // Steps are at most as long as the interval of the histories: 0 s is that of the samples.
-CaseResult run(const PlainModel& plain, TransientOptions options, LocateYield locate = LocateYield::as_drawn,
-               Time history_interval = {}) {
-  Model model = moat_model(plain, locate);
+CaseResult run(const PlainModel& plain, TransientOptions options, Time history_interval = {}) {
+  Model model = moat_model(plain);
   options.end = plain.end * units::s;
   return run_case(model, moat_motion(plain.motion), {.transient = options, .history_interval = history_interval});
 }
@@ -58,19 +55,15 @@ TEST(RandomModels, PeaksAndImpactsAreThoseOfTheReference) {
     const PlainModel plain = random_model(seed);
     const CheckedReference reference = checked_reference(plain);
     ASSERT_TRUE(reference.settled(settled)) << reference.largest_change;
-    for (const LocateYield locate : {LocateYield::always, LocateYield::as_drawn}) {
-      const CaseResult tight = run(plain, {.tolerance = 1e-7, .steps_per_contact = 512}, locate);
-      EXPECT_EQ(tight.impacts.size(), reference.result.touches.size());
-      EXPECT_LT(worst_error(tight, reference.result),
-                locate == LocateYield::always ? bound_with_tight_settings : bound_with_corners);
-    }
+    const CaseResult tight = run(plain, {.tolerance = 1e-7, .steps_per_contact = 512});
+    EXPECT_EQ(tight.impacts.size(), reference.result.touches.size());
+    EXPECT_LT(worst_error(tight, reference.result), bound_with_tight_settings);
     default_errors.push_back(worst_error(run(plain, {}), reference.result));
     EXPECT_LT(default_errors.back(), bound_with_default_settings);
     constexpr Time over_samples = 40 * units::ms;
-    EXPECT_LT(worst_error(run(plain, {}, LocateYield::as_drawn, over_samples), reference.result),
-              bound_with_default_settings);
+    EXPECT_LT(worst_error(run(plain, {}, over_samples), reference.result), bound_with_default_settings);
     for (const Time history_interval : {Time{}, over_samples}) {
-      const CaseResult exact = run(plain, {.integrator = ExactBetweenEvents{}}, LocateYield::always, history_interval);
+      const CaseResult exact = run(plain, {.integrator = ExactBetweenEvents{}}, history_interval);
       EXPECT_EQ(exact.impacts.size(), reference.result.touches.size());
       EXPECT_LT(worst_error(exact, reference.result), bound_of_exact_steps);
     }

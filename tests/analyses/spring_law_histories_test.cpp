@@ -152,9 +152,10 @@ TEST(PlanBuilding, StandsOnBearingsThatHaveALawInPlan) {
   expect_same(FrictionPendulum::typical(), FrictionPendulum::typical(), 2e-3);
   expect_same(
       lead_rubber,
-      Isolator<LocatedBilinear>{.law = LocatedBilinear{Bilinear{lead_rubber.yield_force, lead_rubber.yield_displacement,
+      Isolator<Bilinear>{.law = Bilinear{lead_rubber.yield_force, lead_rubber.yield_displacement,
                                                                 lead_rubber.post_yield_stiffness}},
-                                .count = 4},
+                                .count = 4
+},
       2e-3);
 }
 

@@ -21,7 +21,6 @@ TEST(MoatHeader, GivesTheLawsASpringCanHave) {
   add(model, Spring<Viscous>{.name = "viscous", .lower = ground, .upper = body, .law = {.damping = 1 * kN * s / m}});
   const Bilinear fuse{.yield_force = 10 * kN, .yield_displacement = 1 * cm, .post_yield_stiffness = 50 * kN / m};
   add(model, Spring<Bilinear>{.name = "bilinear", .lower = ground, .upper = body, .law = fuse});
-  add(model, Spring<LocatedBilinear>{.name = "located", .lower = ground, .upper = body, .law = {fuse}});
   // 1 MN/m and twice 10 kN/cm.
   const std::vector<NamedPeriod> periods = characteristic_periods(model);
   ASSERT_EQ(periods.size(), 1u);

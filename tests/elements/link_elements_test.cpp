@@ -4,9 +4,11 @@
 
 #include "elements/lead_rubber_bearing.hpp"
 #include "elements/shear_spring.hpp"
+#include "elements/spring.hpp"
 #include "elements/viscous_damper.hpp"
 #include "message_of.hpp"
 #include "two_nodes.hpp"
+#include "unlocated_bilinear.hpp"
 
 namespace moat::testing {
 namespace {
@@ -19,14 +21,16 @@ ShearSpring spring(NodeId lower, NodeId upper) {
 ViscousDamper damper(NodeId lower, NodeId upper) {
   return {.name = "dashpot", .lower = lower, .upper = upper, .damping = 50 * kN * s / m};
 }
-// Yields at 1 cm and 1 MN; then a tenth as stiff.
+// Both yield at 1 cm and 1 MN; then they are a tenth as stiff. The first needs no change of regime.
+Spring<UnlocatedBilinear> yielding_spring(NodeId lower, NodeId upper) {
+  return {.name = "spring", .lower = lower, .upper = upper, .law = {1e6, 0.01, 10e6}};
+}
 LeadRubberBearing bearing(NodeId lower, NodeId upper) {
   return {.lower = lower,
           .upper = upper,
           .yield_force = 1 * MN,
           .yield_displacement = 1 * cm,
-          .post_yield_stiffness = 10 * MN / m,
-          .locate_yield = false};
+          .post_yield_stiffness = 10 * MN / m};
 }
 
 TEST(ShearSpring, PullsTheUpperNodeBackAndTheLowerOneAlong) {
@@ -69,9 +73,9 @@ TEST(ViscousDamper, ResistsTheDifferenceOfVelocities) {
   expect_rollback(nodes, 0.5, -0.5, 0.1, 0.4);
 }
 
-TEST(LeadRubberBearing, YieldsUnloadsAndKeepsItsSlipOnlyOnceCommitted) {
+TEST(LawWithoutRegimes, YieldsUnloadsAndKeepsItsSlipOnlyOnceCommitted) {
   TwoNodes nodes;
-  add(nodes.model, bearing(nodes.a, nodes.b));
+  add(nodes.model, yielding_spring(nodes.a, nodes.b));
   nodes.start();
   nodes.move(0.0, 0.05);
   EXPECT_NEAR(nodes.forces()[1], 1.4e6, 1e-6);
@@ -84,9 +88,9 @@ TEST(LeadRubberBearing, YieldsUnloadsAndKeepsItsSlipOnlyOnceCommitted) {
   expect_action_is_reaction(nodes);
 }
 
-TEST(LeadRubberBearing, HasExactTangentsOnEveryBranch) {
+TEST(LawWithoutRegimes, HasExactTangentsOnEveryBranch) {
   TwoNodes nodes;
-  add(nodes.model, bearing(ground, nodes.b));
+  add(nodes.model, yielding_spring(ground, nodes.b));
   nodes.start();
   for (const double u : {0.005, 0.02, -0.03}) expect_exact_tangent(nodes, 0.0, u, 0.0, 0.0, 1e-4);
   nodes.move(0.0, 0.05);
@@ -108,7 +112,7 @@ TEST(LeadRubberBearing, HasTheLinearStiffnessOfEachStage) {
 
 TEST(LinkElements, OfOneModelActTogether) {
   TwoNodes nodes;
-  add(nodes.model, bearing(ground, nodes.a));
+  add(nodes.model, yielding_spring(ground, nodes.a));
   add(nodes.model, spring(nodes.a, nodes.b));
   add(nodes.model, damper(nodes.a, nodes.b));
   nodes.start();
@@ -124,7 +128,7 @@ TEST(LinkElements, TheEnergiesOfABlockAreTheSumOfThoseOfItsElements) {
   add(nodes.model, spring(nodes.a, nodes.b));
   add(nodes.model, second);
   add(nodes.model, damper(nodes.a, nodes.b));
-  add(nodes.model, bearing(ground, nodes.b));
+  add(nodes.model, yielding_spring(ground, nodes.b));
   nodes.start();
   EnergySums none;
   EXPECT_THROW(nodes.model.blocks()[0]->add_energies(none), std::logic_error) << "no accounts";
@@ -150,7 +154,7 @@ TEST(LinkElements, TheEnergiesOfABlockAreTheSumOfThoseOfItsElements) {
 
 TEST(LinkElements, OfACopiedModelAreIndependent) {
   TwoNodes nodes;
-  add(nodes.model, bearing(ground, nodes.a));
+  add(nodes.model, yielding_spring(ground, nodes.a));
   nodes.start();
   TwoNodes copy{nodes};
   copy.move(0.05, 0.0);

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "base/units.hpp"
+#include "lead_bilinear.hpp"
 #include "materials/biaxial_bilinear.hpp"
 #include "materials/biaxial_bouc_wen.hpp"
 #include "materials/bilinear.hpp"
@@ -241,13 +242,13 @@ TEST(BiaxialBilinear, AlongALineIsBilinear) {
   std::mt19937 random{17};
   std::uniform_real_distribution<double> step{-3.0 * reach, 3.0 * reach};
   const double c = std::cos(0.7), s = std::sin(0.7);
-  Bilinear::State line_state, after;
+  Bilinear::State line_state;
   BiaxialBilinear::State state;
   double d = 0.0;
   for (int i = 0; i < 100; ++i) {
+    const double before = d;
     d += step(random);
-    const Response expected = line.evaluate(line_state, d, 0.0, after);
-    line_state = after;
+    const Response expected = testing::lead(line, line_state, before, d);
     const PlanarResponse response = follow(bilinear(), state, {c * d, s * d});
     ASSERT_NEAR(response.force.x, c * expected.force, 1e-9 * strength);
     ASSERT_NEAR(response.force.y, s * expected.force, 1e-9 * strength);

@@ -2,9 +2,9 @@
 
 #include "base/units.hpp"
 #include "materials/any_contact.hpp"
+#include "materials/bilinear.hpp"
 #include "materials/impact_laws.hpp"
 #include "materials/linear.hpp"
-#include "materials/located_bilinear.hpp"
 #include "materials/response.hpp"
 #include "materials/viscous.hpp"
 
@@ -19,8 +19,7 @@ TEST(LawParameters, AreThoseOfTheLawWithTheirUnits) {
   const Parameters expected{
       {"yield_force", 2e6, "N"}, {"yield_displacement", 0.01, "m"}, {"post_yield_stiffness", 2e7, "N/m"}};
   EXPECT_EQ(parameters_of(bearing), expected);
-  EXPECT_EQ(parameters_of(LocatedBilinear{bearing}), expected);
-  EXPECT_EQ(name_of(LocatedBilinear{bearing}), "LocatedBilinear");
+  EXPECT_EQ(name_of(bearing), "Bilinear");
   EXPECT_EQ(parameters_of(Linear{.stiffness = 1 * MN / m}),
             (Parameters{{"stiffness", 1e6, "N/m"}, {"damping", 0.0, "N s/m"}}));
   EXPECT_EQ(parameters_of(Viscous{.damping = 5 * N * s / m}), (Parameters{{"damping", 5.0, "N s/m"}}));

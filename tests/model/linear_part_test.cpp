@@ -23,7 +23,7 @@ namespace {
 using namespace units;
 
 // Two isolated buildings of two nodes that pound each other, and a node on a damper to the ground.
-Model pounding_buildings(bool locate_yield = false) {
+Model pounding_buildings() {
   Model model;
   NodeId bases[2];
   for (const int i : {0, 1}) {
@@ -36,8 +36,7 @@ Model pounding_buildings(bool locate_yield = false) {
                                  .upper = base,
                                  .yield_force = 40 * kN,
                                  .yield_displacement = 1 * cm,
-                                 .post_yield_stiffness = 400 * kN / m,
-                                 .locate_yield = locate_yield});
+                                 .post_yield_stiffness = 400 * kN / m});
   }
   const NodeId alone = add(model, Node{.name = "alone", .mass = 1 * tonne});
   add(model, ViscousDamper{.name = "damper", .lower = ground, .upper = alone, .damping = 9 * kN * s / m});

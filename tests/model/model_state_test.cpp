@@ -36,8 +36,7 @@ Isolated isolated_storey() {
   add(model, LeadRubberBearing{.upper = made.base,
                                .yield_force = 40 * kN,
                                .yield_displacement = 1 * cm,
-                               .post_yield_stiffness = 400 * kN / m,
-                               .locate_yield = false});
+                               .post_yield_stiffness = 400 * kN / m});
   const HertzDamp law{.stiffness = 3e8 * N / m_3_2, .restitution = 0.65};
   add(model, Gap<HertzDamp>{.name = "left", .left = ground, .right = made.base, .clearance = 4 * cm, .law = law});
   add(model, Gap<HertzDamp>{.name = "right", .left = made.base, .right = ground, .clearance = 4 * cm, .law = law});

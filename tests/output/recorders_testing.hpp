@@ -23,11 +23,9 @@ struct HandMovedBuilding {
     floor = add(model, Node{.name = "floor 1", .mass = 3 * kg, .height = 3.5 * m, .half_width = 5 * m});
     add(model, ShearSpring{.name = "storey 1", .lower = base, .upper = floor, .stiffness = 100 * N / m});
     add(model, ViscousDamper{.name = "damper", .lower = base, .upper = floor, .damping = 1 * N * s / m});
-    add(model, LeadRubberBearing{.upper = base,
-                                 .yield_force = 10 * N,
-                                 .yield_displacement = 10 * cm,
-                                 .post_yield_stiffness = 5 * N / m,
-                                 .locate_yield = false});
+    add(model,
+        LeadRubberBearing{
+            .upper = base, .yield_force = 10 * N, .yield_displacement = 10 * cm, .post_yield_stiffness = 5 * N / m});
     add(model, Moat<HertzDamp>{
                    .around = base, .clearance = 10 * cm, .law = {.stiffness = 1000 * N / m_3_2, .restitution = 1.0}});
     add(model, Building{.base = base, .floors = {floor}});

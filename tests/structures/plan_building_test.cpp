@@ -27,10 +27,7 @@ using testing::message_of;
 using testing::peak_in;
 
 LeadRubberBearing bearing(double share) {
-  return {.yield_force = share * 1.2 * MN,
-          .yield_displacement = 1 * cm,
-          .post_yield_stiffness = share * 9 * MN / m,
-          .locate_yield = false};
+  return {.yield_force = share * 1.2 * MN, .yield_displacement = 1 * cm, .post_yield_stiffness = share * 9 * MN / m};
 }
 
 PlanBuilding tower(int storeys) {

@@ -74,7 +74,7 @@ MemberPoint member_point(const PlainPoint& plain) {
 
 }  // namespace
 
-Model moat_model(const PlainModel& plain, LocateYield locate) {
+Model moat_model(const PlainModel& plain) {
   Model model;
   const auto is_wall = [&](std::size_t node) {
     for (const PlainSpring& spring : plain.springs)
@@ -125,8 +125,7 @@ Model moat_model(const PlainModel& plain, LocateYield locate) {
                                  .upper = node_id(bearing.upper),
                                  .yield_force = bearing.yield_force * N,
                                  .yield_displacement = bearing.yield_displacement * units::m,
-                                 .post_yield_stiffness = bearing.post_yield_stiffness * (N / units::m),
-                                 .locate_yield = bearing.located || locate == LocateYield::always});
+                                 .post_yield_stiffness = bearing.post_yield_stiffness * (N / units::m)});
   }
   for (const PlainGap& gap : plain.gaps)
     with_law(gap.law, [&](const auto& law) {

@@ -9,13 +9,8 @@
 
 namespace moat::testing {
 
-enum class LocateYield {
-  as_drawn,
-  always,  ///< in all bearings
-};
-
 /// Names of nodes and elements are those of the plain problem.
-Model moat_model(const PlainModel& plain, LocateYield locate = LocateYield::as_drawn);
+Model moat_model(const PlainModel& plain);
 
 /// The name of moat's law of that kind. Throws std::logic_error for a kind that has none.
 std::string_view moat_law_name(PlainLawKind kind);

@@ -47,7 +47,6 @@ struct PlainBearing {
   double yield_force = 0.0;           ///< N
   double yield_displacement = 0.0;    ///< m
   double post_yield_stiffness = 0.0;  ///< N/m
-  bool located = false;               ///< whether moat locates yield and unloading; it does in storeys
   Kind kind = Kind::isolator;
 };
 

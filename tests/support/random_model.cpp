@@ -68,7 +68,7 @@ class Drawing {
     const double frequency = 2.0 * pi / draws_.uniform(1.5, 4.0);
     const double initial = bearing.yield_force / bearing.yield_displacement;
     bearing.post_yield_stiffness = rounded(std::min(carried_mass * frequency * frequency, 0.5 * initial));
-    bearing.located = draws_.chance(0.5);
+    draws_.chance(0.5);  // Nothing depends on it, but without it the seeds would have other models.
     model_.bearings.push_back(bearing);
     if (draws_.chance(0.3))
       add_dashpot(name + " damping", lower, upper, 2.0 * draws_.uniform(0.005, 0.1) * carried_mass * frequency);
