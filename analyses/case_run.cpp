@@ -194,6 +194,8 @@ void CaseRun::run_companion() {
   const auto solves = static_cast<double>(std::max(spent.newton_iterations, spent.accepted_steps));
   if (options_.error_bars == ErrorBarMode::never) {
     about_companion_ = "No error bars: they were not wanted (CaseOptions::error_bars).";
+  } else if (transient_.collapsed()) {
+    about_companion_ = "No error bars: the model collapsed, and peaks of a fall depend on where it is stopped.";
   } else if (!untouched_ ||
              (options_.error_bars == ErrorBarMode::automatic && !companion_is_cheap(*untouched_, solves))) {
     about_companion_ =
@@ -227,6 +229,7 @@ CaseResult CaseRun::result_with(Table histories) const {
       .clearances = peaks_of_bodies_.empty() ? clearances_.clearances() : clearances_of_bodies_,
       .impacts = impacts_.impacts(),
       .histories = std::move(histories),
+      .floor_accelerations = impacts_.impacts().empty() ? Table{} : histories_.floors(),
       .offered = offered_.list(),
       .energy = energy_.balance(transient_.model()),
       .solver = transient_.statistics(),
@@ -264,7 +267,9 @@ void CaseRun::add_errors(CaseResult& result) const {
   if (companion_) {
     const double least_share = least_share_of_errors(transient_.model(), options_.transient);
     PeaksAndImpacts main{result.peaks, touches_of(result.impacts), result.solver, result.clearances};
-    result.error_bars = estimate_errors(result.peaks, main.touches, *companion_, least_share);
+    result.error_bars =
+        estimate_errors(result.peaks, main.touches, *companion_, least_share,
+                        scales_of_run(result.peaks, transient_.model(), transient_.motion(), options_.transient));
     estimate_clearance_errors(main, *companion_, least_share);
     result.clearances = std::move(main.clearances);
   }

@@ -162,15 +162,13 @@ std::vector<std::string> energy_warnings(const EnergyBalance& energy, double bou
         "An energy is not a finite number, so that the balance says nothing of the results. Look for a motion, a mass "
         "or a stiffness of a wrong unit; peaks may be wrong."};
   std::vector<std::string> warnings;
-  const double scale = std::max(energy.largest_input, energy.largest_kinetic);
-  const auto share = [&](double error) { return scale > 0.0 ? std::abs(error) / scale : 0.0; };
-  if (share(energy.integration_error) > bound)
-    warnings.push_back("The energy of the elements is off by " + to_text(100.0 * share(energy.integration_error)) +
-                       " % of the largest input or kinetic energy, most at \"" + energy.worst_element + "\". " +
-                       finer(options) + ".");
-  if (share(energy.equation_residual) > bound)
+  if (energy.share(energy.integration_error) > bound)
+    warnings.push_back(
+        "The energy of the elements is off by " + to_text(100.0 * energy.share(energy.integration_error)) +
+        " % of the largest input or kinetic energy, most at \"" + energy.worst_element + "\". " + finer(options) + ".");
+  if (energy.share(energy.equation_residual) > bound)
     warnings.push_back("The equations do not balance: work and kinetic energy are off by " +
-                       to_text(100.0 * share(energy.equation_residual)) +
+                       to_text(100.0 * energy.share(energy.equation_residual)) +
                        " % of the largest input or kinetic energy. " + finer(options) +
                        "; if that does not help, a tighter TransientOptions::force_tolerance (now " +
                        to_text(options.force_tolerance) + ").");

@@ -71,9 +71,9 @@ std::vector<double> differences(const std::vector<Peak>& peaks, const std::vecto
   return list;
 }
 
-void set_errors(std::vector<Peak>& peaks, const std::vector<Peak>& companion, double factor, double least_share) {
+void set_errors(std::vector<Peak>& peaks, const std::vector<Peak>& companion, double factor, double least_share,
+                const ScalesOfUnits& largest) {
   const std::vector<double> difference = differences(peaks, companion);
-  const std::map<std::string, double> largest = largest_of_each(&Peak::unit, peaks);
   std::map<std::string, std::vector<double>> relative_of_unit;
   std::vector<double> relative_of_all;
   for (std::size_t i = 0; i < peaks.size(); ++i) {
@@ -152,13 +152,12 @@ double relative_error(const Peak& peak) {
 }
 
 // The worst first. An error that is not known is not settled either.
-std::vector<Peak> unsettled_of(const std::vector<Peak>& peaks) {
-  std::map<std::string, double> of_quantity = largest_of_each(&Peak::quantity, peaks),
-                                of_unit = largest_of_each(&Peak::unit, peaks);
+std::vector<Peak> unsettled_of(const std::vector<Peak>& peaks, const ScalesOfUnits& of_unit) {
+  std::map<std::string, double> of_quantity = largest_of_each(&Peak::quantity, peaks);
   std::vector<Peak> unsettled;
   for (const Peak& peak : peaks) {
-    const double scale =
-        std::max({peak.magnitude(), negligible * of_quantity[peak.quantity], negligible_of_unit * of_unit[peak.unit]});
+    const double scale = std::max(
+        {peak.magnitude(), negligible * of_quantity[peak.quantity], negligible_of_unit * of_unit.at(peak.unit)});
     if (!(peak.error <= settled_within * scale)) unsettled.push_back(peak);
   }
   std::ranges::stable_sort(unsettled, std::ranges::greater{}, [](const Peak& peak) {
@@ -230,20 +229,42 @@ PeaksAndImpacts compute_peaks(Model& model, const GroundMotion& motion, const Tr
   if (observer != nullptr) transient.attach(*observer);
   transient.run(stop);
   if (!transient.finished()) throw Error{"it was stopped."};
-  PeaksAndImpacts result{peaks.peaks(), touches.touches(), transient.statistics(), clearances.clearances()};
+  PeaksAndImpacts result{peaks.peaks(), touches.touches(), transient.statistics(), clearances.clearances(),
+                         transient.collapsed()};
   if (bodies.size() > 0) bodies.replace(result.peaks, result.clearances, motion, options, nullptr, stop);
   return result;
 }
 
+ScalesOfUnits scales_of_run(const std::vector<Peak>& peaks, const Model& model, const GroundMotion& motion,
+                            const TransientOptions& options) {
+  ScalesOfUnits scales = largest_of_each(&Peak::unit, peaks);
+  const double mass = model.masses().sum(), pga = motion.peak_acceleration().si();
+  const auto raise = [&](const char* unit, double scale) { return scales[unit] = std::max(scales[unit], scale); };
+  const double length = raise("m", options.location_tolerance.si() / negligible_of_unit);
+  const double force = raise("N", mass * pga);
+  const double acceleration = raise("m/s^2", std::max(pga, force / mass));
+  const double speed = raise("m/s", std::sqrt(length * acceleration));
+  for (const PlacedDiaphragm& diaphragm : model.diaphragms()) {
+    raise("rad", length / diaphragm.gyration);
+    raise("rad/s", speed / diaphragm.gyration);
+    raise("rad/s^2", acceleration / diaphragm.gyration);
+    raise("N m", force * diaphragm.gyration);
+  }
+  for (const char* unit : {"1", "K", "degC"}) raise(unit, 1.0);
+  return scales;
+}
+
 ErrorBars estimate_errors(std::vector<Peak>& peaks, std::span<const Touch> touches, const PeaksAndImpacts& companion,
-                          double least_share) {
+                          double least_share, const ScalesOfUnits& scales) {
   const ImpactComparison impacts{touches, companion.touches};
-  set_errors(peaks, companion.peaks, factor_of(impacts), least_share);
+  ScalesOfUnits of_unit = largest_of_each(&Peak::unit, peaks);
+  for (const auto& [unit, scale] : scales) of_unit[unit] = std::max(of_unit[unit], scale);
+  set_errors(peaks, companion.peaks, factor_of(impacts), least_share, of_unit);
   ErrorBars bars;
   bars.checked = true;
   bars.companion_impacts = impacts.companion_count;
   bars.companion_solver = companion.solver;
-  bars.unsettled = unsettled_of(peaks);
+  bars.unsettled = unsettled_of(peaks, of_unit);
   bars.sensitive = !impacts.same || !bars.unsettled.empty();
   bars.reason = reason_of(impacts, bars.unsettled, peaks.size());
   return bars;
@@ -251,7 +272,8 @@ ErrorBars estimate_errors(std::vector<Peak>& peaks, std::span<const Touch> touch
 
 void estimate_clearance_errors(PeaksAndImpacts& main, const PeaksAndImpacts& companion, double least_share) {
   std::vector<Peak> approaches = with_approaches(main);
-  set_errors(approaches, with_approaches(companion), factor_of({main.touches, companion.touches}), least_share);
+  set_errors(approaches, with_approaches(companion), factor_of({main.touches, companion.touches}), least_share,
+             largest_of_each(&Peak::unit, approaches));
   for (std::size_t i = 0; i < main.clearances.size(); ++i)
     main.clearances[i].error = approaches[main.peaks.size() + i].error;
 }

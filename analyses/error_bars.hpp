@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <map>
 #include <span>
 #include <string>
 #include <vector>
@@ -32,7 +33,19 @@ struct PeaksAndImpacts {
   std::vector<Touch> touches;              ///< one for every impact
   SolverStatistics solver;                 ///< steps, iterations, seconds
   std::vector<GapClearance> clearances{};  ///< of every gap
+  bool collapsed = false;                  ///< Transient::collapsed()
 };
+
+/// A large value of every SI unit, in that unit.
+using ScalesOfUnits = std::map<std::string, double>;
+
+/// The scales of a run: its largest peaks, and no less than follows from those of other units, so that a quantity that
+/// is zero by symmetry or at rest is not judged by its own round-off. Displacements of 1e-12 m (location_tolerance) are
+/// none. Accelerations are compared with those of the ground, and of the largest force on the whole mass; rotations
+/// times the radius of gyration with displacements, torques with forces times it, and numbers without dimension and
+/// temperatures with 1.
+ScalesOfUnits scales_of_run(const std::vector<Peak>& peaks, const Model& model, const GroundMotion& motion,
+                            const TransientOptions& options);
 
 /// Runs the model and returns its peaks and touches; peaks and clearances of bodies that nothing connects are those of
 /// runs of their own (analyses/unconnected_bodies.hpp). The observer, if any, gets every step of the whole model. stop:
@@ -47,14 +60,14 @@ PeaksAndImpacts compute_peaks(Model& model, const GroundMotion& motion, const Tr
 ///
 /// and at least a share of the differences that are typical of this run, because two runs may also agree by chance, and
 /// at least `least_share` >= 0 of the value. A peak that the companion does not have, or that is not finite, has the
-/// error NaN.
+/// error NaN. `scales` of units count where they exceed the largest peak.
 ///
 /// Returns the verdict with the companion's impacts and cost. The case is sensitive if the numbers of impacts differ,
 /// if the speeds of an impact differ by more than 1 % of the fastest approach (from then on the two runs are two
 /// motions, whose peaks may agree by chance), or if any error is not within 1 % of its peak. `touches` are those of the
 /// main run.
 ErrorBars estimate_errors(std::vector<Peak>& peaks, std::span<const Touch> touches, const PeaksAndImpacts& companion,
-                          double least_share = 0.0);
+                          double least_share = 0.0, const ScalesOfUnits& scales = {});
 
 /// Gives every clearance of the main run its error: that of the largest approach of the two sides, estimated like the
 /// error of a peak. The errors of the peaks do not change.

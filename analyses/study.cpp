@@ -121,16 +121,10 @@ StudyResult compute_study(const StudyCases& cases, const ComputeCase& compute, c
   return result;
 }
 
-double energy_error(const EnergyBalance& energy) {
-  const double largest = std::max(std::abs(energy.largest_input), std::abs(energy.largest_kinetic));
-  const double error = std::max(std::abs(energy.integration_error), std::abs(energy.equation_residual));
-  return largest > 0.0 ? error / largest : 0.0;
-}
-
 void add_energies(CaseOutcome& outcome, const EnergyBalance& energy) {
   for (const EnergyColumn& column : energy_columns(energy.in_plan))
     outcome.results.push_back({"energy_" + std::string{column.name}, "", "J", energy.*column.value});
-  outcome.energy_error = energy_error(energy);
+  outcome.energy_error = energy.error_share();
 }
 
 std::vector<FileRead> files_of(const GroundMotion& motion) {
@@ -164,12 +158,14 @@ CaseOutcome outcome_of_model(Model& model, const GroundMotion& motion, const Stu
   if (options.energies) energy.emplace();
   PeaksAndImpacts main = compute_peaks(model, motion, options.transient, energy ? &*energy : nullptr);
   double sensitive = std::numeric_limits<double>::quiet_NaN();
-  if (options.error_bars) {
+  // Peaks of a fall depend on where it is stopped.
+  if (options.error_bars && !main.collapsed) {
     try {
       const PeaksAndImpacts companion =
           compute_peaks(*untouched, motion, companion_options(options.transient, main.solver.longest_step));
       const double least_share = least_share_of_errors(model, options.transient);
-      sensitive = estimate_errors(main.peaks, main.touches, companion, least_share).sensitive ? 1.0 : 0.0;
+      const ScalesOfUnits scales = scales_of_run(main.peaks, model, motion, options.transient);
+      sensitive = estimate_errors(main.peaks, main.touches, companion, least_share, scales).sensitive ? 1.0 : 0.0;
       estimate_clearance_errors(main, companion, least_share);
     } catch (const Error&) {
       // The case itself is computed; its errors stay unknown.

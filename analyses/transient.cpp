@@ -28,15 +28,15 @@ double process_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER
 
 Transient::Transient(Model& model, GroundMotion motion, TransientOptions options)
     : model_{&model},
-      motion_{std::move(motion)},
-      options_{checked(options, motion_)},
-      grid_{motion_, model.state().time, end_of(options_, model, motion_)},
-      implicit_{model, options_, control_options(options_, model, motion_)},
+      motion_{std::make_shared<const GroundMotion>(std::move(motion))},
+      options_{checked(options, *motion_)},
+      grid_{*motion_, model.state().time, end_of(options_, model, *motion_)},
+      implicit_{model, options_, control_options(options_, model, *motion_)},
       step_{model, options_, grid_, implicit_, statistics_},
       inside_{step_, options_.events},
       hidden_{model},
       chatter_{options_.max_events_per_second} {
-  check_components(model, motion_);
+  check_components(model, *motion_);
   const IntegratorChoice choice = choose_integrator(model, options_, implicit_.control(), exact_);
   options_.integrator = choice.integrator;
   choice_ = choice.reason;
@@ -44,8 +44,11 @@ Transient::Transient(Model& model, GroundMotion motion, TransientOptions options
   changes_.reserve(most_at_one_instant);
   // The model may be a copy that was made during the run of another.
   model_->keep_all_results();
+  model_->begin_motion(motion_);
   balance();
   change_regimes_at_end();
+  // All energies count from here, those of the elements too.
+  if (model_->keeps_energy_accounts()) model_->start_energy_accounts();
 }
 
 Transient::~Transient() = default;
@@ -63,9 +66,10 @@ StepView Transient::view(bool on_grid) const {
 }
 
 void Transient::advance() {
-  if (!model_->prepared())
+  if (!model_->prepared() || model_->state().ground_motion != motion_)
     throw InputError{
-        "Transient: the model was changed while it is being analysed. Make a new Transient after adding to it."};
+        "Transient: the model was changed while it is being analysed. Make a new Transient after adding to it, and "
+        "after another analysis of it."};
   observers_.start(view(true));
   if (grid_.reaches_end_of_motion(model_->state().time)) end_motion();
   double h = take_step();
@@ -203,13 +207,13 @@ void Transient::run(const std::function<bool()>& stop) {
 
 std::vector<std::string> Transient::assumptions() const {
   std::vector<std::string> list =
-      assumptions_of(options_, implicit_.control(), longest_step_of_any(options_, motion_.time_step()), statistics_);
+      assumptions_of(options_, implicit_.control(), longest_step_of_any(options_, motion_->time_step()), statistics_);
   if (!choice_.empty()) list.insert(list.begin(), choice_);
   return list;
 }
 
 std::vector<std::string> Transient::warnings() const {
-  std::vector<std::string> list = warnings_of(options_, implicit_.control(), motion_, *model_);
+  std::vector<std::string> list = warnings_of(options_, implicit_.control(), *motion_, *model_);
   if (collapse_.collapsed()) list.insert(list.begin(), collapse_.warning());
   return list;
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -41,8 +42,9 @@ namespace moat {
 ///     while (!analysis.finished()) analysis.advance();
 class Transient {
  public:
-  /// The model must outlive the analysis and not be added to meanwhile. Throws InputError for an option outside its
-  /// range, and for a model that already stands at or beyond the end.
+  /// The model must outlive the analysis, and meanwhile neither be added to nor analysed by another. A model that moved
+  /// before goes on from its time, with energies that count from there. Throws InputError for an option outside its
+  /// range, and for a model that stands at or beyond the end, or moved under other accelerations of the ground.
   Transient(Model& model, GroundMotion motion, TransientOptions options = {});
   Transient(const Transient&) = delete;
   Transient& operator=(const Transient&) = delete;
@@ -52,6 +54,8 @@ class Transient {
   /// accounts, these start here.
   void attach(StepObserver& observer);
 
+  /// Whether it ended early because the model fell; its last values then depend on where the analysis ended.
+  [[nodiscard]] bool collapsed() const { return collapse_.collapsed(); }
   /// Whether the end of the analysis is reached, or the model has collapsed.
   [[nodiscard]] bool finished() const { return collapse_.collapsed() || grid_.finished(model_->state().time); }
   /// One accepted step, and the changes of regime inside it or at its end if there are any. Observers attached since
@@ -64,7 +68,7 @@ class Transient {
   void run(const std::function<bool()>& stop = {});
 
   [[nodiscard]] const Model& model() const { return *model_; }                      ///< The model at the time reached.
-  [[nodiscard]] const GroundMotion& motion() const { return motion_; }              ///< As it is applied.
+  [[nodiscard]] const GroundMotion& motion() const { return *motion_; }             ///< As it is applied.
   [[nodiscard]] const SolverStatistics& statistics() const { return statistics_; }  ///< Cost up to now.
   [[nodiscard]] double end_time() const { return grid_.end(); }                     ///< s
   /// One sentence each: scheme, step, tolerances.
@@ -85,7 +89,7 @@ class Transient {
   [[nodiscard]] StepView view(bool on_grid) const;
 
   Model* model_;
-  GroundMotion motion_;
+  std::shared_ptr<const GroundMotion> motion_;  // shared with the state of the model
   TransientOptions options_;
   std::string choice_;  // why the integrator was chosen; empty if the options give it
   SolverStatistics statistics_;

@@ -9,7 +9,7 @@
 namespace moat {
 
 /// The end of the analysis, s: that of the options, else of the motion. Throws InputError where the model stands there
-/// already.
+/// already, or came to its time under other accelerations of the ground.
 double end_of(const TransientOptions& options, const Model& model, const GroundMotion& motion);
 
 /// Options of the step control.

@@ -7,6 +7,7 @@
 #include <string>
 #include <string_view>
 #include <typeindex>
+#include <utility>
 #include <vector>
 
 #include "base/check.hpp"
@@ -22,6 +23,8 @@
 
 namespace moat {
 
+class GroundMotion;
+
 /// The motion of all degrees of freedom at one instant, relative to the ground. Every vector has one entry more than
 /// there are degrees of freedom: the last belongs to the ground and stays zero.
 struct MotionState {
@@ -30,6 +33,8 @@ struct MotionState {
   Vector velocity;      ///< m/s
   Vector acceleration;  ///< m/s^2
   Vector jerk;          ///< m/s^3, rate of the absolute acceleration: jumps with force rates, not with the ground
+  /// Under which it came to this instant; null before the first analysis.
+  std::shared_ptr<const GroundMotion> ground_motion{};
 };
 
 /// How the ground moves every degree of freedom: the shares of its two components. On a line all are 1 and 0.
@@ -130,6 +135,8 @@ class Model {
 
   /// The committed state.
   [[nodiscard]] const MotionState& state() const { return state_; }
+  /// States committed from now on come about under this motion of the ground.
+  void begin_motion(std::shared_ptr<const GroundMotion> motion) { state_.ground_motion = std::move(motion); }
   /// The state that evaluate() uses; analyses fill it.
   [[nodiscard]] MotionState& trial() { return trial_; }
   [[nodiscard]] const MotionState& trial() const { return trial_; }  ///< To read.

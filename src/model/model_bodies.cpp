@@ -130,6 +130,7 @@ Model Model::part(std::span<const std::size_t> nodes, const std::vector<std::vec
     for (std::size_t e = 0; e < elements[b].size(); ++e) part.element_names_.add(part.blocks_.back()->info(e).name);
   }
   part.state_.time = state_.time;
+  part.state_.ground_motion = state_.ground_motion;
   for (Vector MotionState::*values :
        {&MotionState::displacement, &MotionState::velocity, &MotionState::acceleration, &MotionState::jerk}) {
     (part.state_.*values).setZero(static_cast<Eigen::Index>(nodes.size()) + 1);

@@ -207,4 +207,37 @@ std::string GroundMotion::description() const {
   return text + std::to_string(samples_.size()) + " samples";
 }
 
+GroundMotion joined(const std::vector<GroundMotion>& motions, Time rest) {
+  constexpr double round_off = 1e-9, longest_rest = 1e6;  // 1, s
+  const Check check{"joined", ""};
+  check.that(!motions.empty(), "there is no motion.", "Give the shocks in their order.");
+  check.between("rest", rest.si(), 0.0, longest_rest, "s", "Give the time between two shocks.");
+  const double interval = motions.front().time_step();
+  const auto rests = static_cast<std::size_t>(std::ceil(rest.si() / interval * (1.0 - round_off)));
+  std::string name;
+  std::vector<std::string> notes;
+  std::vector<double> x, y;
+  std::size_t start = 0;
+  for (const GroundMotion& each : motions) {
+    const Check its{"joined", each.name()};
+    its.that(std::abs(each.time_step() - interval) <= round_off * interval, "time step", each.time_step(), "s",
+             "that of the first motion, " + to_text(interval) + " s",
+             "Make a GroundMotion of samples at that interval; accelerations are linear between samples.");
+    its.that(each.has_two_components() == motions.front().has_two_components(),
+             "some of the motions have two components and others one.",
+             "Give a PlanMotion for each shock, or for none.");
+    name += (name.empty() ? "" : ", then ") + each.name();
+    notes.push_back("from " + to_text(static_cast<double>(start) * interval) + " s on: " + each.description());
+    notes.insert(notes.end(), each.notes().begin(), each.notes().end());
+    const std::size_t count = each.samples().size();
+    for (auto [all, samples] : {std::pair{&x, each.samples()}, std::pair{&y, each.samples_y()}}) {
+      all->resize(start + count, 0.0);
+      for (std::size_t i = 0; i < samples.size(); ++i) (*all)[start + i] += samples[i];
+    }
+    start += count - 1 + rests;
+  }
+  const GroundMotion motion{std::move(name), interval, std::move(x), std::move(notes)};
+  return motions.front().has_two_components() ? motion.with_component_y(std::move(y), motion, motion) : motion;
+}
+
 }  // namespace moat

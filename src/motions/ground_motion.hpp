@@ -123,4 +123,13 @@ class GroundMotion {
   std::vector<MotionComponent> components_{};  // empty for one component
 };
 
+/// One motion of several shocks, with rests between them in which the ground is still; of pairs in plan too.
+///
+///     joined({foreshock, main_shock, aftershock}, 20 * s)
+///
+/// From the last sample of one to the first of the next it takes `rest`, from 0 to 1e6 s, rounded up to whole
+/// intervals; with 0 s these two samples are one, their sum. Throws InputError for no motion, a rest outside that
+/// range, and motions whose interval or number of components is not that of the first.
+GroundMotion joined(const std::vector<GroundMotion>& motions, Time rest);
+
 }  // namespace moat

@@ -1,6 +1,7 @@
 // Everything one run of one model under one motion produced, in SI units.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -94,13 +95,23 @@ struct EnergyBalance {
   double equation_residual = 0.0;
   /// Work of all elements less the energy they stored and dissipated: the error of the time integration.
   double integration_error = 0.0;
-  double largest_input = 0.0;        ///< over time
-  double largest_kinetic = 0.0;      ///< over time; errors are judged against the larger of these two
+  double largest_input = 0.0;    ///< over time
+  double largest_kinetic = 0.0;  ///< over time
+  /// J. Errors up to it are round-off of the work on the elements, which have forces and deformations at rest too.
+  double round_off = 0.0;
   std::string worst_element{};       ///< with the largest error
   double worst_element_error = 0.0;  ///< J
 
   std::vector<DissipatedEnergy> bearings{};  ///< hysteretic, by place: bearings and other elements that yield
   std::vector<DissipatedEnergy> gaps{};      ///< impact, by gap
+
+  /// >= 0: a residual or an error as a share of the largest input or kinetic energy; 0 for round-off.
+  [[nodiscard]] double share(double error) const {
+    const double scale = std::max(largest_input, largest_kinetic);
+    return scale > 0.0 && !(std::abs(error) <= round_off) ? std::abs(error) / scale : 0.0;
+  }
+  /// The larger share of both errors.
+  [[nodiscard]] double error_share() const { return std::max(share(integration_error), share(equation_residual)); }
 };
 
 /// The cost of the solution.
@@ -196,6 +207,8 @@ struct CaseResult {
   std::vector<Impact> impacts;             ///< In the order of their starts.
   std::vector<BuildingTorsion> torsion{};  ///< in plan, of every building on bearings
   Table histories;                         ///< Every quantity at every sample of the motion.
+  /// HistoryRecorder::floors, of a run with impacts; else empty.
+  Table floor_accelerations{};
   /// Quantities in `histories` that recorders of the script offered (output/quantity_recorder.hpp).
   std::vector<OfferedQuantity> offered{};
   EnergyBalance energy;                  ///< At the end.

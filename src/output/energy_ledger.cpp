@@ -24,6 +24,7 @@ void EnergyLedger::start(const StepView& view) {
   for (int i = 0; i < mass_along_x_.size(); ++i) mass_along_x_[i] = view.model.masses()[i] * shares.x[i];
   for (int i = 0; i < mass_along_y_.size(); ++i) mass_along_y_[i] = view.model.masses()[i] * shares.y[i];
   remember(view);
+  input_ = largest_input_ = 0.0;
   kinetic_at_start_ = kinetic_energy(view.model);
   largest_kinetic_ = kinetic_at_start_;
 }
@@ -115,10 +116,15 @@ EnergyBalance EnergyLedger::totals(const Model& model) const {
 }
 
 EnergyBalance EnergyLedger::balance(const Model& model) const {
+  constexpr double round_off = 1e-10;          // of force times deformation, in all steps
+  constexpr double least_deformation = 1e-12;  // m: a law may have a force without one
   EnergyBalance balance = totals(model);
   std::map<std::string, std::size_t> position_of_place;
   for (const auto& block : model.blocks()) {
+    const ElementResults results = block->results();
     for (std::size_t e = 0; e < block->size(); ++e) {
+      balance.round_off +=
+          round_off * std::abs(results.forces[e]) * (std::abs(results.deformations[e]) + least_deformation);
       const ElementInfo& info = block->info(e);
       const ElementEnergy energy = block->energy(e);
       if (std::abs(energy.error()) > std::abs(balance.worst_element_error)) {

@@ -19,8 +19,8 @@ const Column* column_of(const std::vector<const Column*>& columns, const std::st
   return found == columns.end() ? nullptr : *found;
 }
 
-std::vector<const Column*> bases_and_tops(const CaseResult& result, std::string_view quantity) {
-  const std::vector<const Column*> columns = columns_of(result.histories, quantity);
+std::vector<const Column*> bases_and_tops(const CaseResult& result, const Table& table, std::string_view quantity) {
+  const std::vector<const Column*> columns = columns_of(table, quantity);
   std::vector<const Column*> picked;
   for (std::size_t b = 0; b < std::min(result.buildings.size(), most_charted_buildings); ++b) {
     const BuildingParts& building = result.buildings[b];

@@ -31,7 +31,8 @@ bool can_be_a_motion(const Column& column) {
 
 std::vector<Chart> floor_spectra(const CaseResult& result) {
   constexpr std::size_t least_rows = 100;
-  const std::vector<const Column*> times = columns_of(result.histories, "time");
+  const Table& table = result.floor_accelerations.rows() > 0 ? result.floor_accelerations : result.histories;
+  const std::vector<const Column*> times = columns_of(table, "time");
   if (times.empty() || times.front()->values.size() < least_rows) return {};
   const double interval = times.front()->values[1] - times.front()->values[0];
   const double shortest = std::max(0.05, 2.0 * interval);
@@ -47,7 +48,7 @@ std::vector<Chart> floor_spectra(const CaseResult& result) {
     chart.y_label = axis_label("pseudo-acceleration", "m/s^2");
     chart.logarithmic_x = true;
     chart.y_from_zero = true;
-    for (const Column* column : bases_and_tops(result, std::string{"absolute_acceleration"} + component)) {
+    for (const Column* column : bases_and_tops(result, table, std::string{"absolute_acceleration"} + component)) {
       if (!can_be_a_motion(*column)) continue;
       const ResponseSpectrum spectrum =
           response_spectrum(GroundMotion{column->where, interval, column->values}, periods, damping_ratio);

@@ -50,11 +50,12 @@ std::vector<Chart> history_charts(const CaseResult& result) {
   if (times.empty() || times.front()->values.back() <= times.front()->values.front()) return charts;
   std::vector<std::vector<const Column*>> groups;
   if (result.model.diaphragms.empty()) {
-    groups = {bases_and_tops(result, "displacement"), bases_and_tops(result, "absolute_acceleration")};
+    groups = {bases_and_tops(result, result.histories, "displacement"),
+              bases_and_tops(result, result.histories, "absolute_acceleration")};
   } else {
     for (const char* quantity :
          {"displacement_x", "displacement_y", "rotation", "absolute_acceleration_x", "absolute_acceleration_y"})
-      groups.push_back(bases_and_tops(result, quantity));
+      groups.push_back(bases_and_tops(result, result.histories, quantity));
   }
   groups.push_back(impact_forces(table));
   std::set<std::string> offered;

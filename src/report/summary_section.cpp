@@ -47,8 +47,7 @@ std::string clearance_card(const CaseResult& result) {
 std::string energy_card(const EnergyBalance& energy) {
   const double scale = std::max(energy.largest_input, energy.largest_kinetic);
   if (!(scale > 0.0)) return "";
-  const double error = std::max(std::abs(energy.integration_error), std::abs(energy.equation_residual));
-  return card("Error of the energy balance", to_significant(100.0 * error / scale, 2) + " <small>%</small>",
+  return card("Error of the energy balance", to_significant(100.0 * energy.error_share(), 2) + " <small>%</small>",
               std::string{"of the largest "} + (scale > energy.largest_input ? "kinetic energy, " : "input, ") +
                   number_with_unit(scale, "J"));
 }

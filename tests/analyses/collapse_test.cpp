@@ -6,12 +6,16 @@
 #include <cmath>
 
 #include "analyses/case_run.hpp"
+#include "analyses/study.hpp"
 #include "analysis_testing.hpp"
 #include "elements/spring.hpp"
 #include "elements/storey.hpp"
+#include "in_folder.hpp"
 #include "materials/storeys/p_delta.hpp"
 #include "materials/storeys/yielding_storey.hpp"
+#include "output/summary.hpp"
 #include "peak_in.hpp"
+#include "report/report.hpp"
 
 namespace moat {
 namespace {
@@ -20,7 +24,7 @@ using namespace units;
 using namespace testing;
 
 // The yielding storey keeps 0.8 MN/m, its weight takes 1.6 MN/m.
-CaseResult run(double pull, TransientOptions options = {}) {
+Model building() {
   Model model;
   const NodeId floor = add(model, Node{.name = "floor", .mass = 500 * tonne});
   add(model,
@@ -30,7 +34,12 @@ CaseResult run(double pull, TransientOptions options = {}) {
                              .law = {.stiffness = 40 * MN / m, .yield_force = 0.4 * MN, .hardening_ratio = 0.02}});
   add(model,
       Spring<PDelta>{.name = "weight", .lower = ground, .upper = floor, .law = {.weight = 4.9 * MN, .height = 3 * m}});
-  return run_case(model, constant_acceleration(pull, 60 * s), {.transient = options});
+  return model;
+}
+
+CaseResult run(double pull, TransientOptions options = {}, ErrorBarMode error_bars = ErrorBarMode::automatic) {
+  Model model = building();
+  return run_case(model, constant_acceleration(pull, 60 * s), {.transient = options, .error_bars = error_bars});
 }
 
 double peak_drift(const CaseResult& result) { return peak(result, "drift"); }
@@ -62,6 +71,44 @@ TEST(Collapse, IsNotSeenWhereTheBuildingStands) {
   const CaseResult result = run(0.3);
   EXPECT_LT(peak_drift(result), 0.02);
   for (const std::string& warning : result.warnings) EXPECT_EQ(warning.find("collapse"), std::string::npos) << warning;
+}
+
+// Where the fall is stopped follows from its steps: both runs would agree by chance alone.
+TEST(Collapse, LeavesNoPeakAnErrorBar) {
+  for (const ErrorBarMode mode : {ErrorBarMode::automatic, ErrorBarMode::always, ErrorBarMode::never}) {
+    const CaseResult result = run(2.0, {}, mode);
+    for (const Peak& peak : result.peaks) EXPECT_TRUE(std::isnan(peak.error)) << peak.quantity;
+    EXPECT_FALSE(result.error_bars.checked);
+    EXPECT_FALSE(result.error_bars.sensitive);
+    EXPECT_EQ(result.error_bars.companion,
+              mode == ErrorBarMode::never
+                  ? "No error bars: they were not wanted (CaseOptions::error_bars)."
+                  : "No error bars: the model collapsed, and peaks of a fall depend on where it is stopped.");
+  }
+  EXPECT_TRUE(run(0.3, {}, ErrorBarMode::always).error_bars.checked);
+}
+
+TEST(Collapse, IsNotJudgedInAStudyEither) {
+  Model model = building();
+  const StudyRecord record = peaks_of(model, constant_acceleration(2.0, 60 * s), {}, true);
+  EXPECT_TRUE(std::isnan(value_of(record, "sensitive", "")));
+  EXPECT_TRUE(std::isnan(value_of(record, "drift_error", "storey")));
+  EXPECT_GT(value_of(record, "drift", "storey"), 100.0);
+}
+
+using CollapseFiles = InFolder;
+
+TEST_F(CollapseFiles, SayThatTheErrorsAreNotKnown) {
+  const CaseResult result = run(2.0, {}, ErrorBarMode::always);
+  write_summary_json(result, folder / "summary.json");
+  write_report_html(result, result_charts(result), folder);
+  const std::string summary = read_file(folder / "summary.json"), report = read_file(folder / "report.html");
+  EXPECT_NE(summary.find("\"error\": null"), std::string::npos);
+  EXPECT_NE(summary.find("\"sensitive\": null"), std::string::npos);
+  for (const std::string& text : {summary, report}) {
+    EXPECT_NE(text.find("No error bars: the model collapsed"), std::string::npos);
+    EXPECT_EQ(text.find(">nan"), std::string::npos);
+  }
 }
 
 // A body that flies is none.
