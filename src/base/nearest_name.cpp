@@ -33,6 +33,7 @@ std::string nearest_name(const std::vector<std::string>& names, const std::strin
   std::size_t least = most_letters + 1;
   for (const std::string& name : names) {
     const std::size_t allowed = std::min(most_letters, std::max(name.size(), misspelt.size()) / 3);
+    if (std::max(name.size(), misspelt.size()) - std::min(name.size(), misspelt.size()) > allowed) continue;
     if (const std::size_t letters = distance(name, misspelt); letters <= allowed && letters < least) {
       nearest = name;
       least = letters;

@@ -77,6 +77,10 @@ std::string known_name_like(const std::string& name, const std::string& suggesti
   return known.empty() ? "" : "; did you mean '" + known + "'?";
 }
 
+Explanation at_value(const std::smatch& match, const Diagnostic& place, const fs::path& /*root*/) {
+  return at(place, wrong_type(place, match[1], match[2]) + functions_missing(place, match[1], match[2]));
+}
+
 using Rule = Explanation (*)(const std::smatch&, const Diagnostic&, const fs::path& root);
 struct Pattern {
   std::regex text;
@@ -100,22 +104,10 @@ const std::vector<Pattern>& patterns() {
        [](const std::smatch& match, const Diagnostic& place, const fs::path& root) {
          return at(place, "field " + match[2].str() + " of " + plain_name(match[1], root) + " is missing");
        }},
-      {std::regex{R"(\s*cannot convert '.*' \(type '(.*)'\) to type '(.*)')"},
-       [](const std::smatch& match, const Diagnostic& place, const fs::path&) {
-         return at(place, wrong_type(place, match[1], match[2]));
-       }},
-      {std::regex{R"(could not convert '.*' from '(.*)' to '(.*)')"},
-       [](const std::smatch& match, const Diagnostic& place, const fs::path&) {
-         return at(place, wrong_type(place, match[1], match[2]) + functions_missing(place, match[1], match[2]));
-       }},
-      {std::regex{R"(cannot convert '([^<'][^']*)' to '(?:const )?([^'&]*)&*'.*)"},
-       [](const std::smatch& match, const Diagnostic& place, const fs::path&) {
-         return at(place, wrong_type(place, match[1], match[2]));
-       }},
-      {std::regex{R"(conversion from '(.*)' to non-scalar type '([^']*)'.* requested)"},
-       [](const std::smatch& match, const Diagnostic& place, const fs::path&) {
-         return at(place, wrong_type(place, match[1], match[2]));
-       }},
+      {std::regex{R"(\s*cannot convert '.*' \(type '(.*)'\) to type '(.*)')"}, at_value},
+      {std::regex{R"(could not convert '.*' from '(.*)' to '(.*)')"}, at_value},
+      {std::regex{R"(cannot convert '([^<'][^']*)' to '(?:const )?([^'&]*)&*'.*)"}, at_value},
+      {std::regex{R"(conversion from '(.*)' to non-scalar type '([^']*)'.* requested)"}, at_value},
       {std::regex{R"('(\w+)' (was not declared in this scope|does not name a type)(?:; did you mean '(.*)'\?)?)"},
        [](const std::smatch& match, const Diagnostic& place, const fs::path& root) {
          return at(place,
@@ -145,11 +137,11 @@ std::optional<Explanation> failed_deduction(const ErrorGroup& group, const fs::p
   std::string type;
   for (const Diagnostic& each : group) {
     std::smatch match;
-    if (std::regex_match(each.text, match, call)) type = match[1];
+    if (matches(each.text, match, call)) type = match[1];
     if (!type.empty() && !missing.empty() && !names_field(group.front(), missing))
       return at(group.front(), "field " + missing + " of " + type + " is missing");
     for (const std::string& line : each.before)
-      if (std::regex_match(line, match, concepts) && !type.empty())
+      if (matches(line, match, concepts) && !type.empty())
         return at(group.front(),
                   type + " needs " + concept_words(match[1]) + "; " + plain_name(match[2], root) + " is none");
   }
@@ -162,12 +154,12 @@ std::optional<Explanation> function_of_interface_missing(const ErrorGroup& group
   static const std::regex function{R"(\s*'virtual .*?(\w+)::(\w+)\(.*)"};
   std::smatch match;
   const std::string text = with_dimension_names(group.front().text);
-  if (!std::regex_match(text, match, abstract)) return {};
+  if (!matches(text, match, abstract)) return {};
   const std::string type = match[1];
   std::string interface;
   std::vector<std::string> missing;
   for (const Diagnostic& each : group)
-    if (std::regex_match(each.text, match, function)) {
+    if (matches(each.text, match, function)) {
       interface = match[1];
       missing.push_back(match[2]);
     }
@@ -185,7 +177,7 @@ std::optional<Explanation> explanation_of(const ErrorGroup& group, const fs::pat
     for (const Diagnostic& each : group) {
       const std::string text = without_second_names(each.text);
       std::smatch match;
-      if (std::regex_match(text, match, pattern.text)) return pattern.explain(match, each, root);
+      if (matches(text, match, pattern.text)) return pattern.explain(match, each, root);
     }
   if (auto known = failed_deduction(group, root)) return known;
   return wrong_field_of_template(group, root);
@@ -194,7 +186,7 @@ std::optional<Explanation> explanation_of(const ErrorGroup& group, const fs::pat
 // With names of dimensions, and without a second name that is the same then.
 std::string in_words(const std::string& text) {
   static const std::regex same{R"('([^']*)' \{aka '(?:const )?\1'\})"};
-  return std::regex_replace(with_dimension_names(text), same, "'$1'");
+  return replaced(with_dimension_names(text), same, "'$1'");
 }
 
 // In the compiler's words. An error inside a header says by "required from here" which line of the script it is about.
@@ -215,7 +207,7 @@ std::string message_of(const Explanation& explanation) {
 std::string explained(const std::string& output, const std::string& script, const fs::path& root) {
   constexpr std::size_t most_errors = 5;
   const std::vector<ErrorGroup> all = error_groups(output, script);
-  if (all.empty()) return link_explanation(output, script) + output;
+  if (all.empty()) return with_short_lines(link_explanation(output, script) + output);
   const auto bracket = missing_bracket(all);
   const std::vector<ErrorGroup> groups = causes(all, bracket.has_value(), root);
   std::string text = bracket ? message_of(*bracket) : "";
@@ -226,7 +218,7 @@ std::string explained(const std::string& output, const std::string& script, cons
       text += quoted(groups[i].front(), script);
   }
   if (groups.size() > most_errors) text += "... and " + std::to_string(groups.size() - most_errors) + " more errors\n";
-  return text;
+  return with_short_lines(text);
 }
 
 }  // namespace moat::launcher

@@ -9,32 +9,34 @@ namespace moat::launcher {
 namespace {
 
 std::vector<Diagnostic> diagnostics_in(const std::string& output) {
-  static const std::regex head{R"(^(.+?):(\d+):(\d+): (?:fatal )?(error|warning|note): (.*)$)"};
-  static const std::regex source{R"(^ *\d* \|.*)"};
+  // A line with more than 4,000 columns has no column.
+  static const std::regex head{R"((.+?):(\d{1,9})(?::(\d{1,9}))?: (?:fatal )?(error|warning|note): (.*))"};
   std::vector<Diagnostic> all;
   std::vector<std::string> before;
   for (const std::string& line : lines_of(replaced(replaced(output, "‘", "'"), "’", "'"))) {
     std::smatch match;
-    if (std::regex_match(line, source) && !all.empty()) {
+    const std::string short_line = with_short_lines(line);
+    const std::size_t bar = line.find_first_not_of(" 0123456789");
+    if (bar > 0 && bar < line.size() && line.compare(bar - 1, 2, " |") == 0 && !all.empty()) {
       all.back().snippet.push_back(line);
-    } else if (std::regex_match(line, match, head)) {
+    } else if (matches(short_line, match, head)) {
       all.push_back({.file = match[1],
                      .line = std::stoi(match[2]),
-                     .column = std::stoi(match[3]),
+                     .column = match[3].matched ? std::stoi(match[3]) : 0,
                      .kind = match[4],
                      .text = match[5],
                      .before = std::move(before),
                      .snippet = {}});
       before.clear();
     } else {
-      before.push_back(line);
+      before.push_back(short_line);
     }
   }
   return all;
 }
 
 bool same_place(const Diagnostic& a, const Diagnostic& b) {
-  return a.file == b.file && a.line == b.line && a.column == b.column;
+  return a.column > 0 && a.file == b.file && a.line == b.line && a.column == b.column;
 }
 
 // Errors inside headers that belong to a failed deduction, or that the group's first error caused.

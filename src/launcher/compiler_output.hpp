@@ -9,8 +9,8 @@ namespace moat::launcher {
 /// One "file:line:column: kind: text" with the lines around it.
 struct Diagnostic {
   std::string file;
-  int line = 0, column = 0;
-  std::string kind;  ///< "error", "warning", "note"
+  int line = 0, column = 0;  ///< column 0: not known
+  std::string kind;          ///< "error", "warning", "note"
   std::string text;
   std::vector<std::string> before;   ///< "In file included from ...", "required from here"
   std::vector<std::string> snippet;  ///< the line of the source and its underlining

@@ -4,10 +4,13 @@
 #include <cctype>
 #include <regex>
 
+#include "launcher/text.hpp"
+
 namespace moat::launcher {
 namespace {
 
 constexpr std::size_t none = std::string::npos;
+constexpr const char* blanks = " \t\n\r\v\f";
 
 // The offset of the last quotation mark of R"x(...)x", whose first one is at `begin`.
 std::size_t end_of_raw_text(const std::string& source, std::size_t begin) {
@@ -58,20 +61,18 @@ char counterpart(char opening) {
 }
 
 std::string trimmed(const std::string& text) {
-  const auto is_space = [](unsigned char c) { return std::isspace(c) != 0; };
-  const auto begin = std::find_if_not(text.begin(), text.end(), is_space);
-  const auto end = std::find_if_not(text.rbegin(), std::make_reverse_iterator(begin), is_space).base();
-  return {begin, end};
+  const std::size_t begin = text.find_first_not_of(blanks);
+  return begin == none ? "" : text.substr(begin, text.find_last_not_of(blanks) + 1 - begin);
 }
 
 // `brace` is the offset of the brace that opens the list.
 DesignatedList list_at(const std::string& source, const std::string& code, std::size_t brace) {
+  constexpr const char* letters = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ_0123456789";
   static const std::regex type{R"(\b(?!return\b)(\w+)(<[^;{}]*>)?(\s+\w+)?(\s*=)?\s*$)"};
-  static const std::regex field{R"(^\s*\.(\w+)\s*=\s*)"};
   DesignatedList list;
   const std::size_t statement = brace == 0 ? none : code.find_last_of(";{}(),", brace - 1);
-  const std::string front =
-      code.substr(statement == none ? 0 : statement + 1, brace - (statement == none ? 0 : statement + 1));
+  const std::size_t first = std::max(statement + 1, brace - std::min(brace, longest_line));  // none + 1 is 0
+  const std::string front = code.substr(first, brace - first);
   std::smatch match;
   if (std::regex_search(front, match, type)) list.type = match[1];
   int depth = 0;
@@ -80,12 +81,14 @@ DesignatedList list_at(const std::string& source, const std::string& code, std::
     if (opens(code[i])) ++depth;
     const bool ends = closes(code[i]) && depth == 0;
     if (ends || (code[i] == ',' && depth == 0)) {
-      const std::string piece = code.substr(begin, i - begin);
-      if (std::regex_search(piece, match, field)) {
-        const auto length = static_cast<std::size_t>(match.length());
-        list.fields.push_back({.name = match[1],
-                               .value = trimmed(source.substr(begin + length, i - begin - length)),
-                               .offset = begin + piece.find('.')});
+      const std::size_t point = code.find_first_not_of(blanks, begin);
+      if (code[point] == '.') {
+        const std::size_t behind = code.find_first_not_of(letters, point + 1);
+        const std::size_t equal = code.find_first_not_of(blanks, behind);
+        if (behind > point + 1 && code[equal] == '=')
+          list.fields.push_back({.name = code.substr(point + 1, behind - point - 1),
+                                 .value = trimmed(source.substr(equal + 1, i - equal - 1)),
+                                 .offset = point});
       }
       begin = i + 1;
     }
@@ -99,7 +102,7 @@ DesignatedList list_at(const std::string& source, const std::string& code, std::
 
 std::size_t offset_of(const std::string& source, int line, int column) {
   constexpr int tabulator = 8;
-  std::size_t offset = 0;
+  std::size_t offset = column < 1 ? source.size() : 0;
   for (int i = 1; i < line; ++i) {
     offset = source.find('\n', offset);
     if (offset == none) return source.size();

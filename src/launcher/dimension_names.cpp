@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "base/quantity.hpp"
+#include "launcher/text.hpp"
 
 namespace moat::launcher {
 namespace {
@@ -44,9 +45,10 @@ std::string name_of(int mass, int half_length, int time) {
 }  // namespace
 
 std::string with_dimension_names(const std::string& text) {
-  static const std::regex quantity{R"((?:moat::)?Quantity<(-?\d+), ?(-?\d+), ?(-?\d+)>)"};
+  static const std::regex quantity{R"((?:moat::)?Quantity<(-?\d{1,4}), ?(-?\d{1,4}), ?(-?\d{1,4})>)"};
   static const std::regex required{R"((?:moat::)?Required<([^<>]*?(?:<[^<>]*>)?) ?>)"};
   static const std::regex space{R"(\bmoat::)"};
+  if (text.size() > longest_line) return text;
   std::string named;
   auto rest = text.cbegin();
   for (std::sregex_iterator match{text.begin(), text.end(), quantity}, end; match != end; ++match) {
@@ -55,18 +57,17 @@ std::string with_dimension_names(const std::string& text) {
     rest = (*match)[0].second;
   }
   named.append(rest, text.cend());
-  return std::regex_replace(std::regex_replace(named, required, "$1"), space, "");
+  return replaced(replaced(named, required, "$1"), space, "");
 }
 
 std::string described(const std::string& type) {
-  static const std::regex leading{R"(^(const )?)"};
-  const std::string name =
-      std::regex_replace(with_dimension_names(type), leading, "", std::regex_constants::format_first_only);
+  std::string name = with_dimension_names(type);
+  if (name.starts_with("const ")) name.erase(0, 6);
   for (const DimensionName& each : names)
     if (each.type == name) return std::string{each.words};
   static const std::regex per_storey{R"(PerStorey<(.*?) ?>)"};
   std::smatch match;
-  if (std::regex_match(name, match, per_storey)) return described(match[1]) + ", or one per storey,";
+  if (matches(name, match, per_storey)) return described(match[1]) + ", or one per storey,";
   if (name == "MemberPoint") return "a node, or a MemberPoint between two,";
   if (name == "Isolation") return "a bearing, such as LeadRubberBearing,";
   if (name == "int") return "a number without unit";

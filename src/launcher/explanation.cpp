@@ -16,6 +16,16 @@
 namespace moat::launcher {
 namespace {
 
+// A line of the source, such as "   12 | return hight;", and its marks. Of a long one the surroundings of the marks.
+std::string lines_near_marks(const std::string& source, const std::string& marks) {
+  if (source.size() <= longest_line) return source + "\n" + marks + "\n";
+  constexpr std::size_t shown = longest_line / 2;
+  const std::size_t front = source.find('|') + 2, mark = std::min(marks.find_first_of("~^", front), marks.size());
+  const std::size_t begin = std::max(front, mark - std::min(mark, shown / 2));
+  return source.substr(0, front) + "... " + source.substr(begin, shown) + " ...\n" + marks.substr(0, front) + "    " +
+         marks.substr(std::min(begin, marks.size()), shown) + "\n";
+}
+
 // A line of the source with a mark below.
 Explanation marked(const Diagnostic& place, int line, const std::string& source, std::size_t column, std::size_t length,
                    const std::string& sentence) {
@@ -23,8 +33,9 @@ Explanation marked(const Diagnostic& place, int line, const std::string& source,
   return {.sentence = sentence,
           .file = place.file,
           .line = line,
-          .snippet = "   " + number + bar + source + "\n   " + std::string(number.size(), ' ') + bar +
-                     std::string(column, ' ') + std::string(length, '^') + "\n"};
+          .snippet =
+              lines_near_marks("   " + number + bar + source, "   " + std::string(number.size(), ' ') + bar +
+                                                                  std::string(column, ' ') + std::string(length, '^'))};
 }
 
 // The unit of a quantity as scripts write it: "N * s / m" for "N s/m".
@@ -44,10 +55,8 @@ std::string in_source(const std::string& unit) {
 }  // namespace
 
 std::string snippet_of(const Diagnostic& place) {
-  constexpr std::size_t source_and_marks = 2;
-  std::string text;
-  for (std::size_t i = 0; i < std::min(source_and_marks, place.snippet.size()); ++i) text += place.snippet[i] + "\n";
-  return text;
+  if (place.snippet.empty()) return "";
+  return lines_near_marks(place.snippet[0], place.snippet.size() > 1 ? place.snippet[1] : "");
 }
 
 Explanation at(const Diagnostic& place, const std::string& sentence) {
@@ -84,19 +93,19 @@ std::string plain_name(const std::string& type, const std::filesystem::path& roo
 
 std::string without_second_names(const std::string& text) {
   static const std::regex second{R"( \{aka '[^']*'\})"};
-  return std::regex_replace(text, second, "");
+  return replaced(text, second, "");
 }
 
 std::string needed_in_words(const std::string& type) {
   static const std::regex optional{R"((?:std::)?optional<(.*)>)"};
-  const std::string plain = std::regex_replace(with_dimension_names(type), optional, "$1");
+  const std::string plain = replaced(with_dimension_names(type), optional, "$1");
   return plain == "int" ? "a whole number" : described(plain);
 }
 
 std::string unit_hint(const std::string& needed, const std::string& value) {
   static const std::regex symbol{R"(.*\[(.*?)(?: = .*)?\].*)"};
   std::smatch match;
-  if (!std::regex_match(needed, match, symbol)) return {};
+  if (!matches(needed, match, symbol)) return {};
   if (value.empty() && match[1] == "m") return "; give it a unit, as in 10 * cm";
   const bool is_sum = value.find_first_of("+-", 1) != std::string::npos && !is_number(value);
   const std::string number = is_sum ? "(" + value + ")" : value;
@@ -106,7 +115,7 @@ std::string unit_hint(const std::string& needed, const std::string& value) {
 std::string whole_number_hint(const std::string& value) {
   static const std::regex whole{R"(([0-9]+)\.0*)"};
   std::smatch match;
-  return std::regex_match(value, match, whole) ? "; write " + match[1].str() : "";
+  return matches(value, match, whole) ? "; write " + match[1].str() : "";
 }
 
 std::string no_such_field(const std::string& type, const std::string& field, const std::vector<std::string>& fields) {

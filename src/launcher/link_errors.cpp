@@ -14,9 +14,9 @@ namespace {
 std::vector<std::string> undefined_names(const std::string& output) {
   static const std::regex undefined{R"(.*undefined reference to [`'](.*)')"};
   std::vector<std::string> names;
-  for (const std::string& line : lines_of(replaced(replaced(output, "‘", "'"), "’", "'"))) {
+  for (const std::string& line : lines_of(with_short_lines(replaced(replaced(output, "‘", "'"), "’", "'")))) {
     std::smatch match;
-    if (!std::regex_match(line, match, undefined) || match[1].str().starts_with("moat::")) continue;
+    if (!matches(line, match, undefined) || match[1].str().starts_with("moat::")) continue;
     if (std::ranges::find(names, match[1]) == names.end()) names.push_back(match[1]);
   }
   return names;

@@ -87,7 +87,7 @@ std::string type_of_argument(const ErrorGroup& group, const DesignatedList& list
   for (const Diagnostic& each : group) {
     std::smatch match;
     const std::string text = without_second_names(each.text);
-    if (!std::regex_match(text, match, tried)) continue;
+    if (!matches(text, match, tried)) continue;
     const std::string type = plain_name(match[1], root);
     const std::vector<std::string> fields = fields_of(type, root);
     const auto named = std::ranges::count_if(
@@ -106,7 +106,7 @@ std::string field_not_deduced(const ErrorGroup& group) {
   static const std::regex parameter{R"(\s*couldn't deduce template parameter '(\w+)')"};
   if (!group.front().text.starts_with("class template argument deduction failed")) return {};
   for (const Diagnostic& each : group)
-    if (std::smatch match; std::regex_match(each.text, match, parameter)) return lower_case(match[1]);
+    if (std::smatch match; matches(each.text, match, parameter)) return lower_case(match[1]);
   return {};
 }
 
@@ -146,8 +146,7 @@ std::optional<Explanation> list_in_a_call(const ErrorGroup& group, const std::fi
   const Diagnostic& place = group.front();
   const std::string text = without_second_names(place.text);
   std::smatch match;
-  if (std::ranges::none_of(texts, [&](const std::regex& each) { return std::regex_match(text, match, each); }))
-    return {};
+  if (std::ranges::none_of(texts, [&](const std::regex& each) { return matches(text, match, each); })) return {};
   const std::string type = plain_name(match[1], root);
   const std::string source = text_of(place.file);
   const DesignatedList list = list_in_call(source, offset_of(source, place.line, place.column));
@@ -175,7 +174,7 @@ std::optional<Explanation> list_without_type(const ErrorGroup& group, const std:
   const std::string text = with_dimension_names(without_second_names(place.text));
   const std::string not_deduced = field_not_deduced(group);
   std::smatch match;
-  if (!std::regex_match(text, match, no_aggregate) && not_deduced.empty()) return {};
+  if (!matches(text, match, no_aggregate) && not_deduced.empty()) return {};
   const std::string source = text_of(place.file);
   const DesignatedList list = list_around(source, offset_of(source, place.line, place.column));
   const std::vector<Field> fields = declared_fields(list.type, root);
@@ -196,7 +195,7 @@ std::optional<Explanation> list_for_storeys(const ErrorGroup& group, const std::
   const Diagnostic& place = group.front();
   const std::string text = with_dimension_names(without_second_names(place.text));
   std::smatch match;
-  if (!std::regex_match(text, match, braces)) return {};
+  if (!matches(text, match, braces)) return {};
   const std::string source = text_of(place.file), item = type_of_item(match[1]);
   const DesignatedList list = list_around(source, offset_of(source, place.line, place.column));
   if (auto wrong = wrong_value(place, source, list, list.type, root)) return wrong;

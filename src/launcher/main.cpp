@@ -4,6 +4,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
+#include <new>
 #include <string_view>
 
 #include "base/nearest_name.hpp"
@@ -19,7 +20,6 @@
 #include "launcher/phase.hpp"
 #include "launcher/run_script.hpp"
 #include "launcher/stop.hpp"
-#include "launcher/study.hpp"
 #include "launcher/tests.hpp"
 #include "launcher/text.hpp"
 
@@ -116,21 +116,17 @@ int run_command_line(const Places& places, int count, char** words) {
     CLI::App* const command = app.add_subcommand(name, description)->prefix_command()->footer(footer);
     command->callback([&places, command, argument] {
       const std::vector<std::string> rest = command->remaining();
-      const std::string& word = command->get_name();
-      if (rest.empty()) throw Stop{exit_usage, word + " needs " + argument + ".\nSee ./moat " + word + " --help."};
-      if (rest.front() == "-h" || rest.front() == "--help") throw CLI::CallForHelp{};
-      become_library_program(places, command->get_name(), rest);
+      const std::string word = command->get_name(), first = rest.empty() ? "" : rest.front();
+      if (first == "-h" || first == "--help") throw CLI::CallForHelp{};
+      const bool known = word != "study" || first == "show" || first == "export" || first == "merge";
+      if (rest.empty() || !known)
+        throw Stop{exit_usage, word + " needs " + argument + ".\nSee ./moat " + word + " --help."};
+      become_library_program(places, word, rest);
     });
   };
   library_command("motion", "the name of an accelerogram", help::motion, help::after_motion);
   library_command("report", "the folder of results", help::report, help::after_report);
-
-  CLI::App* const study = app.add_subcommand("study", help::study)->prefix_command()->footer(help::after_study);
-  study->callback([&] {
-    const std::vector<std::string> rest = study->remaining();
-    if (!rest.empty() && (rest.front() == "-h" || rest.front() == "--help")) throw CLI::CallForHelp{};
-    read_study(places, rest);
-  });
+  library_command("study", "one of show, export and merge", help::study, help::after_study);
 
   CLI::App* const check = app.add_subcommand("check", help::check)->footer(help::after_check);
   std::vector<std::string> names;
@@ -181,6 +177,9 @@ int main(int count, char** words) {
   } catch (const Stop& stop) {
     for (const std::string& line : lines_of(as_installed(stop.what(), places))) say(line);
     return stop.exit_code;
+  } catch (const std::bad_alloc&) {
+    say("error: the memory is too small. End other programs, or raise its limit (ulimit -v).");
+    return exit_failed;
   } catch (const std::exception& error) {
     say(std::string{"error: "} + error.what());
     return exit_failed;

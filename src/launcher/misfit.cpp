@@ -4,6 +4,7 @@
 
 #include "launcher/dimension_names.hpp"
 #include "launcher/explanation.hpp"
+#include "launcher/text.hpp"
 #include "launcher/value_dimension.hpp"
 
 namespace moat::launcher {
@@ -31,7 +32,7 @@ std::string type_of_item(const std::string& type) {
   static const std::regex list{R"((?:PerStorey|std::vector)<(.*?) ?>)"};
   std::smatch match;
   const std::string plain = with_dimension_names(type);
-  return std::regex_match(plain, match, list) ? match[1].str() : plain;
+  return matches(plain, match, list) ? match[1].str() : plain;
 }
 
 std::string misfit_of_field(const NamedField& field, const std::string& type, const std::string& declared) {

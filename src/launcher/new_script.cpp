@@ -15,7 +15,8 @@ void new_script(const Places& places, const std::filesystem::path& typed) {
   if (file.extension() != ".cpp")
     throw Stop{exit_usage, name + " does not end in .cpp.\nFor example: ./moat new tower.cpp"};
   if (name.starts_with('-')) throw Stop{exit_usage, name + " looks like an option.\nFor example: ./moat new ./" + name};
-  if (fs::exists(fs::symlink_status(file)))
+  std::error_code too_long;
+  if (fs::exists(fs::symlink_status(file, too_long)))
     throw Stop{exit_usage, name + " exists already.\nGive another name, or delete it first."};
   const fs::path folder = file.has_parent_path() ? file.parent_path() : ".";
   if (!fs::is_directory(folder)) throw Stop{exit_usage, "There is no folder " + folder.string() + ".\nMake it first."};

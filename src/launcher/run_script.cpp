@@ -2,7 +2,8 @@
 
 #include <unistd.h>
 
-#include <algorithm>
+#include <cerrno>
+#include <charconv>
 #include <cstdlib>
 #include <cstring>
 #include <optional>
@@ -23,7 +24,8 @@ void check_name(const std::string& typed) {
   if (typed.starts_with('-'))
     throw Stop{exit_usage, "run has no option " + typed +
                                ".\nOptions of the script come after its name: ./moat run SCRIPT.cpp " + typed};
-  if (!fs::is_regular_file(typed) || ::access(typed.c_str(), R_OK) != 0)
+  std::error_code too_long;
+  if (!fs::is_regular_file(typed, too_long) || ::access(typed.c_str(), R_OK) != 0)
     throw Stop{exit_usage, "There is no readable script " + typed + " here, in " + fs::current_path().string() +
                                ".\nStart one with: ./moat new " + typed};
   if (!typed.ends_with(".cpp"))
@@ -33,12 +35,16 @@ void check_name(const std::string& typed) {
 /// The number behind --ranks in front of the script's name; empty without it.
 std::string take_ranks(std::vector<std::string>& words) {
   if (words.empty() || words.front() != "--ranks") return "";
-  const auto is_digit = [](char c) { return c >= '0' && c <= '9'; };
-  if (words.size() < 2 || words[1].empty() || words[1].front() == '0' || !std::ranges::all_of(words[1], is_digit))
-    throw Stop{exit_usage, "--ranks needs a number of processes: ./moat run --ranks 4 SCRIPT.cpp"};
-  std::string ranks = words[1];
+  constexpr int most = 4096;  // mpirun takes any number, and starts processes until the memory is full
+  const std::string given = words.size() < 2 ? "" : words[1];
+  int ranks = 0;
+  const auto [end, failure] = std::from_chars(given.data(), given.data() + given.size(), ranks);
+  if (failure != std::errc{} || end != given.data() + given.size() || ranks < 1 || ranks > most)
+    throw Stop{exit_usage, "--ranks needs a number of processes: --ranks = " + given +
+                               " is not allowed; it must be a whole number >= 1 and <= " + std::to_string(most) +
+                               ".\nFor example: ./moat run --ranks 4 SCRIPT.cpp"};
   words.erase(words.begin(), words.begin() + 2);
-  return ranks;
+  return std::to_string(ranks);
 }
 
 /// The job of Open MPI that runs the program on this number of ranks. In a job of Slurm its nodes are used.
@@ -80,11 +86,7 @@ int run_script(const Places& places, const std::vector<std::string>& all_words) 
     return run_ranks(ranks, script.program(), {words.begin() + 1, words.end()});
   }
   // The script is called by its own name, so that its messages and its results are.
-  const std::vector<std::string> options{words.begin() + 1, words.end()};
-  if (become(script.program(), typed, options) == ENOEXEC) {  // damaged, by a power cut for example
-    script.rebuild();
-    become(script.program(), typed, options);
-  }
+  become(script.program(), typed, {words.begin() + 1, words.end()});
   throw Stop{exit_failed, script.program().string() + " cannot be started: " + std::strerror(errno)};
 }
 

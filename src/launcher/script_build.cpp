@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <climits>
 #include <cstdio>
 #include <functional>
 
@@ -27,6 +28,12 @@ std::string ninja_words(const std::vector<std::string>& words) {
   return ninja_value(joined(quoted));
 }
 
+std::string hash_of(const std::string& bytes) {
+  char hash[17];
+  std::snprintf(hash, sizeof hash, "%016zx", std::hash<std::string>{}(bytes));
+  return hash;
+}
+
 // Folders of scripts that were not run for two weeks.
 void remove_unused(const fs::path& scripts) {
   const auto oldest = fs::file_time_type::clock::now() - std::chrono::hours{14 * 24};
@@ -43,8 +50,8 @@ void remove_unused(const fs::path& scripts) {
 std::string ninja_file(const ScriptRule& rule) {
   return "rule script\n"
          "  command = LC_ALL=C.UTF-8 " +
-         ninja_words(rule.compile) + " $in -o $out -MMD -MF $out.d " + ninja_words(rule.link) +
-         " 2> diagnostics\n"
+         ninja_words(rule.compile) + " $in -o $out.new -MMD -MF $out.d " + ninja_words(rule.link) +
+         " 2> diagnostics && sync $out.new && mv $out.new $out\n"
          "  depfile = $out.d\n"
          "  deps = gcc\n"
          "source = " +
@@ -65,19 +72,20 @@ ScriptBuild::ScriptBuild(const Places& places, const fs::path& typed)
                "The name of a script and of its folders must not hold line breaks, tabs or other control characters.\n"
                "Rename it: " +
                    replaced(replaced(path, "\n", "\\n"), "\t", "\\t")};
-  char hash[17];
-  std::snprintf(hash, sizeof hash, "%016zx", std::hash<std::string>{}(path));
-  folder_ = places_.scripts() / (script_.stem().string() + "-" + hash);
+  const std::string name = script_.stem().string() + "-" + hash_of(path);
+  if (name.size() > NAME_MAX)
+    throw Stop{exit_usage, "The name of the script is too long, by " + std::to_string(name.size() - NAME_MAX) +
+                               " bytes. Give it a shorter one: " + path};
+  folder_ = places_.scripts() / name;
 }
 
 bool ScriptBuild::is_newer_than_its_files(const fs::path& precompiled_header) const {
   std::vector<fs::path> files{script_};
   if (!precompiled_header.empty()) files.push_back(precompiled_header);
   const std::vector<std::string> included = lines_of(text_of(list_of_files()));
-  files.insert(files.end(), included.begin(), included.end());
-  std::error_code missing;
-  return !included.empty() && fs::file_size(program(), missing) > 0 && !missing &&
-         std::ranges::none_of(files, [&](const fs::path& file) { return changed_after(file, program()); });
+  if (included.size() < 2 || included.back() != hash_of(text_of(program()))) return false;
+  files.insert(files.end(), included.begin(), included.end() - 1);
+  return std::ranges::none_of(files, [&](const fs::path& file) { return changed_after(file, program()); });
 }
 
 void ScriptBuild::keep_list_of_files() const {
@@ -85,7 +93,7 @@ void ScriptBuild::keep_list_of_files() const {
   std::string files;
   for (const std::string& line : lines_of(output_of({MOAT_NINJA, "-C", folder_, "-t", "deps", "program"}).text))
     if (line.starts_with("    ")) files += line.substr(4) + "\n";
-  write_text(list_of_files(), files);
+  write_text(list_of_files(), files + hash_of(text_of(program())) + "\n");
 }
 
 void ScriptBuild::bring_up_to_date() const {
@@ -110,14 +118,9 @@ void ScriptBuild::bring_up_to_date() const {
   if (code != 0) fail();
   keep_list_of_files();
   if (!fs::exists(folder_ / "diagnostics")) return;
-  std::fputs(replaced(text_of(folder_ / "diagnostics"), script_.string(), typed_.string()).c_str(),
-             stderr);  // warnings
+  const std::string warnings = replaced(text_of(folder_ / "diagnostics"), script_.string(), typed_.string());
+  std::fputs(with_short_lines(warnings).c_str(), stderr);
   remove_unused(places_.scripts());
-}
-
-void ScriptBuild::rebuild() const {
-  fs::remove(program());
-  bring_up_to_date();
 }
 
 void ScriptBuild::fail() const {

@@ -11,18 +11,19 @@ namespace {
 namespace fs = std::filesystem;
 
 // Declarations of data members stand alone on their line, indented by two.
-std::vector<Field> fields_in(const std::string& header, const std::string& name) {
+std::vector<Field> fields_in(const std::vector<std::string>& lines, const std::string& name) {
   static const std::regex field{
       R"(^  ([A-Za-z][\w:<>, ]*|(?:Required<)?decltype\(.*\)>?) (\w+)((\{.*\}| = .*)?;.*| =)$)"};
   static const std::regex another{R"(\{\}, (\w+)(?=\{\}))"};  // `Length x{}, y{};`
   static const std::regex no_field{R"(^  (using|return|friend|static|typedef) .*)"};
   std::vector<Field> fields;
   bool inside = false;
-  for (const std::string& line : lines_of(header)) {
+  for (const std::string& line : lines) {
     std::smatch match;
     if (line.starts_with("struct " + name + " {")) inside = true;
-    if (inside && line.starts_with("}")) break;
-    if (inside && !std::regex_match(line, no_field) && std::regex_match(line, match, field)) {
+    if (line.starts_with("}")) inside = false;
+    if (!inside && !fields.empty()) break;
+    if (inside && !matches(line, no_field) && matches(line, match, field)) {
       fields.push_back({match[1], match[2]});
       const std::string values = match[3];
       for (std::sregex_iterator next{values.begin(), values.end(), another}, end; next != end; ++next)
@@ -32,15 +33,15 @@ std::vector<Field> fields_in(const std::string& header, const std::string& name)
   return fields;
 }
 
-// The text of every header of the library.
-std::vector<std::string> headers_of(const fs::path& root) {
-  std::vector<std::string> headers;
+// The lines of every header of the library.
+std::vector<std::string> lines_of_headers(const fs::path& root) {
+  std::string headers;
   for (const char* folder : {"structures", "elements", "materials", "src", "analyses"}) {
     if (!fs::is_directory(root / folder)) continue;
     for (const auto& entry : fs::recursive_directory_iterator{root / folder})
-      if (entry.path().extension() == ".hpp") headers.push_back(text_of(entry.path()));
+      if (entry.path().extension() == ".hpp") headers += text_of(entry.path());
   }
-  return headers;
+  return lines_of(headers);
 }
 
 // `using NAME = TYPE;`, of a template with arguments for example.
@@ -48,12 +49,11 @@ struct Alias {
   std::string name, type;
 };
 
-std::vector<Alias> aliases_in(const std::vector<std::string>& headers) {
+std::vector<Alias> aliases_in(const std::vector<std::string>& lines) {
   static const std::regex alias{R"(^using (\w+) = (\w+(<.*>)?);$)"};
   std::vector<Alias> aliases;
-  for (const std::string& header : headers)
-    for (const std::string& line : lines_of(header))
-      if (std::smatch match; std::regex_match(line, match, alias)) aliases.push_back({match[1], match[2]});
+  for (const std::string& line : lines)
+    if (std::smatch match; matches(line, match, alias)) aliases.push_back({match[1], match[2]});
   return aliases;
 }
 
@@ -62,13 +62,11 @@ std::string without_arguments(const std::string& type) { return type.substr(0, t
 }  // namespace
 
 std::vector<Field> declared_fields(const std::string& name, const fs::path& root) {
-  const std::vector<std::string> headers = headers_of(root);
+  const std::vector<std::string> lines = lines_of_headers(root);
   std::string type = name;
-  for (const Alias& alias : aliases_in(headers))
+  for (const Alias& alias : aliases_in(lines))
     if (alias.name == name) type = without_arguments(alias.type);
-  for (const std::string& header : headers)
-    if (std::vector<Field> fields = fields_in(header, type); !fields.empty()) return fields;
-  return {};
+  return fields_in(lines, type);
 }
 
 std::vector<std::string> fields_of(const std::string& name, const fs::path& root) {
@@ -79,37 +77,33 @@ std::vector<std::string> fields_of(const std::string& name, const fs::path& root
 
 std::vector<std::string> names_of_types(const fs::path& root) {
   static const std::regex type{R"(^(?:struct|class) (\w+)(?: final)?(?: :.*)? \{$)"};
-  const std::vector<std::string> headers = headers_of(root);
+  const std::vector<std::string> lines = lines_of_headers(root);
   std::vector<std::string> names;
-  for (const Alias& alias : aliases_in(headers)) names.push_back(alias.name);
-  for (const std::string& header : headers)
-    for (const std::string& line : lines_of(header))
-      if (std::smatch match; std::regex_match(line, match, type)) names.push_back(match[1]);
+  for (const Alias& alias : aliases_in(lines)) names.push_back(alias.name);
+  for (const std::string& line : lines)
+    if (std::smatch match; matches(line, match, type)) names.push_back(match[1]);
   return names;
 }
 
 std::string concept_of(const std::string& type, const fs::path& root) {
   static const std::regex parameter{R"(^template <(\w+) \w+>$)"};
-  for (const std::string& header : headers_of(root)) {
-    std::string before;
-    for (const std::string& line : lines_of(header)) {
-      std::smatch match;
-      if (line == "struct " + type + " {" && std::regex_match(before, match, parameter)) return match[1];
-      before = line;
-    }
+  std::string before;
+  for (const std::string& line : lines_of_headers(root)) {
+    std::smatch match;
+    if (line == "struct " + type + " {" && matches(before, match, parameter)) return match[1];
+    before = line;
   }
   return {};
 }
 
 bool is_in_headers(const std::string& word, const fs::path& root) {
-  const std::vector<std::string> headers = headers_of(root);
-  return std::ranges::any_of(headers, [&](const std::string& header) { return has_word(header, word); });
+  return std::ranges::any_of(lines_of_headers(root), [&](const std::string& line) { return has_word(line, word); });
 }
 
 std::string name_in_scripts(const std::string& type, const fs::path& root) {
   const std::string plain = without_arguments(type);
   if (plain == type) return type;
-  for (const Alias& alias : aliases_in(headers_of(root)))
+  for (const Alias& alias : aliases_in(lines_of_headers(root)))
     if (alias.type == type) return alias.name;
   return plain;
 }

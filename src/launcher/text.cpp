@@ -2,24 +2,27 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cerrno>
+#include <cstring>
 #include <fstream>
-#include <iterator>
 #include <sstream>
 #include <string_view>
+#include <utility>
 
 #include "launcher/stop.hpp"
 
 namespace moat::launcher {
 
 std::string text_of(const std::filesystem::path& file) {
-  std::ifstream stream{file, std::ios::binary};
-  return {std::istreambuf_iterator<char>{stream}, {}};
+  std::ostringstream text;
+  text << std::ifstream{file, std::ios::binary}.rdbuf();
+  return std::move(text).str();
 }
 
 void write_text(const std::filesystem::path& file, const std::string& text) {
   std::ofstream stream{file, std::ios::binary};
   stream << text << std::flush;
-  if (!stream) throw Stop{exit_failed, file.string() + " cannot be written."};
+  if (!stream) throw Stop{exit_failed, file.string() + " cannot be written: " + std::strerror(errno)};
 }
 
 std::vector<std::string> lines_of(const std::string& text) {
@@ -35,10 +38,28 @@ std::string joined(const std::vector<std::string>& words, const std::string& sep
   return text;
 }
 
-std::string replaced(std::string text, const std::string& from, const std::string& to) {
-  for (std::size_t at = 0; (at = text.find(from, at)) != std::string::npos; at += to.size())
-    text.replace(at, from.size(), to);
+std::string replaced(const std::string& text, const std::string& from, const std::string& to) {
+  std::string result;
+  std::size_t begin = 0;
+  for (std::size_t at = 0; (at = text.find(from, begin)) != std::string::npos; begin = at + from.size())
+    result.append(text, begin, at - begin).append(to);
+  return result.append(text, begin);
+}
+
+std::string with_short_lines(std::string text) {
+  constexpr std::string_view gap = " ... ";
+  constexpr std::size_t kept = (longest_line - gap.size()) / 2;
+  for (std::size_t begin = 0, end = 0; begin < text.size(); begin = end + 1) {
+    end = std::min(text.find('\n', begin), text.size());
+    if (end - begin <= longest_line) continue;
+    text.replace(begin + kept, end - begin - 2 * kept, gap);
+    end = begin + 2 * kept + gap.size();
+  }
   return text;
+}
+
+std::string replaced(const std::string& text, const std::regex& pattern, const char* to) {
+  return text.size() <= longest_line ? std::regex_replace(text, pattern, to) : text;
 }
 
 std::string lower_case(std::string text) {

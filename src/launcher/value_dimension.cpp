@@ -6,6 +6,7 @@
 #include <regex>
 
 #include "base/known_units.hpp"
+#include "launcher/text.hpp"
 
 namespace moat::launcher {
 namespace {
@@ -25,13 +26,13 @@ std::optional<KnownUnit> unit_of(const std::string& factor) {
 
 bool is_number(const std::string& value) {
   static const std::regex number{R"([-+]?([0-9][0-9']*\.?[0-9']*|\.[0-9]+)([eE][-+]?[0-9]+)?)"};
-  return std::regex_match(value, number);
+  return matches(value, number);
 }
 
 std::string type_of_product(const std::string& value) {
   static const std::regex factor{R"(\s*([-+]?[\w.']+(?:[eE][-+]\d+)?)\s*([*/]|$))"};
-  static const std::regex whole{R"([-+]?[0-9']+)"};
-  if (std::regex_match(value, whole)) return "int";
+  if (value.size() > longest_line) return {};
+  if (is_number(value) && value.find_first_of(".eE") == std::string::npos) return "int";
   KnownUnit product;
   int sign = 1;
   bool complete = false;

@@ -10,7 +10,7 @@ namespace {
 // Headline of a step. The output of the step follows, if there is any.
 bool begins_step(const std::string& line) {
   static const std::regex step{R"(\[\d+/\d+\] .*|(/\S*/)?clang-tidy(-\d+)? .*)"};
-  return std::regex_match(line, step);
+  return matches(line, step);
 }
 
 bool is_noise(const std::string& line) {
@@ -19,7 +19,7 @@ bool is_noise(const std::string& line) {
       R"(|-- .*)"
       R"(| +Start +\d+: .*| *\d+/\d+ Test +#\d+: .* Passed .*)"
       R"(|\d+ warnings? (treated as errors?|generated\.)|Suppressed \d+ warnings .*|Use -header-filter=.*)"};
-  return std::regex_match(line, noise);
+  return matches(line, noise);
 }
 
 }  // namespace
@@ -27,7 +27,7 @@ bool is_noise(const std::string& line) {
 std::string without_progress(const std::string& log) {
   std::string kept, headline;
   bool is_command = false;
-  for (const std::string& line : lines_of(log)) {
+  for (const std::string& line : lines_of(with_short_lines(log))) {
     if (is_command) {  // of the step that failed, thousands of letters
       is_command = false;
     } else if (begins_step(line)) {
@@ -38,7 +38,7 @@ std::string without_progress(const std::string& log) {
       headline.clear();
     }
   }
-  return kept.empty() ? log : kept;
+  return kept.empty() ? with_short_lines(log) : kept;
 }
 
 }  // namespace moat::launcher

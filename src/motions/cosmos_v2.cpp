@@ -3,7 +3,6 @@
 #include <array>
 #include <cmath>
 #include <optional>
-#include <regex>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -22,10 +21,11 @@ constexpr double unknown = -999.0;
 // Numbers of values in the headers, from 1.
 constexpr std::size_t quantity_value = 2, unit_value = 3, interval_value = 62, length_value = 63;
 constexpr double acceleration_quantity = 1.0;
+constexpr std::string_view first_words = "(FORMAT V";
 
 struct Unit {
-  int number;  // in the format's table of units
-  double si;   // m/s^2
+  std::size_t number;  // in the format's table of units
+  double si;           // m/s^2
 };
 constexpr std::array units_of_acceleration{Unit{2, standard_gravity}, Unit{4, 0.01}, Unit{10, 0.01},
                                            Unit{11, 1e-3 * standard_gravity}};
@@ -80,12 +80,15 @@ class CosmosFile {
   LineReader lines_;
 };
 
-/// The count in front of a line such as " 100 Integer-header values follow on  10 lines, Format= (10I8)".
-std::optional<std::size_t> count_before(std::string_view line, const char* words) {
-  const std::regex pattern{std::string{R"(^ *([0-9]{1,9}) +)"} + words, std::regex::icase};
-  std::match_results<std::string_view::const_iterator> match;
-  if (!std::regex_search(line.begin(), line.end(), match, pattern)) return std::nullopt;
-  return std::stoul(match[1].str());
+/// The count in front of a line such as " 100 Integer-header values follow on  10 lines, Format= (10I8)". `words` are
+/// in capitals; letters of `between` may stand before them.
+std::optional<std::size_t> count_before(std::string_view line, std::string_view words, std::string_view between = " ") {
+  const std::string capitals = upper_case(line);
+  std::string_view rest = capitals;
+  const std::optional<std::size_t> count = take_whole_number(rest);
+  const std::size_t place = rest.find(words);
+  const bool fits = rest.starts_with(' ') && place < rest.size() && rest.find_first_not_of(between) >= place;
+  return fits ? count : std::nullopt;
 }
 
 FortranFormat format_in(CosmosFile& file, std::string_view line) {
@@ -99,7 +102,7 @@ FortranFormat format_in(CosmosFile& file, std::string_view line) {
 std::vector<double> header(CosmosFile& file, const std::string& kind, std::size_t needed) {
   const std::string what = "the " + kind + " header";
   const std::string_view line = file.line(what);
-  const std::optional<std::size_t> count = count_before(line, (kind + "-header values").c_str());
+  const std::optional<std::size_t> count = count_before(line, upper_case(kind) + "-HEADER VALUES");
   if (!count)
     file.refuse("expected the line \" 100 " + kind + "-header values follow on ...\", but found " +
                 quoted(trimmed(line)) + ". The number of text lines in the first line may be wrong.");
@@ -109,20 +112,23 @@ std::vector<double> header(CosmosFile& file, const std::string& kind, std::size_
 }
 
 std::vector<std::string> text_lines(CosmosFile& file) {
-  std::string_view line = file.line("the lines of text");
-  static const std::regex format{R"(\(format v *[0-9.]+ +with +([0-9]{1,3}) +text lines\))", std::regex::icase};
-  std::match_results<std::string_view::const_iterator> match;
-  if (!std::regex_search(line.begin(), line.end(), match, format))
+  const std::string_view line = file.line("the lines of text");
+  const std::string capitals = upper_case(line);
+  std::string_view rest = capitals;
+  std::optional<std::size_t> count;
+  if (take_behind(rest, first_words) && rest.find_first_not_of(" .0123456789") == rest.find("WITH ") &&
+      take_behind(rest, "WITH "))
+    count = take_whole_number(rest);
+  if (!count || !take(rest, "TEXT LINES)"))
     file.refuse("expected \"(Format v01.20 with 13 text lines)\", but found " + quoted(trimmed(line)) + ".");
-  const std::size_t count = std::stoul(match[1].str());
   std::vector<std::string> lines{std::string{trimmed(line)}};
-  while (lines.size() < count) lines.emplace_back(trimmed(file.line("the last of its lines of text")));
+  while (lines.size() < *count) lines.emplace_back(trimmed(file.line("the last of its lines of text")));
   return lines;
 }
 
 void skip_comments(CosmosFile& file) {
   const std::string_view line = file.line("the comments");
-  const std::optional<std::size_t> count = count_before(line, "comment");
+  const std::optional<std::size_t> count = count_before(line, "COMMENT");
   if (!count)
     file.refuse("expected the line \"  2 Comment line(s) follow ...\", but found " + quoted(trimmed(line)) + ".");
   for (std::size_t i = 0; i < *count; ++i)
@@ -132,18 +138,19 @@ void skip_comments(CosmosFile& file) {
 
 /// Of "units=cm/sec2(04)" or "units=cm/sec2 (04)", m/s^2.
 double unit_in(CosmosFile& file, std::string_view line, double number_in_header) {
-  static const std::regex units{R"(units *=[^(,]*\( *([0-9]{1,2}) *\))", std::regex::icase};
-  std::match_results<std::string_view::const_iterator> match;
-  if (!std::regex_search(line.begin(), line.end(), match, units))
+  const std::string capitals = upper_case(line);
+  std::string_view rest = capitals;
+  std::optional<std::size_t> number;
+  if (take_behind(rest, "UNITS") && take(rest, "=") && take_behind(rest, "(")) number = take_whole_number(rest);
+  if (!number || !take(rest, ")"))
     file.refuse("expected the unit with its number, as \"units=cm/sec2(04)\", but found " + quoted(trimmed(line)) +
                 ".");
-  const int number = std::stoi(match[1].str());
-  if (number_in_header != unknown && number_in_header != number)
-    file.refuse("the unit is number " + std::to_string(number) + " here, but value 3 of the integer header is " +
+  if (number_in_header != unknown && number_in_header != static_cast<double>(*number))
+    file.refuse("the unit is number " + std::to_string(*number) + " here, but value 3 of the integer header is " +
                 to_text(number_in_header) + ".");
   for (const Unit& unit : units_of_acceleration)
-    if (unit.number == number) return unit.si;
-  file.refuse("unit number " + std::to_string(number) + " is not one of acceleration; known are " + known_units +
+    if (unit.number == *number) return unit.si;
+  file.refuse("unit number " + std::to_string(*number) + " is not one of acceleration; known are " + known_units +
               ". Take the file with processed acceleration.");
 }
 
@@ -182,7 +189,7 @@ void check_end(CosmosFile& file) {
 bool is_cosmos(const TextFile& file) {
   LineReader lines{file.text};
   std::string_view first;
-  return lines.next(first) && upper_case(first).find("(FORMAT V") != std::string::npos;
+  return lines.next(first) && upper_case(first).find(first_words) != std::string::npos;
 }
 
 GroundMotion parse_cosmos(const TextFile& text) {
@@ -192,7 +199,7 @@ GroundMotion parse_cosmos(const TextFile& text) {
   const std::vector<double> reals = header(file, "Real", length_value);
   skip_comments(file);
   const std::string_view line = file.line("the data");
-  const std::optional<std::size_t> count = count_before(line, R"([a-z. ]+ pts)");
+  const std::optional<std::size_t> count = count_before(line, " PTS", "ABCDEFGHIJKLMNOPQRSTUVWXYZ. ");
   if (!count)
     file.refuse("expected the line \" 4000 acceleration pts, approx  80 secs, units=...\", but found " +
                 quoted(trimmed(line)) + ".");

@@ -1,7 +1,6 @@
 #include "motions/esm_text.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <map>
 #include <optional>
 #include <string>
@@ -19,10 +18,10 @@ constexpr std::string_view format_of_fixed_length = "DYNA 1.2";
 constexpr std::size_t header_lines = 64;
 constexpr double centimetre = 0.01;
 
-/// A line of the header: KEY: VALUE, with a key in capitals.
+/// A line of the header: KEY: VALUE, with a key in capitals. Longer lines than any header has would fill messages.
 std::optional<std::pair<std::string_view, std::string_view>> key_and_value(std::string_view line) {
   const std::size_t colon = line.find(':');
-  if (colon == std::string_view::npos || colon == 0) return std::nullopt;
+  if (colon == std::string_view::npos || colon == 0 || line.size() > 1000) return std::nullopt;
   const std::string_view key = line.substr(0, colon);
   const bool is_key = std::ranges::all_of(
       key, [](char c) { return (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' || c == '/' || c == '^'; });
@@ -64,9 +63,9 @@ class Header {
   }
   [[nodiscard]] std::size_t count() const {
     const std::string text = value("NDATA");
-    std::size_t count = 0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), count);
-    if (error != std::errc{} || end != text.data() + text.size() || count < 2)
+    std::string_view rest = text;
+    const std::size_t count = take_whole_number(rest).value_or(0);
+    if (!rest.empty() || count < 2)
       refuse_file(file_->path, "NDATA: " + text + " in the header is not allowed; it must be a whole number >= 2.");
     return count;
   }

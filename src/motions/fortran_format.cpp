@@ -1,7 +1,6 @@
 #include "motions/fortran_format.hpp"
 
 #include <algorithm>
-#include <regex>
 #include <string>
 
 #include "motions/text_file.hpp"
@@ -9,17 +8,24 @@
 namespace moat {
 
 std::optional<FortranFormat> find_fortran_format(std::string_view line) {
-  static const std::regex format{R"(FORMAT *= *\( *([0-9]{0,3}) *([FEDGI])([0-9]{1,2})(\.[0-9]{1,2})? *\))"};
   const std::string capitals = upper_case(line);
-  std::smatch match;
-  if (!std::regex_search(capitals, match, format)) return std::nullopt;
-  FortranFormat found;
-  if (match[1].length() > 0) found.per_line = std::stoul(match[1]);
-  found.width = std::stoul(match[3]);
-  found.whole = match[2] == "I";
+  std::string_view rest = capitals;
+  rest.remove_prefix(std::min(rest.rfind("FORMAT"), rest.size()));
+  if (!take(rest, "FORMAT") || !take(rest, "=") || !take(rest, "(")) return std::nullopt;
+  FortranFormat found{.per_line = take_whole_number(rest).value_or(1)};
+  rest = without_leading_blanks(rest);
+  const std::string_view kind = rest.substr(0, 1);
+  rest.remove_prefix(kind.size());
+  // A blank inside is a digit that was lost.
+  if (!rest.starts_with(' ')) found.width = take_whole_number(rest).value_or(0);
+  const bool has_decimals = rest.starts_with('.');
+  if (has_decimals) rest.remove_prefix(1);
+  if ((has_decimals && !take_whole_number(rest)) || !take(rest, ")")) return std::nullopt;
+  found.whole = kind == "I";
   constexpr std::size_t most_fields = 200, widest = 40;
   // A number with a fraction needs its decimals in the format: (8F10) is none.
-  if (found.whole == match[4].matched) return std::nullopt;
+  if (found.whole == has_decimals || std::string_view{"FEDGI"}.find(kind) == std::string_view::npos)
+    return std::nullopt;
   if (found.per_line < 1 || found.per_line > most_fields || found.width < 1 || found.width > widest)
     return std::nullopt;
   return found;

@@ -3,11 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
-#include <charconv>
 #include <cmath>
 #include <optional>
 #include <string>
-#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -28,17 +26,8 @@ struct Sampling {
   double time_step = 0.0;
 };
 
-std::string_view without_leading_blanks(std::string_view text) {
-  text.remove_prefix(std::min(text.find_first_not_of(" \t"), text.size()));
-  return text;
-}
-
 std::optional<std::size_t> take_count(std::string_view& text) {
-  text = without_leading_blanks(text);
-  std::size_t count = 0;
-  const auto [end, failure] = std::from_chars(text.data(), text.data() + text.size(), count);
-  if (failure != std::errc{}) return std::nullopt;
-  text.remove_prefix(static_cast<std::size_t>(end - text.data()));
+  const std::optional<std::size_t> count = take_whole_number(text);
   // "4000." or "4000E2" is not a count.
   if (!text.empty() && std::string_view{" \t,"}.find(text[0]) == std::string_view::npos) return std::nullopt;
   return count;
@@ -53,15 +42,7 @@ std::optional<double> take_number(std::string_view& text) {
   return number.value;
 }
 
-/// Moves `text` behind "word =", or returns false.
-bool take_key(std::string_view& text, std::string_view word) {
-  const std::size_t place = text.find(word);
-  if (place == std::string_view::npos) return false;
-  text = without_leading_blanks(text.substr(place + word.size()));
-  if (!text.starts_with('=')) return false;
-  text.remove_prefix(1);
-  return true;
-}
+bool take_key(std::string_view& text, std::string_view word) { return take_behind(text, word) && take(text, "="); }
 
 /// NPTS=   5600, DT=   .0050 SEC
 std::optional<Sampling> sampling_from_keys(std::string_view line) {
@@ -85,21 +66,16 @@ std::optional<Sampling> sampling_before_words(std::string_view line) {
   if (!count) return std::nullopt;
   const std::optional<double> time_step = take_number(line);
   if (!time_step) return std::nullopt;
-  line = without_leading_blanks(line);
-  const std::size_t second_word = line.find("DT");
-  if (!line.starts_with("NPTS") || second_word == std::string_view::npos) return std::nullopt;
+  if (!take(line, "NPTS") || !take_behind(line, "DT")) return std::nullopt;
   return Sampling{*count, *time_step};
 }
 
 /// "... UNITS OF G", possibly followed by punctuation and other remarks ("UNITS OF G. FILTER POINTS: ...").
 bool says_units_of_g(std::string_view line) {
   const std::string capitals = upper_case(trimmed(line));
-  constexpr std::string_view phrase = "UNITS OF";
-  const std::size_t place = capitals.find(phrase);
-  if (place == std::string::npos) return false;
-  const std::string_view unit = without_leading_blanks(std::string_view{capitals}.substr(place + phrase.size()));
-  if (!unit.starts_with('G')) return false;
-  return unit.size() == 1 || std::string_view{".,;)"}.find(unit[1]) != std::string_view::npos;
+  std::string_view unit = capitals;
+  if (!take_behind(unit, "UNITS OF") || !take(unit, "G")) return false;
+  return unit.empty() || std::string_view{".,;)"}.find(unit[0]) != std::string_view::npos;
 }
 
 void require_units_of_g(const std::filesystem::path& path, std::string_view line) {
@@ -132,17 +108,18 @@ void append_values(const std::filesystem::path& path, std::size_t line_number, s
                    std::vector<double>& values) {
   for (line = trimmed(line); !line.empty(); line = without_leading_blanks(line)) {
     const ScannedNumber number = scan_number(line);
-    const std::string_view word = line.substr(0, line.find_first_of(" \t"));
+    // Looked for where it is shown alone: without blanks it is the whole line.
+    const auto word = [&] { return quoted(line.substr(0, line.find_first_of(" \t"))); };
     if (number.problem) {
       refuse_line(path, line_number,
-                  quoted(word) + " " + number.problem + ". Only accelerations in g may follow the header.");
+                  word() + " " + number.problem + ". Only accelerations in g may follow the header.");
     }
-    const bool ends_here = number.length == word.size();
+    const bool ends_here = number.length == line.size() || line[number.length] == ' ' || line[number.length] == '\t';
     const bool sign_after_exponent =
         !ends_here && number.has_exponent && (line[number.length] == '-' || line[number.length] == '+');
     if (!ends_here && !sign_after_exponent) {
       refuse_line(path, line_number,
-                  quoted(word) +
+                  word() +
                       " is not one number, and where one ends and the next begins is not certain. Separate the values "
                       "with blanks.");
     }

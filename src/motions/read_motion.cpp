@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <new>
 #include <string>
 
 #include "base/check.hpp"
@@ -57,7 +58,7 @@ std::string names_of_formats(const char* last_separator) {
 
 }  // namespace
 
-GroundMotion read_motion(const std::filesystem::path& path, std::optional<Acceleration> unit) {
+GroundMotion read_motion(const std::filesystem::path& path, std::optional<Acceleration> unit) try {
   const TextFile file = read_text_file(path);
   const auto format = std::ranges::find_if(formats, [&](const Format& each) { return each.recognises(file); });
   if (format != formats.end()) {
@@ -69,6 +70,8 @@ GroundMotion read_motion(const std::filesystem::path& path, std::optional<Accele
                           " file; as two columns of text it does not say the unit of its accelerations.",
                       "Give the unit: read_motion(file, 1 * g), or 1 * m / s / s."};
   return parse_two_columns(file, *unit);
+} catch (const std::bad_alloc&) {
+  refuse_file(path, "the memory is too small for this record. Cut the record, or end other programs.");
 }
 
 std::string motion_formats() { return names_of_formats(", ") + ", or " + two_columns; }

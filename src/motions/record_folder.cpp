@@ -7,6 +7,7 @@
 
 #include "base/error.hpp"
 #include "motions/read_motion.hpp"
+#include "motions/text_file.hpp"
 
 namespace moat {
 namespace {
@@ -27,9 +28,8 @@ std::vector<fs::path> records_in(const fs::path& folder) {
   std::error_code error;
   std::vector<fs::path> files;
   for (fs::directory_iterator entry{folder, error}, end; !error && entry != end; entry.increment(error)) {
-    std::string extension = entry->path().extension().string();
-    std::ranges::transform(extension, extension.begin(), [](unsigned char c) { return std::toupper(c); });
-    if (extension == ".AT2" && !is_vertical(entry->path().stem().string())) files.push_back(entry->path());
+    const bool is_at2 = upper_case(entry->path().extension().string()) == ".AT2";
+    if (is_at2 && !is_vertical(entry->path().stem().string())) files.push_back(entry->path());
   }
   if (error)
     throw FileError{"records " + folder.string() + ": " + error.message() + ". Give a folder with .AT2 files."};

@@ -1,6 +1,7 @@
 #include "motions/text_file.hpp"
 
 #include <algorithm>
+#include <charconv>
 #include <cstdint>
 #include <fstream>
 #include <ios>
@@ -33,6 +34,13 @@ TextFile read_text_file(const std::filesystem::path& path) {
   if (file.bad() || read.text.size() != size) refuse_file(path, "the file cannot be read to its end.");
   read.sha256 = sha256_of(read.text);
   note_file_read(file_of(read));
+  const std::string_view beginning = std::string_view{read.text}.substr(0, 1000);
+  const auto is_control = [](char c) { return (c >= 0 && c < '\t') || (c > '\r' && c < ' '); };
+  // A damaged text may hold a few. Compressed data are a tenth of them; an archive of texts begins with many.
+  if (std::ranges::count_if(beginning, is_control) > 2 + std::ssize(beginning) / 100)
+    refuse_file(path,
+                "this is no plain text: it holds many control characters. If the file is compressed or an archive, "
+                "unpack it (gunzip, unzip, tar) and give the record in it; else save it as text in UTF-8.");
   constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
   if (read.text.starts_with(byte_order_mark)) read.text.erase(0, byte_order_mark.size());
   // Old Macintosh programs end lines with a carriage return alone.
@@ -61,6 +69,32 @@ std::string_view trimmed(std::string_view text) {
   const std::size_t first = text.find_first_not_of(blanks);
   if (first == std::string_view::npos) return {};
   return text.substr(first, text.find_last_not_of(blanks) - first + 1);
+}
+
+std::string_view without_leading_blanks(std::string_view text) {
+  return text.substr(std::min(text.find_first_not_of(" \t"), text.size()));
+}
+
+bool take(std::string_view& text, std::string_view word) {
+  const std::string_view rest = without_leading_blanks(text);
+  if (!rest.starts_with(word)) return false;
+  text = rest.substr(word.size());
+  return true;
+}
+
+bool take_behind(std::string_view& text, std::string_view word) {
+  const std::size_t at = text.find(word);
+  if (at != std::string_view::npos) text.remove_prefix(at + word.size());
+  return at != std::string_view::npos;
+}
+
+std::optional<std::size_t> take_whole_number(std::string_view& text) {
+  const std::string_view rest = without_leading_blanks(text);
+  std::size_t number = 0;
+  const auto [end, failure] = std::from_chars(rest.data(), rest.data() + rest.size(), number);
+  if (failure != std::errc{}) return std::nullopt;
+  text = rest.substr(static_cast<std::size_t>(end - rest.data()));
+  return number;
 }
 
 std::string upper_case(std::string_view text) {

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -17,8 +18,8 @@ struct TextFile {
   std::string sha256;  ///< of the file as it is
 };
 
-/// Notes the file (base/files_read.hpp). Throws FileError if it cannot be read, is no regular file, or has more than
-/// 1 GB.
+/// Notes the file (base/files_read.hpp). Throws FileError if it cannot be read, is no regular file, has more than
+/// 1 GB, or is compressed or otherwise no text.
 TextFile read_text_file(const std::filesystem::path& path);
 
 /// As a GroundMotion remembers it.
@@ -41,6 +42,14 @@ class LineReader {
 
 /// Without blanks, tabs and carriage returns at both ends.
 std::string_view trimmed(std::string_view text);
+/// Without blanks and tabs at the beginning.
+std::string_view without_leading_blanks(std::string_view text);
+/// Moves `text` behind blanks and `word`; false where something else stands there.
+bool take(std::string_view& text, std::string_view word);
+/// Moves `text` behind the next `word`; false where there is none.
+bool take_behind(std::string_view& text, std::string_view word);
+/// Moves `text` behind blanks and a whole number; nothing where there is none.
+std::optional<std::size_t> take_whole_number(std::string_view& text);
 /// In capitals; only ASCII letters are changed.
 std::string upper_case(std::string_view text);
 /// In quotes for a message, cut to a readable length.

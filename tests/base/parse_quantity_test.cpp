@@ -185,5 +185,16 @@ TEST(ParseQuantity, RefusesSignsThatJoinNothing) {
               "--value: \"" + std::string{text} + "\" has a / or * that joins nothing in its unit.");
 }
 
+TEST(ParseQuantity, TakesTextsOfAMegabyte) {
+  constexpr std::size_t megabyte = 1'000'000;
+  EXPECT_DOUBLE_EQ(parse<Length>("2" + std::string(megabyte, ' ') + "m", "--value").si(), 2.0);
+  EXPECT_DOUBLE_EQ(parse<Length>("2." + std::string(megabyte, '0') + " m", "--value").si(), 2.0);
+  for (const char* piece : {"1", "m", "m ", "m/", "/", "^", "m^1 ", "e", "kg ", "%", ","}) {
+    std::string text = "1 ";
+    while (text.size() < megabyte) text += piece;
+    EXPECT_THROW((void)parse<Length>(text, "--value"), InputError) << piece;
+  }
+}
+
 }  // namespace
 }  // namespace moat

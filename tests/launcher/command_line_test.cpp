@@ -76,6 +76,24 @@ TEST_F(CommandLine, RefusesWrongUsageWithAHint) {
   }
 }
 
+TEST_F(CommandLine, RefusesNumbersOfRanksThatNoMachineHas) {
+  write_text(folder / "study.cpp", "int main() { return 7; }\n");
+  for (const char* ranks : {"0", "-1", "4097", "99999999999", "1e3", "", "many"}) {
+    const auto result = launch({"run", "--ranks", ranks, "study.cpp"});
+    EXPECT_EQ(result.exit_code, 2) << ranks;
+    EXPECT_TRUE(result.errors.starts_with("moat: --ranks needs a number of processes: --ranks = " + std::string{ranks} +
+                                          " is not allowed; it must be a whole number >= 1 and <= 4096.\n"))
+        << result.errors;
+  }
+  EXPECT_FALSE(std::filesystem::exists(folder / "cache")) << "nothing has started";
+}
+
+TEST_F(CommandLine, SaysThatANameIsTooLong) {
+  const std::string name(300, 'a');
+  EXPECT_NE(launch({"run", name + ".cpp"}).errors.find("There is no readable script aaa"), std::string::npos);
+  EXPECT_NE(launch({"new", name}).errors.find("cannot be written: File name too long"), std::string::npos);
+}
+
 TEST_F(CommandLine, SuggestsACommandThatIsMeant) {
   EXPECT_EQ(launch({"rum"}).errors.substr(0, 48), "moat: There is no command rum. Did you mean run?");
 }

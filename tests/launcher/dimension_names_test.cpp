@@ -14,6 +14,11 @@ TEST(DimensionNames, ReplaceExponents) {
   EXPECT_EQ(with_dimension_names("moat::Quantity<2, 2, 0>"), "quantity in kg^2 m");
 }
 
+TEST(DimensionNames, LeaveExponentsThatNoDimensionHas) {
+  for (const char* type : {"Quantity<5, 2, 5555555555550>", "Quantity<-99999999999999999999999, 0, 0>"})
+    EXPECT_EQ(with_dimension_names(type), type);
+}
+
 TEST(DimensionNames, DescribeATypeInASentence) {
   EXPECT_EQ(described("moat::Quantity<1, 2, -2>"), "a force [N]");
   EXPECT_EQ(described("const moat::Required<moat::Quantity<0, 2, 0> >"), "a length [m]");

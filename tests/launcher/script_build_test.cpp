@@ -99,11 +99,49 @@ TEST_F(ScriptBuildTest, RefusesNamesThatNinjaCannotHold) {
   }
 }
 
-// As a power cut leaves it.
-TEST_F(ScriptBuildTest, CompilesAnEmptyProgramAgain) {
+// As a power cut or a damaged disk leaves it: empty, cut at any place, with one other bit, or another program.
+TEST_F(ScriptBuildTest, CompilesADamagedProgramAgain) {
   const ScriptBuild script{places, write_script("tower.cpp", "hello")};
-  write_text(built(script), "");
+  const std::string whole = text_of(built(script));
+  std::string flipped = whole, zeros = whole;
+  flipped[whole.size() / 2] ^= 1;
+  zeros.replace(whole.size() / 2, std::string::npos, whole.size() - whole.size() / 2, '\0');
+  for (const std::string& damaged :
+       {std::string{}, std::string{"no program"}, whole.substr(0, whole.size() - 1), whole.substr(0, whole.size() / 2),
+        whole.substr(0, 5000), flipped, zeros, text_of("/bin/true")}) {
+    write_text(script.program(), damaged);
+    EXPECT_EQ(output_of_program(built(script)), "hello\n") << damaged.size();
+    const auto after = identity(script.program());
+    EXPECT_EQ(identity(built(script)), after) << "a whole program is not compiled again";
+  }
+}
+
+// The last line says that it is whole.
+TEST_F(ScriptBuildTest, CompilesAgainWhereTheListOfFilesWasCut) {
+  const ScriptBuild script{places, write_script("tower.cpp", "hello")};
+  const fs::path list = fs::path{built(script)}.parent_path() / "files";
+  const std::string whole = text_of(list);
+  for (const std::size_t length : {whole.size() - 2, whole.size() / 2, std::size_t{0}}) {
+    const auto before = identity(script.program());
+    write_text(list, whole.substr(0, length));
+    EXPECT_NE(identity(built(script)), before) << length;
+  }
+}
+
+TEST_F(ScriptBuildTest, RefusesNamesThatAreTooLong) {
+  constexpr std::size_t longest = 255 - 17;
+  const ScriptBuild script{places, write_script(std::string(longest, 'a') + ".cpp", "hello")};
   EXPECT_EQ(output_of_program(built(script)), "hello\n");
+  const fs::path long_name = write_script(std::string(longest + 7, 'a') + ".cpp", "hello");
+  try {
+    ScriptBuild{places, long_name};
+    FAIL();
+  } catch (const Stop& stop) {
+    EXPECT_EQ(stop.exit_code, exit_usage);
+    EXPECT_TRUE(
+        std::string{stop.what()}.starts_with("The name of the script is too long, by 7 bytes. Give it a shorter one: "))
+        << stop.what();
+  }
 }
 
 // As a compilation leaves it that was killed behind its last write.
@@ -114,13 +152,6 @@ TEST_F(ScriptBuildTest, CompilesAgainWithoutTheListOfFiles) {
   EXPECT_NE(identity(built(script)), before);
   const auto after = identity(script.program());
   EXPECT_EQ(identity(built(script)), after);
-}
-
-TEST_F(ScriptBuildTest, RebuildsADamagedProgramWhenAsked) {
-  const ScriptBuild script{places, write_script("tower.cpp", "hello")};
-  write_text(built(script), "no program");
-  script.rebuild();
-  EXPECT_EQ(output_of_program(script.program()), "hello\n");
 }
 
 TEST_F(ScriptBuildTest, StopsWhereAScriptDoesNotCompile) {

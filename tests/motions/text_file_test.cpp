@@ -1,10 +1,20 @@
 #include "motions/text_file.hpp"
 
+#include <sys/resource.h>
 #include <sys/stat.h>
+
+#include <iostream>
+#include <random>
 
 #include "base/error.hpp"
 #include "base/sha256.hpp"
+#include "base/units.hpp"
 #include "motion_files.hpp"
+#include "motions/cosmos_v2.hpp"
+#include "motions/esm_text.hpp"
+#include "motions/peer_at2.hpp"
+#include "motions/read_motion.hpp"
+#include "motions/two_column_text.hpp"
 
 namespace moat {
 namespace {
@@ -33,6 +43,69 @@ TEST_F(ReadTextFile, RefusesWhatMayNeverEnd) {
   ASSERT_EQ(mkfifo(path("pipe").c_str(), 0600), 0);
   EXPECT_THROW((void)read_text_file(path("pipe")), FileError);
 }
+
+// Compressed data look like random bytes.
+std::string random_bytes(std::size_t count) {
+  std::mt19937 random{7};
+  std::string bytes;
+  for (std::size_t i = 0; i < count; ++i) bytes += static_cast<char>(random() & 0xFFU);
+  return bytes;
+}
+
+TEST_F(ReadTextFile, RefusesFilesThatAreNoPlainText) {
+  using namespace std::string_literals;
+  std::string columns;
+  for (int i = 0; i < 1000; ++i) columns += std::to_string(i) + " 0.5\n";
+  std::string utf_16 = "\xFF\xFE";
+  for (const char letter : columns) utf_16 += letter + "\0"s;
+  // "0 1" as gzip packs it.
+  const std::string gzip = "\x1F\x8B\x08\0\0\0\0\0\0\x03\x33\x50\x30\xE4\x02\0\x3D\x60\x83\xF9\x04\0\0\0"s;
+  // The header of an archive that holds the text as it is.
+  const std::string tar = "record.txt" + std::string(90, '\0') + "0000644\0" + std::string(400, '\0') + columns;
+  // The same of unzip.
+  const std::string zip =
+      "PK\x03\x04\x14\0\0\0\0\0\x74\x9F\x7B\x5D\xE3\xF6\xD8\x54\x40\x9C\0\0\x40\x9C\0\0\x07\0\0\0"s + "rec.txt" +
+      columns;
+  for (const std::string& content :
+       {gzip, tar, zip, utf_16, "\x1F\x8B\x08" + random_bytes(100'000), "BZh91AY&SY" + random_bytes(500),
+        "(\xB5/\xFD" + random_bytes(2000), std::string(1000, '\0')}) {
+    const auto file = write("record.AT2", content);
+    const std::string message =
+        file.string() +
+        ": this is no plain text: it holds many control characters. If the file is compressed or an archive, unpack it "
+        "(gunzip, unzip, tar) and give the record in it; else save it as text in UTF-8.";
+    EXPECT_EQ(message_of<FileError>([&] { (void)read_motion(file); }), message);
+    EXPECT_EQ(message_of<FileError>([&] { (void)read_motion(file, 1.0 * units::g); }), message);
+    EXPECT_EQ(message_of<FileError>([&] { (void)read_peer_at2(file); }), message);
+    EXPECT_EQ(message_of<FileError>([&] { (void)read_cosmos(file); }), message);
+    EXPECT_EQ(message_of<FileError>([&] { (void)read_esm(file); }), message);
+    EXPECT_EQ(message_of<FileError>([&] { (void)read_two_columns(file, 1.0 * units::g); }), message);
+  }
+}
+
+TEST_F(ReadTextFile, TakesTextWithAControlCharacterAndOtherLetters) {
+  for (const char* content : {"# Z\xC3\xBCrich\n0 1\n0.1 2\n", "# Z\xFCrich\n0 1\n0.1 2\n",
+                              "# \x1B[31m red\n0 1\n0.1 2\n", "0\t1\r\n0.1\t2\r\n\f"})
+    EXPECT_EQ(read_text_file(write("a.txt", content)).text, content);
+}
+
+#if !defined(__SANITIZE_ADDRESS__)
+TEST_F(ReadTextFile, SaysThatTheMemoryIsTooSmall) {
+  const auto large = write("large.txt", "0 1\n");
+  std::filesystem::resize_file(large, 900'000'000);
+  const auto read_with_little_memory = [&] {
+    std::size_t pages = 0;
+    std::ifstream{"/proc/self/statm"} >> pages;
+    const rlim_t most = pages * static_cast<rlim_t>(sysconf(_SC_PAGESIZE)) + 100'000'000;
+    const rlimit limit{most, most};
+    setrlimit(RLIMIT_AS, &limit);
+    std::cerr << message_of<FileError>([&] { (void)read_motion(large); });
+    std::_Exit(0);
+  };
+  EXPECT_EXIT(read_with_little_memory(), ::testing::ExitedWithCode(0),
+              "large.txt: the memory is too small for this record. Cut the record, or end other programs.");
+}
+#endif
 
 TEST_F(ReadTextFile, RefusesHugeFiles) {
   const auto huge = write("huge.txt", "0 1\n");
