@@ -7,7 +7,10 @@ namespace moat {
 ImplicitSteps::ImplicitSteps(Model& model, const TransientOptions& options, const StepControl::Options& control)
     : model_{&model},
       equations_{model},
-      newton_{equations_, {.tolerance = options.force_tolerance, .max_iterations = options.max_iterations}},
+      newton_{equations_,
+              {.tolerance = options.force_tolerance,
+               .max_iterations = options.max_iterations,
+               .line_search = options.line_search}},
       control_{model, control} {
   acceleration_.setZero(model.degrees_of_freedom());
 }
@@ -31,10 +34,8 @@ void ImplicitSteps::add_missed_impulses(double length) {
 bool ImplicitSteps::solve(const StepTask& part) {
   if (!std::exchange(is_set_up_, false)) equations_.begin(part, scheme_, acceleration_);
   if (part.length == missed_in_) equations_.add_impulses(missed_);
-  // The first Newton step may have been taken already.
-  const int taken = equations_.has_extrapolated() ? 1 : 0;
-  last_report_ = newton_.solve(acceleration_, 1 - taken);
-  newton_iterations_ += last_report_.iterations + taken;
+  last_report_ = newton_.solve(acceleration_);
+  newton_iterations_ += last_report_.iterations;
   if (last_report_.converged) equations_.complete();
   return last_report_.converged;
 }

@@ -18,9 +18,8 @@ Model& prepared(Model& model) {
 }  // namespace
 
 // Members behind the model need it prepared.
-StepEquations::StepEquations(Model& model) : model_{&prepared(model)}, resultants_{model}, curvature_{model} {
+StepEquations::StepEquations(Model& model) : model_{&prepared(model)}, resultants_{model} {
   tangent_ = model.pattern();
-  factorisation_ = Factorisation{model.changing_columns()};
   predicted_displacement_.setZero(size());
   predicted_velocity_.setZero(size());
   scales_.setZero(size());
@@ -76,11 +75,13 @@ void StepEquations::begin(const StepTask& task, StepScheme scheme, Vector& guess
   }
   if (!scheme.balances_at_end()) average_start(a);
   model_->trial().time = task.end_time;
-  has_extrapolated_ = scheme.balances_at_end() && factors_serve() && is_known(of_committed_, of_trial_);
-  if (has_extrapolated_)
-    extrapolate(guess);
-  else if (scheme.order() == 4)
-    curvature_.add_to(guess, task);
+}
+
+// Whether the state of a step that was completed has been committed, or its start is tried again.
+bool StepEquations::is_known(AtInstant& of_start, AtInstant& of_end) const {
+  const double now = model_->state().time;
+  if (of_end.time == now) std::swap(of_end, of_start);
+  return of_start.time == now;
 }
 
 bool StepEquations::has_factors_of_step() const {
@@ -117,7 +118,6 @@ void StepEquations::add_impulses(const MissedImpulses& missed) {
     predicted_velocity_[i] += of_evaluated_velocity[i] / mass[i];
     added_velocities_.push_back({i, of_velocity[i] / mass[i]});
   }
-  curvature_.forget();  // accelerations bend or jump inside this step
   is_moved_ = false;
 }
 
@@ -129,10 +129,6 @@ void StepEquations::complete() {
   }
   model_->evaluate_rates();
   balanced_scales_.swap(scales_);  // the next residual writes all of scales_
-  if (factors_serve()) {
-    of_trial_.time = task_.end_time;
-    of_trial_.values = model_->trial().velocity;
-  }
   if (scheme_.filters_corrections) filter_corrections_at_end();
   if (!scheme_.corrects_velocity) return;
   const double h = task_.length, correction = h * h / 12.0, half = scheme_.gamma * h;
@@ -196,9 +192,6 @@ void StepEquations::balance_committed_state(PlanVector ground_acceleration) {
   model_->evaluate_rates();
   model_->commit();
   averaged_at_start_ = averaged_at_end_ = jerks_at_start_ = jerks_at_end_ = {};
-  curvature_.forget();
-  of_committed_.time = model_->state().time;
-  of_committed_.values = model_->state().velocity;
 }
 
 void StepEquations::balance_trial_state(PlanVector ground_acceleration) {
@@ -266,23 +259,15 @@ bool StepEquations::compute_residual(const Vector& acceleration, Vector& residua
   return true;
 }
 
-bool StepEquations::compute_direction(const Vector& residual, Vector& direction) {
-  if (!factors_serve() && !factorise()) return false;
-  direction = -residual;
-  factorisation_.solve(direction);
-  return true;
+bool StepEquations::compute_jacobian() {
+  return (has_factors_of_step() && model_->tangent_version() == factorised_version_) || factorise();
 }
 
 bool StepEquations::factorise() {
   const double velocity_weight = scheme_.force_share * scheme_.velocity_weight(task_.length),
                displacement_weight = scheme_.force_share * scheme_.displacement_weight(task_.length);
-  // Factors of other tangents, but of the same weights: elements with constant tangents add the same.
-  const bool only_changing = has_factors_of_step();
-  if (only_changing)
-    model_->assemble_changing_columns(scheme_.mass_share, velocity_weight, displacement_weight, tangent_);
-  else
-    model_->assemble_tangent(scheme_.mass_share, velocity_weight, displacement_weight, tangent_);
-  factorised_ = only_changing ? factorisation_.factorise_changing(tangent_) : factorisation_.factorise(tangent_);
+  model_->assemble_tangent(scheme_.mass_share, velocity_weight, displacement_weight, tangent_);
+  factorised_ = factorisation_.factorise(tangent_);
   factorised_velocity_weight_ = velocity_weight;
   factorised_displacement_weight_ = displacement_weight;
   factorised_mass_share_ = scheme_.mass_share;

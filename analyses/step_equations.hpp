@@ -5,7 +5,6 @@
 #include <utility>
 #include <vector>
 
-#include "analyses/acceleration_curvature.hpp"
 #include "analyses/resultants.hpp"
 #include "analyses/step_scheme.hpp"
 #include "analyses/step_task.hpp"
@@ -25,9 +24,8 @@ class StepEquations final : public NonlinearSystem {
   /// The model must outlive the equations.
   explicit StepEquations(Model& model);
 
-  /// Sets up a step from the model's committed state. `guess` := accelerations to start from. Where the factors of the
-  /// tangent still serve, they are those of a first Newton step with the committed forces and tangents, which is the
-  /// solution where nothing changes its stiffness.
+  /// Sets up a step from the model's committed state. `guess` := accelerations to start from: those at its start, or
+  /// their tangent where the scheme knows jerks.
   void begin(const StepTask& task, StepScheme scheme, Vector& guess);
   /// begin(), and the trial state that the guess leads to; only elements that can change their regime are evaluated.
   /// The next compute_residual() is that of the guess.
@@ -45,10 +43,8 @@ class StepEquations final : public NonlinearSystem {
   bool compute_residual(const Vector& acceleration, Vector& residual) override;
   const Vector& residual_scales() const override { return scales_; }
   double round_off(int row) const override;
-  bool compute_direction(const Vector& residual, Vector& direction) override;
-
-  /// Whether the guess of begin() is the result of a Newton step.
-  [[nodiscard]] bool has_extrapolated() const { return has_extrapolated_; }
+  bool compute_jacobian() override;
+  void solve(Vector& vector) const override { factorisation_.solve(vector); }
 
   /// Where the scheme filters corrections: 2 (a1 - a0) - h (j0 + j1) of the last step completed, in absolute motion,
   /// m/s^2, without the round-off of jerks of motions that strong dashpots hold; h (j1 - j0) where it does not correct
@@ -57,21 +53,17 @@ class StepEquations final : public NonlinearSystem {
     return scheme_.filters_corrections ? filtered_curve_.data() : nullptr;
   }
 
-  /// Of the tangent, so far.
+  /// How often the tangent has been factorised.
   [[nodiscard]] long factorisations() const { return factorisation_.count(); }
 
  private:
-  // Whether the factors are those of this step's length and scheme, and of present tangents too.
+  // Whether the factors have the weights of this step.
   [[nodiscard]] bool has_factors_of_step() const;
-  [[nodiscard]] bool factors_serve() const {
-    return has_factors_of_step() && model_->tangent_version() == factorised_version_;
-  }
   [[nodiscard]] bool factorise();
   // values := (T^-1 M)^power values, with the factors of this step's weights.
   void filter(Vector& values, int power);
   void find_correction(const Vector& jerks, Vector& correction);
   void filter_corrections_at_end();
-  void extrapolate(Vector& guess);
   void move(const Vector& acceleration);
   void average_start(const double* acceleration);
   // Accelerations of the trial state from its forces.
@@ -94,21 +86,13 @@ class StepEquations final : public NonlinearSystem {
   bool factorised_ = false;
   double factorised_velocity_weight_ = 0.0, factorised_displacement_weight_ = 0.0, factorised_mass_share_ = 0.0;
   long factorised_version_ = 0;
-  // Tangents apart, of the model's tangent version `linear_version_`, for extrapolate().
-  SparseMatrix stiffness_, damping_;
-  long linear_version_ = -1;
-  Vector unbalanced_;
-  bool has_extrapolated_ = false;
   bool is_moved_ = false;  // the trial state is that of the guess, since predict()
-  AccelerationCurvature curvature_;
   // Values that belong to the state at this instant.
   struct AtInstant {
     double time = std::numeric_limits<double>::quiet_NaN();  // s
     Vector values;
   };
   [[nodiscard]] bool is_known(AtInstant& of_start, AtInstant& of_end) const;
-  // The velocities with which forces were evaluated; complete() corrects velocities after that.
-  AtInstant of_committed_, of_trial_;
   // Jerks as the forces have them, h^2/12 times the filtered relative jerks at both ends, and filtered_curve().
   AtInstant jerks_at_start_, jerks_at_end_;
   Vector start_correction_, end_correction_, filtered_curve_;

@@ -49,7 +49,7 @@ std::vector<std::string> assumptions_of(const TransientOptions& options, const S
 AnalysisFacts facts_of(const TransientOptions& options) {
   // An option that is missing here does not compile.
   const auto& [integrator, step, tolerance, steps_per_contact, largest_step, max_halvings, end, force_tolerance,
-               max_iterations, max_cuts, location_tolerance, events, max_events_per_second] = options;
+               max_iterations, line_search, max_cuts, location_tolerance, events, max_events_per_second] = options;
   AnalysisFacts facts{.integrator = std::string{name_of(integrator)},
                       .events = std::string{name_of(events)},
                       .options = {{"step", step.si(), "s"},
@@ -60,6 +60,7 @@ AnalysisFacts facts_of(const TransientOptions& options) {
                                   {"end", end.si(), "s"},
                                   {"force_tolerance", force_tolerance, "1"},
                                   {"max_iterations", static_cast<double>(max_iterations), "1"},
+                                  {"backtracks_always", line_search == LineSearch::backtrack ? 1.0 : 0.0, "1"},
                                   {"max_cuts", static_cast<double>(max_cuts), "1"},
                                   {"location_tolerance", location_tolerance.si(), "m"},
                                   {"max_events_per_second", static_cast<double>(max_events_per_second), "1"}}};

@@ -95,7 +95,9 @@ void measure_parts(Model& model, int buildings, StreetReport& report) {
       },
       [&] {
         require(equations.compute_residual(acceleration, residual));
-        require(equations.compute_direction(residual, direction));
+        require(equations.compute_jacobian());
+        direction = -residual;
+        equations.solve(direction);
         // Not the start of the next one, whose tangent would be another.
         next_acceleration = acceleration + direction;
       },

@@ -17,13 +17,11 @@ int SparsityPattern::slot(int row, int column) const {
   return static_cast<int>(found - row_indices.begin());
 }
 
-PatternBuilder::PatternBuilder(int size) : size_{size}, coupled_(static_cast<std::size_t>(size), false) {
+PatternBuilder::PatternBuilder(int size) : size_{size} {
   pairs_.reserve(static_cast<std::size_t>(size) * 4);
 }
 
 void PatternBuilder::couple(int a, int b) {
-  for (const int end : {a, b})
-    if (end != ground_index) coupled_[static_cast<std::size_t>(end)] = true;
   if (a == ground_index || b == ground_index || a == b) return;
   pairs_.emplace_back(a, b);
 }

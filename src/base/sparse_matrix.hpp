@@ -67,15 +67,11 @@ class PatternBuilder {
 
   /// Entries (a, a), (a, b), (b, a), (b, b); the ground is ignored.
   void couple(int a, int b);
-  /// Whether a degree of freedom was coupled to another one or to the ground.
-  [[nodiscard]] bool couples(int a) const { return coupled_[static_cast<std::size_t>(a)]; }
-
   /// The pattern. The whole diagonal is always in it.
   [[nodiscard]] std::shared_ptr<const SparsityPattern> build();
 
  private:
   int size_;
-  std::vector<bool> coupled_;
   std::vector<std::pair<int, int>> pairs_;  // coupled, without the ground
 };
 

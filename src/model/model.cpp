@@ -133,11 +133,7 @@ void Model::prepare() {
   constant_blocks_.clear();
   for (std::size_t i = 0; i < blocks_.size(); ++i)
     (blocks_[i]->constant_tangent() ? constant_blocks_ : changing_blocks_).push_back(i);
-  for (const std::size_t i : changing_blocks_) blocks_[i]->add_couplings(builder);
-  changing_columns_.clear();
-  for (int i = 0; i < count; ++i)
-    if (builder.couples(i)) changing_columns_.push_back(i);
-  for (const std::size_t i : constant_blocks_) blocks_[i]->add_couplings(builder);
+  for (const auto& block : blocks_) block->add_couplings(builder);
   pattern_ = builder.build();
   blocks_with_regimes_.clear();
   blocks_with_contacts_.clear();

@@ -163,11 +163,6 @@ class Model {
   /// matrix := acceleration_weight M + velocity_weight df/dv + displacement_weight df/du.
   void assemble_tangent(double acceleration_weight, double velocity_weight, double displacement_weight,
                         SparseMatrix& matrix) const;
-  /// The same for a matrix that has been assembled with these weights before: only changing_columns() are computed.
-  void assemble_changing_columns(double acceleration_weight, double velocity_weight, double displacement_weight,
-                                 SparseMatrix& matrix) const;
-  /// The columns in which df/du and df/dv can change, ascending. The model must be prepared.
-  [[nodiscard]] const std::vector<int>& changing_columns() const { return changing_columns_; }
   /// A number that stays the same as long as df/du and df/dv do, from one evaluate() to the next.
   [[nodiscard]] long tangent_version() const { return tangent_version_; }
   /// The corners of forces inside the trial step that are not located; `lost` := the forces that nodes lose where paths
@@ -230,9 +225,6 @@ class Model {
     return node.index;
   }
   [[noreturn]] void refuse_entry(NodeId node) const;
-  void assemble_constant(int begin, int end, double acceleration_weight, double velocity_weight,
-                         double displacement_weight, double* values) const;
-  void assemble_changing(double velocity_weight, double displacement_weight, SparseMatrix& matrix) const;
   void evaluate_changing(double* forces);
   void evaluate_results(const MotionState& motion);
 
@@ -257,7 +249,6 @@ class Model {
   long tangent_version_ = 0;
   std::vector<std::size_t> changing_blocks_, constant_blocks_;  // those without and with constant tangents
   std::vector<std::size_t> blocks_with_results_;                // of constant_blocks_
-  std::vector<int> changing_columns_;
   std::vector<std::size_t> blocks_with_regimes_;
   std::vector<std::size_t> blocks_with_contacts_;
   bool keeps_energy_accounts_ = false;

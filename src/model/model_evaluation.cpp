@@ -56,39 +56,17 @@ void Model::keep_all_results() {
   evaluate_results(state_);
 }
 
-// These columns of acceleration_weight M + velocity_weight C + displacement_weight K, without elements that change.
-void Model::assemble_constant(int begin, int end, double acceleration_weight, double velocity_weight,
-                              double displacement_weight, double* __restrict values) const {
-  const double *stiffness = linear_part_.stiffness().data(), *damping = linear_part_.damping().data(),
-               *mass = masses_.data();
-  const int *diagonal = diagonal_slots_.data(), *starts = pattern_->column_starts.data();
-  for (int k = starts[begin]; k < starts[end]; ++k)
+void Model::assemble_tangent(double acceleration_weight, double velocity_weight, double displacement_weight,
+                             SparseMatrix& matrix) const {
+  const double *stiffness = linear_part_.stiffness().data(), *damping = linear_part_.damping().data();
+  double* __restrict values = matrix.values.data();
+  for (int k = 0; k < matrix.nonzeros(); ++k)
     values[k] = displacement_weight * stiffness[k] + velocity_weight * damping[k];
-  for (int i = begin; i < end; ++i) values[diagonal[i]] += acceleration_weight * mass[i];
-}
-
-void Model::assemble_changing(double velocity_weight, double displacement_weight, SparseMatrix& matrix) const {
+  for (int i = 0; i < matrix.size(); ++i)
+    values[diagonal_slots_[static_cast<std::size_t>(i)]] += acceleration_weight * masses_[i];
   // The entry of the ground: elements add to it, and nothing reads it.
   matrix.values.back() = 0.0;
   for (const std::size_t i : changing_blocks_) blocks_[i]->add_tangent(displacement_weight, velocity_weight, matrix);
-}
-
-void Model::assemble_tangent(double acceleration_weight, double velocity_weight, double displacement_weight,
-                             SparseMatrix& matrix) const {
-  // Chunks of 256 columns, so that their values are still in L1 when the masses are added.
-  constexpr int chunk = 256;
-  for (int begin = 0; begin < matrix.size(); begin += chunk)
-    assemble_constant(begin, std::min(begin + chunk, matrix.size()), acceleration_weight, velocity_weight,
-                      displacement_weight, matrix.values.data());
-  assemble_changing(velocity_weight, displacement_weight, matrix);
-}
-
-void Model::assemble_changing_columns(double acceleration_weight, double velocity_weight, double displacement_weight,
-                                      SparseMatrix& matrix) const {
-  for (const int column : changing_columns_)
-    assemble_constant(column, column + 1, acceleration_weight, velocity_weight, displacement_weight,
-                      matrix.values.data());
-  assemble_changing(velocity_weight, displacement_weight, matrix);
 }
 
 void Model::linearise(SparseMatrix& stiffness, SparseMatrix& damping, Vector& forces) {

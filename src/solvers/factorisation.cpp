@@ -1,136 +1,93 @@
 #include "solvers/factorisation.hpp"
 
-#include <camd.h>
 #include <klu.h>
 
-#include <algorithm>
 #include <memory>
 #include <stdexcept>
-#include <utility>
-
-#include "solvers/lu_factors.hpp"
 
 namespace moat {
+namespace {
 
-struct Factorisation::Factors {
+// The growth of elements is the largest entry of U over the largest of A, column by column; KLU reports its inverse. An
+// inverse of 1e-6 leaves ten digits of a solution, which is enough for a Newton direction. Symmetric positive matrices
+// never grow, however much stiffer a contact is than the building: the condition number would be the wrong guard.
+constexpr double smallest_inverse_growth = 1e-6;
+
+}  // namespace
+
+struct Factorisation::Klu {
   klu_common common{};
-  std::vector<int> changing;                       // columns eliminated last
-  std::shared_ptr<const SparsityPattern> pattern;  // of the matrix of `lu`
-  LuFactors lu;
-  long count = 0;
+  klu_symbolic* symbolic = nullptr;
+  klu_numeric* numeric = nullptr;
+  std::shared_ptr<const SparsityPattern> pattern;
+  long count = 0, pivot_searches = 0;
 
-  Factors() {
+  Klu() {
     klu_defaults(&common);
     // A structure couples all its degrees of freedom: there are no blocks to find. Masses on the
     // diagonal keep rows of similar size, so scaling would only cost time.
     common.btf = 0;
     common.scale = -1;
   }
+  ~Klu() {
+    klu_free_numeric(&numeric, &common);
+    klu_free_symbolic(&symbolic, &common);
+  }
+  Klu(const Klu&) = delete;
+  Klu& operator=(const Klu&) = delete;
 
-  // KLU and CAMD take pointers to variables, and do not write there.
+  // KLU takes pointers to variables, and does not write there.
   [[nodiscard]] int* starts() const { return const_cast<int*>(pattern->column_starts.data()); }
   [[nodiscard]] int* rows() const { return const_cast<int*>(pattern->row_indices.data()); }
 
-  // Null where that fails.
-  klu_symbolic* analyse() {
-    if (changing.empty() || changing.size() == static_cast<std::size_t>(pattern->size))
-      return klu_analyze(pattern->size, starts(), rows(), &common);
-    std::vector<int> order(static_cast<std::size_t>(pattern->size)), group(order.size(), 0);
-    for (const int column : changing) group[static_cast<std::size_t>(column)] = 1;
-    if (camd_order(pattern->size, starts(), rows(), order.data(), nullptr, nullptr, group.data()) != CAMD_OK)
-      return nullptr;
-    return klu_analyze_given(pattern->size, starts(), rows(), order.data(), order.data(), &common);
-  }
-
-  // Factors of a matrix that differs from the last one in the changing columns only, or in any.
-  bool factorise(const SparseMatrix& matrix, bool all_columns) {
-    ++count;
-    if (lu.empty()) return factorise_with_new_permutations(matrix);
-    if (pattern->nonzeros() != matrix.nonzeros())
-      throw std::logic_error{"Factorisation: the pattern of the matrix changed"};
-    return (all_columns ? lu.refactorise(matrix) : lu.refactorise_condensed(matrix)) ||
-           factorise_with_new_permutations(matrix);
-  }
-
-  // Permutations and pattern by KLU, which needs more memory than the factors: none of it stays.
-  bool factorise_with_new_permutations(const SparseMatrix& matrix) {
-    lu = {};
+  void analyse(const SparseMatrix& matrix) {
     pattern = matrix.pattern();
-    klu_symbolic* symbolic = analyse();
-    if (symbolic == nullptr) return false;
-    klu_numeric* numeric = klu_factor(starts(), rows(), const_cast<double*>(matrix.values.data()), symbolic, &common);
-    // KLU takes a pivot that is not a number for one that is not zero; its condition estimate does not.
-    const bool good = numeric != nullptr && common.status == KLU_OK && klu_rcond(symbolic, numeric, &common) != 0 &&
-                      common.rcond > 0.0 && klu_sort(symbolic, numeric, &common) != 0;
-    if (good) lu = on_pattern_of(*numeric, *symbolic);
+    symbolic = klu_analyze(pattern->size, starts(), rows(), &common);
+    if (symbolic == nullptr) throw std::logic_error{"Factorisation: KLU cannot analyse the pattern of the matrix"};
+  }
+
+  // KLU takes a pivot that is not a number for one that is not zero; its condition estimate does not.
+  [[nodiscard]] bool has_regular_pivots() {
+    return common.status == KLU_OK && klu_rcond(symbolic, numeric, &common) != 0 && common.rcond > 0.0;
+  }
+
+  [[nodiscard]] bool factorise_with_old_pivots(double* values) {
+    return numeric != nullptr && klu_refactor(starts(), rows(), values, symbolic, numeric, &common) != 0 &&
+           klu_rgrowth(starts(), rows(), values, symbolic, numeric, &common) != 0 &&
+           common.rgrowth >= smallest_inverse_growth && has_regular_pivots();
+  }
+
+  [[nodiscard]] bool factorise_with_new_pivots(double* values) {
+    ++pivot_searches;
     klu_free_numeric(&numeric, &common);
-    klu_free_symbolic(&symbolic, &common);
-    if (good && lu.refactorise(matrix)) return true;
-    lu = {};
+    numeric = klu_factor(starts(), rows(), values, symbolic, &common);
+    if (numeric != nullptr && has_regular_pivots()) return true;
+    klu_free_numeric(&numeric, &common);
     return false;
-  }
-
-  LuFactors on_pattern_of(klu_numeric& numeric, klu_symbolic& symbolic) {
-    const auto size = static_cast<std::size_t>(pattern->size);
-    LuFactors::Columns lower, upper;
-    for (auto [columns, entries] : {std::pair{&lower, numeric.lnz}, {&upper, numeric.unz}}) {
-      columns->starts.resize(size + 1);
-      columns->rows.resize(static_cast<std::size_t>(entries));
-    }
-    std::vector<int> rows(size), columns(size);
-    // Values are computed again: those of both triangles go to the same place.
-    std::vector<double> unused(static_cast<std::size_t>(std::max(numeric.lnz, numeric.unz)));
-    if (klu_extract(&numeric, &symbolic, lower.starts.data(), lower.rows.data(), unused.data(), upper.starts.data(),
-                    upper.rows.data(), unused.data(), nullptr, nullptr, nullptr, rows.data(), columns.data(), nullptr,
-                    nullptr, &common) == 0)
-      throw std::logic_error{"Factorisation: KLU's factors could not be read"};
-    without_diagonal(lower);
-    without_diagonal(upper);
-    const int condensed = unchanging_first(rows, columns) ? pattern->size - static_cast<int>(changing.size()) : 0;
-    return {std::move(lower), std::move(upper), std::move(rows), std::move(columns), *pattern, condensed};
-  }
-
-  // Whether rows and columns that change are the last ones in order of elimination.
-  [[nodiscard]] bool unchanging_first(const std::vector<int>& rows, const std::vector<int>& columns) const {
-    const auto last = static_cast<std::ptrdiff_t>(changing.size());
-    for (const std::vector<int>* order : {&rows, &columns}) {
-      std::vector<int> tail(order->end() - last, order->end());
-      std::ranges::sort(tail);
-      if (tail != changing) return false;
-    }
-    return true;
-  }
-
-  static void without_diagonal(LuFactors::Columns& triangle) {
-    std::size_t kept = 0, entry = 0;
-    for (std::size_t k = 0; k + 1 < triangle.starts.size(); ++k) {
-      triangle.starts[k] = static_cast<int>(kept);
-      for (const auto end = static_cast<std::size_t>(triangle.starts[k + 1]); entry < end; ++entry)
-        if (triangle.rows[entry] != static_cast<int>(k)) triangle.rows[kept++] = triangle.rows[entry];
-    }
-    triangle.starts.back() = static_cast<int>(kept);
-    triangle.rows.resize(kept);
-    triangle.rows.shrink_to_fit();
   }
 };
 
-Factorisation::Factorisation() : factors_{std::make_unique<Factors>()} {}
-Factorisation::Factorisation(std::vector<int> changing_columns) : Factorisation{} {
-  factors_->changing = std::move(changing_columns);
-}
+Factorisation::Factorisation() : klu_{std::make_unique<Klu>()} {}
 Factorisation::~Factorisation() = default;
 Factorisation::Factorisation(Factorisation&&) noexcept = default;
 Factorisation& Factorisation::operator=(Factorisation&&) noexcept = default;
 
-bool Factorisation::factorise(const SparseMatrix& matrix) { return factors_->factorise(matrix, true); }
-
-bool Factorisation::factorise_changing(const SparseMatrix& matrix) { return factors_->factorise(matrix, false); }
-
-void Factorisation::solve(Vector& x) const {
-  if (factors_->lu.empty()) throw std::logic_error{"Factorisation: solve() before a successful factorise()"};
-  factors_->lu.solve(x);
+bool Factorisation::factorise(const SparseMatrix& matrix) {
+  if (klu_->symbolic == nullptr) klu_->analyse(matrix);
+  if (klu_->pattern->nonzeros() != matrix.nonzeros())
+    throw std::logic_error{"Factorisation: the pattern of the matrix changed"};
+  ++klu_->count;
+  auto* values = const_cast<double*>(matrix.values.data());
+  return klu_->factorise_with_old_pivots(values) || klu_->factorise_with_new_pivots(values);
 }
 
-long Factorisation::count() const { return factors_->count; }
+void Factorisation::solve(Vector& x) const {
+  if (klu_->numeric == nullptr) throw std::logic_error{"Factorisation: solve() before a successful factorise()"};
+  klu_solve(klu_->symbolic, klu_->numeric, klu_->pattern->size, 1, x.data(), &klu_->common);
+}
+
+long Factorisation::count() const { return klu_->count; }
+
+long Factorisation::pivot_searches() const { return klu_->pivot_searches; }
 
 }  // namespace moat

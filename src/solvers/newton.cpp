@@ -3,6 +3,7 @@
 #include <NOX.H>
 #include <NOX_Direction_Generic.H>
 #include <NOX_Direction_UserDefinedFactory.H>
+#include <NOX_MeritFunction_Generic.H>
 #include <Teuchos_oblackholestream.hpp>
 
 #include <cmath>
@@ -83,21 +84,24 @@ class NoxVector final : public NOX::Abstract::Vector {
   NOX::size_type length() const override { return static_cast<NOX::size_type>(values.size()); }
 };
 
-// An iterate with its residual.
+// An iterate with its residual, how far that is from its balance, and the Newton direction.
 class NoxGroup final : public NOX::Abstract::Group {
  public:
-  explicit NoxGroup(NonlinearSystem& system) : system_{&system}, x_{system.size()}, residual_{system.size()} {}
+  explicit NoxGroup(NonlinearSystem& system)
+      : system_{&system}, x_{system.size()}, residual_{system.size()}, newton_{system.size()} {}
 
   NoxGroup& operator=(const NoxGroup&) = delete;
 
   NonlinearSystem& system() const { return *system_; }
   const moat::Vector& x() const { return x_.values; }
   const moat::Vector& residual() const { return residual_.values; }
+  const WorstRow& worst_row() const { return worst_row_; }
 
   NOX::Abstract::Group& operator=(const NOX::Abstract::Group& source) override {
     const auto& other = static_cast<const NoxGroup&>(source);
     x_.values = other.x_.values;
     has_residual_ = other.has_residual_;
+    worst_row_ = other.worst_row_;
     if (has_residual_) residual_.values = other.residual_.values;
     return *this;
   }
@@ -112,18 +116,26 @@ class NoxGroup final : public NOX::Abstract::Group {
   ReturnType computeF() override {
     if (has_residual_) return Ok;
     has_residual_ = system_->compute_residual(x_.values, residual_.values);
+    worst_row_ = has_residual_ ? ForceBalance::worst_row(residual_.values, *system_)
+                               : ForceBalance::no_number(residual_.values);
     return has_residual_ ? Ok : Failed;
+  }
+  ReturnType computeJacobian() override { return system_->compute_jacobian() ? Ok : Failed; }
+  ReturnType computeNewton(Teuchos::ParameterList&) override {
+    newton_.values = -residual_.values;
+    system_->solve(newton_.values);
+    return Ok;
   }
   bool isF() const override { return has_residual_; }
   const NOX::Abstract::Vector& getX() const override { return x_; }
   const NOX::Abstract::Vector& getF() const override { return residual_; }
   double getNormF() const override { return residual_.values.norm(); }
   const NOX::Abstract::Vector& getGradient() const override { throw std::logic_error{"NoxGroup: no gradient"}; }
-  const NOX::Abstract::Vector& getNewton() const override { throw std::logic_error{"NoxGroup: no stored direction"}; }
+  const NOX::Abstract::Vector& getNewton() const override { return newton_; }
   Teuchos::RCP<const NOX::Abstract::Vector> getXPtr() const override { return Teuchos::rcpFromRef(x_); }
   Teuchos::RCP<const NOX::Abstract::Vector> getFPtr() const override { return Teuchos::rcpFromRef(residual_); }
   Teuchos::RCP<const NOX::Abstract::Vector> getGradientPtr() const override { return Teuchos::null; }
-  Teuchos::RCP<const NOX::Abstract::Vector> getNewtonPtr() const override { return Teuchos::null; }
+  Teuchos::RCP<const NOX::Abstract::Vector> getNewtonPtr() const override { return Teuchos::rcpFromRef(newton_); }
   Teuchos::RCP<NOX::Abstract::Group> clone(NOX::CopyType type) const override {
     auto copy = Teuchos::rcp(new NoxGroup(*system_));
     if (type == NOX::DeepCopy) static_cast<NOX::Abstract::Group&>(*copy) = *this;
@@ -132,19 +144,25 @@ class NoxGroup final : public NOX::Abstract::Group {
 
  private:
   NonlinearSystem* system_;
-  NoxVector x_, residual_;
+  NoxVector x_, residual_, newton_;
+  WorstRow worst_row_;
   bool has_residual_ = false;
 };
 
-// The system computes the Newton direction itself: NOX's own class looks up parameters by name at every iteration.
+// NOX's own class for this direction does the same, and looks up parameters by name at every iteration.
 class NewtonDirection final : public NOX::Direction::Generic {
  public:
   bool reset(const Teuchos::RCP<NOX::GlobalData>&, Teuchos::ParameterList&) override { return true; }
   bool compute(NOX::Abstract::Vector& direction, NOX::Abstract::Group& group, const NOX::Solver::Generic&) override {
-    auto& iterate = static_cast<NoxGroup&>(group);
-    return iterate.computeF() == NOX::Abstract::Group::Ok &&
-           iterate.system().compute_direction(iterate.residual(), NoxVector::of(direction));
+    if (group.computeF() != NOX::Abstract::Group::Ok || group.computeJacobian() != NOX::Abstract::Group::Ok ||
+        group.computeNewton(no_parameters_) != NOX::Abstract::Group::Ok)
+      return false;
+    direction = group.getNewton();
+    return true;
   }
+
+ private:
+  Teuchos::ParameterList no_parameters_;
 };
 
 class NewtonDirectionFactory final : public NOX::Direction::UserDefinedFactory {
@@ -155,48 +173,52 @@ class NewtonDirectionFactory final : public NOX::Direction::UserDefinedFactory {
   }
 };
 
-// Converged when all rows balance (ForceBalance). Failed when a residual is not a number, or after the largest number
-// of iterations.
+// A line search compares iterates by the number that the test of convergence judges.
+class WorstRowMerit final : public NOX::MeritFunction::Generic {
+ public:
+  double computef(const NOX::Abstract::Group& group) const override {
+    return static_cast<const NoxGroup&>(group).worst_row().residual;
+  }
+  void computeGradient(const NOX::Abstract::Group&, NOX::Abstract::Vector&) const override { refuse(); }
+  double computeSlope(const NOX::Abstract::Vector&, const NOX::Abstract::Group&) const override { refuse(); }
+  double computeQuadraticModel(const NOX::Abstract::Vector&, const NOX::Abstract::Group&) const override { refuse(); }
+  void computeQuadraticMinimizer(const NOX::Abstract::Group&, NOX::Abstract::Vector&) const override { refuse(); }
+  const std::string& name() const override { return name_; }
+
+ private:
+  [[noreturn]] static void refuse() { throw std::logic_error{"WorstRowMerit: it has no derivatives"}; }
+  std::string name_ = "worst row";
+};
+
+// Converged when all rows balance, after one iteration at least.
 class ForceBalanceTest final : public NOX::StatusTest::Generic {
  public:
-  explicit ForceBalanceTest(NewtonOptions options) : options_{options}, balance_{options.tolerance} {}
-
-  NewtonReport report;
-  int least_iterations = 1;
+  explicit ForceBalanceTest(double tolerance) : balance_{tolerance} {}
 
   NOX::StatusTest::StatusType checkStatus(const NOX::Solver::Generic& solver, NOX::StatusTest::CheckType) override {
     const auto& iterate = static_cast<const NoxGroup&>(solver.getSolutionGroup());
-    const WorstRow worst = iterate.isF() ? ForceBalance::worst_row(iterate.residual(), iterate.system())
-                                         : ForceBalance::no_number(iterate.residual());
-    const int iterations = solver.getNumIterations();
-    set_report(worst, iterations,
-               iterations >= least_iterations && balance_.holds(worst, iterate.residual(), iterate.system()));
-    if (report.converged)
-      status_ = NOX::StatusTest::Converged;
-    else
-      status_ = std::isnan(report.residual) || iterations >= options_.max_iterations ? NOX::StatusTest::Failed
-                                                                                     : NOX::StatusTest::Unconverged;
-    return status_;
+    const bool balances = solver.getNumIterations() > 0 && iterate.isF() &&
+                          balance_.holds(iterate.worst_row(), iterate.residual(), iterate.system());
+    return status_ = balances ? NOX::StatusTest::Converged : NOX::StatusTest::Unconverged;
   }
-  // The residual is not a number, or could not be computed.
-  void report_no_number(const moat::Vector& residual) {
-    set_report(ForceBalance::no_number(residual), report.iterations, false);
-  }
-
   NOX::StatusTest::StatusType getStatus() const override { return status_; }
   std::ostream& print(std::ostream& stream, int) const override { return stream << "force balance"; }
 
  private:
-  void set_report(const WorstRow& worst, int iterations, bool converged) {
-    report = {converged, iterations, worst.residual, worst.degree_of_freedom};
-  }
-
-  NewtonOptions options_;
   ForceBalance balance_;
   NOX::StatusTest::StatusType status_ = NOX::StatusTest::Unevaluated;
 };
 
-Teuchos::RCP<Teuchos::ParameterList> solver_parameters() {
+// The first test that has an answer decides: a last iterate that balances has converged.
+Teuchos::RCP<NOX::StatusTest::Generic> status_tests(const NewtonOptions& options) {
+  auto tests = Teuchos::rcp(new NOX::StatusTest::Combo(NOX::StatusTest::Combo::OR));
+  tests->addStatusTest(Teuchos::rcp(new NOX::StatusTest::FiniteValue));
+  tests->addStatusTest(Teuchos::rcp(new ForceBalanceTest(options.tolerance)));
+  tests->addStatusTest(Teuchos::rcp(new NOX::StatusTest::MaxIters(options.max_iterations)));
+  return tests;
+}
+
+Teuchos::RCP<Teuchos::ParameterList> solver_parameters(LineSearch line_search) {
   auto list = Teuchos::rcp(new Teuchos::ParameterList);
   list->set("Nonlinear Solver", "Line Search Based");
   // NOX prints failures for every value of "Output Information"; here a failure is a result. Both settings are needed:
@@ -210,7 +232,15 @@ Teuchos::RCP<Teuchos::ParameterList> solver_parameters() {
   direction.set("Method", "User Defined");
   Teuchos::RCP<NOX::Direction::UserDefinedFactory> factory = Teuchos::rcp(new NewtonDirectionFactory);
   direction.set("User Defined Direction Factory", factory);
-  list->sublist("Line Search").set("Method", "Full Step");
+  if (line_search == LineSearch::full_step) {
+    list->sublist("Line Search").set("Method", "Full Step");
+    return list;
+  }
+  list->sublist("Line Search").set("Method", "Backtrack");
+  // Ten halvings; a direction that needs more leads nowhere.
+  list->sublist("Line Search").sublist("Backtrack").set("Minimum Step", 1e-3);
+  list->sublist("Solver Options")
+      .set("User Defined Merit Function", Teuchos::RCP<NOX::MeritFunction::Generic>{Teuchos::rcp(new WorstRowMerit)});
   return list;
 }
 
@@ -225,14 +255,35 @@ NewtonOptions checked(NewtonOptions options) {
 }  // namespace
 
 struct NewtonSolver::Nox {
-  Nox(NonlinearSystem& system, NewtonOptions options)
-      : start{system.size()},
-        test{Teuchos::rcp(new ForceBalanceTest(checked(options)))},
-        solver{NOX::Solver::buildSolver(Teuchos::rcp(new NoxGroup(system)), test, solver_parameters())} {}
+  Nox(NonlinearSystem& system, const NewtonOptions& wanted)
+      : options{checked(wanted)},
+        start{system.size()},
+        group{Teuchos::rcp(new NoxGroup(system))},
+        tests{status_tests(options)} {}
 
+  // Starts from `start`. The number of iterations is that of this call.
+  NewtonReport solve(LineSearch line_search) {
+    Teuchos::RCP<NOX::Solver::Generic>& solver = line_search == LineSearch::full_step ? full_step : backtrack;
+    if (solver.is_null()) solver = NOX::Solver::buildSolver(group, tests, solver_parameters(line_search));
+    auto status = NOX::StatusTest::Unconverged;
+    try {
+      solver->reset(start);
+      // NOX's solve() is this loop, and writes its results into lists by name.
+      while (status == NOX::StatusTest::Unconverged) status = solver->step();
+    } catch (const char* nox_error) {
+      // NOX throws a text where a residual could not be computed. The result is a step that did not converge.
+      static_cast<void>(nox_error);
+      status = NOX::StatusTest::Failed;
+    }
+    const WorstRow& worst = group->worst_row();
+    return {status == NOX::StatusTest::Converged, solver->getNumIterations(), worst.residual, worst.degree_of_freedom};
+  }
+
+  NewtonOptions options;
   NoxVector start;
-  Teuchos::RCP<ForceBalanceTest> test;
-  Teuchos::RCP<NOX::Solver::Generic> solver;
+  Teuchos::RCP<NoxGroup> group;
+  Teuchos::RCP<NOX::StatusTest::Generic> tests;
+  Teuchos::RCP<NOX::Solver::Generic> full_step, backtrack;  // made when they are first needed
 };
 
 NewtonSolver::NewtonSolver(NonlinearSystem& system, NewtonOptions options)
@@ -241,26 +292,17 @@ NewtonSolver::~NewtonSolver() = default;
 NewtonSolver::NewtonSolver(NewtonSolver&&) noexcept = default;
 NewtonSolver& NewtonSolver::operator=(NewtonSolver&&) noexcept = default;
 
-NewtonReport NewtonSolver::solve(Vector& x, int least_iterations) {
+NewtonReport NewtonSolver::solve(Vector& x) {
   Nox& nox = *nox_;
   nox.start.values = x;
-  nox.test->report = {};
-  nox.test->least_iterations = least_iterations;
-  try {
-    nox.solver->reset(nox.start);
-    while (nox.solver->step() == NOX::StatusTest::Unconverged) {
-    }
-  } catch (const char* nox_error) {
-    // NOX throws a text where a residual or direction could not be computed. The result is a step that did not
-    // converge.
-    static_cast<void>(nox_error);
-    nox.test->report.converged = false;
+  NewtonReport report = nox.solve(nox.options.line_search);
+  if (!report.converged && nox.options.line_search == LineSearch::full_step) {
+    const int before = report.iterations;
+    report = nox.solve(LineSearch::backtrack);
+    report.iterations += before;
   }
-  const auto& last = static_cast<const NoxGroup&>(nox.solver->getSolutionGroup());
-  x = last.x();
-  // NOX does not call the status test for an iterate without residual.
-  if (!last.isF()) nox.test->report_no_number(last.residual());
-  return nox.test->report;
+  x = nox.group->x();
+  return report;
 }
 
 }  // namespace moat

@@ -8,36 +8,44 @@
 
 namespace moat {
 
-/// When to stop.
+/// How far along the Newton direction an iteration goes: a line search of NOX.
+enum class LineSearch {
+  full_step,  ///< the whole way; a solve that fails so is tried once more with `backtrack`
+  backtrack   ///< half, a quarter ... of the way, until the worst row has a smaller residual over its scale
+};
+
+/// When to stop, and how far to go.
 struct NewtonOptions {
   /// Largest residual over its row's scale. 0 < tolerance < 1.
   double tolerance = 1e-10;
   /// 1 <= max_iterations.
   int max_iterations = 20;
+  /// Full steps are the cheapest, and nearly always converge.
+  LineSearch line_search = LineSearch::full_step;
 };
 
 /// How it ended.
 struct NewtonReport {
   bool converged = false;           ///< within the tolerance
-  int iterations = 0;               ///< >= 0
+  int iterations = 0;               ///< of NOX, with those of a first attempt; >= 0
   double residual = 0.0;            ///< largest residual over its row's scale; NaN where it is not a number
   int worst_degree_of_freedom = 0;  ///< where it is
 };
 
-/// Full Newton steps by Trilinos NOX, by default at least one: where some rows balance already, others may not, and a
-/// linear system is solved by the first step anyway. The solver object is made once for a size and reused: after the
-/// first call solve() allocates nothing. One per thread.
+/// Newton's method by Trilinos NOX: its line-search solver iterates, its line search sets the length of each step, and
+/// its status tests stop it, among them one of our own (ForceBalance). At least one iteration is made: where some rows
+/// balance already, others may not, and a linear system is solved by the first one anyway. NOX's solvers are made once
+/// for a size and reused: after the first call solve() allocates nothing. One per thread.
 class NewtonSolver {
  public:
-  /// The system must outlive the solver.
+  /// The system must outlive the solver. Throws InputError for options out of range.
   NewtonSolver(NonlinearSystem& system, NewtonOptions options);
   ~NewtonSolver();
   NewtonSolver(NewtonSolver&&) noexcept;
   NewtonSolver& operator=(NewtonSolver&&) noexcept;
 
-  /// Starts from x and leaves the last iterate there; the last call to compute_residual() was at that x. An x that is
-  /// already the result of a Newton step needs no other if it balances: `least_iterations` 0.
-  NewtonReport solve(Vector& x, int least_iterations = 1);
+  /// Starts from x and leaves the last iterate there; the last call to compute_residual() was at that x.
+  NewtonReport solve(Vector& x);
 
  private:
   struct Nox;

@@ -5,7 +5,7 @@
 
 namespace moat {
 
-/// Equations r(x) = 0 with a tangent the system factorises and solves itself.
+/// Equations r(x) = 0 with the Jacobian dr/dx, which the system factorises and solves itself.
 class NonlinearSystem {
  public:
   virtual ~NonlinearSystem() = default;
@@ -20,11 +20,14 @@ class NonlinearSystem {
   [[nodiscard]] virtual const Vector& residual_scales() const = 0;
 
   /// A residual of this row up to this, in its unit, is round-off of the x last given to compute_residual(). Called
-  /// only after the first compute_direction() of a solve.
+  /// only after the first compute_jacobian() of a solve.
   [[nodiscard]] virtual double round_off(int /*row*/) const { return 0.0; }
 
-  /// direction := -(dr/dx)^-1 residual at the x last given to compute_residual(). False if the tangent is singular.
-  virtual bool compute_direction(const Vector& residual, Vector& direction) = 0;
+  /// Factorises dr/dx at the x last given to compute_residual(). False if it is singular.
+  virtual bool compute_jacobian() = 0;
+
+  /// vector := (dr/dx)^-1 vector, with the factors of the last compute_jacobian().
+  virtual void solve(Vector& vector) const = 0;
 };
 
 }  // namespace moat

@@ -47,16 +47,6 @@ TEST(SparseMatrix, SlotsAreDistinctAndThoseOfTheGroundAreTheLast) {
   }
 }
 
-TEST(SparseMatrix, APatternKnowsWhatWasCoupledToOthersOrToTheGround) {
-  PatternBuilder builder{4};
-  builder.couple(0, 2);
-  builder.couple(ground_index, 3);
-  EXPECT_TRUE(builder.couples(0));
-  EXPECT_FALSE(builder.couples(1));
-  EXPECT_TRUE(builder.couples(2));
-  EXPECT_TRUE(builder.couples(3));
-}
-
 TEST(SparseMatrix, RefusesASlotOutsideThePattern) {
   const SparseMatrix matrix = chain_and_loner();
   EXPECT_THROW(static_cast<void>(matrix.slot(0, 2)), std::out_of_range);

@@ -129,45 +129,6 @@ TEST(LinearPart, ForcesAtRestOfASpringThatIsTooLong) {
   EXPECT_DOUBLE_EQ(model.internal_forces()[1], -300.0);
 }
 
-TEST(LinearPart, ChangingColumnsAreThoseOfBearingsAndGaps) {
-  const Model model = pounding_buildings();
-  EXPECT_EQ(model.changing_columns(), (std::vector<int>{0, 2}));
-}
-
-// Of all springs that change, also where one acts along a single degree of freedom.
-TEST(LinearPart, ChangingColumnsInPlan) {
-  Model model;
-  const DiaphragmId floor =
-      add(model, Diaphragm{.name = "floor", .mass = 100 * tonne, .outline = rectangle(10 * m, 10 * m)});
-  const PlanPoint centre{floor, {0 * m, 0 * m}}, below{ground, {0 * m, 0 * m}};
-  add(model, PlanSpring<Linear>{
-                 .name = "y", .lower = below, .upper = centre, .direction = {0, 1}, .law = {.stiffness = 5 * MN / m}});
-  add(model,
-      PlanSpring<Bilinear>{
-          .name = "x",
-          .lower = below,
-          .upper = centre,
-          .direction = {1, 0},
-          .law = Bilinear{.yield_force = 100 * kN, .yield_displacement = 1 * cm, .post_yield_stiffness = 2 * MN / m}});
-  model.prepare();
-  EXPECT_EQ(model.changing_columns(), (std::vector<int>{floor.x.index}));
-}
-
-TEST(LinearPart, ChangingColumnsAssembledAloneEqualTheWholeTangent) {
-  Model model = pounding_buildings();
-  const double mass_weight = 1.0, velocity_weight = 0.01, displacement_weight = 3e-5;
-  SparseMatrix tangent = model.pattern(), expected = model.pattern();
-  model.assemble_tangent(mass_weight, velocity_weight, displacement_weight, tangent);
-  for (int round = 0; round < 4; ++round) {
-    move(model, round);
-    model.evaluate();
-    model.assemble_tangent(mass_weight, velocity_weight, displacement_weight, expected);
-    model.assemble_changing_columns(mass_weight, velocity_weight, displacement_weight, tangent);
-    EXPECT_EQ(tangent.values, expected.values);
-    model.commit();
-  }
-}
-
 // Forces follow from the tangents and the forces at rest, with elastic and with sliding bearings, and an open gap.
 TEST(LinearPart, LinearisedModelHasTheForcesOfItsElements) {
   Model model = pounding_buildings(true);

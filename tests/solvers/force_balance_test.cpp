@@ -18,7 +18,8 @@ class Rows final : public NonlinearSystem {
   bool compute_residual(const Vector&, Vector&) override { return false; }
   const Vector& residual_scales() const override { return scales_; }
   double round_off(int) const override { return round_off_; }
-  bool compute_direction(const Vector&, Vector&) override { return false; }
+  bool compute_jacobian() override { return false; }
+  void solve(Vector&) const override {}
 
  private:
   Vector scales_;

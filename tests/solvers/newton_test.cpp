@@ -34,16 +34,18 @@ class CircleAndHyperbola final : public NonlinearSystem {
     return true;
   }
   const Vector& residual_scales() const override { return scales_; }
-  bool compute_direction(const Vector& residual, Vector& direction) override {
-    const double determinant = 2.0 * x_[0] * x_[0] - 2.0 * x_[1] * x_[1];
-    if (determinant == 0.0) return false;
-    direction[0] = -(x_[0] * residual[0] - 2.0 * x_[1] * residual[1]) / determinant;
-    direction[1] = -(-x_[1] * residual[0] + 2.0 * x_[0] * residual[1]) / determinant;
-    return true;
+  bool compute_jacobian() override {
+    determinant_ = 2.0 * x_[0] * x_[0] - 2.0 * x_[1] * x_[1];
+    return determinant_ != 0.0;
+  }
+  void solve(Vector& vector) const override {
+    vector = Vector{{(x_[0] * vector[0] - 2.0 * x_[1] * vector[1]) / determinant_,
+                     (-x_[1] * vector[0] + 2.0 * x_[0] * vector[1]) / determinant_}};
   }
 
  private:
   Vector x_, scales_ = Vector::Constant(2, 4.0);
+  double determinant_ = 0.0;
 };
 
 // k_i x_i + x_i^3 = load in every degree of freedom of a chain, solved with the sparse factorisation.
@@ -62,14 +64,12 @@ class CubicChain final : public NonlinearSystem {
     return true;
   }
   const Vector& residual_scales() const override { return scales_; }
-  bool compute_direction(const Vector& residual, Vector& direction) override {
+  bool compute_jacobian() override {
     tangent_.values = linear_.values;
     for (int i = 0; i < size(); ++i) testing::entry(tangent_, i, i) += 3.0 * x_[i] * x_[i];
-    if (!factorisation_.factorise(tangent_)) return false;
-    direction = -residual;
-    factorisation_.solve(direction);
-    return true;
+    return factorisation_.factorise(tangent_);
   }
+  void solve(Vector& vector) const override { factorisation_.solve(vector); }
   void set_load(double load) { load_ = load; }
 
   long residuals = 0;
@@ -92,45 +92,35 @@ class NoRoot final : public NonlinearSystem {
     return true;
   }
   const Vector& residual_scales() const override { return scales_; }
-  bool compute_direction(const Vector& residual, Vector& direction) override {
-    direction[0] = -residual[0];
-    direction[1] = -residual[1] / (2.0 * x_[1]);
-    return true;
-  }
+  bool compute_jacobian() override { return true; }
+  void solve(Vector& vector) const override { vector[1] /= 2.0 * x_[1]; }
 
  private:
   Vector x_, scales_ = Vector::Ones(2);
 };
 
-// x - 1 = 0 in three unknowns, with one thing that goes wrong.
+// x - 1 = 0 in three unknowns, with one thing that goes wrong. The start of a solve is x = 5.
 class Faulty final : public NonlinearSystem {
  public:
   enum class Fault { none, nan_at_start, nan_at_second, false_at_start, false_at_second, singular, nan_direction };
   explicit Faulty(Fault fault) : fault_{fault} {}
-  void set(Fault fault) {
-    fault_ = fault;
-    residuals_ = 0;
-  }
+  void set(Fault fault) { fault_ = fault; }
   int size() const override { return 3; }
   bool compute_residual(const Vector& x, Vector& residual) override {
-    ++residuals_;
     residual = x.array() - 1.0;
-    const bool start = residuals_ == 1;
+    const bool start = x[0] == 5.0;
     if (fault_ == (start ? Fault::nan_at_start : Fault::nan_at_second))
       residual[1] = std::numeric_limits<double>::quiet_NaN();
     return fault_ != (start ? Fault::false_at_start : Fault::false_at_second);
   }
   const Vector& residual_scales() const override { return scales_; }
-  bool compute_direction(const Vector& residual, Vector& direction) override {
-    if (fault_ == Fault::singular) return false;
-    direction = -residual;
-    if (fault_ == Fault::nan_direction) direction[2] = std::numeric_limits<double>::quiet_NaN();
-    return true;
+  bool compute_jacobian() override { return fault_ != Fault::singular; }
+  void solve(Vector& vector) const override {
+    if (fault_ == Fault::nan_direction) vector[2] = std::numeric_limits<double>::quiet_NaN();
   }
 
  private:
   Fault fault_;
-  int residuals_ = 0;
   Vector scales_ = Vector::Ones(3);
 };
 
@@ -180,10 +170,10 @@ class HeavyBesideLight final : public NonlinearSystem {
     return true;
   }
   const Vector& residual_scales() const override { return scales_; }
-  bool compute_direction(const Vector& residual, Vector& direction) override {
-    // A tangent that is off by a thousandth in the light row: one iteration is not enough there.
-    direction = -residual.cwiseQuotient(stiffness_).cwiseProduct(Vector{{1.0, 0.999}});
-    return true;
+  bool compute_jacobian() override { return true; }
+  // A tangent that is off by a thousandth in the light row: one iteration is not enough there.
+  void solve(Vector& vector) const override {
+    vector = vector.cwiseQuotient(stiffness_).cwiseProduct(Vector{{1.0, 0.999}});
   }
 
  private:
@@ -213,7 +203,7 @@ TEST(NewtonSolver, AStartThatBalancesStillTakesOneIteration) {
 
 TEST(NewtonSolver, ReportsTheIterationLimitAndTheWorstDegreeOfFreedom) {
   NoRoot system;
-  NewtonSolver solver{system, {.max_iterations = 7}};
+  NewtonSolver solver{system, {.max_iterations = 7, .line_search = LineSearch::backtrack}};
   Vector x{{1.0, 3.0}};
   const NewtonReport report = solver.solve(x);
   EXPECT_FALSE(report.converged);
@@ -244,6 +234,42 @@ TEST(NewtonSolver, FailuresAreReportedNotThrownAndNotPrinted) {
     x = Vector::Constant(3, 5.0);
     EXPECT_TRUE(solver.solve(x).converged) << static_cast<int>(fault);
     EXPECT_EQ(x, Vector::Ones(3)) << static_cast<int>(fault);
+  }
+}
+
+// atan x = 0: from |x| > 1.39 full Newton steps jump farther and farther to both sides.
+class Arctangent final : public NonlinearSystem {
+ public:
+  int size() const override { return 1; }
+  bool compute_residual(const Vector& x, Vector& residual) override {
+    x_ = x;
+    residual[0] = std::atan(x[0]);
+    return true;
+  }
+  const Vector& residual_scales() const override { return scales_; }
+  bool compute_jacobian() override { return true; }
+  void solve(Vector& vector) const override { vector[0] *= 1.0 + x_[0] * x_[0]; }
+
+ private:
+  Vector x_, scales_ = Vector::Ones(1);
+};
+
+TEST(NewtonSolver, BacktracksWhereFullStepsDiverge) {
+  for (const LineSearch line_search : {LineSearch::full_step, LineSearch::backtrack}) {
+    Arctangent system;
+    NewtonSolver solver{system, {.tolerance = 1e-14, .line_search = line_search}};
+    Vector x{{20.0}};
+    const NewtonReport report = solver.solve(x);
+    EXPECT_TRUE(report.converged);
+    EXPECT_LE(std::abs(x[0]), 1e-14);
+    // The iterations of a first attempt with full steps, which diverges, are counted too.
+    if (line_search == LineSearch::backtrack)
+      EXPECT_LE(report.iterations, 20);
+    else
+      EXPECT_GT(report.iterations, 1);
+    // The next solve begins with full steps again.
+    x[0] = 0.5;
+    EXPECT_LE(solver.solve(x).iterations, 5);
   }
 }
 
