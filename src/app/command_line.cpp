@@ -8,6 +8,7 @@
 
 #include "app/usage_errors.hpp"
 #include "base/error.hpp"
+#include "base/terminal.hpp"
 
 namespace moat {
 
@@ -29,7 +30,7 @@ CommandLine::CommandLine(int argc, char** argv, std::string title) : app_{std::m
   app_.footer(
       "Write quantities with their unit: \"12 cm\", 0.4g, \"2.5 ms\".\n"
       "Exit code: 0 done, 1 bad input, 2 wrong usage, 3 a step did not converge,\n"
-      "130 or 143 stopped by a signal.");
+      "130, 143 or 129 stopped by a signal.");
 }
 
 void CommandLine::require_new(const std::string& name) const {
@@ -74,7 +75,7 @@ bool CommandLine::parse() {
   try {
     app_.parse(std::vector<std::string>{arguments_.rbegin(), arguments_.rend()});
   } catch (const CLI::ParseError& error) {
-    std::cerr << usage_error(app_, program_, error);
+    print_text(std::cerr, usage_error(app_, program_, error));
     return false;
   }
   for (const auto& [name, value] : flags_)

@@ -1,10 +1,11 @@
 // The frames of a script's run.
 #pragma once
 
+#include <exception>
 #include <filesystem>
 #include <string>
 
-#include "base/error.hpp"
+#include "base/terminal.hpp"
 #include "output/frame_recorder.hpp"
 #include "output/step_observer.hpp"
 
@@ -37,8 +38,8 @@ class FramesOfScript final : public StepObserver {
     if (!failure_.empty()) return;
     try {
       action();
-    } catch (const FileError& error) {
-      failure_ = error.what();
+    } catch (const std::exception& error) {
+      failure_ = reason_of(error);
     }
   }
 

@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/error.hpp"
+#include "base/terminal.hpp"
 #include "output/results_folder.hpp"
 
 namespace moat {
@@ -29,7 +30,8 @@ JsonOutput::~JsonOutput() {
   ::close(standard_output_);
 }
 
-void JsonOutput::write(const std::string& json) const {
+void JsonOutput::write(const std::string& text) const {
+  const std::string json = printable(text);
   std::cout.flush();
   for (std::size_t done = 0; done < json.size();) {
     const ssize_t count = ::write(standard_output_, json.data() + done, json.size() - done);

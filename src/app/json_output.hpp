@@ -10,14 +10,14 @@ namespace moat {
 /// standard output is kept for write().
 class JsonOutput {
  public:
-  /// Throws FileError where standard output is closed.
+  /// Throws FileError where standard output cannot be used.
   JsonOutput();
   ~JsonOutput();
   JsonOutput(const JsonOutput&) = delete;
   JsonOutput& operator=(const JsonOutput&) = delete;
 
   /// Throws FileError where standard output cannot be written.
-  void write(const std::string& json) const;
+  void write(const std::string& text) const;
 
  private:
   int standard_output_;

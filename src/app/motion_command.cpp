@@ -1,9 +1,8 @@
 // The program behind `moat motion`: the numbers of accelerograms.
 
 #include <CLI/CLI.hpp>
-#include <cstdio>
 #include <filesystem>
-#include <optional>
+#include <iostream>
 #include <string>
 #include <vector>
 
@@ -11,6 +10,7 @@
 #include "app/usage_errors.hpp"
 #include "base/error.hpp"
 #include "base/parse_quantity.hpp"
+#include "base/terminal.hpp"
 #include "motions/read_motion.hpp"
 #include "output/csv_writer.hpp"
 
@@ -37,7 +37,7 @@ GroundMotion read(const std::string& file, const Options& options) {
 void show(const Options& options) {
   std::vector<MotionSheet> sheets;
   for (const std::string& file : options.files) sheets.push_back(sheet_of(read(file, options), options.damping));
-  std::fputs((options.json ? json_of(sheets) : text_of(sheets)).c_str(), stdout);
+  print_text(std::cout, options.json ? json_of(sheets) : text_of(sheets));
   if (options.folder.empty()) return;
   const std::filesystem::path folder{options.folder};
   std::error_code error;
@@ -45,7 +45,8 @@ void show(const Options& options) {
   if (error) throw FileError{folder.string() + ": cannot be created (" + error.message() + ")."};
   write_svg(spectrum_chart(sheets), folder / "spectrum.svg");
   write_csv(spectrum_table(sheets), folder / "spectrum.csv");
-  std::fprintf(stderr, "moat: wrote %s and %s\n", (folder / "spectrum.svg").c_str(), (folder / "spectrum.csv").c_str());
+  print_text(std::cerr,
+             "moat: wrote " + (folder / "spectrum.svg").string() + " and " + (folder / "spectrum.csv").string() + "\n");
 }
 
 }  // namespace
@@ -58,20 +59,8 @@ int main(int argc, char** argv) {
   app.add_option("--damping", options.damping, "damping ratio of the spectrum")->capture_default_str();
   app.add_option("--out", options.folder, "folder for spectrum.svg and spectrum.csv");
   app.add_flag("--json", options.json, "print JSON, all numbers in SI units");
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::Success& wish) {
-    return app.exit(wish);
-  } catch (const CLI::ParseError& error) {
-    std::fputs(usage_error(app, "moat motion", error).c_str(), stderr);
-    return 2;
-  }
-  try {
+  return run_command(app, "moat motion", argc, argv, [&] {
     show(options);
-  } catch (const Error& error) {
-    std::fflush(stdout);
-    std::fprintf(stderr, "moat: error: %s\n", error.what());
-    return 1;
-  }
-  return 0;
+    return 0;
+  });
 }

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "base/number_format.hpp"
+#include "base/terminal.hpp"
 
 namespace moat {
 namespace {
@@ -20,7 +21,7 @@ std::string in_time_units(double seconds) {
 }  // namespace
 
 ProgressBar::ProgressBar(const std::string& title, std::string unit, double quiet_time)
-    : title_{title.empty() ? "" : title + ": "},
+    : title_{title.empty() ? "" : printable(title) + ": "},
       unit_{std::move(unit)},
       quiet_time_{quiet_time},
       terminal_{isatty(STDERR_FILENO) != 0} {}
@@ -34,16 +35,16 @@ void ProgressBar::operator()(double done, double all, const std::string& note) {
   if (!terminal_) {
     const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - start_;
     if (passed.count() < quiet_time_) return;
-    std::fprintf(stderr, "moat: %s%3d %% of %.15g %s%s\n", title_.c_str(), percent / 10 * 10, all, unit_.c_str(),
-                 note.c_str());
+    std::fprintf(stderr, "moat: %s%3d %% of %.15g %s\n", title_.c_str(), percent / 10 * 10, all,
+                 printable(unit_ + note).c_str());
   } else if (percent == 100) {
     clear();
   } else {
     constexpr int percent_per_character = 2;
     std::string bar(100 / percent_per_character, '.');
     std::fill_n(bar.begin(), percent / percent_per_character, '#');
-    std::fprintf(stderr, "\r\033[K%s[%s] %3d %% of %.15g %s%s", title_.c_str(), bar.c_str(), percent, all,
-                 unit_.c_str(), note.c_str());
+    std::fprintf(stderr, "\r\033[K%s[%s] %3d %% of %.15g %s", title_.c_str(), bar.c_str(), percent, all,
+                 printable(unit_ + note).c_str());
   }
 }
 

@@ -3,15 +3,14 @@
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
-#include <algorithm>
-#include <cstdio>
 #include <filesystem>
+#include <iostream>
 #include <string>
-#include <vector>
 
 #include "app/results_sheet.hpp"
 #include "app/usage_errors.hpp"
 #include "base/error.hpp"
+#include "base/terminal.hpp"
 
 namespace {
 
@@ -19,8 +18,7 @@ namespace {
 int open_page(const std::filesystem::path& page) {
   const std::string path = std::filesystem::absolute(page).string();
   ::execlp("xdg-open", "xdg-open", path.c_str(), nullptr);
-  std::fprintf(stderr, "moat: error: there is no program xdg-open. Open %s in a browser.\n", path.c_str());
-  return 1;
+  throw moat::FileError{"there is no program xdg-open. Open " + path + " in a browser."};
 }
 
 }  // namespace
@@ -33,23 +31,10 @@ int main(int argc, char** argv) {
   app.add_option("DIR", folder, "a folder of results, such as results/01_moat_wall")->required();
   app.add_flag("--json", json, "print JSON, all numbers in SI units");
   app.add_flag("--open", open, "open report.html too, with xdg-open");
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::Success& wish) {
-    return app.exit(wish);
-  } catch (const CLI::ParseError& error) {
-    std::fputs(usage_error(app, "moat report", error).c_str(), stderr);
-    return 2;
-  }
-  try {
+  return run_command(app, "moat report", argc, argv, [&] {
     const ResultsSheet sheet = read_results(folder);
-    std::fputs((json ? json_of(sheet) : text_of(sheet)).c_str(), stdout);
-    std::fflush(stdout);
+    print_text(std::cout, json ? json_of(sheet) : text_of(sheet));
     if (open && sheet.page.empty()) throw FileError{folder + ": there is no report.html to open."};
-    if (open) return open_page(sheet.page);
-  } catch (const Error& error) {
-    std::fprintf(stderr, "moat: error: %s\n", error.what());
-    return 1;
-  }
-  return 0;
+    return open ? open_page(sheet.page) : 0;
+  });
 }

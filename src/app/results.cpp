@@ -1,7 +1,10 @@
 #include "app/results.hpp"
 
 #include <algorithm>
+#include <exception>
 #include <future>
+#include <string_view>
+#include <system_error>
 
 #include "base/number_format.hpp"
 #include "output/at_the_end.hpp"
@@ -42,6 +45,32 @@ void write_results(const CaseResult& result, const std::filesystem::path& folder
   if (wait_for_others) wait_for_others();
   write_summary_json(result, folder / results_file::summary);
   written(results_file::summary);
+}
+
+std::string keep_results(const CaseResult& result, const std::filesystem::path& folder) {
+  using namespace results_file;
+  std::error_code error;
+  for (const char* name : all_folders) std::filesystem::remove_all(folder / name, error);
+  for (const std::string_view name : all_at_top)
+    if (name != unfinished) std::filesystem::remove(folder / name, error);
+  std::string kept, missing = "frames";
+  const auto keep = [&](const char* name, const std::function<void()>& write) {
+    try {
+      write();
+      kept += (kept.empty() ? "" : ", ") + std::string{name};
+    } catch (const std::exception&) {
+      for (const char* one_of_many : {charts_folder, results_file::charts})
+        std::filesystem::remove_all(folder / one_of_many, error);
+      missing += ", " + std::string{name};
+    }
+  };
+  keep(summary, [&] { write_summary_json(result, folder / summary); });
+  keep(impacts, [&] { write_csv(result.impacts, folder / impacts); });
+  keep(histories_csv, [&] { write_csv(result.histories, folder / histories_csv); });
+  keep(report, [&] { write_report_html(result, result_charts(result), folder); });
+  keep(histories_vtt, [&] { write_vtt(result.histories, folder / histories_vtt); });
+  keep(charts_folder, [&] { write_charts(result_charts(result), folder); });
+  return "Kept: " + (kept.empty() ? "nothing" : kept) + ". Left out: " + missing + ".";
 }
 
 namespace {

@@ -18,6 +18,10 @@ using WritingProgress = std::function<void(double done, double all, const std::s
 void write_results(const CaseResult& result, const std::filesystem::path& folder, const WritingProgress& progress = {},
                    const std::function<void()>& wait_for_others = {});
 
+/// Where write_results() failed: removes frames and charts, writes the files one by one, the most important ones first,
+/// and returns a sentence that names those that are there and those that are not.
+std::string keep_results(const CaseResult& result, const std::filesystem::path& folder);
+
 /// Periods, peaks, clearances, energy, number of impacts and cost, for the terminal.
 std::string terminal_summary(const CaseResult& result);
 

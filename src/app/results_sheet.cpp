@@ -135,10 +135,15 @@ ResultsSheet read_results(const fs::path& folder) {
     if (entry.path().extension() == ".db") files.push_back(entry.path());
   std::ranges::sort(files);
   for (const fs::path& file : files) sheet.studies.emplace_back(file.filename().string(), read_study(file));
+  std::ifstream marker{folder / results_file::unfinished};
+  const std::string unfinished =
+      "these results are unfinished: " + std::string{std::istreambuf_iterator<char>{marker}, {}};
+  if (sheet.run && marker.is_open()) sheet.run->warnings.insert(sheet.run->warnings.begin(), unfinished);
   if (!sheet.run && sheet.studies.empty())
-    throw FileError{folder.string() +
-                    ": there are no results here, neither summary.json nor a study. A script names "
-                    "the folder of its results at its end."};
+    throw FileError{folder.string() + ": " +
+                    (marker.is_open() ? unfinished
+                                      : "there are no results here, neither summary.json nor a study. A script names "
+                                        "the folder of its results at its end.")};
   return sheet;
 }
 

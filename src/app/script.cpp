@@ -5,6 +5,7 @@
 #include <cstdlib>
 #include <exception>
 #include <iostream>
+#include <new>
 #include <vector>
 
 #include "analyses/case_run.hpp"
@@ -18,6 +19,7 @@
 #include "app/stop_signals.hpp"
 #include "base/check.hpp"
 #include "base/error.hpp"
+#include "base/terminal.hpp"
 #include "output/results_folder.hpp"
 
 namespace moat {
@@ -28,11 +30,13 @@ namespace {
   std::cout.flush();
   try {
     if (const std::exception_ptr current = std::current_exception()) std::rethrow_exception(current);
-    std::fputs("moat: terminated without an exception\n", stderr);
+    std::cerr << "moat: terminated without an exception\n";
+  } catch (const std::bad_alloc& error) {  // without memory for printable text
+    std::cerr << "moat: error: " << reason_of(error) << "\n";
   } catch (const std::exception& error) {
-    std::fprintf(stderr, "moat: error: %s\n", error.what());
+    print_text(std::cerr, std::string{"moat: error: "} + error.what() + "\n");
   } catch (...) {
-    std::fputs("moat: error: an exception that is not a std::exception\n", stderr);
+    std::cerr << "moat: error: an exception that is not a std::exception\n";
   }
   std::fflush(stdout);
   std::_Exit(exit_error);
@@ -61,9 +65,8 @@ Script::~Script() {
   // Neither run() nor study() nor check_options() read the line.
   try {
     check_options();
-  } catch (const std::exception& error) {
-    std::cerr << "moat: error: " << error.what() << "\n";
-    std::exit(exit_error);
+  } catch (...) {
+    report_and_exit();
   }
 }
 
@@ -72,7 +75,7 @@ void Script::check_options() {
   parts_->checked = true;
   CommandLine& line = parts_->line;
   if (line.help_wanted()) {
-    std::cout << line.help() << std::flush;
+    print_text(std::cout, line.help());
     std::exit(0);
   }
   if (!line.parse()) std::exit(exit_usage);
@@ -131,6 +134,13 @@ struct Script::Outcome {
   CaseResult result{};
   std::string failure{};  // empty if it reached its end
   int exit_code = 0;
+
+  // warning: for readers of the files, who must not take them for those of a whole run.
+  void fail(const std::string& reason, int code, const std::string& warning) {
+    failure += (failure.empty() ? "" : " ") + reason;
+    if (exit_code == 0) exit_code = code;
+    result.warnings.insert(result.warnings.begin(), warning);
+  }
 };
 
 int Script::run(Model& model, const GroundMotion& motion, std::initializer_list<StepObserver*> observers) {
@@ -146,13 +156,15 @@ int Script::run(Model& model, const GroundMotion& motion, const TransientOptions
   options.transient = given;
   if (const auto exit_code = read_options(motion, options)) return *exit_code;
   if (!parts_->speaks()) return 0;  // a single run needs one rank
+  const StopSignals signals;
   CaseRun run{model,
               motion,
               {.title = parts_->line.title(),
                .transient = options.transient,
                .error_bars = options.check ? ErrorBarMode::always : ErrorBarMode::automatic}};
   for (StepObserver* observer : parts_->observers) run.attach(*observer);
-  ResultsFolder folder{options.folder, options.force ? WhenFolderExists::overwrite : WhenFolderExists::use_new_number};
+  ResultsFolder folder{options.folder, options.force ? WhenFolderExists::overwrite : WhenFolderExists::use_new_number,
+                       parts_->origin.command_line};
   std::optional<FramesOfScript> frames;
   if (options.frame_interval.si() != 0.0) run.attach(frames.emplace(model, folder.path(), options.frame_interval.si()));
   Outcome outcome = compute(run, options);
@@ -166,24 +178,32 @@ int Script::run(Model& model, const GroundMotion& motion, const TransientOptions
                   takes_time && !options.quiet ? WritingProgress{ProgressBar{"writing", "parts"}} : WritingProgress{},
                   wait_for_others);
   };
-  write([&] {
-    if (frames) frames->wait();
-  });
-  // A run that failed has its reason already.
-  if (frames && !frames->failure().empty() && outcome.failure.empty()) {
-    outcome.failure = frames->failure();
-    outcome.exit_code = exit_error;
-    outcome.result.warnings.insert(outcome.result.warnings.begin(), "The frames are incomplete: " + outcome.failure);
-    write({});
+  try {
+    // Before the files, for which disk and memory may be too small.
+    if (!options.quiet) print_text(std::cout, terminal_summary(outcome.result));
+    write([&] {
+      if (frames) frames->wait();
+    });
+    // A run that failed has its reason already.
+    if (frames && !frames->failure().empty() && outcome.failure.empty()) {
+      outcome.fail(frames->failure(), exit_error, "The frames are incomplete: " + frames->failure());
+      write({});
+    }
+  } catch (const std::exception& error) {
+    frames.reset();
+    const std::string reason = reason_of(error);
+    outcome.fail(reason, exit_error, "Files of these results are missing: " + reason);
+    outcome.failure += " " + keep_results(outcome.result, folder.path());
   }
   const std::filesystem::path wanted = folder.final_path();
-  const bool beside_old = !outcome.failure.empty() && folder.finish_incomplete();
+  if (!outcome.failure.empty()) folder.finish_incomplete();
   folder.finish();
-  if (parts_->json) parts_->json->write(summary_with_folder(folder.final_path()));
+  if (parts_->json && std::filesystem::exists(folder.final_path() / results_file::summary))
+    parts_->json->write(summary_with_folder(folder.final_path()));
   const int exit_code = print(outcome, options, folder.final_path());
-  if (beside_old)
-    std::cerr << "moat: The old results in " << wanted.string() << " stay; those of this run are in "
-              << folder.final_path().string() << ".\n";
+  if (folder.final_path() != wanted)
+    print_text(std::cerr, "moat: The old results in " + wanted.string() + " stay; those of this run are in " +
+                              folder.final_path().string() + ".\n");
   return exit_code;
 }
 
@@ -205,7 +225,7 @@ std::optional<int> Script::read_options(const GroundMotion& motion, RunOptions& 
   line.add_json_flag();
   parts_->checked = true;
   if (line.help_wanted()) {
-    std::cout << line.help();
+    print_text(std::cout, line.help());
     return 0;
   }
   if (!line.parse()) return exit_usage;
@@ -220,14 +240,13 @@ std::optional<int> Script::read_options(const GroundMotion& motion, RunOptions& 
 Script::Outcome Script::compute(CaseRun& run, const RunOptions& options) {
   std::optional<ProgressObserver> progress, progress_of_bodies, progress_of_check;
   if (!options.quiet) {
-    std::cout << parts_->line.title() << "\n" << run.transient().motion().description() << "\n" << std::flush;
+    print_text(std::cout, parts_->line.title() + "\n" + run.transient().motion().description() + "\n");
     run.attach(progress.emplace(run.transient().end_time()));
     run.attach_to_bodies(progress_of_bodies.emplace(run.transient().end_time(), "bodies"));
     // Without --check the second run is over at once.
     if (options.check) run.attach_to_companion(progress_of_check.emplace(run.transient().end_time(), "check"));
   }
   Outcome outcome;
-  const StopSignals signals;
   run.stop_when([] { return StopSignals::received() != 0; });
   try {
     run.run();
@@ -235,11 +254,11 @@ Script::Outcome Script::compute(CaseRun& run, const RunOptions& options) {
       outcome.failure = std::string{StopSignals::name()} + ". To compute the whole: " + parts_->origin.command_line;
       outcome.exit_code = StopSignals::exit_code();
     }
-  } catch (const ConvergenceError& error) {
-    outcome.failure = error.what();
-    outcome.exit_code = exit_no_convergence;
   } catch (const Error& error) {
     outcome.failure = error.what();
+    outcome.exit_code = dynamic_cast<const ConvergenceError*>(&error) != nullptr ? exit_no_convergence : exit_error;
+  } catch (const std::bad_alloc& error) {
+    outcome.failure = reason_of(error);
     outcome.exit_code = exit_error;
   }
   outcome.result = run.take_result();
@@ -255,16 +274,18 @@ Script::Outcome Script::compute(CaseRun& run, const RunOptions& options) {
 }
 
 int Script::print(const Outcome& outcome, const RunOptions& options, const std::filesystem::path& folder) {
-  if (!options.quiet)
-    std::cout << terminal_summary(outcome.result) << "Results: " << folder.string() << "/  (report.html"
-              << (options.frame_interval.si() != 0.0 ? ", frames.pvd for ParaView" : "") << ")\n"
-              << std::flush;
+  using std::filesystem::exists;
+  const char* files = exists(folder / results_file::frames)   ? "  (report.html, frames.pvd for ParaView)\n"
+                      : exists(folder / results_file::report) ? "  (report.html)\n"
+                                                              : "\n";
+  if (!options.quiet) print_text(std::cout, "Results: " + folder.string() + "/" + files);
   const auto& warnings = outcome.result.warnings;
   for (std::size_t i = outcome.failure.empty() ? 0 : 1; i < warnings.size(); ++i)
-    std::cerr << "moat: warning: " << warnings[i] << "\n";
-  if (!outcome.failure.empty()) std::cerr << "moat: error: " << outcome.failure << "\n";
+    print_text(std::cerr, "moat: warning: " + warnings[i] + "\n");
+  if (!outcome.failure.empty()) print_text(std::cerr, "moat: error: " + outcome.failure + "\n");
   if (outcome.exit_code == 0 && !std::cout) {
-    std::cerr << "moat: error: standard output cannot be written; the results are in " << folder.string() << "\n";
+    print_text(std::cerr,
+               "moat: error: standard output cannot be written; the results are in " + folder.string() + "\n");
     return exit_error;
   }
   return outcome.exit_code;

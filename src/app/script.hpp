@@ -49,9 +49,9 @@ inline const bool exceptions_are_reported = report_exceptions_that_leave_main();
 ///
 /// Errors: an exception that leaves main() is printed as one message to standard error and ends the program with exit
 /// code 1; in a program of your own, once a Script exists. Exit codes: 0 done; 1 bad input or another error; 2 wrong
-/// usage of the command line; 3 a step did not converge (the results up to that step are in the results folder); 130
-/// and 143 stopped by SIGINT (Ctrl-C) and SIGTERM (the results up to then are there; with --force beside old ones, in a
-/// folder with a new number).
+/// usage of the command line; 3 a step did not converge (the results up to that step are in the results folder); 130,
+/// 143 and 129 stopped by SIGINT (Ctrl-C), SIGTERM and SIGHUP (the results up to then are there; with --force beside
+/// old ones, in a folder with a new number).
 class Script {
  public:
   Script(int argc, char** argv, std::string title);  ///< The arguments of main(), and a title for reports.

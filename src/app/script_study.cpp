@@ -14,6 +14,7 @@
 #include "app/stop_signals.hpp"
 #include "app/study_json.hpp"
 #include "base/check.hpp"
+#include "base/terminal.hpp"
 #include "output/csv_writer.hpp"
 
 namespace moat {
@@ -66,7 +67,7 @@ StudyResult ScriptStudy::run(const StudyCases& cases, const std::function<StudyR
     options.progress = {};
   else if (!options.progress)
     options.progress = [&](const StudyProgress& now) { bar(now); };
-  if (reports) std::cout << title << ": " << name << ", " << cases.count() << " cases\n" << std::flush;
+  if (reports) print_text(std::cout, title + ": " + name + ", " + std::to_string(cases.count()) + " cases\n");
   const auto close = [&](const std::string& ending) {
     if (store) store->end_session(ending);
     store.reset();
@@ -136,36 +137,38 @@ void ScriptStudy::keep(const StudyResult& result, const std::string& name) {
 
 void ScriptStudy::end_of_part(const StudyResult& result, const fs::path& file, const std::string& name) const {
   if (speaks() && !options_.quiet)
-    std::cout << "Cases " << options_.part->first << " to " << options_.part->second - 1 << " are in " << file.string()
-              << "\nPut parts together: moat study merge " << (options_.folder / (name + ".db")).string()
-              << " PART ...\n";
+    print_text(std::cout, "Cases " + std::to_string(options_.part->first) + " to " +
+                              std::to_string(options_.part->second - 1) + " are in " + file.string() +
+                              "\nPut parts together: moat study merge " + (options_.folder / (name + ".db")).string() +
+                              " PART ...\n");
   end_program(exit_code_of(result.count(CaseState::failed), result.count(CaseState::not_converged)));
 }
 
 void ScriptStudy::end_at_stop(const StudyStopped& stopped, const fs::path& file, const std::string& name) {
   if (!speaks()) end_program(0);
-  std::cerr << "moat: " << StopSignals::name() << ". " << stopped.what() << " They are in " << file.string() << "\n";
+  print_text(std::cerr, std::string{"moat: "} + StopSignals::name() + ". " + stopped.what() + " They are in " +
+                            file.string() + "\n");
   if (!options_.part) {
     try {
       keep(stopped.result, name);
     } catch (const Error& error) {
-      std::cerr << "moat: warning: " << error.what() << "\n";
+      print_text(std::cerr, std::string{"moat: warning: "} + error.what() + "\n");
     }
     write_json();
   }
-  std::cerr << "moat: to go on: " << command_to_go_on(line_->arguments(), ranks_ != nullptr ? ranks_->count() : 0)
-            << "\n";
+  print_text(std::cerr,
+             "moat: to go on: " + command_to_go_on(line_->arguments(), ranks_ != nullptr ? ranks_->count() : 0) + "\n");
   end_program(StopSignals::exit_code());
 }
 
 void ScriptStudy::print_failures(const StudyResult& result, const std::string& name) {
   const std::string failures = failure_message(result);
-  if (!failures.empty()) std::cerr << "moat: warning: " << name << ": " << failures << "\n";
+  if (!failures.empty()) print_text(std::cerr, "moat: warning: " + name + ": " + failures + "\n");
 }
 
 void ScriptStudy::answer(const std::string& sentence) {
   report_.answers.push_back(sentence);
-  std::cout << sentence << "\n" << std::flush;
+  print_text(std::cout, sentence + "\n");
 }
 
 void ScriptStudy::write_json() const {
@@ -191,7 +194,7 @@ int ScriptStudy::finish() {
   }
   if (speaks()) write_study_report(report_, options_.folder);
   write_json();
-  if (!options_.quiet) std::cout << "Results: " << options_.folder.string() << "/  (" << files << ")\n" << std::flush;
+  if (!options_.quiet) print_text(std::cout, "Results: " + options_.folder.string() + "/  (" + files + ")\n");
   return exit_code_of(failed, without_solution);
 }
 

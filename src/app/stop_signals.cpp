@@ -15,7 +15,8 @@ StopSignals::StopSignals() {
   for (std::size_t i = 0; i < signals.size(); ++i) {
     struct sigaction action {};
     action.sa_handler = [](int signal) { last_signal = signal; };
-    action.sa_flags = static_cast<int>(SA_RESETHAND | SA_RESTART);
+    if (signals[i] == SIGXFSZ || signals[i] == SIGPIPE) action.sa_handler = SIG_IGN;
+    action.sa_flags = static_cast<int>(signals[i] == SIGHUP ? SA_RESTART : SA_RESETHAND | SA_RESTART);
     sigaction(signals[i], nullptr, &before_[i]);
     if (before_[i].sa_handler != SIG_IGN) sigaction(signals[i], &action, nullptr);
   }
@@ -29,7 +30,7 @@ int StopSignals::received() { return last_signal; }
 
 const char* StopSignals::name() {
   const int signal = last_signal;
-  return signal == SIGTERM ? "SIGTERM" : signal == SIGUSR1 ? "SIGUSR1" : "SIGINT";
+  return signal == SIGTERM ? "SIGTERM" : signal == SIGUSR1 ? "SIGUSR1" : signal == SIGHUP ? "SIGHUP" : "SIGINT";
 }
 
 int StopSignals::exit_code() {

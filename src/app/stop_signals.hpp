@@ -6,9 +6,10 @@
 
 namespace moat {
 
-/// While it lives, SIGINT, SIGTERM and SIGUSR1 (which mpirun hands to its ranks) do not end the program but are
-/// remembered, so that it can end in order. A second signal of the same kind ends it at once. A signal that the program
-/// was started to ignore (nohup) stays ignored.
+/// While it lives, SIGINT, SIGTERM, SIGUSR1 (which mpirun hands to its ranks) and SIGHUP do not end the program but are
+/// remembered, so that it can end in order. A second signal of the same kind ends it at once, but for SIGHUP: a
+/// terminal that is closed sends several. A signal that the program was started to ignore (nohup) stays ignored.
+/// SIGXFSZ and SIGPIPE are ignored, so that a write fails that would end the program.
 class StopSignals {
  public:
   StopSignals();
@@ -18,13 +19,13 @@ class StopSignals {
 
   /// The number of the signal that came; 0: none.
   [[nodiscard]] static int received();
-  /// "SIGINT", "SIGTERM" or "SIGUSR1".
+  /// "SIGINT", "SIGTERM", "SIGUSR1" or "SIGHUP".
   [[nodiscard]] static const char* name();
-  /// The exit code that a shell gives for it: 130, 143 or 138.
+  /// The exit code that a shell gives for it: 130, 143, 138 or 129.
   [[nodiscard]] static int exit_code();
 
  private:
-  static constexpr std::array signals{SIGINT, SIGTERM, SIGUSR1};
+  static constexpr std::array signals{SIGINT, SIGTERM, SIGUSR1, SIGHUP, SIGXFSZ, SIGPIPE};
   std::array<struct sigaction, signals.size()> before_{};
 };
 

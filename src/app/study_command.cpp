@@ -1,13 +1,13 @@
 // The program behind `moat study`: reads the files of studies.
 
 #include <CLI/CLI.hpp>
-#include <cstdio>
 #include <filesystem>
+#include <iostream>
 #include <string>
 #include <vector>
 
 #include "app/usage_errors.hpp"
-#include "base/error.hpp"
+#include "base/terminal.hpp"
 #include "output/csv_writer.hpp"
 #include "study/store.hpp"
 #include "study/study_text.hpp"
@@ -32,31 +32,17 @@ int main(int argc, char** argv) {
   CLI::App* const merge = app.add_subcommand("merge", "Put the cases of parts into one study");
   merge->add_option("INTO", file, "the study to make or to add to")->required();
   merge->add_option("PART", parts, "studies")->required();
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::Success& wish) {
-    return app.exit(wish);
-  } catch (const CLI::ParseError& error) {
-    std::fputs(usage_error(app, "moat study", error).c_str(), stderr);
-    return 2;
-  }
-  if (!*merge && std::filesystem::is_directory(file)) file = std::filesystem::path{file} / "study.db";
-  try {
-    if (*show) std::fputs(description_of(read_study(file)).c_str(), stdout);
+  return run_command(app, "moat study", argc, argv, [&] {
+    if (!*merge && std::filesystem::is_directory(file)) file = std::filesystem::path{file} / "study.db";
     if (*csv) {
       std::filesystem::path path{out};
       if (out.empty()) path = std::filesystem::path{file}.replace_extension(".csv");
       write_csv(read_study(file).result.case_table(), path);
-      std::printf("%s\n", path.c_str());
+      print_text(std::cout, path.string() + "\n");
+      return 0;
     }
-    if (*merge) {
-      merge_studies(file, {parts.begin(), parts.end()});
-      std::fputs(description_of(read_study(file)).c_str(), stdout);
-    }
-  } catch (const Error& error) {
-    std::fflush(stdout);
-    std::fprintf(stderr, "moat: error: %s\n", error.what());
-    return 1;
-  }
-  return 0;
+    if (*merge) merge_studies(file, {parts.begin(), parts.end()});
+    print_text(std::cout, description_of(read_study(file)));
+    return 0;
+  });
 }

@@ -1,9 +1,11 @@
 #include "app/usage_errors.hpp"
 
 #include <algorithm>
+#include <iostream>
 #include <vector>
 
 #include "base/nearest_name.hpp"
+#include "base/terminal.hpp"
 
 namespace moat {
 namespace {
@@ -34,6 +36,21 @@ std::string usage_error(const CLI::App& parser, const std::string& program, cons
   }
   if (lines.empty()) lines = "moat: error: " + std::string{error.what()} + "\n";
   return lines + "moat: --help lists all options.\n";
+}
+
+int run_command(CLI::App& parser, const std::string& name, int argc, char** argv, const std::function<int()>& work) {
+  try {
+    parser.parse(argc, argv);
+    return work();
+  } catch (const CLI::Success& wish) {
+    return parser.exit(wish);
+  } catch (const CLI::ParseError& error) {
+    print_text(std::cerr, usage_error(parser, name, error));
+    return 2;
+  } catch (const std::exception& error) {
+    print_text(std::cerr, std::string{"moat: error: "} + error.what() + "\n");
+    return 1;
+  }
 }
 
 }  // namespace moat

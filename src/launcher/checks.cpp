@@ -1,9 +1,10 @@
 #include "launcher/checks.hpp"
 
 #include <algorithm>
-#include <cstdio>
+#include <iostream>
 #include <thread>
 
+#include "base/terminal.hpp"
 #include "launcher/library.hpp"
 #include "launcher/phase.hpp"
 #include "launcher/records.hpp"
@@ -90,7 +91,7 @@ bool passes(const Places& places, const NamedCheck& check) {
   for (const Step& step : check.steps(places)) {
     if (phase(places.logs(), check.name, step.detail, step.command) == 0) continue;
     const std::string log = (places.logs() / (check.name + ".log")).string();
-    std::fputs(without_progress(text_of(log)).c_str(), stdout);
+    print_text(std::cout, without_progress(text_of(log)));
     say("The whole log: " + log);
     return false;
   }

@@ -9,6 +9,7 @@
 #include <thread>
 #include <vector>
 
+#include "base/terminal.hpp"
 #include "launcher/process.hpp"
 #include "launcher/stop.hpp"
 #include "launcher/text.hpp"
@@ -17,7 +18,7 @@ namespace moat::launcher {
 namespace {
 
 void print(const std::string& name, const std::string& value) {
-  std::printf("%-26s %s\n", name.c_str(), value.c_str());
+  std::printf("%-26s %s\n", name.c_str(), printable(value).c_str());
 }
 
 std::string first_line_of(const Command& command) {

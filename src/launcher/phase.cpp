@@ -5,7 +5,9 @@
 #include <chrono>
 #include <cstdio>
 #include <future>
+#include <iostream>
 
+#include "base/terminal.hpp"
 #include "launcher/stop.hpp"
 #include "launcher/text.hpp"
 #include "launcher/without_progress.hpp"
@@ -20,7 +22,8 @@ using Clock = std::chrono::steady_clock;
 class ProgressLine {
  public:
   ProgressLine(const std::string& name, const std::string& detail) {
-    line_ = "moat: " + name + std::string(name.size() < 9 ? 9 - name.size() : 0, ' ') + " " + detail + " ... ";
+    line_ =
+        "moat: " + name + std::string(name.size() < 9 ? 9 - name.size() : 0, ' ') + " " + printable(detail) + " ... ";
   }
   void show() {
     if (!shown_ || ::isatty(STDERR_FILENO) != 0) std::fprintf(stderr, "%s%s", shown_ ? "\r" : "", line_.c_str());
@@ -53,7 +56,7 @@ std::string end_of(const std::string& text) {
 
 }  // namespace
 
-void say(const std::string& line) { std::fprintf(stderr, "moat: %s\n", line.c_str()); }
+void say(const std::string& line) { print_text(std::cerr, "moat: " + line + "\n"); }
 
 int phase(const std::filesystem::path& logs, const std::string& name, const std::string& detail,
           const Command& command) {
@@ -69,7 +72,7 @@ void required_phase(const std::filesystem::path& logs, const std::string& name, 
                     const Command& command) {
   if (phase(logs, name, detail, command) == 0) return;
   const std::filesystem::path log = logs / (name + ".log");
-  std::fputs(end_of(without_progress(text_of(log))).c_str(), stderr);
+  print_text(std::cerr, end_of(without_progress(text_of(log))));
   throw Stop{exit_failed, "The whole log: " + log.string()};
 }
 

@@ -5,7 +5,9 @@
 #include <climits>
 #include <cstdio>
 #include <functional>
+#include <iostream>
 
+#include "base/terminal.hpp"
 #include "launcher/compile_errors.hpp"
 #include "launcher/phase.hpp"
 #include "launcher/process.hpp"
@@ -119,7 +121,7 @@ void ScriptBuild::bring_up_to_date() const {
   keep_list_of_files();
   if (!fs::exists(folder_ / "diagnostics")) return;
   const std::string warnings = replaced(text_of(folder_ / "diagnostics"), script_.string(), typed_.string());
-  std::fputs(with_short_lines(warnings).c_str(), stderr);
+  print_text(std::cerr, with_short_lines(warnings));
   remove_unused(places_.scripts());
 }
 
@@ -128,8 +130,8 @@ void ScriptBuild::fail() const {
   const std::string diagnostics = text_of(folder_ / "diagnostics");
   if (diagnostics.empty()) throw Stop{exit_failed, text_of(log) + "The whole log: " + log.string()};
   write_text(log, diagnostics);
-  std::fputs(explained(replaced(diagnostics, script_.string(), typed_.string()), typed_.string(), places_.root).c_str(),
-             stderr);
+  print_text(std::cerr,
+             explained(replaced(diagnostics, script_.string(), typed_.string()), typed_.string(), places_.root));
   throw Stop{exit_failed, "All that the compiler said: " + log.string()};
 }
 

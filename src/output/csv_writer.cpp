@@ -35,26 +35,31 @@ void append_number(std::string& out, double value) {
 
 void write_csv(const Table& table, const std::filesystem::path& path) {
   require_equal_lengths(table);
-  std::string out;
-  out.reserve((table.rows() + 1) * table.columns.size() * 24);
+  std::string out, next;
   const char* separator = "";
   for (const Column& column : table.columns) {
-    out += separator;
-    append_text(out, column.labels.empty() ? column_name(column) : column.quantity);
+    next += separator;
+    append_text(next, column.labels.empty() ? column_name(column) : column.quantity);
     separator = ",";
   }
-  out += '\n';
-  for (std::size_t row = 0; row < table.rows(); ++row) {
-    for (const Column& column : table.columns) {
-      if (column.labels.empty())
-        append_number(out, column.values[row]);
-      else
-        append_text(out, column.labels[row]);
-      out += ',';
+  next += '\n';
+  std::size_t row = 0;
+  write_file(path, [&]() -> std::string_view {
+    constexpr std::size_t most = 1 << 20;  // of a long table, which may leave no memory for a second one as text
+    out.swap(next);
+    next.clear();
+    for (; row < table.rows() && out.size() < most; ++row) {
+      for (const Column& column : table.columns) {
+        if (column.labels.empty())
+          append_number(out, column.values[row]);
+        else
+          append_text(out, column.labels[row]);
+        out += ',';
+      }
+      out.back() = '\n';
     }
-    out.back() = '\n';
-  }
-  write_file(path, out);
+    return out;
+  });
 }
 
 void write_csv(const std::vector<Impact>& impacts, const std::filesystem::path& path) {

@@ -17,6 +17,7 @@ namespace moat {
 namespace {
 
 using Pieces = std::span<const std::string_view>;
+using Write = std::function<bool(int file)>;  // as write_all()
 
 constexpr int permissions = 0666;  // less the umask
 
@@ -48,8 +49,8 @@ bool write_all(int file, Pieces pieces) {
 }
 
 /// Writes and closes the file that is open at `place`; removes it where that fails, with an error about `path`.
-void fill(int file, const std::string& place, Pieces pieces, const std::filesystem::path& path) {
-  const bool written = write_all(file, pieces);
+void fill(int file, const std::string& place, const Write& write, const std::filesystem::path& path) {
+  const bool written = write(file);
   const int write_error = errno;
   // A full disk may show only at the end.
   const bool closed = close(file) == 0;
@@ -59,6 +60,17 @@ void fill(int file, const std::string& place, Pieces pieces, const std::filesyst
   fail(path, "cannot be written completely", reason);
 }
 
+void replace_file(const std::filesystem::path& path, const Write& write) {
+  const std::string unfinished = path.string() + ".unfinished-" + std::to_string(getpid());
+  const int file = open(unfinished.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, permissions);
+  if (file < 0) fail(path, "cannot be created", errno);
+  fill(file, unfinished, write, path);
+  if (std::rename(unfinished.c_str(), path.c_str()) == 0) return;
+  const int reason = errno;
+  std::remove(unfinished.c_str());
+  fail(path, "cannot be put in its place", reason);
+}
+
 }  // namespace
 
 void write_file(const std::filesystem::path& path, std::string_view contents) {
@@ -66,14 +78,15 @@ void write_file(const std::filesystem::path& path, std::string_view contents) {
 }
 
 void write_file(const std::filesystem::path& path, Pieces pieces) {
-  const std::string unfinished = path.string() + ".unfinished-" + std::to_string(getpid());
-  const int file = open(unfinished.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, permissions);
-  if (file < 0) fail(path, "cannot be created", errno);
-  fill(file, unfinished, pieces, path);
-  if (std::rename(unfinished.c_str(), path.c_str()) == 0) return;
-  const int reason = errno;
-  std::remove(unfinished.c_str());
-  fail(path, "cannot be put in its place", reason);
+  replace_file(path, [&](int file) { return write_all(file, pieces); });
+}
+
+void write_file(const std::filesystem::path& path, const std::function<std::string_view()>& more) {
+  replace_file(path, [&](int file) {
+    std::string_view piece = more();
+    while (!piece.empty() && write_all(file, Pieces{&piece, 1})) piece = more();
+    return piece.empty();
+  });
 }
 
 void write_unlisted_file(const std::filesystem::path& path, Pieces pieces) {
@@ -81,7 +94,8 @@ void write_unlisted_file(const std::filesystem::path& path, Pieces pieces) {
   int file = create();
   if (file < 0 && errno == EEXIST && unlink(path.c_str()) == 0) file = create();
   if (file < 0) fail(path, "cannot be created", errno);
-  fill(file, path.string(), pieces, path);
+  fill(
+      file, path.string(), [&](int opened) { return write_all(opened, pieces); }, path);
 }
 
 }  // namespace moat

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <span>
 #include <string_view>
 
@@ -13,6 +14,8 @@ namespace moat {
 void write_file(const std::filesystem::path& path, std::string_view contents);
 /// The same; the contents are the pieces one after another.
 void write_file(const std::filesystem::path& path, std::span<const std::string_view> pieces);
+/// The same, without all pieces in memory; `more` gives one after another, and an empty one at the end.
+void write_file(const std::filesystem::path& path, const std::function<std::string_view()>& more);
 
 /// The same in half the time, for a file that nobody looks for before another file names it: it is written in its
 /// place, and a file of its name is removed first. A write that fails leaves nothing.

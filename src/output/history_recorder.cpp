@@ -173,6 +173,9 @@ Table HistoryRecorder::take_table() {
 }
 
 void HistoryRecorder::add_row(const Sample& sample) {
+  // Before the row: without memory for it all columns keep one length.
+  for (Column& each : columns_)
+    if (each.values.size() == each.values.capacity()) each.values.reserve(2 * each.values.size() + 1);
   auto column = columns_.begin();
   const auto add = [&](double value) { (column++)->values.push_back(value); };
   add(sample.time);

@@ -2,8 +2,10 @@
 #pragma once
 
 #include <array>
+#include <cerrno>
 #include <filesystem>
 #include <optional>
+#include <string>
 
 namespace moat {
 
@@ -24,23 +26,27 @@ inline constexpr const char* frames_folder = "frames";
 inline constexpr const char* charts_folder = "charts";
 inline constexpr std::array all_folders{frames_folder,
                                         charts_folder};  ///< Folders that overwriting empties of files of moat.
+/// Stands in a folder until its results are complete, and names command, host, process and start of the run.
+inline constexpr const char* unfinished = "unfinished";
 /// Overwriting replaces these, the frames and the single charts, and nothing else.
-inline constexpr std::array all_at_top{summary, histories_csv, histories_vtt, impacts,
-                                       report,  charts,        frames,        paraview_script};
+inline constexpr std::array all_at_top{summary, histories_csv, histories_vtt,   impacts,   report,
+                                       charts,  frames,        paraview_script, unfinished};
 }  // namespace results_file
 
 /// How a folder is treated that already holds something.
 enum class WhenFolderExists {
   use_new_number,  ///< write to the next free of results_2, results_3 ...
   /// Replace the files moat itself wrote there, and links that have their names; everything else stays. Throws
-  /// InputError where files have the names of results and there is no summary.json of moat.
+  /// InputError where files have the names of results and there is neither summary.json nor `unfinished` of moat.
   overwrite,
   refuse  ///< throw InputError
 };
 
-/// The folder of one run. Results that are to be overwritten stay until the new ones are complete: these are written to
-/// the folder "<name>.new" beside, and finish() exchanges them. Results of a run that stopped before its end go to the
-/// next free number by finish_incomplete(), and a run that is killed leaves the old results as they were.
+/// The folder of one run. It is taken at once: of runs that start together each gets a folder of its own, and a run
+/// that is killed leaves the file `unfinished`. Results that are to be overwritten stay until the new ones are
+/// complete: these are written to the folder "<name>.new" beside, and finish() exchanges them. Results of a run that
+/// stopped before its end go to the next free number by finish_incomplete(), and a run that is killed leaves the old
+/// results as they were.
 ///
 ///     ResultsFolder folder{"results/tower", WhenFolderExists::overwrite};
 ///     write_results(result, folder.path());
@@ -48,9 +54,11 @@ enum class WhenFolderExists {
 class ResultsFolder {
  public:
   /// Creates the folder and those above it. A folder that exists but is empty is taken as it is; one given as . or ..
-  /// has its own name. Throws InputError for an empty path, the root and for `refuse`, FileError where a folder cannot
-  /// be created (among others because a file of that name exists).
-  ResultsFolder(const std::filesystem::path& wanted, WhenFolderExists when_exists);
+  /// has its own name. command: for `unfinished`. Throws InputError for an empty path, the root and for `refuse`,
+  /// FileError where a folder cannot be created (among others because a file of that name exists).
+  ResultsFolder(const std::filesystem::path& wanted, WhenFolderExists when_exists,
+                const std::string& command = program_invocation_name);
+  /// Without finish() before, "<name>.new" stays, and during an exception any folder stays unfinished.
   ~ResultsFolder();
   ResultsFolder(const ResultsFolder&) = delete;
   ResultsFolder& operator=(const ResultsFolder&) = delete;
@@ -60,7 +68,8 @@ class ResultsFolder {
   /// Where the results are after finish().
   [[nodiscard]] const std::filesystem::path& final_path() const { return final_; }
 
-  /// Puts all files in their place; calling it again does nothing. Throws FileError where a file cannot be moved.
+  /// Puts all files in their place, or does as finish_incomplete() where another run writes there now; `unfinished`
+  /// goes. Calling it again does nothing. Throws FileError where a file cannot be moved.
   void finish();
   /// For results of a run that stopped before its end: those that were to be overwritten stay, and the new ones get the
   /// next free of results_2, results_3 ..., which is final_path() then. Returns whether there are such old results;
@@ -68,12 +77,12 @@ class ResultsFolder {
   bool finish_incomplete();
 
  private:
-  void make_folder_beside();
-  void release_folder_beside();
+  void make_folder_beside(const std::string& command);
+  void replace_old_results(const std::filesystem::path& from);
 
   std::filesystem::path final_;
   std::optional<std::filesystem::path> beside_;  // while there are old results
-  int lock_ = -1;                                // held on the folder beside, so that no other run takes it
+  int mark_ = -1;                                // the file `unfinished`, locked until finish()
 };
 
 }  // namespace moat

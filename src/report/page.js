@@ -148,6 +148,8 @@
     if (typeof Dygraph === "undefined") return;
     const style = getComputedStyle(document.documentElement);
     const colour = (name) => style.getPropertyValue(name).trim();
+    // Dygraphs reads titles of axes as HTML.
+    const html = (text) => text.replace(/[&<>"']/g, (letter) => "&#" + letter.charCodeAt(0) + ";");
 
     let synchronising = false;
     function zoomAll(range) {
@@ -173,7 +175,7 @@
       graphs.push(new Dygraph(plot, rows, {
         labels: ["time [s]", ...chart.series.map((series) => series.name)],
         colors: chart.series.map((series) => series.colour === "#000000" ? colour("--ink") : series.colour),
-        labelsDiv: legend, legend: "always", ylabel: chart.label, xlabel: "time [s]",
+        labelsDiv: legend, legend: "always", ylabel: html(chart.label), xlabel: "time [s]",
         gridLineColor: colour("--line"), axisLineColor: colour("--soft-ink"), strokeWidth: 1.3, axisLabelWidth: 62,
         digitsAfterDecimal: 4, animatedZooms: false,
         zoomCallback: (from, to) => zoomAll([from, to]),

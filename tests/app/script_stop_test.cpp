@@ -2,9 +2,13 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <chrono>
+#include <list>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <thread>
+#include <tuple>
 
 #include "run_program.hpp"
 
@@ -16,7 +20,7 @@ using nlohmann::json;
 class StoppedRun : public testing::InTemporaryFolder {
  protected:
   // Steps so short that the run would take minutes.
-  testing::ProgramResult stopped_by(int signal, std::vector<std::string> more = {}) {
+  testing::ProgramResult stopped_by(int signal, std::vector<std::string> more = {}, int times = 1) {
     std::vector<std::string> arguments{"--step", "1e-6 s", "--end", "30 s", "--frame-interval", "0.01 s"};
     arguments.insert(arguments.end(), more.begin(), more.end());
     const testing::RunningProgram run{FIRST_TOUR, arguments, folder};
@@ -27,23 +31,24 @@ class StoppedRun : public testing::InTemporaryFolder {
     };
     while (!begun()) std::this_thread::sleep_for(std::chrono::milliseconds{5});
     std::this_thread::sleep_for(std::chrono::milliseconds{200});
-    run.send(signal);
+    for (int i = 0; i < times; ++i) run.send(signal);
     return run.wait();
   }
 };
 
 TEST_F(StoppedRun, WritesAllResultsUpToThen) {
-  for (const auto& [signal, code] : {std::pair{SIGINT, 130}, std::pair{SIGTERM, 143}}) {
+  for (const auto& [signal, name, code] :
+       {std::tuple{SIGINT, "SIGINT", 130}, {SIGTERM, "SIGTERM", 143}, {SIGHUP, "SIGHUP", 129}}) {
     std::filesystem::remove_all(folder / "results");
-    const testing::ProgramResult result = stopped_by(signal);
+    // A shell whose terminal is closed sends SIGHUP, and so does the kernel.
+    const testing::ProgramResult result = stopped_by(signal, {}, signal == SIGHUP ? 3 : 1);
     EXPECT_EQ(result.exit_code, code) << result.errors;
-    EXPECT_NE(result.errors.find(code == 130 ? "SIGINT. To compute the whole: " : "SIGTERM. To compute the whole: "),
-              std::string::npos)
-        << result.errors;
+    EXPECT_NE(result.errors.find(name + std::string{". To compute the whole: "}), std::string::npos) << result.errors;
     EXPECT_NE(result.errors.find("--step '1e-6 s'"), std::string::npos) << result.errors;
     const json summary = json::parse(testing::text_of(folder / "results/01_moat_wall/summary.json"));
     const std::string first_warning = summary.at("warnings").at(0);
     EXPECT_TRUE(first_warning.starts_with("The analysis stopped at ")) << first_warning;
+    EXPECT_FALSE(std::filesystem::exists(folder / "results/01_moat_wall/unfinished"));
     for (const char* file : {"histories.csv", "histories.vtt", "impacts.csv", "report.html", "frames.pvd"})
       EXPECT_TRUE(std::filesystem::exists(folder / "results/01_moat_wall" / file)) << file;
     EXPECT_NE(testing::text_of(folder / "results/01_moat_wall/report.html").find("The analysis stopped at"),
@@ -67,6 +72,67 @@ TEST_F(StoppedRun, ThatWasToOverwriteLeavesTheOldResultsAndTakesANewNumber) {
             std::string::npos)
       << result.errors;
   EXPECT_NE(result.output.find("Results: results/01_moat_wall_2/"), std::string::npos) << result.output;
+}
+
+// As nohup starts it.
+TEST_F(StoppedRun, GoesOnAtASignalThatItWasStartedToIgnore) {
+  const testing::RunningProgram run{
+      "/bin/sh", {"-c", std::string{"trap '' HUP; exec "} + FIRST_TOUR + " --step '1e-5 s' --end '2 s'"}, folder};
+  while (!std::filesystem::exists(folder / "results/01_moat_wall/frames"))
+    std::this_thread::sleep_for(std::chrono::milliseconds{5});
+  run.send(SIGHUP);
+  const testing::ProgramResult result = run.wait();
+  EXPECT_EQ(result.exit_code, 0) << result.errors;
+  EXPECT_EQ(result.errors.find("SIGHUP"), std::string::npos) << result.errors;
+}
+
+TEST_F(StoppedRun, ThatIsKilledIsUnfinishedAndTheReportSaysSo) {
+  EXPECT_EQ(stopped_by(SIGKILL, {"--gap", "11 cm"}).exit_code, -1);
+  const std::string mark = testing::text_of(folder / "results/01_moat_wall/unfinished");
+  EXPECT_NE(mark.find("--gap '11 cm'"), std::string::npos) << mark;
+  const testing::ProgramResult report = testing::run_program(REPORT_COMMAND, {"results/01_moat_wall"}, folder);
+  EXPECT_EQ(report.exit_code, 1);
+  EXPECT_NE(report.errors.find("unfinished"), std::string::npos) << report.errors;
+  EXPECT_NE(report.errors.find("--gap '11 cm'"), std::string::npos) << report.errors;
+  // A folder that was killed while its results were exchanged has both.
+  ASSERT_EQ(testing::run_program(FIRST_TOUR, {"--end", "0.1 s", "--out", "whole"}, folder).exit_code, 0);
+  std::filesystem::copy_file(folder / "results/01_moat_wall/unfinished", folder / "whole/unfinished");
+  const testing::ProgramResult both = testing::run_program(REPORT_COMMAND, {"whole"}, folder);
+  EXPECT_EQ(both.exit_code, 0) << both.errors;
+  EXPECT_NE(both.output.find("unfinished"), std::string::npos) << both.output;
+  EXPECT_NE(both.output.find("peak displacement"), std::string::npos) << both.output;
+}
+
+// head, or a page that its reader leaves: the pipe has no reader when the peaks are printed.
+TEST_F(StoppedRun, KeepsItsResultsWhereNobodyReadsItsOutput) {
+  const testing::ProgramResult result = testing::run_program(
+      "/bin/bash", {"-c", std::string{FIRST_TOUR} + " --end '0.5 s' | true; exit ${PIPESTATUS[0]}"}, folder);
+  EXPECT_EQ(result.exit_code, 1);
+  EXPECT_NE(result.errors.find("standard output cannot be written"), std::string::npos) << result.errors;
+  EXPECT_TRUE(std::filesystem::exists(folder / "results/01_moat_wall/summary.json"));
+  EXPECT_FALSE(std::filesystem::exists(folder / "results/01_moat_wall/unfinished"));
+}
+
+TEST_F(StoppedRun, RunsThatStartTogetherHaveResultsOfTheirOwn) {
+  const std::vector<std::string> gaps{"11 cm", "14 cm", "17 cm", "20 cm"};
+  std::list<testing::RunningProgram> runs;
+  for (const std::string& gap : gaps) {
+    std::filesystem::create_directory(folder / gap);
+    runs.emplace_back(FIRST_TOUR,
+                      std::vector<std::string>{"--quiet", "--frame-interval", "0 s", "--gap", gap, "--out", "../out"},
+                      folder / gap);
+  }
+  for (const testing::RunningProgram& run : runs) EXPECT_EQ(run.wait().exit_code, 0);
+  std::set<std::string> found;
+  for (const char* name : {"out", "out_2", "out_3", "out_4"}) {
+    const json summary = json::parse(testing::text_of(folder / name / "summary.json"));
+    const std::string gap = summary.at("provenance").at("options").at("gap");
+    EXPECT_TRUE(found.insert(gap).second) << gap;
+    EXPECT_NE(testing::text_of(folder / name / "report.html").find("'" + gap + "'"), std::string::npos) << name;
+    const std::string impacts = testing::text_of(folder / name / "impacts.csv");
+    EXPECT_EQ(std::count(impacts.begin(), impacts.end(), '\n'), summary.at("impacts").get<int>() + 1) << name;
+  }
+  EXPECT_EQ(found.size(), gaps.size());
 }
 
 }  // namespace

@@ -20,6 +20,17 @@ class CommandLine : public moat::testing::InTemporaryFolder {
   }
 };
 
+TEST_F(CommandLine, ShowsNoControlCharactersOfNames) {
+  const std::string name = "\x1b[31m\a\r\x7F.cpp", shown = "\\u001b[31m\\u0007\\u000d\\u007f.cpp";
+  for (const std::vector<std::string>& words :
+       {std::vector<std::string>{"run", name}, {name}, {"new", name}, {"run", "--ranks", name}, {"check", name}}) {
+    const auto result = launch(words);
+    const std::string text = result.output + result.errors;
+    EXPECT_EQ(text.find_first_of("\x1b\a\r\x7F"), std::string::npos) << text;
+    EXPECT_EQ(text.find(shown) != std::string::npos, words.size() < 3) << text;
+  }
+}
+
 TEST_F(CommandLine, ExplainsEveryCommand) {
   for (const std::vector<std::string>& words : {std::vector<std::string>{"--help"},
                                                 {"help"},

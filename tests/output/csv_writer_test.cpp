@@ -26,6 +26,28 @@ std::vector<std::string> split(const std::string& text, char separator) {
   return parts;
 }
 
+// Such a table is written in several pieces.
+TEST_F(CsvWriter, KeepsEveryNumberOfALongTable) {
+  for (const std::size_t rows : {0, 1, 100'000}) {
+    Table table{{{"time", "", "s", {}}, {"peak", "base", "m", {}}}};
+    for (std::size_t row = 0; row < rows; ++row) {
+      table.columns[0].values.push_back(0.1 * static_cast<double>(row));
+      table.columns[1].values.push_back(std::sin(static_cast<double>(row)));
+    }
+    write_csv(table, folder / "long.csv");
+    std::istringstream lines{read_file(folder / "long.csv")};
+    std::string line;
+    ASSERT_TRUE(std::getline(lines, line));
+    std::size_t row = 0;
+    for (; std::getline(lines, line); ++row) {
+      const std::vector<std::string> parts = split(line, ',');
+      ASSERT_EQ(parts.size(), 2u) << row;
+      for (std::size_t i = 0; i < 2; ++i) ASSERT_EQ(std::stod(parts[i]), table.columns[i].values[row]) << row;
+    }
+    EXPECT_EQ(row, rows);
+  }
+}
+
 TEST_F(CsvWriter, LabelsStandInPlaceOfTheirNumbers) {
   const Table table{{{"record", "", "1", {0.0, 1.0}, {"KJM000", "Erzincan, NS"}}, {"peak", "base", "m", {0.5, 0.25}}}};
   write_csv(table, folder / "study.csv");
