@@ -67,8 +67,12 @@ Chart ida_chart(const std::vector<IdaCurve>& curves, const std::string& title, c
                 const std::string& response_label, double per_unit) {
   Chart chart{.title = title, .x_label = level_label, .y_label = response_label, .series = {}};
   for (const IdaCurve& curve : curves) {
-    Series series{.name = "", .x = curve.levels, .y = {}, .colour = 4};
-    for (const double response : curve.responses) series.y.push_back(response / per_unit);
+    Series series{.name = "", .x = {}, .y = {}, .colour = 4};
+    for (std::size_t i = 0; i < curve.levels.size(); ++i) {
+      if (!std::isfinite(curve.responses[i])) continue;
+      series.x.push_back(curve.levels[i]);
+      series.y.push_back(curve.responses[i] / per_unit);
+    }
     if (!series.x.empty()) chart.series.push_back(std::move(series));
   }
   Series low{.name = "16 %", .x = {}, .y = {}, .style = Series::Style::dashed, .colour = 1};

@@ -16,7 +16,7 @@ Chart fragility_chart(const LognormalFit& fit, const std::vector<EventCount>& co
                       const std::string& level_label);
 
 /// All curves in light blue, and the responses that 16, 50 and 84 % of the records do not exceed; response over level.
-/// per_unit: value of one unit of the response in SI, 0.01 for cm.
+/// A curve ends where the model collapsed. per_unit: value of one unit of the response in SI, 0.01 for cm.
 Chart ida_chart(const std::vector<IdaCurve>& curves, const std::string& title, const std::string& level_label,
                 const std::string& response_label, double per_unit = 1.0);
 

@@ -8,6 +8,7 @@
 
 #include "base/check.hpp"
 #include "base/error.hpp"
+#include "study/study_charts.hpp"
 
 namespace moat {
 namespace {
@@ -39,23 +40,22 @@ IdaCurve curve_of(std::string record, const std::map<double, double>& points, co
 std::optional<double> response_at(const IdaCurve& curve, double level) {
   const auto above = std::ranges::lower_bound(curve.levels, level);
   if (above == curve.levels.end()) {
-    if (!curve.responses.empty() && curve.responses.back() > curve.response_limit) return infinity;
-    return std::nullopt;
+    if (curve.responses.empty()) return std::nullopt;
+    const double last = curve.responses.back();
+    return last > curve.response_limit || std::isinf(last) ? std::optional{infinity} : std::nullopt;
   }
   const auto i = static_cast<std::size_t>(above - curve.levels.begin());
   if (*above == level) return curve.responses[i];
   if (i == 0) return std::nullopt;
+  if (std::isinf(curve.responses[i - 1])) return infinity;
   const double share = (level - curve.levels[i - 1]) / (curve.levels[i] - curve.levels[i - 1]);
   return curve.responses[i - 1] + share * (curve.responses[i] - curve.responses[i - 1]);
 }
 
-double fractile(const std::vector<double>& sorted, double share) {
-  const double place = share * static_cast<double>(sorted.size() - 1);
-  const auto below = std::min(static_cast<std::size_t>(place), sorted.size() - 1);
-  const std::size_t next = std::min(below + 1, sorted.size() - 1);
-  const double share_of_next = place - static_cast<double>(below);
-  if (std::isinf(sorted[next])) return share_of_next > 0.0 ? infinity : sorted[below];
-  return sorted[below] + share_of_next * (sorted[next] - sorted[below]);
+/// Infinite where the model collapsed: the analysis ended there, and its peaks are those up to then.
+double response_of(const CaseOutcome& outcome, double response) {
+  const auto collapsed = std::ranges::find(outcome.results, "collapsed", &NamedNumber::quantity);
+  return collapsed != outcome.results.end() && collapsed->value > 0.0 ? infinity : response;
 }
 
 std::string point_name(std::size_t i) { return "point " + std::to_string(i + 1); }
@@ -84,8 +84,9 @@ std::vector<IdaCurve> ida_curves(const StudyResult& study, std::string_view leve
     names[others] = name;
     Points& points = records[others];
     const CaseState state = study.outcomes()[number].state;
-    if (state == CaseState::done && !std::isnan(responses[number]))
-      points.solved[each.value(level_axis)] = responses[number];
+    const double response = response_of(study.outcomes()[number], responses[number]);
+    if (state == CaseState::done && !std::isnan(response))
+      points.solved[each.value(level_axis)] = response;
     else if (state != CaseState::open)
       points.unsolved.insert(each.value(level_axis));
   }
@@ -183,7 +184,6 @@ std::vector<IdaFractiles> ida_fractiles(const std::vector<IdaCurve>& curves) {
       else if (const auto response = response_at(curve, level))
         responses.push_back(*response);
     }
-    std::ranges::sort(responses);
     if (responses.empty()) continue;
     fractiles.records = responses.size();
     fractiles.low = fractile(responses, low);

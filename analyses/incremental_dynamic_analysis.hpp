@@ -15,8 +15,9 @@ namespace moat {
 
 /// The response to one record, at ascending levels.
 struct IdaCurve {
-  std::string record;                     ///< Its name.
-  std::vector<double> levels, responses;  ///< Intensities and largest responses, one beside the other.
+  std::string record;  ///< Its name.
+  /// Intensities and largest responses, one beside the other; infinite where the model collapsed.
+  std::vector<double> levels, responses;
   /// Levels whose analysis failed or did not converge. They are no points: neither safe nor collapsed.
   std::vector<double> without_solution{};
   /// Of a hunt: a curve whose last response is above it ended there, and counts as larger at higher levels.
@@ -24,7 +25,8 @@ struct IdaCurve {
 };
 
 /// One curve for every combination of the other axes of a study over fixed levels, called by their labels; the
-/// responses are in the result's SI unit. Throws InputError for an unknown axis or result.
+/// responses are in the result's SI unit, and infinite in cases with a result `collapsed` > 0. Throws InputError for an
+/// unknown axis or result.
 std::vector<IdaCurve> ida_curves(const StudyResult& study, std::string_view level_axis, std::string_view quantity,
                                  std::string_view where);
 
@@ -58,7 +60,7 @@ std::vector<IdaCurve> ida_curves(const StudyResult& hunts);
 /// Responses that 16, 50 and 84 % of the records do not exceed, at one level.
 struct IdaFractiles {
   double level = 0.0;  ///< Intensity.
-  /// Quantiles of the response; infinite where too many records have exceeded their limit.
+  /// Quantiles of the response; infinite where too many records have collapsed or exceeded their limit.
   double low = 0.0, median = 0.0, high = 0.0;
   std::size_t records = 0;           ///< that have a response at this level, or exceeded their limit below it
   std::size_t without_solution = 0;  ///< whose analysis did not converge just there

@@ -10,6 +10,7 @@
 #include <tuple>
 #include <vector>
 
+#include "analyses/case_warnings.hpp"
 #include "analyses/error_bars.hpp"
 #include "base/check.hpp"
 #include "base/error.hpp"
@@ -182,6 +183,8 @@ CaseOutcome outcome_of_model(Model& model, const GroundMotion& motion, const Stu
     if (options.error_bars) record.push_back({"clearance_left_error", gap.where, "m", gap.error});
   }
   record.push_back({"impacts", "", "1", static_cast<double>(main.touches.size())});
+  const bool collapsed = main.collapsed || !collapse_warnings(main.peaks).empty();
+  record.push_back({"collapsed", "", "1", collapsed ? 1.0 : 0.0});
   if (options.error_bars) record.push_back({"sensitive", "", "1", sensitive});
   if (energy) add_energies(outcome, energy->balance(model));
   return outcome;

@@ -83,8 +83,9 @@ StudyResult run_study(const StudyCases& cases, const std::function<StudyRecord(c
                       const StudyOptions& options = {});
 
 /// The same for models: the results are the magnitudes of all peaks, as PeakRecorder names them, the `clearance_left`
-/// of every gap (negative: indented by so much) and the number of `impacts`; with StudyOptions::error_bars also their
-/// errors:
+/// of every gap (negative: indented by so much), the number of `impacts`, and `collapsed`: 1 where a storey or an
+/// isolator was deformed by more than 3 m or a collapse ended the analysis, else 0; with StudyOptions::error_bars also
+/// their errors:
 ///
 ///     result.values("impact_force", "moat");           // N
 ///     result.values("impact_force_error", "moat");     // N, the first holds to +- this
@@ -95,8 +96,9 @@ StudyResult run_study(const StudyCases& cases, const std::function<StudyRecord(c
 StudyResult run_study(const StudyCases& cases, const std::function<StudyModel(const StudyCase&)>& make,
                       const StudyOptions& options = {});
 
-/// The results of one case of a study: magnitudes of the peaks of one model under one motion, clearances left, and the
-/// number of impacts. With error_bars also "..._error" of peaks and clearances, and "sensitive" (StudyOptions).
+/// The results of one case of a study: magnitudes of the peaks of one model under one motion, clearances left, the
+/// number of impacts, and `collapsed`. With error_bars also "..._error" of peaks and clearances, and "sensitive"
+/// (StudyOptions).
 StudyRecord peaks_of(Model& model, const GroundMotion& motion, const TransientOptions& options = {},
                      bool error_bars = false);
 

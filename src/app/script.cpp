@@ -20,6 +20,7 @@
 #include "base/check.hpp"
 #include "base/error.hpp"
 #include "base/terminal.hpp"
+#include "motions/record_folder.hpp"
 #include "output/results_folder.hpp"
 
 namespace moat {
@@ -240,6 +241,7 @@ std::optional<int> Script::read_options(const GroundMotion& motion, RunOptions& 
 Script::Outcome Script::compute(CaseRun& run, const RunOptions& options) {
   std::optional<ProgressObserver> progress, progress_of_bodies, progress_of_check;
   if (!options.quiet) {
+    for (const std::string& note : record_folder_notes()) print_text(std::cout, note + "\n");
     print_text(std::cout, parts_->line.title() + "\n" + run.transient().motion().description() + "\n");
     run.attach(progress.emplace(run.transient().end_time()));
     run.attach_to_bodies(progress_of_bodies.emplace(run.transient().end_time(), "bodies"));
@@ -264,7 +266,8 @@ Script::Outcome Script::compute(CaseRun& run, const RunOptions& options) {
   outcome.result = run.take_result();
   outcome.result.provenance = parts_->origin;
   const std::vector<std::string> of_laws = law_assumptions(outcome.result.model);
-  outcome.result.assumptions.insert(outcome.result.assumptions.end(), of_laws.begin(), of_laws.end());
+  for (const auto& list : {of_laws, record_folder_notes()})
+    outcome.result.assumptions.insert(outcome.result.assumptions.end(), list.begin(), list.end());
   // Readers of the files must not take them for those of a whole run.
   if (!outcome.failure.empty())
     outcome.result.warnings.insert(outcome.result.warnings.begin(),

@@ -15,6 +15,7 @@
 #include "app/study_json.hpp"
 #include "base/check.hpp"
 #include "base/terminal.hpp"
+#include "motions/record_folder.hpp"
 #include "output/csv_writer.hpp"
 
 namespace moat {
@@ -47,6 +48,7 @@ StudyResult ScriptStudy::run(const StudyCases& cases, const std::function<StudyR
   choose_part(cases);
   report_.title = title;
   report_.provenance = origin;
+  report_.records = record_folder_notes();
   const StopSignals signals;
   const fs::path file = options_.folder / (name + (options_.part ? part_name(*options_.part) : "") + ".db");
   const bool reports = speaks() && !options_.quiet;
@@ -57,6 +59,8 @@ StudyResult ScriptStudy::run(const StudyCases& cases, const std::function<StudyR
   options.stop = [] { return StopSignals::received() != 0; };
   std::optional<StudyStore> store;
   if (speaks()) {
+    for (const std::string& mine : {std::string{"report.html"}, name + ".csv", std::string{"pictures"}})
+      if (!options_.part) require_own(options_.folder / mine);
     store.emplace(file, cases, identity_of_script(*line_, origin), session(origin, title, options.threads),
                   options_.accept_changes ? StudyChanges::accept : StudyChanges::refuse);
     if (options_.retry) store->forget_failures();
@@ -67,6 +71,8 @@ StudyResult ScriptStudy::run(const StudyCases& cases, const std::function<StudyR
     options.progress = {};
   else if (!options.progress)
     options.progress = [&](const StudyProgress& now) { bar(now); };
+  for (const std::string& note : report_.records)
+    if (reports && report_.studies.empty()) print_text(std::cout, note + "\n");
   if (reports) print_text(std::cout, title + ": " + name + ", " + std::to_string(cases.count()) + " cases\n");
   const auto close = [&](const std::string& ending) {
     if (store) store->end_session(ending);
@@ -76,7 +82,7 @@ StudyResult ScriptStudy::run(const StudyCases& cases, const std::function<StudyR
   try {
     StudyResult result = compute(options);
     close("finished");
-    if (speaks()) print_failures(result, name);
+    if (speaks()) print_warnings(result, name);
     if (options_.part) {
       report_.studies.push_back({file.stem().string(), result});
       write_json();
@@ -131,6 +137,7 @@ void ScriptStudy::keep(const StudyResult& result, const std::string& name) {
   StudyAnswers answers = answers_of(result);
   study.answers = std::move(answers.sentences);
   study.pictures = std::move(answers.pictures);
+  require_own(options_.folder / (name + ".csv"));
   write_csv(result.case_table(), options_.folder / (name + ".csv"));
   write_study_report(report_, options_.folder);
 }
@@ -161,9 +168,9 @@ void ScriptStudy::end_at_stop(const StudyStopped& stopped, const fs::path& file,
   end_program(StopSignals::exit_code());
 }
 
-void ScriptStudy::print_failures(const StudyResult& result, const std::string& name) {
-  const std::string failures = failure_message(result);
-  if (!failures.empty()) print_text(std::cerr, "moat: warning: " + name + ": " + failures + "\n");
+void ScriptStudy::print_warnings(const StudyResult& result, const std::string& name) {
+  for (const std::string& warning : {failure_message(result), unverified_message(result)})
+    if (!warning.empty()) print_text(std::cerr, "moat: warning: " + name + ": " + warning + "\n");
 }
 
 void ScriptStudy::answer(const std::string& sentence) {

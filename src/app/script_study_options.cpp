@@ -53,7 +53,7 @@ ScriptStudyOptions::ScriptStudyOptions(CommandLine& line) {
   const auto thread_count = line.look_up("threads", "0", "that compute cases; 0: one per core", "INTEGER");
   const auto one = line.look_up("case", "", "compute this case alone, counted from 0, into a file of its own", "N");
   const auto several = line.look_up("cases", "", "compute the cases A to B - 1 alone, into a file of their own", "A:B");
-  line.add_flag("retry", retry, "compute cases that failed or did not converge once more");
+  line.add_flag("retry", retry, "compute cases that failed, did not converge or were damaged once more");
   line.add_flag("accept-changes", accept_changes,
                 "go on although script, library, options or records changed; earlier cases stay as they are");
   line.add_flag("quiet", quiet, "print answers, warnings and errors only");

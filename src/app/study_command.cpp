@@ -10,6 +10,7 @@
 #include "base/terminal.hpp"
 #include "output/csv_writer.hpp"
 #include "study/store.hpp"
+#include "study/study_report.hpp"
 #include "study/study_text.hpp"
 
 int main(int argc, char** argv) {
@@ -36,7 +37,7 @@ int main(int argc, char** argv) {
     if (!*merge && std::filesystem::is_directory(file)) file = std::filesystem::path{file} / "study.db";
     if (*csv) {
       std::filesystem::path path{out};
-      if (out.empty()) path = std::filesystem::path{file}.replace_extension(".csv");
+      if (out.empty()) require_own(path = std::filesystem::path{file}.replace_extension(".csv"));
       write_csv(read_study(file).result.case_table(), path);
       print_text(std::cout, path.string() + "\n");
       return 0;

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <map>
+#include <set>
 #include <string>
 #include <tuple>
 #include <vector>
@@ -23,6 +24,8 @@ class CaseRows {
   /// Throws InputError where a file of the case has another content than for an earlier case, FileError where the case
   /// is there already or the disk is full.
   void write(std::size_t number, const CaseOutcome& outcome, std::int64_t session);
+  /// Removes the cases that are not done, and those whose rows were changed.
+  void forget_failures();
 
  private:
   using Name = std::tuple<std::string, std::string, std::string>;  // quantity, place, unit
@@ -42,18 +45,21 @@ class CaseRows {
   std::map<std::string, KnownFile> files_;  // by path, with the content that the study goes on with
 };
 
+/// The rows of all cases.
+struct StoredCases {
+  std::vector<CaseOutcome> outcomes;   ///< One for every case; those that the file lacks are open.
+  std::vector<std::int64_t> sessions;  ///< That computed each case; 0 for open ones.
+  std::set<std::int64_t> changed{};    ///< Cases whose rows are not those that were written.
+};
+
 namespace case_rows {
 
-/// One for every case; those that the file lacks are open.
-std::vector<CaseOutcome> read_outcomes(const sqlite::Database& database, std::size_t count);
-/// The number of the session that computed each case; 0 for open ones.
-std::vector<std::int64_t> sessions_of_cases(const sqlite::Database& database, std::size_t count);
+/// Throws FileError that names the cases of which a row was changed.
+StoredCases read(const sqlite::Database& database, const StudyCases& cases);
 /// The files that cases read, each with the content that the study goes on with.
 std::vector<FileRead> files_of(const sqlite::Database& database);
 /// Goes on with these contents of files; earlier cases keep theirs.
 void accept_files(const sqlite::Database& database, const std::vector<FileRead>& files);
-/// Removes the cases that are not done.
-void forget_failures(const sqlite::Database& database);
 
 }  // namespace case_rows
 }  // namespace moat

@@ -5,6 +5,7 @@
 #include <exception>
 #include <mutex>
 #include <string_view>
+#include <system_error>
 #include <thread>
 
 #include "base/error.hpp"
@@ -82,7 +83,11 @@ void compute_on_threads(const StudyCases& cases, const std::vector<std::size_t>&
   };
   {
     std::vector<std::jthread> others;
-    for (std::size_t i = 1; i < std::min(threads, numbers.size()); ++i) others.emplace_back(work);
+    try {
+      for (std::size_t i = 1; i < std::min(threads, numbers.size()); ++i) others.emplace_back(work);
+    } catch (const std::system_error&) {
+      // The system gives no more threads: those that there are compute all cases.
+    }
     work();
   }
   if (failure) std::rethrow_exception(failure);

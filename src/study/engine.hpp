@@ -59,7 +59,8 @@ class OpenCases {
 };
 
 /// Computes the cases with these numbers on `threads` >= 1 threads, the caller's among them, until stop() is true:
-/// cases in flight end. An exception of finished() (a full disk) ends the study in the same way and is thrown again.
+/// cases in flight end. Where the system gives fewer threads, those compute all cases. An exception of finished() (a
+/// full disk) ends the study in the same way and is thrown again.
 void compute_on_threads(const StudyCases& cases, const std::vector<std::size_t>& numbers, const ComputeCase& compute,
                         const CaseFinished& finished, const std::function<bool()>& stop, std::size_t threads);
 

@@ -23,7 +23,7 @@ bool is_file_at(int descriptor, const std::filesystem::path& path) {
 FileLock::FileLock(const std::filesystem::path& file) : path_{file} {
   path_ += ".lock";
   while (true) {
-    descriptor_ = ::open(path_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
+    descriptor_ = ::open(path_.c_str(), O_RDWR | O_CREAT | O_NOFOLLOW | O_CLOEXEC, 0666);
     if (descriptor_ < 0)
       throw FileError{"study " + file.string() + ": " + path_.string() +
                       " cannot be made. Give a file in a folder that exists and can be written."};

@@ -1,10 +1,10 @@
-#include <algorithm>
-#include <cmath>
+#include <cstdint>
 #include <optional>
 #include <utility>
 
 #include "base/check.hpp"
 #include "base/error.hpp"
+#include "study/outcome_bytes.hpp"
 #include "study/store.hpp"
 #include "study/study_file.hpp"
 #include "study/study_tables.hpp"
@@ -33,24 +33,22 @@ Part read_part(const fs::path& file) {
   if (!study_tables::exist_in(database))
     throw FileError{"study " + file.string() + ": the file is empty. Give another file."};
   StudyCases cases = study_tables::cases_of(database);
-  const std::size_t count = cases.count();
+  StoredCases stored = case_rows::read(database, cases);
   return {.title = study_tables::property(database, "title"),
           .cases = std::move(cases),
           .versions = study_sessions::versions_of(database),
           .version = study_sessions::current_version(database),
           .sessions = study_sessions::all_of(database),
-          .session_of_case = case_rows::sessions_of_cases(database, count),
-          .outcomes = case_rows::read_outcomes(database, count)};
+          .session_of_case = std::move(stored.sessions),
+          .outcomes = std::move(stored.outcomes)};
 }
 
-bool equal(double a, double b) { return (std::isnan(a) && std::isnan(b)) || a == b; }
-
-bool equal(const CaseOutcome& a, const CaseOutcome& b) {
-  return a.state == b.state && a.reason == b.reason && a.files == b.files &&
-         std::ranges::equal(a.results, b.results, [](const NamedNumber& one, const NamedNumber& other) {
-           return one.quantity == other.quantity && one.where == other.where && one.unit == other.unit &&
-                  equal(one.value, other.value);
-         });
+/// In every bit but those of the computation itself: its steps, their error and its time.
+bool equal(CaseOutcome a, const CaseOutcome& b) {
+  a.steps = b.steps;
+  a.energy_error = b.energy_error;
+  a.seconds = b.seconds;
+  return to_bytes(0, a) == to_bytes(0, b);
 }
 
 /// Which file gives each case. Refuses files of another study, and a case that differs from file to file.
@@ -122,6 +120,7 @@ void merge_studies(const fs::path& into, const std::vector<fs::path>& parts) {
   for (const fs::path& part : parts) agreement.include(read_part(part), part);
   const Part first = read_part(parts.front());
   StudyFile file{into, first.cases, first.title};
+  file.prepare_rows();
   if (file.is_new())
     study_sessions::set_current_version(file.database(),
                                         study_sessions::version_with(file.database(), first.versions[first.version]));

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <cstring>
+#include <limits>
 #include <type_traits>
 
 namespace moat {
@@ -12,6 +13,9 @@ class Writer {
   template <class T>
   void put(T value) {
     static_assert(std::is_trivially_copyable_v<T>);
+    // NaN has many forms, and files of studies keep one.
+    if constexpr (std::is_same_v<T, double>)
+      if (value != value) value = std::numeric_limits<double>::quiet_NaN();
     char raw[sizeof value];
     std::memcpy(raw, &value, sizeof value);
     bytes_.append(raw, sizeof value);

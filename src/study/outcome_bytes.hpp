@@ -8,7 +8,8 @@
 
 namespace moat {
 
-/// Every bit of an outcome, its number in front.
+/// Every bit of an outcome, its number in front. Checksums in files of studies are made of these bytes: another layout
+/// needs another format of the file.
 std::string to_bytes(std::size_t number, const CaseOutcome& outcome);
 /// The outcome; its number goes to `number`.
 CaseOutcome from_bytes(const std::string& bytes, std::size_t& number);

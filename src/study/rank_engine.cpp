@@ -7,6 +7,7 @@
 #include <exception>
 #include <mutex>
 #include <string>
+#include <system_error>
 #include <thread>
 #include <utility>
 
@@ -34,16 +35,20 @@ class OwnCases {
  public:
   OwnCases(const StudyCases& cases, const ComputeCase& compute, OpenCases& open, std::size_t threads)
       : running_{threads} {
-    for (std::size_t i = 0; i < threads; ++i)
-      threads_.emplace_back([this, &cases, &compute, &open] {
-        std::size_t number = 0;
-        while (open.next(number)) {
-          CaseOutcome outcome = outcome_of(StudyCase{cases, number}, compute);
-          const std::lock_guard lock{mutex_};
-          ended_.emplace_back(number, std::move(outcome));
-        }
-        --running_;
-      });
+    try {
+      for (std::size_t i = 0; i < threads; ++i)
+        threads_.emplace_back([this, &cases, &compute, &open] {
+          std::size_t number = 0;
+          while (open.next(number)) {
+            CaseOutcome outcome = outcome_of(StudyCase{cases, number}, compute);
+            const std::lock_guard lock{mutex_};
+            ended_.emplace_back(number, std::move(outcome));
+          }
+          --running_;
+        });
+    } catch (const std::system_error&) {
+      running_ -= threads - threads_.size();  // Fewer threads, and other ranks, compute all cases.
+    }
   }
 
   std::vector<std::pair<std::size_t, CaseOutcome>> take_ended() {

@@ -18,7 +18,8 @@ namespace {
     advice = "All finished cases are intact. Make room on the disk and run the same command again.";
   if (kind == SQLITE_CANTOPEN || kind == SQLITE_READONLY || kind == SQLITE_PERM)
     advice = "Give a file in a folder that exists and can be written.";
-  if (kind == SQLITE_NOTADB || kind == SQLITE_CORRUPT) advice = "This is no study of moat. Give another file.";
+  if (kind == SQLITE_NOTADB) advice = "This is no study of moat. Give another file.";
+  if (kind == SQLITE_CORRUPT) advice = "The file is damaged: restore a copy, or remove it and start again.";
   throw FileError{"study " + file.string() + ": " + reason + ". " + advice};
 }
 
@@ -42,8 +43,11 @@ Statement& Statement::bind(int parameter, std::int64_t value) {
 }
 
 Statement& Statement::bind(int parameter, double value) {
-  const int code =
-      std::isnan(value) ? sqlite3_bind_null(statement_, parameter) : sqlite3_bind_double(statement_, parameter, value);
+  // SQLite drops the sign of a number that is zero, and keeps that of bytes.
+  const bool negative_zero = value == 0.0 && std::signbit(value);
+  const int code = std::isnan(value) ? sqlite3_bind_null(statement_, parameter)
+                   : negative_zero   ? sqlite3_bind_blob(statement_, parameter, "-0.0", 4, SQLITE_STATIC)
+                                     : sqlite3_bind_double(statement_, parameter, value);
   if (code != SQLITE_OK) fail(database_, file_, code);
   return *this;
 }

@@ -23,7 +23,7 @@ class Statement {
   Statement& operator=(const Statement&) = delete;
 
   Statement& bind(int parameter, std::int64_t value);
-  /// NaN becomes NULL.
+  /// NaN becomes NULL, -0 the bytes "-0.0"; real() reads all.
   Statement& bind(int parameter, double value);
   Statement& bind(int parameter, std::string_view value);
   /// Goes to the next row; false: there is none, and the statement may be bound and run again.

@@ -35,7 +35,7 @@ struct StudyStore::Parts {
     case_rows::accept_files(database, changed);
     session = study_sessions::add(database, stored);
     transaction.commit();
-    file.read_rows_again();
+    file.prepare_rows();
   }
 
  private:
@@ -71,17 +71,19 @@ StudyStore::StudyStore(const fs::path& file, const StudyCases& cases, const Stud
 StudyStore::~StudyStore() = default;
 
 std::vector<CaseOutcome> StudyStore::outcomes() const {
-  return case_rows::read_outcomes(parts_->file.database(), parts_->file.cases().count());
+  return case_rows::read(parts_->file.database(), parts_->file.cases()).outcomes;
 }
 
 void StudyStore::write(std::size_t number, const CaseOutcome& outcome) {
   parts_->file.rows().write(number, outcome, parts_->session);
+  parts_->file.require_in_its_place();
 }
 
-void StudyStore::forget_failures() { case_rows::forget_failures(parts_->file.database()); }
+void StudyStore::forget_failures() { parts_->file.rows().forget_failures(); }
 
 void StudyStore::end_session(const std::string& ending) {
   study_sessions::set_ending(parts_->file.database(), parts_->session, ending);
+  parts_->file.require_in_its_place();
 }
 
 StoredStudy read_study(const fs::path& file) {
@@ -92,14 +94,15 @@ StoredStudy read_study(const fs::path& file) {
   if (!study_tables::exist_in(database))
     throw FileError{"study " + file.string() + ": the file is empty. Give another file."};
   const StudyCases cases = study_tables::cases_of(database);
+  StoredCases stored = case_rows::read(database, cases);
   StoredStudy study{.title = study_tables::property(database, "title"),
                     .versions = study_sessions::versions_of(database),
                     .current_version = study_sessions::current_version(database),
                     .sessions = study_sessions::all_of(database),
                     .session_of_case = {},
-                    .result = StudyResult{cases, case_rows::read_outcomes(database, cases.count())}};
+                    .result = StudyResult{cases, std::move(stored.outcomes)}};
   // Sessions count from 1 in the file.
-  for (const std::int64_t session : case_rows::sessions_of_cases(database, cases.count()))
+  for (const std::int64_t session : stored.sessions)
     study.session_of_case.push_back(session > 0 ? static_cast<std::size_t>(session - 1) : 0);
   return study;
 }

@@ -30,11 +30,14 @@ enum class StudyChanges {
 ///     axes           axis, name, unit, cases_group      axis_values   axis, position, value, label
 ///     versions       version, name, value: the inputs of the numbers
 ///     sessions       session, date, command, moat_version, git_commit, engine, host, version, ending
-///     cases          number, parameters (JSON), state, reason, steps, energy_error, seconds, session
+///     cases          number, parameters (JSON), state, reason, steps, energy_error, seconds, session, checksum
 ///     files          file, path, sha256                 case_files    number, file
 ///     result_names   result, quantity, place, unit      results       number, position, result, value (NULL: NaN)
 ///     case_results   view: number, quantity, place, unit, value
 ///     case_versions  view: number, version, session, date, moat_version, git_commit
+///
+/// The checksum of a case is of all that its rows hold, and is compared whenever they are read: FileError names the
+/// cases that were changed or damaged. Cases of a moat that wrote none have the checksum "unverified".
 class StudyStore {
  public:
   /// Creates the file, or goes on with it. Throws InputError
@@ -51,14 +54,15 @@ class StudyStore {
   StudyStore(const StudyStore&) = delete;
   StudyStore& operator=(const StudyStore&) = delete;
 
-  /// One for every case; those that are missing are open.
+  /// One for every case; those that are missing are open. Throws FileError for cases that were changed.
   [[nodiscard]] std::vector<CaseOutcome> outcomes() const;
   /// Throws FileError, with all earlier cases intact, where the disk is full; InputError where a file that the case has
-  /// read differs from that of an earlier case.
+  /// read differs from that of an earlier case. FileError where the file was removed or replaced meanwhile;
+  /// FILE.kept.db has all cases then.
   void write(std::size_t number, const CaseOutcome& outcome);
-  /// Removes the cases that failed or did not converge, so that they are computed again.
+  /// Removes the cases that failed or did not converge, or were changed, so that they are computed again.
   void forget_failures();
-  /// How this session ended: "finished", "stopped by SIGINT".
+  /// How this session ended: "finished", "stopped by SIGINT". Throws as write().
   void end_session(const std::string& ending);
 
  private:

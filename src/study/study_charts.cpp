@@ -14,7 +14,7 @@ namespace moat {
 namespace {
 
 constexpr std::size_t most_quantities = 8, most_curves = 7, fewest_values = 3;
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+constexpr double nan = std::numeric_limits<double>::quiet_NaN(), infinity = std::numeric_limits<double>::infinity();
 
 /// One number for every case.
 struct Response {
@@ -24,7 +24,7 @@ struct Response {
 
 bool is_shown(const std::string& quantity) {
   return !quantity.ends_with("_error") && !quantity.starts_with("energy_") && !quantity.starts_with("ida_") &&
-         quantity != "sensitive";
+         quantity != "sensitive" && quantity != "collapsed";
 }
 
 bool is_of_pounding(const std::string& quantity) {
@@ -54,6 +54,10 @@ std::vector<Response> responses_of(const StudyResult& study) {
       if (std::isnan(values[i]) || (smallest ? value < values[i] : value > values[i])) values[i] = value;
     }
   }
+  const auto collapsed = std::ranges::find(columns, "collapsed", &Column::quantity);
+  for (Response& response : list)
+    for (std::size_t i = 0; i < response.values.size() && collapsed != columns.end(); ++i)
+      if (collapsed->values[i] > 0.0 && !is_of_pounding(response.quantity)) response.values[i] = infinity;
   std::stable_partition(list.begin(), list.end(), [](const Response& each) { return is_of_pounding(each.quantity); });
   if (list.size() > most_quantities) list.resize(most_quantities);
   return list;
@@ -68,20 +72,12 @@ std::vector<std::size_t> numeric_axes(const StudyResult& study) {
 
 std::string label_of(const StudyAxis& axis) { return axis.name + (axis.unit.empty() ? "" : " [" + axis.unit + "]"); }
 
-double fractile(std::vector<double> values, double share) {
-  std::ranges::sort(values);
-  const double place = share * static_cast<double>(values.size() - 1);
-  const auto below = static_cast<std::size_t>(place);
-  const std::size_t next = std::min(below + 1, values.size() - 1);
-  return values[below] + (place - static_cast<double>(below)) * (values[next] - values[below]);
-}
-
 using Curves = std::map<std::string, std::map<double, double>>;  // by the other axes, by the value on this one
 
 Curves curves_over(const StudyResult& study, std::size_t axis, const std::vector<double>& values) {
   Curves curves;
   for (std::size_t number = 0; number < values.size(); ++number) {
-    if (!std::isfinite(values[number])) continue;
+    if (std::isnan(values[number])) continue;
     std::string others;
     const StudyCase each{study.cases(), number};
     for (std::size_t i = 0; i < study.axes().size(); ++i) {
@@ -95,6 +91,12 @@ Curves curves_over(const StudyResult& study, std::size_t axis, const std::vector
   return curves;
 }
 
+void add_finite(Series& series, double x, double y) {
+  if (!std::isfinite(y)) return;
+  series.x.push_back(x);
+  series.y.push_back(y);
+}
+
 void add_median(Chart& chart, const Curves& curves) {
   constexpr double low = 0.16, high = 0.84;
   std::map<double, std::vector<double>> at;
@@ -103,19 +105,25 @@ void add_median(Chart& chart, const Curves& curves) {
   Series band{.name = "16 to 84 %", .x = {}, .y = {}, .style = Series::Style::band, .colour = 0};
   Series median{.name = "median of " + std::to_string(curves.size()), .x = {}, .y = {}, .colour = 0};
   for (const auto& [x, values] : at) {
-    median.x.push_back(x);
-    median.y.push_back(fractile(values, 0.5));
-    band.x.push_back(x);
-    band.y.push_back(fractile(values, high));
+    add_finite(median, x, fractile(values, 0.5));
+    add_finite(band, x, fractile(values, high));
   }
-  for (auto each = at.rbegin(); each != at.rend(); ++each) {
-    band.x.push_back(each->first);
-    band.y.push_back(fractile(each->second, low));
-  }
+  // Back along the levels that the upper end has.
+  for (std::size_t i = band.x.size(); i-- > 0;) add_finite(band, band.x[i], fractile(at[band.x[i]], low));
   chart.series = {std::move(band), std::move(median)};
 }
 
 }  // namespace
+
+double fractile(std::vector<double> values, double share) {
+  if (values.empty()) return nan;
+  std::ranges::sort(values);
+  const double place = share * static_cast<double>(values.size() - 1);
+  const auto below = static_cast<std::size_t>(place);
+  const double share_of_next = place - static_cast<double>(below);
+  if (share_of_next <= 0.0 || std::isinf(values[below])) return values[below];
+  return values[below] + share_of_next * (values[below + 1] - values[below]);
+}
 
 std::vector<Chart> axis_charts(const StudyResult& study) {
   std::vector<Chart> charts;
@@ -130,14 +138,12 @@ std::vector<Chart> axis_charts(const StudyResult& study) {
       } else {
         for (const auto& [others, curve] : curves) {
           Series series{.name = others, .x = {}, .y = {}};
-          for (const auto& [x, y] : curve) {
-            series.x.push_back(x);
-            series.y.push_back(y);
-          }
+          for (const auto& [x, y] : curve) add_finite(series, x, y);
           chart.series.push_back(std::move(series));
         }
       }
-      charts.push_back(std::move(chart));
+      std::erase_if(chart.series, [](const Series& each) { return each.x.empty(); });
+      if (!chart.series.empty()) charts.push_back(std::move(chart));
     }
   return charts;
 }
@@ -149,14 +155,12 @@ std::vector<HeatMap> heat_maps(const StudyResult& study) {
   std::vector<HeatMap> maps;
   for (const Response& response : responses_of(study)) {
     std::vector cells(y.values.size(), std::vector<std::vector<double>>(x.values.size()));
-    bool any = false;
     for (std::size_t number = 0; number < response.values.size(); ++number) {
-      if (!std::isfinite(response.values[number])) continue;
-      any = true;
+      if (std::isnan(response.values[number])) continue;
       cells[study.cases().position(axes[1], number)][study.cases().position(axes[0], number)].push_back(
           response.values[number]);
     }
-    if (!any) continue;
+    bool any = false;
     HeatMap map{.title = response.title,
                 .x_label = label_of(x),
                 .y_label = label_of(y),
@@ -168,9 +172,13 @@ std::vector<HeatMap> heat_maps(const StudyResult& study) {
     for (const double value : y.values) map.y_values.push_back(to_text(value));
     for (const auto& row : cells) {
       map.values.emplace_back();
-      for (const auto& cell : row) map.values.back().push_back(cell.empty() ? nan : fractile(cell, 0.5));
+      for (const auto& cell : row) {
+        const double median = fractile(cell, 0.5);
+        any = any || std::isfinite(median);
+        map.values.back().push_back(std::isfinite(median) ? median : nan);
+      }
     }
-    maps.push_back(std::move(map));
+    if (any) maps.push_back(std::move(map));
   }
   return maps;
 }

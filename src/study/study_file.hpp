@@ -1,6 +1,7 @@
 // The file of a study, open for writing by one process. Included by .cpp files alone.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <memory>
 #include <string>
@@ -28,9 +29,14 @@ class StudyFile {
   [[nodiscard]] bool is_new() const { return is_new_; }
   /// Of the axes in the file from those of the cases; nothing may be written then.
   [[nodiscard]] const std::string& axis_differences() const { return axis_differences_; }
+  /// After prepare_rows().
   CaseRows& rows() { return *rows_; }
-  /// After a change of the files that cases read.
-  void read_rows_again() { rows_ = std::make_unique<CaseRows>(database_, cases_); }
+  /// Before cases are written, and after a change of the files that cases read. Gives a file of an older moat the
+  /// column of the checksums.
+  void prepare_rows();
+  /// Throws FileError where another file or none has taken the place of this one, which has no name then: its cases are
+  /// written to FILE.kept.db before.
+  void require_in_its_place() const;
 
   /// Throws InputError with all differences.
   [[noreturn]] void refuse(const std::string& differences) const;
@@ -40,6 +46,8 @@ class StudyFile {
   StudyCases cases_;
   sqlite::Database database_;
   bool is_new_ = false;
+  std::filesystem::path place_;  // absolute
+  std::uintmax_t inode_ = 0;     // of the file
   std::string axis_differences_;
   std::unique_ptr<CaseRows> rows_;
 };

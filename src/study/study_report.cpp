@@ -1,8 +1,11 @@
 #include "study/study_report.hpp"
 
 #include <algorithm>
+#include <fstream>
+#include <map>
 #include <set>
 
+#include "base/error.hpp"
 #include "base/number_format.hpp"
 #include "output/file_io.hpp"
 #include "output/file_name.hpp"
@@ -21,6 +24,24 @@ using html::number_row;
 using html::text_row;
 
 constexpr std::size_t most_failures = 100;
+constexpr const char* svg_prolog = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>";
+
+/// Whether nothing is there, or a file or folder that a study of moat wrote.
+bool is_own(const fs::path& path) {
+  static const std::map<std::string, std::string> words{
+      {".html", "Time of all cases"},
+      {".csv", ",state,reason,steps [1],energy_error [1],seconds [s]"},
+      {".svg", svg_prolog}};
+  std::error_code none;
+  const fs::file_status status = fs::symlink_status(path, none);
+  const auto known = words.find(path.extension().string());
+  if (!fs::exists(status) || known == words.end()) return !fs::exists(status) || fs::is_directory(status);
+  if (!fs::is_regular_file(status)) return false;
+  std::ifstream lines{path};
+  for (std::string line; std::getline(lines, line);)
+    if (line.find(known->second) != std::string::npos) return true;
+  return false;
+}
 
 /// The folder of the pictures, in which every one has a name of its own.
 class PictureFolder {
@@ -30,15 +51,17 @@ class PictureFolder {
   void write(const std::string& title, const std::string& svg) {
     const std::string name = file_name_of(title);
     std::string free = name;
-    for (int i = 2; !names_.insert(free).second; ++i) free = name + "_" + std::to_string(i);
+    for (int i = 2; !is_own(folder_ / (free + ".svg")) || !names_.insert(free).second; ++i)
+      free = name + "_" + std::to_string(i);
     std::error_code ignored;  // writing the file says more
     fs::create_directories(folder_, ignored);
-    write_file(folder_ / (free + ".svg"), "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n" + svg);
+    write_file(folder_ / (free + ".svg"), std::string{svg_prolog} + "\n" + svg);
   }
   /// The report before the answers of the script had this picture.
   void remove(const std::string& title) {
     std::error_code ignored;
-    fs::remove(folder_ / (file_name_of(title) + ".svg"), ignored);
+    const fs::path picture = folder_ / (file_name_of(title) + ".svg");
+    if (is_own(picture)) fs::remove(picture, ignored);
   }
 
  private:
@@ -65,6 +88,8 @@ std::string case_section(const StudyResult& result) {
   for (const StudyAxis& axis : result.axes())
     html += text_row("Axis " + axis.name + (axis.unit.empty() ? "" : " [" + axis.unit + "]"),
                      std::to_string(axis.values.size()) + " values");
+  if (const std::string unverified = unverified_message(result); !unverified.empty())
+    html += text_row("Not verified", unverified);
   return html + "</table>\n";
 }
 
@@ -109,7 +134,15 @@ std::string study_section(const NamedStudy& study, const std::set<std::string>& 
 
 }  // namespace
 
+void require_own(const fs::path& path) {
+  if (!is_own(path))
+    throw InputError{path.string() +
+                     " was not written by a study of moat, and is not replaced. Give another folder by --out, or move "
+                     "it away."};
+}
+
 void write_study_report(const StudyReport& report, const fs::path& folder) {
+  for (const char* name : {"report.html", "pictures"}) require_own(folder / name);
   std::string page;
   // Sentences and titles that are not shown once more.
   std::set<std::string> shown{report.answers.begin(), report.answers.end()};
@@ -122,6 +155,7 @@ void write_study_report(const StudyReport& report, const fs::path& folder) {
     pictures.write(picture.title, picture.svg);
   }
   for (const NamedStudy& study : report.studies) page += study_section(study, shown, pictures);
+  if (!report.records.empty()) page += "<h2>Files of records</h2>\n" + paragraphs(report.records);
   page += html::provenance_section(report.provenance);
   write_file(folder / "report.html", html::page(report.title, page));
 }

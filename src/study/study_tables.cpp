@@ -14,7 +14,8 @@ namespace {
 using sqlite::Database;
 using sqlite::Statement;
 
-constexpr const char* format = "2";
+// Files of format 2 have no checksums.
+constexpr const char *format = "3", *format_before = "2";
 
 constexpr const char* schema = R"(
 CREATE TABLE study (key TEXT PRIMARY KEY, value TEXT NOT NULL) WITHOUT ROWID;
@@ -26,7 +27,8 @@ CREATE TABLE sessions (session INTEGER PRIMARY KEY, date TEXT, command TEXT, moa
                        engine TEXT, host TEXT, version INTEGER NOT NULL, ending TEXT NOT NULL);
 CREATE TABLE files (file INTEGER PRIMARY KEY, path TEXT NOT NULL, sha256 TEXT NOT NULL);
 CREATE TABLE cases (number INTEGER PRIMARY KEY, parameters TEXT NOT NULL, state TEXT NOT NULL, reason TEXT NOT NULL,
-                    steps INTEGER NOT NULL, energy_error REAL, seconds REAL NOT NULL, session INTEGER NOT NULL);
+                    steps INTEGER NOT NULL, energy_error REAL, seconds REAL NOT NULL, session INTEGER NOT NULL,
+                    checksum TEXT NOT NULL);
 CREATE TABLE case_files (number INTEGER, file INTEGER, PRIMARY KEY (number, file)) WITHOUT ROWID;
 CREATE TABLE result_names (result INTEGER PRIMARY KEY, quantity TEXT NOT NULL, place TEXT NOT NULL, unit TEXT NOT NULL,
                            UNIQUE (quantity, place, unit));
@@ -50,10 +52,25 @@ bool exist_in(const Database& database) {
   Statement known = database.prepare("SELECT count(*) FROM sqlite_master WHERE name IN ('study', 'cases', 'results')");
   known.step();
   if (known.integer(0) != 3) refuse(database, "this is another database. Give another file.");
-  if (const std::string found = property(database, "format"); found != format)
+  // The column is compared too: a format that was damaged must not turn checksums off.
+  if (const std::string found = property(database, "format");
+      found != (have_checksums(database) ? format : format_before))
     refuse(database, "its format is " + found + ", and this moat reads " + format +
                          ". Use the moat that made it, or start again in another file.");
   return true;
+}
+
+bool have_checksums(const Database& database) {
+  Statement column = database.prepare("SELECT count(*) FROM pragma_table_info('cases') WHERE name = 'checksum'");
+  return column.step() && column.integer(0) == 1;
+}
+
+void add_checksums(const Database& database) {
+  if (have_checksums(database)) return;
+  sqlite::Transaction transaction{database};
+  database.run("ALTER TABLE cases ADD COLUMN checksum TEXT NOT NULL DEFAULT 'unverified'");
+  set_property(database, "format", format);
+  transaction.commit();
 }
 
 void create(const Database& database, const StudyCases& cases, const std::string& title) {

@@ -7,8 +7,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "analyses/answer_charts.hpp"
 #include "analyses/study.hpp"
+#include "analysis_testing.hpp"
 #include "base/error.hpp"
+#include "elements/spring.hpp"
+#include "elements/storey.hpp"
+#include "materials/storeys/p_delta.hpp"
+#include "materials/storeys/yielding_storey.hpp"
 
 namespace moat {
 namespace {
@@ -111,6 +117,85 @@ TEST(IdaCurves, OfFixedLevelsLeaveOutCasesWithoutSolution) {
   const std::vector<IdaFractiles> fractiles = ida_fractiles(curves);
   EXPECT_EQ(fractiles.back().records, 1u);
   EXPECT_EQ(fractiles.back().without_solution, 1u);
+}
+
+/// A storey that keeps 0.8 MN/m after 0.4 MN, of which its weight takes 1.6 MN/m: under a pull of 2 m/s^2 it falls, and
+/// under 0.3 m/s^2 it does not yield. The sturdy one has no weight. `end`: 60 s until it is far down, 6 s until it
+/// leans.
+StudyResult study_of_falling_storeys(Time end) {
+  using namespace units;
+  return run_study(
+      {{.name = "pull", .unit = "m/s^2", .values = {0.3, 2.0}}, StudyAxis::of_names("storey", {"a", "b", "sturdy"})},
+      [](const StudyCase& each) {
+        StudyModel one{Model{}, testing::constant_acceleration(each.value("pull"), 60 * s)};
+        const NodeId floor = add(one.model, Node{.name = "floor", .mass = 500 * tonne});
+        add(one.model, Storey<YieldingStorey>{
+                           .name = "storey",
+                           .lower = ground,
+                           .upper = floor,
+                           .law = {.stiffness = 40 * MN / m, .yield_force = 0.4 * MN, .hardening_ratio = 0.02}});
+        if (each.position("storey") < 2)
+          add(one.model,
+              Spring<PDelta>{
+                  .name = "weight", .lower = ground, .upper = floor, .law = {.weight = 4.9 * MN, .height = 3 * m}});
+        return one;
+      },
+      {.transient = {.end = end}});
+}
+
+TEST(IdaCurves, OfFixedLevelsAreInfiniteWhereTheModelCollapsed) {
+  using namespace units;
+  for (const Time end : {60 * s, 6 * s})
+    for (const char* quantity : {"drift", "absolute_acceleration"}) {
+      const StudyResult study = study_of_falling_storeys(end);
+      const std::string where = std::string{quantity} == "drift" ? "storey" : "floor";
+      EXPECT_EQ(study.values("collapsed", ""), (std::vector{0.0, 0.0, 0.0, 1.0, 1.0, 0.0}));
+      EXPECT_GT(study.values("drift", "storey")[3], 3.0);
+      const std::vector<IdaCurve> curves = ida_curves(study, "pull", quantity, where);
+      ASSERT_EQ(curves.size(), 3u);
+      for (const IdaCurve& curve : curves) {
+        EXPECT_TRUE(std::isfinite(curve.responses[0]));
+        EXPECT_EQ(std::isinf(curve.responses[1]), curve.record != "sturdy") << curve.record;
+      }
+      const std::vector<IdaFractiles> fractiles = ida_fractiles(curves);
+      EXPECT_TRUE(std::isfinite(fractiles[0].high));
+      EXPECT_TRUE(std::isinf(fractiles[1].median)) << "2 of 3 fell";
+      EXPECT_EQ(fractiles[1].records, 3u);
+      for (const KnownInterval& capacity : {capacities(curves, 1e6)[0], capacities(curves, 1e6)[1]}) {
+        EXPECT_EQ(capacity.above, 0.3);
+        EXPECT_EQ(capacity.up_to, 2.0);
+      }
+      const Chart chart = ida_chart(curves, "IDA", "pull", quantity);
+      EXPECT_EQ(chart.series[0].x, (std::vector{0.3})) << "it ends where the storey fell";
+      EXPECT_NO_THROW((void)svg_text({chart}));
+    }
+}
+
+TEST(IdaFractiles, AreInfiniteWhereMoreThanTheirShareCollapsed) {
+  // At level 2 the share of the collapsed grows with the number of curves that end there.
+  for (int fallen = 0; fallen <= 100; ++fallen) {
+    std::vector<IdaCurve> curves;
+    for (int i = 0; i <= 100; ++i)
+      curves.push_back({.record = "r", .levels = {1.0, 2.0}, .responses = {1.0, i < fallen ? INFINITY : 2.0}});
+    const IdaFractiles at = ida_fractiles(curves).back();
+    EXPECT_EQ(at.records, 101u);
+    EXPECT_EQ(std::isinf(at.low), fallen > 84) << fallen;
+    EXPECT_EQ(std::isinf(at.median), fallen > 50) << fallen;
+    EXPECT_EQ(std::isinf(at.high), fallen > 16) << fallen;
+  }
+}
+
+TEST(IdaFractiles, StayInfiniteAboveACollapse) {
+  // Level 3 belongs to the second curve alone; the first stands again at 4, and the third ends.
+  const std::vector<IdaCurve> curves{{.record = "a", .levels = {1.0, 2.0, 4.0}, .responses = {1.0, INFINITY, 5.0}},
+                                     {.record = "b", .levels = {1.0, 3.0}, .responses = {1.0, 3.0}},
+                                     {.record = "c", .levels = {1.0, 2.0}, .responses = {1.0, INFINITY}}};
+  const std::vector<IdaFractiles> fractiles = ida_fractiles(curves);
+  ASSERT_EQ(fractiles.size(), 4u);
+  EXPECT_EQ(fractiles[2].records, 3u);
+  EXPECT_TRUE(std::isinf(fractiles[2].median));
+  EXPECT_EQ(fractiles[3].records, 2u) << "the second has no response there";
+  EXPECT_TRUE(std::isinf(fractiles[3].high));
 }
 
 TEST(IdaFractiles, AreThoseOfTheResponses) {

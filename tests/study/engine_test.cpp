@@ -3,13 +3,18 @@
 #include "study/engine.hpp"
 
 #include <gtest/gtest.h>
+#include <sys/resource.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <cstddef>
+#include <cstdlib>
+#include <fstream>
 #include <latch>
 #include <numeric>
+#include <system_error>
 #include <thread>
 #include <vector>
 
@@ -83,6 +88,39 @@ TEST(OpenCases, HandOutEveryNumberOnceToManyThreads) {
   std::ranges::sort(all);
   EXPECT_EQ(all, numbers);
   EXPECT_TRUE(one_at_a_time);
+}
+
+// As under a limit on processes: no memory is left for the stacks of many threads.
+TEST(Threads, ThatTheSystemDoesNotGiveAreNotNeeded) {
+  const auto with_little_memory = [] {
+    std::ifstream sizes{"/proc/self/statm"};
+    rlim_t pages = 0;
+    sizes >> pages;
+    const rlim_t limit = pages * static_cast<rlim_t>(::getpagesize()) + 30'000'000;
+    const rlimit both{limit, limit};
+    if (::setrlimit(RLIMIT_AS, &both) != 0) std::_Exit(3);
+    bool are_few = false;
+    try {
+      std::vector<std::jthread> many;
+      for (int i = 0; i < 64; ++i)
+        many.emplace_back([] { std::this_thread::sleep_for(std::chrono::milliseconds{50}); });
+    } catch (const std::system_error&) {
+      are_few = true;
+    }
+    const StudyCases all{{.name = "gap", .unit = "cm", .values = linearly_spaced(1.0, 100.0, 100)}};
+    std::vector<std::size_t> numbers(100);
+    std::iota(numbers.begin(), numbers.end(), std::size_t{0});
+    std::size_t finished = 0;
+    compute_on_threads(
+        all, numbers,
+        [](const StudyCase&) {
+          std::this_thread::sleep_for(std::chrono::milliseconds{1});
+          return CaseOutcome{.state = CaseState::done};
+        },
+        [&](std::size_t, CaseOutcome&&) { ++finished; }, {}, 64);
+    std::_Exit(!are_few ? 2 : finished == 100 ? 0 : 1);
+  };
+  EXPECT_EXIT(with_little_memory(), ::testing::ExitedWithCode(0), "");
 }
 
 }  // namespace

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "base/error.hpp"
 #include "message_of.hpp"
 #include "run_program.hpp"
@@ -63,6 +65,14 @@ TEST_F(Merge, RefusesCasesThatDiffer) {
     EXPECT_NE(refusal({a, other}).find("merge: case 3 of " + other.string() + " differs from the one in " + a.string()),
               std::string::npos);
   EXPECT_FALSE(std::filesystem::exists(folder / "all.db")) << "nothing is written";
+}
+
+TEST_F(Merge, ComparesEveryBit) {
+  const auto a = part("a.db", {{2, 0.0}}), b = part("b.db", {{2, -0.0}});
+  EXPECT_NE(refusal({a, b}).find("case 2 of"), std::string::npos);
+  const auto c = part("c.db", {{2, std::nan("1")}}), d = part("d.db", {{2, -std::nan("")}});
+  merge_studies(folder / "all.db", {c, d});
+  EXPECT_EQ(read_study(folder / "all.db").result.count(CaseState::done), 1u);
 }
 
 TEST_F(Merge, RefusesPartsOfOtherStudies) {

@@ -74,6 +74,33 @@ TEST(HeatMaps, AreMediansOverTheOtherAxes) {
   EXPECT_TRUE(heat_maps(study_of({gap, records(3)}, [](const StudyCase&) { return StudyRecord{}; })).empty());
 }
 
+TEST(Charts, CountCollapsedCasesAsInfinite) {
+  // Of 101 records 20 fell at 20 cm, 60 at 30 cm; their last drift was 102 m.
+  const auto compute = [](const StudyCase& each) {
+    const bool fell = each.value("record") < (each.value("gap") > 25.0 ? 60.0 : each.value("gap") > 15.0 ? 20.0 : 0.0);
+    return StudyRecord{{"drift", "storey 1", "m", fell ? 102.0 : 0.01 * each.value("record")},
+                       {"collapsed", "", "1", fell ? 1.0 : 0.0}};
+  };
+  const std::vector<Chart> charts = axis_charts(study_of({gap, records(101)}, compute));
+  ASSERT_EQ(charts.size(), 1u);
+  EXPECT_EQ(charts[0].series[1].x, (std::vector{10.0, 20.0})) << "the median at 30 cm is infinite";
+  EXPECT_NEAR(charts[0].series[1].y[1], 70.0, 1e-9) << "the 51st of 101, of which the largest 20 are infinite";
+  EXPECT_EQ(charts[0].series[0].x, (std::vector{10.0, 10.0})) << "the band ends with its upper end";
+  EXPECT_NO_THROW((void)svg_text(charts));
+  const std::vector<Chart> curves = axis_charts(study_of({gap, records(5)}, compute));
+  ASSERT_EQ(curves.size(), 1u);
+  for (const Series& each : curves[0].series) EXPECT_EQ(each.x, (std::vector{10.0}));
+  const std::vector<HeatMap> maps = heat_maps(study_of({gap, force, records(5)}, compute));
+  ASSERT_EQ(maps.size(), 1u);
+  EXPECT_TRUE(std::isnan(maps[0].values[0][1]));
+  EXPECT_NO_THROW((void)svg_text(maps[0]));
+  const auto all_fell = [](const StudyCase&) {
+    return StudyRecord{{"drift", "storey 1", "m", 102.0}, {"collapsed", "", "1", 1.0}};
+  };
+  EXPECT_TRUE(axis_charts(study_of({gap, records(5)}, all_fell)).empty());
+  EXPECT_TRUE(heat_maps(study_of({gap, force}, all_fell)).empty());
+}
+
 TEST(AxisCharts, LeaveOutCasesWithoutResults) {
   std::vector<CaseOutcome> outcomes(3);
   outcomes[0] = {.state = CaseState::done, .results = {{"x", "", "1", 1.0}}};

@@ -1,0 +1,169 @@
+// The results folder of a study: files of others in it, links out of it, files that disappear.
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+#include "study_runs.hpp"
+
+namespace moat::testing {
+namespace {
+
+using StudyInFolder = StudyRuns;
+
+void write(const fs::path& path, const std::string& text) {
+  fs::create_directories(path.parent_path());
+  std::ofstream{path} << text;
+}
+
+const std::vector<std::string> in_a{"--out", "a", "--gaps", "3"};
+
+TEST_F(StudyInFolder, ReplacesNoFileOfAnother) {
+  for (const char* name : {"report.html", "study.csv", "pictures"}) {
+    write(folder / "a" / name, "mine");
+    const ProgramResult refused = run(in_a);
+    EXPECT_EQ(refused.exit_code, 1);
+    EXPECT_NE(refused.errors.find(std::string{"a/"} + name + " was not written by a study of moat"), std::string::npos)
+        << refused.errors;
+    EXPECT_NE(refused.errors.find("--out"), std::string::npos) << refused.errors;
+    EXPECT_EQ(text_of(folder / "a" / name), "mine");
+    EXPECT_FALSE(fs::exists(file("a"))) << "nothing is computed";
+    fs::remove(folder / "a" / name);
+  }
+  ASSERT_EQ(run(in_a).exit_code, 0);
+  // Of a study that goes on too.
+  for (const char* name : {"report.html", "study.csv"}) {
+    const std::string own = text_of(folder / "a" / name);
+    write(folder / "a" / name, "mine");
+    EXPECT_EQ(run(in_a).exit_code, 1);
+    EXPECT_EQ(text_of(folder / "a" / name), "mine");
+    write(folder / "a" / name, own);
+  }
+  write(folder / "a/study.csv", "mine");
+  EXPECT_EQ(study_command({"export", "a"}).exit_code, 1);
+  EXPECT_EQ(text_of(folder / "a/study.csv"), "mine");
+}
+
+TEST_F(StudyInFolder, IsNotThatOfARun) {
+  const ProgramResult ran = run_program(OBSERVER_SCRIPT, {"--out", "a", "--quiet"}, folder);
+  ASSERT_TRUE(fs::exists(folder / "a/report.html")) << ran.errors;
+  const std::string report = text_of(folder / "a/report.html");
+  EXPECT_EQ(run(in_a).exit_code, 1);
+  EXPECT_EQ(text_of(folder / "a/report.html"), report);
+  EXPECT_FALSE(fs::exists(file("a")));
+}
+
+TEST_F(StudyInFolder, IsNotLeftThroughLinks) {
+  write(folder / "victim/mine", "mine");
+  for (const char* name : {"pictures", "report.html", "study.csv", "study.db"}) {
+    fs::create_directories(folder / "a");
+    const fs::path target = folder / "victim" / (std::string{name} == "pictures" ? "" : name);
+    fs::create_symlink(target, folder / "a" / name);
+    EXPECT_EQ(run(in_a).exit_code, 1) << name;
+    EXPECT_EQ(std::distance(fs::directory_iterator{folder / "victim"}, {}), 1) << name;
+    EXPECT_TRUE(fs::is_symlink(folder / "a" / name)) << name;
+    fs::remove_all(folder / "a");
+  }
+  // A picture is replaced where it is.
+  ASSERT_EQ(run(in_a).exit_code, 0);
+  const fs::path picture = fs::directory_iterator { folder / "a/pictures" } -> path();
+  fs::remove(picture);
+  fs::create_symlink(folder / "victim/new", picture);
+  ASSERT_EQ(run(in_a).exit_code, 0);
+  EXPECT_FALSE(fs::exists(folder / "victim/new"));
+  EXPECT_TRUE(fs::is_symlink(picture));
+}
+
+TEST_F(StudyInFolder, KeepsPicturesOfAnother) {
+  ASSERT_EQ(run(in_a).exit_code, 0);
+  const fs::path picture = fs::directory_iterator { folder / "a/pictures" } -> path();
+  const std::string drawn = text_of(picture);
+  write(picture, "mine");
+  for (int i = 0; i < 2; ++i) {
+    ASSERT_EQ(run(in_a).exit_code, 0);
+    EXPECT_EQ(text_of(picture), "mine");
+    fs::path beside = picture;
+    beside.replace_extension();
+    EXPECT_EQ(text_of(beside.string() + "_2.svg"), drawn);
+    EXPECT_FALSE(fs::exists(beside.string() + "_3.svg"));
+  }
+}
+
+TEST_F(StudyInFolder, IsItsOwnAgain) {
+  ASSERT_EQ(run(in_a).exit_code, 0);
+  const std::string table = text_of(folder / "a/study.csv");
+  fs::resize_file(folder / "a/study.csv", table.size() / 2);
+  ASSERT_EQ(run(in_a).exit_code, 0);
+  EXPECT_EQ(text_of(folder / "a/study.csv"), table) << "replaced";
+  // The remedy of a refused study.
+  fs::remove(file("a"));
+  ASSERT_EQ(run({"--out", "a", "--gaps", "4"}).exit_code, 0);
+  EXPECT_NE(text_of(folder / "a/study.csv"), table);
+}
+
+TEST_F(StudyInFolder, DamagedCasesAreComputedAgain) {
+  ASSERT_EQ(run(in_a).exit_code, 0);
+  const std::string before = contents_of(file("a"));
+  answer_of(file("a"),
+            "UPDATE results SET value = 2 * value WHERE number = 1 AND value > 0; "
+            "DELETE FROM results WHERE number = 4");
+  for (const ProgramResult& refused : {run(in_a), study_command({"show", "a"}), study_command({"export", "a"}),
+                                       study_command({"merge", "b.db", "a/study.db"})}) {
+    EXPECT_EQ(refused.exit_code, 1);
+    EXPECT_NE(refused.errors.find("the results of case 1, 4 are not those that were written"), std::string::npos)
+        << refused.errors;
+  }
+  std::vector<std::string> again = in_a;
+  again.emplace_back("--retry");
+  ASSERT_EQ(run(again).exit_code, 0);
+  EXPECT_EQ(contents_of(file("a")), before);
+  EXPECT_EQ(answer_of(file("a"), "SELECT group_concat(number) FROM cases WHERE session > 1"), "1,4");
+}
+
+TEST_F(StudyInFolder, SaysThatOldCasesAreNotVerified) {
+  ASSERT_EQ(run(in_a).exit_code, 0);
+  const std::string before = contents_of(file("a"));
+  answer_of(file("a"), "ALTER TABLE cases DROP COLUMN checksum; UPDATE study SET value = '2' WHERE key = 'format'");
+  const std::string words = "6 of 6 cases come from a moat that stored no checksums";
+  EXPECT_NE(study_command({"show", "a"}).output.find(words), std::string::npos);
+  const ProgramResult result = run(in_a);
+  ASSERT_EQ(result.exit_code, 0) << result.errors;
+  EXPECT_NE(result.errors.find(words), std::string::npos) << result.errors;
+  EXPECT_NE(text_of(folder / "a/report.html").find(words), std::string::npos);
+  EXPECT_EQ(contents_of(file("a")), before);
+}
+
+TEST_F(StudyInFolder, NamesTheFilesOfRecordsThatItLeavesOut) {
+  for (const char* name : {"r/A000.AT2", "r/A090.AT2", "r/A-UP.AT2", "r/B000.AT2", "r/notes.md"}) {
+    fs::create_directories(folder / "r");
+    write_record(name, "0.0 0.1 -0.1 0.0");
+  }
+  const ProgramResult result = run({"--out", "a", "--pairs", "r"});
+  ASSERT_EQ(result.exit_code, 0) << result.errors;
+  const std::string report = text_of(folder / "a/report.html");
+  for (const char* words : {"A-UP.AT2 is left out: its name says", "B000.AT2 is left out", "notes.md is left out",
+                            "A000.AT2 and A090.AT2 are a pair"}) {
+    EXPECT_NE(result.output.find(words), std::string::npos) << result.output;
+    EXPECT_NE(report.find(words), std::string::npos) << words;
+  }
+  write_record("r/one.AT2", "0.0 0.1 -0.1 0.0");
+  const ProgramResult undecided = run({"--out", "b", "--pairs", "r"});
+  EXPECT_EQ(undecided.exit_code, 1);
+  EXPECT_NE(undecided.errors.find("neither header nor name says whether one.AT2"), std::string::npos)
+      << undecided.errors;
+}
+
+TEST_F(DisturbedStudy, SeesThatItsFileWasRemoved) {
+  const RunningProgram study{STUDY_SCRIPT, {"--out", "a", "--threads", "1"}, folder};
+  ASSERT_TRUE(wait_for_cases(5));
+  fs::remove(file("a"));
+  const ProgramResult result = study.wait();
+  EXPECT_EQ(result.exit_code, 1);
+  EXPECT_NE(result.errors.find("the file was removed or replaced while the study ran"), std::string::npos)
+      << result.errors;
+  EXPECT_LT(computed_cases(), 12U) << "at the next case";
+  EXPECT_GE(read_study(folder / "a/study.kept.db").result.count(CaseState::done), 4U);
+}
+
+}  // namespace
+}  // namespace moat::testing
