@@ -59,10 +59,7 @@ double history_interval(const CaseOptions& options, const GroundMotion& motion) 
 
 std::vector<BuildingParts> parts_of_buildings(const Model& model) {
   std::vector<BuildingParts> list;
-  const auto name_of = [&](NodeId node) {
-    const PlacedDiaphragm* diaphragm = model.diaphragm_of(node);
-    return diaphragm != nullptr ? diaphragm->name : std::string{model.node_name(node)};
-  };
+  const auto name_of = [&](NodeId node) { return std::string{model.body_name(node)}; };
   const std::vector<Building> buildings = all_buildings(model);
   const std::vector<std::vector<ElementId>> isolators = isolators_of(model, buildings);
   for (std::size_t b = 0; b < buildings.size(); ++b) {

@@ -50,7 +50,7 @@ std::vector<KnownInterval> event_limits(const StudyResult& study, std::string_vi
     for (std::size_t i = 0; i < study.axes().size(); ++i)
       if (i != index) others.push_back(study.cases().position(i, number));
     const double level = study.axes()[index].values[study.cases().position(index, number)];
-    Check{"StudyAxis", axis}.positive("a level", level, study.axes()[index].unit);
+    Check{"StudyAxis", axis}.not_negative("a level", level, study.axes()[index].unit);
     answers[others][level] = event(outcome);
   }
   std::vector<KnownInterval> limits;

@@ -64,7 +64,7 @@ SmallestGap smallest_gap(const std::function<Length(Length gap)>& clearance_left
     if (at_guess > 0.0 && at_guess < accuracy) return {Length{guess}};
     (at_guess > 0.0 ? open : closed) = guess;
   }
-  // A gap of zero is closed by any motion, and no clearance may be zero.
+  // A gap of zero is closed by any motion: no analysis is needed.
   const auto function = [&](double gap) { return gap > 0.0 ? left(gap) : -1.0; };
   const Bracket bracket = bracket_root(function, closed, open, 0.5 * accuracy);
   // At a zero that was hit exactly the two sides touch.

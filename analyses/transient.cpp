@@ -7,6 +7,7 @@
 
 #include "analyses/event_location.hpp"
 #include "analyses/integrator_choice.hpp"
+#include "analyses/model_checks.hpp"
 #include "analyses/transient_setup.hpp"
 #include "analyses/transient_texts.hpp"
 #include "base/error.hpp"
@@ -40,6 +41,8 @@ Transient::Transient(Model& model, GroundMotion motion, TransientOptions options
   const IntegratorChoice choice = choose_integrator(model, options_, implicit_.control(), exact_);
   options_.integrator = choice.integrator;
   choice_ = choice.reason;
+  check_held(model);
+  check_gap_directions(model);
   constexpr std::size_t most_at_one_instant = 64;  // more is rare
   changes_.reserve(most_at_one_instant);
   // The model may be a copy that was made during the run of another.

@@ -1,5 +1,6 @@
 #include "elements/corner_gap.hpp"
 
+#include <cmath>
 #include <limits>
 
 namespace moat {
@@ -19,8 +20,11 @@ CornerGeometry corner_geometry(const Model& model, const std::string& name, cons
   const PlanVector faced = at + geometry.clearance * geometry.normal;
   const PlanPoint on_edge{edge_of, {Length{faced.x}, Length{faced.y}}};
   check_points(model, "CornerGap", name, "corner", corner, "edge_of", on_edge);
-  check.positive("clearance", geometry.clearance, "m",
-                 "Overlap at rest: the corner must be on the left of the way from edge_begin to edge_end.");
+  // Coordinates that are equal but for round-off are wall to wall.
+  if (std::abs(geometry.clearance) < same_place) geometry.clearance = 0.0;
+  check.not_negative(
+      "clearance", geometry.clearance, "m",
+      "Overlap at rest: the corner must be on the left of the way from edge_begin to edge_end, or on it.");
   geometry.ends = PlanEndsBothWays{model, on_edge, corner, geometry.normal};
   geometry.edge_begin = dot(begin - at, tangent);
   geometry.edge_end = dot(end - at, tangent);

@@ -90,7 +90,7 @@ struct CornerPlace {
 };
 
 /// Throws InputError unless both bodies are of this model and different, the edge has a length and the corner a
-/// clearance > 0, the coefficient of friction is from 0 to 1, and no other number is outside its range.
+/// clearance >= 0, the coefficient of friction is from 0 to 1, and no other number is outside its range.
 CornerGeometry check_corner(const Model& model, const CornerPlace& gap);
 /// The gap as its block keeps it; `tangent` N/m is that of the law from which the stiffness along the wall follows.
 CornerAndEdge corner_and_edge(const CornerPlace& gap, const CornerGeometry& geometry, double tangent);

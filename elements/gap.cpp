@@ -35,7 +35,8 @@ std::optional<MemberEnds> member_ends(const Model& model, const MemberPoint& lef
 
 Check check_gap(const Model& model, const GapPlace& gap) {
   const Check check = check_ends(model, gap);
-  check.positive("clearance", gap.clearance, "Give the free distance at rest.");
+  check.not_negative("clearance", gap.clearance,
+                     "Give the free distance at rest, 0 m for wall to wall; a preload is an initial_displacement.");
   return check;
 }
 

@@ -42,7 +42,7 @@ struct Gap {
   std::string place{};
   Required<MemberPoint> left;   ///< The body on the left.
   Required<MemberPoint> right;  ///< The body on the right.
-  /// > 0 m, free distance at rest.
+  /// >= 0 m, free distance at rest; 0 is wall to wall.
   Required<Length> clearance;
   Law law;  ///< Its force.
 };
@@ -52,11 +52,11 @@ struct GapPlace {
   const std::string& name;   ///< Unique in its model.
   const std::string& place;  ///< Where its peak is listed; its own name if empty.
   MemberPoint left, right;   ///< Both bodies.
-  Length clearance;          ///< > 0 m.
+  Length clearance;          ///< >= 0 m.
 };
 
 /// Throws InputError unless all nodes of both points are of this model, shares are from 0 to below 1, two ends at nodes
-/// are at different ones, and the clearance is positive; returns the Check that names the gap.
+/// are at different ones, and the clearance is not negative; returns the Check that names the gap.
 Check check_gap(const Model& model, const GapPlace& gap);
 
 /// Of two points, kg. Throws InputError if they are the same point.

@@ -143,7 +143,8 @@ class Links : public ElementBlock, public ElementLaws, protected LinkArrays {
   }
 
   void add_linear_stiffness(StiffnessStage stage, SparseMatrix& matrix) const override {
-    for (std::size_t i = 0; i < size(); ++i) add_stiffness(i, laws_[i].linear_stiffness(stage), matrix);
+    for (std::size_t i = 0; i < size(); ++i)
+      add_stiffness(i, stage == StiffnessStage::joined ? 1.0 : laws_[i].linear_stiffness(stage), matrix);
   }
 
   bool constant_tangent() const override { return is_linear; }

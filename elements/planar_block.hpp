@@ -103,7 +103,9 @@ class PlanarBlock final : public ElementBlock, public ElementLaws, public Planar
   }
   void add_linear_stiffness(StiffnessStage stage, SparseMatrix& matrix) const override {
     for (std::size_t i = 0; i < size(); ++i)
-      ends_[i].add_stiffness(PlanMatrix::diagonal(laws_[i].linear_stiffness(stage)), matrix.values.data());
+      ends_[i].add_stiffness(
+          PlanMatrix::diagonal(stage == StiffnessStage::joined ? 1.0 : laws_[i].linear_stiffness(stage)),
+          matrix.values.data());
   }
 
   bool take_tangent_change() override { return std::exchange(tangent_changed_, false); }

@@ -52,7 +52,7 @@ int main(int argc, char** argv) {
   add(model, Gap{.name = "bases", .left = low.base, .right = tall.base, .clearance = gap, .law = law});
   add(model, Gap{.name = "roof against column",
                  .left = low.top(),
-                 .right = MemberPoint{tall.floors[2], tall.floors[3], 2.5 / 4.5},
+                 .right = MemberPoint{tall.floor(3), tall.floor(4), 2.5 / 4.5},
                  .clearance = gap,
                  .law = law});
 

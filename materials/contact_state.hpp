@@ -47,6 +47,10 @@ struct ContactState {
 /// touch. At a lower speed v0 the damping of a law with d'/v0 is smaller by the factor v0/least_approach_speed.
 inline constexpr double least_approach_speed = 1e-4;
 
+/// An open gap touches where it is indented by more than this, m, so that round-off does not close one that is built
+/// wall to wall: a tenth of the default TransientOptions::location_tolerance.
+inline constexpr double touch_threshold = 1e-13;
+
 /// A released contact is loaded again only where it would push by more than this, m, so that round-off does not switch
 /// it: ten times the default TransientOptions::location_tolerance.
 inline constexpr double reload_threshold = 1e-11;
@@ -58,7 +62,7 @@ inline constexpr double reload_threshold = 1e-11;
 inline double contact_margin(const ContactState& committed, double indentation, double push) {
   switch (committed.phase) {
     case ContactPhase::open:
-      return -indentation;
+      return touch_threshold - indentation;
     case ContactPhase::loaded:
       return std::min(indentation, push);
     case ContactPhase::released:

@@ -44,7 +44,7 @@ bool faces(const PlanOutline& outline, std::size_t i, const Edge& edge) {
 
 bool within_reach(const Edge& edge, PlanVector point, double reach) {
   const double distance = edge.distance(point), position = edge.position(point);
-  return distance > 0.0 && distance <= reach && position >= -reach && position <= edge.size() + reach;
+  return distance > -same_place && distance <= reach && position >= -reach && position <= edge.size() + reach;
 }
 
 bool outlines_cross(const PlanOutline& a, const PlanOutline& b) {
@@ -58,6 +58,9 @@ bool outlines_cross(const PlanOutline& a, const PlanOutline& b) {
     }
   return false;
 }
+
+// An outline without its border, so that others may touch it.
+PlanOutline core_of(const PlanOutline& outline) { return offset_outwards(outline, Length{-2.0 * same_place}); }
 
 void add_corners(std::vector<FacingCorner>& list, const PlanOutline& outline, bool solid, const PlanOutline& other,
                  bool other_solid, double reach, bool of_first) {
@@ -107,21 +110,14 @@ std::vector<FacingCorner> corners_facing_walls(const Check& check, const PlanOut
   check.positive("reach", facing.reach);
   check.that(facing.points_per_face == 0 || facing.points_per_face >= 3, "points_per_face", facing.points_per_face, "1",
              "0, or >= 3", "Two points of a face are its corners: give .share = Share::per_face.");
-  for (std::size_t i = 0; i < outline.size(); ++i) {
-    bool free = walls.contains(outline.corner(i));
-    for (std::size_t e = 0; e < walls.size(); ++e) {
-      const Edge wall = edge_of(walls, e, false);
-      const double along = std::clamp(wall.position(outline.corner(i)), 0.0, wall.size());
-      constexpr double apart = 1e-9;  // m
-      free = free && length(outline.corner(i) - (wall.begin.si() + along * wall.along())) > apart;
-    }
-    check.that(free,
+  const PlanOutline inside = core_of(outline);
+  for (std::size_t i = 0; i < outline.size(); ++i)
+    check.that(walls.contains(inside.corner(i)),
                "overlap at rest: corner " + std::to_string(i + 1) + " of " + inner + ", at (" +
                    to_text(outline.corner(i).x) + ", " + to_text(outline.corner(i).y) + ") m, is not inside the walls.",
-               "Give walls that the outline does not touch.");
-  }
-  check.that(!outlines_cross(outline, walls), "overlap at rest: the outline of " + inner + " crosses the walls.",
-             "Give walls that the outline does not touch.");
+               "Give walls around the outline, or along it for wall to wall.");
+  check.that(!outlines_cross(inside, walls), "overlap at rest: the outline of " + inner + " crosses the walls.",
+             "Give walls around the outline, or along it for wall to wall.");
   std::vector<FacingCorner> list;
   if (facing.points_per_face > 0) {
     add_points(list, outline, walls, facing);
@@ -153,8 +149,10 @@ std::vector<FacingCorner> corners_facing_each_other(const Check& check, const Pl
       if (b.contains(a.corner(i))) return true;
     return false;
   };
-  check.that(!inside(first, second) && !inside(second, first) && !outlines_cross(first, second),
-             "overlap at rest: the outlines of " + names + " touch or cross each other.", "Move one of them away.");
+  const PlanOutline core = core_of(first);
+  check.that(!inside(core, second) && !inside(second, core) && !outlines_cross(core, second),
+             "overlap at rest: the outlines of " + names + " cross each other.",
+             "Move one of them away, until they touch at most.");
   std::vector<FacingCorner> list;
   add_corners(list, first, true, second, true, reach.si(), true);
   add_corners(list, second, true, first, true, reach.si(), false);

@@ -36,7 +36,7 @@ struct Facing {
 
 /// Corners of an outline inside walls, and corners of the walls that point inwards; each with the edges that it faces:
 /// both sides of the corner lead away from the edge, or along it. Throws InputError if the outline
-/// touches or crosses the walls, if more than two corners face a wall that has its law per face, and if no corner is
+/// crosses the walls, if more than two corners face a wall that has its law per face, and if no corner is
 /// within reach of a wall. `inner` and `outer` name both.
 std::vector<FacingCorner> corners_facing_walls(const Check& check, const PlanOutline& outline, const PlanOutline& walls,
                                                const Facing& facing, const std::string& inner);

@@ -84,7 +84,7 @@ template <ImpactLaw Law>
 struct Moat {
   std::string name = "moat";  ///< Unique in its model.
   Required<NodeId> around;    ///< The floor that hits the walls.
-  /// > 0 m, on each side at rest.
+  /// >= 0 m, on each side at rest; 0 is wall to wall.
   Required<Length> clearance;
   Law law;                             ///< Its force.
   Sides sides = Sides::both;           ///< Where there are walls.

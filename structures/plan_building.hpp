@@ -55,10 +55,15 @@ struct PlanBuilding {
 
 /// The parts of a building in plan that was added.
 struct PlanBuildingParts {
-  std::string name;                 ///< Of the building.
-  DiaphragmId base;                 ///< not specified() for a fixed building
-  std::vector<DiaphragmId> floors;  ///< From the lowest up, without the base.
+  std::string name;  ///< Of the building.
+  DiaphragmId base;  ///< not specified() for a fixed building
+  /// From the lowest up, without the base.
+  Places<DiaphragmId, floors_remedy> floors;
 
+  /// By its number in names: floor(1) is the lowest. Throws InputError outside 1 to the number of floors.
+  [[nodiscard]] DiaphragmId floor(int number) const {
+    return floors.numbered(number, Check{"PlanBuilding", name}, "floor");
+  }
   /// Base, unless the building is fixed, and floors.
   [[nodiscard]] std::vector<DiaphragmId> diaphragms() const;
 };

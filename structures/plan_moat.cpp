@@ -34,22 +34,23 @@ NodeId add_plan_wall(Model& model, const FlexibleWall& wall, const std::string& 
 
 }  // namespace
 
-std::vector<MeetingPair> moat_pairs(Model& model, const std::string& name, DiaphragmId around, Length clearance,
-                                    const PlanOutline& walls, const Facing& facing,
+std::vector<MeetingPair> moat_pairs(Model& model, const std::string& name, DiaphragmId around,
+                                    std::optional<Length> clearance, const PlanOutline& walls, const Facing& facing,
                                     const std::optional<FlexibleWall>& wall) {
   const Check check{"PlanMoat", name};
   check.that(!name.empty(), "a moat has no name.", "Give .name, or leave it out: \"moat\".");
   const PlacedDiaphragm& base = with_outline(model, check, around);
   if (!walls.empty()) {
-    check.that(clearance == Length{}, "both .clearance and .walls are given.", "Leave one of them out.");
+    check.that(!clearance, "both .clearance and .walls are given.", "Leave one of them out.");
   } else {
-    check.positive("clearance", clearance, "Give the free distance at rest, or .walls.");
-    check.that(clearance <= facing.reach, "clearance", clearance.si(), "m",
+    check.that(clearance.has_value(), "clearance is not given.", "Give the free distance at rest, or .walls.");
+    check.not_negative("clearance", *clearance, "Give the free distance at rest, 0 m for wall to wall.");
+    check.that(*clearance <= facing.reach, "clearance", clearance->si(), "m",
                "at most the reach, " + to_text(facing.reach.si()) + " m",
                "No corner would meet a wall: give a longer .reach.");
   }
   const std::string base_name = base.name;
-  const PlanOutline edges = walls.empty() ? offset_outwards(base.outline, clearance) : walls;
+  const PlanOutline edges = walls.empty() ? offset_outwards(base.outline, *clearance) : walls;
   // Of a law that belongs to a whole face: the mass that meets it flat.
   const bool of_face = facing.share == Share::per_face || facing.points_per_face > 0;
   const Mass effective_mass = of_face ? base.mass * units::kg : Mass{};

@@ -30,8 +30,8 @@ struct PlanMoat {
   std::string name = "moat";  ///< Unique in its model.
   /// A diaphragm with an outline.
   Required<DiaphragmId> around;
-  /// > 0 m, <= reach: the walls are the outline moved outwards by it. Leave it out where `walls` are given.
-  Length clearance{};
+  /// >= 0 m, <= reach: the walls are the outline moved outwards by it. Leave it out where `walls` are given.
+  std::optional<Length> clearance{};
   /// A polygon around the outline, counter-clockwise.
   PlanOutline walls{};
   Law law;                    ///< Its force.
@@ -73,10 +73,10 @@ struct MeetingPair {
   Label edge_name;          ///< For tables.
 };
 
-/// The pairs of a moat; adds its walls where they are flexible. Throws InputError for a clearance that is not > 0 m or
+/// The pairs of a moat; adds its walls where they are flexible. Throws InputError for a clearance that is < 0 m or
 /// above the reach, both or neither of clearance and walls, a diaphragm without outline, and as corners_facing_walls().
-std::vector<MeetingPair> moat_pairs(Model& model, const std::string& name, DiaphragmId around, Length clearance,
-                                    const PlanOutline& walls, const Facing& facing,
+std::vector<MeetingPair> moat_pairs(Model& model, const std::string& name, DiaphragmId around,
+                                    std::optional<Length> clearance, const PlanOutline& walls, const Facing& facing,
                                     const std::optional<FlexibleWall>& wall);
 /// The pairs of neighbours. Throws InputError for a diaphragm without outline, and as corners_facing_each_other() does.
 std::vector<MeetingPair> neighbour_pairs(const Model& model, const std::string& name, DiaphragmId first,

@@ -14,10 +14,10 @@ namespace moat {
 
 /// Checks the parameters of one object and throws InputError with a message of the form
 ///
-///     Gap "moat left": clearance = -0.1 m is not allowed; it must be > 0 m. Give the free distance ...
+///     Gap "moat left": clearance = -0.1 m is not allowed; it must be >= 0 m and finite. Give the free distance ...
 ///
 ///     const Check check{"Gap", name};
-///     check.positive("clearance", clearance, "Give the free distance to the wall at rest.");
+///     check.not_negative("clearance", clearance, "Give the free distance to the wall at rest.");
 class Check {
  public:
   /// kind is the type a user wrote ("Gap"); name is the object's own name, may be empty. Both must outlive the check: a

@@ -7,6 +7,7 @@ namespace moat {
 enum class StiffnessStage {
   initial,     ///< before first yield
   post_yield,  ///< on the branch after yield, for elements that have one
+  joined,      ///< 1 N/m for every element: the matrix shows which motions the elements resist
 };
 
 }  // namespace moat

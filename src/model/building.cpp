@@ -1,9 +1,7 @@
 #include "model/building.hpp"
 
-#include <algorithm>
-#include <numeric>
-
 #include "model/model.hpp"
+#include "model/node_sets.hpp"
 
 namespace moat {
 namespace {
@@ -48,33 +46,13 @@ std::vector<std::vector<ElementId>> isolators_of(const Model& model, std::span<c
 }
 
 std::vector<int> connected_parts(const Model& model) {
-  std::vector<int> parent(static_cast<std::size_t>(model.node_count()));
-  std::iota(parent.begin(), parent.end(), 0);
-  const auto root = [&](int node) {
-    while (parent[static_cast<std::size_t>(node)] != node) {
-      // Halves the way to the root for the next visit.
-      int& above = parent[static_cast<std::size_t>(node)];
-      above = parent[static_cast<std::size_t>(above)];
-      node = above;
-    }
-    return node;
-  };
+  NodeSets parts{model.node_count()};
   for (const PlacedDiaphragm& diaphragm : model.diaphragms())
-    for (const NodeId node : {diaphragm.id.y, diaphragm.id.r})
-      parent[static_cast<std::size_t>(root(node.index))] = root(diaphragm.id.x.index);
+    for (const NodeId node : {diaphragm.id.y, diaphragm.id.r}) parts.join(diaphragm.id.x.index, node.index);
   for_each_element(model, [&](ElementId id, const ElementInfo& info) {
-    if (model.blocks()[id.block]->contacts() != nullptr || info.first == ground || info.second == ground) return;
-    parent[static_cast<std::size_t>(root(info.first.index))] = root(info.second.index);
+    if (model.blocks()[id.block]->contacts() == nullptr) parts.join(info.first.index, info.second.index);
   });
-  constexpr int none = -1;
-  std::vector<int> part(parent.size()), part_of_root(parent.size(), none);
-  int count = 0;
-  for (std::size_t i = 0; i < part.size(); ++i) {
-    int& number = part_of_root[static_cast<std::size_t>(root(static_cast<int>(i)))];
-    if (number == none) number = count++;
-    part[i] = number;
-  }
-  return part;
+  return parts.numbers();
 }
 
 std::vector<Building> all_buildings(const Model& model) {

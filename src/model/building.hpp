@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "base/check.hpp"
+#include "base/places.hpp"
 #include "model/node.hpp"
 
 namespace moat {
@@ -26,8 +28,10 @@ struct Building {
   /// The floor on the isolators; `ground` for a fixed building.
   NodeId base = ground;
   /// From the lowest up.
-  std::vector<NodeId> floors{};
+  Places<NodeId, floors_remedy> floors{};
 
+  /// By its number in names: floor(1) is the lowest. Throws InputError outside 1 to the number of floors.
+  [[nodiscard]] NodeId floor(int number) const { return floors.numbered(number, Check{"Building", name}, "floor"); }
   /// Base, unless that is the ground, and floors.
   [[nodiscard]] std::vector<NodeId> nodes() const;
   [[nodiscard]] NodeId top() const { return floors.empty() ? base : floors.back(); }  ///< The highest floor.

@@ -65,6 +65,7 @@ struct Diaphragm {
   /// Of the centre of mass at time zero.
   Speed initial_velocity_x{}, initial_velocity_y{};
   Frequency initial_angular_velocity{};  ///< rad/s, at time zero.
+  bool free = false;                     ///< Whether nothing need hold it, as Node::free.
   /// For drawings only.
   Length height{};
 };

@@ -83,7 +83,8 @@ void Model::refuse_entry(NodeId node) const {
 
 bool Model::has_node(const std::string& name) const {
   return node_names_.may_contain(name) &&
-         std::ranges::any_of(nodes_, [&](const Node& node) { return node.name == name; });
+         (std::ranges::find(nodes_, name, &Node::name) != nodes_.end() ||
+          std::ranges::find(diaphragms_, name, &PlacedDiaphragm::name) != diaphragms_.end());
 }
 
 bool Model::has_element(const std::string& name) const {

@@ -80,10 +80,12 @@ class Model {
   [[nodiscard]] const std::deque<Node>& nodes() const { return nodes_; }  ///< In the order of their numbers.
   /// The node's name; "ground" for the ground.
   [[nodiscard]] std::string_view node_name(NodeId id) const;
+  /// The name of the diaphragm to which a node belongs; its own name for other nodes.
+  [[nodiscard]] std::string_view body_name(NodeId id) const;
   [[nodiscard]] bool has_element(const std::string& name) const;  ///< Whether the name is taken.
   /// Throws InputError unless id is the ground or a node of this model; the object of `check` and the field are named.
   void require_node(NodeId id, const Check& check, std::string_view field) const;
-  [[nodiscard]] bool has_node(const std::string& name) const;  ///< Whether the name is taken.
+  [[nodiscard]] bool has_node(const std::string& name) const;  ///< Whether a node or a diaphragm has the name.
   /// Throws InputError if the name is empty or taken by another element.
   void register_element(std::string_view kind, const std::string& name);
 
@@ -168,7 +170,7 @@ class Model {
   /// The corners of forces inside the trial step that are not located; `lost` := the forces that nodes lose where paths
   /// turn, N (ElementBlock::find_corners).
   UnlocatedCorners find_corners(Vector& lost) const;
-  /// matrix := stiffness of a linear analysis.
+  /// matrix := stiffness of a linear analysis, in which gaps are open.
   void assemble_linear_stiffness(StiffnessStage stage, SparseMatrix& matrix) const;
   /// The trial state of nodes and elements becomes the committed one; energy accounts grow by the step between them,
   /// whose work is formed by `rule`. The contents of trial() are unspecified afterwards: the next step fills it.

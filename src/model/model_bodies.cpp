@@ -1,45 +1,18 @@
 // The bodies of a model that nothing connects.
-#include <algorithm>
 #include <cstddef>
-#include <numeric>
 #include <span>
 #include <typeindex>
 #include <vector>
 
 #include "model/model.hpp"
+#include "model/node_sets.hpp"
 #include "model/numbers_in_part.hpp"
 
 namespace moat {
 namespace {
 
-// Sets of nodes, which grow together.
-class Sets {
- public:
-  explicit Sets(int count) : parent_(static_cast<std::size_t>(count)) { std::iota(parent_.begin(), parent_.end(), 0); }
-  // The node that names the set of this one.
-  int root(int node) {
-    while (at(node) != node) {
-      // Halves the way to the root for the next visit.
-      at(node) = at(at(node));
-      node = at(node);
-    }
-    return node;
-  }
-  // The smaller name counts.
-  void join(int a, int b) {
-    a = root(a);
-    b = root(b);
-    at(std::max(a, b)) = std::min(a, b);
-  }
-
- private:
-  int& at(int node) { return parent_[static_cast<std::size_t>(node)]; }
-
-  std::vector<int> parent_;
-};
-
-Sets bodies_of(const Model& model) {
-  Sets bodies{model.node_count()};
+NodeSets bodies_of(const Model& model) {
+  NodeSets bodies{model.node_count()};
   const SparsityPattern& pattern = *model.pattern();
   for (int column = 0; column < pattern.size; ++column)
     for (int k = pattern.column_starts[static_cast<std::size_t>(column)];
@@ -52,7 +25,7 @@ Sets bodies_of(const Model& model) {
   // A model without diaphragms moves on a line: a node that moves in plan stays with one.
   if (model.is_plan())
     for (int i = 0; i < model.node_count(); ++i)
-      if (model.diaphragm_of(NodeId{i}) == nullptr && bodies.root(i) == i)
+      if (model.diaphragm_of(NodeId{i}) == nullptr && bodies.first_of(i) == i)
         bodies.join(i, model.diaphragms().front().id.x.index);
   return bodies;
 }
@@ -70,18 +43,13 @@ NodeId any_node_of(const ElementInfo& info) {
 }  // namespace
 
 std::vector<Model> Model::unconnected_bodies() const {
-  Sets sets = bodies_of(*this);
-  constexpr std::size_t none = static_cast<std::size_t>(-1);
-  std::vector<std::size_t> body_of_root(nodes_.size(), none), body_of_node(nodes_.size());
+  const std::vector<int> body_of_node = bodies_of(*this).numbers();
+  const auto body_of = [&](int node) { return static_cast<std::size_t>(body_of_node[static_cast<std::size_t>(node)]); };
   std::vector<std::vector<std::size_t>> nodes;  // of every body
   std::vector<int> numbers(nodes_.size());
   for (std::size_t i = 0; i < nodes_.size(); ++i) {
-    std::size_t& body = body_of_root[static_cast<std::size_t>(sets.root(static_cast<int>(i)))];
-    if (body == none) {
-      body = nodes.size();
-      nodes.emplace_back();
-    }
-    body_of_node[i] = body;
+    const std::size_t body = body_of(static_cast<int>(i));
+    if (body == nodes.size()) nodes.emplace_back();
     numbers[i] = static_cast<int>(nodes[body].size());
     nodes[body].push_back(i);
   }
@@ -92,7 +60,7 @@ std::vector<Model> Model::unconnected_bodies() const {
   for (std::size_t b = 0; b < blocks_.size(); ++b)
     for (std::size_t e = 0; e < blocks_[b]->size(); ++e)
       if (const NodeId node = any_node_of(blocks_[b]->info(e)); node != ground)
-        elements[body_of_node[static_cast<std::size_t>(node.index)]][b].push_back(e);
+        elements[body_of(node.index)][b].push_back(e);
   const NumbersInPart in_part{std::move(numbers)};
   std::vector<Model> bodies;
   bodies.reserve(nodes.size());
@@ -101,7 +69,7 @@ std::vector<Model> Model::unconnected_bodies() const {
     Building its = building;
     its.base = in_part.of(building.base);
     for (NodeId& floor : its.floors) floor = in_part.of(floor);
-    bodies[body_of_node[static_cast<std::size_t>(building.nodes().front().index)]].add_building(std::move(its));
+    bodies[body_of(building.nodes().front().index)].add_building(std::move(its));
   }
   for (Model& body : bodies) body.prepare();
   return bodies;

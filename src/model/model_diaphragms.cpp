@@ -13,6 +13,7 @@ DiaphragmId Model::add_diaphragm(const Diaphragm& diaphragm) {
   const Check check{"Diaphragm", diaphragm.name};
   check_name(check, diaphragm.name);
   check.that(diaphragm.name != "ground", "this name is taken.", "`ground` is always there; choose another name.");
+  check.that(!has_node(diaphragm.name), "a diaphragm or node of this name exists.", "Give every one its own name.");
   for (const Node& node : nodes_)
     if (!node.direction)
       check.that(false, "the model has the node \"" + node.name + "\", which moves on a line.",
@@ -20,13 +21,14 @@ DiaphragmId Model::add_diaphragm(const Diaphragm& diaphragm) {
   const double gyration = std::sqrt(inertia / diaphragm.mass.si());
   const auto degree_of_freedom = [&](const char* suffix, PlanVector direction, Length displacement, Speed velocity) {
     const std::string name = diaphragm.name + suffix;
-    check.that(!has_node(name), "a diaphragm of this name exists.", "Give every diaphragm its own name.");
+    check.that(!has_node(name), "a node \"" + name + "\" exists.", "Give every node and diaphragm its own name.");
     check.finite("initial_displacement", displacement);
     check.finite("initial_velocity", velocity);
     return append_node({.name = name,
                         .mass = diaphragm.mass,
                         .initial_displacement = displacement,
                         .initial_velocity = velocity,
+                        .free = diaphragm.free,
                         .height = diaphragm.height,
                         .direction = direction});
   };
@@ -46,6 +48,7 @@ DiaphragmId Model::add_diaphragm(const Diaphragm& diaphragm) {
   for (const NodeId node : placed.id.degrees_of_freedom())
     diaphragm_of_node_[static_cast<std::size_t>(node.index)] = static_cast<int>(diaphragms_.size());
   diaphragms_.push_back(placed);
+  node_names_.add(placed.name);
   return placed.id;
 }
 
@@ -62,6 +65,11 @@ const PlacedDiaphragm* Model::diaphragm_of(NodeId node) const {
   if (node.index < 0 || static_cast<std::size_t>(node.index) >= diaphragm_of_node_.size()) return nullptr;
   const int index = diaphragm_of_node_[static_cast<std::size_t>(node.index)];
   return index < 0 ? nullptr : &diaphragms_[static_cast<std::size_t>(index)];
+}
+
+std::string_view Model::body_name(NodeId id) const {
+  const PlacedDiaphragm* diaphragm = diaphragm_of(id);
+  return diaphragm != nullptr ? diaphragm->name : node_name(id);
 }
 
 std::span<const NodeId> Model::body_of(NodeId node) const {

@@ -92,7 +92,8 @@ UnlocatedCorners Model::find_corners(Vector& lost) const {
 
 void Model::assemble_linear_stiffness(StiffnessStage stage, SparseMatrix& matrix) const {
   std::fill(matrix.values.begin(), matrix.values.end(), 0.0);
-  for (const auto& block : blocks_) block->add_linear_stiffness(stage, matrix);
+  for (const auto& block : blocks_)
+    if (block->contacts() == nullptr) block->add_linear_stiffness(stage, matrix);
 }
 
 }  // namespace moat

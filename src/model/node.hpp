@@ -39,6 +39,9 @@ struct Node {
   Length initial_displacement{};
   /// At time zero, relative to the ground.
   Speed initial_velocity{};
+  /// Whether nothing need hold it: an analysis refuses a body that is held by gaps alone, unless one of its nodes is
+  /// free or moves at the start.
+  bool free = false;
   /// For drawings only: position along the shaking, height, and half the width of the floor.
   Length x{};
   Length height{};                     ///< For drawings.

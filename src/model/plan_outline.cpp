@@ -52,12 +52,11 @@ double PlanOutline::gyration_squared() const {
 }
 
 bool PlanOutline::contains(PlanVector point) const {
-  constexpr double on_border = 1e-9;  // m
   bool inside = false;
   for (std::size_t i = 0; i < size(); ++i) {
     const PlanVector a = corner(i), b = corner(i + 1), edge = b - a, to_point = point - a;
     const double along = std::clamp(dot(to_point, edge) / dot(edge, edge), 0.0, 1.0);
-    if (length(to_point - along * edge) <= on_border) return true;
+    if (length(to_point - along * edge) <= same_place) return true;
     if ((a.y > point.y) != (b.y > point.y) && point.x < a.x + (point.y - a.y) / (b.y - a.y) * (b.x - a.x))
       inside = !inside;
   }
@@ -70,9 +69,8 @@ void PlanOutline::check(const Check& check, std::string_view field) const {
   for (std::size_t i = 0; i < size(); ++i) {
     check.finite(name + " " + corner_name(i) + " x", corners[i].x);
     check.finite(name + " " + corner_name(i) + " y", corners[i].y);
-    constexpr double apart = 1e-9;  // m
     for (std::size_t j = 0; j < i; ++j)
-      check.that(length(corner(i) - corner(j)) > apart,
+      check.that(length(corner(i) - corner(j)) > same_place,
                  name + " " + corner_name(j) + " and " + corner_name(i) + " are at the same place, (" +
                      to_text(corner(i).x) + ", " + to_text(corner(i).y) + ") m.",
                  "Leave one of them out; the last corner is not the first again.");

@@ -5,11 +5,15 @@
 #include <vector>
 
 #include "base/check.hpp"
+#include "base/places.hpp"
 #include "base/plan_vector.hpp"
 #include "base/quantity.hpp"
 #include "base/units.hpp"
 
 namespace moat {
+
+/// Points of a plan that are nearer than this, m, are at the same place.
+inline constexpr double same_place = 1e-9;
 
 /// A point in plan, in coordinates of the whole model: x to the right, y up.
 struct PlanPosition {
@@ -27,7 +31,7 @@ struct PlanPosition {
 ///      1 +--------+ 2      ^-> x
 struct PlanOutline {
   /// At least three, counter-clockwise, in coordinates of the whole model.
-  std::vector<PlanPosition> corners{};
+  Places<PlanPosition, corners_remedy> corners{};
 
   [[nodiscard]] bool empty() const { return corners.empty(); }       ///< Without corners.
   [[nodiscard]] std::size_t size() const { return corners.size(); }  ///< Number of corners.
@@ -52,7 +56,7 @@ struct PlanOutline {
 [[nodiscard]] PlanPosition turned(PlanPosition point, Angle angle, PlanPosition centre = {});
 /// All corners turned so.
 [[nodiscard]] PlanOutline turned(const PlanOutline& outline, Angle angle, PlanPosition centre = {});
-/// All edges moved outwards by `distance` >= 0.
+/// All edges moved outwards by `distance`, or inwards by a negative one that is shorter than half of every edge.
 [[nodiscard]] PlanOutline offset_outwards(const PlanOutline& outline, Length distance);
 
 }  // namespace moat

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "output/gaps_of.hpp"
+
 namespace moat {
 
 Channels::Channels(const Model& model) {
@@ -38,13 +40,13 @@ void Channels::add_elements(const Model& model, std::size_t b) {
       // The indentation of an open gap is zero.
       of_ground_.push_back({.displacement = indentation ? 0.0 : of_ground_displacement});
       (indentation ? of_block.indentations : of_block.deformations).push_back({e, list_.size()});
-      list_.push_back({info.deformation_quantity.text(), info.name, info.listed_under(), "m"});
+      list_.push_back({info.deformation_quantity.text(), info.name, info.listed_under(), "m", has_gaps(block)});
     }
     if (info.force_quantity.empty()) continue;
     if (laws != nullptr && !block.constant_tangent()) of_laws_.push_back({list_.size(), b, e});
     of_ground_.emplace_back();
     of_block.forces.push_back({e, list_.size()});
-    list_.push_back({info.force_quantity.text(), info.name, info.listed_under(), "N"});
+    list_.push_back({info.force_quantity.text(), info.name, info.listed_under(), "N", has_gaps(block)});
     if (laws == nullptr) continue;
     const auto quantities = laws->law_quantities(e);
     for (std::size_t q = 0; q < quantities.size(); ++q) {
@@ -53,7 +55,8 @@ void Channels::add_elements(const Model& model, std::size_t b) {
       if (quantity.of_deformation)
         of_ground_.back().displacement = of_ground_displacement * laws->law_quantity_per_deformation(e, q);
       of_block.law_quantities.push_back({e, list_.size(), q});
-      list_.push_back({std::string{quantity.name}, info.name, info.listed_under(), std::string{quantity.unit}});
+      list_.push_back(
+          {std::string{quantity.name}, info.name, info.listed_under(), std::string{quantity.unit}, has_gaps(block)});
     }
   }
   if (!of_block.deformations.empty() || !of_block.indentations.empty() || !of_block.forces.empty())

@@ -61,7 +61,7 @@ std::vector<GapClearance> ClearanceRecorder::clearances() const {
     const ElementInfo& info = block.info(gap.element);
     const PlanContacts* corners = block.plan_contacts();
     const double at_rest = corners != nullptr ? corners->distance_at_rest(gap.element) : info.offset;
-    list.push_back({.where = info.name, .clearance = at_rest, .left = -gap.largest, .time = gap.time});
+    list.push_back({.where = info.name, .clearance = at_rest, .left = 0.0 - gap.largest, .time = gap.time});
   }
   return list;
 }

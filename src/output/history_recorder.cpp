@@ -121,7 +121,7 @@ void HistoryRecorder::take(const StepView& view, bool with_energies) {
   }
   for (const auto& [b, e] : gaps_) {
     const ElementResults results = view.model.blocks()[b]->results();
-    now_.values.push_back(-results.deformations[e]);
+    now_.values.push_back(0.0 - results.deformations[e]);  // not -0 where bodies touch at rest
     now_.rates.push_back(-results.rates[e]);
   }
   if (offered_ != nullptr) offered_->sample(view, now_.offered);

@@ -16,20 +16,14 @@ std::string kind_of(const ElementBlock& block, const ElementInfo& info) {
   return info.drawn_as == DrawnAs::storey ? "storey" : "other";
 }
 
-// An element in plan joins bodies, whichever of their degrees of freedom it names.
-std::string name_of_body(const Model& model, NodeId node) {
-  const PlacedDiaphragm* diaphragm = model.diaphragm_of(node);
-  return diaphragm != nullptr ? diaphragm->name : std::string{model.node_name(node)};
-}
-
 ElementFacts facts_of(const Model& model, const ElementBlock& block, std::size_t element) {
   const ElementInfo& info = block.info(element);
   LawAsGiven law = law_of(block, element);
   ElementFacts facts{.name = info.name,
                      .kind = kind_of(block, info),
                      .law = std::move(law.name),
-                     .first = name_of_body(model, info.first),
-                     .second = name_of_body(model, info.second),
+                     .first = std::string{model.body_name(info.first)},
+                     .second = std::string{model.body_name(info.second)},
                      .parameters = {}};
   if (const PlanPlaces* places = info.plan_places()) facts.plan_places = *places;
   if (const MemberEnds* ends = info.member_ends()) {
@@ -62,6 +56,7 @@ void add_plan(const Model& model, ModelFacts& facts) {
       const CornerPair& pair = contacts->pair(e);
       const ElementInfo& info = block->info(e);
       facts.corners.push_back({.element = info.name,
+                               .body = std::string{model.body_name(info.second)},
                                .corner = pair.corner.text(),
                                .edge = pair.edge.text(),
                                .position = pair.position,

@@ -56,6 +56,7 @@ struct DiaphragmFacts {
 /// A corner that can hit an edge.
 struct CornerFacts {
   std::string element;                  ///< the contact
+  std::string body{};                   ///< the diaphragm of the corner
   std::string corner, edge;             ///< names
   PlanVector position{};                ///< of the corner at rest, m
   PlanVector normal{};                  ///< from the corner's body to the edge's

@@ -4,6 +4,7 @@
 #include <map>
 #include <set>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -238,7 +239,9 @@ class SceneBuilder {
                              plan_point(pair.position + clearance, level, info.first, edge_spread)},
                             number});
     const std::string& wall = pair.edge.text();
-    if (!is_wall || !drawn_walls_.insert(wall).second) return;
+    const bool is_new =
+        drawn_walls_.insert({wall, pair.edge_begin.x, pair.edge_begin.y, pair.edge_end.x, pair.edge_end.y}).second;
+    if (!is_wall || !is_new) return;
     const PlanVector outwards = wall_thickness * pair.normal;
     // The ends of a wall go on as far as it moves away, so that walls still meet.
     const PlanVector begin_spread = edge_spread - along, end_spread = edge_spread + along;
@@ -251,7 +254,7 @@ class SceneBuilder {
   const Model& model_;
   const std::vector<PlanVector> spread_;  // of nodes
   Scene scene_;
-  std::set<std::string> drawn_walls_;
+  std::set<std::tuple<std::string, double, double, double, double>> drawn_walls_;  // names and ends
   std::map<std::pair<NodeId, NodeId>, int> storeys_;
 };
 

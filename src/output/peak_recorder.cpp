@@ -5,15 +5,12 @@
 #include <map>
 
 #include "base/hermite.hpp"
-#include "output/gaps_of.hpp"
 
 namespace moat {
 
 PeakRecorder::PeakRecorder(const Model& model) : model_{&model}, channels_{model}, peaks_{channels_.list().size()} {
   constexpr std::size_t most_samples_in_a_step = 16;  // more are rare
   bumps_.reserve(most_samples_in_a_step);
-  for (const auto& block : model.blocks())
-    for (std::size_t e = 0; has_gaps(*block) && e < block->size(); ++e) gaps_.insert(block->info(e).name);
 }
 
 void PeakRecorder::start(const StepView& view) { step(view); }
@@ -122,7 +119,7 @@ std::string PeakRecorder::side_of(std::size_t channel, const Peak& peak) const {
   const Channel& of_peak = channels_.list()[channel];
   if (peak.value == 0.0) return "";
   if (of_peak.where != of_peak.place) return of_peak.where;
-  if (gaps_.contains(of_peak.where) || model_->is_plan()) return "";
+  if (of_peak.of_gap || model_->is_plan()) return "";
   return peak.value > 0.0 ? "right" : "left";
 }
 

@@ -1,7 +1,6 @@
 // Peaks of all channels over continuous time.
 #pragma once
 
-#include <set>
 #include <string>
 #include <vector>
 
@@ -36,7 +35,6 @@ class PeakRecorder final : public StepObserver {
 
   const Model* model_;
   Channels channels_;
-  std::set<std::string> gaps_;     // names
   PeakTrackers peaks_;             // of all channels
   std::vector<GroundBump> bumps_;  // inside the last step
 };

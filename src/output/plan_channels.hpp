@@ -16,6 +16,7 @@ struct Channel {
   std::string where;     ///< node, element or report: "base", "moat left"
   std::string place;     ///< where its peak is listed: "moat" for "moat left"
   std::string unit;      ///< SI
+  bool of_gap = false;   ///< Whether a gap reports it, whose sign is no side.
 };
 
 /// Resultants of simultaneous components and quantities at corners:

@@ -2,41 +2,10 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <numeric>
 #include <optional>
 
 namespace moat {
 namespace {
-
-// Bodies as sets of nodes that are merged.
-class Bodies {
- public:
-  explicit Bodies(const Model& model) : parent_(static_cast<std::size_t>(model.node_count())) {
-    std::iota(parent_.begin(), parent_.end(), std::size_t{0});
-    for (const PlacedDiaphragm& diaphragm : model.diaphragms()) {
-      join(diaphragm.id.x, diaphragm.id.y);
-      join(diaphragm.id.x, diaphragm.id.r);
-    }
-    for (const auto& block : model.blocks())
-      for (std::size_t e = 0; block->contacts() == nullptr && e < block->size(); ++e)
-        join(block->info(e).first, block->info(e).second);
-  }
-
-  [[nodiscard]] std::size_t of(NodeId node) const {
-    auto body = static_cast<std::size_t>(node.index);
-    while (parent_[body] != body) body = parent_[body];
-    return body;
-  }
-
- private:
-  void join(NodeId a, NodeId b) {
-    if (a == ground || b == ground) return;
-    const std::size_t first = of(a), second = of(b);
-    parent_[std::max(first, second)] = std::min(first, second);
-  }
-
-  std::vector<std::size_t> parent_;
-};
 
 // Of a body: another one, and how much further that one stands.
 struct Neighbour {
@@ -44,15 +13,18 @@ struct Neighbour {
   PlanVector further;
 };
 
-std::vector<std::vector<Neighbour>> neighbours_of(const Model& model, const Bodies& bodies) {
-  std::vector<std::vector<Neighbour>> neighbours(static_cast<std::size_t>(model.node_count()));
+std::vector<std::vector<Neighbour>> neighbours_of(const Model& model, const std::vector<int>& part) {
+  const auto body_of = [&](NodeId node) {
+    return static_cast<std::size_t>(part[static_cast<std::size_t>(node.index)]);
+  };
+  std::vector<std::vector<Neighbour>> neighbours(part.size());
   for (const auto& block : model.blocks()) {
     const PlanContacts* corners = block->plan_contacts();
     for (std::size_t e = 0; block->contacts() != nullptr && e < block->size(); ++e) {
       const ElementInfo& info = block->info(e);
       if (info.first == ground || info.second == ground) continue;
       const PlanVector direction = corners != nullptr ? corners->pair(e).normal : PlanVector{1.0, 0.0};
-      const std::size_t from = bodies.of(info.second), to = bodies.of(info.first);
+      const auto from = body_of(info.second), to = body_of(info.first);
       neighbours[from].push_back({to, info.offset * direction});
       neighbours[to].push_back({from, -info.offset * direction});
     }
@@ -66,8 +38,8 @@ std::vector<std::vector<Neighbour>> neighbours_of(const Model& model, const Bodi
 }  // namespace
 
 std::vector<PlanVector> spread_of_nodes(const Model& model) {
-  const Bodies bodies{model};
-  const std::vector<std::vector<Neighbour>> neighbours = neighbours_of(model, bodies);
+  const std::vector<int> part = connected_parts(model);
+  const std::vector<std::vector<Neighbour>> neighbours = neighbours_of(model, part);
   std::vector<std::optional<PlanVector>> spread(neighbours.size());  // of bodies
   for (std::size_t first = 0; first < spread.size(); ++first) {
     if (spread[first]) continue;
@@ -83,8 +55,7 @@ std::vector<PlanVector> spread_of_nodes(const Model& model) {
     }
   }
   std::vector<PlanVector> of_nodes;
-  for (std::size_t node = 0; node < spread.size(); ++node)
-    of_nodes.push_back(*spread[bodies.of(NodeId{static_cast<int>(node)})]);
+  for (const int body : part) of_nodes.push_back(*spread[static_cast<std::size_t>(body)]);
   return of_nodes;
 }
 

@@ -106,8 +106,9 @@ std::vector<Shape> plan_shapes(const CaseResult& result) {
     std::vector<Shape>& list = cell.kind == CellKind::wall                             ? walls
                                : std::ranges::any_of(result.model.diaphragms, is_base) ? bases
                                                                                        : floors;
-    // Lower and upper face of a prism lie above each other.
-    if (!list.empty() && list.back().name == cell.name) continue;
+    // Lower and upper face of a prism lie above each other; another wall may have the same name.
+    const auto lies_above = [&](const ScenePoint& other) { return other.x == points[0]->x && other.y == points[0]->y; };
+    if (!list.empty() && list.back().name == cell.name && lies_above(*list.back().points[0])) continue;
     list.push_back({&list == &floors ? "upper" : std::string{class_of(cell.kind)}, cell.name, points});
   }
   for (std::vector<Shape>* list : {&bases, &floors, &gaps}) walls.insert(walls.end(), list->begin(), list->end());

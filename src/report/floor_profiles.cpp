@@ -26,8 +26,9 @@ Levels levels_of(const BuildingParts& building, const ModelFacts& model) {
   if (!building.base.empty()) levels.names.push_back(building.base);
   levels.names.insert(levels.names.end(), building.floors.begin(), building.floors.end());
   for (const std::string& name : levels.names) {
-    const auto node = std::ranges::find_if(
-        model.nodes, [&](const NodeFacts& each) { return each.name == name || each.name == name + ":x"; });
+    const auto node = std::ranges::find_if(model.nodes, [&](const NodeFacts& each) {
+      return each.name == name || (!model.diaphragms.empty() && each.name == name + ":x");
+    });
     levels.heights.push_back(node == model.nodes.end() ? 0.0 : node->height);
   }
   for (std::size_t i = 1; i < levels.heights.size(); ++i) {
@@ -39,41 +40,28 @@ Levels levels_of(const BuildingParts& building, const ModelFacts& model) {
   return levels;
 }
 
-// Where the peak of a place is drawn: at a floor, or at the storey that an element forms below it.
-class Places {
- public:
-  Places(const Levels& levels, const ModelFacts& model) {
-    for (std::size_t i = 0; i < levels.names.size(); ++i) level_[levels.names[i]] = i;
+// The heights at which the peaks of a quantity are drawn, by their places: those of the floors themselves, or the
+// middle of the storeys below them. A quantity of floors is not looked for at elements, whose names may be the same.
+std::map<std::string, double> heights_by_place(const Levels& levels, const ModelFacts& model,
+                                               const std::string& quantity) {
+  const bool of_storeys = quantity == "drift" || quantity == "storey_shear";
+  std::map<std::string, double> heights;
+  for (std::size_t i = 0; i < levels.names.size(); ++i) {
+    const double middle = levels.middle_below(i);
+    if (!of_storeys) heights[levels.names[i]] = quantity == "corner_drift" ? middle : levels.heights[i];
     for (const ElementFacts& element : model.elements)
-      if (const auto upper = level_.find(element.second); upper != level_.end()) storey_[element.name] = upper->second;
+      if (of_storeys && element.second == levels.names[i]) heights[element.name] = middle;
   }
-
-  [[nodiscard]] const std::size_t* floor(const std::string& where) const { return found(level_, where); }
-  [[nodiscard]] const std::size_t* storey(const std::string& where) const { return found(storey_, where); }
-
- private:
-  using Map = std::map<std::string, std::size_t>;
-  static const std::size_t* found(const Map& map, const std::string& where) {
-    const auto entry = map.find(where);
-    return entry == map.end() ? nullptr : &entry->second;
-  }
-
-  Map level_, storey_;
-};
+  return heights;
+}
 
 Series profile(const CaseResult& result, const BuildingParts& building, const std::string& quantity) {
   const Levels levels = levels_of(building, result.model);
-  const Places places{levels, result.model};
+  const std::map<std::string, double> heights = heights_by_place(levels, result.model, quantity);
   std::vector<std::pair<double, double>> points;  // height, value
-  for (const Peak& peak : result.peaks) {
-    if (peak.quantity != quantity) continue;
-    const double value = engineering_unit(peak.unit).per_si * peak.magnitude();
-    const bool is_drift = quantity == "corner_drift";
-    if (const std::size_t* level = places.floor(peak.where))
-      points.emplace_back(is_drift ? levels.middle_below(*level) : levels.heights[*level], value);
-    else if (const std::size_t* storey = places.storey(peak.where))
-      points.emplace_back(levels.middle_below(*storey), value);
-  }
+  for (const Peak& peak : result.peaks)
+    if (const auto at = heights.find(peak.where); peak.quantity == quantity && at != heights.end())
+      points.emplace_back(at->second, engineering_unit(peak.unit).per_si * peak.magnitude());
   std::ranges::sort(points);
   Series series{.name = building.name, .x = {}, .y = {}};
   for (const auto& [height, value] : points) {

@@ -28,7 +28,7 @@
       const move = element.dataset.move
         ? element.dataset.move.split(" ").map((point) => point === "-" ? [] : point.split("+").map((term) => term.split(/[:,]/).map(Number)))
         : rest.map(() => []);
-      return { element, rest, spread, move, name: element.dataset.name, isOrbit: element.classList.contains("orbit") };
+      return { element, rest, spread, move, name: element.dataset.name, isOrbit: element.classList.contains("orbit"), isGap: element.classList.contains("gap") };
     });
   }
 
@@ -96,7 +96,7 @@
       const row = (t - run.start) / run.interval;
       const hit = new Set(run.impacts.filter((each) => each.start <= t && t <= each.end).map((each) => each.where));
       for (const shape of shapes) {
-        shape.element.classList.toggle("hit", hit.has(shape.name));
+        shape.element.classList.toggle("hit", shape.isGap && hit.has(shape.name));
         if (!shape.isOrbit && (shape.element.dataset.move || shape.element.dataset.spread))
           shape.element.setAttribute("points", text(shape.rest.map((_, i) => place(shape, i, row, factor))));
       }

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
+#include <string>
+#include <tuple>
 
 #include "base/number_format.hpp"
 #include "base/plan_vector.hpp"
@@ -49,7 +51,7 @@ class Picture {
   [[nodiscard]] PlanVector arm(PlanVector point) const { return point - base_.centre_of_mass; }
 
   [[nodiscard]] bool hits_walls(const CornerFacts& corner) const {
-    return corner.edge_is_wall && corner.corner.starts_with(base_.name + " ");
+    return corner.edge_is_wall && corner.body == base_.name;
   }
 
   void choose_factor() {
@@ -101,9 +103,10 @@ class Picture {
   }
 
   void draw_walls(SvgWriter& svg) const {
-    std::set<std::string> drawn;
+    std::set<std::tuple<std::string, double, double, double, double>> drawn;  // names and ends
     for (const CornerFacts& corner : result_.model.corners) {
-      if (!hits_walls(corner) || !drawn.insert(corner.edge).second) continue;
+      const PlanVector &from = corner.edge_begin, &to = corner.edge_end;
+      if (!hits_walls(corner) || !drawn.insert({corner.edge, from.x, from.y, to.x, to.y}).second) continue;
       const auto [begin, end] = wall_ends(corner);
       svg.line(pixel(begin), pixel(end), {.colour = palette[black], .width = 3.0, .kind = black_line_class});
       svg.text(pixel(0.5 * (begin + end) + (14.0 / scale_) * corner.normal), corner.edge,

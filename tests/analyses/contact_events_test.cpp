@@ -303,7 +303,7 @@ TEST(ContactEvents, ABodyThatBouncesOnItsWallDoesNotChatter) {
   // No dashpot: every bounce returns a part of the speed until the contact is not left any more.
   for (const double restitution : {0.9, 0.65, 0.3, 0.05}) {
     Model model;
-    const NodeId body = add(model, Node{.name = "body", .mass = 550 * tonne});
+    const NodeId body = add(model, Node{.name = "body", .mass = 550 * tonne, .free = true});
     add_wall(model, "wall", body, 1 * cm, restitution);
     CaseResult result;
     ASSERT_NO_THROW(result = run_case(model, constant_acceleration(-3.0, 10 * s), {.transient = {.step = 2.5 * ms}}))
@@ -321,7 +321,7 @@ TEST(ContactEvents, ATouchWithoutSpeedDoesNotDivideByZero) {
   // At rest a hair from the wall, then pressed: approach speed is (almost) nothing.
   for (const double clearance : {1e-15, 1e-9, 1e-6}) {
     Model model;
-    const NodeId body = add(model, Node{.name = "body", .mass = 550 * tonne});
+    const NodeId body = add(model, Node{.name = "body", .mass = 550 * tonne, .free = true});
     add_wall(model, "wall", body, clearance * m, 0.65);
     CaseResult result;
     ASSERT_NO_THROW(result = run_case(model, constant_acceleration(-0.1, 1 * s), {.transient = {.step = 1 * ms}}))
@@ -338,7 +338,8 @@ TEST(ContactEvents, ATouchWithoutSpeedDoesNotDivideByZero) {
 
 TEST(ContactEvents, ABodyThatStartsBeyondItsWallTouchesAtOnce) {
   Model model;
-  const NodeId body = add(model, Node{.name = "body", .mass = 550 * tonne, .initial_displacement = 2 * cm});
+  const NodeId body =
+      add(model, Node{.name = "body", .mass = 550 * tonne, .initial_displacement = 2 * cm, .free = true});
   add_wall(model, "wall", body, 1 * cm, 1.0);
   const CaseResult result = run_case(model, still_ground(1 * s), {.transient = {.step = 0.5 * ms}});
   ASSERT_EQ(result.impacts.size(), 1u);
@@ -365,7 +366,7 @@ TEST(ContactEvents, ADampedContactThatStartsClosedAtRestIsTheWayBackOfAnImpact) 
 
       Model model;
       const NodeId body =
-          add(model, Node{.name = "body", .mass = mass * kg, .initial_displacement = 1 * cm + depth * m});
+          add(model, Node{.name = "body", .mass = mass * kg, .initial_displacement = 1 * cm + depth * m, .free = true});
       add(model, Gap<ExactHertzDamp>{.name = "wall",
                                      .left = body,
                                      .right = ground,

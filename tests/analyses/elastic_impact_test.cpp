@@ -107,7 +107,7 @@ TEST(ElasticImpact, TwoFreeBodiesExchangeTheirVelocities) {
   // Equal masses, elastic: the moving one stops, the other takes its speed.
   Model model;
   const NodeId left = add(model, Node{.name = "left", .mass = mass * kg, .initial_velocity = speed * m / s});
-  const NodeId right = add(model, Node{.name = "right", .mass = mass * kg});
+  const NodeId right = add(model, Node{.name = "right", .mass = mass * kg, .free = true});
   add(model, Gap<HertzDamp>{.name = "gap",
                             .left = left,
                             .right = right,

@@ -23,7 +23,7 @@ double total(const EnergyBalance& e) { return e.kinetic + e.strain + e.viscous +
 
 TEST(EnergyBalance, InputUnderConstantGroundAccelerationIsForceTimesWay) {
   Model model;
-  add(model, Node{.name = "free", .mass = 3 * kg});
+  add(model, Node{.name = "free", .mass = 3 * kg, .free = true});
   const CaseResult result = run_case(model, constant_acceleration(2.0, 1 * s), {.transient = {.step = 10 * ms}});
   // u = - a t^2 / 2 = -1 m under - m a = -6 N.
   EXPECT_NEAR(result.energy.input, 6.0, 1e-9);

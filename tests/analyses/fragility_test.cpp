@@ -54,6 +54,16 @@ TEST(Fragility, FindsTheLimitOfEveryRecord) {
   }
 }
 
+// A sweep of clearances may begin wall to wall.
+TEST(Fragility, ALevelMayBeZero) {
+  const StudyEvent stands = [](const CaseOutcome& outcome) { return !collapse(outcome); };
+  for (const KnownInterval& limit : event_limits(study_of({0.0, 0.9}), "Sa", stands, Trend::shrinks)) {
+    EXPECT_EQ(limit.above, 0.0);
+    EXPECT_EQ(limit.up_to, 0.9);
+  }
+  EXPECT_THROW((void)event_limits(study_of({-0.1, 0.9}), "Sa", stands, Trend::shrinks), InputError);
+}
+
 TEST(Fragility, ACaseWithoutSolutionIsNeitherPassNorFailure) {
   const auto stuck = [](const StudyCase& each) { return each.position("record") == 4 && each.position("Sa") == 2; };
   const StudyResult study = study_of({0.3, 0.4, 0.5, 0.6}, stuck);

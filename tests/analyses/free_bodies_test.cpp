@@ -25,7 +25,7 @@ TEST(FreeBodies, ABodyInASlotNeedsFewSteps) {
   for (const double frequency : {2.0 * std::numbers::pi, 5.0, 9.0}) {
     SCOPED_TRACE(frequency);
     Model model;
-    const NodeId body = add(model, Node{.name = "body", .mass = 100 * tonne});
+    const NodeId body = add(model, Node{.name = "body", .mass = 100 * tonne, .free = true});
     add(model,
         Moat{.around = body, .clearance = 5 * cm, .law = ExactKelvin{.stiffness = 1e9 * N / m, .restitution = 0.65}});
     std::vector<double> samples(501);

@@ -18,7 +18,7 @@ using testing::still_ground;
 
 Model one_mass() {
   Model model;
-  add(model, Node{.name = "mass", .mass = 1 * kg});
+  add(model, Node{.name = "mass", .mass = 1 * kg, .free = true});
   return model;
 }
 

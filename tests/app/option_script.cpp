@@ -21,6 +21,6 @@ int main(int argc, char** argv) {
   std::printf("text %s\n", script.text("text", "none", "any text").c_str());
   std::fflush(stdout);
   Model model;
-  add(model, Node{.name = "body", .mass = 1 * kg});
+  add(model, Node{.name = "body", .mass = 1 * kg, .free = true});
   return script.run(model, script.motion(GroundMotion{"still ground", 0.01, {0.0, 0.0, 0.0}}));
 }

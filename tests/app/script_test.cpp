@@ -310,8 +310,8 @@ TEST_F(ScriptRun, BadParametersOfTheModelAreOneMessage) {
   const ProgramResult result = tour({"--gap", "-5 cm"});
   EXPECT_EQ(result.exit_code, 1);
   EXPECT_EQ(result.errors,
-            "moat: error: Gap \"moat left\": clearance = -0.05 m is not allowed; it must be > 0 m and finite. "
-            "Give the free distance at rest.\n");
+            "moat: error: Gap \"moat left\": clearance = -0.05 m is not allowed; it must be >= 0 m and finite. "
+            "Give the free distance at rest, 0 m for wall to wall; a preload is an initial_displacement.\n");
   EXPECT_FALSE(exists("results"));
 }
 

@@ -14,7 +14,7 @@ using namespace units;
 
 TEST(RecorderRecipe, AppearsInHistoriesPeaksAndCharts) {
   Model model;
-  const NodeId left = add(model, Node{.name = "left", .mass = 1 * kg});
+  const NodeId left = add(model, Node{.name = "left", .mass = 1 * kg, .free = true});
   const NodeId right = add(model, Node{.name = "right", .mass = 1 * kg, .initial_displacement = 3 * cm});
   add(model, ShearSpring{.name = "spring", .lower = ground, .upper = right, .stiffness = 100 * N / m});
   const GroundMotion still{"still", 0.01, std::vector<double>(101, 0.0)};

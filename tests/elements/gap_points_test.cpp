@@ -84,7 +84,7 @@ TEST(GapPoints, ANodeOnBothSidesCountsOnce) {
 TEST(GapPoints, ANodeOnBothSidesLeavesTheRestitutionAsAsked) {
   Model model;
   const NodeId low = add(model, Node{.name = "low", .mass = 2 * tonne, .initial_velocity = 1 * m / s});
-  const NodeId high = add(model, Node{.name = "high", .mass = 3 * tonne});
+  const NodeId high = add(model, Node{.name = "high", .mass = 3 * tonne, .free = true});
   add(model, Gap<ExactKelvin>{.name = "gap",
                               .left = MemberPoint{low, high, 0.5},
                               .right = high,

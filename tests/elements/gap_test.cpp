@@ -133,8 +133,8 @@ TEST(Gap, NamesTheMistake) {
   Gap closed = gap_between(nodes.a, nodes.b, hertz_damp);
   closed.clearance = -10 * cm;
   EXPECT_EQ(message_of([&] { add(nodes.model, closed); }),
-            "Gap \"gap\": clearance = -0.1 m is not allowed; it must be > 0 m and finite. "
-            "Give the free distance at rest.");
+            "Gap \"gap\": clearance = -0.1 m is not allowed; it must be >= 0 m and finite. "
+            "Give the free distance at rest, 0 m for wall to wall; a preload is an initial_displacement.");
   EXPECT_EQ(message_of([&] { add(nodes.model, gap_between(nodes.a, nodes.a, hertz_damp)); }),
             "Gap \"gap\": left and right are the same node, \"a\". An element joins two different nodes.");
   EXPECT_EQ(message_of([&] { add(nodes.model, gap_between(nodes.a, NodeId{9}, hertz_damp)); }),

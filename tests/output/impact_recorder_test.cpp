@@ -94,7 +94,8 @@ Impact impact_on_wall(const Law& law, double speed, double overlap, double end =
   const NodeId body = add(model, Node{.name = "body",
                                       .mass = 1 * tonne,
                                       .initial_displacement = 1 * cm + overlap * m,
-                                      .initial_velocity = speed * m / s});
+                                      .initial_velocity = speed * m / s,
+                                      .free = true});
   add(model, Gap<Law>{.name = "wall", .left = body, .right = ground, .clearance = 1 * cm, .law = law});
   ImpactRecorder recorder;
   Transient analysis{model, GroundMotion{"still ground", end / 100.0, std::vector<double>(101, 0.0)}, {}};
@@ -139,8 +140,8 @@ TEST(ImpactRecorder, AContactDrivenAfterASlowTouchHasNoReboundRatio) {
   // the speed.
   Model model;
   const NodeId first = add(model, Node{.name = "first", .mass = 1 * tonne, .initial_velocity = 1 * m / s});
-  const NodeId second = add(model, Node{.name = "second", .mass = 1 * tonne});
-  const NodeId third = add(model, Node{.name = "third", .mass = 1 * tonne});
+  const NodeId second = add(model, Node{.name = "second", .mass = 1 * tonne, .free = true});
+  const NodeId third = add(model, Node{.name = "third", .mass = 1 * tonne, .free = true});
   const LinearElastic law{.stiffness = 1e8 * N / m};
   add(model, Gap<LinearElastic>{.name = "1-2", .left = first, .right = second, .clearance = 1 * cm, .law = law});
   add(model, Gap<LinearElastic>{.name = "2-3", .left = second, .right = third, .clearance = 1e-9 * m, .law = law});

@@ -57,8 +57,8 @@ TEST(Moat, RefusesWhatItsGapsRefuse) {
   EXPECT_EQ(refusal(NodeId{4}, 10 * cm),
             "Moat \"moat\": around is not a node of this model. Use the NodeId that add(model, Node{...}) returned.");
   EXPECT_EQ(refusal(base, -10 * cm),
-            "Gap \"moat left\": clearance = -0.1 m is not allowed; it must be > 0 m and finite. "
-            "Give the free distance at rest.");
+            "Gap \"moat left\": clearance = -0.1 m is not allowed; it must be >= 0 m and finite. "
+            "Give the free distance at rest, 0 m for wall to wall; a preload is an initial_displacement.");
   EXPECT_EQ(refusal(ground, 10 * cm),
             "Gap \"moat left\": left and right are the same node, \"ground\". An element joins two different nodes.");
   EXPECT_TRUE(model.blocks().empty());

@@ -131,6 +131,21 @@ TEST(PlanBuilding, MassDampingDoesNotActOnRigidMotion) {
   EXPECT_LT(model.internal_forces().lpNorm<Eigen::Infinity>(), 1e-6);
 }
 
+TEST(PlanBuilding, FindsFloorsByTheirNumbers) {
+  PlanBuilding building = tower(3);
+  building.name = "tower";
+  Model model;
+  const PlanBuildingParts parts = add(model, building);
+  for (const int number : {1, 2, 3})
+    EXPECT_EQ(model.diaphragm(parts.floor(number)).name, "tower floor " + std::to_string(number));
+  for (const int number : {0, 4})
+    EXPECT_EQ(
+        testing::message_of([&] { return parts.floor(number); }),
+        "PlanBuilding \"tower\": floor = " + std::to_string(number) + " is not allowed; it must be >= 1 and <= 3.");
+  EXPECT_THROW(parts.floors[3], InputError);
+  EXPECT_THROW(building.outline.value().corners[4], InputError);
+}
+
 TEST(PlanBuilding, EccentricityMovesAllCentresOfMass) {
   PlanBuilding building = tower(1);
   building.mass_offset = {0.2 * m, 0.1 * m};

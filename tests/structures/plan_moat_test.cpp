@@ -31,7 +31,8 @@ DiaphragmId add_slab(Model& model, const std::string& name, const PlanOutline& o
                               .centre_of_mass = {Length{outline.centroid().x}, Length{outline.centroid().y}},
                               .outline = outline,
                               .initial_velocity_x = vx,
-                              .initial_velocity_y = vy});
+                              .initial_velocity_y = vy,
+                              .free = true});
 }
 
 std::set<std::string> contacts_of(const Model& model) {
@@ -196,14 +197,16 @@ TEST(PlanMoat, BadInputIsRefused) {
             "PlanMoat \"moat\": clearance = 1.2 m is not allowed; it must be at most the reach, 1 m. No corner would "
             "meet a wall: give a longer .reach.");
   EXPECT_EQ(message([](Moat& moat) { moat.clearance = {}; }),
-            "PlanMoat \"moat\": clearance = 0 m is not allowed; it must be > 0 m and finite. Give the free distance at "
-            "rest, or .walls.");
+            "PlanMoat \"moat\": clearance is not given. Give the free distance at rest, or .walls.");
+  EXPECT_EQ(message([](Moat& moat) { moat.clearance = -1 * cm; }),
+            "PlanMoat \"moat\": clearance = -0.01 m is not allowed; it must be >= 0 m and finite. Give the free "
+            "distance at rest, 0 m for wall to wall.");
   EXPECT_EQ(message([&](Moat& moat) {
               moat.clearance = {};
-              moat.walls = walls(20 * m, 13 * m);
+              moat.walls = walls(19.99 * m, 13 * m);
             }),
             "PlanMoat \"moat\": overlap at rest: corner 1 of \"base\", at (-10, -6) m, is not inside the walls. Give "
-            "walls that the outline does not touch.");
+            "walls around the outline, or along it for wall to wall.");
   EXPECT_NE(message([&](Moat& moat) {
               moat.clearance = {};
               moat.walls = walls(18 * m, 13 * m);
@@ -244,13 +247,54 @@ TEST(PlanMoat, BadInputIsRefused) {
 }
 
 TEST(PlanNeighbours, OverlapIsRefused) {
-  Model model;
-  const DiaphragmId a = add_slab(model, "a", rectangle(10 * m, 8 * m)),
-                    b = add_slab(model, "b", rectangle(10 * m, 8 * m, {9 * m, 0 * m}));
-  EXPECT_EQ(
-      message_of([&] { add(model, PlanNeighbours{.first = a, .second = b, .law = law()}); }),
-      "PlanNeighbours \"neighbours\": overlap at rest: the outlines of \"a\" and \"b\" touch or cross each other. "
-      "Move one of them away.");
+  const auto refusal = [](Length x, Length y, PlanPosition centre) {
+    Model model;
+    const DiaphragmId a = add_slab(model, "a", rectangle(10 * m, 8 * m)),
+                      b = add_slab(model, "b", rectangle(x, y, centre));
+    return message_of([&] { add(model, PlanNeighbours{.first = a, .second = b, .law = law()}); });
+  };
+  const std::string message =
+      "PlanNeighbours \"neighbours\": overlap at rest: the outlines of \"a\" and \"b\" cross each other. Move one of "
+      "them away, until they touch at most.";
+  EXPECT_EQ(refusal(10 * m, 8 * m, {9 * m, 0 * m}), message);
+  EXPECT_EQ(refusal(10 * m, 8 * m, {}), message) << "the same place";
+  EXPECT_EQ(refusal(10 * m, 6 * m, {0 * m, 1 * m}), message) << "inside, along three edges";
+  EXPECT_EQ(refusal(2 * m, 20 * m, {}), message) << "a cross";
+  EXPECT_EQ(refusal(10 * m, 8 * m, {10 * m - 1e-6 * m, 0 * m}), message);
+  EXPECT_EQ(refusal(10 * m, 8 * m, {10 * m, 0 * m}), "nothing was thrown") << "wall to wall";
+  EXPECT_EQ(refusal(10 * m, 8 * m, {10 * m, 8 * m}), "nothing was thrown") << "corner to corner";
+}
+
+// Wall to wall the same corners meet the same edges as a little apart, turned as well.
+TEST(PlanNeighbours, WallToWallMeetAsIfApart) {
+  for (const double degrees : {0.0, 17.0, 45.0, 133.0}) {
+    SCOPED_TRACE(degrees);
+    const auto contacts = [&](Length gap, Length x, Length y) {
+      Model model;
+      const PlanOutline first = rectangle(10 * m, 8 * m), second = rectangle(x, y, {5 * m + 0.5 * x + gap, 1 * m});
+      add(model, PlanNeighbours{.first = add_slab(model, "a", turned(first, degrees * deg)),
+                                .second = add_slab(model, "b", turned(second, degrees * deg)),
+                                .law = law()});
+      for (const auto& block : model.blocks())
+        for (std::size_t e = 0; block->plan_contacts() != nullptr && e < block->size(); ++e)
+          EXPECT_EQ(block->info(e).offset == 0.0, gap == 0 * m);
+      return contacts_of(model);
+    };
+    EXPECT_EQ(contacts(0 * m, 10 * m, 8 * m), contacts(1 * mm, 10 * m, 8 * m));
+    EXPECT_EQ(contacts(0 * m, 6 * m, 12 * m), contacts(1 * mm, 6 * m, 12 * m));
+  }
+}
+
+TEST(PlanMoat, WallToWallMeetsAsIfApart) {
+  const auto contacts = [](Length clearance, Angle angle) {
+    Model model;
+    add(model, PlanMoat{.around = add_slab(model, "base", turned(rectangle(20 * m, 12 * m, {7 * m, 3 * m}), angle)),
+                        .clearance = clearance,
+                        .law = law()});
+    return contacts_of(model);
+  };
+  for (const double degrees : {0.0, 17.0, 45.0, 133.0})
+    EXPECT_EQ(contacts(0 * m, degrees * deg), contacts(1 * mm, degrees * deg)) << degrees;
 }
 
 }  // namespace

@@ -137,12 +137,25 @@ TEST(ShearBuilding, WithoutRatioThereAreNoDampers) {
   EXPECT_EQ(element_names(model), (std::vector<std::string>{"bearings", "storey 1", "storey 2"}));
 }
 
+TEST(ShearBuilding, RefusesAFloorThatItDoesNotHave) {
+  Model model;
+  ShearBuilding building = isolated(3);
+  building.name = "tower";
+  const Building tower = add(model, building);
+  for (const int number : {0, 4})
+    EXPECT_EQ(testing::message_of([&] { return tower.floor(number); }),
+              "Building \"tower\": floor = " + std::to_string(number) + " is not allowed; it must be >= 1 and <= 3.");
+  EXPECT_NE(testing::message_of([&] { return tower.floors[3]; }).find("floors[0] is \"floor 1\": take floor(3)"),
+            std::string::npos);
+}
+
 TEST(ShearBuilding, NamesItsParts) {
   Model model;
   const Building nodes = add(model, isolated(2));
   EXPECT_EQ(model.node_name(nodes.base), "base");
   ASSERT_EQ(nodes.floors.size(), 2u);
   EXPECT_EQ(model.node_name(nodes.floors[0]), "floor 1");
+  for (const int number : {1, 2}) EXPECT_EQ(model.node_name(nodes.floor(number)), "floor " + std::to_string(number));
   EXPECT_EQ(model.node_name(nodes.top()), "floor 2");
   EXPECT_EQ(model.node(nodes.top()).height.si(), 7.0);
   EXPECT_EQ(element_names(model),
