@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <utility>
 
 #include "base/check.hpp"
 #include "base/hermite.hpp"
@@ -14,34 +15,24 @@ namespace {
 // memory.
 constexpr std::size_t most_systems = 256;
 
-// The phase of a vibration over which the cubic through its ends meets it to this share of its amplitude: the error is
-// phase^4/384.
-double largest_phase(double share) { return std::min(0.5, std::pow(384.0 * share, 0.25)); }
-
 }  // namespace
 
 ExactSteps::ExactSteps(Model& model, StepControl& control)
-    : model_{&model}, control_{&control}, path_{model.degrees_of_freedom()} {
-  check();
-  stiffness_ = model.pattern();
-  damping_ = model.pattern();
-  earlier_.motion = model.state();
-  fastest_.setZero(earlier_.motion.velocity.size());
-  restart();
-  // A model with too large an eigenvalue is refused before the first step.
-  if (!touching_) linearise();
-  control.use_share_of_tolerance(share_in_contact);
-}
-
-void ExactSteps::check() const {
+    : model_{&model},
+      control_{&control},
+      stiffness_{model.pattern()},
+      damping_{model.pattern()},
+      earlier_{model.state()},
+      middle_{model.state()},
+      fastest_{Vector::Zero(earlier_.velocity.size())} {
   const Check check{"TransientOptions", ""};
-  check.that(!model_->is_plan(), "integrator: ExactBetweenEvents{} takes models on a line; this one moves in plan.",
+  check.that(!model.is_plan(), "integrator: ExactBetweenEvents{} takes models on a line; this one moves in plan.",
              "Use Newmark{}, the default.");
-  check.that(model_->degrees_of_freedom() <= most_degrees_of_freedom,
+  check.that(model.degrees_of_freedom() <= most_degrees_of_freedom,
              "integrator = ExactBetweenEvents{} is for at most " + std::to_string(most_degrees_of_freedom) +
-                 " degrees of freedom; the model has " + std::to_string(model_->degrees_of_freedom()) + ".",
+                 " degrees of freedom; the model has " + std::to_string(model.degrees_of_freedom()) + ".",
              "Use Newmark{}.");
-  for (const auto& block : model_->blocks()) {
+  for (const auto& block : model.blocks()) {
     if (block->size() == 0 || block->linear_between_events()) continue;
     const ElementInfo& info = block->info(0);
     check.that(false,
@@ -49,34 +40,30 @@ void ExactSteps::check() const {
                    info.name + "\" is not.",
                "Use Newmark{}, or a law whose changes of stiffness are located.");
   }
-}
-
-void ExactSteps::restart() {
-  linearised_ = false;
-  earlier_.length = 0.0;
-  touching_ = model_->contacts_going_on() > 0;
+  // A model with too large an eigenvalue is refused before the first step.
+  if (applies()) linearise();
+  control.use_share_of_tolerance(share_in_contact);
 }
 
 void ExactSteps::linearise() {
   model_->linearise(stiffness_, damping_, forces_at_rest_);
-  const auto known =
-      std::ranges::find_if(systems_, [&](const LinearSystem& system) { return system.is_of(stiffness_, damping_); });
-  current_ = static_cast<std::size_t>(known - systems_.begin());
   const Vector& masses = model_->masses();
+  auto known =
+      std::ranges::find_if(systems_, [&](const LinearSystem& system) { return system.is_of(stiffness_, damping_); });
   if (known == systems_.end()) {
     if (systems_.size() == most_systems) systems_.clear();
-    current_ = systems_.size();
-    systems_.emplace_back(stiffness_, damping_, masses, control_->grid_interval(),
-                          largest_phase(cubics_within * control_->tolerance()));
+    // The cubic through the ends of a vibration misses it by phase^4/384 of its amplitude.
+    const double phase = std::pow(384.0 * cubics_within * control_->tolerance(), 0.25);
+    known =
+        systems_.emplace(systems_.end(), stiffness_, damping_, masses, control_->grid_interval(), std::min(0.5, phase));
   }
+  system_ = &*known;
   offset_ = -forces_at_rest_.head(masses.size()).cwiseQuotient(masses);
-  systems_[current_].set_offset(offset_);
-  linearised_ = true;
 }
 
 double ExactSteps::next_length() {
-  if (!linearised_) linearise();
-  const double piece = systems_[current_].step();
+  if (system_ == nullptr) linearise();
+  const double piece = system_->step();
   wanted_ = std::max(wanted_, piece);
   // Shorter for a while after a change of regime, which is no reason to want less.
   const double longest = std::min(control_->longest_exact_step(), static_cast<double>(LinearPath::most_pieces) * piece);
@@ -84,8 +71,13 @@ double ExactSteps::next_length() {
 }
 
 void ExactSteps::begin(const StepTask& step) {
-  if (!linearised_) linearise();
-  path_.begin(systems_[current_], model_->state(), step);
+  if (system_ == nullptr) linearise();
+  path_.begin(*system_, offset_, model_->state(), step);
+}
+
+void ExactSteps::move_to_end(const StepTask& part) {
+  path_.move(part.length, model_->trial());
+  model_->trial().time = part.end_time;
 }
 
 bool ExactSteps::solve(const StepTask& part) {
@@ -100,79 +92,50 @@ bool ExactSteps::look(const StepTask& part) {
   return true;
 }
 
-// Forces on nodes are needed behind a touch, and Transient::balance() computes them there.
-void ExactSteps::complete() { model_->evaluate_elements(); }
-
-void ExactSteps::move_to_end(const StepTask& part) {
-  const double* end = path_.at(part.length);
-  const Eigen::Index n = model_->degrees_of_freedom();
-  MotionState& trial = model_->trial();
-  trial.time = part.end_time;
-  std::copy_n(end, n, trial.displacement.data());
-  std::copy_n(end + n, n, trial.velocity.data());
-  std::copy_n(end + 2 * n, n, trial.acceleration.data());
-  std::copy_n(end + 3 * n, n, trial.jerk.data());
-}
-
 bool ExactSteps::accepts(const StepTask& step, std::span<const RegimeChange>) {
-  fastest_ = fastest_.cwiseMax(model_->trial().velocity.cwiseAbs());
-  constexpr double round_off = 1e-6;
-  least_velocity_ = round_off * fastest_.maxCoeff();
-  if (!interpolates(step)) {
+  const Instant start{model_->state(), path_.ground_at(0)}, end{model_->trial(), path_.ground_at(path_.pieces())};
+  fastest_ = fastest_.cwiseMax(end.motion.velocity.cwiseAbs());
+  const double earlier_length = std::exchange(earlier_length_, 0.0);
+  // A single piece is short enough: linearise().
+  for (Eigen::Index piece = 1; piece < path_.pieces(); ++piece) {
+    path_.move(path_.start_of(piece), middle_);
+    if (meets(start, end, {middle_, path_.ground_at(piece)}, cubics_within)) continue;
     while (wanted_ >= step.length) wanted_ *= 0.5;
-    earlier_.length = 0.0;
     return false;
   }
-  if (would_interpolate_doubled(step)) wanted_ = 2.0 * step.length;
-  earlier_.length = 0.0;
   if (wanted_ > step.length) return true;  // longer steps are wanted already
-  earlier_.length = step.length;
-  earlier_.ground_acceleration = step.ground_acceleration_at_start.x;
-  earlier_.motion = model_->state();
+  // The cubic over the last two steps is judged with a reserve, so that lengths do not alternate.
+  constexpr double reserve = 0.5;
+  if (earlier_length == step.length && meets({earlier_, earlier_ground_}, end, start, reserve * cubics_within)) {
+    wanted_ = 2.0 * step.length;
+    return true;
+  }
+  earlier_length_ = step.length;
+  earlier_ground_ = start.ground_acceleration;
+  earlier_ = start.motion;
   return true;
 }
 
-// Whether the cubics of all nodes between two motions, h s apart, meet this motion (u, u', u'') at `time`, to `allowed`
-// of the scales. Each motion has its acceleration of the ground, m/s^2.
-bool ExactSteps::meets(const MotionOnGround& from, const MotionOnGround& to, double h, double time,
-                       const double* motion, double ground_there, double allowed) {
-  const HermiteCubicsAt cubics{time / h, h};
-  const Eigen::Index n = model_->degrees_of_freedom();
-  const double *v0 = from.motion->velocity.data(), *a0 = from.motion->acceleration.data(),
-               *j0 = from.motion->jerk.data(), *v1 = to.motion->velocity.data(), *a1 = to.motion->acceleration.data(),
-               *j1 = to.motion->jerk.data(), *scales = control_->acceleration_scales().data(),
-               *fastest = fastest_.data();
-  for (Eigen::Index i = 0; i < n; ++i) {
-    const double velocity = cubics.value(v0[i], a0[i], v1[i], a1[i]),
-                 acceleration = cubics.value(a0[i] + from.ground, j0[i], a1[i] + to.ground, j1[i]);
-    if (std::abs(velocity - motion[n + i]) > allowed * std::max(fastest[i], least_velocity_) ||
-        std::abs(acceleration - (motion[2 * n + i] + ground_there)) > allowed * scales[i])
+// Whether the cubics of velocities and absolute accelerations between two instants meet those at an instant between
+// them, to so many tolerances of the scales.
+bool ExactSteps::meets(const Instant& from, const Instant& to, const Instant& there, double tolerances) {
+  // Velocities this much below those of the fastest node may be round-off.
+  constexpr double round_off = 1e-6;
+  const double allowed = tolerances * control_->tolerance(), least_velocity = round_off * fastest_.maxCoeff();
+  const Vector& scales = control_->acceleration_scales();
+  const MotionState &start = from.motion, &end = to.motion, &middle = there.motion;
+  const double h = end.time - start.time;
+  const HermiteCubicsAt cubics{(middle.time - start.time) / h, h};
+  for (Eigen::Index i = 0; i < model_->degrees_of_freedom(); ++i) {
+    const double velocity =
+                     cubics.value(start.velocity[i], start.acceleration[i], end.velocity[i], end.acceleration[i]),
+                 acceleration = cubics.value(start.acceleration[i] + from.ground_acceleration, start.jerk[i],
+                                             end.acceleration[i] + to.ground_acceleration, end.jerk[i]);
+    if (std::abs(velocity - middle.velocity[i]) > allowed * std::max(fastest_[i], least_velocity) ||
+        std::abs(acceleration - middle.acceleration[i] - there.ground_acceleration) > allowed * scales[i])
       return false;
   }
   return true;
-}
-
-// Whether the cubics through both ends of the step meet the exact motion inside. A single piece is short enough:
-// largest_phase().
-bool ExactSteps::interpolates(const StepTask& step) {
-  const std::size_t parts = path_.parts();
-  const MotionOnGround from{&model_->state(), path_.ground_at(0)}, to{&model_->trial(), path_.ground_at(parts)};
-  for (std::size_t part = 1; part < parts; ++part)
-    if (!meets(from, to, step.length, path_.start_of(part), path_.motion(part), path_.ground_at(part),
-               cubics_within * control_->tolerance()))
-      return false;
-  return true;
-}
-
-// Whether the same holds for a step from the start of the step before, with a reserve, so that lengths do not
-// alternate.
-bool ExactSteps::would_interpolate_doubled(const StepTask& step) {
-  if (earlier_.length != step.length || wanted_ > step.length) return false;
-  constexpr double reserve = 0.5;
-  const MotionOnGround from{&earlier_.motion, earlier_.ground_acceleration},
-      to{&model_->trial(), path_.ground_at(path_.parts())};
-  return meets(from, to, 2.0 * step.length, step.length, path_.motion(0), path_.ground_at(0),
-               reserve * cubics_within * control_->tolerance());
 }
 
 }  // namespace moat

@@ -18,7 +18,7 @@ Model& prepared(Model& model) {
 }  // namespace
 
 // Members behind the model need it prepared.
-StepEquations::StepEquations(Model& model) : model_{&prepared(model)}, resultants_{model} {
+StepEquations::StepEquations(Model& model) : model_{&prepared(model)}, resultants_{model}, curvature_{model} {
   tangent_ = model.pattern();
   predicted_displacement_.setZero(size());
   predicted_velocity_.setZero(size());
@@ -75,6 +75,7 @@ void StepEquations::begin(const StepTask& task, StepScheme scheme, Vector& guess
   }
   if (!scheme.balances_at_end()) average_start(a);
   model_->trial().time = task.end_time;
+  if (scheme.order() == 4) curvature_.add_to(guess, task);
 }
 
 // Whether the state of a step that was completed has been committed, or its start is tried again.
@@ -118,6 +119,7 @@ void StepEquations::add_impulses(const MissedImpulses& missed) {
     predicted_velocity_[i] += of_evaluated_velocity[i] / mass[i];
     added_velocities_.push_back({i, of_velocity[i] / mass[i]});
   }
+  curvature_.forget();  // accelerations bend or jump inside this step
   is_moved_ = false;
 }
 
@@ -192,6 +194,7 @@ void StepEquations::balance_committed_state(PlanVector ground_acceleration) {
   model_->evaluate_rates();
   model_->commit();
   averaged_at_start_ = averaged_at_end_ = jerks_at_start_ = jerks_at_end_ = {};
+  curvature_.forget();
 }
 
 void StepEquations::balance_trial_state(PlanVector ground_acceleration) {

@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "analyses/acceleration_curvature.hpp"
 #include "analyses/resultants.hpp"
 #include "analyses/step_scheme.hpp"
 #include "analyses/step_task.hpp"
@@ -25,7 +26,7 @@ class StepEquations final : public NonlinearSystem {
   explicit StepEquations(Model& model);
 
   /// Sets up a step from the model's committed state. `guess` := accelerations to start from: those at its start, or
-  /// their tangent where the scheme knows jerks.
+  /// where the scheme knows jerks their continuation from the last step.
   void begin(const StepTask& task, StepScheme scheme, Vector& guess);
   /// begin(), and the trial state that the guess leads to; only elements that can change their regime are evaluated.
   /// The next compute_residual() is that of the guess.
@@ -98,6 +99,7 @@ class StepEquations final : public NonlinearSystem {
   Vector start_correction_, end_correction_, filtered_curve_;
   // The accelerations of averaged equations, which the next step needs. Those of the state balance its forces.
   AtInstant averaged_at_start_, averaged_at_end_;
+  AccelerationCurvature curvature_;
 };
 
 }  // namespace moat

@@ -68,8 +68,8 @@ struct TransientOptions {
   /// >= 1. Newton iterations before a step is cut.
   int max_iterations = 20;
 
-  /// The line search of Newton's method. A step that does not converge by full steps is tried with LineSearch::backtrack
-  /// before it is cut.
+  /// The line search of Newton's method. A step that does not converge by full steps is tried with
+  /// LineSearch::backtrack before it is cut.
   LineSearch line_search = LineSearch::full_step;
 
   /// >= 0. How often a step that does not converge is cut in half before the analysis gives up.

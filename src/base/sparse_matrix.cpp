@@ -17,9 +17,7 @@ int SparsityPattern::slot(int row, int column) const {
   return static_cast<int>(found - row_indices.begin());
 }
 
-PatternBuilder::PatternBuilder(int size) : size_{size} {
-  pairs_.reserve(static_cast<std::size_t>(size) * 4);
-}
+PatternBuilder::PatternBuilder(int size) : size_{size} { pairs_.reserve(static_cast<std::size_t>(size) * 4); }
 
 void PatternBuilder::couple(int a, int b) {
   if (a == ground_index || b == ground_index || a == b) return;

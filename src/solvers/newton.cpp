@@ -30,42 +30,19 @@ class NoxVector final : public NOX::Abstract::Vector {
   }
   static moat::Vector& of(NOX::Abstract::Vector& vector) { return static_cast<NoxVector&>(vector).values; }
 
-  NOX::Abstract::Vector& init(double value) override {
-    values.setConstant(value);
-    return *this;
-  }
-  NOX::Abstract::Vector& random(bool, int) override {
-    values.setRandom();
-    return *this;
-  }
-  NOX::Abstract::Vector& abs(const NOX::Abstract::Vector& y) override {
-    values = of(y).cwiseAbs();
-    return *this;
-  }
-  NOX::Abstract::Vector& operator=(const NOX::Abstract::Vector& y) override {
-    values = of(y);
-    return *this;
-  }
-  NOX::Abstract::Vector& reciprocal(const NOX::Abstract::Vector& y) override {
-    values = of(y).cwiseInverse();
-    return *this;
-  }
-  NOX::Abstract::Vector& scale(double factor) override {
-    values *= factor;
-    return *this;
-  }
-  NOX::Abstract::Vector& scale(const NOX::Abstract::Vector& a) override {
-    values = values.cwiseProduct(of(a));
-    return *this;
-  }
+  NOX::Abstract::Vector& init(double value) override { return set(moat::Vector::Constant(values.size(), value)); }
+  NOX::Abstract::Vector& random(bool, int) override { return set(moat::Vector::Random(values.size())); }
+  NOX::Abstract::Vector& abs(const NOX::Abstract::Vector& y) override { return set(of(y).cwiseAbs()); }
+  NOX::Abstract::Vector& operator=(const NOX::Abstract::Vector& y) override { return set(of(y)); }
+  NOX::Abstract::Vector& reciprocal(const NOX::Abstract::Vector& y) override { return set(of(y).cwiseInverse()); }
+  NOX::Abstract::Vector& scale(double factor) override { return set(factor * values); }
+  NOX::Abstract::Vector& scale(const NOX::Abstract::Vector& a) override { return set(values.cwiseProduct(of(a))); }
   NOX::Abstract::Vector& update(double alpha, const NOX::Abstract::Vector& a, double gamma) override {
-    values = gamma * values + alpha * of(a);
-    return *this;
+    return set(gamma * values + alpha * of(a));
   }
   NOX::Abstract::Vector& update(double alpha, const NOX::Abstract::Vector& a, double beta,
                                 const NOX::Abstract::Vector& b, double gamma) override {
-    values = gamma * values + alpha * of(a) + beta * of(b);
-    return *this;
+    return set(gamma * values + alpha * of(a) + beta * of(b));
   }
   Teuchos::RCP<NOX::Abstract::Vector> clone(NOX::CopyType type) const override {
     auto copy = Teuchos::rcp(new NoxVector(static_cast<int>(values.size())));
@@ -82,6 +59,13 @@ class NoxVector final : public NOX::Abstract::Vector {
   }
   double innerProduct(const NOX::Abstract::Vector& y) const override { return values.dot(of(y)); }
   NOX::size_type length() const override { return static_cast<NOX::size_type>(values.size()); }
+
+ private:
+  template <class Expression>
+  NoxVector& set(const Expression& expression) {
+    values = expression;
+    return *this;
+  }
 };
 
 // An iterate with its residual, how far that is from its balance, and the Newton direction.
@@ -116,8 +100,8 @@ class NoxGroup final : public NOX::Abstract::Group {
   ReturnType computeF() override {
     if (has_residual_) return Ok;
     has_residual_ = system_->compute_residual(x_.values, residual_.values);
-    worst_row_ = has_residual_ ? ForceBalance::worst_row(residual_.values, *system_)
-                               : ForceBalance::no_number(residual_.values);
+    worst_row_ =
+        has_residual_ ? ForceBalance::worst_row(residual_.values, *system_) : ForceBalance::no_number(residual_.values);
     return has_residual_ ? Ok : Failed;
   }
   ReturnType computeJacobian() override { return system_->compute_jacobian() ? Ok : Failed; }
@@ -154,8 +138,8 @@ class NewtonDirection final : public NOX::Direction::Generic {
  public:
   bool reset(const Teuchos::RCP<NOX::GlobalData>&, Teuchos::ParameterList&) override { return true; }
   bool compute(NOX::Abstract::Vector& direction, NOX::Abstract::Group& group, const NOX::Solver::Generic&) override {
-    if (group.computeF() != NOX::Abstract::Group::Ok || group.computeJacobian() != NOX::Abstract::Group::Ok ||
-        group.computeNewton(no_parameters_) != NOX::Abstract::Group::Ok)
+    const auto ok = NOX::Abstract::Group::Ok;
+    if (group.computeF() != ok || group.computeJacobian() != ok || group.computeNewton(no_parameters_) != ok)
       return false;
     direction = group.getNewton();
     return true;
@@ -223,24 +207,20 @@ Teuchos::RCP<Teuchos::ParameterList> solver_parameters(LineSearch line_search) {
   list->set("Nonlinear Solver", "Line Search Based");
   // NOX prints failures for every value of "Output Information"; here a failure is a result. Both settings are needed:
   // formatting the progress of every iteration into a stream that drops it takes more time than the iteration.
-  list->sublist("Printing").set("Output Information", static_cast<int>(NOX::Utils::Error));
-  list->sublist("Printing")
-      .set("Output Stream", Teuchos::RCP<std::ostream>{Teuchos::rcp(new Teuchos::oblackholestream)});
-  list->sublist("Printing")
-      .set("Error Stream", Teuchos::RCP<std::ostream>{Teuchos::rcp(new Teuchos::oblackholestream)});
+  const Teuchos::RCP<std::ostream> nowhere = Teuchos::rcp(new Teuchos::oblackholestream);
+  auto& printing = list->sublist("Printing");
+  printing.set("Output Information", static_cast<int>(NOX::Utils::Error));
+  printing.set("Output Stream", nowhere).set("Error Stream", nowhere);
   auto& direction = list->sublist("Direction");
   direction.set("Method", "User Defined");
-  Teuchos::RCP<NOX::Direction::UserDefinedFactory> factory = Teuchos::rcp(new NewtonDirectionFactory);
+  const Teuchos::RCP<NOX::Direction::UserDefinedFactory> factory = Teuchos::rcp(new NewtonDirectionFactory);
   direction.set("User Defined Direction Factory", factory);
-  if (line_search == LineSearch::full_step) {
-    list->sublist("Line Search").set("Method", "Full Step");
-    return list;
-  }
-  list->sublist("Line Search").set("Method", "Backtrack");
+  auto& search = list->sublist("Line Search");
+  search.set("Method", line_search == LineSearch::full_step ? "Full Step" : "Backtrack");
   // Ten halvings; a direction that needs more leads nowhere.
-  list->sublist("Line Search").sublist("Backtrack").set("Minimum Step", 1e-3);
-  list->sublist("Solver Options")
-      .set("User Defined Merit Function", Teuchos::RCP<NOX::MeritFunction::Generic>{Teuchos::rcp(new WorstRowMerit)});
+  search.sublist("Backtrack").set("Minimum Step", 1e-3);
+  const Teuchos::RCP<NOX::MeritFunction::Generic> merit = Teuchos::rcp(new WorstRowMerit);
+  list->sublist("Solver Options").set("User Defined Merit Function", merit);
   return list;
 }
 

@@ -1,7 +1,9 @@
 #include "study/study_sessions.hpp"
 
 #include <algorithm>
+#include <charconv>
 
+#include "base/error.hpp"
 #include "study/sqlite.hpp"
 #include "study/study_tables.hpp"
 
@@ -38,7 +40,13 @@ std::size_t version_with(const Database& database, const StudyIdentity& identity
 
 std::size_t current_version(const Database& database) {
   const std::string text = study_tables::property(database, "version");
-  return text.empty() ? 0 : std::stoul(text);
+  constexpr std::size_t most = 1'000'000;
+  std::size_t version = 0;
+  const auto [end, failure] = std::from_chars(text.data(), text.data() + text.size(), version);
+  if (text.empty() || (failure == std::errc{} && end == text.data() + text.size() && version <= most)) return version;
+  throw FileError{
+      "study " + database.file().string() + ": its version is \"" + text +
+      "\"; it must be a whole number. The file is damaged: restore a copy, or start again in another file."};
 }
 
 void set_current_version(const Database& database, std::size_t version) {

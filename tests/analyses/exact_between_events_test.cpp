@@ -167,7 +167,7 @@ TEST(ExactBetweenEvents, AnElastoplasticMassStopsWhereItsEnergyIsSpent) {
 Model paper_model(const LawCase& law) {
   Model model;
   ShearBuilding building = paper_building();
-  building.isolation = paper_bearings(true);
+  building.isolation = paper_bearings();
   law.add_moat(model, add(model, building).base);
   return model;
 }

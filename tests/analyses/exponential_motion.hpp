@@ -2,8 +2,6 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <Eigen/LU>
-#include <unsupported/Eigen/MatrixFunctions>
 #include <utility>
 
 #include "base/sparse_matrix.hpp"
@@ -23,8 +21,9 @@ struct Tangents {
   }
 };
 
-/// u'' = -M^-1 (K u + C u') + offset - (a_g + s t), by the exponential of the first-order system of u, u', a_g and 1:
-/// another way than that of LinearSystem.
+/// u'' = -M^-1 (K u + C u') + offset - (a_g + s t), by the exponential of the first-order system of u, u', a_g and 1.
+/// Its series is summed in long double over short parts of the time: another way than that of LinearSystem, with more
+/// digits.
 struct ExponentialMotion {
   Eigen::MatrixXd stiffness, damping;  ///< M^-1 K, M^-1 C
   Vector offset;                       ///< m/s^2
@@ -39,19 +38,30 @@ struct ExponentialMotion {
   /// slope.
   [[nodiscard]] Vector after(double h, const Vector& start, double ground, double slope) const {
     const Eigen::Index n = offset.size();
-    Eigen::MatrixXd rates = Eigen::MatrixXd::Zero(2 * n + 2, 2 * n + 2);
+    using Wide = Eigen::Matrix<long double, Eigen::Dynamic, Eigen::Dynamic>;
+    Wide rates = Wide::Zero(2 * n + 2, 2 * n + 2);
     rates.block(0, n, n, n).setIdentity();
-    rates.block(n, 0, n, n) = -stiffness;
-    rates.block(n, n, n, n) = -damping;
-    rates.block(n, 2 * n, n, 1).setConstant(-1.0);
-    rates.block(n, 2 * n + 1, n, 1) = offset;
+    rates.block(n, 0, n, n) = -stiffness.cast<long double>();
+    rates.block(n, n, n, n) = -damping.cast<long double>();
+    rates.block(n, 2 * n, n, 1).setConstant(-1.0L);
+    rates.block(n, 2 * n + 1, n, 1) = offset.cast<long double>();
     rates(2 * n, 2 * n + 1) = slope;
-    Vector state(2 * n + 2);
-    state << start.head(2 * n), ground, 1.0;
-    const Vector end = (h * rates).exp() * state;
-    const Vector velocity = end.segment(n, n), acceleration = (rates * end).segment(n, n);
+    Wide end(2 * n + 2, 1);
+    end << start.head(2 * n).cast<long double>(), ground, 1.0L;
+    constexpr int parts = 256, terms = 24;
+    const Wide over_part = static_cast<long double>(h) / parts * rates;
+    for (int part = 0; part < parts; ++part) {
+      Wide term = end;
+      for (int k = 1; k < terms; ++k) {
+        term = over_part * term / static_cast<long double>(k);
+        end += term;
+      }
+    }
+    const Wide end_rates = rates * end;
+    const Vector velocity = end.block(n, 0, n, 1).cast<double>(),
+                 acceleration = end_rates.block(n, 0, n, 1).cast<double>();
     Vector motion(4 * n);
-    motion << end.head(2 * n), acceleration, -stiffness * velocity - damping * acceleration;
+    motion << end.topRows(2 * n).cast<double>(), acceleration, -stiffness * velocity - damping * acceleration;
     return motion;
   }
 };

@@ -1,10 +1,9 @@
-// A path of several pieces is the motion that one series describes.
+// A path of several pieces is the motion of the exponential.
 #include "analyses/linear_path.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <optional>
 #include <string>
@@ -39,9 +38,7 @@ class LinearPathTest : public ::testing::Test {
     }
     model.prepare();
     const testing::Tangents tangents{model};
-    const Vector offset{{0.3, -0.2, 0.1}};
     system.emplace(tangents.stiffness, tangents.damping, model.masses(), piece);
-    system->set_offset(offset);
     exact.emplace(model, tangents, offset);
     model.trial().displacement.head(count) << 0.01, -0.02, 0.03;
     model.trial().velocity.head(count) << 0.5, 0.1, -0.4;
@@ -53,12 +50,25 @@ class LinearPathTest : public ::testing::Test {
     return motion;
   }
 
+  void begin(const StepTask& step) { path.begin(*system, offset, model.trial(), step); }
+  // u, u', u'' and the absolute jerk after h s.
+  [[nodiscard]] Vector at(double h) {
+    MotionState motion = model.trial();
+    path.move(h, motion);
+    Vector all(4 * count);
+    all << motion.displacement.head(count), motion.velocity.head(count), motion.acceleration.head(count),
+        motion.jerk.head(count);
+    return all;
+  }
+
   Model model;
+  LinearPath path;
+  const Vector offset{{0.3, -0.2, 0.1}};
   std::optional<LinearSystem> system;
   std::optional<testing::ExponentialMotion> exact;
 };
 
-void expect_equal(const double* found, const Vector& exact, double time) {
+void expect_equal(const Vector& found, const Vector& exact, double time) {
   for (Eigen::Index i = 0; i < exact.size(); ++i)
     EXPECT_NEAR(found[i], exact[i], 1e-12 * std::max(1.0, std::abs(exact[i]))) << time << " " << i;
 }
@@ -75,38 +85,27 @@ StepTask step_of(double start, double length) {
 
 TEST_F(LinearPathTest, IsTheExponentialUnderASteadySlopeOfTheGround) {
   const StepTask step = step_of(0.004, 0.113);
-  LinearPath path{count};
-  path.begin(*system, model.trial(), step);
-  // A piece to the first multiple, four at once twice, two, and the rest.
-  const std::array starts{0.0, 0.006, 0.046, 0.086, 0.106, 0.113};
-  ASSERT_EQ(path.parts() + 1, starts.size());
-  for (std::size_t part = 0; part <= path.parts(); ++part) EXPECT_DOUBLE_EQ(path.start_of(part), starts.at(part));
-  // Ends and insides of parts and of their pieces, not in their order.
+  begin(step);
+  // A piece to the first multiple, ten whole ones, and the rest.
+  ASSERT_EQ(path.pieces(), 12);
+  EXPECT_EQ(path.start_of(0), 0.0);
+  for (Eigen::Index i = 1; i < 12; ++i) EXPECT_DOUBLE_EQ(path.start_of(i), 0.006 + piece * static_cast<double>(i - 1));
+  EXPECT_EQ(path.start_of(12), 0.113);
+  // Ends and insides of pieces, not in their order.
   for (const double h : {0.02, step.length, 0.001, path.start_of(2), 0.056, path.start_of(1), 0.0299, 0.0001, 0.11})
-    expect_equal(path.at(h), exact->after(h, start(), 2.0 + 30.0 * 0.004, 30.0), h);
-  for (std::size_t part = 1; part <= path.parts(); ++part) {
-    const double time = path.start_of(part), of_ground = 2.0 + 30.0 * (0.004 + time);
-    const Vector motion = exact->after(time, start(), 2.0 + 30.0 * 0.004, 30.0);
-    EXPECT_NEAR(path.ground_at(part), of_ground, 1e-12);
-    expect_equal(path.motion(part), motion, time);
+    expect_equal(at(h), exact->after(h, start(), 2.0 + 30.0 * 0.004, 30.0), h);
+  for (Eigen::Index i = 1; i <= path.pieces(); ++i) {
+    const double time = path.start_of(i);
+    EXPECT_NEAR(path.ground_at(i), 2.0 + 30.0 * (0.004 + time), 1e-12);
+    expect_equal(at(time), exact->after(time, start(), 2.0 + 30.0 * 0.004, 30.0), time);
   }
 }
 
-// The step has at least two parts where it has two pieces, so that it is looked at inside.
+// A step has as many pieces as steps of the system, so that it is looked at inside.
 TEST_F(LinearPathTest, IsKnownInside) {
-  LinearPath path{count};
-  for (const auto& [length, parts] : {std::pair{0.5, 1},
-                                      {1.0, 1},
-                                      {2.0, 2},
-                                      {3.0, 3},
-                                      {4.0, 2},
-                                      {7.0, 4},
-                                      {8.0, 2},
-                                      {16.0, 2},
-                                      {31.0, 6},
-                                      {32.0, 4}}) {
-    path.begin(*system, model.trial(), step_of(0.0, length * piece));
-    EXPECT_EQ(path.parts(), static_cast<std::size_t>(parts)) << length;
+  for (const auto& [length, pieces] : {std::pair{0.5, 1}, {1.0, 1}, {1.5, 2}, {2.0, 2}, {7.0, 7}, {32.0, 32}}) {
+    begin(step_of(0.0, length * piece));
+    EXPECT_EQ(path.pieces(), pieces) << length;
   }
 }
 
@@ -116,17 +115,16 @@ TEST_F(LinearPathTest, FollowsTheSamplesOfTheGround) {
   const GroundMotion motion{"to and fro", piece, samples};
   StepTask whole{.length = 8 * piece, .end_time = 8 * piece, .ground_acceleration = {samples.back(), 0.0}};
   whole.ground.emplace(motion, 0.0, whole.length);
-  LinearPath path{count};
-  path.begin(*system, model.trial(), whole);
-  ASSERT_EQ(path.parts(), 2U);
-  EXPECT_NEAR(path.ground_at(1), samples[4], 1e-12);
+  begin(whole);
+  ASSERT_EQ(path.pieces(), 8);
+  EXPECT_NEAR(path.ground_at(4), samples[4], 1e-12);
   Vector at_sample = start();
   for (std::size_t k = 0; k + 1 < samples.size(); ++k) {
     const double time = static_cast<double>(k) * piece, slope = (samples[k + 1] - samples[k]) / piece;
     const Vector middle = exact->after(0.4 * piece, at_sample, samples[k], slope);
-    expect_equal(path.at(time + 0.4 * piece), middle, time);
+    expect_equal(at(time + 0.4 * piece), middle, time);
     at_sample = exact->after(piece, at_sample, samples[k], slope);
-    expect_equal(path.at(time + piece), at_sample, time);
+    expect_equal(at(time + piece), at_sample, time);
     at_sample.conservativeResize(2 * count);
   }
 }

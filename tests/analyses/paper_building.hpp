@@ -5,6 +5,7 @@
 #include "materials/impact/hertz_damp.hpp"
 #include "structures/moat.hpp"
 #include "structures/shear_building.hpp"
+#include "unlocated_bilinear.hpp"
 
 namespace moat::testing {
 
@@ -17,6 +18,9 @@ inline LeadRubberBearing paper_bearings() {
           .yield_displacement = yield_displacement * m,
           .post_yield_stiffness = post_yield_stiffness * N / m};
 }
+
+/// The same bearings as a law of a script, whose yields are not located.
+inline UnlocatedBilinear unlocated_paper_bearings() { return {yield_force, yield_displacement, post_yield_stiffness}; }
 
 inline ShearBuilding paper_building(std::string name = {}) {
   using namespace units;

@@ -23,6 +23,7 @@
 #include "message_of.hpp"
 #include "motions/near_fault_pulse.hpp"
 #include "motions/plan_motion.hpp"
+#include "unlocated_bilinear.hpp"
 
 namespace moat {
 namespace {
@@ -217,11 +218,12 @@ TEST(PlanMotionAnalysis, SymmetricModelEqualsTheModelOnALine) {
                line_floor = add(line, Node{.name = "floor", .mass = 700 * tonne});
   add(line, ShearSpring{.name = "columns", .lower = line_base, .upper = line_floor, .stiffness = 400 * MN / m});
   add(line, ViscousDamper{.name = "damping", .lower = line_base, .upper = line_floor, .damping = 4 * MN * s / m});
-  add(line, Spring<Bilinear>{
+  // As those in plan, it has no located yields.
+  add(line, Spring<testing::UnlocatedBilinear>{
                 .name = "bearings",
                 .lower = ground,
                 .upper = line_base,
-                .law = {.yield_force = 800 * kN, .yield_displacement = 1 * cm, .post_yield_stiffness = 6.4 * MN / m}});
+                .law = {.yield_force = 8e5, .yield_displacement = 0.01, .post_yield_stiffness = 6.4e6}});
   const HertzDamp law{.stiffness = 1e9 * N / m_3_2, .restitution = 0.65};
   add(line, Gap{.name = "left", .place = "moat", .left = ground, .right = line_base, .clearance = 25 * cm, .law = law});
   add(line,

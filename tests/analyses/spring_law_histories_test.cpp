@@ -150,13 +150,11 @@ TEST(PlanBuilding, StandsOnBearingsThatHaveALawInPlan) {
                 tolerance * peak(expected, "displacement", "base"));
   };
   expect_same(FrictionPendulum::typical(), FrictionPendulum::typical(), 2e-3);
-  expect_same(
-      lead_rubber,
-      Isolator<Bilinear>{.law = Bilinear{lead_rubber.yield_force, lead_rubber.yield_displacement,
-                                                                lead_rubber.post_yield_stiffness}},
-                                .count = 4
-},
-      2e-3);
+  expect_same(lead_rubber,
+              Isolator<Bilinear>{.law = Bilinear{lead_rubber.yield_force, lead_rubber.yield_displacement,
+                                                 lead_rubber.post_yield_stiffness},
+                                 .count = 4},
+              2e-3);
 }
 
 }  // namespace

@@ -79,7 +79,7 @@ Pounding building(double floor_mass = mass) {
   return made;
 }
 
-CaseResult run(const Model& model) { return run_case(model, motion(), {.error_bars = ErrorBarMode::always}); }
+CaseResult run(Model model) { return run_case(model, motion(), {.error_bars = ErrorBarMode::always}); }
 
 // Peaks of the building in two models, whose difference is that of the models themselves plus `apart`.
 void expect_same_peaks(const CaseResult& found, const CaseResult& expected, double apart) {

@@ -34,7 +34,7 @@ TEST(TightTolerance, TightWithBearingsThatAreNotLocatedEnds) {
   for (std::size_t i = 0; i < samples.size(); ++i) samples[i] = 4.0 * std::sin(0.05 * static_cast<double>(i));
   Model model;
   ShearBuilding building = paper_building();
-  building.isolation = paper_bearings(false);
+  building.isolation = unlocated_paper_bearings();
   add(model, building);
   const CaseResult result = run_case(model, GroundMotion{"sine", 0.01, samples},
                                      {.transient = {.tolerance = 1e-7}, .error_bars = ErrorBarMode::never});

@@ -184,9 +184,9 @@ TEST(CornerGap, BadInputIsRefused) {
               std::swap(slabs.gap.edge_begin, slabs.gap.edge_end);
             }).find("CornerGap \"gap\": clearance = -"),
             0U);
-  EXPECT_NE(message([](Slabs& slabs) {
-              std::swap(slabs.gap.edge_begin, slabs.gap.edge_end);
-            }).find("Overlap at rest: the corner must be on the left of the way from edge_begin to edge_end."),
+  EXPECT_NE(message([](Slabs& slabs) { std::swap(slabs.gap.edge_begin, slabs.gap.edge_end); })
+                .find("Overlap at rest: the corner must be on the left of the way from edge_begin to edge_end, or on "
+                      "it."),
             std::string::npos);
   EXPECT_EQ(
       message([](Slabs& slabs) { slabs.gap.edge_end = slabs.gap.edge_begin; }),

@@ -22,7 +22,7 @@ constexpr double initial = 1.93e8, post_yield = 1.93e7, yield = 0.01;
 struct Loop {
   double force = 0.0, work = 0.0;
 };
-Loop lead(const Bilinear& law, Bilinear::State& state, double from, std::initializer_list<double> corners) {
+Loop lead_along(const Bilinear& law, Bilinear::State& state, double from, std::initializer_list<double> corners) {
   Loop loop;
   double d = from;
   loop.force = lead(law, state, d, d).force;
@@ -99,14 +99,14 @@ TEST(BilinearSpring, UnloadsElasticallyOverTwiceTheYieldDisplacement) {
 TEST(BilinearSpring, HasTheLoopAreaOfTheClosedForm) {
   for (const double amplitude : {0.012, 0.05, 0.2}) {
     Bilinear::State committed;
-    lead(bearing, committed, 0.0, {amplitude});
-    const Loop loop = lead(bearing, committed, amplitude, {-amplitude, amplitude});
+    lead_along(bearing, committed, 0.0, {amplitude});
+    const Loop loop = lead_along(bearing, committed, amplitude, {-amplitude, amplitude});
     const double area = 4.0 * (initial - post_yield) * yield * (amplitude - yield);
     // The trapezoidal rule cuts the two corners of the loop.
     EXPECT_NEAR(loop.work, area, 1e-4 * area) << amplitude;
   }
   Bilinear::State committed;
-  EXPECT_NEAR(lead(bearing, committed, 0.0, {0.9 * yield, -0.9 * yield, 0.0}).work, 0.0, 1e-6);
+  EXPECT_NEAR(lead_along(bearing, committed, 0.0, {0.9 * yield, -0.9 * yield, 0.0}).work, 0.0, 1e-6);
 }
 
 TEST(BilinearSpring, DissipatesBetweenTwoStatesWhatWorkAndStoredEnergySay) {
@@ -115,7 +115,7 @@ TEST(BilinearSpring, DissipatesBetweenTwoStatesWhatWorkAndStoredEnergySay) {
   for (const double corner : {0.008, 0.1, 0.09, -0.05, 0.02}) {
     const Bilinear::State before = committed;
     const double stored = bearing.stored_energy(before, from);
-    const double work = lead(bearing, committed, from, {corner}).work;
+    const double work = lead_along(bearing, committed, from, {corner}).work;
     EXPECT_NEAR(bearing.dissipated_energy(before, committed),
                 work - (bearing.stored_energy(committed, corner) - stored), 1e-4 * std::abs(work))
         << corner;
@@ -131,7 +131,7 @@ TEST(BilinearSpring, FollowsTheLawWithoutRegimes) {
     const ClosedPath path = random_path(arguments, 0.0, 0.06);
     UnlocatedBilinear::State plain, plain_trial;
     Bilinear::State state;
-    double before = path.deformation(0.0);
+    double before = 0.0;
     constexpr int steps = 20000;
     for (int i = 0; i <= steps; ++i) {
       const double d = path.deformation(static_cast<double>(i) / steps);

@@ -9,7 +9,6 @@
 #include "elements/gap.hpp"
 #include "elements/lead_rubber_bearing.hpp"
 #include "elements/link_block.hpp"
-#include "elements/plan_spring.hpp"
 #include "elements/shear_spring.hpp"
 #include "elements/viscous_damper.hpp"
 #include "materials/bilinear.hpp"
@@ -131,7 +130,7 @@ TEST(LinearPart, ForcesAtRestOfASpringThatIsTooLong) {
 
 // Forces follow from the tangents and the forces at rest, with elastic and with sliding bearings, and an open gap.
 TEST(LinearPart, LinearisedModelHasTheForcesOfItsElements) {
-  Model model = pounding_buildings(true);
+  Model model = pounding_buildings();
   const int count = model.degrees_of_freedom();
   SparseMatrix stiffness = model.pattern(), damping = model.pattern();
   Vector at_rest;

@@ -102,12 +102,18 @@ TEST(ModelState, CommittedHistoryMatters) {
   Isolated made = isolated_storey();
   Model& model = made.model;
   model.prepare();
-  for (const double displacement : {0.03, 0.0}) {
-    model.trial().displacement.head(2).setConstant(displacement);
+  struct Motion {
+    double displacement, velocity;
+  };
+  for (const Motion& motion : {Motion{0.03, 1.0}, {0.03, -1.0}, {0.0, -1.0}}) {
+    model.trial().displacement.head(2).setConstant(motion.displacement);
+    model.trial().velocity.head(2).setConstant(motion.velocity);
     model.evaluate();
     model.commit();
+    std::vector<RegimeChange> changes;
+    model.change_regimes(changes);
   }
-  const Vector& forces = model.committed_forces();
+  const Vector& forces = model.internal_forces();
   // k1 = 4 MN/m, k2 = 0.4 MN/m, d_y = 1 cm: slip 2 cm, of which unloading by 3 cm takes 1 cm back.
   EXPECT_NEAR(forces[made.base.index], -(4e6 - 0.4e6) * 0.01, 1e-6);
 }

@@ -6,12 +6,13 @@
 #include <vector>
 
 #include "elements/gap.hpp"
-#include "elements/lead_rubber_bearing.hpp"
+#include "elements/isolator.hpp"
 #include "elements/shear_spring.hpp"
 #include "elements/viscous_damper.hpp"
 #include "materials/impact/hertz_damp.hpp"
 #include "output/step_observer.hpp"
 #include "structures/moat.hpp"
+#include "unlocated_bilinear.hpp"
 
 namespace moat::testing_output {
 
@@ -23,9 +24,10 @@ struct HandMovedBuilding {
     floor = add(model, Node{.name = "floor 1", .mass = 3 * kg, .height = 3.5 * m, .half_width = 5 * m});
     add(model, ShearSpring{.name = "storey 1", .lower = base, .upper = floor, .stiffness = 100 * N / m});
     add(model, ViscousDamper{.name = "damper", .lower = base, .upper = floor, .damping = 1 * N * s / m});
+    // A bearing that yields without a change of regime, which only an analysis makes.
     add(model,
-        LeadRubberBearing{
-            .upper = base, .yield_force = 10 * N, .yield_displacement = 10 * cm, .post_yield_stiffness = 5 * N / m});
+        Isolator<testing::UnlocatedBilinear>{
+            .upper = base, .law = {.yield_force = 10.0, .yield_displacement = 0.1, .post_yield_stiffness = 5.0}});
     add(model, Moat<HertzDamp>{
                    .around = base, .clearance = 10 * cm, .law = {.stiffness = 1000 * N / m_3_2, .restitution = 1.0}});
     add(model, Building{.base = base, .floors = {floor}});

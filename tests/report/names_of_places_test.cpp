@@ -121,8 +121,8 @@ CaseResult tower_in_plan(const Naming& naming) {
     add(model, CornerGap<HertzDamp>{.name = naming("gap " + std::to_string(i + 1)),
                                     .corner = PlanPoint{floors[i], {10 * m, 6 * m}},
                                     .edge_of = ground,
-                                    .edge_begin = PlanPosition{10.1 * m, -10 * m},
-                                    .edge_end = PlanPosition{10.1 * m, 10 * m},
+                                    .edge_begin = PlanPosition{10.03 * m, -10 * m},
+                                    .edge_end = PlanPosition{10.03 * m, 10 * m},
                                     .law = {.stiffness = 1e9 * N / m_3_2, .restitution = 0.65},
                                     .corner_name = i == 0 ? "base corner 3" : "base 2 corner 3"});
   return run_case(model, pulse(), {.transient = {.end = 3 * s}});

@@ -18,6 +18,7 @@
 #include "peak_in.hpp"
 #include "structures/plan_moat.hpp"
 #include "structures/shear_building.hpp"
+#include "unlocated_bilinear.hpp"
 
 namespace moat {
 namespace {
@@ -49,7 +50,7 @@ TEST(PlanBuilding, SymmetricBuildingInAMoatEqualsTheShearBuilding) {
                                                      .storey_stiffness = 600 * MN / m,
                                                      .damping = {0.05},
                                                      .base_mass = 550 * tonne,
-                                                     .isolation = bearing(1.0)});
+                                                     .isolation = testing::UnlocatedBilinear{1.2e6, 0.01, 9e6}});
     const PlanBuildingParts in_plan = add(plan, tower(storeys));
     const HertzDamp law{.stiffness = 1e9 * N / m_3_2, .restitution = 0.65};
     add(line, Moat{.around = on_line.base, .clearance = 20 * cm, .law = law});

@@ -271,7 +271,7 @@ TEST(PlanNeighbours, WallToWallMeetAsIfApart) {
     SCOPED_TRACE(degrees);
     const auto contacts = [&](Length gap, Length x, Length y) {
       Model model;
-      const PlanOutline first = rectangle(10 * m, 8 * m), second = rectangle(x, y, {5 * m + 0.5 * x + gap, 1 * m});
+      const PlanOutline first = rectangle(10 * m, 8 * m), second = rectangle(x, y, {5 * m + 0.5 * x + gap, 0.5 * m});
       add(model, PlanNeighbours{.first = add_slab(model, "a", turned(first, degrees * deg)),
                                 .second = add_slab(model, "b", turned(second, degrees * deg)),
                                 .law = law()});

@@ -73,7 +73,7 @@ TEST(ReferenceHistory, ABearingYieldsAndUnloadsWhereItsEnergySays) {
   // A mass is pushed through yield, comes to rest, slides a little on the way back, and swings elastically then.
   const double mass = 1e5, speed = 1.5, yield_force = 1e6, limit = 0.01, k2 = 2e6;
   PlainModel model = oscillator({.mass = mass, .velocity = speed});
-  model.bearings = {{"bearing", plain_ground, 0, yield_force, limit, k2, false}};
+  model.bearings = {{"bearing", plain_ground, 0, yield_force, limit, k2}};
   const ReferenceResult result = reference_history(model);
 
   // m v^2/2 = F_y d_y/2 + F_y (D - d_y) + k2 (D - d_y)^2/2.
