@@ -10,6 +10,7 @@
 
 #include "base/units.hpp"
 #include "materials/isolation/heated_lead_rubber.hpp"
+#include "steel_response.hpp"
 
 namespace moat::testing {
 namespace {
@@ -36,8 +37,7 @@ class StepResponse {
     constexpr double first = 1e-7, last = 300.0, ratio = 1.05;
     times_.push_back(0.0);
     for (double t = first; t < last; t *= ratio) {
-      const double theory = 1.0 / HeatedLeadRubber::steel_response(t) + shims / std::cbrt(t),
-                   length = t - times_.back();
+      const double theory = 1.0 / steel_response(t) + shims / std::cbrt(t), length = t - times_.back();
       double flow = temperature(t) * theory;
       for (std::size_t j = 0; j < values_.size(); ++j)
         flow -= values_[j] * (temperature(t - times_[j]) - temperature(t - times_[j + 1]));
