@@ -1,6 +1,7 @@
 #include "analyses/changes_inside.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace moat {
 
@@ -33,10 +34,13 @@ void ChangesInside::foresee(std::vector<RegimeChange>& changes) {
 
 bool ChangesInside::settle(double h, std::vector<RegimeChange>& changes) {
   constexpr int most_passes = 4;
+  // Instants that were foreseen are those of a guess. The solution gives better ones.
+  bool only_foreseen = !changes.empty();
+  if (only_foreseen) take_back(changes);
   for (int pass = 0; pass < most_passes; ++pass) {
     const std::size_t before = changes.size();
     const bool possible = enter(h, changes);
-    if (possible && changes.size() == before) return true;
+    if (possible && changes.size() == before && !std::exchange(only_foreseen, false)) return true;
     ++step_->statistics().event_solves;
     if (!possible) break;
     step_->implicit().add_missed_impulses(h);

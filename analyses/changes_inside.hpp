@@ -22,11 +22,12 @@ class ChangesInside {
   /// EventTreatment::inside_the_step, or where changes are many.
   [[nodiscard]] bool wanted(int crossings) const;
 
-  /// Enters the regimes that follow from the predicted motion of the whole step and lists them in `changes`. The step
-  /// then needs no second solution for them.
+  /// Enters the regimes that follow from the predicted motion of the whole step and lists them in `changes`, so that
+  /// the first solution has them. settle() locates them again.
   void foresee(std::vector<RegimeChange>& changes);
-  /// Solves the trial step of length h again with the regimes that elements enter inside it, until no other change is
-  /// seen. False if a change cannot be crossed: the regimes are as before, and the trial state must be solved again.
+  /// Solves the trial step of length h again with the regimes that elements enter inside it, at instants located on
+  /// its solution, until no other change is seen. False if a change cannot be crossed: the regimes are as before, and
+  /// the trial state must be solved again.
   bool settle(double h, std::vector<RegimeChange>& changes);
   /// A step with this number of changes, inside it or at its end, was accepted.
   void accepted(std::size_t changes);
