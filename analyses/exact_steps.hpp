@@ -27,7 +27,7 @@ class ExactSteps final : public Stepper {
   /// Matrices are full: this is for small models.
   static constexpr int most_degrees_of_freedom = 50;
   static constexpr double cubics_within = 16.0;  ///< Tolerances by which the cubic of a step may miss the motion.
-  /// Of the tolerance, for Newmark's steps in contact: their errors accumulate.
+  /// The share of the tolerance that Newmark's steps in contact may use: their errors accumulate.
   static constexpr double share_in_contact = 1.0 / 3.0;
 
   /// The model must be prepared. All must outlive this object; `control` has the longest steps, the tolerance and the

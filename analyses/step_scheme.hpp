@@ -42,7 +42,7 @@ struct StepScheme {
   /// Beta = 1/12 with corrected velocities.
   static constexpr StepScheme fourth_order() { return {.beta = 1.0 / 12.0, .corrects_velocity = true}; }
 
-  /// The same with filtered corrections.
+  /// The fourth-order scheme with filtered corrections: stable for dashpots of any strength, and of third order.
   static constexpr StepScheme strongly_damped() {
     return {.beta = 1.0 / 12.0, .corrects_velocity = true, .filters_corrections = true};
   }

@@ -151,7 +151,7 @@ struct HeatedSlidingIsolator {
   }
   // The distance from the centre at which a slider of this contact stops to cover it, m.
   [[nodiscard]] double edge() const { return 0.5 * std::sqrt(std::numbers::pi) * friction.slider_radius.si(); }
-  // Of a slide, until its flux of heat begins or ends, m.
+  // The way of a slide until its flux of heat begins or ends, m.
   [[nodiscard]] double margin_of_edge(const State& sliding, double deformation) const {
     if (sliding.side == 0) return edge() - sliding.direction * deformation;
     if (sliding.side == sliding.direction) return std::numeric_limits<double>::infinity();
@@ -170,7 +170,7 @@ struct HeatedSlidingIsolator {
     std::array<double, PressureTemperatureVelocity::memory_size> known_memory, added;
     for (std::size_t j = 0; j < added.size(); ++j) {
       const double time = PressureTemperatureVelocity::memory_times[j], x = -std::expm1(-h / time);
-      // Of a flux that rises from 0 to 1.
+      // The share of a flux that rises from 0 to 1.
       added[j] = h > 0.0 ? PressureTemperatureVelocity::memory_weights[j] * time * (1.0 - x * time / h) : 0.0;
       known_memory[j] = committed.memory[j] * (1.0 - x) +
                         (PressureTemperatureVelocity::memory_weights[j] * time * x - added[j]) * committed.flux;

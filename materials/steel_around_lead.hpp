@@ -75,7 +75,7 @@ struct SteelAroundLead {
                                                           0.57745, 0.26105, 0.11217, 0.05949, 1.2081};
   static constexpr std::array<double, size + 1> of_shims{20.221,  7.3495,  4.4071,  2.5728,  1.3512, 0.76461,
                                                          0.53091, 0.39499, 0.23215, 0.20276, 0.17925};
-  // Of the temperature of the lead that flows away through c_j in a second, 1/s.
+  // The share of the temperature of the lead that flows away through c_j in a second, 1/s.
   [[nodiscard]] double share(std::size_t j) const { return rate * (of_plates[j] + shims * of_shims[j]); }
 };
 

@@ -105,7 +105,7 @@ struct TriplePendulum {
     const double normal = load.si(), elastic = 3.0 * inner_friction * normal / yield_displacement.si();
     const double inner = inner_radius.si(), lower = lower_radius.si(), upper = upper_radius.si();
     SeriesOfSliders law{.count = 3, .elastic_stiffness = elastic, .stop_stiffness = 10.0 * elastic};
-    // Of the displacement of each inner surface and the share of the outer one that tilts it.
+    // Each inner surface stops at the sum of its own capacity and the share by which the outer one tilts it.
     const double beside_lower = inner_capacity.si() + inner / lower * lower_capacity.si(),
                  beside_upper = inner_capacity.si() + inner / upper * upper_capacity.si();
     law.branches[0] = {.stiffness = normal / (2.0 * inner),

@@ -50,9 +50,9 @@ class Places : public std::vector<Place> {
   }
 };
 
-/// For the floors of buildings.
+/// The remedy for a wrong index of floors of buildings.
 inline constexpr char floors_remedy[] = "floors[0] is \"floor 1\": take floor(3) for \"floor 3\".";
-/// For the corners of outlines.
+/// The remedy for a wrong index of corners of outlines.
 inline constexpr char corners_remedy[] = "corners[0] is \"corner 1\", corners[2] is \"corner 3\".";
 
 }  // namespace moat

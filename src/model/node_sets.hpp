@@ -11,7 +11,7 @@ namespace moat {
 /// Every node is a set at first; sets are joined.
 class NodeSets {
  public:
-  /// Of the nodes 0 to count - 1.
+  /// Makes a set of each of the nodes 0 to count - 1.
   explicit NodeSets(int count) : parent_(static_cast<std::size_t>(count)) {
     std::iota(parent_.begin(), parent_.end(), 0);
   }

@@ -2,7 +2,6 @@
 
 #include <klu.h>
 
-#include <memory>
 #include <stdexcept>
 
 namespace moat {
@@ -87,7 +86,6 @@ void Factorisation::solve(Vector& x) const {
 }
 
 long Factorisation::count() const { return klu_->count; }
-
 long Factorisation::pivot_searches() const { return klu_->pivot_searches; }
 
 }  // namespace moat
