@@ -141,7 +141,6 @@ CaseRun::CaseRun(Model& model, const GroundMotion& motion, CaseOptions options)
     : options_{with_rows_at_steps(checked(std::move(options)), motion)},
       periods_{characteristic_periods(model)},
       untouched_{copy_for_companion(model, motion, options_)},
-      bodies_{model},
       transient_{model, motion, options_.transient},
       peaks_{model},
       clearances_{model},
@@ -169,21 +168,7 @@ void CaseRun::run() {
   transient_.run(stop_);
   stopped_ = !transient_.finished();
   if (stopped_) return;
-  run_bodies();
   run_companion();
-}
-
-void CaseRun::run_bodies() {
-  if (bodies_.size() == 0) return;
-  std::vector<Peak> peaks = peaks_.peaks();
-  std::vector<GapClearance> clearances = clearances_.clearances();
-  try {
-    bodies_.replace(peaks, clearances, transient_.motion(), options_.transient, observer_of_bodies_, stop_);
-    peaks_of_bodies_ = std::move(peaks);
-    clearances_of_bodies_ = std::move(clearances);
-  } catch (const Error& error) {
-    failure_of_bodies_ = error.what();
-  }
 }
 
 void CaseRun::run_companion() {
@@ -222,8 +207,8 @@ CaseResult CaseRun::result_with(Table histories) const {
       .scene = transient_.model().node_count() <= most_drawn_nodes ? scene_of(transient_.model()) : Scene{},
       .buildings = parts_of_buildings(transient_.model()),
       .periods = periods_,
-      .peaks = peaks_of_bodies_.empty() ? peaks_.peaks() : peaks_of_bodies_,
-      .clearances = peaks_of_bodies_.empty() ? clearances_.clearances() : clearances_of_bodies_,
+      .peaks = peaks_.peaks(),
+      .clearances = clearances_.clearances(),
       .impacts = impacts_.impacts(),
       .histories = std::move(histories),
       .floor_accelerations = impacts_.impacts().empty() ? Table{} : histories_.floors(),
@@ -238,16 +223,6 @@ CaseResult CaseRun::result_with(Table histories) const {
         strain_warnings(result.peaks), plan_warnings(transient_.model(), result.peaks, result.impacts),
         energy_warnings(result.energy, options_.warn_above_energy_error, options_.transient)})
     result.warnings.insert(result.warnings.end(), warnings.begin(), warnings.end());
-  if (!failure_of_bodies_.empty())
-    result.warnings.push_back(
-        "Bodies that nothing connects share their steps in these results, because the run of one of them by itself "
-        "failed: " +
-        failure_of_bodies_);
-  if (!peaks_of_bodies_.empty())
-    result.assumptions.push_back(
-        "Nothing connects " + std::to_string(bodies_.size()) +
-        " bodies of this model: peaks and clearances of each are those of a run of its own, whose steps no other body "
-        "changes. Histories, impacts and energies are those of one run of the whole model.");
   result.torsion = torsion_of(transient_.model(), result.peaks);
   add_errors(result);
   // Behind the errors: the companion does not know these peaks.

@@ -9,7 +9,6 @@
 
 #include "analyses/error_bars.hpp"
 #include "analyses/transient.hpp"
-#include "analyses/unconnected_bodies.hpp"
 #include "output/case_result.hpp"
 #include "output/clearance_recorder.hpp"
 #include "output/energy_ledger.hpp"
@@ -45,10 +44,6 @@ struct CaseOptions {
 ///     run.run();                                  // may throw ConvergenceError ...
 ///     const CaseResult result = run.result();     // ... and this still has all up to then
 ///
-/// Peaks and clearances of bodies that nothing connects are those of runs of their own, each with the steps that the
-/// body needs (analyses/unconnected_bodies.hpp); all else comes from one run of the whole model. If a run of its own
-/// fails, all comes from that one, with a warning.
-///
 /// The companion (analyses/error_bars.hpp) moves a copy of the model, taken before the first step. If it fails, the
 /// result has no error bars and a warning with the reason.
 class CaseRun {
@@ -61,17 +56,13 @@ class CaseRun {
   /// Before run(): calls the observer too; it must outlive the run. Quantities of a QuantityRecorder appear in
   /// histories, peaks and report. Throws InputError for a quantity that is there already.
   void attach(StepObserver& observer);
-  /// Calls the observer for the steps of the bodies that nothing connects, one after the other; it must outlive the
-  /// run.
-  void attach_to_bodies(StepObserver& observer) { observer_of_bodies_ = &observer; }
   /// Calls the observer for the steps of the companion, if there is one; it must outlive the run.
   void attach_to_companion(StepObserver& observer) { companion_observer_ = &observer; }
-  /// stop: asked before every step of run(), also of single bodies and of the companion; true ends it there, with all
-  /// results up to then.
+  /// stop: asked before every step of run(), also of the companion; true ends it there, with all results up to then.
   void stop_when(std::function<bool()> stop) { stop_ = std::move(stop); }
   /// Whether the main run ended before its end because it was asked to.
   [[nodiscard]] bool stopped() const { return stopped_; }
-  /// The main run, then single bodies and the companion. Throws as Transient::run does in the main run.
+  /// The main run, then the companion. Throws as Transient::run does in the main run.
   void run();
 
   [[nodiscard]] const Transient& transient() const { return transient_; }  ///< The analysis behind the case.
@@ -81,7 +72,6 @@ class CaseRun {
   [[nodiscard]] CaseResult take_result() { return result_with(histories_.take_table()); }
 
  private:
-  void run_bodies();
   void run_companion();
   [[nodiscard]] CaseResult result_with(Table histories) const;
   void add_errors(CaseResult& result) const;
@@ -89,7 +79,6 @@ class CaseRun {
   CaseOptions options_;
   std::vector<NamedPeriod> periods_;
   std::optional<Model> untouched_;  // for the companion
-  UnconnectedBodies bodies_;
   Transient transient_;
   EnergyLedger energy_;
   PeakRecorder peaks_;
@@ -100,11 +89,7 @@ class CaseRun {
   OfferedPeaks offered_peaks_{offered_};
   std::function<bool()> stop_;
   bool stopped_ = false;
-  StepObserver *observer_of_bodies_ = nullptr, *companion_observer_ = nullptr;
-  // Of the bodies, once they have run.
-  std::vector<Peak> peaks_of_bodies_;
-  std::vector<GapClearance> clearances_of_bodies_;
-  std::string failure_of_bodies_;
+  StepObserver* companion_observer_ = nullptr;
   std::optional<PeaksAndImpacts> companion_;
   std::string about_companion_ = "No error bars: the run did not reach its end.";
   std::string companion_failure_;

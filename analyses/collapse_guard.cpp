@@ -9,7 +9,6 @@ namespace moat {
 void CollapseGuard::look(Model& model) {
   // A deformation is a difference of two displacements, if not one of them.
   if (model.state().displacement.cwiseAbs().maxCoeff() <= 0.5 * largest_deformation) return;
-  model.keep_all_results();
   look_at_elements(model);
 }
 

@@ -6,7 +6,6 @@
 #include <map>
 #include <string_view>
 
-#include "analyses/unconnected_bodies.hpp"
 #include "base/check.hpp"
 #include "base/error.hpp"
 #include "base/units.hpp"
@@ -218,7 +217,6 @@ std::string companion_description(const TransientOptions& companion) {
 
 PeaksAndImpacts compute_peaks(Model& model, const GroundMotion& motion, const TransientOptions& options,
                               StepObserver* observer, const std::function<bool()>& stop) {
-  UnconnectedBodies bodies{model};
   Transient transient{model, motion, options};
   PeakRecorder peaks{model};
   TouchRecorder touches;
@@ -229,10 +227,7 @@ PeaksAndImpacts compute_peaks(Model& model, const GroundMotion& motion, const Tr
   if (observer != nullptr) transient.attach(*observer);
   transient.run(stop);
   if (!transient.finished()) throw Error{"it was stopped."};
-  PeaksAndImpacts result{peaks.peaks(), touches.touches(), transient.statistics(), clearances.clearances(),
-                         transient.collapsed()};
-  if (bodies.size() > 0) bodies.replace(result.peaks, result.clearances, motion, options, nullptr, stop);
-  return result;
+  return {peaks.peaks(), touches.touches(), transient.statistics(), clearances.clearances(), transient.collapsed()};
 }
 
 ScalesOfUnits scales_of_run(const std::vector<Peak>& peaks, const Model& model, const GroundMotion& motion,

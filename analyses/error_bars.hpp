@@ -47,9 +47,8 @@ using ScalesOfUnits = std::map<std::string, double>;
 ScalesOfUnits scales_of_run(const std::vector<Peak>& peaks, const Model& model, const GroundMotion& motion,
                             const TransientOptions& options);
 
-/// Runs the model and returns its peaks and touches; peaks and clearances of bodies that nothing connects are those of
-/// runs of their own (analyses/unconnected_bodies.hpp). The observer, if any, gets every step of the whole model. stop:
-/// asked before every step; true ends the run with an Error. Throws as Transient does.
+/// Runs the model and returns its peaks and touches. The observer, if any, gets every step. stop: asked before every
+/// step; true ends the run with an Error. Throws as Transient does.
 PeaksAndImpacts compute_peaks(Model& model, const GroundMotion& motion, const TransientOptions& options,
                               StepObserver* observer = nullptr, const std::function<bool()>& stop = {});
 

@@ -20,8 +20,8 @@ constexpr std::size_t most_systems = 256;
 ExactSteps::ExactSteps(Model& model, StepControl& control)
     : model_{&model},
       control_{&control},
-      stiffness_{model.pattern()},
-      damping_{model.pattern()},
+      stiffness_{model.zero_matrix()},
+      damping_{stiffness_},
       earlier_{model.state()},
       middle_{model.state()},
       fastest_{Vector::Zero(earlier_.velocity.size())} {

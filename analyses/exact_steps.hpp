@@ -8,7 +8,6 @@
 #include "analyses/linear_system.hpp"
 #include "analyses/step_control.hpp"
 #include "analyses/stepper.hpp"
-#include "base/sparse_matrix.hpp"
 #include "base/vector.hpp"
 #include "model/model.hpp"
 
@@ -48,8 +47,10 @@ class ExactSteps final : public Stepper {
   void begin(const StepTask& step) override;
   bool solve(const StepTask& part) override;
   bool look(const StepTask& part) override;
-  // Forces on nodes are needed behind a touch, and Transient::balance() computes them there.
-  void complete() override { model_->evaluate_elements(); }
+  void complete() override {
+    model_->evaluate();
+    model_->evaluate_rates();
+  }
   bool accepts(const StepTask& step, std::span<const RegimeChange>) override;
   bool may_leave_samples() const override { return control_->may_leave_samples(); }
   WorkRule work_rule() const override { return WorkRule::quadrature; }

@@ -11,13 +11,13 @@ namespace moat {
 
 LinearSystem::LinearSystem(const SparseMatrix& stiffness, const SparseMatrix& damping, const Vector& masses,
                            double longest_step, double largest_phase)
-    : stiffness_values_{stiffness.values}, damping_values_{damping.values}, step_{longest_step} {
+    : stiffness_{stiffness}, damping_{damping}, step_{longest_step} {
   const Eigen::Index n = masses.size();
   const auto per_mass = masses.cwiseInverse().asDiagonal();
   rates_.setZero(3 * n + 1, 3 * n + 1);
   rates_.block(0, n, n, n).setIdentity();
-  rates_.block(n, 0, n, n) = -step_ * step_ * (per_mass * Eigen::MatrixXd{stiffness.view()});
-  rates_.block(n, n, n, n) = -step_ * (per_mass * Eigen::MatrixXd{damping.view()});
+  rates_.block(n, 0, n, n) = -step_ * step_ * (per_mass * Eigen::MatrixXd{stiffness});
+  rates_.block(n, n, n, n) = -step_ * (per_mass * Eigen::MatrixXd{damping});
   rates_.block(n, 2 * n, n, n).setIdentity();
   rates_.block(2 * n, 3 * n, n, 1).setOnes();
 

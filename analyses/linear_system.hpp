@@ -2,7 +2,6 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <vector>
 
 #include "base/sparse_matrix.hpp"
 #include "base/vector.hpp"
@@ -31,7 +30,7 @@ class LinearSystem {
 
   /// Whether it was made of these tangents.
   [[nodiscard]] bool is_of(const SparseMatrix& stiffness, const SparseMatrix& damping) const {
-    return stiffness_values_ == stiffness.values && damping_values_ == damping.values;
+    return (stiffness_.coeffs() == stiffness.coeffs()).all() && (damping_.coeffs() == damping.coeffs()).all();
   }
   /// h, s.
   [[nodiscard]] double step() const { return step_; }
@@ -41,7 +40,7 @@ class LinearSystem {
   [[nodiscard]] const Eigen::MatrixXd& over_step() const { return over_step_; }
 
  private:
-  std::vector<double> stiffness_values_, damping_values_;
+  SparseMatrix stiffness_, damping_;
   double step_;
   Eigen::MatrixXd rates_, over_step_;
 };

@@ -18,13 +18,11 @@ namespace {
 // square of their distance is below this share of that of their distance from the centre of mass.
 std::vector<bool> loose_in_plan(const Model& model) {
   constexpr double vanishing = 1e-10, shift = 1e-12;
-  SparseMatrix joined = model.pattern();
-  model.assemble_linear_stiffness(StiffnessStage::joined, joined);
-  Eigen::SparseMatrix<double> matrix = joined.view();
+  SparseMatrix matrix = model.linear_stiffness(StiffnessStage::joined);
   const Vector diagonal = matrix.diagonal();
   // No pivot is zero then, and the elimination goes on.
   matrix.diagonal().array() += shift;
-  const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> factors{matrix};
+  const Eigen::SimplicialLDLT<SparseMatrix> factors{matrix};
   const Vector pivots = factors.permutationPinv() * factors.vectorD();
   std::vector<bool> loose;
   for (Eigen::Index i = 0; i < pivots.size(); ++i) loose.push_back(!(pivots[i] > vanishing * (1.0 + diagonal[i])));

@@ -8,10 +8,6 @@ namespace moat {
 
 void Observers::add(StepObserver& observer) { followers_.push_back({&observer, false}); }
 
-bool Observers::need_results_of(std::size_t block) const {
-  return std::ranges::any_of(followers_, [&](const Follower& each) { return each.observer->needs_results_of(block); });
-}
-
 void Observers::start(const StepView& view) {
   for (std::size_t i = 0; i < followers_.size(); ++i)
     if (!std::exchange(followers_[i].started, true)) followers_[i].observer->start(view);

@@ -16,8 +16,6 @@ class Observers {
   /// The observer must outlive this object.
   void add(StepObserver& observer);
 
-  /// Whether one of them needs the results of this block (StepObserver::needs_results_of).
-  [[nodiscard]] bool need_results_of(std::size_t block) const;
   /// Starts those that were not started before.
   void start(const StepView& view);
   /// After every committed step.

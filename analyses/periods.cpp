@@ -32,24 +32,17 @@ std::vector<int> indices_of(const std::vector<NodeId>& nodes) {
 // First period of the given nodes, all others held; infinite if they are free, 0 if there are none.
 double first_period(const SparseMatrix& stiffness, const Vector& masses, const std::vector<int>& nodes) {
   if (nodes.empty()) return 0.0;
-  std::vector<int> position(static_cast<std::size_t>(stiffness.size()), -1);
+  std::vector<int> position(static_cast<std::size_t>(stiffness.rows()), -1);
   for (std::size_t i = 0; i < nodes.size(); ++i) position[static_cast<std::size_t>(nodes[i])] = static_cast<int>(i);
-  const auto for_each_entry = [&](auto action) {
-    for (std::size_t i = 0; i < nodes.size(); ++i) {
-      const auto column = static_cast<std::size_t>(nodes[i]);
-      for (int k = stiffness.column_starts()[column]; k < stiffness.column_starts()[column + 1]; ++k) {
-        const int row = position[static_cast<std::size_t>(stiffness.row_indices()[static_cast<std::size_t>(k)])];
-        if (row >= 0) action(row, static_cast<int>(i), stiffness.values[static_cast<std::size_t>(k)]);
-      }
-    }
-  };
-  PatternBuilder builder{static_cast<int>(nodes.size())};
-  for_each_entry([&](int row, int column, double) { builder.couple(row, column); });
-  SparseMatrix part = builder.build();
-  for_each_entry([&](int row, int column, double value) {
-    part.values[static_cast<std::size_t>(part.slot(row, column))] = value;
-  });
-  Vector mass{static_cast<Eigen::Index>(nodes.size())};
+  std::vector<Eigen::Triplet<double>> entries;
+  for (std::size_t i = 0; i < nodes.size(); ++i)
+    for (SparseMatrix::InnerIterator entry{stiffness, nodes[i]}; entry; ++entry)
+      if (const int row = position[static_cast<std::size_t>(entry.row())]; row >= 0)
+        entries.emplace_back(row, static_cast<int>(i), entry.value());
+  const auto size = static_cast<Eigen::Index>(nodes.size());
+  SparseMatrix part{size, size};
+  part.setFromTriplets(entries.begin(), entries.end());
+  Vector mass{size};
   for (std::size_t i = 0; i < nodes.size(); ++i) mass[static_cast<Eigen::Index>(i)] = masses[nodes[i]];
   return slowest_modes(part, mass, 1).front().period();
 }
@@ -78,9 +71,8 @@ std::vector<NamedPeriod> periods_in_plan(Model& model) {
 std::vector<NamedPeriod> characteristic_periods(Model& model, std::size_t most_buildings) {
   if (model.is_plan()) return periods_in_plan(model);
   model.prepare();
-  SparseMatrix initial = model.pattern(), post_yield = model.pattern();
-  model.assemble_linear_stiffness(StiffnessStage::initial, initial);
-  model.assemble_linear_stiffness(StiffnessStage::post_yield, post_yield);
+  const SparseMatrix initial = model.linear_stiffness(StiffnessStage::initial),
+                     post_yield = model.linear_stiffness(StiffnessStage::post_yield);
 
   std::vector<NamedPeriod> periods;
   const std::vector<Building> buildings = all_buildings(model);
@@ -103,9 +95,7 @@ std::vector<NamedPeriod> characteristic_periods(Model& model, std::size_t most_b
     double mass = 0.0, isolation_stiffness = 0.0;
     for (const int node : nodes) {
       mass += model.masses()[node];
-      const auto column = static_cast<std::size_t>(node);
-      for (int k = post_yield.column_starts()[column]; k < post_yield.column_starts()[column + 1]; ++k)
-        isolation_stiffness += post_yield.values[static_cast<std::size_t>(k)];
+      isolation_stiffness += post_yield.col(node).sum();
     }
     report("fixed base", first_period(initial, model.masses(), superstructure));
     if (isolation_stiffness > 0.0)

@@ -25,8 +25,7 @@ std::vector<PlanMode> plan_modes(Model& model, StiffnessStage stage, int count) 
   check.that(model.is_plan(), "the model moves on a line.", "Its periods are those of characteristic_periods().");
   check.that(count >= 1, "count", count, "1", ">= 1");
   model.prepare();
-  SparseMatrix stiffness = model.pattern();
-  model.assemble_linear_stiffness(stage, stiffness);
+  const SparseMatrix stiffness = model.linear_stiffness(stage);
   const Vector& masses = model.masses();
   const GroundShares shares = model.ground_shares();
   double mass_x = 0.0, mass_y = 0.0;

@@ -31,20 +31,19 @@ Resultants::Resultants(const Model& model) {
 }
 
 Vector Resultants::row_sums(const SparseMatrix& matrix) const {
-  Vector sums = Vector::Zero(matrix.size());
+  Vector sums = Vector::Zero(matrix.rows());
   const auto first_of = [&](int i) { return std::min(i, partner(i)); };
-  std::vector<Entries> of_row(static_cast<std::size_t>(matrix.size()));
+  std::vector<Entries> of_row(static_cast<std::size_t>(matrix.rows()));
   std::vector<int> rows;
-  for (int first = 0; first < matrix.size(); ++first) {
+  for (int first = 0; first < matrix.rows(); ++first) {
     if (first_of(first) != first) continue;
     rows.clear();
     const int second = partner(first);
     for (int column = first; column <= std::max(first, second); column += std::max(second - first, 1)) {
-      for (int k = matrix.column_starts()[static_cast<std::size_t>(column)];
-           k < matrix.column_starts()[static_cast<std::size_t>(column) + 1]; ++k) {
-        const int row = matrix.row_indices()[static_cast<std::size_t>(k)], head = first_of(row);
+      for (SparseMatrix::InnerIterator entry{matrix, column}; entry; ++entry) {
+        const int row = static_cast<int>(entry.row()), head = first_of(row);
         of_row[static_cast<std::size_t>(head)].values[(row != head ? 2 : 0) + (column != first ? 1 : 0)] =
-            matrix.values[static_cast<std::size_t>(k)];
+            entry.value();
         rows.push_back(head);
       }
     }
@@ -54,7 +53,7 @@ Vector Resultants::row_sums(const SparseMatrix& matrix) const {
       entries = {};
     }
   }
-  for (int i = 0; i < matrix.size(); ++i) sums[i] = sums[first_of(i)];
+  for (int i = 0; i < matrix.rows(); ++i) sums[i] = sums[first_of(i)];
   return sums;
 }
 

@@ -12,15 +12,8 @@ namespace {
 // Whether damping coefficients of a column do not add up to zero: the rest couples to the ground.
 bool has_dampers_to_ground(const SparseMatrix& damping) {
   constexpr double round_off = 1e-9;
-  for (std::size_t column = 0; column < static_cast<std::size_t>(damping.size()); ++column) {
-    double sum = 0.0, magnitudes = 0.0;
-    for (auto k = static_cast<std::size_t>(damping.column_starts()[column]);
-         k < static_cast<std::size_t>(damping.column_starts()[column + 1]); ++k) {
-      sum += damping.values[k];
-      magnitudes += std::abs(damping.values[k]);
-    }
-    if (std::abs(sum) > round_off * magnitudes) return true;
-  }
+  for (int column = 0; column < damping.cols(); ++column)
+    if (std::abs(damping.col(column).sum()) > round_off * damping.col(column).cwiseAbs().sum()) return true;
   return false;
 }
 
@@ -37,8 +30,7 @@ double change_by_doubling(StepScheme scheme) { return scheme.order() > 2 ? 8.0 :
 
 StepControl::StepControl(const Model& model, Options options)
     : options_{options}, resultants_{model}, scales_{model, options.lowest_acceleration} {
-  SparseMatrix matrix = model.pattern();
-  model.assemble_linear_stiffness(StiffnessStage::initial, matrix);
+  SparseMatrix matrix = model.linear_stiffness(StiffnessStage::initial);
   const Vector stiffness = resultants_.row_sums(matrix).cwiseQuotient(model.masses());
   stiffest_squared_ = stiffness.maxCoeff();
   constexpr double last_digits = 4.0 * std::numeric_limits<double>::epsilon();

@@ -19,7 +19,7 @@ Model& prepared(Model& model) {
 
 // Members behind the model need it prepared.
 StepEquations::StepEquations(Model& model) : model_{&prepared(model)}, resultants_{model}, curvature_{model} {
-  tangent_ = model.pattern();
+  tangent_ = model.zero_matrix();
   predicted_displacement_.setZero(size());
   predicted_velocity_.setZero(size());
   scales_.setZero(size());
@@ -145,6 +145,7 @@ void StepEquations::complete() {
     velocity[i] = v[i] + half * (a[i] + end_acceleration[i]) - corrected - deviation_.velocity;
   }
   for (const auto& [i, added] : added_velocities_) velocity[i] += added;
+  model_->evaluate_linear_elements();
 }
 
 // h^2/12 times relative jerks, filtered.
@@ -285,11 +286,9 @@ double StepEquations::round_off(int row) const {
   const double weight = scheme_.displacement_weight(task_.length);
   double sum = 0.0;
   // The pattern is symmetric, and so are nearly all tangents: the column is used in place of the row.
-  for (int k = tangent_.column_starts()[static_cast<std::size_t>(row)];
-       k < tangent_.column_starts()[static_cast<std::size_t>(row) + 1]; ++k) {
-    const int other = tangent_.row_indices()[static_cast<std::size_t>(k)];
-    const double entry = tangent_.values[static_cast<std::size_t>(k)] - (other == row ? model_->masses()[row] : 0.0);
-    sum += std::abs(entry * model_->trial().displacement[other]);
+  for (SparseMatrix::InnerIterator entry{tangent_, row}; entry; ++entry) {
+    const double of_stiffness = entry.value() - (entry.row() == row ? model_->masses()[row] : 0.0);
+    sum += std::abs(of_stiffness * model_->trial().displacement[entry.row()]);
   }
   return last_digits * sum / weight;
 }

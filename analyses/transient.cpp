@@ -45,8 +45,6 @@ Transient::Transient(Model& model, GroundMotion motion, TransientOptions options
   check_gap_directions(model);
   constexpr std::size_t most_at_one_instant = 64;  // more is rare
   changes_.reserve(most_at_one_instant);
-  // The model may be a copy that was made during the run of another.
-  model_->keep_all_results();
   model_->begin_motion(motion_);
   balance();
   change_regimes_at_end();
@@ -59,8 +57,6 @@ Transient::~Transient() = default;
 void Transient::attach(StepObserver& observer) {
   if (observer.needs_energy_accounts() && !model_->keeps_energy_accounts()) model_->start_energy_accounts();
   observers_.add(observer);
-  // run() leaves out some results; this observer may need them.
-  model_->keep_all_results();
 }
 
 StepView Transient::view(bool on_grid) const {
@@ -176,24 +172,15 @@ void Transient::end_motion() {
   observers_.event(view(false), {});
 }
 
-void Transient::keep_results_that_are_needed() {
-  std::vector<bool> needed;
-  for (std::size_t block = 0; block < model_->blocks().size(); ++block)
-    needed.push_back(observers_.need_results_of(block));
-  model_->keep_results_of(needed);
-}
-
 void Transient::finish() { observers_.finish(view(true)); }
 
 void Transient::run(const std::function<bool()>& stop) {
   const double started = process_seconds();
   const auto end = [&] {
     statistics_.cpu_seconds += process_seconds() - started;
-    model_->keep_all_results();
     finish();
   };
   observers_.start(view(true));
-  keep_results_that_are_needed();
   try {
     while (!finished() && !(stop && stop())) advance();
   } catch (...) {

@@ -85,7 +85,6 @@ class Transient {
   void report_changes();
   void end_motion();
   void balance();
-  void keep_results_that_are_needed();
   [[nodiscard]] StepView view(bool on_grid) const;
 
   Model* model_;

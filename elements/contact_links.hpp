@@ -46,11 +46,6 @@ class ContactLinks : public LinksWithRegimes<Law, Ends>, public Contacts {
   }
 
   std::unique_ptr<ElementBlock> clone() const override { return std::make_unique<ContactLinks>(*this); }
-  std::unique_ptr<ElementBlock> part(std::span<const std::size_t> kept, const NumbersInPart& numbers) const override {
-    auto copy = std::make_unique<ContactLinks>();
-    copy->take(*this, kept, numbers);
-    return copy;
-  }
   Contacts* contacts() override { return this; }
   const Contacts* contacts() const override { return this; }
   /// A closed gap does not count.
@@ -83,15 +78,6 @@ class ContactLinks : public LinksWithRegimes<Law, Ends>, public Contacts {
   }
 
  protected:
-  /// Becomes a copy of these contacts of the whole model.
-  void take(const ContactLinks& whole, std::span<const std::size_t> contacts, const NumbersInPart& numbers) {
-    Base::take(whole, contacts, numbers);
-    take_chosen(*this, whole, contacts, &ContactLinks::effective_masses_, &ContactLinks::durations_,
-                &ContactLinks::approach_speeds_);
-    touching_ = 0;
-    for (std::size_t i = 0; i < this->size(); ++i) touching_ += is_touching(i) ? 1 : 0;
-  }
-
   void enter(std::size_t i, const State& next, double rate, RegimeChange& change) override {
     const bool touched_before = is_touching(i);
     this->committed_[i] = next;

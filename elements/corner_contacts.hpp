@@ -50,21 +50,16 @@ class CornerContacts final : public ContactLinks<Law, PlanEnds>, public PlanCont
   }
 
   std::unique_ptr<ElementBlock> clone() const override { return std::make_unique<CornerContacts>(*this); }
-  std::unique_ptr<ElementBlock> part(std::span<const std::size_t> kept, const NumbersInPart& numbers) const override {
-    auto copy = std::make_unique<CornerContacts>();
-    copy->take(*this, kept, numbers);
-    return copy;
-  }
   const PlanContacts* plan_contacts() const override { return this; }
   bool linear_between_events() const override { return false; }
 
-  void add_couplings(PatternBuilder& pattern) const override {
-    Base::add_couplings(pattern);
-    for (const CornerAndEdge& corner : corners_) corner.ends.add_couplings(pattern);
+  void add_couplings(Couplings& couplings) const override {
+    Base::add_couplings(couplings);
+    for (const CornerAndEdge& corner : corners_) corner.ends.add_couplings(couplings);
   }
-  void find_slots(const SparsityPattern& pattern) override {
-    Base::find_slots(pattern);
-    for (std::size_t i = 0; i < corners_.size(); ++i) corners_[i].ends.find(this->infos_[i], pattern);
+  void find_slots(const SparseMatrix& matrix) override {
+    Base::find_slots(matrix);
+    for (std::size_t i = 0; i < corners_.size(); ++i) corners_[i].ends.find(this->infos_[i], matrix);
   }
 
   void evaluate(const double* displacement, const double* velocity, double* force) override {
@@ -101,7 +96,7 @@ class CornerContacts final : public ContactLinks<Law, PlanEnds>, public PlanCont
                               (displacement_weight * this->stiffnesses_[i] + velocity_weight * this->dampings_[i]);
       const double stiffness = displacement_weight * now.stiffness(friction(i));
       if (coupling != 0.0 || stiffness != 0.0)
-        corners_[i].ends.add_stiffness({0.0, 0.0, coupling, stiffness}, matrix.values.data());
+        corners_[i].ends.add_stiffness({0.0, 0.0, coupling, stiffness}, matrix.valuePtr());
     }
   }
   bool take_tangent_change() override {
@@ -257,16 +252,6 @@ class CornerContacts final : public ContactLinks<Law, PlanEnds>, public PlanCont
   void keep_open_at_start(std::size_t i) {
     gaps_[i].value = -std::abs(this->start_.deformations[i]);
     this->start_.deformations[i] = -std::abs(this->start_.deformations[i]);
-  }
-
-  void take(const CornerContacts& whole, std::span<const std::size_t> contacts, const NumbersInPart& numbers) {
-    Base::take(whole, contacts, numbers);
-    using Block = CornerContacts;
-    take_chosen(*this, whole, contacts, &Block::corners_, &Block::now_grips_, &Block::start_grips_,
-                &Block::slide_begins_, &Block::grip_energies_, &Block::speeds_at_touch_, &Block::misses_, &Block::gaps_,
-                &Block::times_left_);
-    for (CornerAndEdge& corner : corners_) corner.ends.renumber(numbers);
-    friction_changed_ = true;
   }
 
   std::vector<CornerAndEdge> corners_;

@@ -60,7 +60,7 @@ struct CornerGap {
   /// Effective mass for the law, > 0 kg. Zero stands for that of the corner: 1/m_n = sum of weight^2/mass.
   Mass effective_mass{};
   /// For tables.
-  Label corner_name = "corner", edge_name = "edge";
+  std::string corner_name = "corner", edge_name = "edge";
 };
 
 /// Where a corner and an edge are, and how they move.
@@ -78,15 +78,15 @@ struct CornerGeometry {
 
 /// A corner gap without its law. CornerGap describes the fields.
 struct CornerPlace {
-  const std::string& name;            ///< Unique in its model.
-  const std::string& place;           ///< Where its peak is listed.
-  PlanPoint corner;                   ///< That hits the edge.
-  NodeId edge_of;                     ///< The body of the edge.
-  PlanPosition edge_begin, edge_end;  ///< The corner is on the left of the way between them.
-  const CornerFriction& friction;     ///< Along the wall.
-  double share;                       ///< > 0, <= 1: of the law's force.
-  Mass effective_mass;                ///< >= 0 kg; 0: that of the corner.
-  Label corner_name, edge_name;       ///< For tables.
+  const std::string& name;             ///< Unique in its model.
+  const std::string& place;            ///< Where its peak is listed.
+  PlanPoint corner;                    ///< That hits the edge.
+  NodeId edge_of;                      ///< The body of the edge.
+  PlanPosition edge_begin, edge_end;   ///< The corner is on the left of the way between them.
+  const CornerFriction& friction;      ///< Along the wall.
+  double share;                        ///< > 0, <= 1: of the law's force.
+  Mass effective_mass;                 ///< >= 0 kg; 0: that of the corner.
+  std::string corner_name, edge_name;  ///< For tables.
 };
 
 /// Throws InputError unless both bodies are of this model and different, the edge has a length and the corner a

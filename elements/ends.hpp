@@ -5,34 +5,30 @@
 #include <cmath>
 #include <cstddef>
 
-#include "base/sparse_matrix.hpp"
 #include "model/element_block.hpp"
 #include "model/member_point.hpp"
 #include "model/node.hpp"
-#include "model/numbers_in_part.hpp"
 
 namespace moat {
 
 /// Both ends at nodes: difference = value(second) - value(first).
 ///
-/// Global arrays have one entry more than there are degrees of freedom, the last for the ground, and matrices one
-/// value more than nonzeros: no test for the ground is needed here.
+/// Global arrays have one entry more than there are degrees of freedom, the last for the ground.
 class NodePair {
  public:
   NodePair() = default;
   /// The nodes come with each call.
   explicit NodePair(const ElementInfo&) {}
 
-  /// The nodes come with each call.
-  void renumber(const NumbersInPart&) {}
   /// Adds the pairs of degrees of freedom that stiffness couples.
-  void add_couplings(const ElementInfo& info, PatternBuilder& pattern) const {
-    pattern.couple(info.first.index, info.second.index);
+  void add_couplings(const ElementInfo& info, Couplings& couplings) const {
+    couplings.couple(info.first.index, info.second.index);
   }
   /// Keeps the positions of both ends in global arrays.
-  void find_entries(const ElementInfo& info, const SparsityPattern& pattern) {
-    first_ = info.first == ground ? pattern.size : info.first.index;
-    second_ = info.second == ground ? pattern.size : info.second.index;
+  void find_entries(const ElementInfo& info, const SparseMatrix& matrix) {
+    const int of_ground = static_cast<int>(matrix.cols());
+    first_ = info.first == ground ? of_ground : info.first.index;
+    second_ = info.second == ground ? of_ground : info.second.index;
   }
   /// Of a global array: value at `second` minus value at `first`.
   [[nodiscard]] double difference(const double* values) const { return values[second_] - values[first_]; }
@@ -46,20 +42,20 @@ class NodePair {
   class Slots {
    public:
     /// Keeps the positions in the values of the matrix.
-    void find(const NodePair& ends, const SparsityPattern& pattern) {
-      const auto index = [&](int entry) { return entry == pattern.size ? ground_index : entry; };
+    void find(const NodePair& ends, const SparseMatrix& matrix) {
+      const auto index = [&](int entry) { return entry == matrix.cols() ? ground_index : entry; };
       const int first = index(ends.first_), second = index(ends.second_);
-      first_first_ = pattern.slot(first, first);
-      first_second_ = pattern.slot(first, second);
-      second_first_ = pattern.slot(second, first);
-      second_second_ = pattern.slot(second, second);
+      first_first_ = entry_position(matrix, first, first);
+      first_second_ = entry_position(matrix, first, second);
+      second_first_ = entry_position(matrix, second, first);
+      second_second_ = entry_position(matrix, second, second);
     }
     /// Adds a stiffness between both ends, N/m.
     void add_stiffness(const NodePair&, double stiffness, double* values) const {
-      values[second_second_] += stiffness;
-      values[first_first_] += stiffness;
-      values[first_second_] -= stiffness;
-      values[second_first_] -= stiffness;
+      add_to_entry(values, second_second_, stiffness);
+      add_to_entry(values, first_first_, stiffness);
+      add_to_entry(values, first_second_, -stiffness);
+      add_to_entry(values, second_first_, -stiffness);
     }
 
    private:
@@ -95,12 +91,6 @@ class PointPair {
       if (std::abs(weight) < 1e-12) weight = 0.0;
   }
 
-  /// The nodes get the numbers they have in a part of the model.
-  void renumber(const NumbersInPart& numbers) {
-    // A node without weight need not be in the part.
-    for (std::size_t i = 0; i < count; ++i) node_[i] = weight_[i] == 0.0 ? ground_index : numbers.of(node_[i]);
-  }
-
   /// The sum of weight^2/mass over the nodes, 1/kg: the change of the difference under a unit impulse. `inverse_mass`
   /// is called with indices of nodes, never with the ground's.
   template <class InverseMass>
@@ -112,14 +102,15 @@ class PointPair {
   }
 
   /// Adds the pairs of degrees of freedom that stiffness couples.
-  void add_couplings(const ElementInfo&, PatternBuilder& pattern) const {
+  void add_couplings(const ElementInfo&, Couplings& couplings) const {
     for (std::size_t i = 0; i < count; ++i)
       for (std::size_t j = 0; j < i; ++j)
-        if (weight_[i] != 0.0 && weight_[j] != 0.0) pattern.couple(node_[i], node_[j]);
+        if (weight_[i] != 0.0 && weight_[j] != 0.0) couplings.couple(node_[i], node_[j]);
   }
   /// Keeps the positions of the nodes in global arrays.
-  void find_entries(const ElementInfo&, const SparsityPattern& pattern) {
-    for (std::size_t i = 0; i < count; ++i) entry_[i] = node_[i] == ground_index ? pattern.size : node_[i];
+  void find_entries(const ElementInfo&, const SparseMatrix& matrix) {
+    for (std::size_t i = 0; i < count; ++i)
+      entry_[i] = node_[i] == ground_index ? static_cast<int>(matrix.cols()) : node_[i];
   }
   /// Of a global array: value at the second point minus value at the first.
   [[nodiscard]] double difference(const double* values) const {
@@ -136,16 +127,18 @@ class PointPair {
   class Slots {
    public:
     /// Keeps the positions in the values of the matrix.
-    void find(const PointPair& ends, const SparsityPattern& pattern) {
+    void find(const PointPair& ends, const SparseMatrix& matrix) {
       for (std::size_t i = 0; i < count; ++i)
         for (std::size_t j = 0; j < count; ++j)
-          slot_[i][j] = ends.weight_[i] != 0.0 && ends.weight_[j] != 0.0 ? pattern.slot(ends.node_[i], ends.node_[j])
-                                                                         : pattern.nonzeros();
+          slot_[i][j] = ends.weight_[i] != 0.0 && ends.weight_[j] != 0.0
+                            ? entry_position(matrix, ends.node_[i], ends.node_[j])
+                            : -1;
     }
     /// Adds a stiffness between both points, N/m.
     void add_stiffness(const PointPair& ends, double stiffness, double* values) const {
       for (std::size_t i = 0; i < count; ++i)
-        for (std::size_t j = 0; j < count; ++j) values[slot_[i][j]] += ends.weight_[i] * ends.weight_[j] * stiffness;
+        for (std::size_t j = 0; j < count; ++j)
+          add_to_entry(values, slot_[i][j], ends.weight_[i] * ends.weight_[j] * stiffness);
     }
 
    private:

@@ -50,13 +50,12 @@ double effective_mass(const Model& model, const Check& check, const MemberPoint&
 
 ElementInfo register_gap(Model& model, const GapPlace& gap, std::optional<LawAsGiven> law) {
   model.register_element("Gap", gap.name);
-  static const Label indentation{"indentation"}, impact_force{"impact_force"};
   return {.name = gap.name,
           .place = gap.place,
           .first = gap.right.node,
           .second = gap.left.node,
-          .deformation_quantity = indentation,
-          .force_quantity = impact_force,
+          .deformation_quantity = "indentation",
+          .force_quantity = "impact_force",
           .offset = gap.clearance.si(),
           .details = std::make_shared<const ElementDetails>(
               ElementDetails{.law_as_given = std::move(law), .member_ends = member_ends(model, gap.left, gap.right)})};

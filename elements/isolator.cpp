@@ -3,12 +3,11 @@
 namespace moat {
 
 ElementInfo isolator_info(const std::string& name, NodeId lower, NodeId upper) {
-  static const Label deformation{"isolator_deformation"}, force{"isolator_force"};
   return {.name = name,
           .first = lower,
           .second = upper,
-          .deformation_quantity = deformation,
-          .force_quantity = force,
+          .deformation_quantity = "isolator_deformation",
+          .force_quantity = "isolator_force",
           .isolates = true,
           .drawn_as = DrawnAs::bearing};
 }

@@ -2,33 +2,11 @@
 
 #include <utility>
 
-#include "model/numbers_in_part.hpp"
-
 namespace moat {
-namespace {
-
-LinkMotion chosen_motion(const LinkMotion& motion, std::span<const std::size_t> links) {
-  return {chosen(motion.deformations, links), chosen(motion.rates, links), chosen(motion.second_rates, links)};
-}
-
-}  // namespace
-
 LinkArrays::LinkArrays() = default;
 LinkArrays::LinkArrays(const LinkArrays& other) = default;
 LinkArrays& LinkArrays::operator=(const LinkArrays& other) = default;
 LinkArrays::~LinkArrays() = default;
-
-void LinkArrays::take(const LinkArrays& whole, std::span<const std::size_t> links, const NumbersInPart& numbers) {
-  take_chosen(*this, whole, links, &LinkArrays::infos_, &LinkArrays::offsets_, &LinkArrays::forces_,
-              &LinkArrays::force_rates_, &LinkArrays::stiffnesses_, &LinkArrays::dampings_,
-              &LinkArrays::start_stiffnesses_);
-  for (ElementInfo& info : infos_) info = numbers.of(std::move(info));
-  now_ = chosen_motion(whole.now_, links);
-  start_ = chosen_motion(whole.start_, links);
-  before_ = chosen_motion(whole.before_, links);
-  last_step_ = whole.last_step_;
-  step_ = whole.step_;
-}
 
 void LinkArrays::append(ElementInfo&& info) {
   // Those of most blocks are zero.

@@ -28,8 +28,6 @@ class LinkArrays {
     bool before;    ///< and that at the one before
   };
 
-  /// Becomes a copy of these links of the whole model.
-  void take(const LinkArrays& whole, std::span<const std::size_t> links, const NumbersInPart& numbers);
   /// Appends a link; its results follow with resize().
   void append(ElementInfo&& info);
   /// Room for the results of all links; new entries are zero.

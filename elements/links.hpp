@@ -58,26 +58,21 @@ class Links : public ElementBlock, public ElementLaws, protected LinkArrays {
   [[nodiscard]] const State& committed(std::size_t element) const { return committed_[element]; }
 
   std::unique_ptr<ElementBlock> clone() const override { return std::make_unique<Links>(*this); }
-  std::unique_ptr<ElementBlock> part(std::span<const std::size_t> kept, const NumbersInPart& numbers) const override {
-    auto copy = std::make_unique<Links>();
-    copy->take(*this, kept, numbers);
-    return copy;
-  }
   std::size_t size() const override { return ends_.size(); }
   const ElementInfo& info(std::size_t element) const override { return infos_[element]; }
   const ElementLaws* laws() const override { return this; }
   std::string law_name(std::size_t element) const override { return std::string{name_of(laws_[element])}; }
   std::vector<Parameter> parameters(std::size_t element) const override { return parameters_of(laws_[element]); }
 
-  void add_couplings(PatternBuilder& pattern) const override {
-    for (std::size_t i = 0; i < size(); ++i) ends_[i].add_couplings(infos_[i], pattern);
+  void add_couplings(Couplings& couplings) const override {
+    for (std::size_t i = 0; i < size(); ++i) ends_[i].add_couplings(infos_[i], couplings);
   }
 
-  void find_slots(const SparsityPattern& pattern) override {
+  void find_slots(const SparseMatrix& matrix) override {
     resize_results();
     for (std::size_t i = 0; i < size(); ++i) {
-      ends_[i].find_entries(infos_[i], pattern);
-      if constexpr (!is_linear) slots_[i].find(ends_[i], pattern);
+      ends_[i].find_entries(infos_[i], matrix);
+      if constexpr (!is_linear) slots_[i].find(ends_[i], matrix);
     }
   }
 
@@ -223,14 +218,6 @@ class Links : public ElementBlock, public ElementLaws, protected LinkArrays {
   }
 
  protected:
-  /// Becomes a copy of these links of the whole model.
-  void take(const Links& whole, std::span<const std::size_t> links, const NumbersInPart& numbers) {
-    LinkArrays::take(whole, links, numbers);
-    take_chosen(*this, whole, links, &Links::laws_, &Links::ends_, &Links::committed_, &Links::trial_);
-    for (Ends& ends : ends_) ends.renumber(numbers);
-    tangent_changed_ = true;
-  }
-
   static constexpr bool is_linear = LawWithConstantTangents<Law>;  ///< Both tangents are constants.
   static constexpr bool has_unlocated_corners =
       !is_linear && !LawWithRegimes<Law>;  ///< Its force has corners inside steps, which nobody locates.
@@ -276,10 +263,10 @@ class Links : public ElementBlock, public ElementLaws, protected LinkArrays {
     if constexpr (is_linear) {
       if (stiffness == 0.0) return;
       typename Ends::Slots slots;
-      slots.find(ends_[i], *matrix.pattern());
-      slots.add_stiffness(ends_[i], stiffness, matrix.values.data());
+      slots.find(ends_[i], matrix);
+      slots.add_stiffness(ends_[i], stiffness, matrix.valuePtr());
     } else {
-      slots_[i].add_stiffness(ends_[i], stiffness, matrix.values.data());
+      slots_[i].add_stiffness(ends_[i], stiffness, matrix.valuePtr());
     }
   }
 

@@ -29,11 +29,6 @@ class LinksWithRegimes : public Links<Law, Ends>, public Regimes {
   using State = typename Law::State;
 
   std::unique_ptr<ElementBlock> clone() const override { return std::make_unique<LinksWithRegimes>(*this); }
-  std::unique_ptr<ElementBlock> part(std::span<const std::size_t> kept, const NumbersInPart& numbers) const override {
-    auto copy = std::make_unique<LinksWithRegimes>();
-    copy->take(*this, kept, numbers);
-    return copy;
-  }
   Regimes* regimes() override { return this; }
   const Regimes* regimes() const override { return this; }
 

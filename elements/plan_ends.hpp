@@ -5,10 +5,8 @@
 #include <cstddef>
 
 #include "base/plan_vector.hpp"
-#include "base/sparse_matrix.hpp"
 #include "elements/plan_point.hpp"
 #include "model/element_block.hpp"
-#include "model/numbers_in_part.hpp"
 
 namespace moat {
 
@@ -38,11 +36,6 @@ class PlanEnds {
     return result;
   }
 
-  /// The nodes get the numbers they have in a part of the model.
-  void renumber(const NumbersInPart& numbers) {
-    for (std::size_t i = 0; i < count_; ++i) node_[i] = numbers.of(node_[i]);
-  }
-
   /// Number of degrees of freedom, <= most.
   [[nodiscard]] std::size_t size() const { return count_; }
   /// Index of the degree of freedom i, 0 <= i < size().
@@ -60,12 +53,12 @@ class PlanEnds {
   }
 
   /// Adds the pairs of degrees of freedom that stiffness couples.
-  void add_couplings(const ElementInfo&, PatternBuilder& pattern) const {
+  void add_couplings(const ElementInfo&, Couplings& couplings) const {
     for (std::size_t i = 0; i < count_; ++i)
-      for (std::size_t j = 0; j <= i; ++j) pattern.couple(node_[i], node_[j]);
+      for (std::size_t j = 0; j <= i; ++j) couplings.couple(node_[i], node_[j]);
   }
   /// Nothing to keep: indices are known from the start.
-  void find_entries(const ElementInfo&, const SparsityPattern&) {}
+  void find_entries(const ElementInfo&, const SparseMatrix&) {}
   /// Of a global array: the sum of weight * value.
   [[nodiscard]] double difference(const double* values) const {
     double sum = 0.0;
@@ -81,9 +74,10 @@ class PlanEnds {
   class Slots {
    public:
     /// Keeps the positions in the values of the matrix.
-    void find(const PlanEnds& ends, const SparsityPattern& pattern) {
+    void find(const PlanEnds& ends, const SparseMatrix& matrix) {
       for (std::size_t i = 0; i < ends.count_; ++i)
-        for (std::size_t j = 0; j < ends.count_; ++j) slot_[i][j] = pattern.slot(ends.node_[i], ends.node_[j]);
+        for (std::size_t j = 0; j < ends.count_; ++j)
+          slot_[i][j] = entry_position(matrix, ends.node_[i], ends.node_[j]);
     }
     /// Adds a stiffness along the direction, N/m.
     void add_stiffness(const PlanEnds& ends, double stiffness, double* values) const {
@@ -121,26 +115,21 @@ class PlanEndsBothWays {
       : along_{model, first, second, direction, PlanEnds::Keep::all},
         across_{model, first, second, turned_left(direction), PlanEnds::Keep::all} {}
 
-  /// The nodes get the numbers they have in a part of the model.
-  void renumber(const NumbersInPart& numbers) {
-    along_.renumber(numbers);
-    across_.renumber(numbers);
-  }
-
   /// The difference along the direction.
   [[nodiscard]] const PlanEnds& along() const { return along_; }
   /// The difference across it.
   [[nodiscard]] const PlanEnds& across() const { return across_; }
 
   /// Adds the pairs of degrees of freedom that stiffness couples.
-  void add_couplings(PatternBuilder& pattern) const {
+  void add_couplings(Couplings& couplings) const {
     for (std::size_t i = 0; i < along_.size(); ++i)
-      for (std::size_t j = 0; j <= i; ++j) pattern.couple(along_.node(i), along_.node(j));
+      for (std::size_t j = 0; j <= i; ++j) couplings.couple(along_.node(i), along_.node(j));
   }
   /// Keeps the positions in the values of the matrix.
-  void find(const ElementInfo&, const SparsityPattern& pattern) {
+  void find(const ElementInfo&, const SparseMatrix& matrix) {
     for (std::size_t i = 0; i < along_.size(); ++i)
-      for (std::size_t j = 0; j < along_.size(); ++j) slot_[i][j] = pattern.slot(along_.node(i), along_.node(j));
+      for (std::size_t j = 0; j < along_.size(); ++j)
+        slot_[i][j] = entry_position(matrix, along_.node(i), along_.node(j));
   }
   /// The sum of the products of both weights over mass, 1/kg: the change of either difference under a unit impulse
   /// along the other.

@@ -51,11 +51,6 @@ class PlanarBlock final : public ElementBlock, public ElementLaws, public Planar
   }
 
   std::unique_ptr<ElementBlock> clone() const override { return std::make_unique<PlanarBlock>(*this); }
-  std::unique_ptr<ElementBlock> part(std::span<const std::size_t> kept, const NumbersInPart& numbers) const override {
-    auto copy = std::make_unique<PlanarBlock>();
-    copy->take(*this, kept, numbers);
-    return copy;
-  }
   std::size_t size() const override { return infos_.size(); }
   const ElementInfo& info(std::size_t element) const override { return infos_[element]; }
   const ElementLaws* laws() const override { return this; }
@@ -63,11 +58,11 @@ class PlanarBlock final : public ElementBlock, public ElementLaws, public Planar
   std::vector<Parameter> parameters(std::size_t element) const override { return parameters_of(laws_[element]); }
   const PlanarElements* planar() const override { return this; }
 
-  void add_couplings(PatternBuilder& pattern) const override {
-    for (const PlanEndsBothWays& ends : ends_) ends.add_couplings(pattern);
+  void add_couplings(Couplings& couplings) const override {
+    for (const PlanEndsBothWays& ends : ends_) ends.add_couplings(couplings);
   }
-  void find_slots(const SparsityPattern& pattern) override {
-    for (std::size_t i = 0; i < size(); ++i) ends_[i].find(infos_[i], pattern);
+  void find_slots(const SparseMatrix& matrix) override {
+    for (std::size_t i = 0; i < size(); ++i) ends_[i].find(infos_[i], matrix);
   }
 
   void begin_step(double step) override { step_ = step; }
@@ -99,13 +94,13 @@ class PlanarBlock final : public ElementBlock, public ElementLaws, public Planar
   void add_tangent(double displacement_weight, double velocity_weight, SparseMatrix& matrix) const override {
     for (std::size_t i = 0; i < size(); ++i)
       ends_[i].add_stiffness(displacement_weight * responses_[i].stiffness + velocity_weight * responses_[i].damping,
-                             matrix.values.data());
+                             matrix.valuePtr());
   }
   void add_linear_stiffness(StiffnessStage stage, SparseMatrix& matrix) const override {
     for (std::size_t i = 0; i < size(); ++i)
       ends_[i].add_stiffness(
           PlanMatrix::diagonal(stage == StiffnessStage::joined ? 1.0 : laws_[i].linear_stiffness(stage)),
-          matrix.values.data());
+          matrix.valuePtr());
   }
 
   bool take_tangent_change() override { return std::exchange(tangent_changed_, false); }
@@ -231,19 +226,6 @@ class PlanarBlock final : public ElementBlock, public ElementLaws, public Planar
           5.0 * dot(laws_[i].evaluate(committed_[i], path.value(x), path.rate(x), x * step, after).force, path.rate(x));
     }
     return step / 12.0 * work;
-  }
-
-  void take(const PlanarBlock& whole, std::span<const std::size_t> elements, const NumbersInPart& numbers) {
-    using Block = PlanarBlock;
-    take_chosen(*this, whole, elements, &Block::infos_, &Block::laws_, &Block::ends_, &Block::positions_,
-                &Block::committed_, &Block::trial_, &Block::responses_, &Block::start_responses_, &Block::now_,
-                &Block::start_, &Block::before_, &Block::force_rate_, &Block::deformations_, &Block::rates_,
-                &Block::forces_, &Block::force_rates_);
-    for (ElementInfo& info : infos_) info = numbers.of(std::move(info));
-    for (PlanEndsBothWays& ends : ends_) ends.renumber(numbers);
-    tangent_changed_ = true;
-    step_ = whole.step_;
-    last_step_ = whole.last_step_;
   }
 
   std::vector<ElementInfo> infos_;

@@ -13,12 +13,11 @@ void add(Model& model, ShearSpring spring) {
   const Linear law{.stiffness = spring.stiffness};
   law.check(check);
   model.register_element("ShearSpring", spring.name);
-  static const Label drift{"drift"}, storey_shear{"storey_shear"};
   model.block<LinkBlock<Linear>>().add({.name = std::move(spring.name),
                                         .first = spring.lower,
                                         .second = spring.upper,
-                                        .deformation_quantity = drift,
-                                        .force_quantity = storey_shear,
+                                        .deformation_quantity = "drift",
+                                        .force_quantity = "storey_shear",
                                         .drawn_as = DrawnAs::storey},
                                        law);
 }

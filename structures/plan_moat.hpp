@@ -69,8 +69,8 @@ struct MeetingPair {
   PlanPosition edge_end;    ///< At rest, too.
   double share = 1.0;       ///< Of the law's force.
   Mass effective_mass{};    ///< For the law; 0 kg stands for that of the corner.
-  Label corner_name;        ///< For tables.
-  Label edge_name;          ///< For tables.
+  std::string corner_name;  ///< For tables.
+  std::string edge_name;    ///< For tables.
 };
 
 /// The pairs of a moat; adds its walls where they are flexible. Throws InputError for a clearance that is < 0 m or

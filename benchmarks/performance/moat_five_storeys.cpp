@@ -30,7 +30,6 @@ class FivePeakObserver final : public StepObserver {
       if (block->size() > 0 && block->contacts() != nullptr) gaps_ = block.get();
   }
 
-  bool needs_results_of(std::size_t) const override { return false; }
   void start(const StepView& view) override { step(view); }
   void step(const StepView& view) override {
     sample(view);

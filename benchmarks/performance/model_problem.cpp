@@ -17,8 +17,8 @@ class ModelProblem final : public SundialsProblem {
       : SundialsProblem{ground_motion},
         model_{model},
         inverse_masses_{model.masses().head(unknowns).cwiseInverse()},
-        stiffness_{model.pattern()},
-        damping_{model.pattern()} {
+        stiffness_{model.zero_matrix()},
+        damping_{model.zero_matrix()} {
     for (const auto& block : model_.blocks())
       if (block->contacts() != nullptr) gaps_ = block.get();
   }
@@ -39,10 +39,10 @@ class ModelProblem final : public SundialsProblem {
     for (int i = 0; i < unknowns; ++i) SM_ELEMENT_D(matrix, i, unknowns + i) = 1.0;
     const auto scatter = [&](const SparseMatrix& tangent, int shift) {
       for (std::size_t column = 0; column < unknowns; ++column)
-        for (int k = tangent.column_starts()[column]; k < tangent.column_starts()[column + 1]; ++k) {
-          const int row = tangent.row_indices()[static_cast<std::size_t>(k)];
+        for (SparseMatrix::InnerIterator entry{tangent, static_cast<int>(column)}; entry; ++entry) {
+          const auto row = entry.row();
           SM_ELEMENT_D(matrix, unknowns + row, shift + static_cast<int>(column)) =
-              -inverse_masses_[row] * tangent.values[static_cast<std::size_t>(k)];
+              -inverse_masses_[row] * entry.value();
         }
     };
     scatter(stiffness_, 0);

@@ -79,7 +79,7 @@ void measure_parts(Model& model, int buildings, StreetReport& report) {
   const double ground = street_motion().acceleration_at(time);
   const int size = model.degrees_of_freedom();
   StepEquations equations{model};
-  SparseMatrix tangent = model.pattern();
+  SparseMatrix tangent = model.zero_matrix();
   Vector acceleration = model.state().acceleration.head(size), next_acceleration(size);
   Vector residual(size), direction(size);
   // Two lengths in turn, so that the tangent changes every time.

@@ -40,7 +40,6 @@ class ProgressObserver final : public StepObserver {
   /// end: s, > 0, the time at which the analysis ends.
   explicit ProgressObserver(double end, const std::string& title = "") : end_{end}, bar_{title, "s"} {}
 
-  bool needs_results_of(std::size_t) const override { return false; }
   void start(const StepView&) override {}
   void step(const StepView& view) override { bar_(view.model.state().time, end_); }
   void event(const StepView&, std::span<const RegimeChange>) override {}

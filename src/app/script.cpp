@@ -239,12 +239,11 @@ std::optional<int> Script::read_options(const GroundMotion& motion, RunOptions& 
 }
 
 Script::Outcome Script::compute(CaseRun& run, const RunOptions& options) {
-  std::optional<ProgressObserver> progress, progress_of_bodies, progress_of_check;
+  std::optional<ProgressObserver> progress, progress_of_check;
   if (!options.quiet) {
     for (const std::string& note : record_folder_notes()) print_text(std::cout, note + "\n");
     print_text(std::cout, parts_->line.title() + "\n" + run.transient().motion().description() + "\n");
     run.attach(progress.emplace(run.transient().end_time()));
-    run.attach_to_bodies(progress_of_bodies.emplace(run.transient().end_time(), "bodies"));
     // Without --check the second run is over at once.
     if (options.check) run.attach_to_companion(progress_of_check.emplace(run.transient().end_time(), "check"));
   }

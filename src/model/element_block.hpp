@@ -12,11 +12,10 @@
 #include <vector>
 
 #include "base/copyable_pointer.hpp"
-#include "base/label.hpp"
 #include "base/plan_vector.hpp"
-#include "base/sparse_matrix.hpp"
 #include "base/stiffness_stage.hpp"
 #include "model/contacts.hpp"
+#include "model/couplings.hpp"
 #include "model/element_laws.hpp"
 #include "model/energy_accounts.hpp"
 #include "model/member_point.hpp"
@@ -27,8 +26,6 @@
 #include "model/regimes.hpp"
 
 namespace moat {
-
-class NumbersInPart;
 
 /// How an element is drawn.
 enum class DrawnAs : std::uint8_t { nothing, storey, bearing, gap, other };
@@ -56,11 +53,11 @@ struct ElementInfo {
   /// Unique in its model: "storey 1", "moat left".
   std::string name;
   /// Where its peaks are listed; elements with the same place share them ("moat"). Its name if empty.
-  Label place{};
+  std::string place{};
   /// Deformation = displacement of `second` - displacement of `first` - offset, for elements between two nodes.
   NodeId first, second;
   /// Names under which deformation and force are reported; not reported where empty.
-  Label deformation_quantity{}, force_quantity{};
+  std::string deformation_quantity{}, force_quantity{};
   /// Whether it carries a building on the ground and lets it move: characteristic periods hold the floor above it.
   bool isolates = false;
   DrawnAs drawn_as = DrawnAs::other;  ///< in pictures and in ParaView
@@ -69,7 +66,7 @@ struct ElementInfo {
   std::shared_ptr<const ElementDetails> details{};
 
   /// Name under which its peaks are listed.
-  [[nodiscard]] const std::string& listed_under() const { return place.empty() ? name : place.text(); }
+  [[nodiscard]] const std::string& listed_under() const { return place.empty() ? name : place; }
   /// Null where it has none of these details.
   [[nodiscard]] const LawAsGiven* law_as_given() const { return detail(&ElementDetails::law_as_given); }
   [[nodiscard]] const MemberEnds* member_ends() const { return detail(&ElementDetails::member_ends); }  ///< As the law.
@@ -108,19 +105,16 @@ class ElementBlock {
 
   /// A copy of all elements with their states.
   [[nodiscard]] virtual std::unique_ptr<ElementBlock> clone() const = 0;
-  /// A copy of these elements with their states, in this order, whose nodes have other numbers. Energy accounts are not
-  /// copied.
-  [[nodiscard]] virtual std::unique_ptr<ElementBlock> part(std::span<const std::size_t> kept,
-                                                           const NumbersInPart& numbers) const = 0;
   /// Number of elements.
   [[nodiscard]] virtual std::size_t size() const = 0;
   /// As it was added.
   [[nodiscard]] virtual const ElementInfo& info(std::size_t element) const = 0;
 
   /// Adds the pairs of degrees of freedom that its elements couple.
-  virtual void add_couplings(PatternBuilder& pattern) const = 0;
-  /// Keeps the positions in the matrix to which its elements add.
-  virtual void find_slots(const SparsityPattern& pattern) = 0;
+  virtual void add_couplings(Couplings& couplings) const = 0;
+  /// Keeps the positions among the values of this matrix, and of others with the same entries, to which its elements
+  /// add.
+  virtual void find_slots(const SparseMatrix& matrix) = 0;
 
   /// Called before evaluate() with the time from the committed state to the trial state, s; 0 is the committed instant
   /// again. For laws that evolve in time.
@@ -135,11 +129,10 @@ class ElementBlock {
   virtual void add_tangent(double displacement_weight, double velocity_weight, SparseMatrix& matrix) const = 0;
   /// Adds the constant stiffness of a linear analysis.
   virtual void add_linear_stiffness(StiffnessStage stage, SparseMatrix& matrix) const = 0;
-  /// Whether df/du and df/dv never change, and are symmetric. The model then keeps the block as matrices too
-  /// (model/linear_part.hpp).
+  /// Whether df/du and df/dv never change, and are symmetric. The model then assembles them once.
   [[nodiscard]] virtual bool constant_tangent() const { return false; }
   /// Whether df/du or df/dv of any element has changed since the last call.
-  virtual bool take_tangent_change() { return true; }
+  virtual bool take_tangent_change() { return !constant_tangent(); }
   /// Notes the corners that forces of elements without located regimes have between the last commit and the last
   /// evaluate(). Such laws see the ends of a step alone. The forces that they lose where their path turns inside it are
   /// added to `lost`, N.

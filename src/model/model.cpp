@@ -48,7 +48,7 @@ NodeId Model::add_node(Node node) {
 }
 
 NodeId Model::append_node(Node node) {
-  node_names_.add(node.name);
+  node_names_.insert(node.name);
   nodes_.push_back(std::move(node));
   prepared_ = false;
   ids_.push_back(NodeId{node_count() - 1});
@@ -81,26 +81,11 @@ void Model::refuse_entry(NodeId node) const {
                    "\" has no state yet. Make a Transient of the model, or call prepare(), before reading motions."};
 }
 
-bool Model::has_node(const std::string& name) const {
-  return node_names_.may_contain(name) &&
-         (std::ranges::find(nodes_, name, &Node::name) != nodes_.end() ||
-          std::ranges::find(diaphragms_, name, &PlacedDiaphragm::name) != diaphragms_.end());
-}
-
-bool Model::has_element(const std::string& name) const {
-  if (!element_names_.may_contain(name)) return false;
-  for (const auto& block : blocks_)
-    for (std::size_t e = 0; e < block->size(); ++e)
-      if (block->info(e).name == name) return true;
-  return false;
-}
-
 void Model::register_element(std::string_view kind, const std::string& name) {
   const Check check{kind, name};
   check.that(!name.empty(), "an element has no name.", "Give .name: results are listed under it.");
   check_name(check, name);
-  if (!element_names_.add(name))
-    check.that(!has_element(name), "an element of this name exists.", "Give every element its own name.");
+  check.that(element_names_.insert(name).second, "an element of this name exists.", "Give every element its own name.");
 }
 
 void Model::add_building(Building building) {
@@ -108,9 +93,8 @@ void Model::add_building(Building building) {
   const std::vector<NodeId> nodes = building.nodes();
   check.that(!nodes.empty(), "no floors are given.", "Give .base and .floors, from the lowest up.");
   check_name(check, building.name);
-  check.that(!building_names_.may_contain(building.name) ||
-                 std::ranges::find(buildings_, building.name, &Building::name) == buildings_.end(),
-             "a building of this name exists.", "Give every building its own .name.");
+  check.that(!building_names_.contains(building.name), "a building of this name exists.",
+             "Give every building its own .name.");
   in_building_.resize(nodes_.size(), false);
   for (std::size_t i = 0; i < nodes.size(); ++i) {
     require_node(nodes[i], check, i == 0 && building.base != ground ? "base" : "a floor");
@@ -121,7 +105,7 @@ void Model::add_building(Building building) {
                  "Its inertia would count twice.");
     in_building_[index] = true;
   }
-  building_names_.add(building.name);
+  building_names_.insert(building.name);
   buildings_.push_back(std::move(building));
 }
 
@@ -129,24 +113,22 @@ void Model::prepare() {
   if (prepared_) return;
   if (nodes_.empty()) throw InputError{"Model: there is no node. Add nodes with add(model, Node{...}) first."};
   const int count = node_count();
-  PatternBuilder builder{count};
+  Couplings couplings{count};
   changing_blocks_.clear();
   constant_blocks_.clear();
-  for (std::size_t i = 0; i < blocks_.size(); ++i)
-    (blocks_[i]->constant_tangent() ? constant_blocks_ : changing_blocks_).push_back(i);
-  for (const auto& block : blocks_) block->add_couplings(builder);
-  pattern_ = builder.build();
   blocks_with_regimes_.clear();
   blocks_with_contacts_.clear();
   for (std::size_t i = 0; i < blocks_.size(); ++i) {
-    blocks_[i]->find_slots(*pattern_);
+    (blocks_[i]->constant_tangent() ? constant_blocks_ : changing_blocks_).push_back(i);
     if (blocks_[i]->regimes() != nullptr) blocks_with_regimes_.push_back(i);
     if (blocks_[i]->contacts() != nullptr) blocks_with_contacts_.push_back(i);
+    blocks_[i]->add_couplings(couplings);
   }
+  constant_stiffness_ = constant_damping_ = couplings.zero_matrix();
+  for (const auto& block : blocks_) block->find_slots(constant_stiffness_);
   ++tangent_version_;
-  linear_part_ = LinearPart{pattern_, blocks_};
-  diagonal_slots_.resize(static_cast<std::size_t>(count));
-  for (int i = 0; i < count; ++i) diagonal_slots_[static_cast<std::size_t>(i)] = pattern_->slot(i, i);
+  diagonal_slots_.clear();
+  for (int i = 0; i < count; ++i) diagonal_slots_.push_back(entry_position(constant_stiffness_, i, i));
 
   masses_.resize(count);
   ground_share_x_.setOnes(count);
@@ -172,10 +154,15 @@ void Model::prepare() {
   // Evaluate and commit once, so that forces and states of all elements belong to the current state.
   prepared_ = true;
   evaluate();
-  blocks_with_results_.clear();
-  keep_all_results();
-  for (const auto& block : blocks_) block->commit(0.0, WorkRule::mean_force);
+  for (const auto& block : blocks_) {
+    block->evaluate_rates(trial_.acceleration.data(), nullptr);
+    block->commit(0.0, WorkRule::mean_force);
+  }
   committed_forces_ = internal_forces_;
+  for (const std::size_t i : constant_blocks_) {
+    blocks_[i]->add_tangent(1.0, 0.0, constant_stiffness_);
+    blocks_[i]->add_tangent(0.0, 1.0, constant_damping_);
+  }
 }
 
 void Model::commit(WorkRule rule) {
@@ -186,14 +173,11 @@ void Model::commit(WorkRule rule) {
   state_.acceleration.swap(trial_.acceleration);
   state_.jerk.swap(trial_.jerk);
   committed_forces_.swap(internal_forces_);
-  evaluate_results(state_);
-  for (const std::size_t i : changing_blocks_) blocks_[i]->commit(step, rule);
-  for (const std::size_t i : blocks_with_results_) blocks_[i]->commit(step, rule);
+  for (const auto& block : blocks_) block->commit(step, rule);
 }
 
 void Model::start_energy_accounts() {
   keeps_energy_accounts_ = true;
-  keep_all_results();
   for (const auto& block : blocks_) block->start_energy_accounts();
 }
 

@@ -7,19 +7,18 @@
 #include <string>
 #include <string_view>
 #include <typeindex>
+#include <unordered_set>
 #include <utility>
 #include <vector>
 
 #include "base/check.hpp"
 #include "base/copyable_pointer.hpp"
-#include "base/sparse_matrix.hpp"
 #include "base/vector.hpp"
 #include "model/building.hpp"
+#include "model/couplings.hpp"
 #include "model/diaphragm.hpp"
 #include "model/element_block.hpp"
-#include "model/linear_part.hpp"
 #include "model/node.hpp"
-#include "model/taken_names.hpp"
 
 namespace moat {
 
@@ -82,10 +81,13 @@ class Model {
   [[nodiscard]] std::string_view node_name(NodeId id) const;
   /// The name of the diaphragm to which a node belongs; its own name for other nodes.
   [[nodiscard]] std::string_view body_name(NodeId id) const;
-  [[nodiscard]] bool has_element(const std::string& name) const;  ///< Whether the name is taken.
+  [[nodiscard]] bool has_element(const std::string& name) const {
+    return element_names_.contains(name);
+  }  ///< Whether the name is taken.
   /// Throws InputError unless id is the ground or a node of this model; the object of `check` and the field are named.
   void require_node(NodeId id, const Check& check, std::string_view field) const;
-  [[nodiscard]] bool has_node(const std::string& name) const;  ///< Whether a node or a diaphragm has the name.
+  /// Whether a node or a diaphragm has the name.
+  [[nodiscard]] bool has_node(const std::string& name) const { return node_names_.contains(name); }
   /// Throws InputError if the name is empty or taken by another element.
   void register_element(std::string_view kind, const std::string& name);
 
@@ -106,19 +108,13 @@ class Model {
   /// Whether nothing was added since prepare().
   [[nodiscard]] bool prepared() const { return prepared_; }
 
-  /// The bodies that nothing connects, each as a model of its own, in the order of their first nodes; empty if all are
-  /// one. They have the state of this model, and no energy accounts. Nodes belong together where an element leads from
-  /// one to the other, a gap too, without passing the ground, or where they are in one building. The model must be
-  /// prepared.
-  [[nodiscard]] std::vector<Model> unconnected_bodies() const;
-
   [[nodiscard]] int degrees_of_freedom() const { return node_count(); }  ///< One per node, three per diaphragm.
   /// The diagonal of the mass matrix, kg.
   [[nodiscard]] const Vector& masses() const { return masses_; }
   /// The model must be prepared.
   [[nodiscard]] GroundShares ground_shares() const { return {ground_share_x_.data(), ground_share_y_.data()}; }
-  /// Of the matrices of this model; converts to a zero matrix.
-  [[nodiscard]] const std::shared_ptr<const SparsityPattern>& pattern() const { return pattern_; }
+  /// A zero matrix with the entries of this model, which must be prepared.
+  [[nodiscard]] SparseMatrix zero_matrix() const { return 0.0 * constant_stiffness_; }
 
   /// Committed motion of a node relative to the ground: m, m/s, m/s^2, m/s^3. Zero for the ground. The model must be
   /// prepared: an analysis of it exists, or prepare() was called. Throws InputError where it is not, and for a node
@@ -143,15 +139,14 @@ class Model {
   [[nodiscard]] MotionState& trial() { return trial_; }
   [[nodiscard]] const MotionState& trial() const { return trial_; }  ///< To read.
 
-  /// Computes internal_forces() at the trial state, and all elements but those with constant tangents, whose results
-  /// follow in commit().
+  /// Computes all elements and internal_forces() at the trial state.
   void evaluate();
-  /// The same elements, and the rates of their forces, for a trial state whose accelerations and jerks are known:
-  /// internal_forces(), and behind a commit() committed_forces(), are then of another state until the next evaluate().
-  void evaluate_elements();
   /// After evaluate(): the rates of all forces at the trial state, from both tangents and the trial accelerations, and
   /// from them the trial jerk, -M^-1 df/dt.
   void evaluate_rates();
+  /// After a correction of the trial velocities: the results of elements with constant tangents at these velocities.
+  /// Forces on nodes stay those of evaluate().
+  void evaluate_linear_elements();
   /// Computes only the elements that can change their regime, with the rates of their forces: enough for
   /// scan_regimes() and change_regimes_inside(). evaluate() must follow before a commit().
   void evaluate_regimes();
@@ -170,20 +165,14 @@ class Model {
   /// The corners of forces inside the trial step that are not located; `lost` := the forces that nodes lose where paths
   /// turn, N (ElementBlock::find_corners).
   UnlocatedCorners find_corners(Vector& lost) const;
-  /// matrix := stiffness of a linear analysis, in which gaps are open.
-  void assemble_linear_stiffness(StiffnessStage stage, SparseMatrix& matrix) const;
+  /// The stiffness of a linear analysis, in which gaps are open.
+  [[nodiscard]] SparseMatrix linear_stiffness(StiffnessStage stage) const;
   /// The trial state of nodes and elements becomes the committed one; energy accounts grow by the step between them,
   /// whose work is formed by `rule`. The contents of trial() are unspecified afterwards: the next step fills it.
   void commit(WorkRule rule = WorkRule::mean_force);
-  /// Drops the trial state: results of all elements are those of the committed one again. Does nothing, like
-  /// keep_all_results(), where something was added since prepare().
+  /// Drops the trial state: results of all elements are those of the committed one again. Does nothing where something
+  /// was added since prepare().
   void return_to_committed_state();
-  /// From now on elements with constant tangents have results, in ElementBlock::results(), only in the wanted blocks:
-  /// one flag per block. They cost more than their forces. All have results where energy accounts are kept. A copy has
-  /// those of its model.
-  void keep_results_of(const std::vector<bool>& wanted);
-  /// Ends that; all have the results of the committed state.
-  void keep_all_results();
   /// Starts the energy accounts of all elements at the committed state; they are kept from then on.
   void start_energy_accounts();
   [[nodiscard]] bool keeps_energy_accounts() const { return keeps_energy_accounts_; }  ///< Once started.
@@ -213,9 +202,6 @@ class Model {
   // The block of a type; `make` makes it if there is none.
   ElementBlock& block_of(std::type_index type, std::unique_ptr<ElementBlock> (*make)());
   NodeId append_node(Node node);
-  // These nodes, and these elements of every block, without buildings.
-  [[nodiscard]] Model part(std::span<const std::size_t> nodes, const std::vector<std::vector<std::size_t>>& elements,
-                           const NumbersInPart& numbers) const;
   // Of the committed state, whose last entry is that of the ground.
   [[nodiscard]] Eigen::Index entry(NodeId node) const {
     const Eigen::Index of_ground = state_.displacement.size() - 1;
@@ -227,14 +213,12 @@ class Model {
     return node.index;
   }
   [[noreturn]] void refuse_entry(NodeId node) const;
-  void evaluate_changing(double* forces);
-  void evaluate_results(const MotionState& motion);
 
   std::deque<Node> nodes_;
   std::vector<NodeId> ids_;  // 0, 1, 2, ...
   std::vector<PlacedDiaphragm> diaphragms_;
   std::vector<int> diaphragm_of_node_;  // by node; -1 for none. Empty on a line
-  TakenNames node_names_, element_names_, building_names_;
+  std::unordered_set<std::string> node_names_, element_names_, building_names_;
   std::vector<CopyablePointer<ElementBlock>> blocks_;
   std::vector<std::type_index> block_types_;  // of blocks_
   std::vector<Building> buildings_;
@@ -244,13 +228,11 @@ class Model {
   Vector masses_;
   Vector ground_share_x_, ground_share_y_;
   std::vector<int> diagonal_slots_;
-  std::shared_ptr<const SparsityPattern> pattern_;
-  LinearPart linear_part_;
+  SparseMatrix constant_stiffness_, constant_damping_;  // of elements with constant tangents
   MotionState state_, trial_;
   Vector internal_forces_, committed_forces_;
   long tangent_version_ = 0;
   std::vector<std::size_t> changing_blocks_, constant_blocks_;  // those without and with constant tangents
-  std::vector<std::size_t> blocks_with_results_;                // of constant_blocks_
   std::vector<std::size_t> blocks_with_regimes_;
   std::vector<std::size_t> blocks_with_contacts_;
   bool keeps_energy_accounts_ = false;

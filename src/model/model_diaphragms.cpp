@@ -48,7 +48,7 @@ DiaphragmId Model::add_diaphragm(const Diaphragm& diaphragm) {
   for (const NodeId node : placed.id.degrees_of_freedom())
     diaphragm_of_node_[static_cast<std::size_t>(node.index)] = static_cast<int>(diaphragms_.size());
   diaphragms_.push_back(placed);
-  node_names_.add(placed.name);
+  node_names_.insert(placed.name);
   return placed.id;
 }
 

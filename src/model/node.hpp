@@ -8,8 +8,8 @@
 #include "base/plan_vector.hpp"
 #include "base/quantity.hpp"
 #include "base/required.hpp"
-#include "base/sparse_matrix.hpp"
 #include "base/units.hpp"
+#include "model/couplings.hpp"
 
 namespace moat {
 

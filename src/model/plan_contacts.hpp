@@ -3,7 +3,7 @@
 
 #include <cstddef>
 
-#include "base/label.hpp"
+#include <string>
 #include "base/plan_vector.hpp"
 
 namespace moat {
@@ -15,7 +15,7 @@ namespace moat {
 ///     corner > |-->  tangent: the normal turned by +90 degrees
 ///              |
 struct CornerPair {
-  Label corner, edge;                   ///< names, for tables: "base corner 2", "moat wall 3"
+  std::string corner, edge;             ///< names, for tables: "base corner 2", "moat wall 3"
   PlanVector position{};                ///< of the corner at rest, m
   PlanVector edge_begin{}, edge_end{};  ///< at rest, m; the corner is on the left of the way between them
   PlanVector normal{};                  ///< of length 1

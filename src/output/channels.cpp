@@ -40,13 +40,13 @@ void Channels::add_elements(const Model& model, std::size_t b) {
       // The indentation of an open gap is zero.
       of_ground_.push_back({.displacement = indentation ? 0.0 : of_ground_displacement});
       (indentation ? of_block.indentations : of_block.deformations).push_back({e, list_.size()});
-      list_.push_back({info.deformation_quantity.text(), info.name, info.listed_under(), "m", has_gaps(block)});
+      list_.push_back({info.deformation_quantity, info.name, info.listed_under(), "m", has_gaps(block)});
     }
     if (info.force_quantity.empty()) continue;
     if (laws != nullptr && !block.constant_tangent()) of_laws_.push_back({list_.size(), b, e});
     of_ground_.emplace_back();
     of_block.forces.push_back({e, list_.size()});
-    list_.push_back({info.force_quantity.text(), info.name, info.listed_under(), "N", has_gaps(block)});
+    list_.push_back({info.force_quantity, info.name, info.listed_under(), "N", has_gaps(block)});
     if (laws == nullptr) continue;
     const auto quantities = laws->law_quantities(e);
     for (std::size_t q = 0; q < quantities.size(); ++q) {

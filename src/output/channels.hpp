@@ -1,7 +1,6 @@
 // The quantities a model reports, as a flat list of numbers per instant.
 #pragma once
 
-#include <algorithm>
 #include <cstddef>
 #include <string>
 #include <vector>
@@ -24,10 +23,6 @@ class Channels {
 
   /// In the order of values.
   [[nodiscard]] const std::vector<Channel>& list() const { return list_; }
-  /// Whether some of them come from elements of this block.
-  [[nodiscard]] bool need_results_of(std::size_t block) const {
-    return std::ranges::any_of(blocks_, [&](const BlockChannels& each) { return each.block == block; });
-  }
   /// The channel of this quantity at this node or element; -1 if there is none.
   [[nodiscard]] int find(std::string_view quantity, std::string_view where) const;
   /// values := all channels at the committed state, rates := their rates, per second; as long as list().

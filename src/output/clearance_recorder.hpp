@@ -15,7 +15,6 @@ class ClearanceRecorder final : public StepObserver {
   /// The model must be complete.
   explicit ClearanceRecorder(const Model& model);
 
-  bool needs_results_of(std::size_t) const override { return false; }
   void start(const StepView& view) override { step(view); }
   void step(const StepView& view) override;
 

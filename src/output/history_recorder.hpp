@@ -23,9 +23,6 @@ class HistoryRecorder final : public StepObserver {
   /// fall inside steps, so that energies are needed at every step.
   HistoryRecorder(const Model& model, double interval, const EnergyLedger* ledger = nullptr, bool inside_steps = false);
 
-  bool needs_results_of(std::size_t block) const override {
-    return offered_ != nullptr || channels_.need_results_of(block);
-  }
   void start(const StepView& view) override;
   void step(const StepView& view) override;
   void event(const StepView& view, std::span<const RegimeChange> changes) override;

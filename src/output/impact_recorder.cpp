@@ -80,8 +80,8 @@ void ImpactRecorder::open(const StepView& view, RegimeChange gap, bool closed_at
                       .approach_speed = speed,
                       .restitution = std::numeric_limits<double>::quiet_NaN()});
   if (const PlanContacts* sliding = block.plan_contacts()) {
-    impacts_.back().corner = sliding->pair(gap.element).corner.text();
-    impacts_.back().edge = sliding->pair(gap.element).edge.text();
+    impacts_.back().corner = sliding->pair(gap.element).corner;
+    impacts_.back().edge = sliding->pair(gap.element).edge;
     impacts_.back().tangential_speed = sliding->tangential_speed_at_touch(gap.element);
     ongoing_.back().left_before = sliding->times_left(gap.element);
   }

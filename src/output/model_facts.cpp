@@ -57,8 +57,8 @@ void add_plan(const Model& model, ModelFacts& facts) {
       const ElementInfo& info = block->info(e);
       facts.corners.push_back({.element = info.name,
                                .body = std::string{model.body_name(info.second)},
-                               .corner = pair.corner.text(),
-                               .edge = pair.edge.text(),
+                               .corner = pair.corner,
+                               .edge = pair.edge,
                                .position = pair.position,
                                .normal = pair.normal,
                                .edge_begin = pair.edge_begin,

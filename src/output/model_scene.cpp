@@ -238,7 +238,7 @@ class SceneBuilder {
                             {plan_point(pair.position, level, info.second, corner_spread),
                              plan_point(pair.position + clearance, level, info.first, edge_spread)},
                             number});
-    const std::string& wall = pair.edge.text();
+    const std::string& wall = pair.edge;
     const bool is_new =
         drawn_walls_.insert({wall, pair.edge_begin.x, pair.edge_begin.y, pair.edge_end.x, pair.edge_end.y}).second;
     if (!is_wall || !is_new) return;

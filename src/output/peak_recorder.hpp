@@ -17,7 +17,6 @@ class PeakRecorder final : public StepObserver {
   /// The model must be complete.
   explicit PeakRecorder(const Model& model);
 
-  bool needs_results_of(std::size_t block) const override { return channels_.need_results_of(block); }
   void start(const StepView& view) override;
   void step(const StepView& view) override;
   void event(const StepView& view, std::span<const RegimeChange> changes) override;

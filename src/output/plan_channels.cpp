@@ -102,7 +102,7 @@ void PlanChannels::add_elements(const Model& model, std::vector<Channel>& list) 
       for (const auto& [quantity, unit] :
            {std::pair{info.deformation_quantity, "m"}, std::pair{info.force_quantity, "N"}})
         for (const char* component : {"_x", "_y"})
-          if (!quantity.empty()) list.push_back({quantity.text() + component, info.name, info.listed_under(), unit});
+          if (!quantity.empty()) list.push_back({quantity + component, info.name, info.listed_under(), unit});
     }
   }
   frictions_ = list.size();

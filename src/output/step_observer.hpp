@@ -37,9 +37,6 @@ class StepObserver {
 
   /// Whether the elements' energy accounts must be kept (ElementBlock::energy); steps cost less without them.
   [[nodiscard]] virtual bool needs_energy_accounts() const { return false; }
-  /// Whether it reads ElementBlock::results() of a block whose tangents are constant, by its index in Model::blocks().
-  /// Steps of Transient::run() cost less without them; all other blocks have theirs in any case.
-  [[nodiscard]] virtual bool needs_results_of(std::size_t /*block*/) const { return true; }
 
   /// The state at the start, before the first step.
   virtual void start(const StepView& view) = 0;

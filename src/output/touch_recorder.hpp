@@ -23,7 +23,6 @@ struct Touch {
 /// analysis.
 class TouchRecorder final : public StepObserver {
  public:
-  bool needs_results_of(std::size_t) const override { return false; }
   void start(const StepView& view) override;
   void step(const StepView&) override {}
   void event(const StepView& view, std::span<const RegimeChange> changes) override;

@@ -12,13 +12,18 @@ namespace {
 // never grow, however much stiffer a contact is than the building: the condition number would be the wrong guard.
 constexpr double smallest_inverse_growth = 1e-6;
 
+// KLU takes pointers to variables, and does not write there.
+int* starts_of(const SparseMatrix& matrix) { return const_cast<int*>(matrix.outerIndexPtr()); }
+int* rows_of(const SparseMatrix& matrix) { return const_cast<int*>(matrix.innerIndexPtr()); }
+double* values_of(const SparseMatrix& matrix) { return const_cast<double*>(matrix.valuePtr()); }
+
 }  // namespace
 
 struct Factorisation::Klu {
   klu_common common{};
   klu_symbolic* symbolic = nullptr;
   klu_numeric* numeric = nullptr;
-  std::shared_ptr<const SparsityPattern> pattern;
+  Eigen::Index entries = 0;
   long count = 0, pivot_searches = 0;
 
   Klu() {
@@ -35,13 +40,9 @@ struct Factorisation::Klu {
   Klu(const Klu&) = delete;
   Klu& operator=(const Klu&) = delete;
 
-  // KLU takes pointers to variables, and does not write there.
-  [[nodiscard]] int* starts() const { return const_cast<int*>(pattern->column_starts.data()); }
-  [[nodiscard]] int* rows() const { return const_cast<int*>(pattern->row_indices.data()); }
-
   void analyse(const SparseMatrix& matrix) {
-    pattern = matrix.pattern();
-    symbolic = klu_analyze(pattern->size, starts(), rows(), &common);
+    entries = matrix.nonZeros();
+    symbolic = klu_analyze(static_cast<int>(matrix.rows()), starts_of(matrix), rows_of(matrix), &common);
     if (symbolic == nullptr) throw std::logic_error{"Factorisation: KLU cannot analyse the pattern of the matrix"};
   }
 
@@ -50,16 +51,18 @@ struct Factorisation::Klu {
     return common.status == KLU_OK && klu_rcond(symbolic, numeric, &common) != 0 && common.rcond > 0.0;
   }
 
-  [[nodiscard]] bool factorise_with_old_pivots(double* values) {
-    return numeric != nullptr && klu_refactor(starts(), rows(), values, symbolic, numeric, &common) != 0 &&
-           klu_rgrowth(starts(), rows(), values, symbolic, numeric, &common) != 0 &&
+  [[nodiscard]] bool factorise_with_old_pivots(const SparseMatrix& matrix) {
+    int *starts = starts_of(matrix), *rows = rows_of(matrix);
+    double* values = values_of(matrix);
+    return numeric != nullptr && klu_refactor(starts, rows, values, symbolic, numeric, &common) != 0 &&
+           klu_rgrowth(starts, rows, values, symbolic, numeric, &common) != 0 &&
            common.rgrowth >= smallest_inverse_growth && has_regular_pivots();
   }
 
-  [[nodiscard]] bool factorise_with_new_pivots(double* values) {
+  [[nodiscard]] bool factorise_with_new_pivots(const SparseMatrix& matrix) {
     ++pivot_searches;
     klu_free_numeric(&numeric, &common);
-    numeric = klu_factor(starts(), rows(), values, symbolic, &common);
+    numeric = klu_factor(starts_of(matrix), rows_of(matrix), values_of(matrix), symbolic, &common);
     if (numeric != nullptr && has_regular_pivots()) return true;
     klu_free_numeric(&numeric, &common);
     return false;
@@ -73,16 +76,14 @@ Factorisation& Factorisation::operator=(Factorisation&&) noexcept = default;
 
 bool Factorisation::factorise(const SparseMatrix& matrix) {
   if (klu_->symbolic == nullptr) klu_->analyse(matrix);
-  if (klu_->pattern->nonzeros() != matrix.nonzeros())
-    throw std::logic_error{"Factorisation: the pattern of the matrix changed"};
+  if (klu_->entries != matrix.nonZeros()) throw std::logic_error{"Factorisation: the pattern of the matrix changed"};
   ++klu_->count;
-  auto* values = const_cast<double*>(matrix.values.data());
-  return klu_->factorise_with_old_pivots(values) || klu_->factorise_with_new_pivots(values);
+  return klu_->factorise_with_old_pivots(matrix) || klu_->factorise_with_new_pivots(matrix);
 }
 
 void Factorisation::solve(Vector& x) const {
   if (klu_->numeric == nullptr) throw std::logic_error{"Factorisation: solve() before a successful factorise()"};
-  klu_solve(klu_->symbolic, klu_->numeric, klu_->pattern->size, 1, x.data(), &klu_->common);
+  klu_solve(klu_->symbolic, klu_->numeric, static_cast<int>(x.size()), 1, x.data(), &klu_->common);
 }
 
 long Factorisation::count() const { return klu_->count; }

@@ -19,13 +19,8 @@ constexpr int largest_dense_size = 200;
 
 // A = M^-1/2 K M^-1/2 has the eigenvalues omega^2 and is symmetric.
 SparseMatrix mass_scaled(const SparseMatrix& stiffness, const Vector& root_mass) {
-  SparseMatrix scaled = stiffness;
-  for (int column = 0; column < scaled.size(); ++column)
-    for (int k = scaled.column_starts()[static_cast<std::size_t>(column)];
-         k < scaled.column_starts()[static_cast<std::size_t>(column) + 1]; ++k)
-      scaled.values[static_cast<std::size_t>(k)] /=
-          root_mass[column] * root_mass[scaled.row_indices()[static_cast<std::size_t>(k)]];
-  return scaled;
+  const auto per_root_mass = root_mass.cwiseInverse().asDiagonal();
+  return per_root_mass * stiffness * per_root_mass;
 }
 
 // Spectra's y = (A - shift I)^-1 x with our factorisation.
@@ -35,17 +30,17 @@ class ShiftedInverse {
 
   explicit ShiftedInverse(const SparseMatrix& matrix) : matrix_{matrix} {}
 
-  Eigen::Index rows() const { return matrix_.size(); }
-  Eigen::Index cols() const { return matrix_.size(); }
+  Eigen::Index rows() const { return matrix_.rows(); }
+  Eigen::Index cols() const { return matrix_.cols(); }
   void set_shift(double shift) {
     SparseMatrix shifted = matrix_;
-    for (int i = 0; i < shifted.size(); ++i) shifted.values[static_cast<std::size_t>(shifted.slot(i, i))] -= shift;
+    shifted.diagonal().array() -= shift;
     if (!factorisation_.factorise(shifted)) throw Error{"modal analysis: the shifted stiffness matrix is singular"};
   }
   void perform_op(const double* x, double* y) const {
-    work_ = Eigen::Map<const Vector>{x, matrix_.size()};
+    work_ = Eigen::Map<const Vector>{x, rows()};
     factorisation_.solve(work_);
-    Eigen::Map<Vector>{y, matrix_.size()} = work_;
+    Eigen::Map<Vector>{y, rows()} = work_;
   }
 
  private:
@@ -60,22 +55,17 @@ struct EigenPairs {
 };
 
 EigenPairs solve_dense(const SparseMatrix& matrix, int count) {
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver{Eigen::MatrixXd{matrix.view()}};
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver{Eigen::MatrixXd{matrix}};
   return {solver.eigenvalues().head(count), solver.eigenvectors().leftCols(count)};
 }
 
-double largest_diagonal(const SparseMatrix& matrix) {
-  double largest = 0.0;
-  for (int i = 0; i < matrix.size(); ++i)
-    largest = std::max(largest, matrix.values[static_cast<std::size_t>(matrix.slot(i, i))]);
-  return largest;
-}
+double largest_diagonal(const SparseMatrix& matrix) { return std::max(matrix.diagonal().maxCoeff(), 0.0); }
 
 EigenPairs solve_sparse(const SparseMatrix& matrix, int count) {
   ShiftedInverse inverse{matrix};
   // A shift slightly below zero keeps rigid-body modes solvable.
   const double shift = -1e-6 * largest_diagonal(matrix);
-  const int subspace = std::min(matrix.size(), std::max(2 * count + 10, 30));
+  const int subspace = std::min(static_cast<int>(matrix.rows()), std::max(2 * count + 10, 30));
   Spectra::SymEigsShiftSolver<ShiftedInverse> solver{inverse, count, subspace, shift};
   solver.init();
   solver.compute(Spectra::SortRule::LargestMagn, 1000, 1e-12, Spectra::SortRule::SmallestAlge);
@@ -90,11 +80,11 @@ double Mode::period() const {
 }
 
 std::vector<Mode> slowest_modes(const SparseMatrix& stiffness, const Vector& mass, int count) {
-  Check{"modal analysis", ""}.between("number of modes", count, 1, stiffness.size(), "1",
+  Check{"modal analysis", ""}.between("number of modes", count, 1, static_cast<int>(stiffness.rows()), "1",
                                       "A structure has as many modes as degrees of freedom.");
   const Vector root_mass = mass.cwiseSqrt();
   const SparseMatrix scaled = mass_scaled(stiffness, root_mass);
-  const bool dense = scaled.size() <= largest_dense_size || count > scaled.size() / 2;
+  const bool dense = scaled.rows() <= largest_dense_size || count > scaled.rows() / 2;
   const EigenPairs pairs = dense ? solve_dense(scaled, count) : solve_sparse(scaled, count);
   // The eigenvalue of a rigid-body mode is round-off of the largest ones, of either sign.
   const double round_off = 16.0 * std::numeric_limits<double>::epsilon() * largest_diagonal(scaled);

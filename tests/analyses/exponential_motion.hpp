@@ -15,7 +15,7 @@ struct Tangents {
   SparseMatrix stiffness, damping;  ///< df/du, df/dv
 
   /// Of this model.
-  explicit Tangents(const Model& model) : stiffness{model.pattern()}, damping{model.pattern()} {
+  explicit Tangents(const Model& model) : stiffness{model.zero_matrix()}, damping{model.zero_matrix()} {
     model.assemble_tangent(0.0, 0.0, 1.0, stiffness);
     model.assemble_tangent(0.0, 1.0, 0.0, damping);
   }
@@ -30,8 +30,8 @@ struct ExponentialMotion {
 
   /// Of a model with these tangents.
   ExponentialMotion(const Model& model, const Tangents& tangents, Vector its_offset)
-      : stiffness{model.masses().cwiseInverse().asDiagonal() * Eigen::MatrixXd{tangents.stiffness.view()}},
-        damping{model.masses().cwiseInverse().asDiagonal() * Eigen::MatrixXd{tangents.damping.view()}},
+      : stiffness{model.masses().cwiseInverse().asDiagonal() * Eigen::MatrixXd{tangents.stiffness}},
+        damping{model.masses().cwiseInverse().asDiagonal() * Eigen::MatrixXd{tangents.damping}},
         offset{std::move(its_offset)} {}
 
   /// (u, u', u'') and the absolute jerk h s after a start (u, u'), under a ground with this acceleration there and this

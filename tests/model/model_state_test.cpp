@@ -219,13 +219,13 @@ TEST(ModelState, TangentIsTheDerivativeOfTheForces) {
     damping.col(i) = (forces_at(u, v + dv) - forces_at(u, v - dv)) / 2e-5;
   }
   forces_at(u, v);
-  SparseMatrix matrix = model.pattern();
+  SparseMatrix matrix = model.zero_matrix();
   model.assemble_tangent(3.0, 0.0, 0.0, matrix);
-  EXPECT_EQ(Eigen::Matrix2d{matrix.view()}, Eigen::Matrix2d{(3.0 * model.masses()).asDiagonal()});
+  EXPECT_EQ(Eigen::Matrix2d{matrix}, Eigen::Matrix2d{(3.0 * model.masses()).asDiagonal()});
   model.assemble_tangent(0.0, 0.0, 2.0, matrix);
-  EXPECT_LT((Eigen::Matrix2d{matrix.view()} - 2.0 * stiffness).norm(), 1e-5 * stiffness.norm());
+  EXPECT_LT((Eigen::Matrix2d{matrix} - 2.0 * stiffness).norm(), 1e-5 * stiffness.norm());
   model.assemble_tangent(0.0, 5.0, 0.0, matrix);
-  EXPECT_LT((Eigen::Matrix2d{matrix.view()} - 5.0 * damping).norm(), 1e-5 * damping.norm());
+  EXPECT_LT((Eigen::Matrix2d{matrix} - 5.0 * damping).norm(), 1e-5 * damping.norm());
 }
 
 TEST(ModelState, RefusesNodesThatHaveNone) {

@@ -22,8 +22,8 @@ Vector right_hand_side(int size) { return Vector::LinSpaced(size, -1.0, 2.0).arr
 
 // Largest difference from Eigen's dense LU, over the largest entry of its solution.
 double difference_from_dense(const Factorisation& factors, const SparseMatrix& matrix) {
-  const Vector b = right_hand_side(matrix.size());
-  const Vector expected = Eigen::MatrixXd{matrix.view()}.fullPivLu().solve(b);
+  const Vector b = right_hand_side(static_cast<int>(matrix.rows()));
+  const Vector expected = Eigen::MatrixXd{matrix}.fullPivLu().solve(b);
   Vector x = b;
   factors.solve(x);
   return (x - expected).lpNorm<Eigen::Infinity>() / expected.lpNorm<Eigen::Infinity>();
@@ -55,7 +55,7 @@ TEST(Factorisation, AgreesWithDenseLuAfterRefactorisation) {
   for (unsigned seed = 2; seed < 6; ++seed) {
     ASSERT_TRUE(factors.factorise(matrix));
     EXPECT_LT(difference_from_dense(factors, matrix), 1e-12);
-    for (double& value : matrix.values) value *= 1.0 + 0.1 * static_cast<double>(seed);
+    matrix *= 1.0 + 0.1 * static_cast<double>(seed);
     entry(matrix, 7, 7) += 3.0;
   }
 }
@@ -90,14 +90,6 @@ TEST(Factorisation, KeepsItsPivotsBesideAVeryStiffContact) {
   EXPECT_LT(difference_from_dense(factors, matrix), 1e-12);
 }
 
-TEST(Factorisation, TheGroundsSlotIsNotPartOfTheMatrix) {
-  SparseMatrix matrix = random_matrix(20, true, 3);
-  Factorisation factors;
-  matrix.values.back() = 1e30;
-  ASSERT_TRUE(factors.factorise(matrix));
-  EXPECT_LT(difference_from_dense(factors, matrix), 1e-12);
-}
-
 TEST(Factorisation, SingularAtFirstThenRecovers) {
   Factorisation factors;
   EXPECT_FALSE(factors.factorise(two_by_two(1.0, 2.0, 2.0, 4.0)));
@@ -114,8 +106,8 @@ TEST(Factorisation, SingularInBetweenThenRecovers) {
   const SparseMatrix regular = matrix;
   Factorisation factors;
   ASSERT_TRUE(factors.factorise(matrix));
-  for (int row = 0; row < matrix.size(); ++row)
-    if (Eigen::MatrixXd{matrix.view()}(row, 8) != 0.0) entry(matrix, row, 8) = 0.0;
+  for (int row = 0; row < matrix.rows(); ++row)
+    if (Eigen::MatrixXd{matrix}(row, 8) != 0.0) entry(matrix, row, 8) = 0.0;
   EXPECT_FALSE(factors.factorise(matrix));
   EXPECT_FALSE(factors.factorise(matrix));
   ASSERT_TRUE(factors.factorise(regular));
@@ -176,7 +168,7 @@ TEST(Factorisation, DoesNotAllocateWhenItRefactorisesAndSolves) {
   const long before = testing::count_of_allocations();
   bool done = true;
   for (int i = 0; i < 10; ++i) {
-    matrix.values[0] += 0.1;
+    matrix.valuePtr()[0] += 0.1;
     done = done && factors.factorise(matrix);
     factors.solve(x);
   }

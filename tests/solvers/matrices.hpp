@@ -1,6 +1,7 @@
 // Matrices to test solvers with.
 #pragma once
 
+#include <Eigen/Dense>
 #include <random>
 #include <utility>
 #include <vector>
@@ -9,16 +10,25 @@
 
 namespace moat::testing {
 
-inline double& entry(SparseMatrix& matrix, int row, int column) {
-  return matrix.values[static_cast<std::size_t>(matrix.slot(row, column))];
+/// An entry that the matrix has.
+inline double& entry(SparseMatrix& matrix, int row, int column) { return matrix.coeffRef(row, column); }
+
+/// Zero, with all entries.
+inline SparseMatrix full_pattern(int size) {
+  return 0.0 * SparseMatrix{Eigen::MatrixXd::Ones(size, size).sparseView()};
 }
 
-/// Every entry of a full pattern is in it; all zero.
-inline SparseMatrix full_pattern(int size) {
-  PatternBuilder builder{size};
-  for (int i = 0; i < size; ++i)
-    for (int k = 0; k < i; ++k) builder.couple(i, k);
-  return builder.build();
+/// Zero, with these entries on both sides and the diagonal.
+inline SparseMatrix pattern_of(int size, const std::vector<std::pair<int, int>>& couplings) {
+  std::vector<Eigen::Triplet<double>> entries;
+  for (int i = 0; i < size; ++i) entries.emplace_back(i, i, 0.0);
+  for (const auto& [a, b] : couplings) {
+    entries.emplace_back(a, b, 0.0);
+    entries.emplace_back(b, a, 0.0);
+  }
+  SparseMatrix matrix{size, size};
+  matrix.setFromTriplets(entries.begin(), entries.end());
+  return matrix;
 }
 
 /// A random pattern with about four couplings per row and entries from -1 to 1, those of the diagonal from 4 to 5.
@@ -27,14 +37,9 @@ inline SparseMatrix random_matrix(int size, bool symmetric, unsigned seed) {
   std::uniform_real_distribution<double> value{-1.0, 1.0};
   std::uniform_int_distribution<int> index{0, size - 1};
   std::vector<std::pair<int, int>> couplings;
-  PatternBuilder builder{size};
-  for (int i = 0; i < 2 * size; ++i) {
-    const int a = index(random), b = index(random);
-    if (a == b) continue;
-    couplings.emplace_back(a, b);
-    builder.couple(a, b);
-  }
-  SparseMatrix matrix = builder.build();
+  for (int i = 0; i < 2 * size; ++i)
+    if (const int a = index(random), b = index(random); a != b) couplings.emplace_back(a, b);
+  SparseMatrix matrix = pattern_of(size, couplings);
   for (const auto& [a, b] : couplings) {
     entry(matrix, a, b) = value(random);
     entry(matrix, b, a) = symmetric ? entry(matrix, a, b) : value(random);
@@ -45,9 +50,9 @@ inline SparseMatrix random_matrix(int size, bool symmetric, unsigned seed) {
 
 /// Stiffness of masses in a row joined by springs; the first is also held to the ground by `foot`.
 inline SparseMatrix chain_stiffness(int size, double spring, double foot) {
-  PatternBuilder builder{size};
-  for (int i = 1; i < size; ++i) builder.couple(i - 1, i);
-  SparseMatrix matrix = builder.build();
+  std::vector<std::pair<int, int>> couplings;
+  for (int i = 1; i < size; ++i) couplings.emplace_back(i - 1, i);
+  SparseMatrix matrix = pattern_of(size, couplings);
   entry(matrix, 0, 0) = foot;
   for (int i = 1; i < size; ++i) {
     entry(matrix, i - 1, i - 1) += spring;

@@ -47,9 +47,9 @@ void expect_orthonormal(const std::vector<Mode>& modes, const Vector& masses) {
 void expect_solutions(const SparseMatrix& stiffness, const Vector& masses, const std::vector<Mode>& modes) {
   for (const Mode& mode : modes) {
     const double eigenvalue = mode.angular_frequency * mode.angular_frequency;
-    const Vector elastic = stiffness.view() * mode.shape;
+    const Vector elastic = stiffness * mode.shape;
     const Vector inertia = eigenvalue * masses.cwiseProduct(mode.shape);
-    const double scale = (stiffness.view() * mode.shape.cwiseAbs()).lpNorm<Eigen::Infinity>();
+    const double scale = (stiffness * mode.shape.cwiseAbs()).lpNorm<Eigen::Infinity>();
     EXPECT_LT((elastic - inertia).lpNorm<Eigen::Infinity>(), 1e-8 * (scale + inertia.lpNorm<Eigen::Infinity>()));
   }
 }

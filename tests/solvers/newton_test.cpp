@@ -54,18 +54,18 @@ class CubicChain final : public NonlinearSystem {
   CubicChain(int size, double load) : tangent_{testing::chain_stiffness(size, 3.0, 3.0)}, load_{load} {
     linear_ = tangent_;
   }
-  int size() const override { return linear_.size(); }
+  int size() const override { return static_cast<int>(linear_.rows()); }
   bool compute_residual(const Vector& x, Vector& residual) override {
     ++residuals;
     x_ = x;
     scales_.setConstant(size(), load_);
-    residual.noalias() = linear_.view() * x;
+    residual.noalias() = linear_ * x;
     residual.array() += x.array().cube() - load_;
     return true;
   }
   const Vector& residual_scales() const override { return scales_; }
   bool compute_jacobian() override {
-    tangent_.values = linear_.values;
+    tangent_ = linear_;
     for (int i = 0; i < size(); ++i) testing::entry(tangent_, i, i) += 3.0 * x_[i] * x_[i];
     return factorisation_.factorise(tangent_);
   }
