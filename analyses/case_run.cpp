@@ -78,23 +78,14 @@ bool rows_at_steps(double interval, double step) {
   return std::abs(ratio - std::round(ratio)) < 1e-9 * ratio && ratio > 0.5;
 }
 
-// Rows of histories are ends of steps: energies and quantities of a script's recorders are known there alone.
-CaseOptions with_rows_at_steps(CaseOptions options, const GroundMotion& motion) {
-  Time& largest = options.transient.largest_step;
-  if (largest.si() > 0.0) return options;
-  const double longest = longest_step_of_any(options.transient, motion.time_step());
-  largest = std::min(longest, std::max(history_interval(options, motion), motion.time_step())) * units::s;
-  return options;
-}
-
 // The companion starts from the model before the first step. A large model is not copied where no companion will run.
 std::optional<Model> copy_for_companion(const Model& model, const GroundMotion& motion, const CaseOptions& options) {
   if (options.error_bars == ErrorBarMode::never) return std::nullopt;
   if (options.error_bars == ErrorBarMode::always) return model;
   const TransientOptions& transient = options.transient;
   const double end = transient.end.si() > 0.0 ? transient.end.si() : motion.duration();
-  const double step = transient.step.si() > 0.0 ? transient.step.si() : longest_step(transient, motion.time_step());
-  if (!companion_is_cheap(model, (end - model.state().time) / step)) return std::nullopt;
+  const double steps = (end - model.state().time) / longest_step(transient, motion.time_step());
+  if (!companion_is_cheap(model, steps)) return std::nullopt;
   return model;
 }
 
@@ -138,15 +129,15 @@ std::vector<Touch> touches_of(const std::vector<Impact>& impacts) {
 }  // namespace
 
 CaseRun::CaseRun(Model& model, const GroundMotion& motion, CaseOptions options)
-    : options_{with_rows_at_steps(checked(std::move(options)), motion)},
+    : options_{checked(std::move(options))},
       periods_{characteristic_periods(model)},
       untouched_{copy_for_companion(model, motion, options_)},
       transient_{model, motion, options_.transient},
       peaks_{model},
       clearances_{model},
-      histories_{model, history_interval(options_, motion), &energy_,
-                 !rows_at_steps(history_interval(options_, motion),
-                                longest_step_of_any(options_.transient, motion.time_step()))} {
+      histories_{
+          model, history_interval(options_, motion), &energy_,
+          !rows_at_steps(history_interval(options_, motion), longest_step(options_.transient, motion.time_step()))} {
   histories_.share_samples_of(peaks_);
   histories_.reserve(transient_.end_time() - model.state().time);
 }

@@ -3,10 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
-#include <utility>
 
 #include "base/check.hpp"
-#include "base/hermite.hpp"
 
 namespace moat {
 namespace {
@@ -18,13 +16,7 @@ constexpr std::size_t most_systems = 256;
 }  // namespace
 
 ExactSteps::ExactSteps(Model& model, StepControl& control)
-    : model_{&model},
-      control_{&control},
-      stiffness_{model.zero_matrix()},
-      damping_{stiffness_},
-      earlier_{model.state()},
-      middle_{model.state()},
-      fastest_{Vector::Zero(earlier_.velocity.size())} {
+    : model_{&model}, control_{&control}, stiffness_{model.zero_matrix()}, damping_{stiffness_} {
   const Check check{"TransientOptions", ""};
   check.that(!model.is_plan(), "integrator: ExactBetweenEvents{} takes models on a line; this one moves in plan.",
              "Use Newmark{}, the default.");
@@ -63,11 +55,7 @@ void ExactSteps::linearise() {
 
 double ExactSteps::next_length() {
   if (system_ == nullptr) linearise();
-  const double piece = system_->step();
-  wanted_ = std::max(wanted_, piece);
-  // Shorter for a while after a change of regime, which is no reason to want less.
-  const double longest = std::min(control_->longest_exact_step(), static_cast<double>(LinearPath::most_pieces) * piece);
-  return std::min(wanted_, std::max(piece, longest));
+  return system_->step();
 }
 
 void ExactSteps::begin(const StepTask& step) {
@@ -89,52 +77,6 @@ bool ExactSteps::solve(const StepTask& part) {
 bool ExactSteps::look(const StepTask& part) {
   move_to_end(part);
   model_->evaluate_regimes();
-  return true;
-}
-
-bool ExactSteps::accepts(const StepTask& step, std::span<const RegimeChange>) {
-  const Instant start{model_->state(), path_.ground_at(0)}, end{model_->trial(), path_.ground_at(path_.pieces())};
-  fastest_ = fastest_.cwiseMax(end.motion.velocity.cwiseAbs());
-  const double earlier_length = std::exchange(earlier_length_, 0.0);
-  // A single piece is short enough: linearise().
-  for (Eigen::Index piece = 1; piece < path_.pieces(); ++piece) {
-    path_.move(path_.start_of(piece), middle_);
-    if (meets(start, end, {middle_, path_.ground_at(piece)}, cubics_within)) continue;
-    while (wanted_ >= step.length) wanted_ *= 0.5;
-    return false;
-  }
-  if (wanted_ > step.length) return true;  // longer steps are wanted already
-  // The cubic over the last two steps is judged with a reserve, so that lengths do not alternate.
-  constexpr double reserve = 0.5;
-  if (earlier_length == step.length && meets({earlier_, earlier_ground_}, end, start, reserve * cubics_within)) {
-    wanted_ = 2.0 * step.length;
-    return true;
-  }
-  earlier_length_ = step.length;
-  earlier_ground_ = start.ground_acceleration;
-  earlier_ = start.motion;
-  return true;
-}
-
-// Whether the cubics of velocities and absolute accelerations between two instants meet those at an instant between
-// them, to so many tolerances of the scales.
-bool ExactSteps::meets(const Instant& from, const Instant& to, const Instant& there, double tolerances) {
-  // Velocities this much below those of the fastest node may be round-off.
-  constexpr double round_off = 1e-6;
-  const double allowed = tolerances * control_->tolerance(), least_velocity = round_off * fastest_.maxCoeff();
-  const Vector& scales = control_->acceleration_scales();
-  const MotionState &start = from.motion, &end = to.motion, &middle = there.motion;
-  const double h = end.time - start.time;
-  const HermiteCubicsAt cubics{(middle.time - start.time) / h, h};
-  for (Eigen::Index i = 0; i < model_->degrees_of_freedom(); ++i) {
-    const double velocity =
-                     cubics.value(start.velocity[i], start.acceleration[i], end.velocity[i], end.acceleration[i]),
-                 acceleration = cubics.value(start.acceleration[i] + from.ground_acceleration, start.jerk[i],
-                                             end.acceleration[i] + to.ground_acceleration, end.jerk[i]);
-    if (std::abs(velocity - middle.velocity[i]) > allowed * std::max(fastest_[i], least_velocity) ||
-        std::abs(acceleration - middle.acceleration[i] - there.ground_acceleration) > allowed * scales[i])
-      return false;
-  }
   return true;
 }
 

@@ -15,33 +15,27 @@ namespace moat {
 
 /// Steps of a model that is linear between touches, yields and unloadings, by its exact motion
 /// (analyses/linear_path.hpp). The only error is that of the cubic by which elements, changes of regime and peaks are
-/// looked at from end to end of a step. A step is accepted if the cubic meets the exact motion of every node at the
-/// ends of its pieces: the velocity on the scale of its largest so far, and the absolute acceleration on that of the
-/// place (analyses/acceleration_scales.hpp). A stiff wall follows the ground: its acceleration is smooth, its velocity
-/// hardly.
+/// looked at from end to end of a step: a step is so short beside the fastest vibration that this cubic meets it, and
+/// within one interval of the motion's samples.
 ///
 /// While a gap is closed applies() is false, and Transient takes Newmark's steps.
 class ExactSteps final : public Stepper {
  public:
   /// Matrices are full: this is for small models.
   static constexpr int most_degrees_of_freedom = 50;
-  static constexpr double cubics_within = 16.0;  ///< Tolerances by which the cubic of a step may miss the motion.
+  static constexpr double cubics_within = 16.0;  ///< Tolerances by which the cubic of a step may miss a vibration.
   /// The share of the tolerance that Newmark's steps in contact may use: their errors accumulate.
   static constexpr double share_in_contact = 1.0 / 3.0;
 
-  /// The model must be prepared. All must outlive this object; `control` has the longest steps, the tolerance and the
-  /// scales of accelerations, and chooses the steps in contact. Throws InputError for a model with too many degrees of
-  /// freedom, an element that is not linear between events, or an eigenvalue that needs thousands of pieces from sample
-  /// to sample.
+  /// The model must be prepared. All must outlive this object; `control` has the longest step and the tolerance, and
+  /// chooses the steps in contact. Throws InputError for a model with too many degrees of freedom, an element that is
+  /// not linear between events, or an eigenvalue that needs thousands of steps from sample to sample.
   ExactSteps(Model& model, StepControl& control);
 
   /// Whether the model is linear now: no gap is closed.
   [[nodiscard]] bool applies() const { return model_->contacts_going_on() == 0; }
   /// Elements changed their regime, or the model its state: the linear system must be made again.
-  void restart() {
-    system_ = nullptr;
-    earlier_length_ = 0.0;
-  }
+  void restart() { system_ = nullptr; }
 
   double next_length() override;
   void begin(const StepTask& step) override;
@@ -51,19 +45,12 @@ class ExactSteps final : public Stepper {
     model_->evaluate();
     model_->evaluate_rates();
   }
-  bool accepts(const StepTask& step, std::span<const RegimeChange>) override;
-  bool may_leave_samples() const override { return control_->may_leave_samples(); }
+  bool accepts(const StepTask&, std::span<const RegimeChange>) override { return true; }
   WorkRule work_rule() const override { return WorkRule::quadrature; }
 
  private:
-  struct Instant {
-    const MotionState& motion;
-    double ground_acceleration;  // m/s^2
-  };
-
   void linearise();
   void move_to_end(const StepTask& part);
-  [[nodiscard]] bool meets(const Instant& from, const Instant& to, const Instant& there, double tolerances);
 
   Model* model_;
   StepControl* control_;
@@ -71,12 +58,6 @@ class ExactSteps final : public Stepper {
   const LinearSystem* system_ = nullptr;  // of the current regimes; null: not known yet
   SparseMatrix stiffness_, damping_;
   Vector forces_at_rest_, offset_;  // f0, -M^-1 f0
-  double wanted_ = 0.0;             // length of the next step, if the system allows it; s
-  // The start of the last accepted step, its length in s (0: none), and the acceleration of the ground there, m/s^2.
-  MotionState earlier_;
-  double earlier_length_ = 0.0, earlier_ground_ = 0.0;
-  MotionState middle_;  // inside a step
-  Vector fastest_;      // largest velocity of every node so far, m/s; as long as those of a MotionState
   LinearPath path_;
 };
 

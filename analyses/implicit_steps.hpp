@@ -23,7 +23,6 @@ class ImplicitSteps final : public Stepper {
   bool accepts(const StepTask& step, std::span<const RegimeChange> inside) override {
     return control_.accepts(*model_, step, scheme_, inside, equations_.filtered_curve());
   }
-  bool may_leave_samples() const override { return control_.may_leave_samples(); }
   WorkRule work_rule() const override { return scheme_.order() > 2 ? WorkRule::quadrature : WorkRule::mean_force; }
 
   /// The trial state that the step would lead to without iterations; only elements that can change their regime are

@@ -9,19 +9,8 @@
 namespace moat {
 namespace {
 
-// Whether damping coefficients of a column do not add up to zero: the rest couples to the ground.
-bool has_dampers_to_ground(const SparseMatrix& damping) {
-  constexpr double round_off = 1e-9;
-  for (int column = 0; column < damping.cols(); ++column)
-    if (std::abs(damping.col(column).sum()) > round_off * damping.col(column).cwiseAbs().sum()) return true;
-  return false;
-}
-
 // Further halvings of the first step after a touch.
 constexpr int at_touch = 6;
-
-// Longer steps are tried again after so many.
-constexpr int steps_of_restraint = 8;
 
 // The factor of a step's error when its length doubles.
 double change_by_doubling(StepScheme scheme) { return scheme.order() > 2 ? 8.0 : 4.0; }
@@ -37,11 +26,9 @@ StepControl::StepControl(const Model& model, Options options)
   round_off_per_displacement_ = last_digits * stiffness;
   model.assemble_tangent(0.0, 1.0, 0.0, matrix);
   most_damped_ = resultants_.row_sums(matrix).cwiseQuotient(model.masses()).maxCoeff();
-  // Absolute motion is smooth inside a step over several samples only if no force follows the velocity of the ground.
-  if (has_dampers_to_ground(matrix)) options_.doublings = 0;
-  for (int halvings = -options_.doublings; halvings <= options_.max_halvings; ++halvings)
+  for (int halvings = 0; halvings <= options_.max_halvings; ++halvings)
     steps_.push_back(std::ldexp(options_.grid_interval, -halvings));
-  restart(model, false, true);
+  restart(model, false);
 }
 
 // Longest step inside the bound of stability of the fourth-order scheme, during a contact of this duration: h w <= 1.8
@@ -67,11 +54,11 @@ StepControl::Step StepControl::next_step(const Model& model) {
   constexpr double durations_until_leaning = 4.0;
   const bool pounding = since_event_ < durations_until_leaning * contact && std::isfinite(contact);
   // The nominal step is halved further for the contact, for stability, and for the first steps after a touch.
-  int halvings = std::max(halvings_, -most_doublings_);
+  int halvings = halvings_;
   if (pounding)
     while (halvings < options_.max_halvings && step_at(halvings) * options_.steps_per_contact > contact) ++halvings;
   StepScheme scheme = StepScheme::average_acceleration();
-  const int halvings_in_interval = std::max(halvings, 0);
+  const int halvings_without_bounds = halvings;
   if (options_.scheme) {
     scheme = *options_.scheme;
   } else if (ramp_ < at_touch) {
@@ -80,7 +67,7 @@ StepControl::Step StepControl::next_step(const Model& model) {
     constexpr int worth_halving = 6, worth_halving_for_dashpots = 1;
     const auto halved = [&](double stable, int worth) {
       int stable_halvings = halvings;
-      while (stable_halvings < std::min(halvings_in_interval + worth, options_.max_halvings) &&
+      while (stable_halvings < std::min(halvings_without_bounds + worth, options_.max_halvings) &&
              step_at(stable_halvings) > stable)
         ++stable_halvings;
       if (step_at(stable_halvings) > stable) return false;
@@ -91,7 +78,7 @@ StepControl::Step StepControl::next_step(const Model& model) {
       scheme = halved(stable_damped_step(), worth_halving_for_dashpots) ? StepScheme::fourth_order()
                                                                         : StepScheme::strongly_damped();
   }
-  if (scheme.order() == 2) halvings = halvings_in_interval;
+  if (scheme.order() == 2) halvings = halvings_without_bounds;
   planned_ = step_at(std::min(halvings + ramp_, options_.max_halvings));
   scheme.filters_corrections |= !options_.scheme && scheme.order() == 2 && planned_ > stable_damped_step();
   if (pounding) fewest_steps_per_contact_ = std::min(fewest_steps_per_contact_, contact / planned_);
@@ -181,7 +168,7 @@ bool StepControl::accepts(const Model& model, const StepTask& step, StepScheme s
   const double nominal_error = error * std::pow(nominal / h, scheme.order() > 2 ? 3 : 2);
   if (nominal_error > 1.2 && halvings_ < options_.max_halvings)
     ++halvings_;
-  else if (nominal_error * of_doubling < 0.9 && halvings_ > -options_.doublings)
+  else if (nominal_error * of_doubling < 0.9 && halvings_ > 0)
     --halvings_;
   return true;
 }
@@ -189,11 +176,6 @@ bool StepControl::accepts(const Model& model, const StepTask& step, StepScheme s
 void StepControl::accepted(const Model& model, double h, PlanVector ground_acceleration) {
   if (!adaptive()) return;
   since_event_ += h;
-  if (most_doublings_ < options_.doublings && --steps_until_more_ <= 0) {
-    // One doubling at a time behind hidden motion, all of them behind a change of regime.
-    most_doublings_ = restraint_ > 1 ? most_doublings_ + 1 : options_.doublings;
-    steps_until_more_ = restraint_;
-  }
   changed_before_.swap(changed_last_);
   changed_last_.clear();
   scales_.accepted(model, h, ground_acceleration);
@@ -221,25 +203,17 @@ void StepControl::watch_round_off(const Model& model) {
   });
 }
 
-void StepControl::stay_below(double h) {
-  constexpr double shorter = 0.75;
-  while (most_doublings_ > 0 && step_at(-most_doublings_) > shorter * h) --most_doublings_;
-  restraint_ = steps_until_more_ = steps_of_restraint;
-}
-
 void StepControl::changed_inside(const Model& model, std::span<const RegimeChange> changes) {
   changed_last_.assign(changes.begin(), changes.end());
   since_event_ = 0.0;
   if (adaptive()) scales_.regimes_changed(model);
 }
 
-void StepControl::restart(const Model& model, bool touched, bool close) {
+void StepControl::restart(const Model& model, bool touched) {
   if (touched)
     ramp_ = at_touch;
   else if (ramp_ < at_touch)  // a whole step was taken since the touch
     ramp_ = 0;
-  most_doublings_ = close ? 0 : options_.doublings;
-  restraint_ = steps_until_more_ = 1;
   since_event_ = 0.0;
   if (adaptive()) scales_.regimes_changed(model);
 }

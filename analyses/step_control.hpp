@@ -39,16 +39,14 @@ namespace moat {
 /// halvings for the bound of its stiffness takes average acceleration; one that needs more than one for the bound of
 /// its damping takes StepScheme::strongly_damped().
 ///
-/// Adaptive steps are the grid interval times or divided by powers of two, so that they end on samples of the motion
-/// and the tangent takes few values. Only steps of fourth order are longer than the interval: the motion of the ground
-/// inside them is integrated exactly (motions/ground_span.hpp).
+/// Adaptive steps are the grid interval divided by powers of two, so that they end on samples of the motion and the
+/// tangent takes few values.
 class StepControl {
  public:
   /// How steps are chosen.
   struct Options {
     double fixed_step = 0.0;             ///< s; 0: adaptive
-    double grid_interval = 0.0;          ///< s; the longest adaptive step of second order
-    int doublings = 0;                   ///< of the grid interval, for the longest step of fourth order
+    double grid_interval = 0.0;          ///< s; the longest adaptive step
     double tolerance = 3e-5;             ///< > 0, of the error of one step over its scale
     int steps_per_contact = 32;          ///< > 0; the shortest contact is divided into these
     int max_halvings = 24;               ///< of the grid interval, for the shortest step
@@ -76,32 +74,22 @@ class StepControl {
                              std::span<const RegimeChange> inside = {}, const double* filtered_curve = nullptr);
   /// The trial state was committed.
   void accepted(const Model& model, double h, PlanVector ground_acceleration);
-  /// Elements changed their regime at the committed state, or the ground stopped; `touched` if a gap closed. The next
-  /// step stays within one interval of the samples if an element is `close` to a change of regime.
-  void restart(const Model& model, bool touched, bool close);
+  /// Elements changed their regime at the committed state, or the ground stopped; `touched` if a gap closed.
+  void restart(const Model& model, bool touched);
 
   /// Whether a step of this length divides a contact of this duration finely enough, both in s. A fixed one always.
   [[nodiscard]] bool is_short_enough(double step, double contact) const {
     constexpr double round_off = 1e-9;
     return !adaptive() || step * options_.steps_per_contact <= contact * (1.0 + round_off);
   }
-  /// The longest step of second order, s.
+  /// The longest step, s.
   [[nodiscard]] double grid_interval() const { return options_.grid_interval; }
-  /// The longest exact step, s.
-  [[nodiscard]] double longest_exact_step() const {
-    return may_leave_samples() ? step_at(-most_doublings_) : options_.grid_interval;
-  }
   /// As given.
   [[nodiscard]] double tolerance() const { return options_.tolerance; }
   /// From now on errors are compared with this share of the tolerance, 0 < share <= 1.
   void use_share_of_tolerance(double share) { share_of_tolerance_ = share; }
   /// By which errors of accelerations are divided, m/s^2, one per node.
   [[nodiscard]] const Vector& acceleration_scales() { return scales_.values(); }
-  /// Whether the next step may be longer than one interval of the motion's samples.
-  [[nodiscard]] bool may_leave_samples() const { return adaptive() && most_doublings_ > 0; }
-  /// The next steps are shorter than h s, or within one interval of the motion's samples. They may double again after
-  /// some steps.
-  void stay_below(double h);
   /// Elements changed their regime inside the last step.
   void changed_inside(const Model& model, std::span<const RegimeChange> changes);
 
@@ -116,11 +104,8 @@ class StepControl {
   [[nodiscard]] NodeId place_of_round_off() const { return place_of_round_off_; }
 
  private:
-  // Halvings of the grid interval; negative: doublings.
-  [[nodiscard]] double step_at(int halvings) const {
-    const int index = halvings + options_.doublings;
-    return steps_[static_cast<std::size_t>(index)];
-  }
+  // After so many halvings of the grid interval, s.
+  [[nodiscard]] double step_at(int halvings) const { return steps_[static_cast<std::size_t>(halvings)]; }
   [[nodiscard]] double stable_step(double contact) const;
   [[nodiscard]] double stable_damped_step() const;
   [[nodiscard]] double error_of(const Model& model, const StepTask& step, StepScheme scheme,
@@ -138,9 +123,6 @@ class StepControl {
   int halvings_ = 0;
   int ramp_ = 0;              // further halvings after a touch
   double planned_ = 0.0;      // s, length of the last next_step(); samples of the motion may cut it
-  int most_doublings_ = 0;    // at present, of the grid interval
-  int steps_until_more_ = 0;  // after which there is one more; all of them if restraint_ is 1
-  int restraint_ = 1;         // steps from one more to the next
   double since_event_ = 0.0;  // s
   double fewest_steps_per_contact_ = std::numeric_limits<double>::infinity();
   // Of the model with open gaps: bounds on the largest squared frequency, 1/s^2, and rate of damping, 1/s.

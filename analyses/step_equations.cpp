@@ -43,15 +43,12 @@ void StepEquations::begin(const StepTask& task, StepScheme scheme, Vector& guess
   double* __restrict first = guess.data();
   const double square = (0.5 - scheme.beta) * h * h;
   if (scheme.corrects_velocity) {
-    // Relative motion is absolute motion, which is smooth, minus that of the ground, which is known.
-    deviation_ = task.ground ? task.ground->deviation() : GroundDeviation{};
     const double correction = h * h / 12.0;
-    const double of_displacement = deviation_.displacement, of_velocity = deviation_.velocity;
     if (scheme.filters_corrections) {
       find_correction(jerks_at_start_.values, start_correction_);
       for (int i = 0; i < size(); ++i) {
-        displacement[i] = u[i] + h * (v[i] + start_correction_[i]) + square * a[i] - of_displacement;
-        velocity[i] = v[i] + 0.5 * h * a[i] - of_velocity;
+        displacement[i] = u[i] + h * (v[i] + start_correction_[i]) + square * a[i];
+        velocity[i] = v[i] + 0.5 * h * a[i];
         first[i] = a[i] + start_correction_[i] / (correction / h);
       }
     } else {
@@ -59,8 +56,8 @@ void StepEquations::begin(const StepTask& task, StepScheme scheme, Vector& guess
         for (int i = 0; i < count; ++i) {
           const double relative_jerk = jerk[i] - ground_jerk(i);
           const double shift = correction * relative_jerk;
-          displacement[i] = u[i] + h * (v[i] + shift) + square * a[i] - of_displacement;
-          velocity[i] = v[i] + 2.0 * shift + (2.0 / 3.0) * h * a[i] - of_velocity;
+          displacement[i] = u[i] + h * (v[i] + shift) + square * a[i];
+          velocity[i] = v[i] + 2.0 * shift + (2.0 / 3.0) * h * a[i];
           first[i] = a[i] + h * relative_jerk;
         }
       });
@@ -142,7 +139,7 @@ void StepEquations::complete() {
   for (int i = 0; i < size(); ++i) {
     const double corrected =
         scheme_.filters_corrections ? end_correction_[i] - start_correction_[i] : correction * (end_jerk[i] - jerk[i]);
-    velocity[i] = v[i] + half * (a[i] + end_acceleration[i]) - corrected - deviation_.velocity;
+    velocity[i] = v[i] + half * (a[i] + end_acceleration[i]) - corrected;
   }
   for (const auto& [i, added] : added_velocities_) velocity[i] += added;
   model_->evaluate_linear_elements();

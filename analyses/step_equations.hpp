@@ -76,7 +76,6 @@ class StepEquations final : public NonlinearSystem {
   Factorisation factorisation_;
   SparseMatrix tangent_;
   StepTask task_;
-  GroundDeviation deviation_;  // of the ground in the whole step; used by schemes that correct the velocity
   Vector predicted_displacement_, predicted_velocity_;
   std::vector<std::pair<int, double>> added_velocities_;  // by add_impulses(), m/s, with their degrees of freedom
   Vector of_start_;                                       // the share of the start in averaged equations

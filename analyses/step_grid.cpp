@@ -20,8 +20,6 @@ StepTask StepGrid::task(double start, double end, double length) const {
   StepTask step{.length = length, .end_time = end, .ground_acceleration_at_start = ground_, .start_time = start};
   if (!motion_ended_) step.ground_acceleration = motion_->components_at(end);
   step.ground_jerk = (1.0 / length) * (step.ground_acceleration - ground_);
-  if (motion_ended_ || motion_->has_two_components()) return step;
-  if (const GroundSpan motion{*motion_, start, end}; !motion.is_straight()) step.ground = motion;
   return step;
 }
 
@@ -31,11 +29,6 @@ StepTask StepGrid::next_step(double time, double length) const {
   // Exactly the nominal length in the regular case, so that the tangent and its factors stay the same.
   const double exact = std::abs(target - time - length) < 1e-9 * length ? length : target - time;
   return task(time, target, exact);
-}
-
-void StepGrid::accepted(const StepTask& step) {
-  ground_ = step.ground_acceleration;
-  span_ = step.ground;
 }
 
 StepTask StepGrid::first_part(const StepTask& step, double h) const {

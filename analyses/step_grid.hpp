@@ -1,8 +1,6 @@
 // Where steps end.
 #pragma once
 
-#include <optional>
-
 #include "analyses/step_task.hpp"
 #include "motions/ground_motion.hpp"
 
@@ -30,9 +28,7 @@ class StepGrid {
   /// The first h seconds of a step that next_step() returned.
   [[nodiscard]] StepTask first_part(const StepTask& step, double h) const;
   /// The step was accepted.
-  void accepted(const StepTask& step);
-  /// The ground's motion over the step accepted last, null where its acceleration is linear there.
-  [[nodiscard]] const GroundSpan* ground_span() const { return span_ ? &*span_ : nullptr; }
+  void accepted(const StepTask& step) { ground_ = step.ground_acceleration; }
 
   /// Whether the last sample is reached and end_motion() was not called yet.
   [[nodiscard]] bool reaches_end_of_motion(double time) const;
@@ -47,7 +43,6 @@ class StepGrid {
   double end_;
   PlanVector ground_;
   bool motion_ended_ = false;
-  std::optional<GroundSpan> span_;
 };
 
 }  // namespace moat

@@ -29,8 +29,6 @@ class Stepper {
   /// Judges the trial state that solve() led to, with these changes of regime inside the step. False: begin again with
   /// next_length(), which is shorter.
   [[nodiscard]] virtual bool accepts(const StepTask& step, std::span<const RegimeChange> inside) = 0;
-  /// Whether a step may be longer than one interval of the motion's samples.
-  [[nodiscard]] virtual bool may_leave_samples() const { return false; }
   /// How the work of its steps is formed.
   [[nodiscard]] virtual WorkRule work_rule() const = 0;
 };

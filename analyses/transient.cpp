@@ -15,14 +15,6 @@
 namespace moat {
 namespace {
 
-// Of all elements at the last evaluate(), m; 0 where one is beyond its margin, as some laws are at rest.
-double smallest_margin(const Model& model) {
-  RegimeScan scan{.fraction = 0.0};  // no instant is looked for
-  for (const auto& block : model.blocks())
-    if (block->regimes() != nullptr) block->regimes()->scan(0.0, 0.0, scan);
-  return std::max(scan.margin, 0.0);
-}
-
 double process_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
 }  // namespace
@@ -32,10 +24,9 @@ Transient::Transient(Model& model, GroundMotion motion, TransientOptions options
       motion_{std::make_shared<const GroundMotion>(std::move(motion))},
       options_{checked(options, *motion_)},
       grid_{*motion_, model.state().time, end_of(options_, model, *motion_)},
-      implicit_{model, options_, control_options(options_, model, *motion_)},
+      implicit_{model, options_, control_options(options_, *motion_)},
       step_{model, options_, grid_, implicit_, statistics_},
       inside_{step_, options_.events},
-      hidden_{model},
       chatter_{options_.max_events_per_second} {
   check_components(model, *motion_);
   const IntegratorChoice choice = choose_integrator(model, options_, implicit_.control(), exact_);
@@ -61,7 +52,7 @@ void Transient::attach(StepObserver& observer) {
 
 StepView Transient::view(bool on_grid) const {
   const PlanVector acceleration = grid_.ground_acceleration();
-  return {*model_, acceleration.x, on_grid, step_.stepper().work_rule(), grid_.ground_span(), acceleration.y};
+  return {*model_, acceleration.x, on_grid, step_.stepper().work_rule(), acceleration.y};
 }
 
 void Transient::advance() {
@@ -74,8 +65,6 @@ void Transient::advance() {
   double h = take_step();
   crossing_ = Crossing::none;
   if (seen_.crossed || !changes_.empty()) h = treat_crossing(h);
-  // Elements that changed are at their margin.
-  margin_ = crossing_ == Crossing::none ? seen_.margin : 0.0;
   commit(step_.first_part(h));
   observers_.step(view(h == step_.whole().length));
   if (crossing_ == Crossing::inside) report_changes_inside();
@@ -95,12 +84,7 @@ double Transient::take_step() {
     // Changes that were foreseen belong to the whole step.
     const bool cut = h != step_.whole().length && !changes_.empty();
     seen_ = step_.scan(h);
-    // A step that will end at its first change has no margin there, and hides nothing for that reason.
-    const bool ends_at_change = seen_.crossed && !inside_.wanted(seen_.crossings);
-    const double margin = ends_at_change ? margin_ : std::min(margin_, seen_.margin);
-    const bool hides = stepper.may_leave_samples() && hidden_.in(step_.first_part(h), *model_, margin);
-    if (hides) implicit_.control().stay_below(h);
-    if (!cut && !hides && stepper.accepts(step_.first_part(h), changes_)) return h;
+    if (!cut && stepper.accepts(step_.first_part(h), changes_)) return h;
     model_->undo_changes_inside();
     foresee = foresee && !cut;
   }
@@ -143,9 +127,7 @@ void Transient::balance() {
 void Transient::change_regimes_at_end() {
   changes_.clear();
   model_->change_regimes(changes_);
-  margin_ = smallest_margin(*model_);
-  implicit_.control().restart(*model_, std::ranges::any_of(changes_, &RegimeChange::touched),
-                              hidden_.is_close(margin_));
+  implicit_.control().restart(*model_, std::ranges::any_of(changes_, &RegimeChange::touched));
   if (changes_.empty()) return;
   balance();
   report_changes();
@@ -168,7 +150,7 @@ void Transient::report_changes() {
 void Transient::end_motion() {
   if (!grid_.end_motion()) return;
   balance();
-  implicit_.control().restart(*model_, false, true);
+  implicit_.control().restart(*model_, false);
   observers_.event(view(false), {});
 }
 
@@ -197,7 +179,7 @@ void Transient::run(const std::function<bool()>& stop) {
 
 std::vector<std::string> Transient::assumptions() const {
   std::vector<std::string> list =
-      assumptions_of(options_, implicit_.control(), longest_step_of_any(options_, motion_->time_step()), statistics_);
+      assumptions_of(options_, implicit_.control(), longest_step(options_, motion_->time_step()), statistics_);
   if (!choice_.empty()) list.insert(list.begin(), choice_);
   return list;
 }

@@ -11,7 +11,6 @@
 #include "analyses/chatter_guard.hpp"
 #include "analyses/collapse_guard.hpp"
 #include "analyses/exact_steps.hpp"
-#include "analyses/hidden_motion.hpp"
 #include "analyses/implicit_steps.hpp"
 #include "analyses/observers.hpp"
 #include "analyses/step_grid.hpp"
@@ -97,13 +96,11 @@ class Transient {
   std::optional<ExactSteps> exact_;
   StepSolver step_;
   ChangesInside inside_;
-  HiddenMotion hidden_;
   ChatterGuard chatter_;
   CollapseGuard collapse_;
   Observers observers_;
   std::vector<RegimeChange> changes_;  // of the last step
   RegimeScan seen_;                    // in the last trial step
-  double margin_ = 0.0;                // at the end of the last step, m
   enum class Crossing { none, located, inside } crossing_ = Crossing::none;
 };
 

@@ -36,27 +36,13 @@ const TransientOptions& checked(const TransientOptions& options, const GroundMot
 
 double longest_step(const TransientOptions& options, double sample_interval) {
   constexpr int most_halvings = 40;
+  if (options.step.si() > 0.0) return options.step.si();
   double step = sample_interval;
   if (options.largest_step.si() <= 0.0) return step;
   // Half of a step that was given as a power of two must not be missed by round-off.
   for (int halvings = 0; halvings < most_halvings && step > options.largest_step.si() * (1.0 + 1e-9); ++halvings)
     step *= 0.5;
   return step;
-}
-
-double longest_step_of_any(const TransientOptions& options, double sample_interval) {
-  if (options.step.si() > 0.0) return options.step.si();
-  const bool chosen = scheme_of(options.integrator).has_value();
-  return std::ldexp(longest_step(options, sample_interval),
-                    chosen ? 0 : doublings_of_longest_step(options, sample_interval));
-}
-
-int doublings_of_longest_step(const TransientOptions& options, double sample_interval) {
-  constexpr double of_default = 0.04;  // s; structures that pound have slower vibrations than an eighth of it
-  const double longest = options.largest_step.si() > 0.0 ? options.largest_step.si() : of_default;
-  int doublings = 0;
-  for (double step = 2.0 * sample_interval; step <= longest * (1.0 + 1e-9); step *= 2.0) ++doublings;
-  return doublings;
 }
 
 }  // namespace moat

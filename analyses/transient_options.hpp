@@ -48,10 +48,8 @@ struct TransientOptions {
   /// alone. 32 give restitution to 1e-3, 1024 to 1e-6. A fixed step with fewer than 32 warns.
   int steps_per_contact = 32;
 
-  /// >= 0 s. Adaptive step, and exact steps: the longest step. It is the interval of the samples times or divided by a
-  /// power of two, the longest that is at most this; 0: 0.04 s, with histories (CaseOptions) the interval of their
-  /// rows, or the interval of the samples if that is longer. Steps of schemes of second order are never longer than the
-  /// interval of the samples.
+  /// >= 0 s. Adaptive step, and exact steps: the longest step. It is the interval of the samples divided by a power of
+  /// two, the longest that is at most this; 0: the interval of the samples.
   Time largest_step{};
 
   /// >= 0, <= 40. Adaptive step: how often the interval of the samples, or largest_step if that is shorter, may be
@@ -85,12 +83,8 @@ struct TransientOptions {
   int max_events_per_second = 10000;
 };
 
-/// The longest step within one interval of the motion's samples, > 0 s, by TransientOptions::largest_step, in s.
+/// The longest step that an analysis may take, s: the fixed one, or by TransientOptions::largest_step.
 double longest_step(const TransientOptions& options, double sample_interval);
-/// How often a step that StepControl gives fourth order may double beyond it.
-int doublings_of_longest_step(const TransientOptions& options, double sample_interval);
-/// The longest step that an analysis may take, s.
-double longest_step_of_any(const TransientOptions& options, double sample_interval);
 
 /// The options themselves. Throws InputError for one outside its range, and for more than 1e9 steps.
 const TransientOptions& checked(const TransientOptions& options, const GroundMotion& motion);

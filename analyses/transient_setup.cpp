@@ -37,15 +37,13 @@ double end_of(const TransientOptions& options, const Model& model, const GroundM
   return end;
 }
 
-StepControl::Options control_options(const TransientOptions& options, const Model& model, const GroundMotion& motion) {
+StepControl::Options control_options(const TransientOptions& options, const GroundMotion& motion) {
   // Scales of acceleration are at least this share of the peak ground acceleration. A node with a smaller acceleration
   // is at rest, or free.
   constexpr double least_share_of_ground = 0.02;
   StepControl::Options control;
   control.fixed_step = options.step.si();
   control.grid_interval = longest_step(options, motion.time_step());
-  // In plan no step is longer than the interval of the samples.
-  control.doublings = model.is_plan() ? 0 : doublings_of_longest_step(options, motion.time_step());
   control.tolerance = options.tolerance;
   control.steps_per_contact = options.steps_per_contact;
   control.max_halvings = options.max_halvings;

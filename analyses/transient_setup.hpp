@@ -13,7 +13,7 @@ namespace moat {
 double end_of(const TransientOptions& options, const Model& model, const GroundMotion& motion);
 
 /// Options of the step control.
-StepControl::Options control_options(const TransientOptions& options, const Model& model, const GroundMotion& motion);
+StepControl::Options control_options(const TransientOptions& options, const GroundMotion& motion);
 
 /// Throws InputError for a motion of two components on a line.
 void check_components(const Model& model, const GroundMotion& motion);

@@ -202,9 +202,6 @@ class Links : public ElementBlock, public ElementLaws, protected LinkArrays {
   ReportedValue law_quantity(std::size_t i, std::size_t quantity) const override {
     return law_quantity_at(i, quantity, committed_[i], now_.deformations[i], now_.rates[i], now_.second_rates[i]);
   }
-  double law_quantity_per_deformation(std::size_t i, std::size_t quantity) const override {
-    return law_quantity_at(i, quantity, State{}, 1.0, 0.0, 0.0).value;
-  }
 
   ElementResults results() const override { return {now_.deformations, now_.rates, forces_, force_rates_}; }
 

@@ -154,9 +154,6 @@ class PlanarBlock final : public ElementBlock, public ElementLaws, public Planar
   ReportedValue law_quantity(std::size_t, std::size_t) const override {
     throw std::logic_error{"PlanarBlock: a law without quantities was asked for one"};
   }
-  double law_quantity_per_deformation(std::size_t, std::size_t) const override {
-    throw std::logic_error{"PlanarBlock: a law without quantities was asked for one"};
-  }
 
   double force_inside(std::size_t i, double fraction) const override {
     // commit() has left the states of the step's start in trial_, and its motion in before_.

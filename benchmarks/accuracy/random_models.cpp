@@ -17,9 +17,6 @@ namespace {
 /// Largest relative change of the reference's peaks with half the steps for which a model is compared.
 constexpr double settled_reference = 1e-5;
 
-/// Studies have no histories; their steps reach over several samples.
-constexpr Time longest_in_a_study = 40 * units::ms;
-
 std::vector<TrialSetting> trial_settings(double tolerance) {
   const TransientOptions newmark{.tolerance = tolerance},
       exact{.integrator = ExactBetweenEvents{}, .tolerance = tolerance};
@@ -27,11 +24,7 @@ std::vector<TrialSetting> trial_settings(double tolerance) {
   const std::string given = "tolerance " + to_text(tolerance);
   const std::string newmark_name = by_default ? "default" : given,
                     exact_name = by_default ? "exact" : "exact, " + given;
-  return {{newmark_name, newmark},
-          {"tight", {.tolerance = 1e-7, .steps_per_contact = 512}},
-          {exact_name, exact},
-          {newmark_name + " in a study", newmark, longest_in_a_study},
-          {exact_name + " in a study", exact, longest_in_a_study}};
+  return {{newmark_name, newmark}, {"tight", {.tolerance = 1e-7, .steps_per_contact = 512}}, {exact_name, exact}};
 }
 
 bool usable(const TrialModel& model) { return model.failed.empty() && model.reference.settled(settled_reference); }

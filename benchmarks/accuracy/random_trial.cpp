@@ -39,9 +39,8 @@ Trial run_trial(const testing::PlainModel& plain, const testing::CheckedReferenc
     Model model = testing::moat_model(plain);
     TransientOptions options = setting.options;
     options.end = plain.end * units::s;
-    const CaseResult result = run_case(
-        model, testing::moat_motion(plain.motion),
-        {.transient = options, .history_interval = setting.history_interval, .error_bars = ErrorBarMode::always});
+    const CaseResult result =
+        run_case(model, testing::moat_motion(plain.motion), {.transient = options, .error_bars = ErrorBarMode::always});
     trial.impacts = result.impacts.size();
     trial.steps = result.solver.accepted_steps;
     trial.warned = !result.warnings.empty();

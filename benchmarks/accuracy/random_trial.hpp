@@ -16,7 +16,6 @@ namespace moat {
 struct TrialSetting {
   std::string name;
   TransientOptions options;
-  Time history_interval{};  ///< 0 s: that of the motion, so that no step is longer
 };
 
 /// A peak of moat beside the reference.

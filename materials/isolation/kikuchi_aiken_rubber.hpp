@@ -65,7 +65,7 @@ struct KikuchiAikenRubber {
     friend bool operator==(const State&, const State&) = default;
   };
   static constexpr std::array<ReportedQuantity, 2> quantities{
-      {{.name = "shear_strain", .unit = "1", .of_deformation = true}, {.name = "fitted_strain_share", .unit = "1"}}};
+      {{.name = "shear_strain", .unit = "1"}, {.name = "fitted_strain_share", .unit = "1"}}};
 
   /// A bearing of 0.5 m2 with 20 cm of rubber.
   static KikuchiAikenRubber typical() {

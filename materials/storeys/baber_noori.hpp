@@ -67,8 +67,7 @@ struct BaberNoori {
 
     friend bool operator==(const State&, const State&) = default;
   };
-  static constexpr std::array<ReportedQuantity, 1> quantities{
-      {{.name = "ductility", .unit = "1", .of_deformation = true}}};
+  static constexpr std::array<ReportedQuantity, 1> quantities{{{.name = "ductility", .unit = "1"}}};
 
   static BaberNoori typical() {
     using namespace units;

@@ -81,8 +81,7 @@ struct ImkBilinear {
 
     friend bool operator==(const State&, const State&) = default;
   };
-  static constexpr std::array<ReportedQuantity, 1> quantities{
-      {{.name = "ductility", .unit = "1", .of_deformation = true}}};
+  static constexpr std::array<ReportedQuantity, 1> quantities{{{.name = "ductility", .unit = "1"}}};
   static constexpr double time_of_rate = 1.0, threshold = 1e-10;  ///< s, m
 
   /// A storey with a yield drift of 1 cm that loses its strength at 16 cm.

@@ -35,7 +35,7 @@ struct YieldingStorey {
   using State = Bilinear::State;
   static constexpr bool linear_within_regimes = true;
   static constexpr std::array<ReportedQuantity, 2> quantities{
-      {{.name = "ductility", .unit = "1", .of_deformation = true}, {.name = "residual_drift", .unit = "m"}}};
+      {{.name = "ductility", .unit = "1"}, {.name = "residual_drift", .unit = "m"}}};
 
   /// A concrete frame of 500 t floors, with a yield drift of 0.6 cm.
   static YieldingStorey typical() {

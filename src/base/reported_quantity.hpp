@@ -9,8 +9,6 @@ namespace moat {
 struct ReportedQuantity {
   std::string_view name;  ///< "friction_coefficient"; files write it as it is, the report with blanks
   std::string_view unit;  ///< SI; "1" without dimension
-  /// Proportional to the deformation, whose motion it follows inside steps: a shear strain.
-  bool of_deformation = false;
 };
 
 /// Such a quantity at an instant.

@@ -30,8 +30,6 @@ class ElementLaws {
   [[nodiscard]] virtual std::span<const ReportedQuantity> law_quantities(std::size_t element) const = 0;
   /// One of them at the committed state, in SI units.
   [[nodiscard]] virtual ReportedValue law_quantity(std::size_t element, std::size_t quantity) const = 0;
-  /// The derivative by the deformation of one of them that is `of_deformation`.
-  [[nodiscard]] virtual double law_quantity_per_deformation(std::size_t element, std::size_t quantity) const = 0;
   /// Force at a fraction of the last committed step, N: the law itself, on the deformation and rate interpolated there.
   /// Throws std::logic_error for linear laws, whose force is interpolated like the deformation.
   [[nodiscard]] virtual double force_inside(std::size_t element, double fraction) const = 0;

@@ -13,8 +13,6 @@ Channels::Channels(const Model& model) {
   first_in_plan_ = list_.size();
   if (model.is_plan()) {
     plan_ = PlanChannels{model, list_};
-    // No step in plan is longer than the interval of the samples.
-    of_ground_.assign(list_.size(), {});
     return;
   }
   for (const Building& building : model.buildings()) {
@@ -22,10 +20,7 @@ Channels::Channels(const Model& model) {
     for (const NodeId node : base_shears_.back().nodes)
       base_shear_of_node_[static_cast<std::size_t>(node.index)] = static_cast<int>(list_.size());
     list_.push_back({"total_base_shear", building.base_name(), building.base_name(), "N"});
-    of_ground_.emplace_back();
   }
-  for (std::size_t i = 0; i < list_.size(); ++i)
-    if (contains_ground(i)) relative_to_ground_.push_back(i);
 }
 
 void Channels::add_elements(const Model& model, std::size_t b) {
@@ -34,26 +29,19 @@ void Channels::add_elements(const Model& model, std::size_t b) {
   BlockChannels of_block{b, {}, {}, {}, {}};
   for (std::size_t e = 0; e < block.size(); ++e) {
     const ElementInfo& info = block.info(e);
-    const double of_ground_displacement = info.first == ground ? -1.0 : info.second == ground ? 1.0 : 0.0;
     if (!info.deformation_quantity.empty()) {
       const bool indentation = block.contacts() != nullptr;
-      // The indentation of an open gap is zero.
-      of_ground_.push_back({.displacement = indentation ? 0.0 : of_ground_displacement});
       (indentation ? of_block.indentations : of_block.deformations).push_back({e, list_.size()});
       list_.push_back({info.deformation_quantity, info.name, info.listed_under(), "m", has_gaps(block)});
     }
     if (info.force_quantity.empty()) continue;
     if (laws != nullptr && !block.constant_tangent()) of_laws_.push_back({list_.size(), b, e});
-    of_ground_.emplace_back();
     of_block.forces.push_back({e, list_.size()});
     list_.push_back({info.force_quantity, info.name, info.listed_under(), "N", has_gaps(block)});
     if (laws == nullptr) continue;
     const auto quantities = laws->law_quantities(e);
     for (std::size_t q = 0; q < quantities.size(); ++q) {
       const ReportedQuantity& quantity = quantities[q];
-      of_ground_.emplace_back();
-      if (quantity.of_deformation)
-        of_ground_.back().displacement = of_ground_displacement * laws->law_quantity_per_deformation(e, q);
       of_block.law_quantities.push_back({e, list_.size(), q});
       list_.push_back(
           {std::string{quantity.name}, info.name, info.listed_under(), std::string{quantity.unit}, has_gaps(block)});
@@ -69,7 +57,6 @@ void Channels::add_node(const Model& model, NodeId id) {
   const auto add = [&](const std::string& quantity, const char* unit) {
     list_.push_back({quantity, name, name, unit});
   };
-  of_ground_.insert(of_ground_.end(), {{.displacement = -1.0}, {.velocity = -1.0}, {}});
   if (diaphragm != nullptr && id == diaphragm->id.r) {
     rotations_.push_back({list_.size(), 1.0 / diaphragm->gyration});
     add("rotation", "rad");
@@ -170,17 +157,7 @@ void Channels::sample(const ElementBlock& block, const BlockChannels& channels, 
   }
 }
 
-Channels::Inside Channels::with_ground(std::size_t channel, const GroundBump& bump) const {
-  const auto& [displacement, velocity] = of_ground_[channel];
-  return {displacement * bump.displacement + velocity * bump.velocity,
-          displacement * bump.rate_of_displacement + velocity * bump.rate_of_velocity};
-}
-
 double Channels::value_inside(const StepView& view, std::size_t channel, double fraction, double of_cubic) const {
-  if (view.ground_span != nullptr && contains_ground(channel))
-    return of_cubic + with_ground(channel, view.ground_span->bump_at(view.ground_span->start() +
-                                                                     fraction * view.ground_span->length()))
-                          .value;
   const auto found = std::ranges::lower_bound(of_laws_, channel, {}, &LawChannel::channel);
   if (found == of_laws_.end() || found->channel != channel) return of_cubic;
   return view.model.blocks()[found->block]->laws()->force_inside(found->element, fraction);

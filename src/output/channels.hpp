@@ -29,21 +29,8 @@ class Channels {
   void sample(const StepView& view, std::vector<double>& values, std::vector<double>& rates) const;
   /// A channel at a fraction of the step that led to the committed state, where a cubic through its values and rates
   /// has the given value. The force of a law that is not linear comes from the law itself, so that no force exceeds its
-  /// capacity. Displacements and velocities relative to the ground follow its motion inside the step.
+  /// capacity.
   [[nodiscard]] double value_inside(const StepView& view, std::size_t channel, double fraction, double of_cubic) const;
-
-  /// The share of the motion of the ground inside a step in a channel and in its rate, beyond cubics.
-  struct Inside {
-    double value = 0.0, rate = 0.0;  ///< in units of the channel, and per second
-  };
-  /// The bump is that of the instant inside the step.
-  [[nodiscard]] Inside with_ground(std::size_t channel, const GroundBump& bump) const;
-  /// The channels that are relative to the ground, ascending.
-  [[nodiscard]] const std::vector<std::size_t>& relative_to_ground() const { return relative_to_ground_; }
-  /// Whether a channel is.
-  [[nodiscard]] bool contains_ground(std::size_t channel) const {
-    return of_ground_[channel].displacement != 0.0 || of_ground_[channel].velocity != 0.0;
-  }
 
   /// The channels whose rates jump where an element changes its regime: accelerations of its nodes, base shears.
   [[nodiscard]] std::vector<std::size_t> bent_by(const Model& model, const RegimeChange& change) const;
@@ -77,13 +64,7 @@ class Channels {
   std::vector<Channel> list_;
   std::vector<BlockChannels> blocks_;
   std::vector<LawChannel> of_laws_;  // ascending
-  // How each channel contains the motion of the ground: minus its displacement, for example, for a node's displacement.
-  struct OfGround {
-    double displacement = 0.0, velocity = 0.0;  // factors, in units of the channel per m and per m/s
-  };
-  std::vector<OfGround> of_ground_;
-  std::vector<std::size_t> relative_to_ground_;  // the channels of which it is not nothing
-  PlanChannels plan_;                            // behind all others; on a line without channels
+  PlanChannels plan_;                // behind all others; on a line without channels
   // Rotations, by the channel of w: 1/gyration.
   struct Rotation {
     std::size_t channel;

@@ -57,28 +57,6 @@ void EnergyLedger::add_input(const StepView& view, const Vector& masses, double 
   const double mean = 0.5 * h * (now + before) + h * h / 10.0 * masses.dot(velocity_ - end.velocity.head(count)) +
                       h * h * h / 120.0 * masses.dot(acceleration_ + end.acceleration.head(count));
   input_ -= ground_now * now - ground_before * before - slope * mean;
-  // In plan steps end at all samples.
-  if (view.ground_span != nullptr && !view.model.is_plan()) input_ -= work_of_deviation(view, slope);
-}
-
-// The ground's acceleration in the step is a line plus d(t), with the integrals D1, D2 and D3 of d to its end. The
-// motion is that of a smooth velocity w minus D1:
-//
-//     integral of d v = integral of d w - D1^2/2 = D1 w1 - D2 a1 + D3 (mean of w'') - D1^2/2,   w1 = v1 + D1,
-//
-// by parts. The integral of u in step() takes its motion for smooth; it must grow by h/2 D2 - h^2/10 D1 - D3.
-double EnergyLedger::work_of_deviation(const StepView& view, double slope) const {
-  const GroundDeviation d = view.ground_span->deviation();
-  const MotionState& end = view.model.state();
-  const int count = view.model.degrees_of_freedom();
-  const Vector& masses = view.model.masses();
-  const double mass = masses.sum(), h = end.time - time_;
-  const double acceleration = masses.dot(end.acceleration.head(count)),
-               mean_rate = (acceleration - masses.dot(acceleration_)) / h;
-  return d.velocity * masses.dot(end.velocity.head(count)) - d.displacement * acceleration +
-         d.displacement_integral * mean_rate +
-         mass * (0.5 * d.velocity * d.velocity -
-                 slope * (0.5 * h * d.displacement - 0.1 * h * h * d.velocity - d.displacement_integral));
 }
 
 void EnergyLedger::event(const StepView& view, std::span<const RegimeChange> changes) {

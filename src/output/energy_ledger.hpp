@@ -29,7 +29,6 @@ class EnergyLedger final : public StepObserver {
  private:
   void remember(const StepView& view);
   void add_input(const StepView& view, const Vector& masses, double ground_before, double ground_now);
-  [[nodiscard]] double work_of_deviation(const StepView& view, double slope) const;
 
   double time_ = 0.0;  // of the last instant, s
   Vector displacement_, velocity_, acceleration_;

@@ -135,18 +135,14 @@ const HistoryRecorder::Sample& HistoryRecorder::between(const StepView& view, do
   const double step = now_.time - before_.time, x = (time - before_.time) / step;
   const auto linear = [x](double first, double last) { return first + x * (last - first); };
   inside_.time = time;
-  inside_.ground_acceleration = {view.ground_span != nullptr
-                                     ? view.ground_span->acceleration_at(time)
-                                     : linear(before_.ground_acceleration.x, now_.ground_acceleration.x),
+  inside_.ground_acceleration = {linear(before_.ground_acceleration.x, now_.ground_acceleration.x),
                                  linear(before_.ground_acceleration.y, now_.ground_acceleration.y)};
   inside_.values.resize(now_.values.size());
   for (std::size_t i = 0; i < now_.values.size(); ++i) {
     const HermiteCubic cubic{before_.values[i], before_.rates[i], now_.values[i], now_.rates[i], step};
     // The openings of gaps follow the channels.
     const bool is_channel = i < channels_.list().size();
-    // Where the motion of the ground is part of a channel, the cubic alone need not look smooth.
-    const bool is_rough = is_channel && view.ground_span != nullptr && channels_.contains_ground(i);
-    const double value = cubic.is_smooth() || is_rough ? cubic.value(x) : linear(before_.values[i], now_.values[i]);
+    const double value = cubic.is_smooth() ? cubic.value(x) : linear(before_.values[i], now_.values[i]);
     inside_.values[i] = is_channel ? channels_.value_inside(view, i, x, value) : value;
   }
   inside_.energies = now_.energies;

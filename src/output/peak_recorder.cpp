@@ -4,14 +4,9 @@
 #include <cmath>
 #include <map>
 
-#include "base/hermite.hpp"
-
 namespace moat {
 
-PeakRecorder::PeakRecorder(const Model& model) : model_{&model}, channels_{model}, peaks_{channels_.list().size()} {
-  constexpr std::size_t most_samples_in_a_step = 16;  // more are rare
-  bumps_.reserve(most_samples_in_a_step);
-}
+PeakRecorder::PeakRecorder(const Model& model) : model_{&model}, channels_{model}, peaks_{channels_.list().size()} {}
 
 void PeakRecorder::start(const StepView& view) { step(view); }
 
@@ -20,7 +15,6 @@ void PeakRecorder::step(const StepView& view) {
   peaks_.add([&](std::size_t channel, double fraction, double turned) {
     return channels_.value_inside(view, channel, fraction, turned);
   });
-  if (view.ground_span != nullptr) add_samples_inside(*view.ground_span);
   if (model_->is_plan()) add_slide_begins();
 }
 
@@ -42,32 +36,6 @@ void PeakRecorder::add_slide_begins() {
       for (const std::size_t channel : channels_.bent_by(*model_, {.block = b, .element = e}))
         peaks_.add_bend(channel, start + fraction * (end - start));
     }
-  }
-}
-
-// Channels that contain the motion of the ground may turn at any of its samples. Those that can exceed their peak are
-// followed from sample to sample.
-void PeakRecorder::add_samples_inside(const GroundSpan& span) {
-  const double h = span.length();
-  const GroundSpan::BumpBounds bounds = span.bump_bounds();
-  const GroundBump largest{.displacement = bounds.displacement, .velocity = bounds.velocity};
-  bumps_.clear();
-  const CommonInstant &from = peaks_.start(), &to = peaks_.last();
-  for (const std::size_t i : channels_.relative_to_ground()) {
-    const Instant start{from.time, from.values[i], from.rates[i]}, end{to.time, to.values[i], to.rates[i]};
-    // The cubic between two bumps may exceed both.
-    const double reach_of_bumps = 2.0 * std::abs(channels_.with_ground(i, largest).value);
-    if (reach_of_cubic(start, end) + reach_of_bumps <= peaks_.magnitude(i)) continue;
-    if (bumps_.empty()) span.for_each_bump_inside([&](const GroundBump& bump) { bumps_.push_back(bump); });
-    const HermiteCubic cubic{start.value, start.rate, end.value, end.rate, h};
-    PeakTracker path;
-    path.restart(start.time, start.value, start.rate);
-    for (const GroundBump& bump : bumps_) {
-      const Channels::Inside more = channels_.with_ground(i, bump);
-      path.add(bump.time, cubic.value(bump.fraction) + more.value, cubic.rate(bump.fraction) + more.rate);
-    }
-    path.add(end.time, end.value, end.rate);
-    peaks_.keep(i, path.time(), path.value());
   }
 }
 

@@ -29,13 +29,11 @@ class PeakRecorder final : public StepObserver {
  private:
   void sample(const StepView& view);
   void add_slide_begins();
-  void add_samples_inside(const GroundSpan& span);
   [[nodiscard]] std::string side_of(std::size_t channel, const Peak& peak) const;
 
   const Model* model_;
   Channels channels_;
-  PeakTrackers peaks_;             // of all channels
-  std::vector<GroundBump> bumps_;  // inside the last step
+  PeakTrackers peaks_;  // of all channels
 };
 
 }  // namespace moat

@@ -5,7 +5,6 @@
 #include <span>
 
 #include "model/model.hpp"
-#include "motions/ground_span.hpp"
 
 namespace moat {
 
@@ -15,9 +14,7 @@ struct StepView {
   double ground_acceleration = 0.0;  ///< m/s^2, at the state's time; in plan its x component
   bool on_grid = true;               ///< false where the step was cut or ended at a located event, between grid times
   WorkRule work_rule = WorkRule::mean_force;  ///< of the step that led here
-  /// The motion of the ground over that step, where its acceleration is not linear in it; null elsewhere.
-  const GroundSpan* ground_span = nullptr;
-  double ground_acceleration_y = 0.0;  ///< m/s^2; 0 on a line
+  double ground_acceleration_y = 0.0;         ///< m/s^2; 0 on a line
 
   [[nodiscard]] PlanVector ground() const { return {ground_acceleration, ground_acceleration_y}; }  ///< m/s^2.
   /// m/s^2; of a diaphragm's rotation times its gyration.

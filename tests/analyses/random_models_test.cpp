@@ -29,11 +29,10 @@ constexpr double median_bound_with_default_settings = 2e-4;
 // Tight settings have no promise. All corners are located, so that errors are those of location.
 constexpr double bound_with_tight_settings = 1e-6;
 
-// Steps are at most as long as the interval of the histories: 0 s is that of the samples.
-CaseResult run(const PlainModel& plain, TransientOptions options, Time history_interval = {}) {
+CaseResult run(const PlainModel& plain, TransientOptions options) {
   Model model = moat_model(plain);
   options.end = plain.end * units::s;
-  return run_case(model, moat_motion(plain.motion), {.transient = options, .history_interval = history_interval});
+  return run_case(model, moat_motion(plain.motion), {.transient = options});
 }
 
 double worst_error(const CaseResult& result, const ReferenceResult& reference) {
@@ -60,13 +59,9 @@ TEST(RandomModels, PeaksAndImpactsAreThoseOfTheReference) {
     EXPECT_LT(worst_error(tight, reference.result), bound_with_tight_settings);
     default_errors.push_back(worst_error(run(plain, {}), reference.result));
     EXPECT_LT(default_errors.back(), bound_with_default_settings);
-    constexpr Time over_samples = 40 * units::ms;
-    EXPECT_LT(worst_error(run(plain, {}, over_samples), reference.result), bound_with_default_settings);
-    for (const Time history_interval : {Time{}, over_samples}) {
-      const CaseResult exact = run(plain, {.integrator = ExactBetweenEvents{}}, history_interval);
-      EXPECT_EQ(exact.impacts.size(), reference.result.touches.size());
-      EXPECT_LT(worst_error(exact, reference.result), bound_of_exact_steps);
-    }
+    const CaseResult exact = run(plain, {.integrator = ExactBetweenEvents{}});
+    EXPECT_EQ(exact.impacts.size(), reference.result.touches.size());
+    EXPECT_LT(worst_error(exact, reference.result), bound_of_exact_steps);
   }
   std::sort(default_errors.begin(), default_errors.end());
   EXPECT_LT(default_errors[models / 2], median_bound_with_default_settings);
