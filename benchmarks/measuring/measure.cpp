@@ -25,19 +25,6 @@ double seconds(Clock clock) {
   return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
-std::vector<std::vector<double>> interleaved_times(const std::vector<Candidate>& candidates, int rounds, Clock clock) {
-  std::vector<std::vector<double>> times(candidates.size());
-  for (int round = -1; round < rounds; ++round) {
-    for (std::size_t i = 0; i < candidates.size(); ++i) {
-      const double start = seconds(clock);
-      candidates[i].run();
-      const double taken = seconds(clock) - start;
-      if (round >= 0) times[i].push_back(taken);
-    }
-  }
-  return times;
-}
-
 Spread spread_of(std::vector<double> values) {
   if (values.empty()) throw InputError{"spread_of: there is no value. Give at least one."};
   std::sort(values.begin(), values.end());

@@ -1,8 +1,6 @@
-// Times that can be compared on a machine that is not quiet: candidates take turns.
+// Clocks, and the spread of times.
 #pragma once
 
-#include <functional>
-#include <string>
 #include <vector>
 
 #include "measuring/record.hpp"
@@ -16,17 +14,6 @@ enum class Clock {
 
 /// Seconds of a clock, from an arbitrary origin.
 double seconds(Clock clock = Clock::thread);
-
-struct Candidate {
-  std::string name;
-  std::function<void()> run;
-};
-
-/// Runs A B C A B C ..., `rounds` >= 1 rounds after one to warm up, and returns for each candidate the times of its
-/// rounds, s. A change of the machine's speed then affects all candidates, and has little effect on ratios within a
-/// round.
-std::vector<std::vector<double>> interleaved_times(const std::vector<Candidate>& candidates, int rounds,
-                                                   Clock clock = Clock::thread);
 
 /// Median and quartiles of at least one value.
 Spread spread_of(std::vector<double> values);

@@ -65,7 +65,7 @@ class Record {
   void section(const std::string& name);
   /// Prints `name  value  unit  (spread)` and whether the target was held.
   const Figure& add(Figure figure);
-  /// Something a reader has to know: "Octave is not installed: left out."
+  /// Something a reader has to know: "OpenSees is not installed: it is left out."
   void note(const std::string& sentence);
   void table(const Table& table);
 

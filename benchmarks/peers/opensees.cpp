@@ -80,4 +80,31 @@ OpenSeesRun OpenSees::run(const Model& model, const GroundMotion& motion, double
   throw Error{"OpenSees printed no result; see " + messages.string() + "."};
 }
 
+const std::vector<OpenSeesSetting>& opensees_settings() {
+  static const std::vector<OpenSeesSetting> list{
+      {"textbook", "Newmark, Newton, test on displacements"},
+      {"force_test", "Newmark with beta = 1/6, Newton, test on forces"},
+      {"explicit", "NewmarkExplicit, factored once"},
+  };
+  return list;
+}
+
+History opensees_history(const OpenSees& opensees, const Case& of, const OpenSeesSetting& setting, double step) {
+  const OpenSeesRun run = opensees.run(of.model, of.motion, step, of.end, setting, of.base, of.top);
+  History history{{}, run.cpu_seconds};
+  if (run.solved && run.peaks.size() == history.peaks.size()) std::ranges::copy(run.peaks, history.peaks.begin());
+  return history;
+}
+
+Ladder opensees_ladder(const std::string& name, const OpenSees& opensees, const Case& of,
+                       const OpenSeesSetting& setting) {
+  Ladder ladder{name, {}};
+  for (const int divisions : {1, 2, 3, 4, 5, 8, 12, 20})
+    ladder.settings.push_back(
+        {setting.description + ", interval/" + std::to_string(divisions), [&opensees, &of, setting, divisions] {
+           return opensees_history(opensees, of, setting, of.motion.time_step() / divisions);
+         }});
+  return ladder;
+}
+
 }  // namespace moat::peers

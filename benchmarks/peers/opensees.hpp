@@ -8,6 +8,8 @@
 
 #include "model/model.hpp"
 #include "motions/ground_motion.hpp"
+#include "peers/building.hpp"
+#include "peers/ladders.hpp"
 
 namespace moat::peers {
 
@@ -16,6 +18,9 @@ struct OpenSeesSetting {
   std::string name;         ///< "textbook"
   std::string description;  ///< "Newmark, Newton, test on displacements"
 };
+
+/// All of them.
+const std::vector<OpenSeesSetting>& opensees_settings();
 
 struct OpenSeesRun {
   bool solved = false;          ///< all steps
@@ -41,5 +46,12 @@ class OpenSees {
   std::string program_;
   std::filesystem::path folder_;
 };
+
+/// A history of steps of `step` s. One that OpenSees does not solve has no peaks, and so the largest error.
+History opensees_history(const OpenSees& opensees, const Case& of, const OpenSeesSetting& setting, double step);
+
+/// Steps from the interval of the motion to a twentieth of it. OpenSees and the case must outlive the ladder.
+Ladder opensees_ladder(const std::string& name, const OpenSees& opensees, const Case& of,
+                       const OpenSeesSetting& setting);
 
 }  // namespace moat::peers

@@ -4,85 +4,29 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
-#include <functional>
 #include <moat.hpp>
 #include <string>
 #include <vector>
 
-#include "measuring/error_curve.hpp"
-#include "measuring/five_peaks.hpp"
 #include "measuring/measure.hpp"
 #include "measuring/record.hpp"
 #include "measuring/street.hpp"
 #include "output/peak_recorder.hpp"
-#include "paper/paper_building.hpp"
+#include "peers/building.hpp"
+#include "peers/ladders.hpp"
 #include "peers/opensees.hpp"
 
 namespace moat::peers {
 namespace {
 
 using namespace units;
-using performance::CurvePoint;
 using performance::Figure;
 using performance::Peaks;
-using performance::ReadOff;
-using performance::Spread;
-
-// A model with the nodes whose peaks are compared.
-struct Case {
-  std::string name;
-  Model model;
-  NodeId base, top;
-  GroundMotion motion;
-  double end;  // s
-};
-
-// One history: its five peaks and its CPU seconds.
-struct History {
-  Peaks peaks{};
-  double seconds = 0.0;
-};
-
-// Settings of one program, from the loosest to the tightest.
-struct Ladder {
-  std::string name;
-  std::vector<std::function<History()>> settings;
-};
-
-Model five_storeys(bool linear_contact) {
-  Model model;
-  const Building building =
-      add(model, ShearBuilding{.storeys = 5,
-                               .floor_mass = paper::floor_mass,
-                               .storey_stiffness = 1 * GN / m,
-                               .damping = RayleighDamping{.ratio = 0.05},
-                               .base_mass = paper::base_mass,
-                               .isolation = LeadRubberBearing{.yield_force = 1.93 * MN,
-                                                              .yield_displacement = 1 * cm,
-                                                              .post_yield_stiffness = 19.3 * MN / m}});
-  if (linear_contact)
-    add(model, Moat{.around = building.base,
-                    .clearance = paper::paper_gap,
-                    .law = LinearElastic{.stiffness = paper::linear_impact_stiffness}});
-  else
-    add(model, Moat{.around = building.base,
-                    .clearance = paper::paper_gap,
-                    .law = HertzDamp{.stiffness = paper::hertz_impact_stiffness, .restitution = paper::restitution}});
-  return model;
-}
 
 NodeId node_named(const Model& model, const std::string& name) {
   for (int i = 0; i < model.node_count(); ++i)
     if (model.node_name(NodeId{i}) == name) return NodeId{i};
   throw InputError{"The model has no node " + name + "."};
-}
-
-// Balanced at the start of the motion, so that OpenSees starts with the same accelerations.
-Case balanced(std::string name, Model model, const std::string& base, const std::string& top, GroundMotion motion,
-              double end) {
-  const Transient at_start{model, motion};
-  const NodeId base_node = node_named(model, base), top_node = node_named(model, top);
-  return {std::move(name), std::move(model), base_node, top_node, std::move(motion), end};
 }
 
 History moat_history(const Case& of, TransientOptions options) {
@@ -109,75 +53,13 @@ History moat_history(const Case& of, TransientOptions options) {
 Ladder moat_ladder(const Case& of, const std::string& name, Integrator integrator) {
   Ladder ladder{name, {}};
   for (const int steps : {4, 6, 8, 11, 16, 23, 32, 45, 64})
-    ladder.settings.push_back([&of, integrator, steps] {
-      const double tolerance = std::min(0.12 / (static_cast<double>(steps) * steps), 1e-2);
-      return moat_history(of, {.integrator = integrator, .tolerance = tolerance, .steps_per_contact = steps});
-    });
+    ladder.settings.push_back(
+        {std::to_string(steps) + " steps per contact", [&of, integrator, steps] {
+           const double tolerance = std::min(0.12 / (static_cast<double>(steps) * steps), 1e-2);
+           return moat_history(of, {.integrator = integrator, .tolerance = tolerance, .steps_per_contact = steps});
+         }});
   return ladder;
 }
-
-// A history that OpenSees does not solve has no peaks, and the largest error.
-History opensees_history(const OpenSees& opensees, const Case& of, const OpenSeesSetting& setting, double step) {
-  const OpenSeesRun run = opensees.run(of.model, of.motion, step, of.end, setting, of.base, of.top);
-  History history{{}, run.cpu_seconds};
-  if (run.solved && run.peaks.size() == history.peaks.size()) std::ranges::copy(run.peaks, history.peaks.begin());
-  return history;
-}
-
-Ladder opensees_ladder(const OpenSees& opensees, const Case& of, const OpenSeesSetting& setting) {
-  Ladder ladder{"OpenSees, " + setting.description, {}};
-  for (const int divisions : {1, 2, 3, 4, 5, 8, 12, 20})
-    ladder.settings.push_back([&opensees, &of, setting, divisions] {
-      return opensees_history(opensees, of, setting, of.motion.time_step() / divisions);
-    });
-  return ladder;
-}
-
-const std::vector<OpenSeesSetting>& settings() {
-  static const std::vector<OpenSeesSetting> list{
-      {"textbook", "Newmark, Newton, test on displacements"},
-      {"force_test", "Newmark with beta = 1/6, Newton, test on forces"},
-      {"explicit", "NewmarkExplicit, factored once"},
-  };
-  return list;
-}
-
-// Times of all rounds for an error, read off between two settings that run in turns with those of all other ladders.
-class TimesInTurns {
- public:
-  TimesInTurns(const std::vector<Ladder>& ladders, const Peaks& reference, double error) {
-    for (const Ladder& ladder : ladders) {
-      std::vector<CurvePoint> points;
-      for (std::size_t i = 0; i < ladder.settings.size(); ++i) {
-        const History history = ladder.settings[i]();
-        points.push_back({i, performance::largest_error(history.peaks, reference), history.seconds});
-      }
-      if (const auto read = performance::read_off(points, error))
-        found_.push_back({&ladder, *read, {}});
-      else
-        missing_.push_back(ladder.name);
-    }
-  }
-  void run(int rounds) {
-    for (int round = -1; round < rounds; ++round)  // the first warms up
-      for (Found& each : found_) {
-        const double looser = each.ladder->settings[each.read.looser]().seconds;
-        const double tighter = each.ladder->settings[each.read.tighter]().seconds;
-        if (round >= 0) each.seconds.push_back(each.read.time(looser, tighter));
-      }
-  }
-  struct Found {
-    const Ladder* ladder;
-    ReadOff read;
-    std::vector<double> seconds;
-  };
-  [[nodiscard]] const std::vector<Found>& found() const { return found_; }
-  [[nodiscard]] const std::vector<std::string>& missing() const { return missing_; }
-
- private:
-  std::vector<Found> found_;
-  std::vector<std::string> missing_;
-};
 
 struct Options {
   std::filesystem::path records, folder = "results/peers";
@@ -185,18 +67,12 @@ struct Options {
 };
 
 std::vector<Case> buildings(const Options& options) {
-  std::vector<std::pair<std::string, GroundMotion>> motions{{"pulse", near_fault_pulse()}};
-  if (!options.records.empty())
-    for (const auto& [name, file] :
-         {std::pair{"GBZ000", "RSN1161_KOCAELI_GBZ000.AT2"}, std::pair{"JEN022", "RSN982_NORTHR_JEN022.AT2"}})
-      motions.emplace_back(name, read_motion(options.records / file));
   std::vector<Case> cases;
-  for (const auto& [name, motion] : motions)
-    for (const bool linear_contact : {true, false}) {
-      const GroundMotion scaled = motion.scaled_to_pga(0.4 * g);
-      cases.push_back(balanced(name + (linear_contact ? ", linear contact" : ", Hertz-damp contact"),
-                               five_storeys(linear_contact), "base", "floor 5", scaled, scaled.duration()));
-    }
+  for (const auto& [name, motion] : motions(options.records)) {
+    cases.push_back(
+        five_storeys(name + ", linear contact", LinearElastic{.stiffness = paper::linear_impact_stiffness}, motion));
+    cases.push_back(five_storeys(name + ", Hertz-damp contact", hertz_damp(), motion));
+  }
   return cases;
 }
 
@@ -210,22 +86,23 @@ void compare_buildings(performance::Record& record, const OpenSees& opensees, co
   for (const Case& each : cases) {
     std::vector<Ladder> ladders{moat_ladder(each, "moat adaptive", Newmark{}),
                                 moat_ladder(each, "moat --integrator automatic", Automatic{})};
-    for (const OpenSeesSetting& setting : settings()) ladders.push_back(opensees_ladder(opensees, each, setting));
+    for (const OpenSeesSetting& setting : opensees_settings())
+      ladders.push_back(opensees_ladder("OpenSees, " + setting.description, opensees, each, setting));
     const Peaks reference = moat_history(each, {.tolerance = 1e-8, .steps_per_contact = 2048}).peaks;
-    TimesInTurns times{ladders, reference, error};
-    times.run(options.rounds);
-    for (const std::string& name : times.missing())
-      record.note(each.name + ", " + name + ": no setting that was tried is as exact as 0.1 %.");
-    const auto& found = times.found();
-    for (const auto& one : found) {
+    const std::vector<Cost> found = costs(ladders, reference, error, options.rounds);
+    const Cost& first = found.front();
+    for (const Cost& cost : found) {
+      if (cost.seconds.empty()) {
+        record.note(each.name + ", " + cost.name + ": no setting that was tried is as exact as 0.1 %.");
+        continue;
+      }
       const Figure& figure = record.add(
-          {each.name + ", " + one.ladder->name, performance::scaled(performance::spread_of(one.seconds), 1e3), "ms"});
-      table.put(one.ladder->name, each.name, performance::cell(figure));
-      if (&one == &found.front()) continue;
-      const Figure& ratio = record.add({each.name + ", " + one.ladder->name + " / " + found.front().ladder->name,
-                                        performance::ratio_of(one.seconds, found.front().seconds)});
-      table.put("ratio of " + one.ladder->name + " to " + found.front().ladder->name, each.name,
-                performance::cell(ratio));
+          {each.name + ", " + cost.name, performance::scaled(performance::spread_of(cost.seconds), 1e3), "ms"});
+      table.put(cost.name, each.name, performance::cell(figure));
+      if (&cost == &first || first.seconds.empty()) continue;
+      const Figure& ratio = record.add(
+          {each.name + ", " + cost.name + " / " + first.name, performance::ratio_of(cost.seconds, first.seconds)});
+      table.put("ratio of " + cost.name + " to " + first.name, each.name, performance::cell(ratio));
     }
   }
   record.table(table);
@@ -238,18 +115,19 @@ void compare_streets(performance::Record& record, const OpenSees& opensees, cons
       {"CPU time in s for one second of a street", "600 DOF", "600 DOF, error", "6,000 DOF", "6,000 DOF, error"}};
   for (const int buildings : {100, 1000}) {
     const std::string size = buildings == 100 ? "600 DOF" : "6,000 DOF", middle = std::to_string(buildings / 2) + " ";
-    const Case street = balanced(size, performance::street(buildings), middle + "base", middle + "floor 5",
-                                 performance::street_motion(), end);
+    Model model = performance::street(buildings);
+    const NodeId base = node_named(model, middle + "base"), top = node_named(model, middle + "floor 5");
+    const Case street = balanced(size, std::move(model), base, top, performance::street_motion(), end);
     const Peaks reference = moat_history(street, {.tolerance = 1e-6, .steps_per_contact = 256}).peaks;
-    std::vector<Ladder> all{{"moat, default", {[&street] { return moat_history(street, {}); }}}};
-    for (const OpenSeesSetting& setting : settings())
+    std::vector<Ladder> all{{"moat, default", {{"", [&street] { return moat_history(street, {}); }}}}};
+    for (const OpenSeesSetting& setting : opensees_settings())
       all.push_back({"OpenSees, " + setting.description + ", steps of 2.5 ms",
-                     {[&, setting] { return opensees_history(opensees, street, setting, step); }}});
+                     {{"", [&, setting] { return opensees_history(opensees, street, setting, step); }}}});
     std::vector<std::vector<double>> seconds(all.size());
     std::vector<double> errors(all.size());
     for (int round = -1; round < options.rounds; ++round)
       for (std::size_t i = 0; i < all.size(); ++i) {
-        const History history = all[i].settings.front()();
+        const History history = all[i].settings.front().run();
         errors[i] = performance::largest_error(history.peaks, reference);
         if (round >= 0) seconds[i].push_back(history.seconds);
       }

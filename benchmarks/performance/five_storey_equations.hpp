@@ -1,5 +1,4 @@
-// The five-storey building in its moat, in plain SI and without moat: the equations of everything moat is compared
-// with.
+// The five-storey building in its moat, in plain SI and without moat: the equations that SUNDIALS solves.
 //
 // It is the building of benchmarks/paper/paper_building.hpp: base 0 and floors 1 to 5, displacements u relative to the
 // ground. With the floors' mass m, storey stiffness k and Rayleigh factors alpha (1/s) and beta (s):
@@ -11,8 +10,8 @@
 
 #include <Eigen/Core>
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <limits>
 #include <numbers>
 
 namespace moat::performance {
@@ -57,41 +56,31 @@ struct Regimes {
   double approach_speed = 0.0;  ///< m/s, at touch
 };
 
-// As materials/contact_state.hpp and materials/viscous_hertz_contact.hpp have them.
-inline constexpr double slowest_approach = 1e-4, largest_speed_ratio = 100.0;
-
-inline double speed_ratio(const Regimes& regimes, double base_velocity) {
-  return std::clamp(regimes.side * base_velocity / regimes.approach_speed, -largest_speed_ratio, largest_speed_ratio);
-}
-
-/// Force of the wall, N, >= 0, and its derivatives by indentation (N/m) and its rate (N s/m).
-struct WallForce {
-  double force = 0.0, stiffness = 0.0, damping = 0.0;
-};
-inline WallForce wall_force(const FiveStoreys& building, const Regimes& regimes, double base, double base_velocity) {
-  const double indentation = regimes.side * base - building.gap;
-  if (regimes.side == 0 || regimes.released || indentation <= 0.0) return {};
-  const double root = building.impact_stiffness * std::sqrt(indentation);
-  const double ratio = speed_ratio(regimes, base_velocity), factor = 1.0 + building.impact_damping * ratio;
-  const bool capped = std::abs(ratio) >= largest_speed_ratio;
-  return {root * indentation * factor, 1.5 * root * factor,
-          capped ? 0.0 : root * indentation * building.impact_damping / regimes.approach_speed};
-}
-
-/// F = stiffness * u + constant, N, while the bearing stays in its regime.
-struct Line {
-  double stiffness = 0.0, constant = 0.0;
-};
-inline Line bearing_line(const FiveStoreys& building, const Regimes& regimes) {
+/// N against positive displacement of the base.
+inline double bearing_force(const FiveStoreys& building, const Regimes& regimes, double base) {
   const double sliding_part = building.elastic_stiffness - building.post_yield_stiffness;
   if (regimes.sliding != 0)
-    return {building.post_yield_stiffness, sliding_part * regimes.sliding * building.yield_displacement};
-  return {building.elastic_stiffness, -sliding_part * regimes.slip};
+    return building.post_yield_stiffness * base + sliding_part * regimes.sliding * building.yield_displacement;
+  return building.elastic_stiffness * base - sliding_part * regimes.slip;
 }
 
-/// `base_force`: of bearing and wall on the base, N, against positive displacement.
-inline Values accelerations(const FiveStoreys& building, const Values& u, const Values& v, double base_force,
+// As in materials/contact_state.hpp and materials/viscous_hertz_contact.hpp.
+inline constexpr double slowest_approach = 1e-4, largest_speed_ratio = 100.0;
+
+/// N, >= 0.
+inline double wall_force(const FiveStoreys& building, const Regimes& regimes, double base, double base_velocity) {
+  const double indentation = regimes.side * base - building.gap;
+  if (regimes.side == 0 || regimes.released || indentation <= 0.0) return 0.0;
+  const double ratio =
+      std::clamp(regimes.side * base_velocity / regimes.approach_speed, -largest_speed_ratio, largest_speed_ratio);
+  return building.impact_stiffness * std::sqrt(indentation) * indentation * (1.0 + building.impact_damping * ratio);
+}
+
+/// `ground`: its acceleration, m/s^2.
+inline Values accelerations(const FiveStoreys& building, const Regimes& regimes, const Values& u, const Values& v,
                             double ground) {
+  const double base_force =
+      bearing_force(building, regimes, u[0]) + regimes.side * wall_force(building, regimes, u[0], v[0]);
   const Values w = building.square_frequency * (u + building.stiffness_factor * v);
   const Values drag = building.mass_factor * (v.array() - v[0]).matrix();
   double below = w[1] - w[0];
@@ -105,11 +94,38 @@ inline Values accelerations(const FiveStoreys& building, const Values& u, const 
   return a;
 }
 
-/// Duration of a free elastic impact of the base, s; infinite where no wall is touched.
-inline double contact_duration(const FiveStoreys& building, const Regimes& regimes) {
-  if (regimes.side == 0) return std::numeric_limits<double>::infinity();
-  const double speed = regimes.approach_speed;
-  return 2.94328 * std::pow(1.25 * building.base_mass * speed * speed / building.impact_stiffness, 0.4) / speed;
+/// Of the bearing's corner (m or m/s), of the gap (m), and of the force of a contact (1): an event where one falls
+/// below zero.
+enum Event { bearing_corner, gap_end, force_end, event_count };
+using Margins = std::array<double, event_count>;
+
+/// Yield and reloading are noticed this much beyond, relative, so that round-off does not switch them (as in moat).
+inline constexpr double noticed = 1e-9;
+
+inline Margins margins_of(const FiveStoreys& building, const Regimes& regimes, double base, double velocity) {
+  const double bearing = regimes.sliding == 0
+                             ? building.yield_displacement * (1.0 + noticed) - std::abs(base - regimes.slip)
+                             : regimes.sliding * velocity;
+  if (regimes.side == 0) return {bearing, building.gap - std::abs(base), 1.0};
+  const double factor = 1.0 + building.impact_damping * regimes.side * velocity / regimes.approach_speed;
+  return {bearing, regimes.side * base - building.gap, regimes.released ? noticed - factor : factor};
+}
+
+inline Regimes beyond(const FiveStoreys& building, Regimes regimes, Event event, double base, double velocity) {
+  if (event == force_end) {
+    regimes.released = !regimes.released;
+  } else if (event == gap_end) {
+    const int touched = base > 0.0 ? 1 : -1;
+    regimes.side = regimes.side == 0 ? touched : 0;
+    regimes.released = false;
+    regimes.approach_speed = std::max(touched * velocity, slowest_approach);
+  } else if (regimes.sliding == 0) {
+    regimes.sliding = base > regimes.slip ? 1 : -1;
+  } else {
+    regimes.slip = base - regimes.sliding * building.yield_displacement;
+    regimes.sliding = 0;
+  }
+  return regimes;
 }
 
 }  // namespace moat::performance

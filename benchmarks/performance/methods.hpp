@@ -1,27 +1,14 @@
-// Everything that computes the five-storey building, with the settings it is tried at.
+// The programs that compute the five-storey building, with the settings at which they are tried.
 #pragma once
 
-#include <functional>
-#include <string>
+#include <optional>
 #include <vector>
 
-#include "measuring/five_peaks.hpp"
-#include "motions/ground_motion.hpp"
+#include "peers/building.hpp"
+#include "peers/ladders.hpp"
+#include "peers/opensees.hpp"
 
 namespace moat::performance {
-
-struct Setting {
-  std::string name;
-  std::function<Peaks()> run;
-};
-
-/// Settings that differ in one thing, from the loosest to the tightest.
-using Ladder = std::vector<Setting>;
-
-struct Method {
-  std::string name;
-  std::vector<Ladder> ladders;
-};
 
 namespace method_names {
 inline constexpr const char *moat_adaptive = "moat adaptive",
@@ -29,19 +16,16 @@ inline constexpr const char *moat_adaptive = "moat adaptive",
                             *moat_checked = "moat adaptive, everything and error bars", *moat_fixed = "moat fixed step",
                             *moat_exact = "moat exact between events",
                             *moat_exact_recorded = "moat exact between events, everything a script records",
-                            *cvode_bdf = "CVODE BDF", *cvode_adams = "CVODE Adams", *arkode = "ARKODE",
-                            *cvode_on_model = "CVODE on moat's elements",
-                            *arkode_on_model = "ARKODE on moat's elements", *bare_newmark = "bare Newmark, fixed step",
-                            *bare_runge_kutta = "bare Runge-Kutta";
+                            *arkode = "ARKODE", *opensees = "OpenSees";
 }
 
-/// All of them for one motion, which must outlive them. `quick`: every third setting of a ladder.
-std::vector<Method> methods(const GroundMotion& motion, bool quick);
+/// The ladders of all methods. Case and OpenSees, if it is there, must outlive them.
+std::vector<peers::Ladder> methods(const peers::Case& of, const std::optional<peers::OpenSees>& opensees);
 
-/// moat and the bare explicit loop at settings that leave no visible error.
+/// At settings that leave no visible error: moat twice, and SUNDIALS, whose equations share nothing with moat.
 struct References {
-  Peaks moat, moat_less_tight, bare;
+  Peaks moat, moat_less_tight, sundials;
 };
-References references(const GroundMotion& motion);
+References references(const peers::Case& of);
 
 }  // namespace moat::performance

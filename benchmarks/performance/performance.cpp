@@ -24,12 +24,8 @@ struct Section {
 };
 
 const std::vector<Section>& sections() {
-  static const std::vector<Section> list{{"equal-accuracy", equal_accuracy},
-                                         {"overhead", overhead},
-                                         {"plan", plan_cost},
-                                         {"scale", scale},
-                                         {"suite", suite},
-                                         {"scripts", scripts}};
+  static const std::vector<Section> list{
+      {"equal-accuracy", equal_accuracy}, {"scale", scale}, {"suite", suite}, {"scripts", scripts}};
   return list;
 }
 
@@ -43,7 +39,7 @@ void measure(const Options& options, const std::string& only, bool write_docs) {
   }
   record.write(options.folder);
   if (write_docs) record.write_documentation(MOAT_PERFORMANCE_DOCUMENT);
-  std::printf("\nNumbers and charts: %s\n%d targets, %d held, %d missed\n", options.folder.c_str(), record.targets(),
+  std::printf("\nNumbers: %s\n%d targets, %d held, %d missed\n", options.folder.c_str(), record.targets(),
               record.targets() - record.missed(), record.missed());
 }
 
@@ -58,13 +54,15 @@ int main(int argc, char** argv) {
   bool write_docs = false;
   std::vector<std::string> names;
   for (const Section& section : sections()) names.push_back(section.name);
-  app.add_option("--out", options.folder, "folder for performance.json and the charts")->capture_default_str();
-  app.add_flag("--write-docs", write_docs, "also bring docs/performance.md and its charts up to date");
+  app.add_option("--out", options.folder, "folder for performance.json")->capture_default_str();
+  app.add_flag("--write-docs", write_docs, "also bring docs/performance.md up to date");
   app.add_option("--only", only, "one section alone")->check(CLI::IsMember(names));
   app.add_option("--rounds", options.rounds, "interleaved rounds whose median counts")
       ->capture_default_str()
       ->check(CLI::Range(5, 1000));
   app.add_flag("--quick", options.quick, "less of everything, to try the program");
+  app.add_option("--street-program", options.street_program, "another build that computes the streets of `scale`")
+      ->check(CLI::ExistingFile);
 
   Comparison comparison;
   CLI::App* comparing = app.add_subcommand("compare", "another build (A) and this one (B) in turns A B A B");
@@ -74,15 +72,12 @@ int main(int argc, char** argv) {
       ->check(CLI::IsMember(names));
   comparing->add_option("--out", comparison.folder, "folder for the figures of all turns")->capture_default_str();
   comparing->add_option("--turns", comparison.turns, "2: A B A B")->capture_default_str()->check(CLI::Range(1, 100));
-  comparing->add_option("--bound", comparison.bound, "ratio beyond which a row counts as slower")
-      ->capture_default_str();
 
   StreetSetting street;
   CLI::App* on_street = app.add_subcommand("street", "steps of a street in this process; prints JSON");
   on_street->add_option("--buildings", street.buildings, "of six degrees of freedom each")->capture_default_str();
   on_street->add_option("--steps-before", street.steps_before, "not measured")->capture_default_str();
   on_street->add_option("--steps", street.steps, "measured")->capture_default_str();
-  on_street->add_flag("--parts", street.parts, "also the parts of an iteration");
 
   try {
     app.parse(argc, argv);
@@ -90,7 +85,7 @@ int main(int argc, char** argv) {
     return app.exit(error) == 0 ? 0 : exit_usage;
   }
   try {
-    if (*comparing) return compare(comparison) == 0 ? 0 : 1;
+    if (*comparing) return compare(comparison), 0;
     if (*on_street) return std::printf("%s\n", nlohmann::json(measure_street(street)).dump().c_str()), 0;
     if (const char* records = std::getenv("MOAT_RECORDS")) options.records = records;
     if (write_docs && (options.quick || options.records.empty()))

@@ -10,25 +10,23 @@ namespace moat::performance {
 struct Options {
   /// Folder of recorded motions; empty: none are computed.
   std::filesystem::path records;
-  /// Where figures, charts and messages of other programs go.
+  /// Where figures and files of other programs go.
   std::filesystem::path folder = "results/performance";
   /// >= 5. Interleaved rounds whose median counts.
   int rounds = 5;
-  /// Fewer settings and shorter histories, to try the program; its figures mean little.
+  /// Less of everything, to try the program; its figures mean little.
   bool quick = false;
+  /// The build of this program that computes the streets.
+  std::filesystem::path street_program = "/proc/self/exe";
 };
 
-/// The five-storey building: time for 0.1 % and 1 % error, beside SUNDIALS, Octave and loops written by hand.
+/// The five-storey building: time for an error of 0.1 %, beside SUNDIALS and OpenSees.
 void equal_accuracy(Record& record, const Options& options);
-/// The general path beside a loop written for one building, step by step; the cost of observers.
-void overhead(Record& record, const Options& options);
-/// A tower in plan beside a loop written for it, step by step.
-void plan_cost(Record& record, const Options& options);
-/// A street of up to a million degrees of freedom: time and memory by size, and an iteration beside streaming memory.
+/// A street of up to 1e5 degrees of freedom: time and memory by size.
 void scale(Record& record, const Options& options);
-/// A study of many histories: histories per second and parallel efficiency.
+/// A study of many histories: histories per second, and the gain of a second thread.
 void suite(Record& record, const Options& options);
-/// The tours through the launcher: from the command to its end, edited and unchanged.
+/// The tours through the launcher: from the command to its end, edited and unchanged, and the whole run of one.
 void scripts(Record& record, const Options& options);
 
 }  // namespace moat::performance

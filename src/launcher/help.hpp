@@ -98,8 +98,8 @@ distribution of errors over random models, against an independent reference, wit
 isolators: bearings whose lead or sliding surface heats, beside a published test and another program, as two tables.
 
 performance: measures how fast moat is, as ratios taken in one run, each line with its spread and, where there is one,
-its target. Installs the libraries compared with moat (cmake/packages/bench.txt); GNU Octave takes part when it is
-installed.
+its target. Installs the libraries compared with moat (cmake/packages/bench.txt); OpenSees takes part when it is
+installed (see peers).
 A machine that does something else meanwhile spoils times more than ratios.
 
   MOAT_RECORDS=~/records ./moat bench performance  everything, under ten minutes

@@ -5,7 +5,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <string>
 
 #include "measuring/measure.hpp"
 
@@ -59,14 +58,6 @@ TEST(Spread, OfRatiosIsTakenRoundByRound) {
   const Spread spread = ratio_of({2.0, 4.0, 2.0}, {1.0, 2.0, 1.0});
   EXPECT_EQ(spread.low, 2.0);
   EXPECT_EQ(spread.high, 2.0);
-}
-
-TEST(InterleavedTimes, LetCandidatesTakeTurns) {
-  std::string order;
-  const auto times = interleaved_times({{"a", [&order] { order += 'a'; }}, {"b", [&order] { order += 'b'; }}}, 2);
-  EXPECT_EQ(order, "ababab");  // one round to warm up
-  ASSERT_EQ(times.size(), 2u);
-  EXPECT_EQ(times[0].size(), 2u);
 }
 
 }  // namespace

@@ -1,11 +1,12 @@
-#include "performance/moat_five_storeys.hpp"
+#include "performance/moat_histories.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <moat.hpp>
+#include <string>
+#include <string_view>
+#include <vector>
 
+#include "base/error.hpp"
 #include "output/peak_trackers.hpp"
-#include "paper/paper_building.hpp"
 
 namespace moat::performance {
 namespace {
@@ -22,7 +23,7 @@ Peaks five_of(const std::vector<Peak>& peaks) {
           peak_of(peaks, "impact_force", "moat")};
 }
 
-// The five peaks alone, as the loops written by hand follow them.
+// The five peaks alone, as the program around SUNDIALS follows them.
 class FivePeakObserver final : public StepObserver {
  public:
   explicit FivePeakObserver(const Model& model) : top_{model.node_count() - 1} {
@@ -69,25 +70,6 @@ class FivePeakObserver final : public StepObserver {
 
 }  // namespace
 
-Model five_storey_model() {
-  using namespace units;
-  Model model;
-  const auto building =
-      add(model, ShearBuilding{.storeys = 5,
-                               .floor_mass = paper::floor_mass,
-                               .storey_stiffness = 1 * GN / m,
-                               .damping = RayleighDamping{.ratio = 0.05},
-                               .base_mass = paper::base_mass,
-                               .isolation = LeadRubberBearing{.yield_force = 1.93 * MN,
-                                                              .yield_displacement = 1 * cm,
-                                                              .post_yield_stiffness = 19.3 * MN / m}});
-  add(model, Moat{.around = building.base,
-                  .clearance = paper::paper_gap,
-                  .law = HertzDamp{.stiffness = paper::hertz_impact_stiffness, .restitution = paper::restitution}});
-  model.prepare();
-  return model;
-}
-
 Peaks moat_peaks(const Model& model, const GroundMotion& motion, const TransientOptions& options) {
   Model copy = model;
   Transient analysis{copy, motion, options};
@@ -101,15 +83,6 @@ Peaks moat_case(const Model& model, const GroundMotion& motion, const TransientO
                 ErrorBarMode error_bars) {
   Model copy = model;
   return five_of(run_case(copy, motion, {.transient = options, .error_bars = error_bars}).peaks);
-}
-
-long moat_steps(const Model& model, const GroundMotion& motion, const TransientOptions& options, Recorded recorded) {
-  Model copy = model;
-  if (recorded == Recorded::everything)
-    return run_case(copy, motion, {.transient = options, .error_bars = ErrorBarMode::never}).solver.accepted_steps;
-  Transient analysis{copy, motion, options};
-  analysis.run();
-  return analysis.statistics().accepted_steps;
 }
 
 }  // namespace moat::performance

@@ -1,0 +1,17 @@
+// Histories of the five-storey building by moat.
+#pragma once
+
+#include "analyses/case_run.hpp"
+#include "measuring/five_peaks.hpp"
+
+namespace moat::performance {
+
+/// Analyses a copy of the model, followed by an observer of the five peaks alone, like those of other programs.
+Peaks moat_peaks(const Model& model, const GroundMotion& motion, const TransientOptions& options);
+
+/// The same as a script does it, up to its results in memory: CaseRun with peaks, energy ledger, impacts, histories,
+/// periods and, as an option, the second run for error bars.
+Peaks moat_case(const Model& model, const GroundMotion& motion, const TransientOptions& options,
+                ErrorBarMode error_bars);
+
+}  // namespace moat::performance
