@@ -226,6 +226,8 @@ bool StepEquations::compute_residual(const Vector& acceleration, Vector& residua
   if (!std::exchange(is_moved_, false)) move(acceleration);
   model_->evaluate();
 
+  // m/s^2. Where nothing moves yet, all terms of a row vanish together, and no residual is small beside them.
+  constexpr double negligible_acceleration = 1e-12;
   const double* a = acceleration.data();
   const double* mass = model_->masses().data();
   const double* force = model_->internal_forces().data();
@@ -239,7 +241,7 @@ bool StepEquations::compute_residual(const Vector& acceleration, Vector& residua
     resultants_.with([&](const auto& size) {
       for (int i = 0; i < count; ++i) {
         unbalanced[i] = inertia(i) + force[i] + load(i);
-        const double lowest = std::max(0.5 * balanced_scales[i], std::numeric_limits<double>::min());
+        const double lowest = std::max(0.5 * balanced_scales[i], mass[i] * negligible_acceleration);
         scales[i] = std::max(std::max(size(i, inertia), size(i, inner)), std::max(size(i, load), lowest));
       }
     });

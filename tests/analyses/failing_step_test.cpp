@@ -186,5 +186,17 @@ TEST(FailingStep, AStepThatOnlyNeedsCuttingIsAccepted) {
   EXPECT_TRUE(analysis.finished());
 }
 
+// Before the edge the law has no force: on ground that is still all terms of its row vanish.
+TEST(FailingStep, IsNoneWhereAllForcesVanish) {
+  Model model;
+  const NodeId body = add(model, Node{.name = "body", .mass = 1000 * kg, .initial_velocity = 10 * mm / s});
+  model.register_element("Spring", "edge");
+  model.block<LinkBlock<Edge>>().add({.name = "edge", .first = ground, .second = body}, Edge{});
+  Transient analysis{model, still_ground(1 * s)};
+  analysis.run();
+  EXPECT_EQ(analysis.statistics().rejected_steps, 0);
+  EXPECT_NEAR(model.displacement(body), 10e-3, 1e-9);
+}
+
 }  // namespace
 }  // namespace moat
