@@ -73,7 +73,7 @@ void require_length(std::string_view name, std::span<const Value> values, std::s
 class FrameList {
  public:
   explicit FrameList(const fs::path& path) : path_{path} {
-    write_file(path, head + tail);
+    write_file(path, head_ + tail_);
     file_.open(path, std::ios::in | std::ios::out);
   }
 
@@ -82,13 +82,13 @@ class FrameList {
     const std::string_view exact_time{digits.data(), std::to_chars(digits.begin(), digits.end(), time).ptr};
     const std::string entry = "<DataSet timestep=\"" + std::string{exact_time} + "\" file=\"" + file + "\"/>\n";
     // Over the closing tags together with new ones, in a single write: the list is complete after every frame.
-    put(entry + tail);
+    put(entry + tail_);
     if (!file_) {
       const std::string reason = std::strerror(errno);
       file_.clear();
-      put(tail);
+      put(tail_);
       std::error_code ignored;
-      fs::resize_file(path_, end_ + tail.size(), ignored);
+      fs::resize_file(path_, end_ + tail_.size(), ignored);
       throw FileError{path_.string() + ": cannot be written (" + reason +
                       "). Check the folder's rights and the disk space."};
     }
@@ -98,11 +98,11 @@ class FrameList {
  private:
   void put(const std::string& text) { (file_.seekp(static_cast<std::streamoff>(end_)) << text).flush(); }
 
-  const std::string head = "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\">\n<Collection>\n";
-  const std::string tail = "</Collection>\n</VTKFile>\n";
+  const std::string head_ = "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\">\n<Collection>\n";
+  const std::string tail_ = "</Collection>\n</VTKFile>\n";
   fs::path path_;
   std::fstream file_;
-  std::size_t end_ = head.size();  // of the entries, bytes
+  std::size_t end_ = head_.size();  // of the entries, bytes
 };
 
 fs::path made_folder(const fs::path& folder) {
