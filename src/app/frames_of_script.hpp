@@ -11,8 +11,7 @@
 
 namespace moat {
 
-/// Frames whose files may still be written while bodies and the second run are computed, and while results are written.
-/// Where one cannot be written there are no more, and the analysis goes on.
+/// Where a frame cannot be written there are no more, and the analysis goes on.
 class FramesOfScript final : public StepObserver {
  public:
   /// As FrameRecorder.
@@ -24,10 +23,6 @@ class FramesOfScript final : public StepObserver {
   }
   void step(const StepView& view) override {
     attempt([&] { frames_.step(view); });
-  }
-  /// Waits for the files.
-  void wait() {
-    attempt([&] { frames_.wait(); });
   }
   /// Why frames are missing; empty where none are.
   [[nodiscard]] const std::string& failure() const { return failure_; }

@@ -13,14 +13,13 @@
 #include "output/peak_table.hpp"
 #include "output/results_folder.hpp"
 #include "output/summary.hpp"
-#include "output/vtk_table.hpp"
+#include "output/vtk_files.hpp"
 #include "report/report.hpp"
 #include "report/result_charts.hpp"
 
 namespace moat {
 
-void write_results(const CaseResult& result, const std::filesystem::path& folder, const WritingProgress& progress,
-                   const std::function<void()>& wait_for_others) {
+void write_results(const CaseResult& result, const std::filesystem::path& folder, const WritingProgress& progress) {
   constexpr double parts = 6.0;
   double done = 0.0;
   const auto written = [&](const std::string& part) {
@@ -34,7 +33,7 @@ void write_results(const CaseResult& result, const std::filesystem::path& folder
   std::future<void> files_of_charts = beside([&] { write_charts(charts, folder); });
   write_csv(result.impacts, folder / results_file::impacts);
   written(results_file::impacts);
-  write_vtt(result.histories, folder / results_file::histories_vtt);
+  vtk_files().write_table(result.histories, folder / results_file::histories_vtt);
   written(results_file::histories_vtt);
   write_report_html(result, charts, folder);
   written(results_file::report);
@@ -42,7 +41,6 @@ void write_results(const CaseResult& result, const std::filesystem::path& folder
   written("charts");
   histories.get();
   written(results_file::histories_csv);
-  if (wait_for_others) wait_for_others();
   write_summary_json(result, folder / results_file::summary);
   written(results_file::summary);
 }
@@ -68,7 +66,7 @@ std::string keep_results(const CaseResult& result, const std::filesystem::path& 
   keep(impacts, [&] { write_csv(result.impacts, folder / impacts); });
   keep(histories_csv, [&] { write_csv(result.histories, folder / histories_csv); });
   keep(report, [&] { write_report_html(result, result_charts(result), folder); });
-  keep(histories_vtt, [&] { write_vtt(result.histories, folder / histories_vtt); });
+  keep(histories_vtt, [&] { vtk_files().write_table(result.histories, folder / histories_vtt); });
   keep(charts_folder, [&] { write_charts(result_charts(result), folder); });
   return "Kept: " + (kept.empty() ? "nothing" : kept) + ". Left out: " + missing + ".";
 }

@@ -13,10 +13,9 @@ namespace moat {
 using WritingProgress = std::function<void(double done, double all, const std::string& written)>;
 
 /// Writes histories.csv, histories.vtt, impacts.csv, charts.svg, single charts, report.html, and at last summary.json
-/// into the folder: one with a summary is complete. wait_for_others: called before the summary, until files that others
-/// write are there. Throws FileError where a file cannot be written, and as wait_for_others does.
-void write_results(const CaseResult& result, const std::filesystem::path& folder, const WritingProgress& progress = {},
-                   const std::function<void()>& wait_for_others = {});
+/// into the folder: one with a summary is complete. Throws FileError where a file cannot be written, and as
+/// vtk_files().
+void write_results(const CaseResult& result, const std::filesystem::path& folder, const WritingProgress& progress = {});
 
 /// Where write_results() failed: removes frames and charts, writes the files one by one, the most important ones first,
 /// and returns a sentence that names those that are there and those that are not.

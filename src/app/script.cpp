@@ -174,24 +174,15 @@ int Script::run(Model& model, const GroundMotion& motion, const TransientOptions
   const Table& histories = outcome.result.histories;
   const bool takes_time =
       static_cast<double>(histories.columns.size()) * static_cast<double>(histories.rows()) > many_numbers;
-  const auto write = [&](const std::function<void()>& wait_for_others) {
-    write_results(outcome.result, folder.path(),
-                  takes_time && !options.quiet ? WritingProgress{ProgressBar{"writing", "parts"}} : WritingProgress{},
-                  wait_for_others);
-  };
+  // A run that failed has its reason already.
+  if (frames && !frames->failure().empty() && outcome.failure.empty())
+    outcome.fail(frames->failure(), exit_error, "The frames are incomplete: " + frames->failure());
   try {
     // Before the files, for which disk and memory may be too small.
     if (!options.quiet) print_text(std::cout, terminal_summary(outcome.result));
-    write([&] {
-      if (frames) frames->wait();
-    });
-    // A run that failed has its reason already.
-    if (frames && !frames->failure().empty() && outcome.failure.empty()) {
-      outcome.fail(frames->failure(), exit_error, "The frames are incomplete: " + frames->failure());
-      write({});
-    }
+    write_results(outcome.result, folder.path(),
+                  takes_time && !options.quiet ? WritingProgress{ProgressBar{"writing", "parts"}} : WritingProgress{});
   } catch (const std::exception& error) {
-    frames.reset();
     const std::string reason = reason_of(error);
     outcome.fail(reason, exit_error, "Files of these results are missing: " + reason);
     outcome.failure += " " + keep_results(outcome.result, folder.path());
@@ -220,7 +211,9 @@ std::optional<int> Script::read_options(const GroundMotion& motion, RunOptions& 
            integrator_names() + "; exact steps are for small models, automatic takes them where it can");
   const Time end = options.transient.end.si() > 0.0 ? options.transient.end : motion.duration() * units::s;
   options.transient.end = time("end", end, "end of the analysis");
-  options.frame_interval = time("frame-interval", 50 * units::ms, "between VTK frames; 0 s writes none");
+  // At most some 400 frames of a motion of any length.
+  options.frame_interval = time("frame-interval", std::max(50 * units::ms, options.transient.end / 400.0),
+                                "between VTK frames; 0 s writes none");
   line.add_flag("check", options.check, "error bars also where the second run they need costs more than about 20 ms");
   line.add_flag("quiet", options.quiet, "print warnings and errors only");
   line.add_json_flag();

@@ -3,7 +3,7 @@
 
 #include <filesystem>
 #include <functional>
-#include <span>
+#include <string>
 #include <string_view>
 
 namespace moat {
@@ -12,13 +12,9 @@ namespace moat {
 /// end: a write that fails leaves the old file, and a link is replaced, not followed. Throws FileError naming the file
 /// and the reason.
 void write_file(const std::filesystem::path& path, std::string_view contents);
-/// The same; the contents are the pieces one after another.
-void write_file(const std::filesystem::path& path, std::span<const std::string_view> pieces);
-/// The same, without all pieces in memory; `more` gives one after another, and an empty one at the end.
+/// The same, without all contents in memory; `more` gives one piece after another, and an empty one at the end.
 void write_file(const std::filesystem::path& path, const std::function<std::string_view()>& more);
-
-/// The same in half the time, for a file that nobody looks for before another file names it: it is written in its
-/// place, and a file of its name is removed first. A write that fails leaves nothing.
-void write_unlisted_file(const std::filesystem::path& path, std::span<const std::string_view> pieces);
+/// The same; `write` writes the file of the name that it is given, and returns the errno where it fails, else 0.
+void write_file(const std::filesystem::path& path, const std::function<int(const std::string& unfinished)>& write);
 
 }  // namespace moat

@@ -20,9 +20,6 @@ class FrameRecorder final : public StepObserver {
 
   void start(const StepView& view) override;
   void step(const StepView& view) override;
-  void finish(const StepView&) override { wait(); }
-  /// Waits for the files, as FrameWriter::finish() does.
-  void wait() { writer_.finish(); }
 
  private:
   void write(const StepView& view);

@@ -39,26 +39,20 @@ struct FrameData {
 /// ParaView leaves out of colour ranges. A point of weight w shows w times the motion of its node; its absolute
 /// acceleration is w times that of the node plus (1 - w) times that of the ground.
 ///
-/// A thread of its own writes the files, because it takes longer to create hundreds of them than to analyse a small
-/// building. The .pvd is complete after every frame, so a run that stops early leaves a file ParaView opens.
+/// The .pvd is complete after every frame, so a run that stops early leaves a file that ParaView opens.
 class FrameWriter {
  public:
   /// Creates `folder`/frames and an empty `folder`/frames.pvd. Throws InputError where a cell has neither 2 nor 4
-  /// or more points, a point does not exist, an index is below -1, or a weight lies outside 0 to 1; FileError where the
-  /// folder or the file cannot be written.
+  /// or more points, a point does not exist, an index is below -1, or a weight lies outside 0 to 1, and as vtk_files();
+  /// FileError where the folder or the file cannot be written.
   FrameWriter(const std::filesystem::path& folder, Scene scene);
-  /// Waits for the files of all frames; errors are lost, unlike those of finish().
   ~FrameWriter();
   FrameWriter(FrameWriter&&) noexcept;
   FrameWriter& operator=(FrameWriter&&) noexcept;
 
-  /// Takes one frame at `time`, s, which must be later than that of the frame before, to be written. Throws InputError
-  /// where it is not, where a span is shorter than the scene needs, and after finish(); FileError where an earlier
-  /// frame could not be written.
+  /// Writes one frame at `time`, s, which must be later than that of the frame before. Throws InputError where it is
+  /// not, and where a span is shorter than the scene needs; FileError where the frame cannot be written.
   void write(double time, const FrameData& data);
-
-  /// Waits for the files of all frames. Throws FileError where one could not be written. Calling it again does nothing.
-  void finish();
 
   /// Number of frames written.
   [[nodiscard]] int frames() const;

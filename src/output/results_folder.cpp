@@ -30,7 +30,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-bool is_frame_name(const std::string& name) {
+bool is_frame_name(std::string name) {
+  name.resize(std::min(name.size(), name.find(".unfinished-")));  // of a run that was killed
   const std::string front = "frame_";
   const std::string back = ".vtu";
   if (name.size() < front.size() + 6 + back.size() || !name.starts_with(front) || !name.ends_with(back)) return false;

@@ -1,11 +1,8 @@
 #include "study/ranks.hpp"
 
-#include <dlfcn.h>
-
 #include <cstdlib>
-#include <filesystem>
 
-#include "base/error.hpp"
+#include "base/loaded_library.hpp"
 
 namespace moat {
 namespace {
@@ -15,22 +12,12 @@ bool is_set(const char* variable) {
   return value != nullptr && *value != '\0';
 }
 
-/// The library with MPI lies beside that of moat. It is loaded only where a job has ranks: no other program pays for
-/// it.
 Ranks* load() {
-  Dl_info info{};
-  if (dladdr(reinterpret_cast<const void*>(&ranks_of_this_job), &info) == 0 || info.dli_fname == nullptr)
-    throw InputError{"MPI: the library of moat cannot be located."};
-  const auto file = std::filesystem::path{info.dli_fname}.parent_path() / "libmoat_mpi.so";
-  void* library = dlopen(file.c_str(), RTLD_NOW | RTLD_GLOBAL);
-  if (library == nullptr)
-    throw InputError{"MPI: this job has ranks, and moat was built without MPI: " + std::string{dlerror()} +
-                     ". Install libopenmpi-dev and openmpi-bin, and configure with -DMOAT_MPI=ON; or start the program "
-                     "without mpirun."};
   using Make = Ranks* (*)();
-  const auto make = reinterpret_cast<Make>(dlsym(library, "moat_ranks"));
-  if (make == nullptr) throw InputError{"MPI: " + file.string() + " is of another version of moat. Build moat again."};
-  return make();
+  return reinterpret_cast<Make>(loaded_function("libmoat_mpi.so", "moat_ranks",
+                                                "MPI: this job has ranks, and moat was built without MPI",
+                                                "Install libopenmpi-dev and openmpi-bin, and configure with "
+                                                "-DMOAT_MPI=ON; or start the program without mpirun."))();
 }
 
 }  // namespace

@@ -53,21 +53,6 @@ TEST_F(WriteResults, ReportsItsProgress) {
     EXPECT_TRUE(std::filesystem::exists(folder / name)) << name;
 }
 
-TEST_F(WriteResults, TheSummaryComesBehindTheFilesOfOthers) {
-  const auto exists = [&](const char* name) { return std::filesystem::exists(folder / name); };
-  int waited = 0;
-  write_results({}, folder, {}, [&] {
-    ++waited;
-    EXPECT_TRUE(exists("report.html"));
-    EXPECT_FALSE(exists("summary.json"));
-  });
-  EXPECT_EQ(waited, 1);
-  EXPECT_TRUE(exists("summary.json"));
-  std::filesystem::remove(folder / "summary.json");
-  EXPECT_THROW(write_results({}, folder, {}, [] { throw FileError{"no file"}; }), FileError);
-  EXPECT_FALSE(exists("summary.json"));
-}
-
 TEST(TerminalSummary, SaysWhyThereAreNoErrorBars) {
   CaseResult result;
   result.error_bars.companion = "No error bars: a reason.";

@@ -285,6 +285,14 @@ TEST_F(ScriptRun, QuietSaysNothing) {
   EXPECT_TRUE(exists("results/01_moat_wall/summary.json"));
 }
 
+TEST_F(ScriptRun, AboutFourHundredFramesOfALongMotion) {
+  ASSERT_EQ(tour({"--end", "100 s", "--quiet", "--out", "out"}).exit_code, 0);
+  const std::string list = text_of(folder / "out/frames.pvd");
+  EXPECT_NE(list.find("frame_000400.vtu"), std::string::npos);
+  EXPECT_EQ(list.find("frame_000401.vtu"), std::string::npos);
+  EXPECT_NE(list.find("timestep=\"0.25\""), std::string::npos) << list;
+}
+
 TEST_F(ScriptRun, NoFramesWithoutAnInterval) {
   EXPECT_EQ(tour({"--end", "0.5 s", "--quiet", "--frame-interval", "0 s"}).exit_code, 0);
   EXPECT_FALSE(exists("results/01_moat_wall/frames.pvd"));

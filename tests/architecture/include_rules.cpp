@@ -60,6 +60,11 @@ std::optional<std::string> layer_of(const std::string& path) {
   return std::nullopt;
 }
 
+/// The file that alone may include a library, and the names of the headers of the library.
+const std::map<std::string, std::regex> only_in{
+    {"src/output/vtk_writers.cpp", std::regex{R"(^(SMP/\w+/)?vtk\w*\.h$)"}},
+};
+
 bool is_header(const std::string& path) { return !path.ends_with(".cpp"); }
 
 bool belongs_behind_a_cpp_file(const std::string& include) {
@@ -145,6 +150,9 @@ std::vector<std::string> broken_rules(const std::vector<SourceFile>& sources) {
       if (is_header(source.path) && belongs_behind_a_cpp_file(include.name)) {
         broken.push_back(place + "includes " + include.name + " in a header; it belongs in a .cpp file");
       }
+      for (const auto& [file, library] : only_in)
+        if (source.path != file && std::regex_search(include.name, library))
+          broken.push_back(place + "includes " + include.name + ", which belongs in " + file);
       const std::optional<std::string> target = resolve(source.path, include);
       if (!target) {
         if (include.quoted) broken.push_back(place + "includes \"" + include.name + "\", no file of the project");

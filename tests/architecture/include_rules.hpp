@@ -20,6 +20,7 @@ std::vector<SourceFile> read_sources(const std::filesystem::path& checkout);
 ///  - an include of a folder that the including folder may not know, or a folder without a rule;
 ///  - a quoted include that names no file of the project;
 ///  - a header that includes Trilinos, VTK, SuiteSparse, SQLite or MPI (they stay in .cpp files);
+///  - a file that includes VTK, and is not the one that writes with it;
 ///  - any file that includes a GPL part of SuiteSparse;
 ///  - files that include each other in a circle.
 std::vector<std::string> broken_rules(const std::vector<SourceFile>& sources);

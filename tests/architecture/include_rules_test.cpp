@@ -21,7 +21,8 @@ std::vector<SourceFile> tree_in_order() {
       {"src/model/model.hpp", "#include \"base/error.hpp\"\n"},
       {"src/solvers/newton.cpp", "#include <NOX.H>\n#include <klu.h>\n#include \"base/error.hpp\"\n"},
       {"src/motions/motion.hpp", "#include \"base/error.hpp\"\n"},
-      {"src/output/vtk.cpp", "#include <vtkNew.h>\n#include \"model/model.hpp\"\n#include \"motions/motion.hpp\"\n"},
+      {"src/output/vtk_writers.cpp",
+       "#include <vtkNew.h>\n#include \"model/model.hpp\"\n#include \"motions/motion.hpp\"\n"},
       {"src/output/table.hpp", "#include \"base/error.hpp\"\n"},
       {"src/solvers/newton.hpp", ""},
       {"materials/hertz.hpp", "#include \"base/error.hpp\"\n"},
@@ -77,11 +78,18 @@ TEST(IncludeRules, RefuseACircle) {
 
 TEST(IncludeRules, RefuseHeavyLibrariesInHeaders) {
   for (const std::string name :
-       {"vtkNew.h", "NOX.H", "NOX_Abstract_Group.H", "Teuchos_RCP.hpp", "klu.h", "camd.h", "trilinos/NOX.H",
-        "suitesparse/klu.h", "vtk-9.1/vtkSmartPointer.h", "sqlite3.h", "mpi.h"}) {
+       {"NOX.H", "NOX_Abstract_Group.H", "Teuchos_RCP.hpp", "klu.h", "camd.h", "trilinos/NOX.H", "suitesparse/klu.h",
+        "vtk-9.1/vtkSmartPointer.h", "sqlite3.h", "mpi.h"}) {
     EXPECT_EQ(broken_with({"src/output/bad.hpp", "#include <" + name + ">\n"}),
               sentences("src/output/bad.hpp:1 includes " + name + " in a header; it belongs in a .cpp file"));
   }
+}
+
+TEST(IncludeRules, RefuseVtkInAllFilesButOne) {
+  EXPECT_EQ(broken_with({"src/output/bad.cpp", "#include <vtkNew.h>\n#include <SMP/Common/vtkSMPToolsAPI.h>\n"}),
+            sentences("src/output/bad.cpp:1 includes vtkNew.h, which belongs in src/output/vtk_writers.cpp",
+                      "src/output/bad.cpp:2 includes SMP/Common/vtkSMPToolsAPI.h, which belongs in "
+                      "src/output/vtk_writers.cpp"));
 }
 
 TEST(IncludeRules, RefuseTheGplEverywhere) {

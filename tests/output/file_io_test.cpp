@@ -1,8 +1,9 @@
 #include "output/file_io.hpp"
 
+#include <cerrno>
+#include <fstream>
 #include <string>
 #include <string_view>
-#include <vector>
 
 #include "output_testing.hpp"
 
@@ -45,33 +46,35 @@ TEST_F(WriteFile, LeavesTheOldFileWhereTheNewOneFails) {
 }
 
 TEST_F(WriteFile, PutsPiecesOneAfterAnother) {
-  // More than the kernel takes at once, and empty ones among them.
-  std::string expected;
-  std::vector<std::string> texts;
-  for (int i = 0; i < 5000; ++i)
-    texts.push_back(std::string(static_cast<std::size_t>(i % 7), static_cast<char>('a' + i % 26)));
-  std::vector<std::string_view> pieces;
-  for (const std::string& text : texts) {
-    pieces.push_back(text);
-    expected += text;
-  }
-  write_file(folder / "a.txt", pieces);
+  std::string expected, piece;
+  int count = 0;
+  write_file(folder / "a.txt", [&]() -> std::string_view {
+    piece =
+        count < 5000 ? std::string(static_cast<std::size_t>(count % 7 + 1), static_cast<char>('a' + count % 26)) : "";
+    ++count;
+    expected += piece;
+    return piece;
+  });
   EXPECT_EQ(read_file(folder / "a.txt"), expected);
-  write_unlisted_file(folder / "b.txt", pieces);
-  EXPECT_EQ(read_file(folder / "b.txt"), expected);
-  EXPECT_EQ(files(), 2u);
+  EXPECT_EQ(files(), 1u);
 }
 
-TEST_F(WriteFile, RemovesWhatHasTheNameOfAnUnlistedFile) {
-  const std::vector<std::string_view> pieces{"new"};
-  write_file(folder / "victim.txt", "mine");
-  fs::create_symlink("victim.txt", folder / "a.txt");
-  write_unlisted_file(folder / "a.txt", pieces);
-  EXPECT_EQ(read_file(folder / "victim.txt"), "mine");
-  EXPECT_EQ(read_file(folder / "a.txt"), "new");
-  fs::create_directories(folder / "taken" / "inside");
-  EXPECT_NE(message_of<FileError>([&] { write_unlisted_file(folder / "taken", pieces); }).find("cannot be created"),
-            std::string::npos);
+TEST_F(WriteFile, LeavesTheOldFileWhereAnotherLibraryFailsToWrite) {
+  write_file(folder / "a.txt", "old");
+  const auto write_half = [&](int reason) {
+    write_file(folder / "a.txt", [&](const std::string& unfinished) {
+      std::ofstream{unfinished} << "half";
+      return reason;
+    });
+  };
+  EXPECT_EQ(message_of<FileError>([&] { write_half(ENOSPC); }),
+            (folder / "a.txt").string() +
+                ": cannot be written completely (No space left on device). Check that the "
+                "folder exists, may be written to, and that the disk is not full.");
+  EXPECT_EQ(read_file(folder / "a.txt"), "old");
+  EXPECT_EQ(files(), 1u) << "nothing unfinished is left";
+  write_half(0);
+  EXPECT_EQ(read_file(folder / "a.txt"), "half");
 }
 
 }  // namespace

@@ -1,10 +1,31 @@
-# paraview_check.py FRAMES.pvd PICTURE...: fields that ParaView finds in the frames, and the colours of the pictures.
-# Writes the file `checked` where all is right.
+# paraview_check.py FRAMES.pvd PICTURE...: fields that ParaView finds in the frames, the table of histories beside them,
+# and the colours of the pictures. Writes the file `checked` where all is right.
+import os
 import sys
 
 from paraview import servermanager
 from paraview.simple import PVDReader
 from vtkmodules.vtkIOImage import vtkPNGReader
+from vtkmodules.vtkIOXML import vtkXMLTableReader, vtkXMLTableWriter
+
+
+def table_in(file):
+    reader = vtkXMLTableReader()
+    reader.SetFileName(file)
+    reader.Update()
+    return reader.GetOutput()
+
+
+histories = table_in(os.path.join(os.path.dirname(sys.argv[1]), "histories.vtt"))
+assert histories.GetNumberOfRows() > 500
+# Data behind the XML are refused since Debian's security updates of libexpat. An older one would read all files.
+writer = vtkXMLTableWriter()
+writer.SetInputData(histories)
+writer.SetFileName("appended.vtt")
+writer.SetDataModeToAppended()
+writer.EncodeAppendedDataOff()
+assert writer.Write() == 1
+assert table_in("appended.vtt").GetNumberOfRows() == 0, "libexpat is older than Debian's security updates"
 
 frames = PVDReader(FileName=sys.argv[1])
 times = list(frames.TimestepValues)

@@ -1,11 +1,12 @@
 #!/usr/bin/env bash
-# paraview_test.sh LINE_SCRIPT PLAN_SCRIPT UNPACKED: ParaView reads the frames of both scripts, and moat.py beside them
-# draws pictures. Debian's python3-paraview cannot be installed beside VTK; it may lie unpacked in the folder UNPACKED.
+# paraview_test.sh LINE_SCRIPT PLAN_SCRIPT UNPACKED: ParaView reads the frames and tables of both scripts, and moat.py
+# beside them draws pictures. Debian's python3-paraview cannot be installed beside VTK; it may lie unpacked in the folder
+# UNPACKED, with the libexpat of Debian's security updates, by which ParaView reads XML.
 set -euo pipefail
 
 line_script=$1
 plan_script=$2
-export PYTHONPATH=$3/usr/lib/python3/dist-packages
+unpacked=$3
 checks=$(cd -- "$(dirname -- "$0")" && pwd)/paraview_check.py
 
 skip() {
@@ -20,7 +21,12 @@ cd "$folder"
 export HOME=$folder
 # -noreset: without it the screen restarts when ParaView ends its first connection, with which it only
 # queries the screen; a second connection at that moment is refused.
-pvbatch_on_screen() { xvfb-run -a -s "-screen 0 1280x1024x24 -noreset" pvbatch "$@"; }
+pvbatch_on_screen() {
+  PYTHONPATH=$unpacked/usr/lib/python3/dist-packages LD_LIBRARY_PATH=$(dirname "$expat") \
+    xvfb-run -a -s "-screen 0 1280x1024x24 -noreset" pvbatch "$@"
+}
+expat=$(find "$unpacked" -name libexpat.so.1 2>/dev/null) || true
+[[ -n $expat ]] || skip "unpack libexpat1 to draw the frames"
 echo 'from paraview.simple import PVDReader' >import.py
 pvbatch_on_screen import.py >python.log 2>&1 || skip "unpack python3-paraview to draw the frames"
 

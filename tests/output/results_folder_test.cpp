@@ -296,9 +296,9 @@ TEST_F(ResultsFolderTest, AFileOfTheUserIsNoMark) {
 
 TEST_F(ResultsFolderTest, OverwritingKeepsWhatMoatDidNotWrite) {
   const fs::path x = folder / "x";
-  for (const char* name :
-       {"summary.json", "histories.csv", "histories.vtt", "impacts.csv", "frames.pvd", "report.html",
-        "frames/frame_000000.vtu", "frames/frame_1234567.vtu", "charts/drift.svg", "charts/drift.csv"})
+  for (const char* name : {"summary.json", "histories.csv", "histories.vtt", "impacts.csv", "frames.pvd", "report.html",
+                           "frames/frame_000000.vtu", "frames/frame_1234567.vtu",
+                           "frames/frame_000001.vtu.unfinished-77", "charts/drift.svg", "charts/drift.csv"})
     put(x / name);
   put_summary(x);
   const std::vector<fs::path> foreign{"notes.txt",
