@@ -2,7 +2,6 @@
 #pragma once
 
 #include <filesystem>
-#include <string>
 
 #include "launcher/places.hpp"
 #include "launcher/process.hpp"
@@ -34,9 +33,9 @@ void new_project(const Places& places, const std::filesystem::path& folder);
 
 /// Builds the tests and hands over to the bootstrap script, which runs them with these words for CTest. With `all`
 /// nothing may be skipped: more packages are installed, and a skipped test is a failure.
-[[noreturn]] void run_tests(const Places& places, bool all, const Command& words);
+void run_tests(const Places& places, bool all, const Command& words);
 
 /// Builds the headers that checks need and hands over to the bootstrap script, which runs those of these names, or all.
-[[noreturn]] void run_checks(const Places& places, const Command& names);
+void run_checks(const Places& places, const Command& names);
 
 }  // namespace moat::launcher

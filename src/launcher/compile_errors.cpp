@@ -18,7 +18,6 @@ struct Error {
   int line = 0, column = 0;
   std::string text;   // with those of all notes behind it
   std::string shown;  // GCC's words, with the line of the source
-  int others = 0;     // errors behind it, in other places
 };
 
 std::optional<Error> first_error(const std::string& output) {
@@ -29,11 +28,11 @@ std::optional<Error> first_error(const std::string& output) {
   for (const std::string& line : lines_of(with_short_lines(output))) {
     std::smatch match;
     if (std::regex_match(line, match, head)) {
-      const Error error{match[1], std::stoi(match[2]), match[3].matched ? std::stoi(match[3]) : 0, "", "", 0};
+      const Error error{match[1], std::stoi(match[2]), match[3].matched ? std::stoi(match[3]) : 0, "", ""};
       is_shown = !first && match[4] == "error";
       if (is_shown) (first = error)->shown = before.find("required from") == std::string::npos ? "" : before;
-      if (first && first->others == 0) first->text += replaced(replaced(line, "‘", "'"), "’", "'") + "\n";
-      if (first && match[4] == "error" && (error.line != first->line || error.column != first->column)) ++first->others;
+      if (first && match[4] == "error" && (error.line != first->line || error.column != first->column)) break;
+      if (first) first->text += replaced(replaced(line, "‘", "'"), "’", "'") + "\n";
       before.clear();
     } else if (line.find(" |") == std::string::npos) {  // no line of the source
       before += line + "\n";
@@ -46,13 +45,15 @@ std::optional<Error> first_error(const std::string& output) {
 
 // "this is a force [N], but a mass [kg] is needed", where GCC names the types of a conversion or of two sides.
 std::string wrong_dimension(const Error& error) {
-  static const std::regex types{R"((?:error: .*(?:from|convert)|note: .*\(type|(operand types are)) '([^'\n]*)')"
+  static const std::regex types{R"((error: .*(?:from|convert)|note: .*\(type|operand types are) '([^'\n]*)')"
                                 R"((?: \{aka '[^'\n]*'\})?\)? (?:to (?:non-scalar )?(?:type )?|and )'([^'\n]*)')"};
   std::smatch match;
   if (!std::regex_search(error.text, match, types)) return "";
-  const std::string given = dimension_of_type(match[2]), needed = dimension_of_type(match[3]);
-  if (given.empty() || needed.empty() || given == needed) return "";
-  return match[1].matched ? "left stands " + given + ", right " + needed : misfit("this", given, needed);
+  const std::string kind = match[1], left = dimension_of_type(match[2]), right = dimension_of_type(match[3]);
+  const std::string text = misfit("this", left, right);
+  if (kind.starts_with("note") && error.text.find("class template argument deduction failed") == std::string::npos)
+    return "";
+  return kind.starts_with("operand") && !text.empty() ? "left stands " + left + ", right " + right : text;
 }
 
 // The struct that GCC needs in the place of a list in braces; empty where there are several.
@@ -90,8 +91,7 @@ std::string sentence_on(const Error& error, const std::filesystem::path& root) {
   else if (const auto known = mistake_in_fields(source, offset, type_of_argument(error), root))
     mistake = *known;
   if (mistake.sentence.empty()) return "";
-  const std::string front = source.substr(0, mistake.offset);
-  const auto line = source.empty() ? error.line : 1 + std::ranges::count(front, '\n');
+  const auto line = source.empty() ? error.line : 1 + std::ranges::count(source.substr(0, mistake.offset), '\n');
   return error.file + ":" + std::to_string(line) + ": " + mistake.sentence + "\n";
 }
 
@@ -100,8 +100,7 @@ std::string sentence_on(const Error& error, const std::filesystem::path& root) {
 std::string explained(const std::string& output, const std::filesystem::path& root) {
   const std::optional<Error> error = first_error(output);
   if (!error) return with_short_lines(output);
-  const std::string others = error->others == 0 ? "" : "... and " + std::to_string(error->others) + " more\n";
-  return with_short_lines(sentence_on(*error, root) + error->shown + others);
+  return with_short_lines(sentence_on(*error, root) + error->shown);
 }
 
 }  // namespace moat::launcher

@@ -76,8 +76,9 @@ inline std::string dimension_of_value(const std::string& value, const std::strin
   return words_of(product);
 }
 
-/// "0.1 is a number without unit, but a length [m] is needed; give it a unit, as in 0.1 * m"
+/// "0.1 is a number without unit, but a length [m] is needed; ..."; empty where both are equal, or one is unknown.
 inline std::string misfit(const std::string& value, const std::string& given, const std::string& needed) {
+  if (given.empty() || needed.empty() || given == needed) return "";
   const std::string sentence = value + " is " + given + ", but " + needed + " is needed";
   const auto* const known = std::ranges::find(dimensions, needed, &Dimension::words);
   if (given != number || value == "this" || known == dimensions.end()) return sentence;

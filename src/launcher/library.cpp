@@ -2,7 +2,6 @@
 
 #include <unistd.h>
 
-#include "launcher/process.hpp"
 #include "launcher/stop.hpp"
 #include "launcher/text.hpp"
 
@@ -10,14 +9,6 @@ namespace moat::launcher {
 namespace {
 
 namespace fs = std::filesystem;
-
-// Whether anything in these files and folders changed since a stamp was written, or there is no stamp.
-bool changed_since(const std::vector<fs::path>& places, const fs::path& stamp) {
-  Command find{"sh", "-c", R"(find "$@" -print -quit 2>/dev/null | grep -q .)", "moat"};
-  find.insert(find.end(), places.begin(), places.end());
-  find.insert(find.end(), {"-cnewer", stamp});
-  return !fs::exists(stamp) || run(find) == 0;
-}
 
 // Checked without the lock: a script need not wait for another moat that builds the tests. Ninja is not asked again
 // where nothing has changed since it found no work.
@@ -49,27 +40,36 @@ void switch_on(const Places& places, const std::string& option) {
 
 }  // namespace
 
+void call_bootstrap(const Places& places, Command words, const Command& more) {
+  words.insert(words.begin(), places.root / "moat");
+  words.insert(words.end(), more.begin(), more.end());
+  if (const int code = run(words); code != 0) throw Stop{code, ""};
+}
+
 bool library_may_have_changed(const Places& places, const fs::path& stamp) {
-  std::vector<fs::path> all;
+  Command find{"find"};
+  const auto add = [&](const fs::path& place) {
+    if (fs::exists(place)) find.push_back(place);
+  };
   // In `src` lies the library, in `script_header` the precompiled header of scripts.
   for (const char* name : {"build.ninja", ".ninja_log", "CMakeCache.txt", "src", "script_header"})
-    all.push_back(places.build / name);
+    add(places.build / name);
   const char* const names = "CMakeLists.txt CMakePresets.json .git/logs/HEAD cmake " MOAT_LIBRARY_FOLDERS;
-  for (const std::string& name : lines_of(replaced(names, " ", "\n"))) all.push_back(places.root / name);
-  return changed_since(all, stamp);
+  for (const std::string& name : lines_of(replaced(names, " ", "\n"))) add(places.root / name);
+  find.insert(find.end(), {"-cnewer", stamp, "-exec", "false", "{}", "+"});  // fails where it finds anything
+  return !fs::exists(stamp) || run(find) != 0;
 }
 
 void bring_up_to_date(const Places& places, const Part& part) {
   if (!places.build_is_ours()) return;
   // The package database changes with every upgrade and removal, which may take away a library.
   const fs::path stamp = places.build / "packages_are_installed";
-  const bool packages_are_there = part.package_lists.empty() && !changed_since({"/var/lib/dpkg/status"}, stamp);
+  const bool packages_are_there = part.package_lists.empty() && fs::exists(stamp) &&
+                                  time_of_change("/var/lib/dpkg/status") <= time_of_change(stamp);
   if (packages_are_there && part.cmake_option.empty() && is_current(places, part)) return;
   const auto lock = lock_of(places.work / ".lock");
   if (!packages_are_there) {
-    Command install{places.root / "moat", "--install", "run"};
-    install.insert(install.end(), part.package_lists.begin(), part.package_lists.end());
-    if (const int code = run(install); code != 0) throw Stop{code, ""};
+    call_bootstrap(places, {"--install", "run"}, part.package_lists);
     write_text(stamp, "");
   }
   switch_on(places, part.cmake_option);

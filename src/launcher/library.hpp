@@ -1,11 +1,10 @@
 // Brings the library up to date.
 #pragma once
 
-#include <filesystem>
 #include <string>
-#include <vector>
 
 #include "launcher/places.hpp"
+#include "launcher/process.hpp"
 
 namespace moat::launcher {
 
@@ -24,6 +23,9 @@ struct Part {
 /// Installs packages, configures and builds, as far as necessary; nothing where the build folder is not ours. Throws
 /// Stop where one of them fails.
 void bring_up_to_date(const Places& places, const Part& part);
+
+/// Calls the bootstrap script, which answers some commands itself. Throws Stop with its exit code where it fails.
+void call_bootstrap(const Places& places, Command words, const Command& more);
 
 /// Whether a source of the library, the commit, a list of the build, or a file of the built library changed since
 /// `stamp` was written, or there is no stamp. It looks at dates alone: a script that starts need not wait until Ninja

@@ -57,9 +57,7 @@ void run_tests(const Places& places, bool all, const Command& words) {
             .cmake_option = "MOAT_BUILD_TESTS"};
   if (all) part.package_lists.emplace_back("all");
   bring_up_to_date(places, part);
-  Command test{"--test", all ? "all" : "some"};
-  test.insert(test.end(), words.begin(), words.end());
-  become(places.root / "moat", "moat", test);
+  call_bootstrap(places, {"--test", all ? "all" : "some"}, words);
 }
 
 void run_checks(const Places& places, const Command& names) {
@@ -68,9 +66,7 @@ void run_checks(const Places& places, const Command& names) {
                             .targets = {"moat_generated_headers"},
                             .package_lists = {"test", "check"},
                             .cmake_option = "MOAT_BUILD_TESTS"});
-  Command check{"--check"};
-  check.insert(check.end(), names.begin(), names.end());
-  become(places.root / "moat", "moat", check);
+  call_bootstrap(places, {"--check"}, names);
 }
 
 }  // namespace moat::launcher

@@ -23,17 +23,6 @@ struct Item {
 
 int nesting(char c) { return (c == '{' || c == '(' || c == '[') - (c == '}' || c == ')' || c == ']'); }
 
-// Of the whole library.
-std::string text_of_headers(const std::filesystem::path& root) {
-  std::string text;
-  for (const std::string& folder : lines_of(replaced(MOAT_LIBRARY_FOLDERS, " ", "\n"))) {
-    if (!is_directory(root / folder)) continue;
-    for (const auto& entry : std::filesystem::recursive_directory_iterator{root / folder})
-      if (entry.path().extension() == ".hpp") text += text_of(entry.path());
-  }
-  return text;
-}
-
 // The fields of `struct NAME {`, or of the struct that `using NAME =` names, in their order. Their declarations stand
 // alone on their line, indented by two.
 std::vector<Field> fields_of(const std::string& name, const std::string& headers) {
@@ -105,9 +94,8 @@ std::optional<Mistake> mistake_in_list(const std::string& source, const std::str
     const std::string front = "field " + name + " of " + type;
     if (field < last) return Mistake{offset, front + " stands in the wrong place; the order is " + joined(names, ", ")};
     last = field;
-    const std::string needed = dimension_of_type(field->type), given = dimension_of_value(value, code);
-    if (!needed.empty() && !given.empty() && needed != given)
-      return Mistake{offset, front + ": " + misfit(value, given, needed)};
+    const std::string text = misfit(value, dimension_of_value(value, code), dimension_of_type(field->type));
+    if (!text.empty()) return Mistake{offset, front + ": " + text};
     if (value.starts_with('{'))
       if (auto inside = mistake_in_list(source, code, code.find('{', offset), field->type, headers)) return inside;
   }
@@ -120,10 +108,10 @@ std::optional<Mistake> mistake_in_list(const std::string& source, const std::str
 }  // namespace
 
 std::string code_of(const std::string& source) {
-  if (source.find("R\"") != std::string::npos) return "";
   std::string code = source;
   for (std::size_t i = 0; i < code.size(); ++i) {
     std::size_t begin = i, end = i;
+    if (code[i] == '"' && i > 0 && code[i - 1] == 'R') return "";
     if (code.compare(i, 2, "//") == 0) {
       end = source.find('\n', i);
     } else if (code.compare(i, 2, "/*") == 0) {
@@ -138,13 +126,25 @@ std::string code_of(const std::string& source) {
       if (code[begin] != '\n') code[begin] = ' ';
     i = end;
   }
+  std::string open;
+  for (const char c : code) {
+    if (nesting(c) > 0) open += c;
+    if (nesting(c) >= 0) continue;
+    if (open.empty() || (c - open.back() + 1) / 2 != 1) return "";  // counterparts are 1 or 2 apart in ASCII
+    open.pop_back();
+  }
   return code;
 }
 
 std::optional<Mistake> mistake_in_fields(const std::string& source, std::size_t offset, const std::string& argument,
                                          const std::filesystem::path& root) {
-  const std::string code = code_of(source), headers = text_of_headers(root);
+  const std::string code = code_of(source);
   if (offset >= code.size()) return {};
+  std::string headers;
+  for (const std::string& folder : lines_of(replaced(MOAT_LIBRARY_FOLDERS, " ", "\n")))
+    if (is_directory(root / folder))
+      for (const auto& entry : std::filesystem::recursive_directory_iterator{root / folder})
+        if (entry.path().extension() == ".hpp") headers += text_of(entry.path());
   int depth = 0;
   std::vector<std::size_t> arguments;
   for (std::size_t i = offset; code[offset] == '(' && i < code.size() && (i == offset || depth > 0); ++i) {

@@ -13,7 +13,7 @@ struct Mistake {
   std::string sentence;
 };
 
-/// The source with blanks in the place of comments and of the insides of texts; empty for one with raw texts.
+/// The source with blanks for comments and the insides of texts; empty for raw texts, and for brackets that do not fit.
 std::string code_of(const std::string& source);
 
 /// The first field in the lists around an offset that its struct in the headers under `root` does not have, that stands

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cstdio>
 #include <iostream>
-#include <memory>
-#include <vector>
 
 #include "base/terminal.hpp"
 #include "launcher/compile_errors.hpp"
