@@ -22,6 +22,7 @@ file(CONFIGURE OUTPUT ${CMAKE_BINARY_DIR}/debian/script_compile.txt CONTENT "/us
 -Wall
 -Wextra
 -fno-elide-type
+-fdiagnostics-column-unit=byte
 -isystem
 {root}/src
 -isystem
@@ -55,7 +56,7 @@ set(CPACK_DEBIAN_PACKAGE_SECTION science)
 # To compile a script, to let its report zoom, and to run it: the libraries behind those of moat in Debian 12, which
 # tests/package compares with those that the programs name.
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS OFF)
-set(_depends g++ ninja-build libeigen3-dev libjs-dygraphs "libc6 (>= 2.36)" libgcc-s1 "libstdc++6 (>= 12)" libklu1
+set(_depends g++ libeigen3-dev libjs-dygraphs "libc6 (>= 2.36)" libgcc-s1 "libstdc++6 (>= 12)" libklu1
   libmd0 libsqlite3-0 libtrilinos-nox-13.2 libtrilinos-teuchos-13.2 libvtk9.1)
 if(MOAT_MPI)
   list(APPEND _depends libopenmpi3)

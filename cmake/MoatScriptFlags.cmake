@@ -13,8 +13,9 @@ file(CONFIGURE OUTPUT ${_header_folder}/moat.hpp CONTENT [[#include "@PROJECT_SO
 ]] @ONLY)
 
 separate_arguments(_of_user NATIVE_COMMAND "${CMAKE_CXX_FLAGS}")
-# -fno-elide-type: the message about a wrong dimension shows all exponents of both types.
-set(_flags -std=c++20 ${_of_user} -O1 -DNDEBUG -DMOAT_IS_SCRIPT -Wall -Wextra -fno-elide-type)
+# -fno-elide-type: the message about a wrong dimension shows all exponents of both types. The launcher reads columns.
+set(_flags -std=c++20 ${_of_user} -O1 -DNDEBUG -DMOAT_IS_SCRIPT -Wall -Wextra -fno-elide-type
+  "$<$<STREQUAL:${CMAKE_CXX_COMPILER_ID},GNU>:-fdiagnostics-column-unit=byte>")
 foreach(_sanitizer IN LISTS MOAT_SANITIZE)
   list(APPEND _flags -fsanitize=${_sanitizer} -fno-omit-frame-pointer -fno-sanitize-recover=all)
 endforeach()

@@ -20,8 +20,12 @@ step that did not converge.
 Every command explains itself: ./moat run --help. Progress goes to standard error. Compiled scripts and logs are kept
 in build/, or in ~/.cache/moat (XDG_CACHE_HOME) where that cannot be written; ./moat doctor shows where.)";
 
-inline constexpr char run[] = "Compile and run an input script";
-inline constexpr char after_run[] = R"(
+struct Command {
+  const char *name, *description, *footer;
+};
+
+inline constexpr Command commands[] = {
+    {"run", "Compile and run an input script", R"(
 ./moat run [--ranks N] SCRIPT.cpp [options of the script]
 
 Compiles an input script, which is a C++ program that includes <moat.hpp>, and runs it. The first time it also
@@ -37,103 +41,53 @@ installs the Debian packages that are missing and builds the library; an unchang
 A script may include files beside it: #include "my_law.hpp". It is compiled again when it, such a file or the
 library has changed. The compiled programs in build/scripts/ may be deleted at any time.
 
-Exit code: that of the script; 1 when building fails, 2 for wrong usage, 3 when packages cannot be installed.)";
+Options of most scripts, which its own --help explains: --out, --force, --step, --tolerance, --integrator, --end,
+--frame-interval, --check, --quiet, --json, --record, --record-unit; of studies --threads, --case, --cases, --retry.
 
-inline constexpr char create[] = "Start a script of your own";
-inline constexpr char after_new[] = R"(
+Exit code: that of the script; 1 when building fails, 2 for wrong usage, 3 when packages cannot be installed.)"},
+    {"new", "Start a script of your own", R"(
 Writes a short script for you to change; "tower" means tower.cpp. An existing file is never overwritten.
 
   ./moat new ~/study/tower.cpp && ./moat run ~/study/tower.cpp
   ./moat new tower --project                      a folder with CMakeLists.txt, tower.cpp and README.md, for programs
                                                   of your own that use the library
 
-Exit code: 0 done, 2 a name that cannot be used.)";
-
-inline constexpr char test[] = "Build and run the tests";
-inline constexpr char after_test[] = R"(
+Exit code: 0 done, 2 a name that cannot be used.)"},
+    {"test", "Build and run the tests", R"(
 ./moat test [--all] [options of ctest]
 
-Installs missing packages, builds the library with its tests, runs them, and lists the tests that were skipped
-with the reason. Exit code: that of ctest.
+Installs missing packages, builds the library with its tests, runs them, and gives the reasons of those that were
+skipped. Exit code: that of ctest.
 
   ./moat test                                     all tests
   ./moat test -R Gap                              those whose name matches Gap
-  ./moat test -N                                  list them
   MOAT_RECORDS=~/records ./moat test              with recorded ground motions
 
 Recorded accelerograms may not be redistributed and are not part of moat: tests that need them look for the files
 in the folder that the environment variable MOAT_RECORDS names, and are skipped when it is not set.
 
 With --all nothing may be skipped: it installs the programs that some tests need (cmake/packages/all.txt), demands
-MOAT_RECORDS, and fails when a test was skipped.)";
-
-inline constexpr char bench[] =
-    "Compute the benchmarks: the source paper, accuracy, isolators, performance, OpenSees beside moat";
-inline constexpr char after_bench[] = R"(
+MOAT_RECORDS, and fails when a test was skipped.)"},
+    {"bench", "Compute the benchmarks: the source paper, accuracy, isolators, performance, OpenSees beside moat", R"(
 ./moat bench paper [--out FOLDER] [--write-docs] [--coarse]
 ./moat bench accuracy [--out FOLDER] [--write-docs] [--only-random] [--models N] [--seed N] [--threads N] [--csv FILE]
 ./moat bench isolators [--write-docs]
-./moat bench performance [--out FOLDER] [--write-docs] [--only SECTION] [--rounds N] [--quick]
+./moat bench performance [--out FOLDER] [--write-docs] [--only SECTION] [--rounds N] [--quick] [compare PROGRAM]
 ./moat bench peers [--out FOLDER] [--write-docs] [--rounds N]
 
-paper: computes every table and figure of Zhao, Liu & Li (2017) beside the printed numbers, and puts them on one page,
-results/paper/index.html, to open from disk. Everything that can be checked is asserted, the rest is reported.
+paper: every table and figure of Zhao, Liu & Li (2017) beside the printed numbers, on a page to open from disk,
+results/paper/index.html. accuracy: error of the peaks against the number of steps, and errors over 200 random models
+against an independent reference, in about two minutes of processor time. isolators: bearings whose lead or sliding
+surface heats, beside a published test and another program. performance: ratios taken in one run, each with its spread,
+in under ten minutes; it installs the libraries compared with moat (cmake/packages/bench.txt). peers: moat beside
+OpenSees, the program that OPENSEES names or the one on the path. --write-docs brings the tables of docs up to date.
 
-  MOAT_RECORDS=~/records ./moat bench paper       everything; the four near-fault records are looked for there
-  ./moat bench paper                              without records: Table 1 and a synthetic pulse; names the skipped parts
-
-  --out FOLDER         where the page, figures (SVG) and tables of numbers (CSV) go
-  --write-docs         brings docs/verification.md up to date; needs the records
-  --coarse             five points per curve, to try the page
-
-accuracy: the error of the peaks against the number of steps, fixed and adaptive, as table and figure; then the
-distribution of errors over random models, against an independent reference, with default, tight and exact settings.
-
-  --models N           how many random models; 200, which take about two minutes of processor time. 0: none
-  --seed N             of the first random model; 1. The others follow it
-  --threads N          for the random models; 2
-  --csv FILE           a row per random model and setting
-  --only-random        random models alone
-
-isolators: bearings whose lead or sliding surface heats, beside a published test and another program, as two tables.
-
-performance: measures how fast moat is, as ratios taken in one run, each line with its spread and, where there is one,
-its target. Installs the libraries compared with moat (cmake/packages/bench.txt); OpenSees takes part when it is
-installed (see peers).
-A machine that does something else meanwhile spoils times more than ratios.
-
-  MOAT_RECORDS=~/records ./moat bench performance  everything, under ten minutes
-  ./moat bench performance                         without records: the synthetic pulse only where a motion is needed
-
-  --only SECTION       one section alone; a wrong name lists them
-  --rounds N           how often each is timed, in turns with the others; the median counts. 5 or more
-  --quick              less of everything, to try the program
-
-  ./moat bench performance compare PROGRAM         the program of another build and this one, in turns A B A B
-
-peers: moat beside OpenSees on the same models, in turns: time for equal accuracy and for a street, with the errors of
-both. OpenSees is the program that OPENSEES names, else `OpenSees` on the path. Without it nothing is compared.
+  MOAT_RECORDS=~/records ./moat bench paper       without recorded motions: Table 1 and a synthetic pulse
+  ./moat bench paper --help                       its options, from the program itself, which is built first
 
 Exit code: of paper 0 if all that is asserted holds, else 1; of the others 0 when they ran. 1 when building fails, 2 for
-wrong usage, 3 when packages cannot be installed.)";
-
-inline constexpr char study[] = "Show, export or merge the files of studies";
-inline constexpr char after_study[] = R"(
-./moat study show DIR
-./moat study export DIR [--out FILE.csv]
-./moat study merge INTO PART...
-
-A script with script.study() keeps its cases in a file, results/<script>/study.db, and goes on from it when it is run
-again. DIR is this folder, or such a file, which may be read while the script computes.
-
-  ./moat study show results/10_gap_study               progress, failures, slowest cases
-  ./moat study export results/10_gap_study             one row per case as CSV, for pandas, R and MATLAB
-  ./moat study merge all.db part_*.db                  cases that --case and --cases computed, in one file
-
-Exit code: 0 done, 1 a file that cannot be read, or studies that differ, 2 wrong usage.)";
-
-inline constexpr char motion[] = "Show peaks, duration, pulse period and spectrum of accelerograms";
-inline constexpr char after_motion[] = R"(
+wrong usage, 3 when packages cannot be installed.)"},
+    {"motion", "Show peaks, duration, pulse period and spectrum of accelerograms", R"(
 ./moat motion FILE... [--unit g] [--damping 0.05] [--out FOLDER] [--json]
 
 Shows for every file PGA, PGV, PGD, Arias intensity, significant duration (5 to 95 %), the period of its pulse (that of
@@ -145,17 +99,8 @@ files, and two columns of time and acceleration.
   ./moat motion columns.txt --unit "cm/s^2"       two columns do not say their unit
   ./moat motion record.V2 --json                  for programs, all numbers in SI units
 
-  --unit UNIT          of two-column files: g, cm/s^2 ...
-  --damping NUMBER     damping ratio of the spectrum; 0.05
-  --out FOLDER         where spectrum.svg and spectrum.csv go
-  --json               print JSON instead of text
-
-Exit code: 0 done, 1 a file that cannot be read, 2 wrong usage.)";
-
-inline constexpr char report[] = "Show the results in a folder on one screen";
-inline constexpr char after_report[] = R"(
-./moat report DIR [--open] [--json]
-
+Exit code: 0 done, 1 a file that cannot be read, 2 wrong usage.)"},
+    {"report", "Show the results in a folder on one screen", R"(
 Shows title, motion, the largest peak of every quantity, the smallest clearance left, impacts and warnings of a run; of
 studies their progress and failures.
 
@@ -163,14 +108,17 @@ studies their progress and failures.
   ./moat report results/01_moat_wall --open       and its page in the browser, by xdg-open
   ./moat report results/01_moat_wall --json       for programs, all numbers in SI units
 
-Exit code: 0 done, 1 no results there or no browser, 2 wrong usage.)";
+Exit code: 0 done, 1 no results there or no browser, 2 wrong usage.)"},
+    {"study", "Show, export or merge the files of studies", R"(
+A script with script.study() keeps its cases in a file, results/<script>/study.db, and goes on from it when it is run
+again. Give this folder, or such a file, which may be read while the script computes.
 
-inline constexpr char completion[] = "Print a script that completes this command line in bash";
-inline constexpr char after_completion[] = R"(
-  source <(./moat completion bash)                put this line, with the whole path of moat, into ~/.bashrc)";
+  ./moat study show results/10_gap_study               progress, failures, slowest cases
+  ./moat study export results/10_gap_study             one row per case as CSV, for pandas, R and MATLAB; --out FILE
+  ./moat study merge all.db part_*.db                  cases that --case and --cases computed, in one file
 
-inline constexpr char check[] = "Check the code: format, warnings, sanitizers and more";
-inline constexpr char after_check[] = R"(
+Exit code: 0 done, 1 a file that cannot be read, or studies that differ, 2 wrong usage.)"},
+    {"check", "Check the code: format, warnings, sanitizers and more", R"(
 For those who change moat. Runs checks one after the other, goes on when one fails, and exits with 1 if one did.
 
   format       clang-format finds nothing to change
@@ -180,14 +128,31 @@ For those who change moat. Runs checks one after the other, goes on when one fai
   tidy         clang-tidy finds nothing in the library (.clang-tidy)
   sanitizers   all tests pass with the address and undefined-behaviour sanitizers (build/asan)
 
-  ./moat check format shell                       two of them, in a minute
-  ./moat check                                    all)";
-
-inline constexpr char doctor[] = "Show installed and missing packages";
-inline constexpr char after_doctor[] = R"(
+  ./moat check format shell                       two of them, in a minute)"},
+    {"completion", "Print a script that completes this command line in bash", R"(
+  source <(./moat completion bash)                put this line, with the whole path of moat, into ~/.bashrc)"},
+    {"doctor", "Show installed and missing packages", R"(
 Shows machine, compiler, the folders that moat uses, and the version of every package that moat or one of its commands
 needs. It names the command that installs missing packages, and changes nothing.
 
-Exit code: 0 moat can run, 1 something that it needs is missing.)";
+Exit code: 0 moat can run, 1 something that it needs is missing.)"},
+};
+
+/// The words that it offers stand in the help of the commands: options, checks, and the words behind bench and study.
+inline constexpr char bash_completion[] =
+    R"bash(# Completion of the command moat for bash. In ~/.bashrc: source <(moat completion bash)
+_moat() {
+  local moat=${COMP_WORDS[0]/#\~/$HOME} command= current=${COMP_WORDS[COMP_CWORD]} name
+  ((COMP_CWORD == 1)) || command=${COMP_WORDS[1]}
+  mapfile -t COMPREPLY < <(compgen -W "$("$moat" $command --help 2>/dev/null |
+    grep -oE -- '--[a-z][a-z-]*|^  [a-z]+ |moat (bench|study) [a-z]+' | grep -oE -- '[a-z-]+ *$' | sort -u)" -- "$current")
+  [[ $command =~ ^(run|motion|report|study)$ ]] || return 0
+  while IFS= read -r name; do
+    [[ $command == run && ! -d $name && $name != *.cpp && $COMP_CWORD == 2 ]] || COMPREPLY+=("$name")
+  done < <(compgen -f -- "$current")
+  compopt -o filenames 2>/dev/null || true
+}
+complete -F _moat moat ./moat
+)bash";
 
 }  // namespace moat::launcher::help

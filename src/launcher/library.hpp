@@ -2,9 +2,9 @@
 #pragma once
 
 #include <string>
-#include <vector>
 
 #include "launcher/places.hpp"
+#include "launcher/process.hpp"
 
 namespace moat::launcher {
 
@@ -24,11 +24,12 @@ struct Part {
 /// Stop where one of them fails.
 void bring_up_to_date(const Places& places, const Part& part);
 
-/// Installs the packages of these lists (cmake/packages) that are missing. Throws Stop where that fails.
-void install_packages(const Places& places, const std::vector<std::string>& lists);
+/// Calls the bootstrap script, which answers some commands itself. Throws Stop with its exit code where it fails.
+void call_bootstrap(const Places& places, Command words, const Command& more);
 
-/// Unpacks the packages of this list, which conflict with installed ones, into <build>/unpacked. Throws Stop where that
-/// fails.
-void unpack_packages(const Places& places, const std::string& list);
+/// Whether a source of the library, the commit, a list of the build, or a file of the built library changed since
+/// `stamp` was written, or there is no stamp. It looks at dates alone: a script that starts need not wait until Ninja
+/// has read the lists of the whole build.
+bool library_may_have_changed(const Places& places, const std::filesystem::path& stamp);
 
 }  // namespace moat::launcher

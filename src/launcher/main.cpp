@@ -4,152 +4,101 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
-#include <new>
 #include <string_view>
 
 #include "base/nearest_name.hpp"
-#include "launcher/bench.hpp"
-#include "launcher/checks.hpp"
-#include "launcher/completion.hpp"
-#include "launcher/doctor.hpp"
+#include "base/terminal.hpp"
+#include "launcher/commands.hpp"
 #include "launcher/help.hpp"
-#include "launcher/installed_text.hpp"
-#include "launcher/library_program.hpp"
-#include "launcher/new_project.hpp"
-#include "launcher/new_script.hpp"
-#include "launcher/phase.hpp"
-#include "launcher/run_script.hpp"
+#include "launcher/process.hpp"
 #include "launcher/stop.hpp"
-#include "launcher/tests.hpp"
 #include "launcher/text.hpp"
 
 namespace moat::launcher {
 namespace {
 
-std::vector<CompletionWords> completion_words() {
-  return {{"run",
-           {"--ranks", "--out", "--force", "--step", "--tolerance", "--integrator", "--end", "--frame-interval",
-            "--check", "--quiet", "--json", "--record", "--record-unit", "--threads", "--case", "--cases", "--retry"},
-           true},
-          {"new", {}, true},
-          {"motion", {"--unit", "--damping", "--out", "--json"}, true},
-          {"report", {"--json", "--open"}, true},
-          {"study", {"show", "export", "merge", "--out"}, true},
-          {"bench", {"paper",         "accuracy", "isolators", "performance", "peers",          "--out",
-                     "--write-docs",  "--coarse", "--models",  "--seed",      "--threads",      "--csv",
-                     "--only-random", "--only",   "--rounds",  "--quick",     "equal-accuracy", "overhead",
-                     "plan",          "scale",    "suite",     "scripts"}},
-          {"check", check_names()},
-          {"completion", {"bash"}}};
+void doctor(const Places& places) {
+  if (!places.installed()) become(places.root / "moat", "moat", {"doctor"});
+  std::printf("library        %s\nscripts, logs  %s\n", places.build.c_str(), places.work.c_str());
+  std::puts("moat is installed as a package: apt looks after the packages that it needs.");
 }
 
-void require_sources(const Places& places, const std::string& command) {
-  if (places.installed())
-    throw Stop{exit_usage, command + " needs the sources of moat, and this is an installed package.\n" +
-                               "Clone the sources and call it there."};
-}
-
-void require_known_command(const CLI::App& app, const std::string& word) {
-  if (word.starts_with('-') || word == "help") return;
-  std::vector<std::string> names;
-  for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; }))
-    names.push_back(command->get_name());
-  if (std::ranges::find(names, word) != names.end()) return;
-  throw Stop{exit_usage, "There is no command " + word + "." + did_you_mean(names, word) + "\nThere are " +
-                             joined(names, ", ") + "."};
-}
-
-// An option of a command, with the one that is meant if it is misspelt; empty if the words hold no unknown option.
-std::string unknown_option(const CLI::App& app) {
-  for (const CLI::App* command : app.get_subcommands()) {
-    std::vector<std::string> names;
-    for (const CLI::Option* known : command->get_options())
-      names.insert(names.end(), known->get_lnames().begin(), known->get_lnames().end());
-    for (const std::string& word : command->remaining()) {
-      const std::string option = word.substr(0, word.find('='));
-      const std::size_t name = option.find_first_not_of('-');
-      if (name == 0 || name == std::string::npos) continue;
-      return command->get_name() + " has no option " + option + "." + did_you_mean(names, option.substr(name), "--") +
-             "\nSee ./moat " + command->get_name() + " --help.";
-    }
+// Words that the parser refuses, with the command or option that is meant if one is misspelt.
+[[noreturn]] void refuse(const CLI::App& app, const std::string& first, const std::string& reason) {
+  Command names;
+  if (app.get_subcommands().empty()) {
+    for (const auto& command : help::commands) names.emplace_back(command.name);
+    throw Stop{exit_usage, "There is no command " + first + "." + did_you_mean(names, first) + "\nThere are " +
+                               joined(names, ", ") + "."};
   }
-  return "";
+  const CLI::App& command = *app.get_subcommands().front();
+  for (const CLI::Option* known : command.get_options())
+    names.insert(names.end(), known->get_lnames().begin(), known->get_lnames().end());
+  std::string text = reason;
+  for (const std::string& word : command.remaining())
+    if (word.starts_with("--"))
+      text = first + " has no option " + word + "." + did_you_mean(names, word.substr(2), "--");
+  throw Stop{exit_usage, text + "\nSee ./moat " + first + " --help."};
 }
 
 int run_command_line(const Places& places, int count, char** words) {
   CLI::App app{help::moat, places.installed() ? "moat" : "./moat"};
-  const auto help_of = [&] { return as_installed(app.help(), places); };
+  const auto help_of = [&] { return places.adapted(app.help()); };
   app.require_subcommand(1);
   app.footer(help::after_moat);
+  for (const auto& [name, description, footer] : help::commands) app.add_subcommand(name, description)->footer(footer);
 
-  int code = 0;
-  CLI::App* const run = app.add_subcommand("run", help::run)->prefix_command()->footer(help::after_run);
-  run->callback([&] { code = run_script(places, run->remaining()); });
+  // A command that hands on its words, all but --help in front.
+  const auto hand_on = [&](const char* name, auto action) {
+    CLI::App* const command = app.get_subcommand(name)->prefix_command();
+    command->callback([=] {
+      const Command rest = command->remaining();
+      if (!rest.empty() && (rest.front() == "-h" || rest.front() == "--help")) throw CLI::CallForHelp{};
+      action(rest);
+    });
+  };
+  int ranks = 0;
+  app.get_subcommand("run")->add_option("--ranks", ranks, "processes of MPI")->check(CLI::Range(1, 4096));
+  hand_on("run", [&](const Command& rest) { run_script(places, ranks, rest); });
+  hand_on("bench", [&](const Command& rest) { run_benchmark(places, rest); });
+  for (const std::string command : {"motion", "report", "study"})
+    hand_on(command.c_str(), [&, command](const Command& rest) { become_library_program(places, command, rest); });
 
-  CLI::App* const create = app.add_subcommand("new", help::create)->footer(help::after_new);
+  CLI::App* const create = app.get_subcommand("new");
   std::string file;
   bool project = false;
   create->add_option("NAME", file, "the file to write, NAME.cpp; with --project the folder")->required();
   create->add_flag("--project", project, "a folder with a project for CMake");
   create->callback([&] { project ? new_project(places, file) : new_script(places, file); });
 
-  CLI::App* const test = app.add_subcommand("test", help::test)->allow_extras()->footer(help::after_test);
-  TestOptions test_options;
-  test->add_flag("--all", test_options.all, "nothing may be skipped; see below");
-  test->callback([&] {
-    require_sources(places, "test");
-    test_options.words = test->remaining();
-    code = run_tests(places, test_options);
-  });
+  CLI::App* const test = app.get_subcommand("test")->allow_extras();
+  bool all = false;
+  test->add_flag("--all", all, "nothing may be skipped; see below");
+  test->callback([&] { run_tests(places, all, test->remaining()); });
 
-  CLI::App* const bench = app.add_subcommand("bench", help::bench)->prefix_command()->footer(help::after_bench);
-  bench->callback([&] {
-    const std::vector<std::string> rest = bench->remaining();
-    for (const std::string& word : rest)
-      if (word == "-h" || word == "--help") throw CLI::CallForHelp{};
-    require_sources(places, "bench");
-    run_benchmark(places, rest);
-  });
+  CLI::App* const check = app.get_subcommand("check");
+  Command names;
+  check->add_option("NAME", names, "one or more of those below; all if none is given")
+      ->check(CLI::IsMember({"format", "shell", "package", "warnings", "tidy", "sanitizers"}));
+  check->callback([&] { run_checks(places, names); });
 
-  const auto library_command = [&](const char* name, const char* argument, const char* description,
-                                   const char* footer) {
-    CLI::App* const command = app.add_subcommand(name, description)->prefix_command()->footer(footer);
-    command->callback([&places, command, argument] {
-      const std::vector<std::string> rest = command->remaining();
-      const std::string word = command->get_name(), first = rest.empty() ? "" : rest.front();
-      if (first == "-h" || first == "--help") throw CLI::CallForHelp{};
-      const bool known = word != "study" || first == "show" || first == "export" || first == "merge";
-      if (rest.empty() || !known)
-        throw Stop{exit_usage, word + " needs " + argument + ".\nSee ./moat " + word + " --help."};
-      become_library_program(places, word, rest);
-    });
-  };
-  library_command("motion", "the name of an accelerogram", help::motion, help::after_motion);
-  library_command("report", "the folder of results", help::report, help::after_report);
-  library_command("study", "one of show, export and merge", help::study, help::after_study);
-
-  CLI::App* const check = app.add_subcommand("check", help::check)->footer(help::after_check);
-  std::vector<std::string> names;
-  check->add_option("NAME", names, "one or more of " + joined(check_names(), ", ") + "; all if none is given");
-  check->callback([&] {
-    require_sources(places, "check");
-    code = run_checks(places, names);
-  });
-
-  CLI::App* const completion = app.add_subcommand("completion", help::completion)->footer(help::after_completion);
+  CLI::App* const completion = app.get_subcommand("completion");
   std::string shell;
   completion->add_option("SHELL", shell, "bash")->required()->check(CLI::IsMember({"bash"}));
-  completion->callback([&] { std::fputs(bash_completion(app, completion_words()).c_str(), stdout); });
+  completion->callback([] { std::fputs(help::bash_completion, stdout); });
+  app.get_subcommand("doctor")->callback([&] { doctor(places); });
 
-  app.add_subcommand("doctor", help::doctor)->footer(help::after_doctor)->callback([&] {
-    code = launcher::doctor(places);
-  });
+  for (const std::string name : {"bench", "test", "check"})
+    app.get_subcommand(name)->preparse_callback([&places, name](std::size_t) {
+      if (!places.installed()) return;
+      throw Stop{exit_usage, name + " needs the sources of moat, and this is an installed package.\n" +
+                                 "Clone the sources and call it there."};
+    });
 
   if (count == 1) {
     std::fputs(help_of().c_str(), stderr);
     return exit_usage;
   }
-  require_known_command(app, words[1]);
   static char help_option[] = "--help";
   if (std::string_view{words[1]} == "help") words[1] = help_option;
   try {
@@ -157,10 +106,9 @@ int run_command_line(const Places& places, int count, char** words) {
   } catch (const CLI::CallForHelp&) {
     std::fputs(help_of().c_str(), stdout);
   } catch (const CLI::ParseError& error) {
-    if (const std::string unknown = unknown_option(app); !unknown.empty()) throw Stop{exit_usage, unknown};
-    throw Stop{exit_usage, std::string{error.what()} + "\nSee ./moat --help."};
+    refuse(app, words[1], error.what());
   }
-  return code;
+  return 0;
 }
 
 }  // namespace
@@ -175,13 +123,10 @@ int main(int count, char** words) {
     places = {.root = words[1], .build = words[2], .work = words[3]};
     return run_command_line(places, count - folders, words + folders);
   } catch (const Stop& stop) {
-    for (const std::string& line : lines_of(as_installed(stop.what(), places))) say(line);
+    for (const std::string& line : lines_of(places.adapted(stop.what()))) say(line);
     return stop.exit_code;
-  } catch (const std::bad_alloc&) {
-    say("error: the memory is too small. End other programs, or raise its limit (ulimit -v).");
-    return exit_failed;
   } catch (const std::exception& error) {
-    say(std::string{"error: "} + error.what());
+    say(std::string{"error: "} + moat::reason_of(error));
     return exit_failed;
   }
 }

@@ -1,28 +1,56 @@
-#include "launcher/new_script.hpp"
+#include <algorithm>
+#include <cctype>
+#include <system_error>
 
-#include "launcher/installed_text.hpp"
-#include "launcher/phase.hpp"
+#include "launcher/commands.hpp"
 #include "launcher/stop.hpp"
 #include "launcher/text.hpp"
 
 namespace moat::launcher {
+namespace {
 
-void new_script(const Places& places, const std::filesystem::path& typed) {
-  namespace fs = std::filesystem;
+namespace fs = std::filesystem;
+
+// The file or folder is new, and can lie there.
+void check_place(const fs::path& place) {
+  std::error_code too_long;
+  if (fs::exists(fs::symlink_status(place, too_long)))
+    throw Stop{exit_usage, place.string() + " exists already.\nGive another name, or delete it first."};
+  const fs::path folder = place.has_parent_path() ? place.parent_path() : ".";
+  if (!fs::is_directory(folder)) throw Stop{exit_usage, "There is no folder " + folder.string() + ".\nMake it first."};
+}
+
+}  // namespace
+
+void new_script(const Places& places, const fs::path& typed) {
   fs::path file = typed;
   if (!file.has_extension() && file.has_filename()) file += ".cpp";
   const std::string name = file.string();
   if (file.extension() != ".cpp")
     throw Stop{exit_usage, name + " does not end in .cpp.\nFor example: ./moat new tower.cpp"};
   if (name.starts_with('-')) throw Stop{exit_usage, name + " looks like an option.\nFor example: ./moat new ./" + name};
-  std::error_code too_long;
-  if (fs::exists(fs::symlink_status(file, too_long)))
-    throw Stop{exit_usage, name + " exists already.\nGive another name, or delete it first."};
-  const fs::path folder = file.has_parent_path() ? file.parent_path() : ".";
-  if (!fs::is_directory(folder)) throw Stop{exit_usage, "There is no folder " + folder.string() + ".\nMake it first."};
+  check_place(file);
   const std::string stem = replaced(replaced(file.stem().string(), "\\", "\\\\"), "\"", "\\\"");
   write_text(file, replaced(text_of(places.root / "examples" / "starter.cpp"), "\"starter\"", "\"" + stem + "\""));
-  say("Wrote " + name + ". Run it with: " + as_installed("./moat run ", places) + shell_quoted(name));
+  say("Wrote " + name + ". Run it with: " + places.adapted("./moat run ") + shell_quoted(name));
+}
+
+void new_project(const Places& places, const fs::path& folder) {
+  const std::string name = folder.filename().string();
+  const auto allowed = [](unsigned char c) { return std::isalnum(c) != 0 || c == '-' || c == '_'; };
+  if (name.empty() || name.front() == '-' || !std::ranges::all_of(name, allowed))
+    throw Stop{exit_usage, "\"" + name +
+                               "\" cannot be the name of a project: use letters, digits, - and _.\n"
+                               "For example: ./moat new tower --project"};
+  check_place(folder);
+  std::error_code error;
+  if (!fs::create_directory(folder, error))
+    throw Stop{exit_failed, folder.string() + " cannot be made: " + error.message() + "."};
+  for (const auto& [from, to] : {std::pair{"starter.cpp", name + ".cpp"},
+                                 {"project/CMakeLists.txt", "CMakeLists.txt"},
+                                 {"project/README.md", "README.md"}})
+    write_text(folder / to, replaced(text_of(places.root / "examples" / from), "starter", name));
+  say("Wrote the project " + folder.string() + ". " + (folder / "README.md").string() + " explains how to build it.");
 }
 
 }  // namespace moat::launcher

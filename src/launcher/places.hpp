@@ -2,6 +2,9 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
+
+#include "launcher/text.hpp"
 
 namespace moat::launcher {
 
@@ -16,8 +19,15 @@ struct Places {
 
   [[nodiscard]] bool installed() const { return !exists(root / "CMakeLists.txt"); }
   [[nodiscard]] bool build_is_ours() const { return build.parent_path() == work; }
-  [[nodiscard]] std::filesystem::path scripts() const { return work / "scripts"; }
-  [[nodiscard]] std::filesystem::path logs() const { return work / "logs"; }
+  [[nodiscard]] std::filesystem::path log(const std::string& name) const { return work / "logs" / (name + ".log"); }
+
+  /// A text for a checkout, "./moat run examples/...", for this one: in an installed package the command is `moat`, and
+  /// the examples get their whole path.
+  [[nodiscard]] std::string adapted(const std::string& text) const {
+    if (!installed()) return text;
+    const std::string command = replaced(replaced(text, "~/moat/moat ", "moat "), "./moat ", "moat ");
+    return replaced(command, " examples/", " " + (root / "examples" / "").string());
+  }
 };
 
 }  // namespace moat::launcher

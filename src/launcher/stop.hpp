@@ -6,12 +6,10 @@
 
 namespace moat::launcher {
 
-inline constexpr int exit_failed = 1;
-inline constexpr int exit_usage = 2;
+inline constexpr int exit_failed = 1, exit_usage = 2;
 
 /// Ends the launcher with a message (one or more lines, each printed with "moat: " before it) and an exit code.
-class Stop : public std::runtime_error {
- public:
+struct Stop : std::runtime_error {
   Stop(int code, const std::string& message) : std::runtime_error{message}, exit_code{code} {}
   int exit_code;
 };

@@ -1,7 +1,8 @@
 #include "launcher/text.hpp"
 
+#include <sys/stat.h>
+
 #include <algorithm>
-#include <cctype>
 #include <cerrno>
 #include <cstring>
 #include <fstream>
@@ -25,6 +26,12 @@ void write_text(const std::filesystem::path& file, const std::string& text) {
   if (!stream) throw Stop{exit_failed, file.string() + " cannot be written: " + std::strerror(errno)};
 }
 
+std::int64_t time_of_change(const std::filesystem::path& file) {
+  struct stat status {};
+  if (::stat(file.c_str(), &status) != 0) return 0;
+  return std::int64_t{status.st_ctim.tv_sec} * 1'000'000'000 + status.st_ctim.tv_nsec;
+}
+
 std::vector<std::string> lines_of(const std::string& text) {
   std::istringstream stream{text};
   std::vector<std::string> lines;
@@ -46,6 +53,12 @@ std::string replaced(const std::string& text, const std::string& from, const std
   return result.append(text, begin);
 }
 
+std::string trimmed(const std::string& text) {
+  constexpr const char* blanks = " \t\n\r\v\f";
+  const std::size_t begin = text.find_first_not_of(blanks);
+  return begin == std::string::npos ? "" : text.substr(begin, text.find_last_not_of(blanks) + 1 - begin);
+}
+
 std::string with_short_lines(std::string text) {
   constexpr std::string_view gap = " ... ";
   constexpr std::size_t kept = (longest_line - gap.size()) / 2;
@@ -58,38 +71,11 @@ std::string with_short_lines(std::string text) {
   return text;
 }
 
-std::string replaced(const std::string& text, const std::regex& pattern, const char* to) {
-  return text.size() <= longest_line ? std::regex_replace(text, pattern, to) : text;
-}
-
-std::string lower_case(std::string text) {
-  std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) { return std::tolower(c); });
-  return text;
-}
-
-bool has_word(const std::string& text, const std::string& word) {
-  const auto in_word = [&](std::size_t at) {
-    return at < text.size() && (std::isalnum(static_cast<unsigned char>(text[at])) != 0 || text[at] == '_');
-  };
-  for (std::size_t at = 0; !word.empty() && (at = text.find(word, at)) != std::string::npos; ++at)
-    if ((at == 0 || !in_word(at - 1)) && !in_word(at + word.size())) return true;
-  return false;
-}
-
 std::string shell_quoted(const std::string& word) {
   const bool plain = !word.empty() && word.find_first_not_of(
                                           "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ"
                                           "0123456789_-+=.,/:@%") == std::string::npos;
   return plain ? word : "'" + replaced(word, "'", "'\\''") + "'";
-}
-
-std::string regex_quoted(const std::string& text) {
-  std::string quoted;
-  for (const char letter : text) {
-    if (std::string_view{R"(\^$.|?*+()[]{})"}.find(letter) != std::string_view::npos) quoted += '\\';
-    quoted += letter;
-  }
-  return quoted;
 }
 
 }  // namespace moat::launcher

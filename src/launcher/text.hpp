@@ -1,9 +1,8 @@
-// Small tools for text and text files.
+// Small tools for text and files.
 #pragma once
 
-#include <cstddef>
+#include <cstdint>
 #include <filesystem>
-#include <regex>
 #include <string>
 #include <vector>
 
@@ -15,11 +14,19 @@ std::string text_of(const std::filesystem::path& file);
 /// Throws Stop with the file's name where it cannot be written.
 void write_text(const std::filesystem::path& file, const std::string& text);
 
+/// When the contents or the name of a file changed, in ns; 0 where there is none. Unlike the time of writing it cannot
+/// be set back: a file that was copied, moved or unpacked with an old date counts as new. A folder changes with every
+/// file that is made, renamed or removed in it.
+std::int64_t time_of_change(const std::filesystem::path& file);
+
 std::vector<std::string> lines_of(const std::string& text);
 
 std::string joined(const std::vector<std::string>& words, const std::string& separator = " ");
 
 std::string replaced(const std::string& text, const std::string& from, const std::string& to);
+
+/// Without blanks at both ends.
+std::string trimmed(const std::string& text);
 
 /// For a screen and for std::regex, which calls itself for every letter and exhausts the stack on a long line.
 inline constexpr std::size_t longest_line = 1000;
@@ -27,24 +34,7 @@ inline constexpr std::size_t longest_line = 1000;
 /// Lines above longest_line without their middle, which " ... " replaces.
 std::string with_short_lines(std::string text);
 
-/// Whether the whole text matches; never above longest_line. The arguments are those of std::regex_match.
-template <class... Arguments>
-bool matches(const std::string& text, Arguments&... arguments) {
-  return text.size() <= longest_line && std::regex_match(text, arguments...);
-}
-
-/// With every match replaced; above longest_line the text as it is.
-std::string replaced(const std::string& text, const std::regex& pattern, const char* to);
-
-std::string lower_case(std::string text);
-
-/// Whether the text holds this word as a whole.
-bool has_word(const std::string& text, const std::string& word);
-
 /// As a word of a shell command: in quotes where it needs some.
 std::string shell_quoted(const std::string& word);
-
-/// As a regular expression that matches this text only.
-std::string regex_quoted(const std::string& text);
 
 }  // namespace moat::launcher

@@ -17,7 +17,7 @@ unset XDG_CACHE_HOME
 mkdir -p "$root/src/launcher" "$world/bin" "$HOME"
 cp "$checkout/moat" "$root/"
 cp -r "$checkout/cmake" "$root/"
-cp "$checkout/src/launcher/first_help.txt" "$root/src/launcher/"
+cp "$checkout/src/launcher/help.hpp" "$root/src/launcher/"
 touch "$world/installed" "$calls" "$world/tower.cpp"
 # shellcheck disable=SC2016 # the stand-ins expand these themselves
 {
@@ -32,6 +32,7 @@ touch "$world/installed" "$calls" "$world/tower.cpp"
       *install*) printf "%s\n" "$@" >>"$WORLD/installed" ;;
     esac'
   program cmake <<<'#!/bin/bash
+    [[ $1 != --version ]] || exit 0
     echo "cmake $*" >>"$WORLD/calls"
     case $1 in
       --build)
@@ -75,6 +76,20 @@ err_has() { [[ $err == *"$1"* ]] || fail "the errors should have: $1"; }
 called() { grep -q -- "$1" "$calls" || fail "should have called: $1"; }
 not_called() { ! grep -q -- "$1" "$calls" || fail "should not have called: $1"; }
 handed_over() { out_is "[$root][$1/release][$1][run][$world/tower.cpp]" && code_is 7; }
+
+# Tests for the real CTest.
+write_tests() {
+  mkdir -p "$root/build/release"
+  cat >"$root/build/release/CTestTestfile.cmake" <<'END'
+add_test(passes true)
+foreach(test one two)
+  add_test(${test} printf "x_test.cpp:7: Skipped\\nSet MOAT_RECORDS to the <folder> of records.\\n\\n[  SKIPPED ] X (0 ms)\\n")
+  set_tests_properties(${test} PROPERTIES SKIP_REGULAR_EXPRESSION "SKIPPED")
+endforeach()
+add_test(reference bash -c "printf 'reference_test.sh: Skipped\\ndoxygen is not installed\\n\\n' && exit 77")
+set_tests_properties(reference PROPERTIES SKIP_RETURN_CODE 77)
+END
+}
 
 # Root may write everywhere.
 become_nobody() {
@@ -203,7 +218,11 @@ case $case in
     launch doctor
     code_is 1
     out_has "libtrilinos-nox-dev"
+    out_has "not built yet"
     not_called .
+    grep -hv '^#' "$root"/cmake/packages/{run,test}.txt >"$world/installed"
+    launch doctor
+    code_is 0
     ;;
   wrong_usage_before_the_program)
     for arguments in "" "frobnicate" "run" "run $world/no.cpp" "new" "bench"; do
@@ -253,6 +272,37 @@ case $case in
     shell=(sh)
     launch run "$world/tower.cpp"
     handed_over "$root/build"
+    ;;
+  reasons_of_skipped_tests)
+    write_tests
+    launch --test some
+    code_is 0
+    out_has "2 skipped: Set MOAT_RECORDS to the <folder> of records."
+    out_has "1 skipped: doxygen is not installed"
+    ;;
+  nothing_may_be_skipped)
+    write_tests
+    : >"$root/cmake/packages/unpacked.txt"
+    launch --test all
+    code_is 1
+    out_has "With --all a skipped test is a failure."
+    launch --test all -R passes
+    code_is 0
+    ;;
+  checks_go_on)
+    git -C "$root" init --quiet
+    touch "$root/bad.sh"
+    git -C "$root" add bad.sh
+    printf '#!/bin/sh\necho "$@"; exit 1\n' >"$world/bin/shellcheck"
+    printf '#!/bin/sh\n' >"$world/bin/clang-format"
+    chmod +x "$world/bin/shellcheck" "$world/bin/clang-format"
+    launch --check shell format
+    code_is 1
+    out_has "bad.sh"
+    err_has "Checks that failed: shell"
+    launch --check format
+    code_is 0
+    err_has "All checks passed: format"
     ;;
   *)
     echo "there is no case $case"

@@ -92,9 +92,8 @@ TEST_F(CommandLine, RefusesNumbersOfRanksThatNoMachineHas) {
   for (const char* ranks : {"0", "-1", "4097", "99999999999", "1e3", "", "many"}) {
     const auto result = launch({"run", "--ranks", ranks, "study.cpp"});
     EXPECT_EQ(result.exit_code, 2) << ranks;
-    EXPECT_TRUE(result.errors.starts_with("moat: --ranks needs a number of processes: --ranks = " + std::string{ranks} +
-                                          " is not allowed; it must be a whole number >= 1 and <= 4096.\n"))
-        << result.errors;
+    EXPECT_NE(result.errors.find("--ranks"), std::string::npos) << result.errors;
+    EXPECT_NE(result.errors.find("\nmoat: See ./moat run --help."), std::string::npos) << result.errors;
   }
   EXPECT_FALSE(std::filesystem::exists(folder / "cache")) << "nothing has started";
 }
@@ -153,8 +152,8 @@ TEST_F(CommandLine, PassesOnTheExitCodeOfTheScript) {
 
 TEST_F(CommandLine, DoctorShowsPlacesAndVersions) {
   const auto result = launch({"doctor"});
-  EXPECT_NE(result.output.find((folder / "cache").string()), std::string::npos);
-  EXPECT_NE(result.output.find("compiler"), std::string::npos);
+  EXPECT_NE(result.output.find("\nlibrary "), std::string::npos) << result.output << result.errors;
+  EXPECT_NE(result.output.find("\nlibeigen3-dev "), std::string::npos) << result.output;
 }
 
 }  // namespace

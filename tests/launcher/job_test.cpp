@@ -1,6 +1,6 @@
 // A job that hands on signals, as mpirun does.
 
-#include "launcher/job.hpp"
+#include "launcher/commands.hpp"
 
 #include <gtest/gtest.h>
 #include <sys/wait.h>
@@ -25,7 +25,7 @@ class Job : public moat::testing::InTemporaryFolder {
     const pid_t launcher = ::fork();
     if (launcher == 0) {
       try {
-        std::_Exit(run_job({"sh", "-c", script}));
+        become_job({"sh", "-c", script});
       } catch (const Stop&) {
         std::_Exit(99);
       }
@@ -48,7 +48,6 @@ TEST_F(Job, GivesTheExitCode) {
   EXPECT_EQ(exit_code("exit 0", {}), 0);
   EXPECT_EQ(exit_code("exit 3", {}), 3);
   EXPECT_EQ(exit_code("kill -KILL $$", {}), 137);
-  EXPECT_THROW(run_job({"/no/such/program"}), Stop);
 }
 
 TEST_F(Job, EndsInOrderAtTheFirstSignal) {
@@ -58,6 +57,12 @@ TEST_F(Job, EndsInOrderAtTheFirstSignal) {
     EXPECT_EQ(moat::testing::text_of(folder / "end"), "in order\n");
     std::filesystem::remove(folder / "end");
   }
+}
+
+TEST_F(Job, EndsWithItsLauncher) {
+  const std::string script = std::string{"trap 'touch ended; exit' TERM; touch ready; "} + wait;
+  EXPECT_EQ(exit_code(script, {SIGKILL}), -1);
+  while (!std::filesystem::exists(folder / "ended")) std::this_thread::sleep_for(std::chrono::milliseconds{2});
 }
 
 TEST_F(Job, HasReachedItsEndWhereItSaysSo) {

@@ -1,4 +1,4 @@
-#include "launcher/library_changes.hpp"
+#include "launcher/library.hpp"
 
 #include <gtest/gtest.h>
 

@@ -6,7 +6,7 @@
 #include <sstream>
 #include <thread>
 
-#include "launcher/lock.hpp"
+#include "launcher/process.hpp"
 #include "launcher/stop.hpp"
 #include "launcher_testing.hpp"
 
@@ -39,7 +39,7 @@ TEST_F(BringUpToDate, BuildsWhatHasChanged) {
 
 TEST_F(BringUpToDate, DoesNotWaitForAnotherWhereNothingHasChanged) {
   bring_up_to_date(places, library);
-  const Lock another{places.work / ".lock"};
+  const auto another = lock_of(places.work / ".lock");
   bring_up_to_date(places, library);  // hangs if it waits
 }
 

@@ -4,10 +4,10 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <cerrno>
 #include <cstdlib>
 #include <filesystem>
 
+#include "launcher/stop.hpp"
 #include "launcher/text.hpp"
 #include "run_program.hpp"
 
@@ -25,18 +25,12 @@ TEST_F(Process, GivesTheExitCode) {
 }
 
 TEST_F(Process, WritesAllOutputIntoALog) {
-  EXPECT_EQ(run_into(folder / "new" / "log", {"sh", "-c", "echo one; echo two >&2; cat"}), 0);
+  EXPECT_EQ(run({"sh", "-c", "echo one; echo two >&2; cat"}, folder / "new" / "log"), 0);
   EXPECT_EQ(text_of(folder / "new" / "log"), "one\ntwo\n");
 }
 
-TEST_F(Process, KeepsStandardOutput) {
-  const Output output = output_of({"sh", "-c", "echo 'a  b'; echo no >&2; exit 3"});
-  EXPECT_EQ(output.text, "a  b\n");
-  EXPECT_EQ(output.exit_code, 3);
-}
-
 // A program of this test that became another one.
-Output became(const std::string& script) {
+moat::testing::ProgramResult became(const std::string& script) {
   const fs::path file = fs::temp_directory_path() / ("moat_became_" + std::to_string(::getpid()));
   const pid_t child = ::fork();
   if (child == 0) {
@@ -45,21 +39,21 @@ Output became(const std::string& script) {
   }
   int status = 0;
   ::waitpid(child, &status, 0);
-  Output output{.exit_code = WEXITSTATUS(status), .text = text_of(file)};
+  moat::testing::ProgramResult result{WEXITSTATUS(status), text_of(file), ""};
   fs::remove(file);
-  return output;
+  return result;
 }
 
 TEST(Becoming, GivesTheExitCodeOfTheProgram) {
   EXPECT_EQ(became("exit 4").exit_code, 4);
-  EXPECT_EQ(become("/no/such/program", "x", {}), ENOENT);
+  EXPECT_THROW(become("/no/such/program", "x", {}), Stop);
 }
 
 TEST(Becoming, AsksForLargePagesUnlessTheUserSetThem) {
   ::unsetenv("GLIBC_TUNABLES");
-  EXPECT_TRUE(became("printf %s \"$GLIBC_TUNABLES\"").text.starts_with("glibc.malloc.hugetlb=1:"));
+  EXPECT_TRUE(became("printf %s \"$GLIBC_TUNABLES\"").output.starts_with("glibc.malloc.hugetlb=1:"));
   ::setenv("GLIBC_TUNABLES", "glibc.malloc.check=0", 1);
-  EXPECT_EQ(became("printf %s \"$GLIBC_TUNABLES\"").text, "glibc.malloc.check=0");
+  EXPECT_EQ(became("printf %s \"$GLIBC_TUNABLES\"").output, "glibc.malloc.check=0");
   ::unsetenv("GLIBC_TUNABLES");
 }
 

@@ -2,26 +2,46 @@
 
 #include <gtest/gtest.h>
 
-#include <regex>
+#include <chrono>
+#include <thread>
 
-#include "launcher/process.hpp"
+#include "launcher_testing.hpp"
 
 namespace moat::launcher {
 namespace {
 
-TEST(ShellQuoted, IsReadBackByAShell) {
+using ShellQuoted = moat::testing::InTemporaryFolder;
+
+TEST_F(ShellQuoted, IsReadBackByAShell) {
   for (const char* word : {"plain", "two words", "it's", "$(touch x)", "`a`", "\\", "\"", "*", "#1", "", "~", "a;b&c"})
-    EXPECT_EQ(output_of({"sh", "-c", std::string{"printf %s "} + shell_quoted(word)}).text, word);
+    EXPECT_EQ(moat::testing::run_program("/bin/sh", {"-c", "printf %s " + shell_quoted(word)}, folder).output, word);
   EXPECT_EQ(shell_quoted("plain/name.cpp"), "plain/name.cpp");
 }
 
-TEST(RegexQuoted, MatchesTheTextAndNothingElse) {
-  for (const char* text : {"/home/a b/moat", "c++.d", "[x]{2}(y)|z", "^a$", "\\d*?"})
-    EXPECT_TRUE(std::regex_match(text, std::regex{regex_quoted(text)})) << text;
-  EXPECT_FALSE(std::regex_match("c++xd", std::regex{regex_quoted("c++.d")}));
+TEST(Replaced, DoesNotReadItsOwnWords) { EXPECT_EQ(replaced("a$b$", "$", "$$"), "a$$b$$"); }
+
+using TimeOfChange = moat::testing::InTemporaryFolder;
+
+TEST_F(TimeOfChange, IsThatOfTheFileAndNotItsDate) {
+  namespace fs = std::filesystem;
+  const fs::path first = folder / "first", second = folder / "second";
+  write_text(first, "");
+  EXPECT_EQ(time_of_change(second), 0) << "there is no second";
+  std::this_thread::sleep_for(std::chrono::milliseconds{20});  // longer than the clock of the file system ticks
+  write_text(second, "");
+  fs::last_write_time(second, fs::last_write_time(first) - std::chrono::hours{1});
+  EXPECT_GT(time_of_change(second), time_of_change(first));
 }
 
-TEST(Replaced, DoesNotReadItsOwnWords) { EXPECT_EQ(replaced("a$b$", "$", "$$"), "a$$b$$"); }
+using InstalledText = InSmallCheckout;
+
+TEST_F(InstalledText, NamesTheInstalledCommandAndItsExamples) {
+  const std::string text = "  ./moat run examples/01_moat_wall.cpp\n  cd ~/study && ~/moat/moat run ./moat.cpp\n";
+  EXPECT_EQ(places.adapted(text), text) << "a checkout";
+  become_a_package();
+  EXPECT_EQ(places.adapted(text), "  moat run " + (places.root / "examples/01_moat_wall.cpp").string() +
+                                      "\n  cd ~/study && moat run ./moat.cpp\n");
+}
 
 }  // namespace
 }  // namespace moat::launcher

@@ -37,7 +37,7 @@ for library in $needed; do
   owner=$({ dpkg -S "$file" || dpkg -S "${file#/usr}"; } 2>/dev/null | cut -d : -f 1)
   owners+=" ${owner:-unknown:$library}"
 done
-for package in g++ ninja-build libeigen3-dev libjs-dygraphs ${owners:?no library was found}; do
+for package in g++ libeigen3-dev libjs-dygraphs ${owners:?no library was found}; do
   [[ ", $depends," =~ ", $package"(","|" (") ]] || fail "the package does not depend on $package: $depends"
 done
 # Nothing names the folder that the library was built in, or the one it was staged in.
