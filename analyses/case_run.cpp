@@ -172,7 +172,7 @@ void CaseRun::run_companion() {
   } else if (!untouched_ ||
              (options_.error_bars == ErrorBarMode::automatic && !companion_is_cheap(*untouched_, solves))) {
     about_companion_ =
-        "No error bars: the second run would cost more than about 20 ms. --check (in code CaseOptions::error_bars = "
+        "No error bars: the run evaluates more than 200000 elements, and a second one more again. --check (in code CaseOptions::error_bars = "
         "ErrorBarMode::always) makes it in any case.";
   } else {
     const TransientOptions finer = companion_options(options_.transient, spent.longest_step);
