@@ -17,7 +17,7 @@ using namespace moat::units;
 int main(int argc, char** argv) {
   Script script{argc, argv, "Two isolated buildings, floors at unequal heights"};
   const Length gap = script.length("gap", 12 * cm, "clearance between the buildings");
-  const NamedImpactLaw law{.name = script.text("law", "hertz_damp", "impact law (materials/impact_laws.hpp)"),
+  const NamedImpactLaw law{.name = script.text("law", "hertz_damp", "impact law (materials/contact/impact_laws.hpp)"),
                            .linear_stiffness = 5.8e8 * N / m,
                            .hertz_stiffness = 2.95e9 * N / m_3_2,
                            .restitution = script.number("restitution", 0.65, "coefficient of restitution")};

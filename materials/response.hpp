@@ -11,7 +11,7 @@
 #include "base/parameter.hpp"
 #include "base/reported_quantity.hpp"
 #include "base/stiffness_stage.hpp"
-#include "base/type_name.hpp"
+#include "base/text/type_name.hpp"
 
 namespace moat {
 

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "base/plan_vector.hpp"
-#include "materials/planar_response.hpp"
+#include "materials/plan/planar_response.hpp"
 
 namespace moat {
 

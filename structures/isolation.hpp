@@ -6,9 +6,9 @@
 #include <utility>
 #include <vector>
 
-#include "elements/isolator.hpp"
-#include "elements/lead_rubber_bearing.hpp"
-#include "elements/spring.hpp"
+#include "elements/line/isolator.hpp"
+#include "elements/line/lead_rubber_bearing.hpp"
+#include "elements/line/spring.hpp"
 #include "model/model.hpp"
 
 namespace moat {

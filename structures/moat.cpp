@@ -1,7 +1,7 @@
 #include "structures/moat.hpp"
 
-#include "elements/link_block.hpp"
-#include "elements/viscous_damper.hpp"
+#include "elements/line/link_block.hpp"
+#include "elements/line/viscous_damper.hpp"
 #include "materials/bilinear.hpp"
 #include "materials/linear.hpp"
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "elements/gap.hpp"
+#include "elements/contact/gap.hpp"
 #include "materials/soil/hyperbolic_backfill.hpp"
 #include "structures/wall_law.hpp"
 

@@ -6,8 +6,8 @@
 #include <utility>
 
 #include "base/check.hpp"
-#include "elements/plan_spring.hpp"
-#include "elements/rotation_link.hpp"
+#include "elements/plan/plan_spring.hpp"
+#include "elements/plan/rotation_link.hpp"
 #include "materials/linear.hpp"
 #include "materials/viscous.hpp"
 #include "structures/plan_stiffness.hpp"

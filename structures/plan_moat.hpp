@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "elements/corner_gap.hpp"
-#include "elements/plan_spring.hpp"
+#include "elements/contact/corner_gap.hpp"
+#include "elements/plan/plan_spring.hpp"
 #include "structures/facing_corners.hpp"
 #include "structures/moat.hpp"
 

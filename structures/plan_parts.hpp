@@ -9,11 +9,11 @@
 #include <utility>
 #include <vector>
 
-#include "elements/lead_rubber_bearing.hpp"
-#include "elements/planar_spring.hpp"
-#include "materials/biaxial_bilinear.hpp"
-#include "materials/biaxial_friction_pendulum.hpp"
-#include "materials/biaxial_grant_rubber.hpp"
+#include "elements/line/lead_rubber_bearing.hpp"
+#include "elements/plan/planar_spring.hpp"
+#include "materials/plan/biaxial_bilinear.hpp"
+#include "materials/plan/biaxial_friction_pendulum.hpp"
+#include "materials/plan/biaxial_grant_rubber.hpp"
 #include "model/plan_outline.hpp"
 
 namespace moat {

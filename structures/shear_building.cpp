@@ -3,9 +3,9 @@
 #include <vector>
 
 #include "base/check.hpp"
-#include "elements/link_block.hpp"
-#include "elements/shear_spring.hpp"
-#include "elements/viscous_damper.hpp"
+#include "elements/line/link_block.hpp"
+#include "elements/line/shear_spring.hpp"
+#include "elements/line/viscous_damper.hpp"
 #include "materials/storeys/p_delta.hpp"
 
 namespace moat {

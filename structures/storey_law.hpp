@@ -5,7 +5,7 @@
 #include <string>
 #include <utility>
 
-#include "elements/storey.hpp"
+#include "elements/line/storey.hpp"
 #include "model/model.hpp"
 
 namespace moat {

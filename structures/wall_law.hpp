@@ -5,8 +5,8 @@
 #include <string>
 #include <utility>
 
-#include "elements/plan_spring.hpp"
-#include "elements/spring.hpp"
+#include "elements/line/spring.hpp"
+#include "elements/plan/plan_spring.hpp"
 #include "model/model.hpp"
 
 namespace moat {

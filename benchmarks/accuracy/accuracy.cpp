@@ -18,7 +18,7 @@
 #include <sstream>
 
 #include "documentation_section.hpp"
-#include "output/chart.hpp"
+#include "output/charts/chart.hpp"
 #include "paper/paper_building.hpp"
 #include "random_models.hpp"
 #include "streets.hpp"

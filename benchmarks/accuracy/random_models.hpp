@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <string>
 
-#include "analyses/transient_options.hpp"
+#include "analyses/time_history/transient_options.hpp"
 
 namespace moat {
 

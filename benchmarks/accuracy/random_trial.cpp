@@ -4,7 +4,7 @@
 #include <ctime>
 #include <map>
 
-#include "analyses/case_run.hpp"
+#include "analyses/case/case_run.hpp"
 #include "base/error.hpp"
 #include "random_model.hpp"
 

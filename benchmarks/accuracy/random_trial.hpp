@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "analyses/transient.hpp"
+#include "analyses/time_history/transient.hpp"
 #include "checked_reference.hpp"
 #include "moat_model.hpp"
 

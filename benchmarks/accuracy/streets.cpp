@@ -10,8 +10,8 @@
 
 #include "error_distribution.hpp"
 #include "measuring/street.hpp"
-#include "output/impact_recorder.hpp"
-#include "output/peak_recorder.hpp"
+#include "output/peaks/peak_recorder.hpp"
+#include "output/recorders/impact_recorder.hpp"
 
 namespace moat {
 namespace {

@@ -7,8 +7,8 @@
 #include <thread>
 
 #include "documentation_section.hpp"
-#include "output/file_io.hpp"
-#include "output/provenance.hpp"
+#include "output/files/file_io.hpp"
+#include "output/files/provenance.hpp"
 
 namespace moat::performance {
 namespace {

@@ -4,8 +4,8 @@
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
-#include "output/csv_writer.hpp"
-#include "output/file_io.hpp"
+#include "output/files/csv_writer.hpp"
+#include "output/files/file_io.hpp"
 
 namespace moat::paper {
 

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "output/chart.hpp"
+#include "output/charts/chart.hpp"
 
 namespace moat::paper {
 

@@ -5,7 +5,7 @@
 #include <sstream>
 
 #include "base/error.hpp"
-#include "output/file_io.hpp"
+#include "output/files/file_io.hpp"
 
 namespace moat::paper {
 namespace {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "output/chart.hpp"
+#include "output/charts/chart.hpp"
 
 namespace moat::paper {
 namespace {

@@ -11,7 +11,7 @@
 #include "measuring/measure.hpp"
 #include "measuring/record.hpp"
 #include "measuring/street.hpp"
-#include "output/peak_recorder.hpp"
+#include "output/peaks/peak_recorder.hpp"
 #include "peers/building.hpp"
 #include "peers/ladders.hpp"
 #include "peers/opensees.hpp"

@@ -64,7 +64,7 @@ inline double bearing_force(const FiveStoreys& building, const Regimes& regimes,
   return building.elastic_stiffness * base - sliding_part * regimes.slip;
 }
 
-// As in materials/contact_state.hpp and materials/viscous_hertz_contact.hpp.
+// As in materials/contact/contact_state.hpp and materials/contact/viscous_hertz_contact.hpp.
 inline constexpr double slowest_approach = 1e-4, largest_speed_ratio = 100.0;
 
 /// N, >= 0.

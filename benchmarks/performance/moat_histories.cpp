@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "base/error.hpp"
-#include "output/peak_trackers.hpp"
+#include "output/peaks/peak_trackers.hpp"
 
 namespace moat::performance {
 namespace {

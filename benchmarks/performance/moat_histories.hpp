@@ -1,7 +1,7 @@
 // Histories of the five-storey building by moat.
 #pragma once
 
-#include "analyses/case_run.hpp"
+#include "analyses/case/case_run.hpp"
 #include "measuring/five_peaks.hpp"
 
 namespace moat::performance {

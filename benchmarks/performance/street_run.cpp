@@ -7,7 +7,7 @@
 #include "measuring/command_output.hpp"
 #include "measuring/measure.hpp"
 #include "measuring/street.hpp"
-#include "output/energy_ledger.hpp"
+#include "output/recorders/energy_ledger.hpp"
 
 namespace moat::performance {
 

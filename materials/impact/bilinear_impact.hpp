@@ -9,13 +9,13 @@
 #include "base/parameter.hpp"
 #include "base/quantity.hpp"
 #include "base/required.hpp"
-#include "materials/bilinear_contact.hpp"
-#include "materials/impact_checks.hpp"
+#include "materials/contact/bilinear_contact.hpp"
+#include "materials/contact/impact_checks.hpp"
 
 namespace moat {
 
 /// Bilinear truss contact: loads with K1 to d_y = a d_m, then with K2; its loop to d_m loses the energy of a Hertz
-/// contact of restitution e (materials/bilinear_contact.hpp).
+/// contact of restitution e (materials/contact/bilinear_contact.hpp).
 ///
 ///     K_eff = k_h sqrt(d_m)    dE = k_h d_m^2.5 (1 - e^2)/2.5
 ///     K1 = K_eff + dE/(a d_m^2)    K2 = K_eff - dE/((1 - a) d_m^2)

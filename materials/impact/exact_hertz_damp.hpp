@@ -3,8 +3,8 @@
 
 #include <string_view>
 
-#include "materials/restitution_formulas.hpp"
-#include "materials/viscous_hertz_law.hpp"
+#include "materials/contact/restitution_formulas.hpp"
+#include "materials/contact/viscous_hertz_law.hpp"
 
 namespace moat {
 

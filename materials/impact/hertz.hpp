@@ -8,7 +8,7 @@
 #include "base/parameter.hpp"
 #include "base/quantity.hpp"
 #include "base/required.hpp"
-#include "materials/viscous_hertz_contact.hpp"
+#include "materials/contact/viscous_hertz_contact.hpp"
 
 namespace moat {
 

@@ -3,7 +3,7 @@
 
 #include <string_view>
 
-#include "materials/viscous_hertz_law.hpp"
+#include "materials/contact/viscous_hertz_law.hpp"
 
 namespace moat {
 

@@ -9,9 +9,9 @@
 #include "base/parameter.hpp"
 #include "base/quantity.hpp"
 #include "base/required.hpp"
-#include "materials/impact_checks.hpp"
-#include "materials/restitution_formulas.hpp"
-#include "materials/viscous_linear_contact.hpp"
+#include "materials/contact/impact_checks.hpp"
+#include "materials/contact/restitution_formulas.hpp"
+#include "materials/contact/viscous_linear_contact.hpp"
 
 namespace moat {
 

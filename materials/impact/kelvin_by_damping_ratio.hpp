@@ -9,7 +9,7 @@
 #include "base/parameter.hpp"
 #include "base/quantity.hpp"
 #include "base/required.hpp"
-#include "materials/viscous_linear_contact.hpp"
+#include "materials/contact/viscous_linear_contact.hpp"
 
 namespace moat {
 

@@ -9,8 +9,8 @@
 #include "base/parameter.hpp"
 #include "base/quantity.hpp"
 #include "base/required.hpp"
-#include "materials/impact_checks.hpp"
-#include "materials/root_damped_hertz_contact.hpp"
+#include "materials/contact/impact_checks.hpp"
+#include "materials/contact/root_damped_hertz_contact.hpp"
 
 namespace moat {
 

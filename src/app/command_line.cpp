@@ -8,7 +8,7 @@
 
 #include "app/usage_errors.hpp"
 #include "base/error.hpp"
-#include "base/terminal.hpp"
+#include "base/text/terminal.hpp"
 
 namespace moat {
 

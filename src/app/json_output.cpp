@@ -10,8 +10,8 @@
 #include <nlohmann/json.hpp>
 
 #include "base/error.hpp"
-#include "base/terminal.hpp"
-#include "output/results_folder.hpp"
+#include "base/text/terminal.hpp"
+#include "output/files/results_folder.hpp"
 
 namespace moat {
 

@@ -4,7 +4,7 @@
 #include <set>
 #include <string_view>
 
-#include "materials/impact_laws.hpp"
+#include "materials/contact/impact_laws.hpp"
 #include "materials/spring_laws.hpp"
 
 namespace moat {

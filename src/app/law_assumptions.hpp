@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "output/model_facts.hpp"
+#include "output/files/model_facts.hpp"
 
 namespace moat {
 

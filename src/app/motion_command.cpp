@@ -10,9 +10,9 @@
 #include "app/usage_errors.hpp"
 #include "base/error.hpp"
 #include "base/parse_quantity.hpp"
-#include "base/terminal.hpp"
-#include "motions/read_motion.hpp"
-#include "output/csv_writer.hpp"
+#include "base/text/terminal.hpp"
+#include "motions/readers/read_motion.hpp"
+#include "output/files/csv_writer.hpp"
 
 namespace {
 

@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
-#include "base/number_format.hpp"
+#include "base/text/number_format.hpp"
 #include "base/units.hpp"
 
 namespace moat {

@@ -7,8 +7,8 @@
 #include "motions/ground_motion.hpp"
 #include "motions/motion_measures.hpp"
 #include "motions/response_spectrum.hpp"
-#include "output/chart.hpp"
-#include "output/table.hpp"
+#include "output/charts/chart.hpp"
+#include "output/files/table.hpp"
 
 namespace moat {
 

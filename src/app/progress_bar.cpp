@@ -6,8 +6,8 @@
 #include <cstdio>
 #include <utility>
 
-#include "base/number_format.hpp"
-#include "base/terminal.hpp"
+#include "base/text/number_format.hpp"
+#include "base/text/terminal.hpp"
 
 namespace moat {
 namespace {

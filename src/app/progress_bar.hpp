@@ -4,7 +4,7 @@
 #include <chrono>
 #include <string>
 
-#include "output/step_observer.hpp"
+#include "output/recorders/step_observer.hpp"
 #include "study/engine.hpp"
 
 namespace moat {

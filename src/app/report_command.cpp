@@ -10,7 +10,7 @@
 #include "app/results_sheet.hpp"
 #include "app/usage_errors.hpp"
 #include "base/error.hpp"
-#include "base/terminal.hpp"
+#include "base/text/terminal.hpp"
 
 namespace {
 

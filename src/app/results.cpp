@@ -6,16 +6,16 @@
 #include <string_view>
 #include <system_error>
 
-#include "base/number_format.hpp"
-#include "output/at_the_end.hpp"
-#include "output/csv_writer.hpp"
-#include "output/energy_columns.hpp"
-#include "output/peak_table.hpp"
-#include "output/results_folder.hpp"
-#include "output/summary.hpp"
-#include "output/vtk_files.hpp"
+#include "base/text/number_format.hpp"
+#include "output/files/csv_writer.hpp"
+#include "output/files/peak_table.hpp"
+#include "output/files/results_folder.hpp"
+#include "output/files/summary.hpp"
+#include "output/recorders/at_the_end.hpp"
+#include "output/recorders/energy_columns.hpp"
+#include "output/vtk/vtk_files.hpp"
+#include "report/charts/result_charts.hpp"
 #include "report/report.hpp"
-#include "report/result_charts.hpp"
 
 namespace moat {
 

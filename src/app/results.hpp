@@ -5,7 +5,7 @@
 #include <functional>
 #include <string>
 
-#include "output/case_result.hpp"
+#include "output/files/case_result.hpp"
 
 namespace moat {
 

@@ -9,10 +9,10 @@
 
 #include "app/study_json.hpp"
 #include "base/error.hpp"
-#include "base/number_format.hpp"
+#include "base/text/number_format.hpp"
 #include "base/units.hpp"
-#include "output/peak_table.hpp"
-#include "output/results_folder.hpp"
+#include "output/files/peak_table.hpp"
+#include "output/files/results_folder.hpp"
 #include "study/study_text.hpp"
 
 namespace moat {

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "output/case_result.hpp"
-#include "study/store.hpp"
+#include "output/files/case_result.hpp"
+#include "study/file/store.hpp"
 
 namespace moat {
 

@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "app/usage_errors.hpp"
-#include "base/terminal.hpp"
-#include "output/csv_writer.hpp"
-#include "study/store.hpp"
+#include "base/text/terminal.hpp"
+#include "output/files/csv_writer.hpp"
+#include "study/file/store.hpp"
 #include "study/study_report.hpp"
 #include "study/study_text.hpp"
 

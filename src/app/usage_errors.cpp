@@ -4,8 +4,8 @@
 #include <iostream>
 #include <vector>
 
-#include "base/nearest_name.hpp"
-#include "base/terminal.hpp"
+#include "base/text/nearest_name.hpp"
+#include "base/text/terminal.hpp"
 
 namespace moat {
 namespace {

@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "base/error.hpp"
-#include "base/number_format.hpp"
+#include "base/text/number_format.hpp"
 
 namespace moat {
 namespace {

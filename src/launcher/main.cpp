@@ -6,8 +6,8 @@
 #include <cstdio>
 #include <string_view>
 
-#include "base/nearest_name.hpp"
-#include "base/terminal.hpp"
+#include "base/text/nearest_name.hpp"
+#include "base/text/terminal.hpp"
 #include "launcher/commands.hpp"
 #include "launcher/help.hpp"
 #include "launcher/process.hpp"

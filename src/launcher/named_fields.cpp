@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <regex>
 
-#include "base/nearest_name.hpp"
+#include "base/text/nearest_name.hpp"
 #include "launcher/dimension_words.hpp"
 #include "launcher/text.hpp"
 

@@ -14,7 +14,7 @@
 #include <future>
 #include <iostream>
 
-#include "base/terminal.hpp"
+#include "base/text/terminal.hpp"
 #include "launcher/stop.hpp"
 #include "launcher/text.hpp"
 

@@ -4,7 +4,7 @@
 #include <cstdio>
 #include <iostream>
 
-#include "base/terminal.hpp"
+#include "base/text/terminal.hpp"
 #include "launcher/compile_errors.hpp"
 #include "launcher/process.hpp"
 #include "launcher/stop.hpp"

@@ -1,6 +1,6 @@
 #include "model/checked_name.hpp"
 
-#include "base/utf8_text.hpp"
+#include "base/text/utf8_text.hpp"
 
 namespace moat {
 

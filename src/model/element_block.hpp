@@ -98,7 +98,8 @@ struct ElementResults {
 /// ground.
 ///
 /// Functions with a body here are optional. The sides that only some blocks have are interfaces of their own: laws(),
-/// regimes(), contacts(), planar(), plan_contacts(). `LinkBlock` (elements/link_block.hpp) makes a block of any law.
+/// regimes(), contacts(), planar(), plan_contacts(). `LinkBlock` (elements/line/link_block.hpp) makes a block of any
+/// law.
 class ElementBlock {
  public:
   virtual ~ElementBlock() = default;

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "base/check.hpp"
-#include "base/number_format.hpp"
+#include "base/text/number_format.hpp"
 #include "base/units.hpp"
 
 namespace moat {

@@ -5,7 +5,7 @@
 #include <cstddef>
 
 #include "base/check.hpp"
-#include "base/number_format.hpp"
+#include "base/text/number_format.hpp"
 #include "base/units.hpp"
 #include "motions/response_spectrum.hpp"
 #include "motions/scaling.hpp"

@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-#include "output/xml_text.hpp"
+#include "output/files/xml_text.hpp"
 
 namespace moat::html {
 

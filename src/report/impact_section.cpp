@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/number_format.hpp"
-#include "output/engineering_unit.hpp"
-#include "output/impact_columns.hpp"
-#include "report/chart_grid.hpp"
+#include "base/text/number_format.hpp"
+#include "output/files/engineering_unit.hpp"
+#include "output/recorders/impact_columns.hpp"
+#include "report/charts/chart_grid.hpp"
+#include "report/charts/impact_loops.hpp"
 #include "report/html.hpp"
-#include "report/impact_loops.hpp"
 
 namespace moat::html {
 namespace {

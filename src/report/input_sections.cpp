@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "base/number_format.hpp"
-#include "output/engineering_unit.hpp"
+#include "base/text/number_format.hpp"
+#include "output/files/engineering_unit.hpp"
 #include "report/html.hpp"
 
 namespace moat::html {

@@ -5,7 +5,7 @@
 #include <fstream>
 #include <iterator>
 
-#include "output/chart_style.hpp"
+#include "output/charts/chart_style.hpp"
 #include "report/html.hpp"
 
 namespace moat::html {

@@ -6,9 +6,9 @@
 
 #include <nlohmann/json.hpp>
 
-#include "base/number_format.hpp"
-#include "output/chart_legend.hpp"
-#include "report/motions_of_nodes.hpp"
+#include "base/text/number_format.hpp"
+#include "output/charts/chart_legend.hpp"
+#include "report/charts/motions_of_nodes.hpp"
 
 namespace moat::html {
 namespace {

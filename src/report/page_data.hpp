@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "output/case_result.hpp"
-#include "output/chart.hpp"
+#include "output/charts/chart.hpp"
+#include "output/files/case_result.hpp"
 
 namespace moat::html {
 

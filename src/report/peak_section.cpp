@@ -6,10 +6,10 @@
 #include <string_view>
 #include <vector>
 
-#include "output/at_the_end.hpp"
-#include "output/constant_quantities.hpp"
-#include "output/engineering_unit.hpp"
-#include "output/peak_groups.hpp"
+#include "output/files/engineering_unit.hpp"
+#include "output/peaks/peak_groups.hpp"
+#include "output/recorders/at_the_end.hpp"
+#include "output/recorders/constant_quantities.hpp"
 #include "report/html.hpp"
 
 namespace moat::html {

@@ -3,18 +3,18 @@
 #include <string>
 #include <vector>
 
-#include "output/energy_columns.hpp"
-#include "output/file_io.hpp"
-#include "output/results_folder.hpp"
-#include "report/chart_grid.hpp"
-#include "report/drawing.hpp"
+#include "output/files/file_io.hpp"
+#include "output/files/results_folder.hpp"
+#include "output/recorders/energy_columns.hpp"
+#include "report/charts/chart_grid.hpp"
+#include "report/charts/drawing.hpp"
+#include "report/charts/plan_view.hpp"
 #include "report/html.hpp"
 #include "report/impact_section.hpp"
 #include "report/input_sections.hpp"
 #include "report/page.hpp"
 #include "report/page_data.hpp"
 #include "report/peak_section.hpp"
-#include "report/plan_view.hpp"
 #include "report/summary_section.hpp"
 
 namespace moat {

@@ -3,8 +3,8 @@
 
 #include <filesystem>
 
-#include "output/case_result.hpp"
-#include "report/result_charts.hpp"
+#include "output/files/case_result.hpp"
+#include "report/charts/result_charts.hpp"
 
 namespace moat {
 

@@ -4,9 +4,9 @@
 #include <cmath>
 #include <string_view>
 
-#include "base/number_format.hpp"
-#include "output/engineering_unit.hpp"
-#include "output/peak_groups.hpp"
+#include "base/text/number_format.hpp"
+#include "output/files/engineering_unit.hpp"
+#include "output/peaks/peak_groups.hpp"
 #include "report/html.hpp"
 
 namespace moat::html {

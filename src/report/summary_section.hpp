@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "output/case_result.hpp"
+#include "output/files/case_result.hpp"
 
 namespace moat::html {
 

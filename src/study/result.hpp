@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "base/error.hpp"
-#include "output/table.hpp"
+#include "output/files/table.hpp"
 #include "study/cases.hpp"
 #include "study/outcome.hpp"
 

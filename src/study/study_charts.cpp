@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "base/check.hpp"
-#include "output/engineering_unit.hpp"
+#include "output/files/engineering_unit.hpp"
 
 namespace moat {
 namespace {

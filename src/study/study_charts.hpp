@@ -3,8 +3,8 @@
 
 #include <vector>
 
-#include "output/chart.hpp"
-#include "output/heat_map.hpp"
+#include "output/charts/chart.hpp"
+#include "output/charts/heat_map.hpp"
 #include "study/result.hpp"
 
 namespace moat {

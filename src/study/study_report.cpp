@@ -6,10 +6,10 @@
 #include <set>
 
 #include "base/error.hpp"
-#include "base/number_format.hpp"
-#include "output/file_io.hpp"
-#include "output/file_name.hpp"
-#include "report/chart_grid.hpp"
+#include "base/text/number_format.hpp"
+#include "output/files/file_io.hpp"
+#include "output/files/file_name.hpp"
+#include "report/charts/chart_grid.hpp"
 #include "report/html.hpp"
 #include "report/input_sections.hpp"
 #include "report/page.hpp"

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "output/provenance.hpp"
+#include "output/files/provenance.hpp"
 #include "study/result.hpp"
 
 namespace moat {

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "study/cases.hpp"
-#include "study/sqlite.hpp"
+#include "study/file/sqlite.hpp"
 
 namespace moat::study_tables {
 

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "base/check.hpp"
-#include "base/number_format.hpp"
+#include "base/text/number_format.hpp"
 
 namespace moat {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "study/store.hpp"
+#include "study/file/store.hpp"
 
 namespace moat {
 

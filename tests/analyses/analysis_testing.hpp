@@ -7,7 +7,7 @@
 
 #include "base/units.hpp"
 #include "motions/ground_motion.hpp"
-#include "output/step_observer.hpp"
+#include "output/recorders/step_observer.hpp"
 
 namespace moat::testing {
 

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "materials/impact_laws.hpp"
+#include "materials/contact/impact_laws.hpp"
 #include "paper_building.hpp"
 #include "reference_rows.hpp"
 

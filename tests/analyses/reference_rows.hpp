@@ -15,8 +15,8 @@
 #include <vector>
 
 #include "base/units.hpp"
-#include "motions/read_motion.hpp"
-#include "output/case_result.hpp"
+#include "motions/readers/read_motion.hpp"
+#include "output/files/case_result.hpp"
 #include "peak_in.hpp"
 
 namespace moat::testing {

@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include "elements/gap.hpp"
-#include "materials/impact_laws.hpp"
+#include "elements/contact/gap.hpp"
+#include "materials/contact/impact_laws.hpp"
 #include "materials/spring_laws.hpp"
 #include "structures/moat.hpp"
 #include "structures/shear_building.hpp"

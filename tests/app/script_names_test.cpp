@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "app/script.hpp"
+#include "app/script/script.hpp"
 #include "base/units.hpp"
 #include "message_of.hpp"
 #include "motions/near_fault_pulse.hpp"

@@ -15,7 +15,7 @@
 #include <vector>
 
 #include "run_program.hpp"
-#include "study/store.hpp"
+#include "study/file/store.hpp"
 
 namespace moat::testing {
 

@@ -62,7 +62,7 @@ std::optional<std::string> layer_of(const std::string& path) {
 
 /// The file that alone may include a library, and the names of the headers of the library.
 const std::map<std::string, std::regex> only_in{
-    {"src/output/vtk_writers.cpp", std::regex{R"(^(SMP/\w+/)?vtk\w*\.h$)"}},
+    {"src/output/vtk/vtk_writers.cpp", std::regex{R"(^(SMP/\w+/)?vtk\w*\.h$)"}},
 };
 
 bool is_header(const std::string& path) { return !path.ends_with(".cpp"); }

@@ -21,19 +21,20 @@ std::vector<SourceFile> tree_in_order() {
       {"src/model/model.hpp", "#include \"base/error.hpp\"\n"},
       {"src/solvers/newton.cpp", "#include <NOX.H>\n#include <klu.h>\n#include \"base/error.hpp\"\n"},
       {"src/motions/motion.hpp", "#include \"base/error.hpp\"\n"},
-      {"src/output/vtk_writers.cpp",
+      {"src/output/vtk/vtk_writers.cpp",
        "#include <vtkNew.h>\n#include \"model/model.hpp\"\n#include \"motions/motion.hpp\"\n"},
-      {"src/output/table.hpp", "#include \"base/error.hpp\"\n"},
+      {"src/output/files/table.hpp", "#include \"base/error.hpp\"\n"},
       {"src/solvers/newton.hpp", ""},
       {"materials/hertz.hpp", "#include \"base/error.hpp\"\n"},
-      {"elements/gap.hpp", "#include \"materials/hertz.hpp\"\n#include \"model/model.hpp\"\n"},
-      {"structures/moat.hpp", "#include \"elements/gap.hpp\"\n#include \"materials/hertz.hpp\"\n"},
-      {"src/study/store.cpp", "#include <sqlite3.h>\n#include \"output/table.hpp\"\n"},
-      {"analyses/transient.hpp",
-       "#include \"model/model.hpp\"\n#include \"output/table.hpp\"\n#include \"motions/motion.hpp\"\n"
+      {"elements/contact/gap.hpp", "#include \"materials/hertz.hpp\"\n#include \"model/model.hpp\"\n"},
+      {"structures/moat.hpp", "#include \"elements/contact/gap.hpp\"\n#include \"materials/hertz.hpp\"\n"},
+      {"src/study/file/store.cpp", "#include <sqlite3.h>\n#include \"output/files/table.hpp\"\n"},
+      {"analyses/time_history/transient.hpp",
+       "#include \"model/model.hpp\"\n#include \"output/files/table.hpp\"\n#include \"motions/motion.hpp\"\n"
        "#include \"solvers/newton.hpp\"\n"},
-      {"src/app/script.hpp", "#include \"analyses/transient.hpp\"\n#include \"structures/moat.hpp\"\n"},
-      {"src/moat.hpp", "#include \"app/script.hpp\"\n"},
+      {"src/app/script/script.hpp",
+       "#include \"analyses/time_history/transient.hpp\"\n#include \"structures/moat.hpp\"\n"},
+      {"src/moat.hpp", "#include \"app/script/script.hpp\"\n"},
   };
 }
 
@@ -48,8 +49,8 @@ TEST(IncludeRules, AcceptTheArrowsOfTheDesign) { EXPECT_EQ(broken_rules(tree_in_
 TEST(IncludeRules, RefuseAnArrowAgainstTheDesign) {
   EXPECT_EQ(broken_with({"src/base/bad.hpp", "\n#include \"model/model.hpp\"\n"}),
             sentences("src/base/bad.hpp:2 includes src/model/model.hpp, but src/base must not know src/model"));
-  EXPECT_EQ(broken_with({"analyses/bad.cpp", "#include \"elements/gap.hpp\"\n"}),
-            sentences("analyses/bad.cpp:1 includes elements/gap.hpp, but analyses must not know elements"));
+  EXPECT_EQ(broken_with({"analyses/bad.cpp", "#include \"elements/contact/gap.hpp\"\n"}),
+            sentences("analyses/bad.cpp:1 includes elements/contact/gap.hpp, but analyses must not know elements"));
 }
 
 TEST(IncludeRules, SeeThroughSpellings) {
@@ -87,9 +88,9 @@ TEST(IncludeRules, RefuseHeavyLibrariesInHeaders) {
 
 TEST(IncludeRules, RefuseVtkInAllFilesButOne) {
   EXPECT_EQ(broken_with({"src/output/bad.cpp", "#include <vtkNew.h>\n#include <SMP/Common/vtkSMPToolsAPI.h>\n"}),
-            sentences("src/output/bad.cpp:1 includes vtkNew.h, which belongs in src/output/vtk_writers.cpp",
+            sentences("src/output/bad.cpp:1 includes vtkNew.h, which belongs in src/output/vtk/vtk_writers.cpp",
                       "src/output/bad.cpp:2 includes SMP/Common/vtkSMPToolsAPI.h, which belongs in "
-                      "src/output/vtk_writers.cpp"));
+                      "src/output/vtk/vtk_writers.cpp"));
 }
 
 TEST(IncludeRules, RefuseTheGplEverywhere) {

@@ -1,4 +1,4 @@
-#include "base/number_format.hpp"
+#include "base/text/number_format.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "base/terminal.hpp"
+#include "base/text/terminal.hpp"
 
 #include <gtest/gtest.h>
 

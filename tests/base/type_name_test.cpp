@@ -1,4 +1,4 @@
-#include "base/type_name.hpp"
+#include "base/text/type_name.hpp"
 
 #include <gtest/gtest.h>
 

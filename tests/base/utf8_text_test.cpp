@@ -1,4 +1,4 @@
-#include "base/utf8_text.hpp"
+#include "base/text/utf8_text.hpp"
 
 #include <gtest/gtest.h>
 

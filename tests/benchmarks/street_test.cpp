@@ -6,7 +6,7 @@
 
 #include <vector>
 
-#include "output/peak_recorder.hpp"
+#include "output/peaks/peak_recorder.hpp"
 
 namespace moat {
 namespace {

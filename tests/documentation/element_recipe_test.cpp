@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include "analyses/case_run.hpp"
-#include "elements/cable.hpp"
+#include "analyses/case/case_run.hpp"
+#include "elements/line/cable.hpp"
 #include "law_battery.hpp"
 #include "message_of.hpp"
 

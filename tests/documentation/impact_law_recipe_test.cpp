@@ -11,8 +11,8 @@ namespace moat::testing {
 
 #include "impact_cases.hpp"
 #include "law_battery.hpp"
-#include "materials/free_impact.hpp"
-#include "materials/named_impact_law.hpp"
+#include "materials/contact/free_impact.hpp"
+#include "materials/contact/named_impact_law.hpp"
 
 namespace moat::testing {
 namespace {

@@ -6,8 +6,8 @@
 #include <sstream>
 
 #include "impact_cases.hpp"
-#include "materials/free_impact.hpp"
-#include "materials/named_impact_law.hpp"
+#include "materials/contact/free_impact.hpp"
+#include "materials/contact/named_impact_law.hpp"
 
 namespace moat::testing {
 namespace {

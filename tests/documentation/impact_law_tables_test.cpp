@@ -9,9 +9,9 @@
 #include <string_view>
 #include <variant>
 
-#include "materials/any_contact.hpp"
-#include "materials/impact_laws.hpp"
-#include "materials/named_impact_law.hpp"
+#include "materials/contact/any_contact.hpp"
+#include "materials/contact/impact_laws.hpp"
+#include "materials/contact/named_impact_law.hpp"
 
 namespace moat::testing {
 namespace {
@@ -44,7 +44,7 @@ TEST(AllImpactLaws, AreTheHeadersInTheFolderOfImpactLaws) {
     headers.insert(entry.path().stem());
   AllImpactLaws::for_each([&]<class Law>() { laws.insert(option_name(Law::name)); });
   EXPECT_EQ(headers, laws) << "every header in materials/impact has the name of its law, and a place in AllImpactLaws "
-                              "(materials/impact_laws.hpp)";
+                              "(materials/contact/impact_laws.hpp)";
 }
 
 }  // namespace

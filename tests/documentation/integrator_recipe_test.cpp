@@ -4,9 +4,9 @@
 
 #include <cmath>
 
-#include "analyses/step_equations.hpp"
-#include "analyses/wood_bossak_zienkiewicz.hpp"
-#include "elements/shear_spring.hpp"
+#include "analyses/integrators/step_equations.hpp"
+#include "analyses/integrators/wood_bossak_zienkiewicz.hpp"
+#include "elements/line/shear_spring.hpp"
 
 namespace moat::testing {
 namespace {

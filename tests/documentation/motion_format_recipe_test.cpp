@@ -4,7 +4,7 @@
 
 #include "base/error.hpp"
 #include "message_of.hpp"
-#include "motions/knet_text.hpp"
+#include "motions/readers/knet_text.hpp"
 
 namespace moat::testing {
 namespace {

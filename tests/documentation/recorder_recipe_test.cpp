@@ -2,10 +2,10 @@
 
 #include <gtest/gtest.h>
 
-#include "analyses/case_run.hpp"
-#include "elements/shear_spring.hpp"
-#include "output/separation_recorder.hpp"
-#include "report/history_charts.hpp"
+#include "analyses/case/case_run.hpp"
+#include "elements/line/shear_spring.hpp"
+#include "output/recorders/separation_recorder.hpp"
+#include "report/charts/history_charts.hpp"
 
 namespace moat::testing {
 namespace {

@@ -5,7 +5,7 @@
 #include <sstream>
 
 #include "base/check.hpp"
-#include "materials/named_impact_law.hpp"
+#include "materials/contact/named_impact_law.hpp"
 #include "materials/spring_laws.hpp"
 
 namespace moat::testing {

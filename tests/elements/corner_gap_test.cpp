@@ -1,5 +1,5 @@
 // The element of a corner and an edge: geometry, effective mass, tangents, refusals.
-#include "elements/corner_gap.hpp"
+#include "elements/contact/corner_gap.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "analyses/case_warnings.hpp"
+#include "analyses/case/case_warnings.hpp"
 #include "materials/impact/hertz.hpp"
 #include "message_of.hpp"
 

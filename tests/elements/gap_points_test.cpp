@@ -2,11 +2,11 @@
 
 #include <gtest/gtest.h>
 
-#include "analyses/case_run.hpp"
+#include "analyses/case/case_run.hpp"
 #include "base/error.hpp"
 #include "base/units.hpp"
-#include "elements/gap.hpp"
-#include "elements/shear_spring.hpp"
+#include "elements/contact/gap.hpp"
+#include "elements/line/shear_spring.hpp"
 #include "materials/impact/exact_kelvin.hpp"
 #include "materials/impact/linear_elastic.hpp"
 #include "message_of.hpp"

@@ -1,11 +1,11 @@
-#include "elements/gap.hpp"
+#include "elements/contact/gap.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "materials/impact_laws.hpp"
-#include "materials/named_impact_law.hpp"
+#include "materials/contact/impact_laws.hpp"
+#include "materials/contact/named_impact_law.hpp"
 #include "message_of.hpp"
 #include "two_nodes.hpp"
 

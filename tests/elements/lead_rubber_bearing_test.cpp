@@ -1,4 +1,4 @@
-#include "elements/lead_rubber_bearing.hpp"
+#include "elements/line/lead_rubber_bearing.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // The list of links that change inside a step.
 
-#include "elements/link_changes.hpp"
+#include "elements/line/link_changes.hpp"
 
 #include <gtest/gtest.h>
 

@@ -2,10 +2,10 @@
 
 #include <stdexcept>
 
-#include "elements/lead_rubber_bearing.hpp"
-#include "elements/shear_spring.hpp"
-#include "elements/spring.hpp"
-#include "elements/viscous_damper.hpp"
+#include "elements/line/lead_rubber_bearing.hpp"
+#include "elements/line/shear_spring.hpp"
+#include "elements/line/spring.hpp"
+#include "elements/line/viscous_damper.hpp"
 #include "message_of.hpp"
 #include "two_nodes.hpp"
 #include "unlocated_bilinear.hpp"

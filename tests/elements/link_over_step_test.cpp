@@ -1,13 +1,13 @@
 // The force and the work of a link over a step inside which it changes.
 
-#include "elements/link_over_step.hpp"
+#include "elements/line/link_over_step.hpp"
 
 #include <gtest/gtest.h>
 
 #include <array>
 
-#include "analyses/step_scheme.hpp"
-#include "materials/viscous_linear_contact.hpp"
+#include "analyses/integrators/step_scheme.hpp"
+#include "materials/contact/viscous_linear_contact.hpp"
 
 namespace moat {
 namespace {

@@ -5,8 +5,8 @@
 #include <numbers>
 
 #include "base/units.hpp"
-#include "materials/biaxial_friction_pendulum.hpp"
-#include "materials/biaxial_grant_rubber.hpp"
+#include "materials/plan/biaxial_friction_pendulum.hpp"
+#include "materials/plan/biaxial_grant_rubber.hpp"
 #include "message_of.hpp"
 #include "planar_battery.hpp"
 #include "spring_battery.hpp"

@@ -8,9 +8,9 @@
 
 #include "base/units.hpp"
 #include "lead_bilinear.hpp"
-#include "materials/biaxial_bilinear.hpp"
-#include "materials/biaxial_bouc_wen.hpp"
 #include "materials/bilinear.hpp"
+#include "materials/plan/biaxial_bilinear.hpp"
+#include "materials/plan/biaxial_bouc_wen.hpp"
 
 namespace moat {
 namespace {

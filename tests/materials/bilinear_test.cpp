@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "base/units.hpp"
-#include "materials/contact_state.hpp"
+#include "materials/contact/contact_state.hpp"
 
 namespace moat {
 namespace {

@@ -1,4 +1,4 @@
-#include "materials/free_impact.hpp"
+#include "materials/contact/free_impact.hpp"
 
 #include <gtest/gtest.h>
 

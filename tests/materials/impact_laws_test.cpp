@@ -1,4 +1,4 @@
-#include "materials/impact_laws.hpp"
+#include "materials/contact/impact_laws.hpp"
 
 #include <gtest/gtest.h>
 

@@ -3,7 +3,7 @@
 #include "base/units.hpp"
 #include "impact_cases.hpp"
 #include "materials/bilinear.hpp"
-#include "materials/impact_laws.hpp"
+#include "materials/contact/impact_laws.hpp"
 #include "message_of.hpp"
 
 namespace moat::testing {

@@ -11,10 +11,10 @@
 
 #include "base/units.hpp"
 #include "materials/bilinear.hpp"
-#include "materials/impact_laws.hpp"
+#include "materials/contact/impact_laws.hpp"
+#include "materials/contact/named_impact_law.hpp"
 #include "materials/linear.hpp"
-#include "materials/named_impact_law.hpp"
-#include "materials/planar_laws.hpp"
+#include "materials/plan/planar_laws.hpp"
 #include "materials/spring_laws.hpp"
 #include "materials/viscous.hpp"
 #include "random_spring.hpp"

@@ -1,9 +1,9 @@
 #include <gtest/gtest.h>
 
 #include "base/units.hpp"
-#include "materials/any_contact.hpp"
 #include "materials/bilinear.hpp"
-#include "materials/impact_laws.hpp"
+#include "materials/contact/any_contact.hpp"
+#include "materials/contact/impact_laws.hpp"
 #include "materials/linear.hpp"
 #include "materials/response.hpp"
 #include "materials/viscous.hpp"

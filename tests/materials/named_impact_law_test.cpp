@@ -1,4 +1,4 @@
-#include "materials/named_impact_law.hpp"
+#include "materials/contact/named_impact_law.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 
 #include "base/units.hpp"
 #include "impact_cases.hpp"
-#include "materials/free_impact.hpp"
+#include "materials/contact/free_impact.hpp"
 #include "message_of.hpp"
 
 namespace moat::testing {

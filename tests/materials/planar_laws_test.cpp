@@ -1,5 +1,5 @@
 // Duties of every law of two components. The tests of each law have its own properties.
-#include "materials/planar_laws.hpp"
+#include "materials/plan/planar_laws.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@
 #include <sstream>
 #include <string>
 
-#include "materials/named_impact_law.hpp"
+#include "materials/contact/named_impact_law.hpp"
 #include "message_of.hpp"
 #include "planar_cases.hpp"
 
@@ -43,7 +43,7 @@ TEST(AllPlanarLaws, AreTheHeadersInTheFolderOfMaterials) {
     if (entry.path().extension() == ".hpp" && has_planar_law(entry.path())) headers.insert(entry.path().stem());
   AllPlanarLaws::for_each([&]<class Law>() { laws.insert(option_name(Law::name)); });
   EXPECT_EQ(headers, laws) << "every header of a law of two components has the name of its law, and a place in "
-                              "AllPlanarLaws (materials/planar_laws.hpp)";
+                              "AllPlanarLaws (materials/plan/planar_laws.hpp)";
 }
 
 }  // namespace

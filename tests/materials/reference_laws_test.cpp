@@ -5,7 +5,7 @@
 #include <set>
 #include <string>
 
-#include "materials/impact_laws.hpp"
+#include "materials/contact/impact_laws.hpp"
 #include "moat_model.hpp"
 #include "plain_model.hpp"
 
@@ -16,7 +16,7 @@ namespace {
 const std::map<std::string, std::string> without_reference{
     {"BilinearImpact",
      "The contacts of the reference have no memory; this one yields. tests/materials/bilinear_impact_test.cpp has its "
-     "closed forms, tests/analyses/impact_restitution_test.cpp its restitution in an analysis."},
+     "closed forms, tests/analyses/contact/impact_restitution_test.cpp its restitution in an analysis."},
 };
 
 TEST(IndependentReference, KnowsEveryImpactLawOrThisTestSaysWhyNot) {
@@ -31,7 +31,7 @@ TEST(IndependentReference, KnowsEveryImpactLawOrThisTestSaysWhyNot) {
         << (known.contains(name)
                 ? " is in the reference: take it out of the list above."
                 : " is not compared with the independent reference. Give it a PlainLawKind "
-                  "(tests/support/plain_model.hpp), its equations (reference_contact.cpp) and its case in "
+                  "(tests/support/reference/plain_model.hpp), its equations (reference_contact.cpp) and its case in "
                   "moat_model.cpp; or name it in the list above with the reason.");
   });
   for (const auto& [name, reason] : without_reference) EXPECT_TRUE(laws.contains(name)) << name << " is no impact law";

@@ -1,4 +1,4 @@
-#include "materials/restitution_formulas.hpp"
+#include "materials/contact/restitution_formulas.hpp"
 
 #include <gtest/gtest.h>
 

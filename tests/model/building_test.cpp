@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "base/error.hpp"
-#include "elements/gap.hpp"
-#include "elements/isolator.hpp"
-#include "elements/shear_spring.hpp"
+#include "elements/contact/gap.hpp"
+#include "elements/line/isolator.hpp"
+#include "elements/line/shear_spring.hpp"
 #include "materials/impact/hertz_damp.hpp"
 #include "materials/linear.hpp"
 #include "message_of.hpp"

@@ -5,10 +5,10 @@
 
 #include <cmath>
 
-#include "elements/gap.hpp"
-#include "elements/plan_spring.hpp"
-#include "elements/shear_spring.hpp"
-#include "elements/viscous_damper.hpp"
+#include "elements/contact/gap.hpp"
+#include "elements/line/shear_spring.hpp"
+#include "elements/line/viscous_damper.hpp"
+#include "elements/plan/plan_spring.hpp"
 #include "materials/impact/hertz.hpp"
 #include "materials/linear.hpp"
 #include "message_of.hpp"

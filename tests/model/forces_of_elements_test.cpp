@@ -4,11 +4,11 @@
 
 #include <cmath>
 
-#include "elements/gap.hpp"
-#include "elements/lead_rubber_bearing.hpp"
-#include "elements/link_block.hpp"
-#include "elements/shear_spring.hpp"
-#include "elements/viscous_damper.hpp"
+#include "elements/contact/gap.hpp"
+#include "elements/line/lead_rubber_bearing.hpp"
+#include "elements/line/link_block.hpp"
+#include "elements/line/shear_spring.hpp"
+#include "elements/line/viscous_damper.hpp"
 #include "materials/bilinear.hpp"
 #include "materials/impact/hertz_damp.hpp"
 #include "materials/linear.hpp"
@@ -65,7 +65,8 @@ TEST(ForcesOfElements, HaveTheirRates) {
   for (int i = 0; i < count; ++i) trial.acceleration[i] = std::sin(0.3 + i);
   model.evaluate();
   model.evaluate_rates();
-  const Vector before = model.internal_forces().head(count), rates = -model.masses().cwiseProduct(trial.jerk.head(count));
+  const Vector before = model.internal_forces().head(count),
+               rates = -model.masses().cwiseProduct(trial.jerk.head(count));
   trial.displacement += time * trial.velocity;
   trial.velocity += time * trial.acceleration;
   model.evaluate();
@@ -131,8 +132,8 @@ TEST(ForcesOfElements, FollowFromTheLinearisedModel) {
     }
     model.evaluate();
     const Vector expected = model.internal_forces().head(count);
-    const Vector found = at_rest.head(count) + stiffness * trial.displacement.head(count) +
-                         damping * trial.velocity.head(count);
+    const Vector found =
+        at_rest.head(count) + stiffness * trial.displacement.head(count) + damping * trial.velocity.head(count);
     EXPECT_LT((found - expected).norm(), 1e-12 * expected.norm());
   }
 }

@@ -4,7 +4,7 @@
 
 #include <limits>
 
-#include "elements/shear_spring.hpp"
+#include "elements/line/shear_spring.hpp"
 #include "message_of.hpp"
 #include "model/model.hpp"
 

@@ -6,12 +6,12 @@
 #include <cmath>
 #include <vector>
 
-#include "analyses/transient.hpp"
+#include "analyses/time_history/transient.hpp"
 #include "base/error.hpp"
-#include "elements/gap.hpp"
-#include "elements/lead_rubber_bearing.hpp"
-#include "elements/shear_spring.hpp"
-#include "elements/viscous_damper.hpp"
+#include "elements/contact/gap.hpp"
+#include "elements/line/lead_rubber_bearing.hpp"
+#include "elements/line/shear_spring.hpp"
+#include "elements/line/viscous_damper.hpp"
 #include "materials/impact/hertz_damp.hpp"
 #include "model/model.hpp"
 

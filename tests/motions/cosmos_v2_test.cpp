@@ -1,6 +1,6 @@
 // Synthetic files in the layout of the COSMOS format, version 1.20.
 
-#include "motions/cosmos_v2.hpp"
+#include "motions/readers/cosmos_v2.hpp"
 
 #include <gtest/gtest.h>
 
@@ -11,7 +11,7 @@
 
 #include "base/error.hpp"
 #include "motion_files.hpp"
-#include "motions/read_motion.hpp"
+#include "motions/readers/read_motion.hpp"
 
 namespace moat {
 namespace {

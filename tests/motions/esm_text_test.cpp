@@ -1,6 +1,6 @@
 // Synthetic files in the layout of the Engineering Strong Motion database, header format DYNA 1.2.
 
-#include "motions/esm_text.hpp"
+#include "motions/readers/esm_text.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@
 
 #include "base/error.hpp"
 #include "motion_files.hpp"
-#include "motions/read_motion.hpp"
+#include "motions/readers/read_motion.hpp"
 
 namespace moat {
 namespace {

@@ -13,7 +13,7 @@
 #include "base/error.hpp"
 #include "base/units.hpp"
 #include "motion_files.hpp"
-#include "motions/read_motion.hpp"
+#include "motions/readers/read_motion.hpp"
 
 namespace moat {
 namespace {

@@ -1,4 +1,4 @@
-#include "motions/number_text.hpp"
+#include "motions/readers/number_text.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "motions/peer_at2.hpp"
+#include "motions/readers/peer_at2.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "motions/read_motion.hpp"
+#include "motions/readers/read_motion.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // Recorded accelerograms. They are not part of moat: the environment variable MOAT_RECORDS names a folder with them.
 
-#include "motions/read_motion.hpp"
+#include "motions/readers/read_motion.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@
 #include <string>
 
 #include "base/units.hpp"
-#include "motions/text_file.hpp"
+#include "motions/readers/text_file.hpp"
 
 namespace moat {
 namespace {

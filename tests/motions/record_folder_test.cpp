@@ -1,6 +1,6 @@
 // Records by the folder.
 
-#include "motions/record_folder.hpp"
+#include "motions/readers/record_folder.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "motions/text_file.hpp"
+#include "motions/readers/text_file.hpp"
 
 #include <sys/resource.h>
 #include <sys/stat.h>
@@ -10,11 +10,11 @@
 #include "base/sha256.hpp"
 #include "base/units.hpp"
 #include "motion_files.hpp"
-#include "motions/cosmos_v2.hpp"
-#include "motions/esm_text.hpp"
-#include "motions/peer_at2.hpp"
-#include "motions/read_motion.hpp"
-#include "motions/two_column_text.hpp"
+#include "motions/readers/cosmos_v2.hpp"
+#include "motions/readers/esm_text.hpp"
+#include "motions/readers/peer_at2.hpp"
+#include "motions/readers/read_motion.hpp"
+#include "motions/readers/two_column_text.hpp"
 
 namespace moat {
 namespace {

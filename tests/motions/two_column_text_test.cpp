@@ -1,4 +1,4 @@
-#include "motions/two_column_text.hpp"
+#include "motions/readers/two_column_text.hpp"
 
 #include <gtest/gtest.h>
 

@@ -5,12 +5,12 @@
 #include <string>
 #include <vector>
 
-#include "elements/gap.hpp"
-#include "elements/isolator.hpp"
-#include "elements/shear_spring.hpp"
-#include "elements/viscous_damper.hpp"
+#include "elements/contact/gap.hpp"
+#include "elements/line/isolator.hpp"
+#include "elements/line/shear_spring.hpp"
+#include "elements/line/viscous_damper.hpp"
 #include "materials/impact/hertz_damp.hpp"
-#include "output/step_observer.hpp"
+#include "output/recorders/step_observer.hpp"
 #include "structures/moat.hpp"
 #include "unlocated_bilinear.hpp"
 

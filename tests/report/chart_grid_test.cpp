@@ -1,4 +1,4 @@
-#include "report/chart_grid.hpp"
+#include "report/charts/chart_grid.hpp"
 
 #include <gtest/gtest.h>
 

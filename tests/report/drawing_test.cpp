@@ -1,4 +1,4 @@
-#include "report/drawing.hpp"
+#include "report/charts/drawing.hpp"
 
 #include <gtest/gtest.h>
 

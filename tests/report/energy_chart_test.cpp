@@ -1,4 +1,4 @@
-#include "report/energy_chart.hpp"
+#include "report/charts/energy_chart.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "report/floor_profiles.hpp"
+#include "report/charts/floor_profiles.hpp"
 
 #include <gtest/gtest.h>
 

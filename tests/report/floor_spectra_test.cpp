@@ -1,4 +1,4 @@
-#include "report/floor_spectra.hpp"
+#include "report/charts/floor_spectra.hpp"
 
 #include <gtest/gtest.h>
 

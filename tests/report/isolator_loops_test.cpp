@@ -1,4 +1,4 @@
-#include "report/isolator_loops.hpp"
+#include "report/charts/isolator_loops.hpp"
 
 #include <gtest/gtest.h>
 

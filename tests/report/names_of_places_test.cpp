@@ -8,9 +8,9 @@
 #include <string>
 
 #include "moat.hpp"
-#include "report/drawing.hpp"
-#include "report/plan_view.hpp"
-#include "report/result_charts.hpp"
+#include "report/charts/drawing.hpp"
+#include "report/charts/plan_view.hpp"
+#include "report/charts/result_charts.hpp"
 #include "report_testing.hpp"
 #include "small_plan_building.hpp"
 

@@ -1,9 +1,9 @@
-#include "report/orbit.hpp"
+#include "report/charts/orbit.hpp"
 
 #include <gtest/gtest.h>
 
-#include "report/orbit_charts.hpp"
-#include "report/plan_view.hpp"
+#include "report/charts/orbit_charts.hpp"
+#include "report/charts/plan_view.hpp"
 #include "report_testing.hpp"
 
 namespace moat {

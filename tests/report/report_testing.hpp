@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "analyses/case_run.hpp"
+#include "analyses/case/case_run.hpp"
 #include "moat.hpp"
 #include "small_plan_building.hpp"
 

@@ -1,4 +1,4 @@
-#include "report/round_factor.hpp"
+#include "report/charts/round_factor.hpp"
 
 #include <gtest/gtest.h>
 

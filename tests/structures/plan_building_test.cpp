@@ -9,9 +9,9 @@
 #include <string>
 #include <vector>
 
-#include "analyses/case_run.hpp"
-#include "materials/biaxial_bouc_wen.hpp"
+#include "analyses/case/case_run.hpp"
 #include "materials/impact/hertz_damp.hpp"
+#include "materials/plan/biaxial_bouc_wen.hpp"
 #include "message_of.hpp"
 #include "motions/near_fault_pulse.hpp"
 #include "motions/plan_motion.hpp"

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "analyses/case_run.hpp"
+#include "analyses/case/case_run.hpp"
 #include "materials/impact/exact_hertz_damp.hpp"
 #include "message_of.hpp"
 #include "structures/moat.hpp"

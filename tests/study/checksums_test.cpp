@@ -13,8 +13,8 @@
 #include "base/sha256.hpp"
 #include "message_of.hpp"
 #include "run_program.hpp"
-#include "study/sqlite.hpp"
-#include "study/store.hpp"
+#include "study/file/sqlite.hpp"
+#include "study/file/store.hpp"
 
 namespace moat {
 namespace {

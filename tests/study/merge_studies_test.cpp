@@ -7,7 +7,7 @@
 #include "base/error.hpp"
 #include "message_of.hpp"
 #include "run_program.hpp"
-#include "study/store.hpp"
+#include "study/file/store.hpp"
 
 namespace moat {
 namespace {

@@ -1,6 +1,6 @@
 // The file of a study.
 
-#include "study/store.hpp"
+#include "study/file/store.hpp"
 
 #include <gtest/gtest.h>
 
@@ -11,7 +11,7 @@
 #include "base/sha256.hpp"
 #include "message_of.hpp"
 #include "run_program.hpp"
-#include "study/study_file.hpp"
+#include "study/file/study_file.hpp"
 
 namespace moat {
 namespace {

@@ -1,6 +1,6 @@
 // The file of a study in the folder of its user: links, other files, and removal while it is written.
 
-#include "study/study_file.hpp"
+#include "study/file/study_file.hpp"
 
 #include <gtest/gtest.h>
 
@@ -11,7 +11,7 @@
 #include "base/error.hpp"
 #include "message_of.hpp"
 #include "run_program.hpp"
-#include "study/store.hpp"
+#include "study/file/store.hpp"
 
 namespace moat {
 namespace {

@@ -1,12 +1,12 @@
-#include "study/study_sessions.hpp"
+#include "study/file/study_sessions.hpp"
 
 #include <gtest/gtest.h>
 
 #include "base/error.hpp"
 #include "message_of.hpp"
 #include "run_program.hpp"
-#include "study/sqlite.hpp"
-#include "study/store.hpp"
+#include "study/file/sqlite.hpp"
+#include "study/file/store.hpp"
 #include "study/study_tables.hpp"
 
 namespace moat {

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "materials/impact_laws.hpp"
-#include "materials/restitution_formulas.hpp"
+#include "materials/contact/impact_laws.hpp"
+#include "materials/contact/restitution_formulas.hpp"
 
 namespace moat::testing {
 

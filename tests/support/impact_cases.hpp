@@ -11,8 +11,8 @@
 #include "base/error.hpp"
 #include "base/quantity.hpp"
 #include "expected_restitution.hpp"
-#include "materials/any_contact.hpp"
-#include "materials/impact_laws.hpp"
+#include "materials/contact/any_contact.hpp"
+#include "materials/contact/impact_laws.hpp"
 
 namespace moat::testing {
 

@@ -13,7 +13,7 @@
 #include <random>
 #include <vector>
 
-#include "materials/contact_state.hpp"
+#include "materials/contact/contact_state.hpp"
 #include "materials/response.hpp"
 
 namespace moat::testing {

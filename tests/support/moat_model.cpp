@@ -2,12 +2,12 @@
 
 #include <stdexcept>
 
-#include "elements/gap.hpp"
-#include "elements/lead_rubber_bearing.hpp"
-#include "elements/shear_spring.hpp"
-#include "elements/storey.hpp"
-#include "elements/viscous_damper.hpp"
-#include "materials/impact_laws.hpp"
+#include "elements/contact/gap.hpp"
+#include "elements/line/lead_rubber_bearing.hpp"
+#include "elements/line/shear_spring.hpp"
+#include "elements/line/storey.hpp"
+#include "elements/line/viscous_damper.hpp"
+#include "materials/contact/impact_laws.hpp"
 #include "materials/storeys/yielding_storey.hpp"
 #include "structures/moat.hpp"
 

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <string_view>
 
-#include "output/case_result.hpp"
+#include "output/files/case_result.hpp"
 
 namespace moat::testing {
 

@@ -1,7 +1,7 @@
 // The facts of a model in plan, for tests of outputs.
 #pragma once
 
-#include "output/model_facts.hpp"
+#include "output/files/model_facts.hpp"
 
 namespace moat::testing {
 

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <cstdint>
 
-#include "materials/planar_response.hpp"
+#include "materials/plan/planar_response.hpp"
 #include "random_draws.hpp"
 
 namespace moat::testing {

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "base/units.hpp"
-#include "materials/planar_laws.hpp"
+#include "materials/plan/planar_laws.hpp"
 #include "planar_battery.hpp"
 #include "random_draws.hpp"
 #include "random_spring.hpp"

@@ -1,0 +1,254 @@
+#include "analyses/case/case_run.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "analyses/case/case_warnings.hpp"
+#include "analyses/modes/periods.hpp"
+#include "analyses/modes/torsion.hpp"
+#include "analyses/time_history/transient_texts.hpp"
+#include "base/check.hpp"
+#include "base/error.hpp"
+#include "model/building.hpp"
+#include "output/vtk/model_scene.hpp"
+
+namespace moat {
+namespace {
+
+// Of every result.
+constexpr std::array general_assumptions{
+    "Displacements and velocities are relative to the ground, accelerations absolute; positive to the right.",
+    "A peak is the value of largest magnitude over continuous time, with its sign, also between steps and on both "
+    "sides of an event. Forces and deformations of springs are positive where the upper end moves to the right, "
+    "those of gaps where they are compressed.",
+    "clearance_left is the smallest opening of a gap over continuous time; negative: the two sides indented each "
+    "other by so much.",
+    "total_base_shear is the force of isolators and impacts together; sum_of_floor_inertia_maxima adds the "
+    "maxima of mass times absolute acceleration of base and floors, which are not simultaneous.",
+    "Energies are in the frame of the ground: input is the work of the ground's inertia forces on relative motion.",
+    "storey_shear is the elastic force of the columns, without that of the storey's damping."};
+
+// Of results in plan, in place of those above.
+constexpr std::array plan_assumptions{
+    "Floors are rigid and move in plan: x to the right, y up, rotation counter-clockwise, displacements and velocities "
+    "relative to the ground, accelerations absolute. Vertical motion, rocking, uplift, the coupling of bearings with "
+    "their vertical force, the flexibility of floors and the height of contacts are left out.",
+    "Displacements are linear in rotations.",
+    "Resultants are those of simultaneous components; corner_displacement, corner_acceleration and corner_drift are "
+    "resultants at the corners of the outlines, their peaks the largest of all corners.",
+    "A peak is the value of largest magnitude over continuous time, with its sign, also between steps and on both "
+    "sides of an event. impact_force and indentation are positive where a contact is compressed; friction_force acts "
+    "along the edge, with the normal turned by +90 degrees.",
+    "clearance_left is the smallest opening of a gap over continuous time; negative: the two sides indented each "
+    "other by so much.",
+    "total_base_shear and total_base_torque, about the origin, are those of bearings and impacts together.",
+    "Contacts are points: corners with a normal law each, and Coulomb friction with an elastic grip before it slides.",
+    "Energies are in the frame of the ground: input is the work of the ground's inertia forces on relative motion."};
+
+CaseOptions checked(CaseOptions options) {
+  const Check check{"CaseOptions", options.title};
+  check.not_negative("history_interval", options.history_interval);
+  check.positive("warn_above_energy_error", options.warn_above_energy_error, "1");
+  return options;
+}
+
+double history_interval(const CaseOptions& options, const GroundMotion& motion) {
+  return options.history_interval.si() > 0.0 ? options.history_interval.si() : motion.time_step();
+}
+
+std::vector<BuildingParts> parts_of_buildings(const Model& model) {
+  std::vector<BuildingParts> list;
+  const auto name_of = [&](NodeId node) { return std::string{model.body_name(node)}; };
+  const std::vector<Building> buildings = all_buildings(model);
+  const std::vector<std::vector<ElementId>> isolators = isolators_of(model, buildings);
+  for (std::size_t b = 0; b < buildings.size(); ++b) {
+    const Building& building = buildings[b];
+    BuildingParts parts{.name = building.name, .base = building.base == ground ? "" : name_of(building.base)};
+    for (const NodeId floor : building.floors) parts.floors.push_back(name_of(floor));
+    for (const ElementId id : isolators[b]) parts.isolators.push_back(model.blocks()[id.block]->info(id.element).name);
+    list.push_back(std::move(parts));
+  }
+  return list;
+}
+
+// Whether every multiple of the histories' interval is the end of a step.
+bool rows_at_steps(double interval, double step) {
+  const double ratio = interval / step;
+  return std::abs(ratio - std::round(ratio)) < 1e-9 * ratio && ratio > 0.5;
+}
+
+// The companion starts from the model before the first step. A large model is not copied where no companion will run.
+std::optional<Model> copy_for_companion(const Model& model, const GroundMotion& motion, const CaseOptions& options) {
+  if (options.error_bars == ErrorBarMode::never) return std::nullopt;
+  if (options.error_bars == ErrorBarMode::always) return model;
+  const TransientOptions& transient = options.transient;
+  const double end = transient.end.si() > 0.0 ? transient.end.si() : motion.duration();
+  const double steps = (end - model.state().time) / longest_step(transient, motion.time_step());
+  if (!companion_is_cheap(model, steps)) return std::nullopt;
+  return model;
+}
+
+std::string_view name_of(ErrorBarMode mode) {
+  switch (mode) {
+    case ErrorBarMode::always:
+      return "always";
+    case ErrorBarMode::never:
+      return "never";
+    default:
+      return "automatic";
+  }
+}
+
+AnalysisFacts facts_of(const CaseOptions& options) {
+  // An option that is missing here does not compile.
+  const auto& [title, transient, history_interval, warn_above_energy_error, error_bars] = options;
+  AnalysisFacts facts = facts_of(transient);
+  facts.error_bars = name_of(error_bars);
+  facts.options.push_back({"history_interval", history_interval.si(), "s"});
+  facts.options.push_back({"warn_above_energy_error", warn_above_energy_error, "1"});
+  return facts;
+}
+
+MotionFacts facts_of(const GroundMotion& motion) {
+  return {.name = motion.name(),
+          .peak_acceleration = motion.peak_acceleration().si(),
+          .peak_velocity = motion.peak_velocity().si(),
+          .time_step = motion.time_step(),
+          .duration = motion.duration(),
+          .notes = motion.notes(),
+          .components = motion.components()};
+}
+
+std::vector<Touch> touches_of(const std::vector<Impact>& impacts) {
+  std::vector<Touch> touches;
+  for (const Impact& impact : impacts) touches.push_back({impact.where, impact.start, impact.approach_speed});
+  return touches;
+}
+
+}  // namespace
+
+CaseRun::CaseRun(Model& model, const GroundMotion& motion, CaseOptions options)
+    : options_{checked(std::move(options))},
+      periods_{characteristic_periods(model)},
+      untouched_{copy_for_companion(model, motion, options_)},
+      transient_{model, motion, options_.transient},
+      peaks_{model},
+      clearances_{model},
+      histories_{
+          model, history_interval(options_, motion), &energy_,
+          !rows_at_steps(history_interval(options_, motion), longest_step(options_.transient, motion.time_step()))} {
+  histories_.share_samples_of(peaks_);
+  histories_.reserve(transient_.end_time() - model.state().time);
+}
+
+void CaseRun::attach(StepObserver& observer) {
+  transient_.attach(observer);
+  const auto* recorder = dynamic_cast<const QuantityRecorder*>(&observer);
+  if (recorder == nullptr) return;
+  offered_.add(*recorder);
+  histories_.add(offered_);
+}
+
+void CaseRun::run() {
+  // After the observers of the script: a quantity that one of them offers is up to date when it is sampled.
+  for (StepObserver* own :
+       std::initializer_list<StepObserver*>{&energy_, &peaks_, &impacts_, &clearances_, &histories_})
+    transient_.attach(*own);
+  if (!offered_.list().empty()) transient_.attach(offered_peaks_);
+  transient_.run(stop_);
+  stopped_ = !transient_.finished();
+  if (stopped_) return;
+  run_companion();
+}
+
+void CaseRun::run_companion() {
+  const SolverStatistics& spent = transient_.statistics();
+  const auto solves = static_cast<double>(std::max(spent.newton_iterations, spent.accepted_steps));
+  if (options_.error_bars == ErrorBarMode::never) {
+    about_companion_ = "No error bars: they were not wanted (CaseOptions::error_bars).";
+  } else if (transient_.collapsed()) {
+    about_companion_ = "No error bars: the model collapsed, and peaks of a fall depend on where it is stopped.";
+  } else if (!untouched_ ||
+             (options_.error_bars == ErrorBarMode::automatic && !companion_is_cheap(*untouched_, solves))) {
+    about_companion_ =
+        "No error bars: the run evaluates more than 200000 elements, and a second one more again. --check (in code "
+        "CaseOptions::error_bars = "
+        "ErrorBarMode::always) makes it in any case.";
+  } else {
+    const TransientOptions finer = companion_options(options_.transient, spent.longest_step);
+    about_companion_ = companion_description(finer);
+    try {
+      companion_ = compute_peaks(*untouched_, transient_.motion(), finer, companion_observer_, stop_);
+    } catch (const Error& error) {
+      companion_failure_ = error.what();
+      about_companion_ = "No error bars: the second run failed.";
+    }
+  }
+  untouched_.reset();
+}
+
+CaseResult CaseRun::result_with(Table histories) const {
+  const GroundMotion& motion = transient_.motion();
+  CaseResult result{
+      .title = options_.title,
+      .provenance = provenance_of_library(),
+      .analysis = facts_of(options_),
+      .motion = facts_of(motion),
+      .model = facts_of(transient_.model()),
+      .scene = transient_.model().node_count() <= most_drawn_nodes ? scene_of(transient_.model()) : Scene{},
+      .buildings = parts_of_buildings(transient_.model()),
+      .periods = periods_,
+      .peaks = peaks_.peaks(),
+      .clearances = clearances_.clearances(),
+      .impacts = impacts_.impacts(),
+      .histories = std::move(histories),
+      .floor_accelerations = impacts_.impacts().empty() ? Table{} : histories_.floors(),
+      .offered = offered_.list(),
+      .energy = energy_.balance(transient_.model()),
+      .solver = transient_.statistics(),
+      .error_bars = {},
+      .warnings = transient_.warnings(),
+      .assumptions = transient_.assumptions()};
+  for (const auto& warnings :
+       {motion_warnings(motion), model_warnings(transient_.model()), collapse_warnings(result.peaks),
+        strain_warnings(result.peaks), plan_warnings(transient_.model(), result.peaks, result.impacts),
+        energy_warnings(result.energy, options_.warn_above_energy_error, options_.transient)})
+    result.warnings.insert(result.warnings.end(), warnings.begin(), warnings.end());
+  result.torsion = torsion_of(transient_.model(), result.peaks);
+  add_errors(result);
+  // Behind the errors: the companion does not know these peaks.
+  for (Peak& peak : offered_peaks_.peaks()) result.peaks.push_back(std::move(peak));
+  for (std::string& warning : offered_peaks_.warnings()) result.warnings.push_back(std::move(warning));
+  if (transient_.model().is_plan())
+    result.assumptions.insert(result.assumptions.end(), plan_assumptions.begin(), plan_assumptions.end());
+  else
+    result.assumptions.insert(result.assumptions.end(), general_assumptions.begin(), general_assumptions.end());
+  return result;
+}
+
+void CaseRun::add_errors(CaseResult& result) const {
+  if (companion_) {
+    const double least_share = least_share_of_errors(transient_.model(), options_.transient);
+    PeaksAndImpacts main{result.peaks, touches_of(result.impacts), result.solver, result.clearances};
+    result.error_bars =
+        estimate_errors(result.peaks, main.touches, *companion_, least_share,
+                        scales_of_run(result.peaks, transient_.model(), transient_.motion(), options_.transient));
+    estimate_clearance_errors(main, *companion_, least_share);
+    result.clearances = std::move(main.clearances);
+  }
+  result.error_bars.companion = about_companion_;
+  if (result.error_bars.sensitive)
+    result.warnings.push_back(sensitivity_warning(result.error_bars, result.impacts.size(), options_.transient));
+  if (!companion_failure_.empty())
+    result.warnings.push_back("There are no error bars, because the second run with finer steps failed: " +
+                              companion_failure_);
+}
+
+CaseResult run_case(Model& model, const GroundMotion& motion, CaseOptions options) {
+  CaseRun run{model, motion, std::move(options)};
+  run.run();
+  return run.take_result();
+}
+
+}  // namespace moat

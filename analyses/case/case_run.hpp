@@ -1,0 +1,101 @@
+// One model under one motion, with everything that is reported about it.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "analyses/case/error_bars.hpp"
+#include "analyses/time_history/transient.hpp"
+#include "output/files/case_result.hpp"
+#include "output/peaks/peak_recorder.hpp"
+#include "output/recorders/clearance_recorder.hpp"
+#include "output/recorders/energy_ledger.hpp"
+#include "output/recorders/history_recorder.hpp"
+#include "output/recorders/impact_recorder.hpp"
+#include "output/recorders/offered_quantities.hpp"
+
+namespace moat {
+
+/// When a run is followed by a companion with finer steps, from which its peaks get their errors.
+enum class ErrorBarMode {
+  automatic,  ///< where the run evaluates at most 2e5 elements (companion_is_cheap)
+  always,
+  never,
+};
+
+/// Options of one case.
+struct CaseOptions {
+  std::string title{};           ///< In reports.
+  TransientOptions transient{};  ///< Of the analysis: step, tolerance, end.
+  /// >= 0 s. Interval of the histories, which have rows exactly at its multiples; 0: that of the motion's samples.
+  Time history_interval{};
+  /// > 0. Integration error, and residual of the equations, as a fraction of the largest input or kinetic energy, above
+  /// which there is a warning.
+  double warn_above_energy_error = 1e-3;
+  ErrorBarMode error_bars = ErrorBarMode::automatic;  ///< When the second run is made.
+};
+
+/// A time history with peaks, clearances and their errors, impacts, histories, periods and solver statistics.
+///
+///     CaseRun run{model, motion, {.title = "..."}};
+///     run.run();                                  // may throw ConvergenceError ...
+///     const CaseResult result = run.result();     // ... and this still has all up to then
+///
+/// The companion (analyses/case/error_bars.hpp) moves a copy of the model, taken before the first step. If it fails,
+/// the result has no error bars and a warning with the reason.
+class CaseRun {
+ public:
+  /// The model must outlive the run. Throws InputError for an option outside its range.
+  CaseRun(Model& model, const GroundMotion& motion, CaseOptions options = {});
+  CaseRun(const CaseRun&) = delete;
+  CaseRun& operator=(const CaseRun&) = delete;
+
+  /// Before run(): calls the observer too; it must outlive the run. Quantities of a QuantityRecorder appear in
+  /// histories, peaks and report. Throws InputError for a quantity that is there already.
+  void attach(StepObserver& observer);
+  /// Calls the observer for the steps of the companion, if there is one; it must outlive the run.
+  void attach_to_companion(StepObserver& observer) { companion_observer_ = &observer; }
+  /// stop: asked before every step of run(), also of the companion; true ends it there, with all results up to then.
+  void stop_when(std::function<bool()> stop) { stop_ = std::move(stop); }
+  /// Whether the main run ended before its end because it was asked to.
+  [[nodiscard]] bool stopped() const { return stopped_; }
+  /// The main run, then the companion. Throws as Transient::run does in the main run.
+  void run();
+
+  [[nodiscard]] const Transient& transient() const { return transient_; }  ///< The analysis behind the case.
+  /// All that was recorded up to now.
+  [[nodiscard]] CaseResult result() const { return result_with(histories_.table()); }
+  /// The same, without a copy of the histories, which are gone from the run afterwards.
+  [[nodiscard]] CaseResult take_result() { return result_with(histories_.take_table()); }
+
+ private:
+  void run_companion();
+  [[nodiscard]] CaseResult result_with(Table histories) const;
+  void add_errors(CaseResult& result) const;
+
+  CaseOptions options_;
+  std::vector<NamedPeriod> periods_;
+  std::optional<Model> untouched_;  // for the companion
+  Transient transient_;
+  EnergyLedger energy_;
+  PeakRecorder peaks_;
+  ImpactRecorder impacts_;
+  ClearanceRecorder clearances_;
+  HistoryRecorder histories_;
+  OfferedQuantities offered_;
+  OfferedPeaks offered_peaks_{offered_};
+  std::function<bool()> stop_;
+  bool stopped_ = false;
+  StepObserver* companion_observer_ = nullptr;
+  std::optional<PeaksAndImpacts> companion_;
+  std::string about_companion_ = "No error bars: the run did not reach its end.";
+  std::string companion_failure_;
+};
+
+/// Runs one case and returns its result.
+CaseResult run_case(Model& model, const GroundMotion& motion, CaseOptions options = {});
+
+}  // namespace moat

@@ -1,0 +1,186 @@
+#include "analyses/case/case_warnings.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+
+#include "analyses/events/collapse_guard.hpp"
+#include "base/check.hpp"
+#include "base/units.hpp"
+#include "output/files/engineering_unit.hpp"
+#include "output/recorders/gaps_of.hpp"
+
+namespace moat {
+namespace {
+
+// Advice that makes this kind of steps finer.
+std::string finer(const TransientOptions& options) {
+  if (options.step.si() > 0.0) return "Take a shorter step (now " + to_text(options.step.si()) + " s)";
+  if (is_exact(options.integrator))
+    return "Raise TransientOptions::steps_per_contact (now " + std::to_string(options.steps_per_contact) +
+           "), shorten largest_step, or compare with Newmark";
+  if (options.tolerance <= TransientOptions::least_tolerance)
+    return "No tolerance is tighter: look for stiff elements at small masses and for wrong units";
+  return "Take a tighter tolerance (now " + to_text(options.tolerance) + ")";
+}
+
+bool all_finite(const EnergyBalance& energy) {
+  return std::ranges::all_of(
+      std::initializer_list<double>{energy.input, energy.kinetic, energy.strain, energy.viscous, energy.hysteretic,
+                                    energy.impact, energy.friction, energy.equation_residual, energy.integration_error,
+                                    energy.largest_input, energy.largest_kinetic},
+      [](double value) { return std::isfinite(value); });
+}
+
+// Bearings in plan that do not stand under their floor.
+std::vector<std::string> bearings_outside(const Model& model) {
+  std::vector<std::string> warnings;
+  for (const auto& block : model.blocks()) {
+    const PlanarElements* planar = block->planar();
+    for (std::size_t e = 0; planar != nullptr && e < block->size(); ++e) {
+      const ElementInfo& info = block->info(e);
+      const PlacedDiaphragm* floor = model.diaphragm_of(info.second);
+      const PlanVector at = planar->position(e);
+      if (!info.isolates || floor == nullptr || floor->outline.empty() || floor->outline.contains(at)) continue;
+      warnings.push_back("Bearing \"" + info.name + "\" at (" + to_text(at.x) + ", " + to_text(at.y) +
+                         ") m is outside the outline of \"" + floor->name + "\". Correct its position or the outline.");
+    }
+  }
+  return warnings;
+}
+
+// Corners that friction can press into their edge without an end.
+std::vector<std::string> jamming_corners(const Model& model) {
+  std::vector<std::string> warnings;
+  for (const auto& block : model.blocks()) {
+    const PlanContacts* contacts = block->plan_contacts();
+    for (std::size_t e = 0; contacts != nullptr && e < block->size(); ++e)
+      if (contacts->may_jam(e))
+        warnings.push_back("\"" + block->info(e).name +
+                           "\" can jam: while its corner slides, friction presses it into the edge at least as hard as "
+                           "the contact pushes it back, 1/m_n <= mu |m_nt|. Give less friction, or check the rotary "
+                           "inertia and the place of the corner.");
+  }
+  return warnings;
+}
+
+}  // namespace
+
+std::vector<std::string> motion_warnings(const GroundMotion& motion) {
+  constexpr double strongest = 5.0 * standard_gravity;  // the strongest records reach about 4 g
+  const double peak = motion.peak_acceleration().si();
+  if (peak <= strongest) return {};
+  std::string factors;
+  for (const MotionComponent& component : motion.components())
+    factors += (factors.empty() ? "" : " and ") + to_text(component.scale_factor);
+  return {"The peak acceleration of the ground is " + to_text(peak / standard_gravity) +
+          " g; no record is as strong as 5 g. Check the unit of the record and its scale factor (" + factors + ")."};
+}
+
+std::vector<std::string> model_warnings(const Model& model) {
+  std::vector<std::string> warnings;
+  if (model.is_plan()) {
+    warnings = bearings_outside(model);
+    std::ranges::move(jamming_corners(model), std::back_inserter(warnings));
+    return warnings;
+  }
+  for (const auto& block : model.blocks())
+    for (std::size_t e = 0; has_gaps(*block) && e < block->size(); ++e) {
+      const ElementInfo& info = block->info(e);
+      // The right side of a gap is its first node.
+      if (info.first == ground || info.second == ground) continue;
+      const Node &right = model.node(info.first), &left = model.node(info.second);
+      if (left.x <= right.x) continue;
+      warnings.push_back("Gap \"" + info.name + "\": its left side \"" + left.name +
+                         "\" has x = " + to_text(left.x.si()) + " m and its right side \"" + right.name + "\" x = " +
+                         to_text(right.x.si()) + " m. Exchange .left and .right, or correct the positions.");
+    }
+  return warnings;
+}
+
+std::vector<std::string> plan_warnings(const Model& model, const std::vector<Peak>& peaks,
+                                       const std::vector<Impact>& impacts) {
+  std::vector<std::string> warnings;
+  for (const auto& block : model.blocks()) {
+    const PlanContacts* contacts = block->plan_contacts();
+    for (std::size_t e = 0; contacts != nullptr && e < block->size(); ++e) {
+      const int times = contacts->times_left(e);
+      if (times == 0) continue;
+      warnings.push_back(
+          "\"" + block->info(e).name + "\": the corner left its edge in contact, " + std::to_string(times) +
+          (times == 1 ? " time" : " times") +
+          ". It slid past an end and was released; the energy it had stored counts as lost in the impact. "
+          "Check the outline of the wall there.");
+    }
+  }
+  double largest_indentation = 0.0;
+  for (const Impact& impact : impacts) largest_indentation = std::max(largest_indentation, impact.largest_indentation);
+  for (const PlacedDiaphragm& diaphragm : model.diaphragms()) {
+    double farthest = 0.0;
+    for (std::size_t i = 0; i < diaphragm.outline.size(); ++i)
+      farthest = std::max(farthest, length(diaphragm.outline.corner(i) - diaphragm.centre_of_mass));
+    const auto rotation = std::ranges::find_if(
+        peaks, [&](const Peak& peak) { return peak.quantity == "rotation" && peak.where == diaphragm.name; });
+    if (rotation == peaks.end()) continue;
+    constexpr double noticeable = 1e-3, share_of_indentation = 0.1;  // m, 1
+    const double neglected = 0.5 * farthest * rotation->value * rotation->value;
+    if (neglected <= noticeable &&
+        (largest_indentation == 0.0 || neglected <= share_of_indentation * largest_indentation))
+      continue;
+    warnings.push_back("The rotation of \"" + diaphragm.name + "\" reached " + to_text(rotation->magnitude()) +
+                       " rad. Displacements are linear in it; at its corners they neglect " + to_text(1e3 * neglected) +
+                       " mm. Where indentations are as small, compare with a smaller motion.");
+  }
+  return warnings;
+}
+
+std::vector<std::string> strain_warnings(const std::vector<Peak>& peaks) {
+  std::vector<std::string> warnings;
+  for (const Peak& peak : peaks)
+    if (peak.quantity == "fitted_strain_share" && peak.value > 1.0)
+      warnings.push_back("The strain of \"" + peak.where + "\" reached " + to_text(peak.value) +
+                         " times the largest for which its parameters were fitted. Take a bearing with more rubber, or "
+                         "parameters from tests to this strain.");
+  return warnings;
+}
+
+std::vector<std::string> collapse_warnings(const std::vector<Peak>& peaks) {
+  constexpr double no_building_stands = 3.0;  // m
+  Peak largest;
+  for (const Peak& peak : peaks)
+    if ((peak.quantity == "drift" || peak.quantity == "isolator_deformation") && peak.magnitude() > largest.magnitude())
+      largest = peak;
+  if (largest.magnitude() <= no_building_stands || largest.magnitude() > CollapseGuard::largest_deformation) return {};
+  return {"The model collapsed: the " + in_words(largest.quantity) + " of \"" + largest.where + "\" reached " +
+          to_text(largest.magnitude()) + " m, and no building stands " + to_text(no_building_stands) +
+          " m. Check p_delta, softening laws and units."};
+}
+
+std::vector<std::string> energy_warnings(const EnergyBalance& energy, double bound, const TransientOptions& options) {
+  if (!all_finite(energy))
+    return {
+        "An energy is not a finite number, so that the balance says nothing of the results. Look for a motion, a mass "
+        "or a stiffness of a wrong unit; peaks may be wrong."};
+  std::vector<std::string> warnings;
+  if (energy.share(energy.integration_error) > bound)
+    warnings.push_back(
+        "The energy of the elements is off by " + to_text(100.0 * energy.share(energy.integration_error)) +
+        " % of the largest input or kinetic energy, most at \"" + energy.worst_element + "\". " + finer(options) + ".");
+  if (energy.share(energy.equation_residual) > bound)
+    warnings.push_back("The equations do not balance: work and kinetic energy are off by " +
+                       to_text(100.0 * energy.share(energy.equation_residual)) +
+                       " % of the largest input or kinetic energy. " + finer(options) +
+                       "; if that does not help, a tighter TransientOptions::force_tolerance (now " +
+                       to_text(options.force_tolerance) + ").");
+  return warnings;
+}
+
+std::string sensitivity_warning(const ErrorBars& bars, std::size_t impacts, const TransientOptions& options) {
+  const bool pounds = impacts > 0 || bars.companion_impacts > 0;
+  return "The case is sensitive: " + bars.reason + ". " + finer(options) +
+         (pounds ? ". Impacts amplify every small difference: where finer steps do not help, the numbers are known to "
+                   "their error bars only."
+                 : ".");
+}
+
+}  // namespace moat

@@ -1,0 +1,28 @@
+// The choice between exact steps and Newmark's method.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "analyses/integrators/step_scheme.hpp"
+#include "base/check.hpp"
+
+namespace moat {
+
+/// ExactBetweenEvents where it applies to a model of at most 16 degrees of freedom, else Newmark. The choice and its
+/// reason are among the assumptions of the results.
+///
+/// Exact steps of such models are faster. For larger models they are slower, because their matrices are full.
+struct Automatic {
+  static constexpr std::string_view name = "automatic";
+  static constexpr int most_degrees_of_freedom = 16;  ///< Of a model, for exact steps; more are solved by Newmark.
+
+  [[nodiscard]] std::optional<StepScheme> scheme() const { return std::nullopt; }
+  void check(const Check&) const {}
+  [[nodiscard]] std::string description() const { return "Exact between events, or Newmark's method"; }
+
+  friend bool operator==(const Automatic&, const Automatic&) = default;
+};
+
+}  // namespace moat

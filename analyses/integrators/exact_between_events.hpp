@@ -1,0 +1,27 @@
+// Exact steps while no gap is closed.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "analyses/integrators/step_scheme.hpp"
+#include "base/check.hpp"
+
+namespace moat {
+
+/// Exact steps while no gap is closed (analyses/integrators/exact_steps.hpp), Newmark's method in contact: for small
+/// models whose springs, dampers and bearings are linear between located events.
+struct ExactBetweenEvents {
+  static constexpr std::string_view name = "exact-between-events";
+
+  [[nodiscard]] std::optional<StepScheme> scheme() const { return std::nullopt; }
+  void check(const Check&) const {}
+  [[nodiscard]] std::string description() const {
+    return "Exact steps while no gap is closed; in contact: Newmark's method";
+  }
+
+  friend bool operator==(const ExactBetweenEvents&, const ExactBetweenEvents&) = default;
+};
+
+}  // namespace moat

@@ -1,0 +1,83 @@
+#include "analyses/integrators/exact_steps.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "base/check.hpp"
+
+namespace moat {
+namespace {
+
+// One building has few combinations of sliding and elastic bearings. Many buildings have many; this limit bounds the
+// memory.
+constexpr std::size_t most_systems = 256;
+
+}  // namespace
+
+ExactSteps::ExactSteps(Model& model, StepControl& control)
+    : model_{&model}, control_{&control}, stiffness_{model.zero_matrix()}, damping_{stiffness_} {
+  const Check check{"TransientOptions", ""};
+  check.that(!model.is_plan(), "integrator: ExactBetweenEvents{} takes models on a line; this one moves in plan.",
+             "Use Newmark{}, the default.");
+  check.that(model.degrees_of_freedom() <= most_degrees_of_freedom,
+             "integrator = ExactBetweenEvents{} is for at most " + std::to_string(most_degrees_of_freedom) +
+                 " degrees of freedom; the model has " + std::to_string(model.degrees_of_freedom()) + ".",
+             "Use Newmark{}.");
+  for (const auto& block : model.blocks()) {
+    if (block->size() == 0 || block->linear_between_events()) continue;
+    const ElementInfo& info = block->info(0);
+    check.that(false,
+               "integrator = ExactBetweenEvents{} needs elements that are linear between located events, and \"" +
+                   info.name + "\" is not.",
+               "Use Newmark{}, or a law whose changes of stiffness are located.");
+  }
+  // A model with too large an eigenvalue is refused before the first step.
+  if (applies()) linearise();
+  control.use_share_of_tolerance(share_in_contact);
+}
+
+void ExactSteps::linearise() {
+  model_->linearise(stiffness_, damping_, forces_at_rest_);
+  const Vector& masses = model_->masses();
+  auto known =
+      std::ranges::find_if(systems_, [&](const LinearSystem& system) { return system.is_of(stiffness_, damping_); });
+  if (known == systems_.end()) {
+    if (systems_.size() == most_systems) systems_.clear();
+    // The cubic through the ends of a vibration misses it by phase^4/384 of its amplitude.
+    const double phase = std::pow(384.0 * cubics_within * control_->tolerance(), 0.25);
+    known =
+        systems_.emplace(systems_.end(), stiffness_, damping_, masses, control_->grid_interval(), std::min(0.5, phase));
+  }
+  system_ = &*known;
+  offset_ = -forces_at_rest_.head(masses.size()).cwiseQuotient(masses);
+}
+
+double ExactSteps::next_length() {
+  if (system_ == nullptr) linearise();
+  return system_->step();
+}
+
+void ExactSteps::begin(const StepTask& step) {
+  if (system_ == nullptr) linearise();
+  path_.begin(*system_, offset_, model_->state(), step);
+}
+
+void ExactSteps::move_to_end(const StepTask& part) {
+  path_.move(part.length, model_->trial());
+  model_->trial().time = part.end_time;
+}
+
+bool ExactSteps::solve(const StepTask& part) {
+  move_to_end(part);
+  complete();
+  return true;
+}
+
+bool ExactSteps::look(const StepTask& part) {
+  move_to_end(part);
+  model_->evaluate_regimes();
+  return true;
+}
+
+}  // namespace moat

@@ -1,0 +1,295 @@
+#include "analyses/integrators/step_equations.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "analyses/time_history/ground_component.hpp"
+
+namespace moat {
+namespace {
+
+Model& prepared(Model& model) {
+  model.prepare();
+  return model;
+}
+
+}  // namespace
+
+// Members behind the model need it prepared.
+StepEquations::StepEquations(Model& model) : model_{&prepared(model)}, resultants_{model}, curvature_{model} {
+  tangent_ = model.zero_matrix();
+  predicted_displacement_.setZero(size());
+  predicted_velocity_.setZero(size());
+  scales_.setZero(size());
+  balanced_scales_.setZero(size());
+}
+
+void StepEquations::begin(const StepTask& task, StepScheme scheme, Vector& guess) {
+  task_ = task;
+  scheme_ = scheme;
+  is_moved_ = false;
+  added_velocities_.clear();
+  const double h = task.length;
+  const MotionState& start = model_->state();
+  const double *u = start.displacement.data(), *v = start.velocity.data(), *a = start.acceleration.data(),
+               *jerk = start.jerk.data();
+  if (scheme.filters_corrections && !is_known(jerks_at_start_, jerks_at_end_))
+    jerks_at_start_ = {start.time, start.jerk};
+  if (!scheme.balances_at_end() && is_known(averaged_at_start_, averaged_at_end_)) a = averaged_at_start_.values.data();
+  double* __restrict displacement = predicted_displacement_.data();
+  double* __restrict velocity = predicted_velocity_.data();
+  double* __restrict first = guess.data();
+  const double square = (0.5 - scheme.beta) * h * h;
+  if (scheme.corrects_velocity) {
+    const double correction = h * h / 12.0;
+    if (scheme.filters_corrections) {
+      find_correction(jerks_at_start_.values, start_correction_);
+      for (int i = 0; i < size(); ++i) {
+        displacement[i] = u[i] + h * (v[i] + start_correction_[i]) + square * a[i];
+        velocity[i] = v[i] + 0.5 * h * a[i];
+        first[i] = a[i] + start_correction_[i] / (correction / h);
+      }
+    } else {
+      with_ground_component(*model_, task.ground_jerk, [&, count = size()](const auto& ground_jerk) {
+        for (int i = 0; i < count; ++i) {
+          const double relative_jerk = jerk[i] - ground_jerk(i);
+          const double shift = correction * relative_jerk;
+          displacement[i] = u[i] + h * (v[i] + shift) + square * a[i];
+          velocity[i] = v[i] + 2.0 * shift + (2.0 / 3.0) * h * a[i];
+          first[i] = a[i] + h * relative_jerk;
+        }
+      });
+    }
+  } else {
+    const double half = (1.0 - scheme.gamma) * h;
+    for (int i = 0; i < size(); ++i) {
+      displacement[i] = u[i] + h * v[i] + square * a[i];
+      velocity[i] = v[i] + half * a[i];
+      first[i] = a[i];
+    }
+  }
+  if (!scheme.balances_at_end()) average_start(a);
+  model_->trial().time = task.end_time;
+  if (scheme.order() == 4) curvature_.add_to(guess, task);
+}
+
+// Whether the state of a step that was completed has been committed, or its start is tried again.
+bool StepEquations::is_known(AtInstant& of_start, AtInstant& of_end) const {
+  const double now = model_->state().time;
+  if (of_end.time == now) std::swap(of_end, of_start);
+  return of_start.time == now;
+}
+
+bool StepEquations::has_factors_of_step() const {
+  return factorised_ && scheme_.force_share * scheme_.velocity_weight(task_.length) == factorised_velocity_weight_ &&
+         scheme_.force_share * scheme_.displacement_weight(task_.length) == factorised_displacement_weight_ &&
+         scheme_.mass_share == factorised_mass_share_;
+}
+
+void StepEquations::average_start(const double* acceleration) {
+  const GroundShares shares = model_->ground_shares();
+  const Vector &masses = model_->masses(), &force = model_->committed_forces();
+  of_start_.resize(size());
+  for (int i = 0; i < size(); ++i)
+    of_start_[i] =
+        (1.0 - scheme_.mass_share) * masses[i] * acceleration[i] +
+        (1.0 - scheme_.force_share) * (force[i] + masses[i] * shares.of(task_.ground_acceleration_at_start, i));
+}
+
+void StepEquations::predict(const StepTask& task, StepScheme scheme, Vector& guess) {
+  begin(task, scheme, guess);
+  move(guess);
+  is_moved_ = true;
+  model_->evaluate_regimes();
+}
+
+void StepEquations::add_impulses(const MissedImpulses& missed) {
+  const double *mass = model_->masses().data(), *of_displacement = missed.of_displacement.data(),
+               *of_velocity = missed.of_velocity.data(), *of_evaluated_velocity = missed.of_evaluated_velocity.data();
+  const int count = size();
+  for (int i = 0; i < count; ++i) {
+    // Few degrees of freedom have any.
+    if (of_displacement[i] == 0.0 && of_velocity[i] == 0.0) continue;
+    predicted_displacement_[i] += task_.length * of_displacement[i] / mass[i];
+    predicted_velocity_[i] += of_evaluated_velocity[i] / mass[i];
+    added_velocities_.push_back({i, of_velocity[i] / mass[i]});
+  }
+  curvature_.forget();  // accelerations bend or jump inside this step
+  is_moved_ = false;
+}
+
+void StepEquations::complete() {
+  // The unknown of an averaged equation is not the acceleration at the end, but one of first order.
+  if (!scheme_.balances_at_end()) {
+    averaged_at_end_ = {task_.end_time, model_->trial().acceleration};
+    balance_trial_state(task_.ground_acceleration);
+  }
+  model_->evaluate_rates();
+  balanced_scales_.swap(scales_);  // the next residual writes all of scales_
+  if (scheme_.filters_corrections) filter_corrections_at_end();
+  if (!scheme_.corrects_velocity) return;
+  const double h = task_.length, correction = h * h / 12.0, half = scheme_.gamma * h;
+  const MotionState& start = model_->state();
+  MotionState& end = model_->trial();
+  const double *v = start.velocity.data(), *a = start.acceleration.data(), *jerk = start.jerk.data(),
+               *end_acceleration = end.acceleration.data(), *end_jerk = end.jerk.data();
+  double* __restrict velocity = end.velocity.data();
+  for (int i = 0; i < size(); ++i) {
+    const double corrected =
+        scheme_.filters_corrections ? end_correction_[i] - start_correction_[i] : correction * (end_jerk[i] - jerk[i]);
+    velocity[i] = v[i] + half * (a[i] + end_acceleration[i]) - corrected;
+  }
+  for (const auto& [i, added] : added_velocities_) velocity[i] += added;
+  model_->evaluate_linear_elements();
+}
+
+// h^2/12 times relative jerks, filtered.
+void StepEquations::find_correction(const Vector& jerks, Vector& correction) {
+  const double factor = task_.length * task_.length / 12.0;
+  correction.resize(size());
+  with_ground_component(*model_, task_.ground_jerk, [&](const auto& ground_jerk) {
+    for (int i = 0; i < size(); ++i) correction[i] = factor * (jerks[i] - ground_jerk(i));
+  });
+  filter(correction, 2);
+}
+
+void StepEquations::filter(Vector& values, int power) {
+  if (!has_factors_of_step() && !factorise()) return;  // the solution of the step will fail too
+  for (int count = 0; count < power; ++count) {
+    values.array() *= model_->masses().array();
+    factorisation_.solve(values);
+  }
+}
+
+// Results have filtered jerks.
+void StepEquations::filter_corrections_at_end() {
+  const double h = task_.length;
+  const MotionState& start = model_->state();
+  MotionState& end = model_->trial();
+  jerks_at_end_ = {task_.end_time, end.jerk};
+  find_correction(end.jerk, end_correction_);
+  filtered_curve_.resize(size());
+  with_ground_component(*model_, task_.ground_jerk, [&](const auto& ground_jerk) {
+    for (int i = 0; i < size(); ++i) {
+      const double before = jerks_at_start_.values[i], after = end.jerk[i];
+      filtered_curve_[i] =
+          scheme_.corrects_velocity
+              ? 2.0 * (end.acceleration[i] - start.acceleration[i] + h * ground_jerk(i)) - h * (before + after)
+              : h * (after - before);
+      end.jerk[i] = ground_jerk(i) + 12.0 / (h * h) * end_correction_[i];
+    }
+  });
+  filter(filtered_curve_, 1);
+}
+
+void StepEquations::balance_committed_state(PlanVector ground_acceleration) {
+  MotionState& trial = model_->trial();
+  trial = model_->state();
+  model_->evaluate();
+  balance_trial_state(ground_acceleration);
+  model_->evaluate_rates();
+  model_->commit();
+  averaged_at_start_ = averaged_at_end_ = jerks_at_start_ = jerks_at_end_ = {};
+  curvature_.forget();
+}
+
+void StepEquations::balance_trial_state(PlanVector ground_acceleration) {
+  const Vector& force = model_->internal_forces();
+  const GroundShares shares = model_->ground_shares();
+  Vector& acceleration = model_->trial().acceleration;
+  for (int i = 0; i < size(); ++i)
+    acceleration[i] = -force[i] / model_->masses()[i] - shares.of(ground_acceleration, i);
+}
+
+// The trial state with these accelerations at its end.
+void StepEquations::move(const Vector& acceleration) {
+  const int count = size();
+  MotionState& trial = model_->trial();
+  const double displacement_weight = scheme_.displacement_weight(task_.length),
+               velocity_weight = scheme_.velocity_weight(task_.length);
+  const double *a = acceleration.data(), *predicted_displacement = predicted_displacement_.data(),
+               *predicted_velocity = predicted_velocity_.data();
+  double* __restrict trial_displacement = trial.displacement.data();
+  double* __restrict trial_velocity = trial.velocity.data();
+  double* __restrict trial_acceleration = trial.acceleration.data();
+  for (int i = 0; i < count; ++i) {
+    trial_acceleration[i] = a[i];
+    trial_displacement[i] = predicted_displacement[i] + displacement_weight * a[i];
+    trial_velocity[i] = predicted_velocity[i] + velocity_weight * a[i];
+  }
+}
+
+bool StepEquations::compute_residual(const Vector& acceleration, Vector& residual) {
+  const int count = size();
+  if (!std::exchange(is_moved_, false)) move(acceleration);
+  model_->evaluate();
+
+  // m/s^2. Where nothing moves yet, all terms of a row vanish together, and no residual is small beside them.
+  constexpr double negligible_acceleration = 1e-12;
+  const double* a = acceleration.data();
+  const double* mass = model_->masses().data();
+  const double* force = model_->internal_forces().data();
+  const double* balanced_scales = balanced_scales_.data();
+  double* __restrict unbalanced = residual.data();
+  double* __restrict scales = scales_.data();
+  const auto inertia = [&](int i) { return mass[i] * a[i]; };
+  const auto inner = [&](int i) { return force[i]; };
+  with_ground_component(*model_, task_.ground_acceleration, [&](const auto& ground_acceleration) {
+    const auto load = [&](int i) { return mass[i] * ground_acceleration(i); };
+    resultants_.with([&](const auto& size) {
+      for (int i = 0; i < count; ++i) {
+        unbalanced[i] = inertia(i) + force[i] + load(i);
+        const double lowest = std::max(0.5 * balanced_scales[i], mass[i] * negligible_acceleration);
+        scales[i] = std::max(std::max(size(i, inertia), size(i, inner)), std::max(size(i, load), lowest));
+      }
+    });
+  });
+  // A floor in plan is one place: forces that cancel in one of its directions leave round-off of those in another.
+  for (const PlacedDiaphragm& diaphragm : model_->diaphragms()) {
+    const int first = diaphragm.id.x.index;
+    const double largest = std::max(scales[first], scales[first + 2]);
+    for (int i = first; i < first + 3; ++i) scales[i] = largest;
+  }
+  if (!scheme_.balances_at_end()) {
+    const double mass_share = scheme_.mass_share, force_share = scheme_.force_share;
+    const GroundShares shares = model_->ground_shares();
+    for (int i = 0; i < count; ++i)
+      unbalanced[i] = mass_share * mass[i] * a[i] +
+                      force_share * (force[i] + mass[i] * shares.of(task_.ground_acceleration, i)) + of_start_[i];
+  }
+  return true;
+}
+
+bool StepEquations::compute_jacobian() {
+  return (has_factors_of_step() && model_->tangent_version() == factorised_version_) || factorise();
+}
+
+bool StepEquations::factorise() {
+  const double velocity_weight = scheme_.force_share * scheme_.velocity_weight(task_.length),
+               displacement_weight = scheme_.force_share * scheme_.displacement_weight(task_.length);
+  model_->assemble_tangent(scheme_.mass_share, velocity_weight, displacement_weight, tangent_);
+  factorised_ = factorisation_.factorise(tangent_);
+  factorised_velocity_weight_ = velocity_weight;
+  factorised_displacement_weight_ = displacement_weight;
+  factorised_mass_share_ = scheme_.mass_share;
+  factorised_version_ = model_->tangent_version();
+  return factorised_;
+}
+
+double StepEquations::round_off(int row) const {
+  // A displacement has a round-off of its last digit. Stiffness times this is a force that no iteration can balance. It
+  // matters where net forces are small but displacements are not: at the end of a motion, and beside very stiff links.
+  constexpr double last_digits = 8.0 * std::numeric_limits<double>::epsilon();
+  const double weight = scheme_.displacement_weight(task_.length);
+  double sum = 0.0;
+  // The pattern is symmetric, and so are nearly all tangents: the column is used in place of the row.
+  for (SparseMatrix::InnerIterator entry{tangent_, row}; entry; ++entry) {
+    const double of_stiffness = entry.value() - (entry.row() == row ? model_->masses()[row] : 0.0);
+    sum += std::abs(of_stiffness * model_->trial().displacement[entry.row()]);
+  }
+  return last_digits * sum / weight;
+}
+
+}  // namespace moat

@@ -1,0 +1,109 @@
+#include "analyses/modes/periods.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <numbers>
+
+#include "analyses/modes/plan_modes.hpp"
+#include "model/building.hpp"
+#include "solvers/modes.hpp"
+
+namespace moat {
+namespace {
+
+// The nodes that these isolators separate from the ground.
+std::vector<NodeId> isolated_nodes(const Model& model, const std::vector<ElementId>& isolators) {
+  std::vector<NodeId> nodes;
+  for (const ElementId id : isolators) {
+    const ElementInfo& info = model.blocks()[id.block]->info(id.element);
+    nodes.push_back(info.first == ground ? info.second : info.first);
+  }
+  return nodes;
+}
+
+std::vector<int> indices_of(const std::vector<NodeId>& nodes) {
+  std::vector<int> indices;
+  for (const NodeId node : nodes) indices.push_back(node.index);
+  std::ranges::sort(indices);
+  return indices;
+}
+
+// First period of the given nodes, all others held; infinite if they are free, 0 if there are none.
+double first_period(const SparseMatrix& stiffness, const Vector& masses, const std::vector<int>& nodes) {
+  if (nodes.empty()) return 0.0;
+  std::vector<int> position(static_cast<std::size_t>(stiffness.rows()), -1);
+  for (std::size_t i = 0; i < nodes.size(); ++i) position[static_cast<std::size_t>(nodes[i])] = static_cast<int>(i);
+  std::vector<Eigen::Triplet<double>> entries;
+  for (std::size_t i = 0; i < nodes.size(); ++i)
+    for (SparseMatrix::InnerIterator entry{stiffness, nodes[i]}; entry; ++entry)
+      if (const int row = position[static_cast<std::size_t>(entry.row())]; row >= 0)
+        entries.emplace_back(row, static_cast<int>(i), entry.value());
+  const auto size = static_cast<Eigen::Index>(nodes.size());
+  SparseMatrix part{size, size};
+  part.setFromTriplets(entries.begin(), entries.end());
+  Vector mass{size};
+  for (std::size_t i = 0; i < nodes.size(); ++i) mass[static_cast<Eigen::Index>(i)] = masses[nodes[i]];
+  return slowest_modes(part, mass, 1).front().period();
+}
+
+// The first three modes, with both stiffnesses of bearings that yield; once where they are the same.
+std::vector<NamedPeriod> periods_in_plan(Model& model) {
+  constexpr int count = 3;
+  const auto named = [&](StiffnessStage stage, const char* bearings) {
+    std::vector<NamedPeriod> periods;
+    for (const PlanMode& mode : plan_modes(model, stage, count))
+      if (std::isfinite(mode.period))
+        periods.push_back(
+            {"mode " + std::to_string(periods.size() + 1) + " (" + mode.character() + ")" + bearings, mode.period});
+    return periods;
+  };
+  std::vector<NamedPeriod> periods = named(StiffnessStage::post_yield, ", post-yield bearings"),
+                           initial = named(StiffnessStage::initial, ", initial bearings");
+  const auto same = [](const NamedPeriod& a, const NamedPeriod& b) { return a.value == b.value; };
+  if (std::ranges::equal(periods, initial, same)) return named(StiffnessStage::initial, "");
+  periods.insert(periods.end(), initial.begin(), initial.end());
+  return periods;
+}
+
+}  // namespace
+
+std::vector<NamedPeriod> characteristic_periods(Model& model, std::size_t most_buildings) {
+  if (model.is_plan()) return periods_in_plan(model);
+  model.prepare();
+  const SparseMatrix initial = model.linear_stiffness(StiffnessStage::initial),
+                     post_yield = model.linear_stiffness(StiffnessStage::post_yield);
+
+  std::vector<NamedPeriod> periods;
+  const std::vector<Building> buildings = all_buildings(model);
+  const std::vector<std::vector<ElementId>> isolators = isolators_of(model, buildings);
+  for (std::size_t b = 0; b < std::min(buildings.size(), most_buildings); ++b) {
+    const Building& building = buildings[b];
+    const std::string prefix = buildings.size() > 1 && !building.name.empty() ? building.name + ": " : "";
+    const auto report = [&](const char* name, double value) {
+      if (value > 0.0 && std::isfinite(value)) periods.push_back({prefix + name, value});
+    };
+    const std::vector<int> nodes = indices_of(building.nodes());
+    const std::vector<int> held = indices_of(isolated_nodes(model, isolators[b]));
+    if (held.empty()) {
+      report("first mode", first_period(initial, model.masses(), nodes));
+      continue;
+    }
+    std::vector<int> superstructure;
+    std::ranges::set_difference(nodes, held, std::back_inserter(superstructure));
+    // With the building rigid only its isolators deform: the sum of all entries of its stiffness.
+    double mass = 0.0, isolation_stiffness = 0.0;
+    for (const int node : nodes) {
+      mass += model.masses()[node];
+      isolation_stiffness += post_yield.col(node).sum();
+    }
+    report("fixed base", first_period(initial, model.masses(), superstructure));
+    if (isolation_stiffness > 0.0)
+      report("isolation, rigid building", 2.0 * std::numbers::pi * std::sqrt(mass / isolation_stiffness));
+    report("first mode, post-yield bearings", first_period(post_yield, model.masses(), nodes));
+    report("first mode, initial bearings", first_period(initial, model.masses(), nodes));
+  }
+  return periods;
+}
+
+}  // namespace moat

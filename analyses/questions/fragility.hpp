@@ -1,0 +1,55 @@
+// How probable an event is, against a level of the ground motion or against a gap.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "analyses/questions/lognormal_fit.hpp"
+#include "study/result.hpp"
+
+namespace moat {
+
+/// Whether an event happened in a case that is done.
+using StudyEvent = std::function<bool(const CaseOutcome&)>;
+
+/// The event that a result exceeds a threshold, in the result's SI unit. The event throws InputError for a case without
+/// this result.
+StudyEvent exceeds(std::string quantity, std::string where, double threshold);
+/// The event that anything hit anything: `impacts` > 0.
+StudyEvent pounds();
+
+/// How often an event happened at one value of an axis.
+struct EventCount {
+  double level = 0.0;  ///< value on the axis
+  int trials = 0;      ///< cases that are done
+  int events = 0;      ///< of these
+  /// Cases that failed or did not converge. They are no trials: neither events nor their absence.
+  int without_solution = 0;
+};
+
+/// One for every value of the axis, ascending. Throws InputError for an unknown axis.
+std::vector<EventCount> event_counts(const StudyResult& study, std::string_view axis, const StudyEvent& event);
+
+/// How an event depends on an axis.
+enum class Trend {
+  grows,   ///< as drift with the intensity: it happens from some level on
+  shrinks  ///< as pounding with the gap: it happens up to some level
+};
+
+/// The level at which the event begins (grows) or ends (shrinks), for every combination of the other axes, for example
+/// every record: between the neighbouring levels without and with the event. Where it comes and goes, the lowest level
+/// with the event counts (grows), or the highest (shrinks). Cases without a solution widen the interval;
+/// a combination that has no other case is left out.
+std::vector<KnownInterval> event_limits(const StudyResult& study, std::string_view axis, const StudyEvent& event,
+                                        Trend trend);
+
+/// A fragility: P(event | level) = Phi(ln(level / median) / dispersion), fitted to the limits of all records, whose
+/// answers at different levels are not independent of each other. Records that differ from level to level are
+/// combinations of their own; their limits are then open on one side, and the fit is that of Baker (2015). For an event
+/// that shrinks, F is the probability that it does not happen. Throws as event_counts() and LognormalFit.
+LognormalFit fit_fragility(const StudyResult& study, std::string_view axis, const StudyEvent& event,
+                           Trend trend = Trend::grows, double confidence = 0.95);
+
+}  // namespace moat

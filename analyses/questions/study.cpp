@@ -1,0 +1,232 @@
+#include "analyses/questions/study.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <limits>
+#include <span>
+#include <string>
+#include <thread>
+#include <tuple>
+#include <vector>
+
+#include "analyses/case/case_warnings.hpp"
+#include "analyses/case/error_bars.hpp"
+#include "base/check.hpp"
+#include "base/error.hpp"
+#include "base/sha256.hpp"
+#include "output/recorders/energy_columns.hpp"
+#include "output/recorders/energy_ledger.hpp"
+#include "study/ranks/outcome_bytes.hpp"
+#include "study/ranks/rank_engine.hpp"
+
+namespace moat {
+namespace {
+
+std::size_t threads_of(const StudyOptions& options) {
+  Check{"StudyOptions", ""}.that(options.threads >= 0, "threads", options.threads, "1", ">= 0",
+                                 "0 takes one thread per core.");
+  if (options.threads > 0) return static_cast<std::size_t>(options.threads);
+  if (options.ranks != nullptr) return 1;
+  return std::max(1u, std::thread::hardware_concurrency());
+}
+
+// The cases of the part that are not computed yet.
+std::vector<std::size_t> open_numbers(const std::vector<CaseOutcome>& outcomes, const StudyOptions& options) {
+  std::size_t first = 0, last = outcomes.size();
+  if (options.part) {
+    std::tie(first, last) = *options.part;
+    Check{"StudyOptions", ""}.that(
+        first < last && last <= outcomes.size(),
+        "part = " + std::to_string(first) + ":" + std::to_string(last) + " is not allowed.",
+        "The cases are 0:" + std::to_string(outcomes.size()) + "; the last is not included.");
+  }
+  std::vector<std::size_t> numbers;
+  for (std::size_t number = first; number < last; ++number)
+    if (outcomes[number].state == CaseState::open) numbers.push_back(number);
+  return numbers;
+}
+
+/// Counts the cases for StudyOptions::progress.
+class Progress {
+ public:
+  Progress(const std::vector<CaseOutcome>& outcomes, std::size_t open) {
+    for (const CaseOutcome& outcome : outcomes)
+      if (outcome.state != CaseState::open) add(outcome);
+    now_.all = now_.done + open;
+  }
+  const StudyProgress& finished(const CaseOutcome& outcome) {
+    add(outcome);
+    ++now_.computed;
+    now_.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+    return now_;
+  }
+
+ private:
+  void add(const CaseOutcome& outcome) {
+    ++now_.done;
+    if (outcome.state != CaseState::done) ++now_.failed;
+    for (const NamedNumber& result : outcome.results)
+      if (result.quantity == "impacts" && result.where.empty() && !std::isnan(result.value))
+        now_.impacts += result.value;
+  }
+
+  StudyProgress now_;
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+/// Outcomes that this process computes or has in its store; those of other ranks come through it.
+std::vector<CaseOutcome> compute_outcomes(const StudyCases& cases, const ComputeCase& compute,
+                                          const StudyOptions& options) {
+  const std::size_t threads = threads_of(options);
+  std::vector<CaseOutcome> outcomes =
+      options.store != nullptr ? options.store->outcomes() : std::vector<CaseOutcome>(cases.count());
+  const std::vector<std::size_t> numbers = open_numbers(outcomes, options);
+  Progress progress{outcomes, numbers.size()};
+  const auto finished = [&](std::size_t number, CaseOutcome&& outcome) {
+    if (options.store != nullptr) options.store->write(number, outcome);
+    outcomes[number] = std::move(outcome);
+    const StudyProgress& now = progress.finished(outcomes[number]);
+    if (options.progress) options.progress(now);
+  };
+  if (options.ranks != nullptr)
+    compute_as_first_rank(*options.ranks, cases, numbers, compute, finished, options.stop, threads);
+  else
+    compute_on_threads(cases, numbers, compute, finished, options.stop, threads);
+  return outcomes;
+}
+
+/// The outcomes of rank 0 on every rank.
+std::vector<CaseOutcome> compute_on_every_rank(const StudyCases& cases, const ComputeCase& compute,
+                                               const StudyOptions& options) {
+  Ranks& ranks = *options.ranks;
+  std::string bytes;
+  if (ranks.rank() == 0) {
+    std::vector<CaseOutcome> outcomes = compute_outcomes(cases, compute, options);
+    bytes = to_bytes(outcomes);
+    ranks.broadcast(bytes);
+    return outcomes;
+  }
+  compute_as_other_rank(ranks, cases, compute);
+  ranks.broadcast(bytes);
+  return outcomes_from_bytes(bytes);
+}
+
+StudyResult compute_study(const StudyCases& cases, const ComputeCase& compute, const StudyOptions& options) {
+  std::vector<CaseOutcome> outcomes = options.ranks != nullptr ? compute_on_every_rank(cases, compute, options)
+                                                               : compute_outcomes(cases, compute, options);
+  const bool stopped = !open_numbers(outcomes, options).empty();
+  StudyResult result{cases, std::move(outcomes)};
+  if (stopped) throw StudyStopped{std::move(result)};
+  if (!options.keep_failures && !failures_of(result).empty()) throw StudyError{std::move(result)};
+  return result;
+}
+
+void add_energies(CaseOutcome& outcome, const EnergyBalance& energy) {
+  for (const EnergyColumn& column : energy_columns(energy.in_plan))
+    outcome.results.push_back({"energy_" + std::string{column.name}, "", "J", energy.*column.value});
+  outcome.energy_error = energy.error_share();
+}
+
+std::vector<FileRead> files_of(const GroundMotion& motion) {
+  std::vector<FileRead> files;
+  for (const MotionComponent& component : motion.components())
+    if (!component.file.path.empty() && std::ranges::find(files, component.file) == files.end())
+      files.push_back(component.file);
+  return files;
+}
+
+/// Of the files of a motion; of one made in the program that of its samples.
+std::string hash_of(const GroundMotion& motion) {
+  std::string hashes;
+  for (const FileRead& file : files_of(motion)) hashes += file.sha256;
+  if (!hashes.empty()) return sha256_of(hashes);
+  std::string bytes;
+  const auto add = [&](std::span<const double> numbers) {
+    bytes.append(reinterpret_cast<const char*>(numbers.data()), numbers.size_bytes());
+  };
+  const double time_step = motion.time_step();
+  add({&time_step, 1});
+  add(motion.samples());
+  add(motion.samples_y());
+  return sha256_of(bytes);
+}
+
+CaseOutcome outcome_of_model(Model& model, const GroundMotion& motion, const StudyOptions& options) {
+  std::optional<Model> untouched;
+  if (options.error_bars) untouched = model;
+  std::optional<EnergyLedger> energy;
+  if (options.energies) energy.emplace();
+  PeaksAndImpacts main = compute_peaks(model, motion, options.transient, energy ? &*energy : nullptr);
+  double sensitive = std::numeric_limits<double>::quiet_NaN();
+  // Peaks of a fall depend on where it is stopped.
+  if (options.error_bars && !main.collapsed) {
+    try {
+      const PeaksAndImpacts companion =
+          compute_peaks(*untouched, motion, companion_options(options.transient, main.solver.longest_step));
+      const double least_share = least_share_of_errors(model, options.transient);
+      const ScalesOfUnits scales = scales_of_run(main.peaks, model, motion, options.transient);
+      sensitive = estimate_errors(main.peaks, main.touches, companion, least_share, scales).sensitive ? 1.0 : 0.0;
+      estimate_clearance_errors(main, companion, least_share);
+    } catch (const Error&) {
+      // The case itself is computed; its errors stay unknown.
+    }
+  }
+  CaseOutcome outcome{.state = CaseState::done, .files = files_of(motion), .steps = main.solver.accepted_steps};
+  StudyRecord& record = outcome.results;
+  for (const Peak& peak : main.peaks) {
+    record.push_back({peak.quantity, peak.where, peak.unit, peak.magnitude()});
+    if (options.error_bars) record.push_back({peak.quantity + "_error", peak.where, peak.unit, peak.error});
+  }
+  for (const GapClearance& gap : main.clearances) {
+    record.push_back({"clearance_left", gap.where, "m", gap.left});
+    if (options.error_bars) record.push_back({"clearance_left_error", gap.where, "m", gap.error});
+  }
+  record.push_back({"impacts", "", "1", static_cast<double>(main.touches.size())});
+  const bool collapsed = main.collapsed || !collapse_warnings(main.peaks).empty();
+  record.push_back({"collapsed", "", "1", collapsed ? 1.0 : 0.0});
+  if (options.error_bars) record.push_back({"sensitive", "", "1", sensitive});
+  if (energy) add_energies(outcome, energy->balance(model));
+  return outcome;
+}
+
+}  // namespace
+
+StudyAxis record_axis(std::string name, const std::vector<GroundMotion>& motions) {
+  std::vector<std::string> names;
+  for (const GroundMotion& motion : motions) names.push_back(motion.name());
+  StudyAxis axis = StudyAxis::of_names(std::move(name), std::move(names));
+  for (const GroundMotion& motion : motions) axis.hashes.push_back(hash_of(motion));
+  return axis;
+}
+
+StudyAxis record_axis(std::string name, const std::vector<PlanMotion>& pairs) {
+  std::vector<std::string> names;
+  for (const PlanMotion& pair : pairs) names.push_back(pair.first.name() + " + " + pair.second.name());
+  StudyAxis axis = StudyAxis::of_names(std::move(name), std::move(names));
+  for (const PlanMotion& pair : pairs) axis.hashes.push_back(sha256_of(hash_of(pair.first) + hash_of(pair.second)));
+  return axis;
+}
+
+StudyResult run_study(const StudyCases& cases, const std::function<StudyRecord(const StudyCase&)>& compute,
+                      const StudyOptions& options) {
+  const auto outcome = [&](const StudyCase& each) {
+    return CaseOutcome{.state = CaseState::done, .results = compute(each)};
+  };
+  return compute_study(cases, outcome, options);
+}
+
+StudyResult run_study(const StudyCases& cases, const std::function<StudyModel(const StudyCase&)>& make,
+                      const StudyOptions& options) {
+  const auto outcome = [&](const StudyCase& each) {
+    StudyModel study = make(each);
+    return outcome_of_model(study.model, study.motion, options);
+  };
+  return compute_study(cases, outcome, options);
+}
+
+StudyRecord peaks_of(Model& model, const GroundMotion& motion, const TransientOptions& options, bool error_bars) {
+  return outcome_of_model(model, motion, {.transient = options, .error_bars = error_bars}).results;
+}
+
+}  // namespace moat

@@ -1,0 +1,105 @@
+// Parameter studies: the same question for every combination of some parameters.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "analyses/time_history/transient.hpp"
+#include "model/model.hpp"
+#include "motions/ground_motion.hpp"
+#include "motions/plan_motion.hpp"
+#include "study/cases.hpp"
+#include "study/engine.hpp"
+#include "study/file/store.hpp"
+#include "study/outcome.hpp"
+#include "study/ranks/ranks.hpp"
+#include "study/result.hpp"
+
+namespace moat {
+
+/// The model and the motion of one case.
+struct StudyModel {
+  Model model;          ///< The structure of this case.
+  GroundMotion motion;  ///< The motion of this case.
+};
+
+/// An axis of records, called by their names, which must differ; a study that goes on compares the hashes of their
+/// files, and of motions made in the program those of their samples.
+StudyAxis record_axis(std::string name, const std::vector<GroundMotion>& motions);
+/// The same for pairs: "NWH090 + NWH360".
+StudyAxis record_axis(std::string name, const std::vector<PlanMotion>& pairs);
+
+/// Options of run_study().
+struct StudyOptions {
+  /// >= 0. Threads that compute cases; 0: one per core. Results do not depend on it.
+  int threads = 0;
+  /// How the time history of a StudyModel is computed.
+  TransientOptions transient{};
+  /// Whether every StudyModel runs a second time with finer steps (analyses/case/error_bars.hpp), which costs two to
+  /// three times as much again. Every peak then has its error, as a result of its own ("displacement_error" of "base"),
+  /// and every case the result "sensitive": 1 if it is, 0 if not. Both are NaN where the second run failed.
+  bool error_bars = false;
+  /// Whether the results of every StudyModel have its energies ("energy_input" ...), and its outcome the error of the
+  /// energy balance. They cost about a third of an analysis.
+  bool energies = false;
+  /// Called after every case, by one thread at a time.
+  std::function<void(const StudyProgress&)> progress{};
+  /// Asked before every case; true ends the study after those in flight, with StudyStopped.
+  std::function<bool()> stop{};
+  /// Where cases are kept, and taken from if they are there already; must have been opened for the same cases.
+  StudyStore* store = nullptr;
+  /// Only the cases from the first up to and without the last; the others stay open. Empty: all.
+  std::optional<std::pair<std::size_t, std::size_t>> part{};
+  /// The ranks of the job (ranks_of_this_job()); every rank calls run_study with the same cases and gets the same
+  /// result. Rank 0 has the store, progress and stop; `threads` are those of each rank, 0: one. Null: this process
+  /// alone.
+  Ranks* ranks = nullptr;
+  /// Whether cases that fail or do not converge are a state in the result, in place of a StudyError.
+  bool keep_failures = false;
+};
+
+/// Computes `compute` for every case, on all cores.
+///
+///     const StudyResult result = run_study(
+///         {{.name = "gap", .unit = "cm", .values = linearly_spaced(10, 50, 41)},
+///          StudyAxis::of_names("record", {"KBU000", "JEN022"})},
+///         [&](const StudyCase& each) {
+///           StudyModel study{Model{}, motions[each.position("record")]};
+///           const auto building = add(study.model, ShearBuilding{...});
+///           add(study.model, Moat{.around = building.base, .clearance = each.value("gap") * cm, ...});
+///           return study;
+///         });
+///
+/// The function is called from several threads at once: it may only read shared data. The order of the table is that of
+/// the cases. No number depends on the number of threads.
+///
+/// Throws StudyError after the last case if any case threw, StudyStopped if options.stop asked for the end, InputError
+/// for an option outside its range, and FileError where the store cannot be written.
+StudyResult run_study(const StudyCases& cases, const std::function<StudyRecord(const StudyCase&)>& compute,
+                      const StudyOptions& options = {});
+
+/// The same for models: the results are the magnitudes of all peaks, as PeakRecorder names them, the `clearance_left`
+/// of every gap (negative: indented by so much), the number of `impacts`, and `collapsed`: 1 where a storey or an
+/// isolator was deformed by more than 3 m or a collapse ended the analysis, else 0; with StudyOptions::error_bars also
+/// their errors:
+///
+///     result.values("impact_force", "moat");           // N
+///     result.values("impact_force_error", "moat");     // N, the first holds to +- this
+///     result.values("clearance_left", "moat right");   // m
+///     result.values("sensitive", "");                  // 0 or 1
+///
+/// No histories are kept.
+StudyResult run_study(const StudyCases& cases, const std::function<StudyModel(const StudyCase&)>& make,
+                      const StudyOptions& options = {});
+
+/// The results of one case of a study: magnitudes of the peaks of one model under one motion, clearances left, the
+/// number of impacts, and `collapsed`. With error_bars also "..._error" of peaks and clearances, and "sensitive"
+/// (StudyOptions).
+StudyRecord peaks_of(Model& model, const GroundMotion& motion, const TransientOptions& options = {},
+                     bool error_bars = false);
+
+}  // namespace moat

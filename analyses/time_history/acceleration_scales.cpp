@@ -1,0 +1,119 @@
+#include "analyses/time_history/acceleration_scales.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "analyses/time_history/ground_component.hpp"
+#include "model/building.hpp"
+
+namespace moat {
+namespace {
+
+constexpr double seconds_to_fade = 1.0;  // by a factor e
+constexpr double share_of_building = 0.25;
+// For nodes in contact, whose acceleration rises like t^1.5 or faster. There steps_per_contact controls the step, and
+// the error of acceleration counts less.
+constexpr double lenience_in_contact = 16.0;
+
+}  // namespace
+
+AccelerationScales::AccelerationScales(const Model& model, double lowest)
+    : lowest_{std::max(lowest, std::numeric_limits<double>::min())},
+      resultants_{model},
+      building_{connected_parts(model)},
+      touching_(static_cast<std::size_t>(std::ranges::max(building_)) + 1, 0),
+      touched_before_(touching_) {
+  values_.setConstant(model.degrees_of_freedom(), lowest_);
+  own_ = values_;
+  outside_contact_ = values_;
+  of_building_.setZero(static_cast<Eigen::Index>(touching_.size()));
+  for (int i = 0; i < static_cast<int>(building_.size()); ++i) {
+    const int building = building_[static_cast<std::size_t>(i)];
+    if (runs_.empty() || runs_.back().building != building) runs_.push_back({i, i, building});
+    runs_.back().end = i + 1;
+  }
+  const std::size_t nodes_of_contact = model.is_plan() ? 6 : 2;
+  std::size_t contacts = 0;
+  for (const auto& block : model.blocks()) contacts += block->contacts() != nullptr ? block->size() : 0;
+  raised_.reserve(nodes_of_contact * contacts);
+  regimes_changed(model);
+}
+
+void AccelerationScales::regimes_changed(const Model& model) {
+  if (!any_touching_) outside_contact_ = own_;
+  touched_before_.swap(touching_);
+  std::ranges::fill(touching_, 0);
+  raised_.clear();
+  for (const auto& block : model.blocks()) {
+    const Contacts* contacts = block->contacts();
+    if (contacts == nullptr || contacts->touching() == 0) continue;
+    for (std::size_t e = 0; e < block->size(); ++e) {
+      const ContactView contact = contacts->contact(e);
+      if (!contact.touching) continue;
+      for (const NodeId end : {block->info(e).first, block->info(e).second})
+        for (const NodeId node : model.body_of(end)) {
+          touching_[static_cast<std::size_t>(building_[static_cast<std::size_t>(node.index)])] = 1;
+          raised_.push_back({node.index, lenience_in_contact * contact.expected_force / model.mass(node)});
+        }
+    }
+  }
+  any_touching_ = !raised_.empty();
+  // The last contact of a building has ended: its scales return to those without contact.
+  for (const Run& run : runs_) {
+    const auto building = static_cast<std::size_t>(run.building);
+    if (touched_before_[building] == 0 || touching_[building] != 0) continue;
+    for (int i = run.begin; i < run.end; ++i) own_[i] = outside_contact_[i];
+  }
+  for (const Raised& raised : raised_) own_[raised.node] = std::max(own_[raised.node], raised.acceleration);
+  up_to_date_ = false;
+}
+
+const Vector& AccelerationScales::values() {
+  if (!up_to_date_) raise_to_building();
+  up_to_date_ = true;
+  return values_;
+}
+
+// Each value is the node's own scale, or a share of the largest scale in its building if that is larger.
+void AccelerationScales::raise_to_building() {
+  const double* own = own_.data();
+  double* __restrict values = values_.data();
+  for (const Run& run : runs_) of_building_[run.building] = 0.0;
+  for (const Run& run : runs_) {
+    double largest = of_building_[run.building];
+    for (int i = run.begin; i < run.end; ++i) largest = std::max(largest, own[i]);
+    of_building_[run.building] = largest;
+  }
+  for (const Run& run : runs_) {
+    const double least = share_of_building * of_building_[run.building];
+    for (int i = run.begin; i < run.end; ++i) values[i] = std::max(own[i], least);
+  }
+}
+
+void AccelerationScales::accepted(const Model& model, double h, PlanVector ground_acceleration) {
+  if (h != step_of_fade_) {
+    step_of_fade_ = h;
+    fade_ = std::exp(-h / seconds_to_fade);
+  }
+  const double fade = fade_;
+  const int count = model.degrees_of_freedom();
+  const double* acceleration = model.state().acceleration.data();
+  double* __restrict values = own_.data();
+  double* __restrict outside = outside_contact_.data();
+  with_ground_component(model, ground_acceleration, [&, lowest = lowest_](const auto& of_ground) {
+    const auto absolute = [&](int i) { return acceleration[i] + of_ground(i); };
+    resultants_.with([&](const auto& size) {
+      for (int i = 0; i < count; ++i) values[i] = std::max(std::max(values[i] * fade, lowest), size(i, absolute));
+    });
+  });
+  up_to_date_ = false;
+  if (!any_touching_) return;
+  // `outside` excludes accelerations of impacts: while a building is in contact it only decays.
+  for (const Run& run : runs_) {
+    const bool touching = touching_[static_cast<std::size_t>(run.building)] != 0;
+    for (int i = run.begin; i < run.end; ++i) outside[i] = touching ? std::max(outside[i] * fade, lowest_) : values[i];
+  }
+}
+
+}  // namespace moat

@@ -1,0 +1,113 @@
+#include "analyses/time_history/model_checks.hpp"
+
+#include <Eigen/SparseCholesky>
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "base/error.hpp"
+
+namespace moat {
+namespace {
+
+// The degrees of freedom whose motion, with that of those eliminated before, deforms no element: the pivot vanishes
+// beside the diagonal of a matrix to which every element adds 1 N/m. Two bearings of a floor count as one where the
+// square of their distance is below this share of that of their distance from the centre of mass.
+std::vector<bool> loose_in_plan(const Model& model) {
+  constexpr double vanishing = 1e-10, shift = 1e-12;
+  SparseMatrix matrix = model.linear_stiffness(StiffnessStage::joined);
+  const Vector diagonal = matrix.diagonal();
+  // No pivot is zero then, and the elimination goes on.
+  matrix.diagonal().array() += shift;
+  const Eigen::SimplicialLDLT<SparseMatrix> factors{matrix};
+  const Vector pivots = factors.permutationPinv() * factors.vectorD();
+  std::vector<bool> loose;
+  for (Eigen::Index i = 0; i < pivots.size(); ++i) loose.push_back(!(pivots[i] > vanishing * (1.0 + diagonal[i])));
+  return loose;
+}
+
+// The bodies of a connected part with a verb: "floor 2 and floor 3 are".
+std::string subject(const Model& model, const std::vector<int>& part, int number, const std::string& verb) {
+  constexpr std::size_t most = 4;
+  std::vector<std::string> names;
+  for (int i = 0; i < model.node_count(); ++i)
+    if (part[static_cast<std::size_t>(i)] == number && model.body_of(NodeId{i}).front() == NodeId{i})
+      names.emplace_back(model.body_name(NodeId{i}));
+  if (names.size() > most) names = {names[0], names[1], names[2], std::to_string(names.size() - 3) + " more"};
+  std::string text = names[0];
+  for (std::size_t i = 1; i < names.size(); ++i) text += (i + 1 < names.size() ? ", " : " and ") + names[i];
+  return text + (names.size() == 1 && verb == "are" ? " is" : " " + verb);
+}
+
+// Whether one of the two bodies of a gap stands inside the other.
+bool encloses(const Model& model, const ElementInfo& gap) {
+  const Node &a = model.node(gap.first), &b = model.node(gap.second);
+  return std::abs(a.x.si() - b.x.si()) < std::abs(a.half_width.si() - b.half_width.si());
+}
+
+std::string sides_of(const Model& model, const ElementInfo& gap) {
+  return "\"" + std::string{model.node_name(gap.second)} + "\" on the left of \"" +
+         std::string{model.node_name(gap.first)} + "\"";
+}
+
+}  // namespace
+
+void check_held(const Model& model) {
+  const std::vector<int> part = connected_parts(model);
+  const auto part_of = [&](int node) { return static_cast<std::size_t>(part[static_cast<std::size_t>(node)]); };
+  std::vector<bool> held(part.size(), false), loose(part.size(), false), free(part.size(), false);
+  for (const auto& block : model.blocks())
+    for (std::size_t e = 0; block->contacts() == nullptr && e < block->size(); ++e) {
+      const NodeId first = block->info(e).first, second = block->info(e).second;
+      if ((first.index < 0) != (second.index < 0)) held[part_of(std::max(first.index, second.index))] = true;
+    }
+  const std::vector<bool> loose_nodes = model.is_plan() ? loose_in_plan(model) : std::vector<bool>(part.size(), false);
+  for (int i = 0; i < model.node_count(); ++i) {
+    if (loose_nodes[static_cast<std::size_t>(i)]) loose[part_of(i)] = true;
+    if (model.node(NodeId{i}).free || model.velocity(NodeId{i}) != 0.0) free[part_of(i)] = true;
+  }
+  const Check check{"Model", ""};
+  for (int i = 0; i < model.node_count(); ++i) {
+    const std::size_t number = part_of(i);
+    if (free[number] || (held[number] && !loose[number])) continue;
+    const int number_of_part = part[static_cast<std::size_t>(i)];
+    const std::string remedy = " Give .free = true where a body shall float.";
+    check.that(held[number],
+               subject(model, part, number_of_part, "are") + " held by nothing: no path of elements to the ground.",
+               "Add the missing spring, storey or isolator; a gap holds nothing." + remedy);
+    check.that(false,
+               subject(model, part, number_of_part, "can") +
+                   " move in plan without deforming an element, along a direction or about a point.",
+               "Give springs or bearings along x and along y, at two places at least." + remedy);
+  }
+}
+
+void check_gap_directions(const Model& model) {
+  std::vector<int> body(static_cast<std::size_t>(model.node_count()));
+  for (int i = 0; i < model.node_count(); ++i) body[static_cast<std::size_t>(i)] = -1 - i;
+  for (std::size_t b = 0; b < model.buildings().size(); ++b)
+    for (const NodeId node : model.buildings()[b].nodes())
+      body[static_cast<std::size_t>(node.index)] = static_cast<int>(b);
+  std::map<std::pair<int, int>, const ElementInfo*> known;  // by the bodies on the left and on the right
+  for (const auto& block : model.blocks())
+    for (std::size_t e = 0; block->contacts() != nullptr && !model.is_plan() && e < block->size(); ++e) {
+      const ElementInfo& gap = block->info(e);
+      if (gap.first == ground || gap.second == ground) continue;
+      const int right = body[static_cast<std::size_t>(gap.first.index)],
+                left = body[static_cast<std::size_t>(gap.second.index)];
+      known.try_emplace({left, right}, &gap);
+      const auto other = known.find({right, left});
+      if (left == right || other == known.end() || (encloses(model, gap) && encloses(model, *other->second))) continue;
+      Check{"Gap", gap.name}.that(
+          false,
+          "it has " + sides_of(model, gap) + ", but gap \"" + other->second->name + "\" has " +
+              sides_of(model, *other->second) + ".",
+          "Exchange .left and .right of one of them. A body inside another one needs its .x and "
+          "a smaller .half_width.");
+    }
+}
+
+}  // namespace moat

@@ -1,0 +1,221 @@
+#include "analyses/time_history/step_control.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "analyses/time_history/ground_component.hpp"
+
+namespace moat {
+namespace {
+
+// Further halvings of the first step after a touch.
+constexpr int at_touch = 6;
+
+// The factor of a step's error when its length doubles.
+double change_by_doubling(StepScheme scheme) { return scheme.order() > 2 ? 8.0 : 4.0; }
+
+}  // namespace
+
+StepControl::StepControl(const Model& model, Options options)
+    : options_{options}, resultants_{model}, scales_{model, options.lowest_acceleration} {
+  SparseMatrix matrix = model.linear_stiffness(StiffnessStage::initial);
+  const Vector stiffness = resultants_.row_sums(matrix).cwiseQuotient(model.masses());
+  stiffest_squared_ = stiffness.maxCoeff();
+  constexpr double last_digits = 4.0 * std::numeric_limits<double>::epsilon();
+  round_off_per_displacement_ = last_digits * stiffness;
+  model.assemble_tangent(0.0, 1.0, 0.0, matrix);
+  most_damped_ = resultants_.row_sums(matrix).cwiseQuotient(model.masses()).maxCoeff();
+  for (int halvings = 0; halvings <= options_.max_halvings; ++halvings)
+    steps_.push_back(std::ldexp(options_.grid_interval, -halvings));
+  restart(model, false);
+}
+
+// Longest step inside the bound of stability of the fourth-order scheme, during a contact of this duration: h w <= 1.8
+// and h c/m <= 4 together leave room below the limit of stability. The first is that of strongly_damped() too.
+double StepControl::stable_step(double contact) const {
+  // The frequency of the contact is doubled, because a contact under load is stiffer than in a free impact.
+  constexpr double of_frequency = 1.8, pi = 3.141592653589793, harder = 2.0;
+  const double of_contact = std::isfinite(contact) ? harder * pi / contact : 0.0;
+  const double frequency = std::sqrt(stiffest_squared_ + of_contact * of_contact);
+  return of_frequency / std::max(frequency, std::numeric_limits<double>::min());
+}
+double StepControl::stable_damped_step() const {
+  constexpr double of_damping = 4.0;
+  return of_damping / std::max(most_damped_, std::numeric_limits<double>::min());
+}
+
+StepControl::Step StepControl::next_step(const Model& model) {
+  const double contact = model.shortest_contact();
+  if (!adaptive()) {
+    fewest_steps_per_contact_ = std::min(fewest_steps_per_contact_, contact / options_.fixed_step);
+    return {options_.fixed_step, options_.scheme.value_or(StepScheme::average_acceleration())};
+  }
+  constexpr double durations_until_leaning = 4.0;
+  const bool pounding = since_event_ < durations_until_leaning * contact && std::isfinite(contact);
+  // The nominal step is halved further for the contact, for stability, and for the first steps after a touch.
+  int halvings = halvings_;
+  if (pounding)
+    while (halvings < options_.max_halvings && step_at(halvings) * options_.steps_per_contact > contact) ++halvings;
+  StepScheme scheme = StepScheme::average_acceleration();
+  const int halvings_without_bounds = halvings;
+  if (options_.scheme) {
+    scheme = *options_.scheme;
+  } else if (ramp_ < at_touch) {
+    // Up to this many halvings for stability, the fourth-order scheme costs less than average acceleration, and less
+    // than the scheme for strong dashpots. Steps that are halved more than once would not be judged.
+    constexpr int worth_halving = 6, worth_halving_for_dashpots = 1;
+    const auto halved = [&](double stable, int worth) {
+      int stable_halvings = halvings;
+      while (stable_halvings < std::min(halvings_without_bounds + worth, options_.max_halvings) &&
+             step_at(stable_halvings) > stable)
+        ++stable_halvings;
+      if (step_at(stable_halvings) > stable) return false;
+      halvings = stable_halvings;
+      return true;
+    };
+    if (halved(stable_step(contact), worth_halving))
+      scheme = halved(stable_damped_step(), worth_halving_for_dashpots) ? StepScheme::fourth_order()
+                                                                        : StepScheme::strongly_damped();
+  }
+  if (scheme.order() == 2) halvings = halvings_without_bounds;
+  planned_ = step_at(std::min(halvings + ramp_, options_.max_halvings));
+  scheme.filters_corrections |= !options_.scheme && scheme.order() == 2 && planned_ > stable_damped_step();
+  if (pounding) fewest_steps_per_contact_ = std::min(fewest_steps_per_contact_, contact / planned_);
+  return {planned_, scheme};
+}
+
+// Largest error of all nodes, divided by the tolerance.
+double StepControl::error_of(const Model& model, const StepTask& step, StepScheme scheme, const Vector& scales_of_nodes,
+                             const double* filtered_curve) {
+  // For an equal estimate the error of average acceleration is larger: its error of period equals the estimate.
+  constexpr double stricter_at_second_order = 8.0;
+  const int count = model.degrees_of_freedom();
+  const MotionState &start = model.state(), &end = model.trial();
+  const double *a0 = start.acceleration.data(), *a1 = end.acceleration.data(), *j0 = start.jerk.data(),
+               *j1 = end.jerk.data(), *u1 = end.displacement.data(), *scales = scales_of_nodes.data(),
+               *round_off_per_displacement = round_off_per_displacement_.data();
+  const double h = step.length;
+  const bool fourth_order = scheme.order() > 2;
+  // The parabola and the cubic may agree by chance where a force has a corner inside the step. The jump of the jerk
+  // still shows the corner, and the model knows the force that is lost where a path turns.
+  const UnlocatedCorners corners = model.find_corners(lost_forces_);
+  const double of_jump = !fourth_order || corners.jump ? h : 0.0, of_curve = fourth_order ? 1.0 : 0.0;
+  const double *lost = lost_forces_.data(), *masses = model.masses().data();
+  double largest = 0.0;
+  with_ground_component(model, h * step.ground_jerk, [&](const auto& rise_of_ground) {
+    const auto curve = [&](int i) {
+      if (filtered_curve != nullptr) return filtered_curve[i];
+      return 2.0 * (a1[i] - a0[i] + rise_of_ground(i)) - h * (j0[i] + j1[i]);
+    };
+    const auto jump = [&](int i) {
+      return filtered_curve != nullptr && !fourth_order ? filtered_curve[i] / h : j1[i] - j0[i];
+    };
+    const auto displacement = [&](int i) { return u1[i]; };
+    const auto lost_acceleration = [&](int i) { return lost[i] / masses[i]; };
+    const GroundShares shares = model.ground_shares();
+    const auto acceleration = [&](int i) { return a1[i] + shares.of(step.ground_acceleration, i); };
+    resultants_.with([&](const auto& size) {
+      for (int i = 0; i < count; ++i) {
+        double difference = std::max(of_curve * size(i, curve), of_jump * size(i, jump)) / 12.0;
+        if (corners.turn) difference += size(i, lost_acceleration);
+        // Most nodes are far from the worst one, and need no look at their round-off.
+        if (difference <= largest * scales[i]) continue;
+        const double beyond_round_off = difference - round_off_per_displacement[i] * size(i, displacement);
+        const double scale = std::max(scales[i], size(i, acceleration));
+        if (beyond_round_off > largest * scale) largest = beyond_round_off / scale;
+      }
+    });
+  });
+  return (fourth_order ? 1.0 : stricter_at_second_order) * largest / (share_of_tolerance_ * options_.tolerance);
+}
+
+// The scales of all nodes. They are infinite for nodes of elements that change inside the step or did so inside the
+// last two, where forces need not be smooth yet: these are not judged.
+const Vector& StepControl::scales_without(const Model& model, std::span<const RegimeChange> inside) {
+  if (inside.empty() && changed_before_.empty() && changed_last_.empty()) return scales_.values();
+  scales_without_bends_ = scales_.values();
+  for (const std::span<const RegimeChange> changes :
+       std::array<std::span<const RegimeChange>, 3>{inside, changed_last_, changed_before_})
+    for (const RegimeChange& change : changes) {
+      const ElementInfo& element = model.blocks()[change.block]->info(change.element);
+      for (const NodeId end : {element.first, element.second})
+        for (const NodeId node : model.body_of(end))
+          scales_without_bends_[node.index] = std::numeric_limits<double>::infinity();
+    }
+  return scales_without_bends_;
+}
+
+bool StepControl::accepts(const Model& model, const StepTask& step, StepScheme scheme,
+                          std::span<const RegimeChange> inside, const double* filtered_curve) {
+  if (!adaptive() || ramp_ > 0) return true;
+  const double h = step.length;
+  const double error = error_of(model, step, scheme, scales_without(model, inside), filtered_curve);
+  constexpr double repeat_above = 2.0;
+  if (error > repeat_above && step_at(options_.max_halvings) < 0.5 * h) {
+    // The repeated step must be shorter than h. In contact or for stability h may be shorter than the nominal step.
+    constexpr double shorter = 0.75;
+    while (halvings_ < options_.max_halvings && step_at(halvings_) > shorter * h) ++halvings_;
+    return false;
+  }
+  // The error of a much shorter step cannot be extrapolated to the nominal step.
+  const double nominal = step_at(halvings_);
+  constexpr double shortest_usable = 0.3;
+  if (h < shortest_usable * nominal) return true;
+  // Halve above 1.2 times the tolerance; double only where the doubled step stays below 0.9 times. The distance of the
+  // two limits keeps the length from alternating.
+  const double of_doubling = change_by_doubling(scheme);
+  const double nominal_error = error * std::pow(nominal / h, scheme.order() > 2 ? 3 : 2);
+  if (nominal_error > 1.2 && halvings_ < options_.max_halvings)
+    ++halvings_;
+  else if (nominal_error * of_doubling < 0.9 && halvings_ > 0)
+    --halvings_;
+  return true;
+}
+
+void StepControl::accepted(const Model& model, double h, PlanVector ground_acceleration) {
+  if (!adaptive()) return;
+  since_event_ += h;
+  changed_before_.swap(changed_last_);
+  changed_last_.clear();
+  scales_.accepted(model, h, ground_acceleration);
+  watch_round_off(model);
+  // The ramp after a touch does not count steps cut short by a sample of the motion: the jerk behind one that is short
+  // enough is still that of the touch, which is infinite for some laws.
+  constexpr double whole = 0.25;
+  if (h >= whole * planned_) ramp_ = std::max(ramp_ - 1, 0);
+}
+
+void StepControl::watch_round_off(const Model& model) {
+  constexpr double harmless_squared_frequency = 1e10;  // 1/s^2
+  if (stiffest_squared_ < harmless_squared_frequency) return;
+  const Vector& displacement = model.state().displacement;
+  resultants_.with([&](const auto& size) {
+    for (int i = 0; i < model.degrees_of_freedom(); ++i) {
+      // A displacement has a relative error of about epsilon; times stiffness over mass this is an error of
+      // acceleration.
+      const double share =
+          round_off_per_displacement_[i] * size(i, [&](int k) { return displacement[k]; }) / scales_.values()[i];
+      if (share <= largest_round_off_) continue;
+      largest_round_off_ = share;
+      place_of_round_off_ = NodeId{i};
+    }
+  });
+}
+
+void StepControl::changed_inside(const Model& model, std::span<const RegimeChange> changes) {
+  changed_last_.assign(changes.begin(), changes.end());
+  since_event_ = 0.0;
+  if (adaptive()) scales_.regimes_changed(model);
+}
+
+void StepControl::restart(const Model& model, bool touched) {
+  if (touched)
+    ramp_ = at_touch;
+  else if (ramp_ < at_touch)  // a whole step was taken since the touch
+    ramp_ = 0;
+  since_event_ = 0.0;
+  if (adaptive()) scales_.regimes_changed(model);
+}
+
+}  // namespace moat

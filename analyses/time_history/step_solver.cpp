@@ -1,0 +1,55 @@
+#include "analyses/time_history/step_solver.hpp"
+
+#include <string>
+
+#include "base/check.hpp"
+#include "base/error.hpp"
+
+namespace moat {
+
+StepSolver::StepSolver(Model& model, const TransientOptions& options, const StepGrid& grid, ImplicitSteps& implicit,
+                       SolverStatistics& statistics)
+    : model_{&model},
+      grid_{&grid},
+      implicit_{&implicit},
+      statistics_{&statistics},
+      location_tolerance_{options.location_tolerance.si()},
+      force_tolerance_{options.force_tolerance},
+      max_cuts_{options.max_cuts},
+      stepper_{&implicit} {}
+
+void StepSolver::begin(Stepper& stepper) {
+  stepper_ = &stepper;
+  whole_ = grid_->next_step(model_->state().time, stepper.next_length());
+  stepper.begin(whole_);
+}
+
+const StepTask& StepSolver::first_part(double h) {
+  if (h == whole_.length) return whole_;
+  part_ = grid_->first_part(whole_, h);
+  return part_;
+}
+
+bool StepSolver::solve(double h) { return stepper_->solve(first_part(h)); }
+
+double StepSolver::solve_cutting(double h) {
+  for (int cut = 0; cut <= max_cuts_; ++cut, h *= 0.5) {
+    if (solve(h)) return h;
+    ++statistics_->rejected_steps;
+  }
+  give_up(2.0 * h);
+}
+
+void StepSolver::give_up(double h) const {
+  const NewtonReport& report = implicit_->last_report();
+  const std::string worst{model_->node_name(NodeId{report.worst_degree_of_freedom})};
+  const double time = model_->state().time;
+  throw ConvergenceError{"The step from t = " + to_text(time) + " s did not converge although it was cut to " +
+                             to_text(h) + " s: the forces are out of balance by " + to_text(report.residual) +
+                             " of the largest force there (allowed: " + to_text(force_tolerance_) + "), worst at \"" +
+                             worst +
+                             "\". Check the parameters of the elements there; results up to this time are kept.",
+                         time, h, report.residual, worst};
+}
+
+}  // namespace moat

@@ -1,0 +1,107 @@
+// Time history of a model under a ground motion.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "analyses/events/changes_inside.hpp"
+#include "analyses/events/chatter_guard.hpp"
+#include "analyses/events/collapse_guard.hpp"
+#include "analyses/integrators/exact_steps.hpp"
+#include "analyses/integrators/implicit_steps.hpp"
+#include "analyses/time_history/observers.hpp"
+#include "analyses/time_history/step_grid.hpp"
+#include "analyses/time_history/step_solver.hpp"
+#include "analyses/time_history/transient_options.hpp"
+#include "model/model.hpp"
+#include "motions/ground_motion.hpp"
+#include "output/files/case_result.hpp"
+#include "output/recorders/step_observer.hpp"
+
+namespace moat {
+
+/// Integrates M a + f(u, v) = -M iota a_g(t) from the model's committed state.
+///
+/// The integrator (analyses/integrators/integrators.hpp) takes the steps; implicit ones are solved by Newton-Raphson in
+/// NOX. Touch and separation of gaps, and yield and unloading of located bearings, are events. A located one ends its
+/// step (analyses/events/event_location.hpp): the step that would cross it is solved again, shorter, until it ends
+/// there; then the acceleration is computed again from the forces after the change, and one step of another length ends
+/// on the time grid. Where events are many they may stay inside a step (analyses/events/changes_inside.hpp). The end of
+/// the motion is an event too: the ground's acceleration drops to zero there. The step follows the physics
+/// (analyses/time_history/step_control.hpp) unless it is fixed.
+///
+/// A step that does not converge is cut in half; if that does not help, advance() throws ConvergenceError
+/// naming time, step, residual and the worst place. It is never accepted. The analysis ends, with a warning, where the
+/// model has collapsed (analyses/events/collapse_guard.hpp).
+///
+///     Transient analysis{model, motion, {.step = 2.5 * ms}};
+///     while (!analysis.finished()) analysis.advance();
+class Transient {
+ public:
+  /// The model must outlive the analysis, and meanwhile neither be added to nor analysed by another. A model that moved
+  /// before goes on from its time, with energies that count from there. Throws InputError for an option outside its
+  /// range, and for a model that stands at or beyond the end, or moved under other accelerations of the ground.
+  Transient(Model& model, GroundMotion motion, TransientOptions options = {});
+  Transient(const Transient&) = delete;
+  Transient& operator=(const Transient&) = delete;
+  ~Transient();
+
+  /// Calls the observer from now on; it must outlive the analysis. If it is the first to need the elements' energy
+  /// accounts, these start here.
+  void attach(StepObserver& observer);
+
+  /// Whether it ended early because the model fell; its last values then depend on where the analysis ended.
+  [[nodiscard]] bool collapsed() const { return collapse_.collapsed(); }
+  /// Whether the end of the analysis is reached, or the model has collapsed.
+  [[nodiscard]] bool finished() const { return collapse_.collapsed() || grid_.finished(model_->state().time); }
+  /// One accepted step, and the changes of regime inside it or at its end if there are any. Observers attached since
+  /// the last step get the start first.
+  void advance();
+  /// Calls finish() of the observers: the analysis ends here. run() does so itself.
+  void finish();
+  /// Until finished(), with start() and finish() of the observers, also when a step fails. stop: asked before every
+  /// step; true ends the run there.
+  void run(const std::function<bool()>& stop = {});
+
+  [[nodiscard]] const Model& model() const { return *model_; }                      ///< The model at the time reached.
+  [[nodiscard]] const GroundMotion& motion() const { return *motion_; }             ///< As it is applied.
+  [[nodiscard]] const SolverStatistics& statistics() const { return statistics_; }  ///< Cost up to now.
+  [[nodiscard]] double end_time() const { return grid_.end(); }                     ///< s
+  /// One sentence each: scheme, step, tolerances.
+  [[nodiscard]] std::vector<std::string> assumptions() const;
+  /// Settings that can make the results inaccurate, with advice.
+  [[nodiscard]] std::vector<std::string> warnings() const;
+
+ private:
+  double take_step();
+  double treat_crossing(double h);
+  void commit(const StepTask& step);
+  void change_regimes_at_end();
+  void report_changes_inside();
+  void report_changes();
+  void end_motion();
+  void balance();
+  [[nodiscard]] StepView view(bool on_grid) const;
+
+  Model* model_;
+  std::shared_ptr<const GroundMotion> motion_;  // shared with the state of the model
+  TransientOptions options_;
+  std::string choice_;  // why the integrator was chosen; empty if the options give it
+  SolverStatistics statistics_;
+  StepGrid grid_;
+  ImplicitSteps implicit_;
+  std::optional<ExactSteps> exact_;
+  StepSolver step_;
+  ChangesInside inside_;
+  ChatterGuard chatter_;
+  CollapseGuard collapse_;
+  Observers observers_;
+  std::vector<RegimeChange> changes_;  // of the last step
+  RegimeScan seen_;                    // in the last trial step
+  enum class Crossing { none, located, inside } crossing_ = Crossing::none;
+};
+
+}  // namespace moat

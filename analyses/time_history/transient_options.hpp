@@ -1,0 +1,93 @@
+// How a time history is computed.
+#pragma once
+
+#include "analyses/integrators/integrators.hpp"
+#include "base/quantity.hpp"
+#include "base/units.hpp"
+#include "motions/ground_motion.hpp"
+#include "solvers/newton.hpp"
+
+namespace moat {
+
+/// The treatment of a step in which an element changes its regime.
+enum class EventTreatment {
+  /// `located` in models of up to 1000 degrees of freedom and between exact steps. In larger ones `inside_the_step`
+  /// where about a third of the last sixteen steps had a change, or eight elements change in one step, as in a long
+  /// street.
+  automatic,
+  /// The step ends at the instant of the change, located to location_tolerance. This is exact and costs a step for
+  /// every change.
+  located,
+  /// Instant and approach speed come from the interpolated motion. The step is solved again with the new regime from
+  /// that instant on and keeps its planned end. The number of steps then does not grow with the number of gaps. A
+  /// contact that begins and ends within one step is missed. Three kinds of changes are still located: a touch whose
+  /// force jumps (linear dashpots), a touch whose contact needs shorter adapted steps, and changes that do not settle
+  /// in a few solutions.
+  inside_the_step,
+};
+
+/// How a time history is computed. Every bound is checked by Transient's constructor.
+struct TransientOptions {
+  static constexpr double least_tolerance = 1e-12;  ///< Of `tolerance`.
+  static constexpr int most_halvings = 40;          ///< Of `max_halvings`.
+
+  /// Newmark, HilberHughesTaylor, GeneralizedAlpha, ExactBetweenEvents or Automatic, with its parameters.
+  Integrator integrator = Newmark{};
+
+  /// >= 0 s. Length of a fixed step; 0: the step adapts itself (next three options), which
+  /// ExactBetweenEvents requires.
+  Time step{};
+
+  /// >= 1e-12, < 1. Adaptive step: the error of acceleration that one step should add at any node, relative to the
+  /// scale of the absolute acceleration there (analyses/time_history/acceleration_scales.hpp); above twice that a step
+  /// is repeated. Steps are the longest step divided by powers of two. Exact steps: sixteen times this is the error of
+  /// the cubic between the ends of a step, on the same scale; Newmark's steps between them, in contact, have a third of
+  /// it.
+  double tolerance = 3e-5;
+
+  /// >= 4. Adaptive step: steps within the duration of one contact, estimated with the masses of the joined nodes
+  /// alone. 32 give restitution to 1e-3, 1024 to 1e-6. A fixed step with fewer than 32 warns.
+  int steps_per_contact = 32;
+
+  /// >= 0 s. Adaptive step, and exact steps: the longest step. It is the interval of the samples divided by a power of
+  /// two, the longest that is at most this; 0: the interval of the samples.
+  Time largest_step{};
+
+  /// >= 0, <= 40. Adaptive step: how often the interval of the samples, or largest_step if that is shorter, may be
+  /// halved.
+  int max_halvings = 24;
+
+  /// >= 0 s. Where the analysis ends; 0: at the last sample of the motion.
+  Time end{};
+
+  /// > 0, < 1. Largest out-of-balance force of an accepted step at any node, relative to the largest force there. More,
+  /// up to 1e-6, passes where it is round-off of the displacements.
+  double force_tolerance = 1e-8;
+
+  /// >= 1. Newton iterations before a step is cut.
+  int max_iterations = 20;
+
+  /// The line search of Newton's method. A step that does not converge by full steps is tried with
+  /// LineSearch::backtrack before it is cut.
+  LineSearch line_search = LineSearch::full_step;
+
+  /// >= 0. How often a step that does not converge is cut in half before the analysis gives up.
+  int max_cuts = 12;
+
+  /// > 0 m. A change of regime is located until its margin, a length, is zero to this: the gap at a touch.
+  Length location_tolerance = 1e-12 * units::m;
+
+  /// How touches, separations and other changes of regime are treated.
+  EventTreatment events = EventTreatment::automatic;
+
+  /// >= 1. Changes of one element in a window of one second of motion, before the analysis gives up.
+  int max_events_per_second = 10000;
+};
+
+/// The longest step that an analysis may take, s: the fixed one, or by TransientOptions::largest_step.
+double longest_step(const TransientOptions& options, double sample_interval);
+
+/// The options themselves. Throws InputError for one outside its range, and for more than 1e9 steps.
+const TransientOptions& checked(const TransientOptions& options, const GroundMotion& motion);
+
+}  // namespace moat

@@ -1,0 +1,77 @@
+// A law that carries a building on the ground and lets it move.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <type_traits>
+#include <vector>
+
+#include "elements/line/link_block.hpp"
+#include "elements/line/link_checks.hpp"
+#include "materials/carried_weight.hpp"
+#include "materials/repeated.hpp"
+#include "model/model.hpp"
+
+namespace moat {
+
+/// A law of force and deformation, or parameters that become one with the weight on them.
+template <class Law>
+concept IsolatorLaw = ForceLaw<Law> || WeightBearing<Law>;
+
+/// The isolators of a building taken together, with any force-deformation law (materials/response.hpp).
+///
+///      [ upper ] -> u         count * law(u_upper - u_lower, v_upper - v_lower)
+///     ===law====
+///     ////ground///
+///
+/// If the law has `check(const Check&)`, that is called. Reports `isolator_force` [N] and `isolator_deformation` [m]
+/// under its name, positive to the right, and the quantities of its law. Characteristic periods hold the node above it.
+template <IsolatorLaw Law>
+struct Isolator {
+  std::string name = "bearings";  ///< Unique in its model.
+  NodeId lower = ground;          ///< Below.
+  /// The floor on it. A ShearBuilding sets it; give it when you add an isolator yourself.
+  NodeId upper{};
+  Law law;  ///< Its force.
+  /// >= 1: of equal bearings side by side, each with this law.
+  int count = 1;
+  /// > 0 N on all of them, for laws that need it (pendulums, sliders); a ShearBuilding sets it.
+  Force weight{};
+};
+
+/// The quantities that every isolator reports.
+ElementInfo isolator_info(const std::string& name, NodeId lower, NodeId upper);
+
+/// Throws InputError for unknown, missing or equal nodes, a name that is taken, or a parameter that the law refuses.
+template <IsolatorLaw Law>
+void add(Model& model, const Isolator<Law>& isolator) {
+  const Check check =
+      check_link(model, "Isolator", isolator.name, {"lower", isolator.lower}, {"upper", isolator.upper});
+  if constexpr (requires { isolator.law.check(check); }) isolator.law.check(check);
+  check.that(isolator.count >= 1, "count", isolator.count, "", ">= 1");
+  ElementInfo info = isolator_info(isolator.name, isolator.lower, isolator.upper);
+  std::vector<Parameter> given = parameters_of(isolator.law);
+  const auto place = [&](const auto& law) {
+    using Placed = std::remove_cvref_t<decltype(law)>;
+    model.register_element("Isolator", isolator.name);
+    if (isolator.count > 1) given.push_back({"count", static_cast<double>(isolator.count), "1"});
+    // Reports show the law as the script gave it.
+    if (isolator.count > 1 || !std::is_same_v<Placed, Law>)
+      info.details = std::make_shared<const ElementDetails>(
+          ElementDetails{.law_as_given = LawAsGiven{std::string{name_of(isolator.law)}, given}});
+    if (isolator.count == 1)
+      model.block<LinkBlock<Placed>>().add(info, law);
+    else
+      model.block<LinkBlock<Repeated<Placed>>>().add(info, {law, static_cast<double>(isolator.count)});
+  };
+  if constexpr (WeightBearing<Law>) {
+    // Of one bearing.
+    const Force weight = weight_on(check, isolator.law.weight, (1.0 / isolator.count) * isolator.weight);
+    given.push_back({"weight", weight.si(), "N"});
+    place(isolator.law.carrying(weight));
+  } else {
+    place(isolator.law);
+  }
+}
+
+}  // namespace moat

@@ -1,0 +1,39 @@
+// One storey with any law.
+#pragma once
+
+#include <string>
+
+#include "elements/line/link_block.hpp"
+#include "elements/line/link_checks.hpp"
+#include "model/model.hpp"
+
+namespace moat {
+
+/// One storey with any law of force and deformation (materials/storeys): F(u_upper - u_lower, v_upper - v_lower).
+///
+/// ShearSpring is the linear one. Reports `drift` [m] and `storey_shear` [N] under its name, and the quantities of its
+/// law. If the law has `check(const Check&)`, that is called.
+template <ForceLaw Law>
+struct Storey {
+  std::string name;        ///< Unique in its model.
+  Required<NodeId> lower;  ///< Below.
+  Required<NodeId> upper;  ///< Above.
+  Law law;                 ///< Its force.
+};
+
+/// Throws InputError for unknown or equal nodes, a name that is taken, or a parameter that the law refuses.
+template <ForceLaw Law>
+void add(Model& model, const Storey<Law>& storey) {
+  const Check check = check_link(model, "Storey", storey.name, {"lower", storey.lower}, {"upper", storey.upper});
+  if constexpr (requires { storey.law.check(check); }) storey.law.check(check);
+  model.register_element("Storey", storey.name);
+  model.block<LinkBlock<Law>>().add({.name = storey.name,
+                                     .first = storey.lower,
+                                     .second = storey.upper,
+                                     .deformation_quantity = "drift",
+                                     .force_quantity = "storey_shear",
+                                     .drawn_as = DrawnAs::storey},
+                                    storey.law);
+}
+
+}  // namespace moat

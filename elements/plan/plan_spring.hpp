@@ -1,0 +1,52 @@
+// Any force-deformation law along a direction in plan.
+#pragma once
+
+#include "elements/line/link_block.hpp"
+#include "elements/plan/plan_ends.hpp"
+#include "model/model.hpp"
+
+namespace moat {
+
+/// Any force-deformation law (materials/response.hpp) between two points in plan, along one direction n:
+///
+///     d = (u_upper - u_lower) . n      the law's force pulls `upper` back along n, and `lower` forth
+///
+/// Springs, dashpots and one-way bearings of a floor are such elements; moments about the centres of mass follow from
+/// the positions of the points. Reports deformation [m] and force [N] under its name, unless the names are empty.
+template <ForceLaw Law>
+struct PlanSpring {
+  std::string name;           ///< Unique in its model.
+  Required<PlanPoint> lower;  ///< Below.
+  Required<PlanPoint> upper;  ///< Above.
+  /// Any length > 0.
+  PlanVector direction{1.0, 0.0};
+  Law law;                                           ///< Its force.
+  std::string deformation_quantity = "deformation";  ///< Under which the deformation is reported, m.
+  std::string force_quantity = "force";              ///< Under which the force is reported, N.
+  /// Where its peaks are listed together with those of others; its own name if empty.
+  std::string place{};
+  bool isolates = false;  ///< Whether it separates a building from the ground.
+};
+
+/// Throws InputError for points that are not of this model or on the same body, a direction without length, a name
+/// that is taken, or a parameter that the law refuses.
+template <ForceLaw Law>
+void add(Model& model, const PlanSpring<Law>& spring) {
+  const PlanPoint &lower = spring.lower, &upper = spring.upper;
+  const Check check = check_points(model, "PlanSpring", spring.name, "lower", lower, "upper", upper);
+  const PlanVector direction = unit_direction(check, "direction", spring.direction);
+  if constexpr (requires { spring.law.check(check); }) spring.law.check(check);
+  model.register_element("PlanSpring", spring.name);
+  model.block<LinkBlock<Law, PlanEnds>>().add({.name = spring.name,
+                                               .place = spring.place,
+                                               .first = lower.of,
+                                               .second = upper.of,
+                                               .deformation_quantity = spring.deformation_quantity,
+                                               .force_quantity = spring.force_quantity,
+                                               .isolates = spring.isolates,
+                                               .drawn_as = DrawnAs::nothing,
+                                               .details = plan_details(lower, upper, direction)},
+                                              spring.law, PlanEnds{model, lower, upper, direction});
+}
+
+}  // namespace moat

@@ -1,0 +1,72 @@
+// A force-deformation law of two components between two points in plan.
+#pragma once
+
+#include "elements/plan/planar_block.hpp"
+#include "model/model.hpp"
+
+namespace moat {
+
+/// A law of two components (materials/plan/planar_response.hpp) between two points in plan: F(u_upper - u_lower) in x
+/// and y.
+///
+/// Reports `deformation` and `force` as resultants and, with "_x" and "_y", as components.
+template <PlanarLaw Law>
+struct PlanarSpring {
+  std::string name;                                  ///< Unique in its model.
+  Required<PlanPoint> lower;                         ///< Below.
+  Required<PlanPoint> upper;                         ///< Above.
+  Law law;                                           ///< Its force.
+  std::string deformation_quantity = "deformation";  ///< Under which the deformation is reported, m.
+  std::string force_quantity = "force";              ///< Under which the force is reported, N.
+  /// Where its peaks are listed together with those of others; its own name if empty.
+  std::string place{};
+  bool isolates = false;  ///< Whether it separates a building from the ground.
+};
+
+/// A bearing under a floor: a PlanarSpring between the ground and the floor above, at a position in plan. Reports
+/// `isolator_force` [N] and `isolator_deformation` [m]. Its resistance to twisting is neglected.
+template <PlanarLaw Law>
+struct PlanBearing {
+  std::string name;  ///< Unique in its model.
+  /// The floor on it.
+  Required<DiaphragmId> under;
+  PlanPosition at{};  ///< Where it stands at rest.
+  Law law;            ///< Its force.
+  /// Where its peaks are listed together with those of others; its own name if empty.
+  std::string place{};
+};
+
+/// Throws InputError for points that are not of this model or on the same body, a name that is taken, or a parameter
+/// that the law refuses.
+template <PlanarLaw Law>
+void add(Model& model, const PlanarSpring<Law>& spring) {
+  const PlanPoint &lower = spring.lower, &upper = spring.upper;
+  const Check check = check_points(model, "PlanarSpring", spring.name, "lower", lower, "upper", upper);
+  if constexpr (requires { spring.law.check(check); }) spring.law.check(check);
+  model.register_element("PlanarSpring", spring.name);
+  model.block<PlanarBlock<Law>>().add({.name = spring.name,
+                                       .place = spring.place,
+                                       .first = lower.of,
+                                       .second = upper.of,
+                                       .deformation_quantity = spring.deformation_quantity,
+                                       .force_quantity = spring.force_quantity,
+                                       .isolates = spring.isolates,
+                                       .drawn_as = DrawnAs::nothing,
+                                       .details = plan_details(lower, upper, {})},
+                                      spring.law, PlanEndsBothWays{model, lower, upper, {1.0, 0.0}}, upper.at.si());
+}
+
+/// The same.
+template <PlanarLaw Law>
+void add(Model& model, const PlanBearing<Law>& bearing) {
+  add(model, PlanarSpring<Law>{.name = bearing.name,
+                               .lower = PlanPoint{ground, bearing.at},
+                               .upper = PlanPoint{bearing.under.value(), bearing.at},
+                               .law = bearing.law,
+                               .deformation_quantity = "isolator_deformation",
+                               .force_quantity = "isolator_force",
+                               .place = bearing.place,
+                               .isolates = true});
+}
+
+}  // namespace moat

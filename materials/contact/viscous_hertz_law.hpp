@@ -1,0 +1,63 @@
+// Impact laws of Hertz with damping in proportion to the elastic force.
+#pragma once
+
+#include <concepts>
+#include <string_view>
+#include <vector>
+
+#include "base/check.hpp"
+#include "base/parameter.hpp"
+#include "base/quantity.hpp"
+#include "base/required.hpp"
+#include "materials/contact/impact_checks.hpp"
+#include "materials/contact/viscous_hertz_contact.hpp"
+#include "materials/law_list.hpp"
+
+namespace moat {
+
+/// The damping factor z(e) of one author: all that distinguishes the laws of this form.
+template <class Factor>
+concept DampingFactor = requires(double e) {
+  { Factor::name } -> std::convertible_to<std::string_view>;     // of the law
+  { Factor::formula } -> std::convertible_to<std::string_view>;  // of z
+  { Factor::divides_by_restitution } -> std::convertible_to<bool>;
+  { Factor::of(e) } -> std::same_as<double>;
+};
+
+/// F = k d^1.5 (1 + z d'/v0); v0 is the approach speed. Indentation and compression positive. The contact ends where
+/// the force reaches zero or the gap opens, in free impact always the latter. ViscousHertzContact says more.
+template <DampingFactor Factor>
+struct ViscousHertzLaw {
+  static constexpr std::string_view name = Factor::name;
+  static constexpr std::string_view alias = alias_of<Factor>();
+  static constexpr std::string_view formula = Factor::formula;
+  static constexpr std::string_view assumption = assumption_of<Factor>();
+
+  /// k > 0 N/m^1.5.
+  Required<HertzStiffness> stiffness;
+  /// e, the intended coefficient of restitution: 0 < e <= 1, and e >= 0.001 if z grows as 1/e.
+  Required<double> restitution;
+  /// Whether the force may turn negative while bodies in contact are drawn apart. Changes nothing in free impact.
+  bool may_pull = false;
+
+  /// Throws InputError for a parameter outside its range.
+  void check(const Check& check) const {
+    check.positive("stiffness", stiffness);
+    if constexpr (Factor::divides_by_restitution)
+      check_restitution_in_divisor(check, restitution);
+    else
+      check_restitution(check, restitution);
+  }
+  /// The parameters as given.
+  [[nodiscard]] std::vector<Parameter> parameters() const {
+    return {{"stiffness", stiffness.si(), "N/m^1.5"},
+            {"restitution", restitution, "1"},
+            {"may_pull", may_pull ? 1.0 : 0.0, "1"}};
+  }
+  /// The law between two bodies; it does not depend on their effective mass (kg).
+  [[nodiscard]] ViscousHertzContact between(double /*effective_mass*/) const {
+    return {stiffness.si(), Factor::of(restitution), separation(may_pull)};
+  }
+};
+
+}  // namespace moat

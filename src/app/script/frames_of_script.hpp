@@ -1,0 +1,45 @@
+// The frames of a script's run.
+#pragma once
+
+#include <exception>
+#include <filesystem>
+#include <string>
+
+#include "base/text/terminal.hpp"
+#include "output/recorders/step_observer.hpp"
+#include "output/vtk/frame_recorder.hpp"
+
+namespace moat {
+
+/// Where a frame cannot be written there are no more, and the analysis goes on.
+class FramesOfScript final : public StepObserver {
+ public:
+  /// As FrameRecorder.
+  FramesOfScript(const Model& model, const std::filesystem::path& folder, double interval)
+      : frames_{model, folder, interval} {}
+
+  void start(const StepView& view) override {
+    attempt([&] { frames_.start(view); });
+  }
+  void step(const StepView& view) override {
+    attempt([&] { frames_.step(view); });
+  }
+  /// Why frames are missing; empty where none are.
+  [[nodiscard]] const std::string& failure() const { return failure_; }
+
+ private:
+  template <class Action>
+  void attempt(const Action& action) {
+    if (!failure_.empty()) return;
+    try {
+      action();
+    } catch (const std::exception& error) {
+      failure_ = reason_of(error);
+    }
+  }
+
+  FrameRecorder frames_;
+  std::string failure_;
+};
+
+}  // namespace moat

@@ -1,0 +1,289 @@
+#include "app/script/script.hpp"
+
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+#include <exception>
+#include <iostream>
+#include <new>
+#include <vector>
+
+#include "analyses/case/case_run.hpp"
+#include "analyses/integrators/integrators.hpp"
+#include "app/command_line.hpp"
+#include "app/law_assumptions.hpp"
+#include "app/progress_bar.hpp"
+#include "app/results.hpp"
+#include "app/script/frames_of_script.hpp"
+#include "app/script/script_parts.hpp"
+#include "app/script/stop_signals.hpp"
+#include "base/check.hpp"
+#include "base/error.hpp"
+#include "base/text/terminal.hpp"
+#include "motions/readers/record_folder.hpp"
+#include "output/files/results_folder.hpp"
+
+namespace moat {
+namespace {
+
+// An exception that leaves main() ends here. The user sees only its message.
+[[noreturn]] void report_and_exit() {
+  std::cout.flush();
+  try {
+    if (const std::exception_ptr current = std::current_exception()) std::rethrow_exception(current);
+    std::cerr << "moat: terminated without an exception\n";
+  } catch (const std::bad_alloc& error) {  // without memory for printable text
+    std::cerr << "moat: error: " << reason_of(error) << "\n";
+  } catch (const std::exception& error) {
+    print_text(std::cerr, std::string{"moat: error: "} + error.what() + "\n");
+  } catch (...) {
+    std::cerr << "moat: error: an exception that is not a std::exception\n";
+  }
+  std::fflush(stdout);
+  std::_Exit(exit_error);
+}
+
+}  // namespace
+
+bool report_exceptions_that_leave_main() {
+  std::set_terminate(report_and_exit);
+  return true;
+}
+
+Script::Script(int argc, char** argv, std::string title)
+    : parts_{std::make_unique<Parts>(argc, argv, std::move(title))} {
+  report_exceptions_that_leave_main();
+  parts_->ranks = ranks_of_this_job();
+  // Until every rank has reached the study, the default action of a signal would end the job without order.
+  if (parts_->ranks != nullptr) parts_->signals_of_ranks.emplace();
+  // All ranks run the script, and one speaks.
+  if (!parts_->speaks() && std::freopen("/dev/null", "w", stdout) == nullptr) std::fclose(stdout);
+  if (parts_->line.json_wanted()) parts_->json.emplace();
+}
+
+Script::~Script() {
+  if (parts_->checked || parts_->line.arguments().empty() || std::uncaught_exceptions() > 0) return;
+  // Neither run() nor study() nor check_options() read the line.
+  try {
+    check_options();
+  } catch (...) {
+    report_and_exit();
+  }
+}
+
+void Script::check_options() {
+  if (parts_->checked) return;
+  parts_->checked = true;
+  CommandLine& line = parts_->line;
+  if (line.help_wanted()) {
+    print_text(std::cout, line.help());
+    std::exit(0);
+  }
+  if (!line.parse()) std::exit(exit_usage);
+  parts_->origin.options = line.values();
+}
+
+ScriptStudy& Script::study_parts() {
+  if (!parts_->study) parts_->study.emplace(parts_->line, parts_->ranks, parts_->json ? &*parts_->json : nullptr);
+  check_options();
+  return *parts_->study;
+}
+
+StudyResult Script::study(const StudyCases& cases, const std::function<StudyModel(const StudyCase&)>& make,
+                          const StudyOptions& options, const std::string& name) {
+  return study_parts().run(
+      cases, [&](const StudyOptions& each) { return run_study(cases, make, each); }, options, name, parts_->origin,
+      parts_->line.title());
+}
+
+StudyResult Script::study(const StudyCases& cases, const std::function<StudyRecord(const StudyCase&)>& compute,
+                          const StudyOptions& options, const std::string& name) {
+  return study_parts().run(
+      cases, [&](const StudyOptions& each) { return run_study(cases, compute, each); }, options, name, parts_->origin,
+      parts_->line.title());
+}
+
+void Script::answer(const std::string& sentence) { studies_done().answer(sentence); }
+
+void Script::show(const Chart& chart) { studies_done().show({chart.title, svg_text({chart}, 1000, 420)}); }
+
+void Script::show(const HeatMap& map) { studies_done().show({map.title, svg_text(map)}); }
+
+ScriptStudy& Script::studies_done() {
+  if (!parts_->study) throw InputError{"Script: answers and pictures belong to a study. Call study() before."};
+  return *parts_->study;
+}
+
+int Script::finish() {
+  if (parts_->study) return parts_->study->finish();
+  check_options();
+  return 0;
+}
+
+void Script::attach(StepObserver& observer) { parts_->observers.push_back(&observer); }
+
+// The options of run().
+struct Script::RunOptions {
+  std::filesystem::path folder;
+  bool force = false, quiet = false, check = false;
+  TransientOptions transient{};
+  Time frame_interval{};
+};
+
+// Result and end of a run.
+struct Script::Outcome {
+  CaseResult result{};
+  std::string failure{};  // empty if it reached its end
+  int exit_code = 0;
+
+  // warning: for readers of the files, who must not take them for those of a whole run.
+  void fail(const std::string& reason, int code, const std::string& warning) {
+    failure += (failure.empty() ? "" : " ") + reason;
+    if (exit_code == 0) exit_code = code;
+    result.warnings.insert(result.warnings.begin(), warning);
+  }
+};
+
+int Script::run(Model& model, const GroundMotion& motion, std::initializer_list<StepObserver*> observers) {
+  return run(model, motion, TransientOptions{}, observers);
+}
+
+int Script::run(Model& model, const GroundMotion& motion, const TransientOptions& given,
+                std::initializer_list<StepObserver*> observers) {
+  if (std::ranges::find(observers, nullptr) != observers.end())
+    throw InputError{"Script::run: an observer is null. Give the addresses of observers, such as {&drift}."};
+  parts_->observers.insert(parts_->observers.end(), observers);
+  RunOptions options;
+  options.transient = given;
+  if (const auto exit_code = read_options(motion, options)) return *exit_code;
+  if (!parts_->speaks()) return 0;  // a single run needs one rank
+  const StopSignals signals;
+  CaseRun run{model,
+              motion,
+              {.title = parts_->line.title(),
+               .transient = options.transient,
+               .error_bars = options.check ? ErrorBarMode::always : ErrorBarMode::automatic}};
+  for (StepObserver* observer : parts_->observers) run.attach(*observer);
+  ResultsFolder folder{options.folder, options.force ? WhenFolderExists::overwrite : WhenFolderExists::use_new_number,
+                       parts_->origin.command_line};
+  std::optional<FramesOfScript> frames;
+  if (options.frame_interval.si() != 0.0) run.attach(frames.emplace(model, folder.path(), options.frame_interval.si()));
+  Outcome outcome = compute(run, options);
+  // Small results are written before a bar could be seen.
+  constexpr double many_numbers = 2e6;
+  const Table& histories = outcome.result.histories;
+  const bool takes_time =
+      static_cast<double>(histories.columns.size()) * static_cast<double>(histories.rows()) > many_numbers;
+  // A run that failed has its reason already.
+  if (frames && !frames->failure().empty() && outcome.failure.empty())
+    outcome.fail(frames->failure(), exit_error, "The frames are incomplete: " + frames->failure());
+  try {
+    // Before the files, for which disk and memory may be too small.
+    if (!options.quiet) print_text(std::cout, terminal_summary(outcome.result));
+    write_results(outcome.result, folder.path(),
+                  takes_time && !options.quiet ? WritingProgress{ProgressBar{"writing", "parts"}} : WritingProgress{});
+  } catch (const std::exception& error) {
+    const std::string reason = reason_of(error);
+    outcome.fail(reason, exit_error, "Files of these results are missing: " + reason);
+    outcome.failure += " " + keep_results(outcome.result, folder.path());
+  }
+  const std::filesystem::path wanted = folder.final_path();
+  if (!outcome.failure.empty()) folder.finish_incomplete();
+  folder.finish();
+  if (parts_->json && std::filesystem::exists(folder.final_path() / results_file::summary))
+    parts_->json->write(summary_with_folder(folder.final_path()));
+  const int exit_code = print(outcome, options, folder.final_path());
+  if (folder.final_path() != wanted)
+    print_text(std::cerr, "moat: The old results in " + wanted.string() + " stay; those of this run are in " +
+                              folder.final_path().string() + ".\n");
+  return exit_code;
+}
+
+std::optional<int> Script::read_options(const GroundMotion& motion, RunOptions& options) {
+  CommandLine& line = parts_->line;
+  const std::filesystem::path default_folder = std::filesystem::path{"results"} / line.program();
+  options.folder = text("out", default_folder.string(), "results folder; an existing one gets a new number");
+  line.add_flag("force", options.force, "replace the results in an existing folder");
+  options.transient.step = time("step", options.transient.step, "fixed time step; 0 s adapts it");
+  options.transient.tolerance = number("tolerance", options.transient.tolerance, "error per step of an adapted step");
+  const std::string integrator =
+      text("integrator", std::string{name_of(options.transient.integrator)},
+           integrator_names() + "; exact steps are for small models, automatic takes them where it can");
+  const Time end = options.transient.end.si() > 0.0 ? options.transient.end : motion.duration() * units::s;
+  options.transient.end = time("end", end, "end of the analysis");
+  // At most some 400 frames of a motion of any length.
+  options.frame_interval = time("frame-interval", std::max(50 * units::ms, options.transient.end / 400.0),
+                                "between VTK frames; 0 s writes none");
+  line.add_flag("check", options.check, "error bars also where the run evaluates more than 200000 elements");
+  line.add_flag("quiet", options.quiet, "print warnings and errors only");
+  line.add_json_flag();
+  parts_->checked = true;
+  if (line.help_wanted()) {
+    print_text(std::cout, line.help());
+    return 0;
+  }
+  if (!line.parse()) return exit_usage;
+  // Before the results folder is made.
+  if (integrator != name_of(options.transient.integrator))
+    options.transient.integrator = integrator_named(integrator, "--integrator");
+  Check{"Script", ""}.not_negative("--frame-interval", options.frame_interval);
+  parts_->origin.options = line.values();
+  return std::nullopt;
+}
+
+Script::Outcome Script::compute(CaseRun& run, const RunOptions& options) {
+  std::optional<ProgressObserver> progress, progress_of_check;
+  if (!options.quiet) {
+    for (const std::string& note : record_folder_notes()) print_text(std::cout, note + "\n");
+    print_text(std::cout, parts_->line.title() + "\n" + run.transient().motion().description() + "\n");
+    run.attach(progress.emplace(run.transient().end_time()));
+    // Without --check the second run is over at once.
+    if (options.check) run.attach_to_companion(progress_of_check.emplace(run.transient().end_time(), "check"));
+  }
+  Outcome outcome;
+  run.stop_when([] { return StopSignals::received() != 0; });
+  try {
+    run.run();
+    if (run.stopped()) {
+      outcome.failure = std::string{StopSignals::name()} + ". To compute the whole: " + parts_->origin.command_line;
+      outcome.exit_code = StopSignals::exit_code();
+    }
+  } catch (const Error& error) {
+    outcome.failure = error.what();
+    outcome.exit_code = dynamic_cast<const ConvergenceError*>(&error) != nullptr ? exit_no_convergence : exit_error;
+  } catch (const std::bad_alloc& error) {
+    outcome.failure = reason_of(error);
+    outcome.exit_code = exit_error;
+  }
+  outcome.result = run.take_result();
+  outcome.result.provenance = parts_->origin;
+  const std::vector<std::string> of_laws = law_assumptions(outcome.result.model);
+  for (const auto& list : {of_laws, record_folder_notes()})
+    outcome.result.assumptions.insert(outcome.result.assumptions.end(), list.begin(), list.end());
+  // Readers of the files must not take them for those of a whole run.
+  if (!outcome.failure.empty())
+    outcome.result.warnings.insert(outcome.result.warnings.begin(),
+                                   "The analysis stopped at " + to_text(run.transient().model().state().time) +
+                                       " s of " + to_text(run.transient().end_time()) + " s: " + outcome.failure);
+  return outcome;
+}
+
+int Script::print(const Outcome& outcome, const RunOptions& options, const std::filesystem::path& folder) {
+  using std::filesystem::exists;
+  const char* files = exists(folder / results_file::frames)   ? "  (report.html, frames.pvd for ParaView)\n"
+                      : exists(folder / results_file::report) ? "  (report.html)\n"
+                                                              : "\n";
+  if (!options.quiet) print_text(std::cout, "Results: " + folder.string() + "/" + files);
+  const auto& warnings = outcome.result.warnings;
+  for (std::size_t i = outcome.failure.empty() ? 0 : 1; i < warnings.size(); ++i)
+    print_text(std::cerr, "moat: warning: " + warnings[i] + "\n");
+  if (!outcome.failure.empty()) print_text(std::cerr, "moat: error: " + outcome.failure + "\n");
+  if (outcome.exit_code == 0 && !std::cout) {
+    print_text(std::cerr,
+               "moat: error: standard output cannot be written; the results are in " + folder.string() + "\n");
+    return exit_error;
+  }
+  return outcome.exit_code;
+}
+
+}  // namespace moat

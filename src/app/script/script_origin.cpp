@@ -1,0 +1,64 @@
+#include "app/script/script_origin.hpp"
+
+#include <cstdlib>
+#include <filesystem>
+#include <string_view>
+
+#include "base/sha256.hpp"
+
+namespace moat {
+namespace {
+
+namespace fs = std::filesystem;
+
+// So that a shell reads it as one word.
+std::string shell_word(const std::string& word) {
+  constexpr std::string_view plain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-+=.,:/@%";
+  if (!word.empty() && word.find_first_not_of(plain) == std::string::npos) return word;
+  std::string text = "'";
+  for (const char c : word) text += c == '\'' ? std::string{"'\\''"} : std::string{c};
+  return text + "'";
+}
+
+std::string variable(const char* name) {
+  const char* value = std::getenv(name);
+  return value != nullptr ? value : "";
+}
+
+}  // namespace
+
+Provenance origin_of_script(const std::vector<std::string>& arguments) {
+  Provenance origin = provenance_of_library();
+  std::error_code error;
+  if (const std::string source = variable("MOAT_SCRIPT"); !source.empty()) {
+    origin.script = fs::absolute(source, error).string();
+    origin.command_line = "moat run " + shell_word(origin.script);
+  } else {
+    origin.script = fs::read_symlink("/proc/self/exe", error).string();
+    origin.command_line = shell_word(origin.script);
+  }
+  origin.script_sha256 = sha256_of_file(origin.script).value_or("");
+  for (const std::string& argument : arguments) origin.command_line += " " + shell_word(argument);
+  return origin;
+}
+
+std::string command_to_go_on(const std::vector<std::string>& arguments, int ranks) {
+  std::error_code error;
+  const std::string launcher = variable("MOAT_LAUNCHER"), source = variable("MOAT_SCRIPT");
+  const std::string script = source.empty() ? "" : fs::absolute(source, error).string();
+  std::string command = "cd " + shell_word(fs::current_path(error).string()) + " && ";
+  if (!launcher.empty() && !script.empty()) {
+    command += shell_word(launcher) + " run ";
+    if (ranks > 0) command += "--ranks " + std::to_string(ranks) + " ";
+    command += shell_word(script);
+  } else {
+    if (!script.empty()) command += "MOAT_SCRIPT=" + shell_word(script) + " ";
+    if (ranks > 0) command += "mpirun -n " + std::to_string(ranks) + " ";
+    command += shell_word(fs::read_symlink("/proc/self/exe", error).string());
+  }
+  for (const std::string& argument : arguments)
+    if (argument != "--retry" && argument != "--accept-changes") command += " " + shell_word(argument);
+  return command;
+}
+
+}  // namespace moat

@@ -1,0 +1,23 @@
+// Where the results of a script come from.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "output/files/provenance.hpp"
+
+namespace moat {
+
+/// Version, commit, date, and the command line of this process. The launcher gives the path of the script's source in
+/// the environment variable MOAT_SCRIPT; without it path and hash of the program stand in its place.
+Provenance origin_of_script(const std::vector<std::string>& arguments);
+
+/// The command that goes on with a study of this process, on the same number of ranks, for a shell in any folder:
+///
+///     cd /home/me && /opt/moat/moat run --ranks 4 /home/me/gap.cpp --out 'my study'
+///
+/// The launcher gives its own path in MOAT_LAUNCHER; without it the program itself is named. ranks: 0 for a process by
+/// itself. --retry and --accept-changes are left out: they have been done.
+std::string command_to_go_on(const std::vector<std::string>& arguments, int ranks);
+
+}  // namespace moat

@@ -1,0 +1,208 @@
+#include "app/script/script_study.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <cstdlib>
+#include <iostream>
+#include <nlohmann/json.hpp>
+
+#include "analyses/questions/study_pictures.hpp"
+#include "app/progress_bar.hpp"
+#include "app/script/script_identity.hpp"
+#include "app/script/script_origin.hpp"
+#include "app/script/script_parts.hpp"
+#include "app/script/stop_signals.hpp"
+#include "app/study_json.hpp"
+#include "base/check.hpp"
+#include "base/text/terminal.hpp"
+#include "motions/readers/record_folder.hpp"
+#include "output/files/csv_writer.hpp"
+
+namespace moat {
+namespace {
+
+namespace fs = std::filesystem;
+
+[[noreturn]] void end_program(int exit_code) {
+  std::cout.flush();
+  std::exit(exit_code);
+}
+
+std::string part_name(const std::pair<std::size_t, std::size_t>& part) {
+  return ".cases_" + std::to_string(part.first) + "_" + std::to_string(part.second);
+}
+
+int exit_code_of(std::size_t failed, std::size_t without_solution) {
+  return without_solution > 0 ? exit_no_convergence : failed > 0 ? exit_error : 0;
+}
+
+}  // namespace
+
+ScriptStudy::ScriptStudy(CommandLine& line, Ranks* ranks, const JsonOutput* json)
+    : line_{&line}, ranks_{ranks}, json_{json}, options_{line} {}
+
+StudyResult ScriptStudy::run(const StudyCases& cases, const std::function<StudyResult(const StudyOptions&)>& compute,
+                             StudyOptions options, const std::string& name, const Provenance& origin,
+                             const std::string& title) {
+  check_name(name);
+  choose_part(cases);
+  report_.title = title;
+  report_.provenance = origin;
+  report_.records = record_folder_notes();
+  const StopSignals signals;
+  const fs::path file = options_.folder / (name + (options_.part ? part_name(*options_.part) : "") + ".db");
+  const bool reports = speaks() && !options_.quiet;
+  if (options_.threads > 0) options.threads = options_.threads;
+  options.ranks = ranks_;
+  options.part = options_.part;
+  options.keep_failures = true;
+  options.stop = [] { return StopSignals::received() != 0; };
+  std::optional<StudyStore> store;
+  if (speaks()) {
+    for (const std::string& mine : {std::string{"report.html"}, name + ".csv", std::string{"pictures"}})
+      if (!options_.part) require_own(options_.folder / mine);
+    store.emplace(file, cases, identity_of_script(*line_, origin), session(origin, title, options.threads),
+                  options_.accept_changes ? StudyChanges::accept : StudyChanges::refuse);
+    if (options_.retry) store->forget_failures();
+    options.store = &*store;
+  }
+  ProgressBar bar{name};
+  if (!reports)
+    options.progress = {};
+  else if (!options.progress)
+    options.progress = [&](const StudyProgress& now) { bar(now); };
+  for (const std::string& note : report_.records)
+    if (reports && report_.studies.empty()) print_text(std::cout, note + "\n");
+  if (reports) print_text(std::cout, title + ": " + name + ", " + std::to_string(cases.count()) + " cases\n");
+  const auto close = [&](const std::string& ending) {
+    if (store) store->end_session(ending);
+    store.reset();
+    if (reports) bar.clear();
+  };
+  try {
+    StudyResult result = compute(options);
+    close("finished");
+    if (speaks()) print_warnings(result, name);
+    if (options_.part) {
+      report_.studies.push_back({file.stem().string(), result});
+      write_json();
+      end_of_part(result, file, name);
+    }
+    keep(result, name);
+    return result;
+  } catch (const StudyStopped& stopped) {
+    close(std::string{"stopped by "} + StopSignals::name());
+    end_at_stop(stopped, file, name);
+  } catch (...) {
+    // main() may be left without unwinding; the file is closed all the same.
+    store.reset();
+    throw;
+  }
+}
+
+// It becomes the names of files.
+void ScriptStudy::check_name(const std::string& name) const {
+  const Check check{"Script::study", name};
+  const auto allowed = [](unsigned char c) { return std::isalnum(c) != 0 || c == '-' || c == '_' || c == ' '; };
+  check.that(!name.empty() && std::ranges::all_of(name, allowed), "this cannot be the name of a study.",
+             "Use letters, digits, blanks, - and _.");
+  check.that(std::ranges::find(report_.studies, name, &NamedStudy::name) == report_.studies.end(),
+             "there is a study of this name.", "Give every study of a script a name of its own, as last argument.");
+}
+
+void ScriptStudy::choose_part(const StudyCases& cases) {
+  if (!options_.part) return;
+  auto& [first, last] = *options_.part;
+  const std::size_t count = cases.count();
+  Check{"--cases", ""}.that(first < last && first < count,
+                            std::to_string(first) + ":" + std::to_string(last) + " is not allowed.",
+                            "The cases are 0:" + std::to_string(count) + "; the last is not included.");
+  last = std::min(last, count);
+}
+
+StudySession ScriptStudy::session(const Provenance& origin, const std::string& title, int threads) const {
+  std::string engine = threads > 0 ? std::to_string(threads) + " threads" : "all cores";
+  if (ranks_ != nullptr) engine = std::to_string(ranks_->count()) + " ranks" + (threads > 1 ? " of " + engine : "");
+  return {.title = title,
+          .command_line = origin.command_line,
+          .moat_version = origin.moat_version,
+          .git_commit = origin.git_commit,
+          .date = origin.date,
+          .engine = engine};
+}
+
+void ScriptStudy::keep(const StudyResult& result, const std::string& name) {
+  NamedStudy& study = report_.studies.emplace_back(NamedStudy{name, result});
+  if (!speaks()) return;
+  StudyAnswers answers = answers_of(result);
+  study.answers = std::move(answers.sentences);
+  study.pictures = std::move(answers.pictures);
+  require_own(options_.folder / (name + ".csv"));
+  write_csv(result.case_table(), options_.folder / (name + ".csv"));
+  write_study_report(report_, options_.folder);
+}
+
+void ScriptStudy::end_of_part(const StudyResult& result, const fs::path& file, const std::string& name) const {
+  if (speaks() && !options_.quiet)
+    print_text(std::cout, "Cases " + std::to_string(options_.part->first) + " to " +
+                              std::to_string(options_.part->second - 1) + " are in " + file.string() +
+                              "\nPut parts together: moat study merge " + (options_.folder / (name + ".db")).string() +
+                              " PART ...\n");
+  end_program(exit_code_of(result.count(CaseState::failed), result.count(CaseState::not_converged)));
+}
+
+void ScriptStudy::end_at_stop(const StudyStopped& stopped, const fs::path& file, const std::string& name) {
+  if (!speaks()) end_program(0);
+  print_text(std::cerr, std::string{"moat: "} + StopSignals::name() + ". " + stopped.what() + " They are in " +
+                            file.string() + "\n");
+  if (!options_.part) {
+    try {
+      keep(stopped.result, name);
+    } catch (const Error& error) {
+      print_text(std::cerr, std::string{"moat: warning: "} + error.what() + "\n");
+    }
+    write_json();
+  }
+  print_text(std::cerr,
+             "moat: to go on: " + command_to_go_on(line_->arguments(), ranks_ != nullptr ? ranks_->count() : 0) + "\n");
+  end_program(StopSignals::exit_code());
+}
+
+void ScriptStudy::print_warnings(const StudyResult& result, const std::string& name) {
+  for (const std::string& warning : {failure_message(result), unverified_message(result)})
+    if (!warning.empty()) print_text(std::cerr, "moat: warning: " + name + ": " + warning + "\n");
+}
+
+void ScriptStudy::answer(const std::string& sentence) {
+  report_.answers.push_back(sentence);
+  print_text(std::cout, sentence + "\n");
+}
+
+void ScriptStudy::write_json() const {
+  if (json_ == nullptr || !speaks()) return;
+  using Json = nlohmann::ordered_json;
+  Json json{{"title", report_.title}, {"results_folder", options_.folder.string()}, {"studies", Json::array()}};
+  for (const NamedStudy& study : report_.studies) {
+    Json entry{{"name", study.name}, {"file", (options_.folder / (study.name + ".db")).string()}};
+    entry.update(counts_of(study.result));
+    json["studies"].push_back(std::move(entry));
+  }
+  json["answers"] = report_.answers;
+  json_->write(json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
+}
+
+int ScriptStudy::finish() {
+  std::size_t failed = 0, without_solution = 0;
+  std::string files = "report.html";
+  for (const NamedStudy& study : report_.studies) {
+    failed += study.result.count(CaseState::failed);
+    without_solution += study.result.count(CaseState::not_converged);
+    files += ", " + study.name + ".csv, " + study.name + ".db";
+  }
+  if (speaks()) write_study_report(report_, options_.folder);
+  write_json();
+  if (!options_.quiet) print_text(std::cout, "Results: " + options_.folder.string() + "/  (" + files + ")\n");
+  return exit_code_of(failed, without_solution);
+}
+
+}  // namespace moat

@@ -1,0 +1,45 @@
+#include "base/text/terminal.hpp"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <new>
+
+namespace moat {
+namespace {
+
+// Before main(): files that a program opens would take the places of closed standard streams, and their texts.
+[[maybe_unused]] const bool standard_streams_are_open = [] {
+  int file = 0;
+  while (file >= 0 && file <= STDERR_FILENO) file = open("/dev/null", O_RDWR);
+  return close(file) == 0;
+}();
+
+}  // namespace
+
+std::string printable(std::string_view text) {
+  constexpr std::string_view digits = "0123456789abcdef";
+  std::string shown;
+  unsigned before = 0;
+  for (const char byte : text) {
+    const unsigned code = static_cast<unsigned char>(byte);
+    // U+0080 to U+009F are the bytes C2 80 to C2 9F. Some terminals obey the second byte alone, too.
+    const bool is_second = code >= 0x80 && code < 0xA0 && (before < 0x80 || before == 0xC2);
+    if (is_second && before == 0xC2) shown.pop_back();
+    if (is_second || code == 0x7F || (code < 0x20 && byte != '\n'))
+      shown.append("\\u00").append({digits[code / 16], digits[code % 16]});
+    else
+      shown += byte;
+    before = code;
+  }
+  return shown;
+}
+
+std::ostream& print_text(std::ostream& to, std::string_view text) { return to << printable(text) << std::flush; }
+
+const char* reason_of(const std::exception& error) {
+  if (dynamic_cast<const std::bad_alloc*>(&error) == nullptr) return error.what();
+  return "There is not enough memory. Free some, or compute a smaller model or a shorter time.";
+}
+
+}  // namespace moat

@@ -1,0 +1,23 @@
+#include "base/text/utf8_text.hpp"
+
+#include <utf8.h>
+
+#include <iterator>
+
+namespace moat {
+
+bool is_utf8(std::string_view text) {
+  // Nearly all texts are plain ASCII, which is seen without decoding.
+  unsigned all = 0;
+  for (const char byte : text) all |= static_cast<unsigned char>(byte);
+  constexpr unsigned beyond_ascii = 0x80;
+  return all < beyond_ascii || utf8::is_valid(text.begin(), text.end());
+}
+
+std::string as_utf8(std::string_view text) {
+  std::string valid;
+  utf8::replace_invalid(text.begin(), text.end(), std::back_inserter(valid));
+  return valid;
+}
+
+}  // namespace moat

@@ -1,0 +1,172 @@
+#include "motions/readers/peer_at2.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <cmath>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "base/check.hpp"
+#include "base/units.hpp"
+#include "motions/readers/number_text.hpp"
+#include "motions/readers/text_file.hpp"
+
+namespace moat {
+namespace {
+
+constexpr std::size_t header_lines = 4;
+constexpr std::size_t units_line = 3;
+constexpr std::size_t count_line = 4;
+
+struct Sampling {
+  std::size_t count = 0;
+  double time_step = 0.0;
+};
+
+std::optional<std::size_t> take_count(std::string_view& text) {
+  const std::optional<std::size_t> count = take_whole_number(text);
+  // "4000." or "4000E2" is not a count.
+  if (!text.empty() && std::string_view{" \t,"}.find(text[0]) == std::string_view::npos) return std::nullopt;
+  return count;
+}
+
+std::optional<double> take_number(std::string_view& text) {
+  text = without_leading_blanks(text);
+  const ScannedNumber number = scan_number(text);
+  if (number.problem) return std::nullopt;
+  text.remove_prefix(number.length);
+  if (!text.empty() && std::string_view{" \t,sS"}.find(text[0]) == std::string_view::npos) return std::nullopt;
+  return number.value;
+}
+
+bool take_key(std::string_view& text, std::string_view word) { return take_behind(text, word) && take(text, "="); }
+
+/// NPTS=   5600, DT=   .0050 SEC
+std::optional<Sampling> sampling_from_keys(std::string_view line) {
+  if (!take_key(line, "NPTS")) return std::nullopt;
+  const std::optional<std::size_t> count = take_count(line);
+  if (!count || !take_key(line, "DT")) return std::nullopt;
+  const std::optional<double> time_step = take_number(line);
+  if (!time_step) return std::nullopt;
+  // A word after the time step must be its unit, and seconds; numbers belong to the filter and are of no interest.
+  line = without_leading_blanks(line);
+  const auto word_end = std::find_if(line.begin(), line.end(), [](unsigned char c) { return !std::isalpha(c); });
+  const std::string_view word{line.begin(), word_end};
+  constexpr std::array<std::string_view, 5> seconds{"", "S", "SEC", "SECS", "SECONDS"};
+  if (std::find(seconds.begin(), seconds.end(), word) == seconds.end()) return std::nullopt;
+  return Sampling{*count, *time_step};
+}
+
+/// 4000    0.0050    NPTS, DT
+std::optional<Sampling> sampling_before_words(std::string_view line) {
+  const std::optional<std::size_t> count = take_count(line);
+  if (!count) return std::nullopt;
+  const std::optional<double> time_step = take_number(line);
+  if (!time_step) return std::nullopt;
+  if (!take(line, "NPTS") || !take_behind(line, "DT")) return std::nullopt;
+  return Sampling{*count, *time_step};
+}
+
+/// "... UNITS OF G", possibly followed by punctuation and other remarks ("UNITS OF G. FILTER POINTS: ...").
+bool says_units_of_g(std::string_view line) {
+  const std::string capitals = upper_case(trimmed(line));
+  std::string_view unit = capitals;
+  if (!take_behind(unit, "UNITS OF") || !take(unit, "G")) return false;
+  return unit.empty() || std::string_view{".,;)"}.find(unit[0]) != std::string_view::npos;
+}
+
+void require_units_of_g(const std::filesystem::path& path, std::string_view line) {
+  if (says_units_of_g(line)) return;
+  refuse_line(path, units_line,
+              "this line of a PEER AT2 file must say \"ACCELERATION TIME SERIES IN UNITS OF G\", but it says " +
+                  quoted(trimmed(line)) +
+                  ". Only accelerations in g are read; convert the file, or read other text with read_two_columns.");
+}
+
+Sampling parse_sampling(const std::filesystem::path& path, std::string_view line) {
+  const std::string capitals = upper_case(line);
+  std::optional<Sampling> sampling = sampling_from_keys(capitals);
+  if (!sampling) sampling = sampling_before_words(capitals);
+  if (!sampling) {
+    refuse_line(path, count_line,
+                "expected the number of values and the time step in s, as \"NPTS= 5600, DT= .0050 SEC\" or "
+                "\"5600 0.0050 NPTS, DT\", but found " +
+                    quoted(trimmed(line)) + ".");
+  }
+  if (sampling->count < 2)
+    refuse_line(path, count_line, "NPTS = " + std::to_string(sampling->count) + " is not allowed; it must be >= 2.");
+  if (!(sampling->time_step > 0.0))
+    refuse_line(path, count_line, "DT = " + to_text(sampling->time_step) + " s is not allowed; it must be > 0 s.");
+  return *sampling;
+}
+
+/// Appends the values of one line, in m/s^2.
+void append_values(const std::filesystem::path& path, std::size_t line_number, std::string_view line,
+                   std::vector<double>& values) {
+  for (line = trimmed(line); !line.empty(); line = without_leading_blanks(line)) {
+    const ScannedNumber number = scan_number(line);
+    // Looked for where it is shown alone: without blanks it is the whole line.
+    const auto word = [&] { return quoted(line.substr(0, line.find_first_of(" \t"))); };
+    if (number.problem) {
+      refuse_line(path, line_number,
+                  word() + " " + number.problem + ". Only accelerations in g may follow the header.");
+    }
+    const bool ends_here = number.length == line.size() || line[number.length] == ' ' || line[number.length] == '\t';
+    const bool sign_after_exponent =
+        !ends_here && number.has_exponent && (line[number.length] == '-' || line[number.length] == '+');
+    if (!ends_here && !sign_after_exponent) {
+      refuse_line(path, line_number,
+                  word() +
+                      " is not one number, and where one ends and the next begins is not certain. Separate the values "
+                      "with blanks.");
+    }
+    values.push_back(number.value * standard_gravity);
+    line.remove_prefix(number.length);
+  }
+}
+
+}  // namespace
+
+bool has_peer_at2_header(std::string_view text) {
+  LineReader lines{text};
+  std::string_view line;
+  while (lines.line_number() < header_lines && lines.next(line)) {
+    // A comment of a two-column file may mention units.
+    if (line.starts_with('#') || line.starts_with('%')) return false;
+    const std::string capitals = upper_case(line);
+    if (lines.line_number() == units_line && capitals.find("UNITS OF") != std::string::npos) return true;
+    if (lines.line_number() == count_line && capitals.find("NPTS") != std::string::npos) return true;
+  }
+  return false;
+}
+
+GroundMotion read_peer_at2(const std::filesystem::path& path) { return parse_peer_at2(read_text_file(path)); }
+
+GroundMotion parse_peer_at2(const TextFile& file) {
+  const std::filesystem::path& path = file.path;
+  LineReader lines{file.text};
+  std::string_view line;
+  std::vector<std::string> header;
+  while (header.size() < header_lines && lines.next(line)) header.emplace_back(trimmed(line));
+  if (header.size() < header_lines) {
+    refuse_file(path, "a PEER AT2 file begins with " + std::to_string(header_lines) +
+                          " header lines, but this file has only " + std::to_string(header.size()) + ".");
+  }
+  require_units_of_g(path, header[units_line - 1]);
+  const Sampling sampling = parse_sampling(path, header[count_line - 1]);
+
+  std::vector<double> values;
+  // A wrong count in the header must not reserve more than the file can hold.
+  values.reserve(std::min(sampling.count, file.text.size() / 2));
+  while (lines.next(line)) append_values(path, lines.line_number(), line, values);
+  if (values.size() != sampling.count) {
+    refuse_file(path, "the header announces NPTS = " + std::to_string(sampling.count) + " values, but the file holds " +
+                          std::to_string(values.size()) + ". The file is damaged or was cut; fetch it again.");
+  }
+  return GroundMotion{path.stem().string(), sampling.time_step, std::move(values), std::move(header), file_of(file)};
+}
+
+}  // namespace moat

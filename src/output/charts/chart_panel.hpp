@@ -1,0 +1,39 @@
+// One chart of a drawing: plot area, axes and curves.
+#pragma once
+
+#include <utility>
+#include <vector>
+
+#include "output/charts/chart.hpp"
+#include "output/charts/chart_axis.hpp"
+#include "output/charts/chart_legend.hpp"
+#include "output/charts/envelope.hpp"
+#include "output/charts/svg_writer.hpp"
+
+namespace moat {
+
+/// The rectangle of a plot area, pixels.
+struct PlotArea {
+  double left, top, width, height;
+};
+
+/// A chart ready to be drawn.
+struct ChartPanel {
+  const Chart* chart;
+  std::vector<Curve> curves;  ///< one per series
+  std::pair<double, double> x_range, y_range;
+  ChartAxis y_axis;
+  double left_margin;  ///< pixels that label and numbers of the y axis need
+};
+
+// Pixels beside and below a plot area.
+inline constexpr int right_margin = 24;
+inline constexpr int bottom_margin = 58;
+
+/// The panel of a chart whose plot area is `height` pixels high and at most `width` wide. Throws as svg_text does.
+ChartPanel panel_of(const Chart& chart, int width, int height);
+
+/// Draws everything but the heading.
+void draw_panel(SvgWriter& svg, const ChartPanel& panel, const PlotArea& area);
+
+}  // namespace moat

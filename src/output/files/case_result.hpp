@@ -1,0 +1,221 @@
+// Everything one run of one model under one motion produced, in SI units.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "motions/ground_motion.hpp"
+#include "output/files/analysis_facts.hpp"
+#include "output/files/model_facts.hpp"
+#include "output/files/provenance.hpp"
+#include "output/files/table.hpp"
+#include "output/recorders/offered_quantity.hpp"
+#include "output/vtk/scene.hpp"
+
+namespace moat {
+
+/// The value of largest magnitude that a quantity reached over continuous time.
+struct Peak {
+  std::string quantity;  ///< "displacement", "absolute_acceleration", "drift", "impact_force", ...
+  std::string where;     ///< "base", "floor 1", "storey 1", "bearings", "moat", ...
+  double value = 0.0;    ///< with its sign: positive to the right, compression of gaps positive
+  std::string unit;      ///< SI: "m", "m/s^2", "N"
+  double time = 0.0;     ///< s; when it was reached
+  /// >= 0, in `unit`. Estimated numerical error of the value: value +- error. NaN: not known (see ErrorBars).
+  double error = std::numeric_limits<double>::quiet_NaN();
+  /// "left" or "right" by the sign; where several elements share the place, the one that reached it: "moat right".
+  /// Empty for sums and for a gap by itself.
+  std::string side{};
+
+  [[nodiscard]] double magnitude() const { return std::abs(value); }  ///< >= 0, in `unit`.
+};
+
+/// How near the two sides of a gap came.
+struct GapClearance {
+  std::string where;       ///< the gap: "moat left"
+  double clearance = 0.0;  ///< m, at rest
+  /// m, the smallest opening over continuous time; negative: indented by so much.
+  double left = 0.0;
+  double time = 0.0;  ///< s; when it was reached
+  /// m, >= 0. Estimated numerical error of `left`; NaN: not known.
+  double error = std::numeric_limits<double>::quiet_NaN();
+};
+
+/// Force over indentation of one contact: a value at every end of a step and on both sides of events.
+struct ContactLoop {
+  std::vector<double> indentation;  ///< m
+  std::vector<double> force;        ///< N
+};
+
+/// One contact from touch until the gap opens again. ImpactRecorder documents where the two ratios are NaN.
+struct Impact {
+  std::string where;                 ///< the gap, for example "moat left"
+  double start = 0.0;                ///< s
+  double duration = 0.0;             ///< s
+  double approach_speed = 0.0;       ///< m/s, at first touch; <= 0 if the bodies did not approach
+  double largest_indentation = 0.0;  ///< m
+  double largest_force = 0.0;        ///< N
+  double rebound_ratio = 0.0;        ///< separation speed over approach speed, as it happened in the building
+  double restitution = 0.0;          ///< of the law alone, replayed in free flight at the same approach speed
+  double energy_lost = 0.0;          ///< J; in plan without the loss by friction
+  // In plan:
+  /// The corner and the edge that met; empty on a line.
+  std::string corner{}, edge{};
+  double tangential_speed = 0.0;        ///< m/s, of the corner along the edge at first touch
+  double largest_friction_force = 0.0;  ///< N
+  double friction_loss = 0.0;           ///< J
+  ContactLoop loop{};                   ///< Of its force over its indentation.
+};
+
+/// Energy dissipated by the elements reported at one place.
+struct DissipatedEnergy {
+  std::string where;   ///< The place.
+  double value = 0.0;  ///< J
+};
+
+/// Where the energy that the ground put into the structure went, in the frame of the ground, J.
+///
+///     kinetic + strain + viscous + hysteretic + impact + friction = input + errors
+struct EnergyBalance {
+  double input = 0.0;       ///< work of the inertia forces of the ground motion: - sum of m a_g du
+  double kinetic = 0.0;     ///< of motion relative to the ground, now less that at the start
+  double strain = 0.0;      ///< recoverable, now less that at the start
+  double viscous = 0.0;     ///< dissipated by dampers and the viscous part of springs
+  double hysteretic = 0.0;  ///< dissipated by bearings and other elements that yield
+  double impact = 0.0;      ///< lost in impacts
+  double friction = 0.0;    ///< lost in impacts by friction along walls; in plan
+  bool in_plan = false;     ///< of a model in plan
+
+  /// kinetic + work of all elements - input. Average acceleration: zero but for round-off and the force tolerance.
+  /// Fourth-order steps: of fourth order. Exact steps: of sixth order. Newmark's method with another beta: of second.
+  double equation_residual = 0.0;
+  /// Work of all elements less the energy they stored and dissipated: the error of the time integration.
+  double integration_error = 0.0;
+  double largest_input = 0.0;    ///< over time
+  double largest_kinetic = 0.0;  ///< over time
+  /// J. Errors up to it are round-off of the work on the elements, which have forces and deformations at rest too.
+  double round_off = 0.0;
+  std::string worst_element{};       ///< with the largest error
+  double worst_element_error = 0.0;  ///< J
+
+  std::vector<DissipatedEnergy> bearings{};  ///< hysteretic, by place: bearings and other elements that yield
+  std::vector<DissipatedEnergy> gaps{};      ///< impact, by gap
+
+  /// >= 0: a residual or an error as a share of the largest input or kinetic energy; 0 for round-off.
+  [[nodiscard]] double share(double error) const {
+    const double scale = std::max(largest_input, largest_kinetic);
+    return scale > 0.0 && !(std::abs(error) <= round_off) ? std::abs(error) / scale : 0.0;
+  }
+  /// The larger share of both errors.
+  [[nodiscard]] double error_share() const { return std::max(share(integration_error), share(equation_residual)); }
+};
+
+/// The cost of the solution.
+struct SolverStatistics {
+  long accepted_steps = 0;     ///< Taken.
+  long rejected_steps = 0;     ///< cut because Newton did not converge
+  long repeated_steps = 0;     ///< repeated shorter because the error estimate was too large
+  long event_solves = 0;       ///< solved again for a change of regime: to end there, or with the new regime
+  long events = 0;             ///< touches, separations and other changes of regime, also inside steps
+  long changes_inside = 0;     ///< of these, inside a step that went on (EventTreatment::inside_the_step)
+  long newton_iterations = 0;  ///< In all steps.
+  long factorisations = 0;     ///< Of the tangent.
+  double cpu_seconds = 0.0;    ///< Time of the processor, s.
+  double longest_step = 0.0;   ///< s, of the accepted steps
+};
+
+/// The second run of the same case with finer steps, the companion, and its verdict. It has no part in any number of
+/// the main run but Peak::error.
+struct ErrorBars {
+  bool checked = false;                 ///< the companion ran to its end: every peak has an error
+  std::string companion{};              ///< how it was computed, one sentence; why there is none if it was not
+  std::size_t companion_impacts = 0;    ///< the main run's are CaseResult::impacts
+  SolverStatistics companion_solver{};  ///< Its cost.
+  /// The two runs differ in their number of impacts, or there are unsettled peaks.
+  bool sensitive = false;
+  std::string reason{};           ///< of `sensitive`, one sentence
+  std::vector<Peak> unsettled{};  ///< copies of the peaks whose error exceeds 1 % of their value
+};
+
+/// The motion as it was applied.
+struct MotionFacts {
+  std::string name;                  ///< Of the thing.
+  double peak_acceleration = 0.0;    ///< m/s^2
+  double peak_velocity = 0.0;        ///< m/s
+  double time_step = 0.0;            ///< s
+  double duration = 0.0;             ///< s
+  std::vector<std::string> notes{};  ///< header of the file, how it was scaled and filtered
+  /// One, or two in plan, with absolute paths of their records.
+  std::vector<MotionComponent> components{};
+};
+
+/// A building and the names of its parts.
+struct BuildingParts {
+  std::string name{};                    ///< may be empty
+  std::string base{};                    ///< a node; empty for a fixed building
+  std::vector<std::string> floors{};     ///< nodes, from the lowest up
+  std::vector<std::string> isolators{};  ///< elements
+};
+
+/// A period with the name of the part that vibrates.
+struct NamedPeriod {
+  std::string name;    ///< Of the thing.
+  double value = 0.0;  ///< s
+};
+
+/// The method behind Peak::error, for reports.
+inline constexpr const char* error_bar_method =
+    "Every peak is computed again by a second run with finer steps; the error is estimated from the difference of the "
+    "two by Richardson's rule, with caution. It is that of the numerical solution, not of the model.";
+
+/// Nodes of the largest model whose report has a drawing.
+inline constexpr int most_drawn_nodes = 300;
+
+/// How an isolated building in plan turned, beside ASCE 7-16 Eq. 17.5-3 (analyses/modes/torsion.hpp).
+struct BuildingTorsion {
+  std::string where;          ///< its base
+  double corner = 0.0;        ///< m, largest displacement of a corner of the base
+  double centre = 0.0;        ///< m, largest displacement of its centre of mass; not at the same time
+  double eccentricity = 0.0;  ///< m, of the whole building's mass from the centre of rigidity of its bearings
+  double period_ratio = 1.0;  ///< P_T
+  double of_formula = 1.0;    ///< D_TM/D_M, without the lower bound
+  double of_code = 1.15;      ///< with it
+
+  /// corner/centre; NaN where nothing moved.
+  [[nodiscard]] double amplification() const {
+    return centre > 0.0 ? corner / centre : std::numeric_limits<double>::quiet_NaN();
+  }
+};
+
+/// Everything that one run produced.
+struct CaseResult {
+  std::string title;         ///< Of the script.
+  Provenance provenance{};   ///< Command, script, version, date.
+  AnalysisFacts analysis{};  ///< Its integrator and options.
+  MotionFacts motion;        ///< As applied.
+  ModelFacts model{};        ///< The whole model.
+  /// For drawings; its indices of nodes are those of `model.nodes`. Empty for models of more than `most_drawn_nodes`.
+  Scene scene{};
+  std::vector<BuildingParts> buildings;    ///< In the order of the model.
+  std::vector<NamedPeriod> periods;        ///< Of every building.
+  std::vector<Peak> peaks;                 ///< One for every quantity and place.
+  std::vector<GapClearance> clearances{};  ///< one for every gap
+  std::vector<Impact> impacts;             ///< In the order of their starts.
+  std::vector<BuildingTorsion> torsion{};  ///< in plan, of every building on bearings
+  Table histories;                         ///< Every quantity at every sample of the motion.
+  /// HistoryRecorder::floors, of a run with impacts; else empty.
+  Table floor_accelerations{};
+  /// Quantities in `histories` that recorders of the script offered (output/recorders/quantity_recorder.hpp).
+  std::vector<OfferedQuantity> offered{};
+  EnergyBalance energy;                  ///< At the end.
+  SolverStatistics solver;               ///< Cost.
+  ErrorBars error_bars{};                ///< How the errors of peaks were estimated.
+  std::vector<std::string> warnings;     ///< problems of accuracy or input, with the remedy
+  std::vector<std::string> assumptions;  ///< one sentence each: scheme, step, damping, sign conventions ...
+};
+
+}  // namespace moat

@@ -1,0 +1,23 @@
+// Tables as comma-separated text.
+#pragma once
+
+#include <filesystem>
+#include <vector>
+
+#include "output/files/case_result.hpp"
+
+namespace moat {
+
+/// Writes one header row (`time [s],displacement [m] base,...`) and one row per time.
+///
+/// A column with labels is called by its quantity alone and holds them instead of its numbers. Every number has the
+/// fewest digits that read back to the same double; a missing value is `nan`. A name that contains a comma or a quote
+/// is quoted as in RFC 4180. Throws InputError where columns differ in length, FileError where the file cannot be
+/// written.
+void write_csv(const Table& table, const std::filesystem::path& path);
+
+/// One row per impact: `where,start [s],duration [s],approach_speed [m/s],largest_indentation [m],largest_force [N],
+/// rebound_ratio [1],restitution [1],energy_lost [J]`. Without impacts only the header is written. Throws FileError.
+void write_csv(const std::vector<Impact>& impacts, const std::filesystem::path& path);
+
+}  // namespace moat

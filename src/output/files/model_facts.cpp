@@ -1,0 +1,85 @@
+#include "output/files/model_facts.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "model/building.hpp"
+#include "model/model.hpp"
+#include "output/recorders/gaps_of.hpp"
+
+namespace moat {
+namespace {
+
+std::string kind_of(const ElementBlock& block, const ElementInfo& info) {
+  if (info.isolates) return "bearing";
+  if (block.contacts() != nullptr) return "gap";
+  return info.drawn_as == DrawnAs::storey ? "storey" : "other";
+}
+
+ElementFacts facts_of(const Model& model, const ElementBlock& block, std::size_t element) {
+  const ElementInfo& info = block.info(element);
+  LawAsGiven law = law_of(block, element);
+  ElementFacts facts{.name = info.name,
+                     .kind = kind_of(block, info),
+                     .law = std::move(law.name),
+                     .first = std::string{model.body_name(info.first)},
+                     .second = std::string{model.body_name(info.second)},
+                     .parameters = {}};
+  if (const PlanPlaces* places = info.plan_places()) facts.plan_places = *places;
+  if (const MemberEnds* ends = info.member_ends()) {
+    const auto& [first, second, height] = *ends;
+    if (!first.is_node()) facts.first_other = model.node_name(first.other);
+    if (!second.is_node()) facts.second_other = model.node_name(second.other);
+    facts.first_share = first.share;
+    facts.second_share = second.share;
+  }
+  if (has_gaps(block)) facts.parameters.push_back({"clearance", info.offset, "m"});
+  for (const Parameter& each : law.parameters)
+    facts.parameters.push_back({std::string{each.name}, each.value, std::string{each.unit}});
+  return facts;
+}
+
+void add_plan(const Model& model, ModelFacts& facts) {
+  std::vector<NodeId> bases;
+  for (const Building& building : all_buildings(model)) bases.push_back(building.base);
+  for (const PlacedDiaphragm& each : model.diaphragms()) {
+    DiaphragmFacts diaphragm{.name = each.name,
+                             .gyration = each.gyration,
+                             .centre_of_mass = each.centre_of_mass,
+                             .is_base = std::ranges::find(bases, each.id.x) != bases.end()};
+    for (std::size_t i = 0; i < each.outline.size(); ++i) diaphragm.outline.push_back(each.outline.corner(i));
+    facts.diaphragms.push_back(std::move(diaphragm));
+  }
+  for (const auto& block : model.blocks()) {
+    const PlanContacts* contacts = block->plan_contacts();
+    for (std::size_t e = 0; contacts != nullptr && e < block->size(); ++e) {
+      const CornerPair& pair = contacts->pair(e);
+      const ElementInfo& info = block->info(e);
+      facts.corners.push_back({.element = info.name,
+                               .body = std::string{model.body_name(info.second)},
+                               .corner = pair.corner,
+                               .edge = pair.edge,
+                               .position = pair.position,
+                               .normal = pair.normal,
+                               .edge_begin = pair.edge_begin,
+                               .edge_end = pair.edge_end,
+                               .clearance = info.offset,
+                               .edge_is_wall = model.diaphragm_of(info.first) == nullptr});
+    }
+  }
+}
+
+}  // namespace
+
+ModelFacts facts_of(const Model& model) {
+  ModelFacts facts;
+  for (const Node& node : model.nodes())
+    facts.nodes.push_back({node.name, node.mass.value().si(), node.x.si(), node.height.si(),
+                           node.initial_displacement.si(), node.initial_velocity.si()});
+  for (const auto& block : model.blocks())
+    for (std::size_t e = 0; e < block->size(); ++e) facts.elements.push_back(facts_of(model, *block, e));
+  if (model.is_plan()) add_plan(model, facts);
+  return facts;
+}
+
+}  // namespace moat

@@ -1,0 +1,24 @@
+// Peaks and clearances as tables of text.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "output/files/case_result.hpp"
+
+namespace moat {
+
+/// The peaks, grouped by quantity in engineering units, each with its unit, its error where that is known
+/// ("-53.28 +- 0.02") and the time it was reached. A quantity with more than 12 places has two rows, the largest and
+/// the smallest magnitude of its places, which say how many there are. Quantities that are constant in the histories
+/// are left out. Empty without peaks.
+std::string peak_table(const CaseResult& result);
+
+/// The smallest opening of every gap in the same form, with the clearance at rest; of more than 12 gaps that with most
+/// and that with least left. Empty without gaps.
+std::string clearance_table(const CaseResult& result);
+
+/// The deformation of isolators at the end (output/recorders/at_the_end.hpp) in the same form. Empty without isolators.
+std::string table_at_the_end(const std::vector<Peak>& isolators);
+
+}  // namespace moat

@@ -1,0 +1,242 @@
+#include "output/files/summary.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include "output/files/file_io.hpp"
+#include "output/recorders/at_the_end.hpp"
+#include "output/recorders/constant_quantities.hpp"
+#include "output/recorders/energy_columns.hpp"
+#include "output/recorders/impact_columns.hpp"
+
+namespace moat {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json text_or_null(const std::string& text) { return text.empty() ? Json{} : Json(text); }
+
+// { name: { "value", "unit" } }
+Json json_of_parameters(const auto& parameters) {
+  Json json = Json::object();
+  for (const auto& each : parameters) json[std::string{each.name}] = {{"value", each.value}, {"unit", each.unit}};
+  return json;
+}
+
+Json json_of(const AnalysisFacts& analysis) {
+  return {{"integrator", text_or_null(analysis.integrator)},
+          {"events", text_or_null(analysis.events)},
+          {"error_bars", text_or_null(analysis.error_bars)},
+          {"options", json_of_parameters(analysis.options)}};
+}
+
+Json json_of(const Provenance& provenance) {
+  Json options = Json::object();
+  for (const auto& [name, value] : provenance.options) options[name] = value;
+  return {{"command_line", text_or_null(provenance.command_line)},
+          {"script", text_or_null(provenance.script)},
+          {"script_sha256", text_or_null(provenance.script_sha256)},
+          {"options", std::move(options)},
+          {"moat_version", provenance.moat_version},
+          {"git_commit", text_or_null(provenance.git_commit)},
+          {"date", text_or_null(provenance.date)}};
+}
+
+Json json_of(const MotionFacts& motion) {
+  const MotionComponent first = motion.components.empty() ? MotionComponent{} : motion.components.front();
+  Json components = Json::array();
+  for (const MotionComponent& component : motion.components)
+    components.push_back(Json{{"name", component.name},
+                              {"file", text_or_null(component.file.path)},
+                              {"sha256", text_or_null(component.file.sha256)},
+                              {"scale_factor", component.scale_factor}});
+  return {{"name", motion.name},
+          {"peak_acceleration", motion.peak_acceleration},
+          {"peak_velocity", motion.peak_velocity},
+          {"time_step", motion.time_step},
+          {"duration", motion.duration},
+          {"file", text_or_null(first.file.path)},
+          {"sha256", text_or_null(first.file.sha256)},
+          {"scale_factor", first.scale_factor},
+          {"components", std::move(components)},
+          {"notes", motion.notes},
+          {"units", {{"peak_acceleration", "m/s^2"}, {"peak_velocity", "m/s"}, {"time_step", "s"}, {"duration", "s"}}}};
+}
+
+Json json_of(PlanVector vector) { return {vector.x, vector.y}; }
+
+// Floors in plan, and the corners that can hit edges.
+void add_plan(Json& json, const ModelFacts& model) {
+  json["plan_units"] = {{"radius_of_gyration", "m"}, {"centre_of_mass", "m"},  {"outline", "m"},
+                        {"first_position", "m"},     {"second_position", "m"}, {"direction", "1"},
+                        {"position", "m"},           {"normal", "1"},          {"edge_begin", "m"},
+                        {"edge_end", "m"},           {"clearance", "m"}};
+  json["diaphragms"] = Json::array();
+  for (const DiaphragmFacts& each : model.diaphragms) {
+    Json outline = Json::array();
+    for (const PlanVector corner : each.outline) outline.push_back(json_of(corner));
+    json["diaphragms"].push_back(Json{{"name", each.name},
+                                      {"radius_of_gyration", each.gyration},
+                                      {"centre_of_mass", json_of(each.centre_of_mass)},
+                                      {"outline", std::move(outline)}});
+  }
+  json["corners"] = Json::array();
+  for (const CornerFacts& each : model.corners)
+    json["corners"].push_back(Json{{"element", each.element},
+                                   {"corner", each.corner},
+                                   {"edge", each.edge},
+                                   {"position", json_of(each.position)},
+                                   {"normal", json_of(each.normal)},
+                                   {"edge_begin", json_of(each.edge_begin)},
+                                   {"edge_end", json_of(each.edge_end)},
+                                   {"clearance", each.clearance}});
+}
+
+Json json_of(const ModelFacts& model, const std::vector<BuildingParts>& buildings) {
+  Json json{{"nodes", Json::array()},
+            {"node_units",
+             {{"mass", "kg"}, {"x", "m"}, {"height", "m"}, {"initial_displacement", "m"}, {"initial_velocity", "m/s"}}},
+            {"elements", Json::array()},
+            {"buildings", Json::array()}};
+  for (const NodeFacts& node : model.nodes)
+    json["nodes"].push_back(Json{{"name", node.name},
+                                 {"mass", node.mass},
+                                 {"x", node.x},
+                                 {"height", node.height},
+                                 {"initial_displacement", node.initial_displacement},
+                                 {"initial_velocity", node.initial_velocity}});
+  for (const BuildingParts& building : buildings)
+    json["buildings"].push_back(Json{{"name", building.name},
+                                     {"base", text_or_null(building.base)},
+                                     {"floors", building.floors},
+                                     {"isolators", building.isolators}});
+  for (const ElementFacts& element : model.elements) {
+    Json entry{
+        {"name", element.name},   {"kind", element.kind},     {"law", text_or_null(element.law)},
+        {"first", element.first}, {"second", element.second}, {"parameters", json_of_parameters(element.parameters)}};
+    // An end between two nodes: the share of the way from the node above to the other.
+    if (!element.first_other.empty())
+      entry["first_point"] = {{"other", element.first_other}, {"share", element.first_share}};
+    if (!element.second_other.empty())
+      entry["second_point"] = {{"other", element.second_other}, {"share", element.second_share}};
+    if (element.plan_places) {
+      entry["first_position"] = json_of(element.plan_places->first);
+      entry["second_position"] = json_of(element.plan_places->second);
+      // An element without one direction acts in both.
+      if (dot(element.plan_places->direction, element.plan_places->direction) > 0.0)
+        entry["direction"] = json_of(element.plan_places->direction);
+    }
+    json["elements"].push_back(std::move(entry));
+  }
+  if (!model.diaphragms.empty()) add_plan(json, model);
+  return json;
+}
+
+Json json_of(const EnergyBalance& energy) {
+  const auto by_place = [](const std::vector<DissipatedEnergy>& list) {
+    Json entries = Json::array();
+    for (const DissipatedEnergy& entry : list) entries.push_back(Json{{"where", entry.where}, {"value", entry.value}});
+    return entries;
+  };
+  Json json{{"unit", "J"}};
+  for (const EnergyColumn& column : energy_columns(energy.in_plan)) json[column.name] = energy.*column.value;
+  for (const EnergyColumn& column : energy_errors) json[column.name] = energy.*column.value;
+  json["worst_element"] = energy.worst_element;
+  json["worst_element_error"] = energy.worst_element_error;
+  json["bearings"] = by_place(energy.bearings);
+  json["gaps"] = by_place(energy.gaps);
+  return json;
+}
+
+Json json_of(const SolverStatistics& solver) {
+  return {{"accepted_steps", solver.accepted_steps},
+          {"rejected_steps", solver.rejected_steps},
+          {"repeated_steps", solver.repeated_steps},
+          {"event_solves", solver.event_solves},
+          {"events", solver.events},
+          {"newton_iterations", solver.newton_iterations},
+          {"factorisations", solver.factorisations},
+          {"cpu_seconds", solver.cpu_seconds},
+          {"longest_step", solver.longest_step}};
+}
+
+Json json_of(const ErrorBars& bars) {
+  Json json{{"checked", bars.checked},      {"method", error_bar_method},  {"companion", bars.companion},
+            {"companion_impacts", nullptr}, {"companion_solver", nullptr}, {"sensitive", nullptr},
+            {"reason", bars.reason}};
+  if (bars.checked) {
+    json["companion_impacts"] = bars.companion_impacts;
+    json["companion_solver"] = json_of(bars.companion_solver);
+    json["sensitive"] = bars.sensitive;
+  }
+  json["unsettled"] = Json::array();
+  for (const Peak& peak : bars.unsettled)
+    json["unsettled"].push_back(Json{{"quantity", peak.quantity}, {"where", peak.where}});
+  return json;
+}
+
+}  // namespace
+
+void write_summary_json(const CaseResult& result, const std::filesystem::path& path) {
+  Json json;
+  json["title"] = result.title;
+  json["moat_version"] = result.provenance.moat_version;
+  json["provenance"] = json_of(result.provenance);
+  json["motion"] = json_of(result.motion);
+  json["model"] = json_of(result.model, result.buildings);
+  json["analysis"] = json_of(result.analysis);
+  json["periods"] = Json::array();
+  for (const NamedPeriod& period : result.periods)
+    json["periods"].push_back(Json{{"name", period.name}, {"value", period.value}, {"unit", "s"}});
+  json["assumptions"] = result.assumptions;
+  json["peaks"] = Json::array();
+  for (const Peak& peak : result.peaks)
+    json["peaks"].push_back(Json{{"quantity", peak.quantity},
+                                 {"where", peak.where},
+                                 {"value", peak.value},
+                                 {"unit", peak.unit},
+                                 {"time", peak.time},
+                                 {"error", peak.error},
+                                 {"side", peak.side}});
+  json["clearances"] = Json::array();
+  for (const GapClearance& gap : result.clearances)
+    json["clearances"].push_back(Json{{"where", gap.where},
+                                      {"clearance", gap.clearance},
+                                      {"clearance_left", gap.left},
+                                      {"unit", "m"},
+                                      {"time", gap.time},
+                                      {"error", gap.error}});
+  json["isolators_at_the_end"] = Json::array();
+  for (const Peak& isolator : isolators_at_the_end(result.histories))
+    json["isolators_at_the_end"].push_back(
+        Json{{"where", isolator.where}, {"deformation", isolator.value}, {"unit", "m"}, {"time", isolator.time}});
+  json["constant_quantities"] = constant_quantities(result.histories);
+  json["error_bars"] = json_of(result.error_bars);
+  json["impacts"] = result.impacts.size();
+  json["impact_units"] = Json::object();
+  for (const ImpactColumn& column : columns_of(result.impacts)) json["impact_units"][column.name] = column.unit;
+  json["impact_table"] = Json::array();
+  for (const Impact& impact : result.impacts) {
+    Json row{{"where", impact.where}};
+    for (const ImpactColumn& column : columns_of(result.impacts)) row[column.name] = impact.*column.value;
+    if (are_in_plan(result.impacts))
+      for (const ImpactName& name : impact_names_in_plan) row[name.name] = impact.*name.value;
+    json["impact_table"].push_back(std::move(row));
+  }
+  if (!result.torsion.empty()) json["torsion"] = Json::array();
+  for (const BuildingTorsion& torsion : result.torsion)
+    json["torsion"].push_back(Json{{"where", torsion.where},
+                                   {"corner_displacement", torsion.corner},
+                                   {"displacement", torsion.centre},
+                                   {"amplification", torsion.amplification()},
+                                   {"eccentricity", torsion.eccentricity},
+                                   {"period_ratio", torsion.period_ratio},
+                                   {"of_formula", torsion.of_formula},
+                                   {"of_code", torsion.of_code}});
+  json["energy"] = json_of(result.energy);
+  json["warnings"] = result.warnings;
+  json["solver"] = json_of(result.solver);
+  // A title in another encoding must not cost the results of a run.
+  write_file(path, json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
+}
+
+}  // namespace moat

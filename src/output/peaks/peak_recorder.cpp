@@ -1,0 +1,94 @@
+#include "output/peaks/peak_recorder.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+namespace moat {
+
+PeakRecorder::PeakRecorder(const Model& model) : model_{&model}, channels_{model}, peaks_{channels_.list().size()} {}
+
+void PeakRecorder::start(const StepView& view) { step(view); }
+
+void PeakRecorder::step(const StepView& view) {
+  sample(view);
+  peaks_.add([&](std::size_t channel, double fraction, double turned) {
+    return channels_.value_inside(view, channel, fraction, turned);
+  });
+  if (model_->is_plan()) add_slide_begins();
+}
+
+void PeakRecorder::sample(const StepView& view) {
+  CommonInstant& next = peaks_.next();
+  next.time = view.model.state().time;
+  channels_.sample(view, next.values, next.rates);
+}
+
+// Where a corner began to slide inside the step, the rates of its friction and of the accelerations jump.
+void PeakRecorder::add_slide_begins() {
+  const double start = peaks_.start().time, end = peaks_.last().time;
+  for (std::size_t b = 0; b < model_->blocks().size(); ++b) {
+    const PlanContacts* contacts = model_->blocks()[b]->plan_contacts();
+    if (contacts == nullptr || model_->blocks()[b]->contacts()->touching() == 0) continue;
+    for (std::size_t e = 0; e < model_->blocks()[b]->size(); ++e) {
+      const double fraction = contacts->slide_begin(e);
+      if (std::isnan(fraction)) continue;
+      for (const std::size_t channel : channels_.bent_by(*model_, {.block = b, .element = e}))
+        peaks_.add_bend(channel, start + fraction * (end - start));
+    }
+  }
+}
+
+void PeakRecorder::event(const StepView& view, std::span<const RegimeChange> changes) {
+  if (!values_jump(changes)) {
+    for (const RegimeChange& change : changes)
+      for (const std::size_t channel : channels_.bent_by(*model_, change)) peaks_.add_bend(channel, change.time);
+    return;
+  }
+  sample(view);
+  peaks_.restart();
+}
+
+std::vector<Peak> PeakRecorder::peaks() const {
+  std::vector<Peak> peaks;
+  std::vector<std::size_t> channel_of_peak;
+  std::map<std::pair<std::string, std::string>, std::size_t> index;
+  for (std::size_t i = 0; i < peaks_.size(); ++i) {
+    const Channel& channel = channels_.list()[i];
+    const auto [found, inserted] = index.try_emplace({channel.quantity, channel.place}, peaks.size());
+    if (inserted) {
+      peaks.push_back({channel.quantity, channel.place, 0.0, channel.unit, 0.0});
+      channel_of_peak.push_back(i);
+    }
+    Peak& peak = peaks[found->second];
+    if (peaks_.magnitude(i) > peak.magnitude()) {
+      peak.value = peaks_.value(i);
+      peak.time = peaks_.time(i);
+      channel_of_peak[found->second] = i;
+    }
+  }
+  for (std::size_t i = 0; i < peaks.size(); ++i) peaks[i].side = side_of(channel_of_peak[i], peaks[i]);
+  // In plan the maxima of two directions make no sum.
+  if (model_->is_plan()) return peaks;
+  for (const Building& building : model_->buildings()) {
+    Peak sum{"sum_of_floor_inertia_maxima", building.base_name(), 0.0, "N", 0.0};
+    for (const NodeId node : building.nodes()) {
+      const std::size_t acceleration = Channels::of_node(node) + 2;
+      sum.value += model_->mass(node) * peaks_.magnitude(acceleration);
+      // The maxima are not simultaneous; the last of them completes the sum.
+      sum.time = std::max(sum.time, peaks_.time(acceleration));
+    }
+    peaks.push_back(sum);
+  }
+  return peaks;
+}
+
+std::string PeakRecorder::side_of(std::size_t channel, const Peak& peak) const {
+  const Channel& of_peak = channels_.list()[channel];
+  if (peak.value == 0.0) return "";
+  if (of_peak.where != of_peak.place) return of_peak.where;
+  if (of_peak.of_gap || model_->is_plan()) return "";
+  return peak.value > 0.0 ? "right" : "left";
+}
+
+}  // namespace moat

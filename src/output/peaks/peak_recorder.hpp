@@ -1,0 +1,39 @@
+// Peaks of all channels over continuous time.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "output/files/case_result.hpp"
+#include "output/peaks/peak_trackers.hpp"
+#include "output/recorders/channels.hpp"
+
+namespace moat {
+
+/// Follows every channel and lists its peak with its sign; channels of one quantity and place share one. Adds the
+/// `sum_of_floor_inertia_maxima` of every building: the sum of mass times peak absolute acceleration.
+class PeakRecorder final : public StepObserver {
+ public:
+  /// The model must be complete.
+  explicit PeakRecorder(const Model& model);
+
+  void start(const StepView& view) override;
+  void step(const StepView& view) override;
+  void event(const StepView& view, std::span<const RegimeChange> changes) override;
+
+  /// All channels at the end of the last step, or just after an event behind which they jumped.
+  [[nodiscard]] const CommonInstant& last() const { return peaks_.last(); }
+  /// One for every channel that has a peak.
+  [[nodiscard]] std::vector<Peak> peaks() const;
+
+ private:
+  void sample(const StepView& view);
+  void add_slide_begins();
+  [[nodiscard]] std::string side_of(std::size_t channel, const Peak& peak) const;
+
+  const Model* model_;
+  Channels channels_;
+  PeakTrackers peaks_;  // of all channels
+};
+
+}  // namespace moat

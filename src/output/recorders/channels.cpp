@@ -1,0 +1,166 @@
+#include "output/recorders/channels.hpp"
+
+#include <algorithm>
+
+#include "output/recorders/gaps_of.hpp"
+
+namespace moat {
+
+Channels::Channels(const Model& model) {
+  for (int i = 0; i < model.node_count(); ++i) add_node(model, NodeId{i});
+  for (std::size_t b = 0; b < model.blocks().size(); ++b) add_elements(model, b);
+  base_shear_of_node_.assign(model.nodes().size(), -1);
+  first_in_plan_ = list_.size();
+  if (model.is_plan()) {
+    plan_ = PlanChannels{model, list_};
+    return;
+  }
+  for (const Building& building : model.buildings()) {
+    base_shears_.push_back({list_.size(), building.nodes()});
+    for (const NodeId node : base_shears_.back().nodes)
+      base_shear_of_node_[static_cast<std::size_t>(node.index)] = static_cast<int>(list_.size());
+    list_.push_back({"total_base_shear", building.base_name(), building.base_name(), "N"});
+  }
+}
+
+void Channels::add_elements(const Model& model, std::size_t b) {
+  const ElementBlock& block = *model.blocks()[b];
+  const ElementLaws* laws = block.laws();
+  BlockChannels of_block{b, {}, {}, {}, {}};
+  for (std::size_t e = 0; e < block.size(); ++e) {
+    const ElementInfo& info = block.info(e);
+    if (!info.deformation_quantity.empty()) {
+      const bool indentation = block.contacts() != nullptr;
+      (indentation ? of_block.indentations : of_block.deformations).push_back({e, list_.size()});
+      list_.push_back({info.deformation_quantity, info.name, info.listed_under(), "m", has_gaps(block)});
+    }
+    if (info.force_quantity.empty()) continue;
+    if (laws != nullptr && !block.constant_tangent()) of_laws_.push_back({list_.size(), b, e});
+    of_block.forces.push_back({e, list_.size()});
+    list_.push_back({info.force_quantity, info.name, info.listed_under(), "N", has_gaps(block)});
+    if (laws == nullptr) continue;
+    const auto quantities = laws->law_quantities(e);
+    for (std::size_t q = 0; q < quantities.size(); ++q) {
+      const ReportedQuantity& quantity = quantities[q];
+      of_block.law_quantities.push_back({e, list_.size(), q});
+      list_.push_back(
+          {std::string{quantity.name}, info.name, info.listed_under(), std::string{quantity.unit}, has_gaps(block)});
+    }
+  }
+  if (!of_block.deformations.empty() || !of_block.indentations.empty() || !of_block.forces.empty())
+    blocks_.push_back(std::move(of_block));
+}
+
+void Channels::add_node(const Model& model, NodeId id) {
+  const PlacedDiaphragm* diaphragm = model.diaphragm_of(id);
+  const std::string& name = diaphragm != nullptr ? diaphragm->name : model.node(id).name;
+  const auto add = [&](const std::string& quantity, const char* unit) {
+    list_.push_back({quantity, name, name, unit});
+  };
+  if (diaphragm != nullptr && id == diaphragm->id.r) {
+    rotations_.push_back({list_.size(), 1.0 / diaphragm->gyration});
+    add("rotation", "rad");
+    add("angular_velocity", "rad/s");
+    add("angular_acceleration", "rad/s^2");
+    return;
+  }
+  const std::string component = diaphragm == nullptr ? "" : id == diaphragm->id.x ? "_x" : "_y";
+  add("displacement" + component, "m");
+  add("velocity" + component, "m/s");
+  add("absolute_acceleration" + component, "m/s^2");
+}
+
+std::vector<std::size_t> Channels::bent_by(const Model& model, const RegimeChange& change) const {
+  const ElementInfo& info = model.blocks()[change.block]->info(change.element);
+  std::vector<std::size_t> bent;
+  for (const NodeId end : {info.first, info.second}) {
+    for (const NodeId node : model.body_of(end)) {
+      bent.push_back(of_node(node) + 2);
+      if (const int shear = base_shear_of_node_[static_cast<std::size_t>(node.index)]; shear >= 0)
+        bent.push_back(static_cast<std::size_t>(shear));
+    }
+    plan_.add_bent_by(model, end, bent);
+  }
+  plan_.add_friction(change.block, change.element, bent);
+  return bent;
+}
+
+int Channels::find(std::string_view quantity, std::string_view where) const {
+  for (std::size_t i = 0; i < list_.size(); ++i)
+    if (list_[i].quantity == quantity && list_[i].where == where) return static_cast<int>(i);
+  return -1;
+}
+
+void Channels::sample(const StepView& view, std::vector<double>& values, std::vector<double>& rates) const {
+  values.resize(list_.size());
+  rates.resize(list_.size());
+  double *value = values.data(), *rate = rates.data();
+  const MotionState& state = view.model.state();
+  const double *displacement = state.displacement.data(), *velocity = state.velocity.data(),
+               *acceleration = state.acceleration.data(), *jerk = state.jerk.data();
+  const GroundShares shares = view.model.ground_shares();
+  const PlanVector ground_acceleration = view.ground();
+  const int count = view.model.node_count();
+  for (int i = 0; i < count; ++i) {
+    const std::size_t channel = of_node(NodeId{i});
+    value[channel] = displacement[i];
+    value[channel + 1] = rate[channel] = velocity[i];
+    rate[channel + 1] = acceleration[i];
+    value[channel + 2] = acceleration[i] + shares.of(ground_acceleration, i);
+    rate[channel + 2] = jerk[i];
+  }
+  for (const Rotation& rotation : rotations_) {
+    for (std::size_t k = rotation.channel; k < rotation.channel + 3; ++k) {
+      value[k] *= rotation.per_metre;
+      rate[k] *= rotation.per_metre;
+    }
+  }
+  for (const BlockChannels& channels : blocks_) sample(*view.model.blocks()[channels.block], channels, value, rate);
+  for (const BaseShear& shear : base_shears_) {
+    double inertia = 0.0, inertia_rate = 0.0;
+    for (const NodeId node : shear.nodes) {
+      const double mass = view.model.mass(node);
+      inertia += mass * value[of_node(node) + 2];
+      inertia_rate += mass * rate[of_node(node) + 2];
+    }
+    value[shear.channel] = -inertia;
+    rate[shear.channel] = -inertia_rate;
+  }
+  if (!view.model.is_plan()) return;
+  value += first_in_plan_;
+  rate += first_in_plan_;
+  plan_.sample(view, value, rate);
+}
+
+void Channels::sample(const ElementBlock& block, const BlockChannels& channels, double* values, double* rates) {
+  const ElementResults results = block.results();
+  const double *forces = results.forces.data(), *force_rates = results.force_rates.data();
+  for (const auto& [element, channel] : channels.forces) {
+    values[channel] = forces[element];
+    rates[channel] = force_rates[element];
+  }
+  const double *deformations = results.deformations.data(), *deformation_rates = results.rates.data();
+  for (const auto& [element, channel] : channels.deformations) {
+    values[channel] = deformations[element];
+    rates[channel] = deformation_rates[element];
+  }
+  // An open gap is not indented.
+  for (const auto& [element, channel] : channels.indentations) {
+    const bool closed = deformations[element] >= 0.0;
+    values[channel] = closed ? deformations[element] : 0.0;
+    rates[channel] = closed ? deformation_rates[element] : 0.0;
+  }
+  for (const auto& [element, channel, quantity] : channels.law_quantities) {
+    const ReportedValue now = block.laws()->law_quantity(element, quantity);
+    values[channel] = now.value;
+    rates[channel] = now.rate;
+  }
+}
+
+double Channels::value_inside(const StepView& view, std::size_t channel, double fraction, double of_cubic) const {
+  const auto found = std::ranges::lower_bound(of_laws_, channel, {}, &LawChannel::channel);
+  if (found == of_laws_.end() || found->channel != channel) return of_cubic;
+  return view.model.blocks()[found->block]->laws()->force_inside(found->element, fraction);
+}
+
+}  // namespace moat

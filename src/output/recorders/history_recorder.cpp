@@ -1,0 +1,185 @@
+#include "output/recorders/history_recorder.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "base/check.hpp"
+#include "base/hermite.hpp"
+#include "model/building.hpp"
+#include "output/recorders/energy_columns.hpp"
+#include "output/recorders/gaps_of.hpp"
+
+namespace moat {
+namespace {
+
+constexpr double longest_between_floors = 1e-3;  // s
+
+}  // namespace
+
+HistoryRecorder::HistoryRecorder(const Model& model, double interval, const EnergyLedger* ledger, bool inside_steps)
+    : channels_{model}, interval_{interval}, ledger_{ledger}, inside_steps_{inside_steps}, in_plan_{model.is_plan()} {
+  Check{"HistoryRecorder", ""}.positive("interval", interval, "s");
+  columns_.push_back({"time", "", "s", {}});
+  if (in_plan_) {
+    columns_.push_back({"ground_acceleration_x", "ground", "m/s^2", {}});
+    columns_.push_back({"ground_acceleration_y", "ground", "m/s^2", {}});
+  } else {
+    columns_.push_back({"ground_acceleration", "ground", "m/s^2", {}});
+  }
+  for (const Channel& channel : channels_.list())
+    columns_.push_back({channel.quantity, channel.where, channel.unit, {}});
+  for (std::size_t b = 0; b < model.blocks().size(); ++b) {
+    if (!has_gaps(*model.blocks()[b])) continue;
+    for (std::size_t e = 0; e < model.blocks()[b]->size(); ++e) {
+      gaps_.push_back({b, e});
+      columns_.push_back({"opening", model.blocks()[b]->info(e).name, "m", {}});
+    }
+  }
+  if (ledger_ != nullptr)
+    for (const EnergyColumn& column : energy_columns(in_plan_))
+      columns_.push_back({std::string{column.name} + "_energy", "structure", "J", {}});
+  if (gaps_.empty() || interval_ <= longest_between_floors) return;
+  constexpr std::size_t most_buildings = 3;
+  floors_.columns.push_back(columns_.front());
+  const std::vector<Building> buildings = all_buildings(model);
+  for (std::size_t b = 0; b < std::min(buildings.size(), most_buildings); ++b)
+    for (const NodeId floor : {buildings[b].base, buildings[b].top()})
+      for (const NodeId node : model.body_of(floor)) {
+        channels_of_floors_.push_back(Channels::of_node(node) + 2);
+        const Channel& acceleration = channels_.list()[channels_of_floors_.back()];
+        floors_.columns.push_back({acceleration.quantity, acceleration.where, acceleration.unit, {}});
+      }
+}
+
+void HistoryRecorder::add_rows_of_floors() {
+  if (channels_of_floors_.empty()) return;
+  std::vector<double>& times = floors_.columns.front().values;
+  const double step = now_.time - before_.time, first = times.empty() ? before_.time : times.front();
+  const double interval = interval_ / std::ceil(interval_ / longest_between_floors);
+  for (double time; (time = first + static_cast<double>(times.size()) * interval) <= now_.time;) {
+    const double x = (time - before_.time) / step;
+    times.push_back(time);
+    for (std::size_t k = 0; k < channels_of_floors_.size(); ++k) {
+      const std::size_t i = channels_of_floors_[k];
+      const HermiteCubic cubic{before_.values[i], before_.rates[i], now_.values[i], now_.rates[i], step};
+      floors_.columns[k + 1].values.push_back(
+          cubic.is_smooth() ? cubic.value(x) : before_.values[i] + x * (now_.values[i] - before_.values[i]));
+    }
+  }
+}
+
+void HistoryRecorder::add(const OfferedQuantities& quantities) {
+  offered_ = &quantities;
+  for (; offered_columns_ < quantities.list().size(); ++offered_columns_) {
+    const OfferedQuantity& each = quantities.list()[offered_columns_];
+    const bool is_new = std::ranges::none_of(
+        columns_, [&](const Column& head) { return head.quantity == each.quantity && head.where == each.where; });
+    Check{"QuantityRecorder", each.quantity}.that(
+        is_new, "moat records a quantity of this name at \"" + each.where + "\" itself.", "Choose another name.");
+    columns_.push_back({each.quantity, each.where, each.unit, {}});
+  }
+}
+
+void HistoryRecorder::start(const StepView& view) {
+  constexpr double coincident = 1e-9;  // of an interval
+  next_ = static_cast<long>(std::ceil(view.model.state().time / interval_ - coincident));
+  take(view, true);
+  if (std::abs(now_.time - next_time()) > coincident * interval_) return;
+  add_row(now_);
+  ++next_;
+}
+
+void HistoryRecorder::step(const StepView& view) {
+  constexpr double coincident = 1e-9;  // of an interval
+  const double time = view.model.state().time;
+  const bool due = time >= next_time() - coincident * interval_;
+  before_.values.swap(now_.values);
+  before_.rates.swap(now_.rates);
+  before_.energies.swap(now_.energies);
+  before_.offered.swap(now_.offered);
+  before_.time = now_.time;
+  before_.ground_acceleration = now_.ground_acceleration;
+  take(view, due || inside_steps_);
+  add_rows_of_floors();
+  for (; time >= next_time() - coincident * interval_; ++next_)
+    add_row(std::abs(time - next_time()) <= coincident * interval_ ? now_ : between(view, next_time()));
+}
+
+void HistoryRecorder::event(const StepView& view, std::span<const RegimeChange> changes) {
+  if (values_jump(changes)) take(view, inside_steps_);
+}
+
+void HistoryRecorder::take(const StepView& view, bool with_energies) {
+  now_.time = view.model.state().time;
+  now_.ground_acceleration = view.ground();
+  if (sampled_ != nullptr) {
+    now_.values = sampled_->last().values;
+    now_.rates = sampled_->last().rates;
+  } else {
+    channels_.sample(view, now_.values, now_.rates);
+  }
+  for (const auto& [b, e] : gaps_) {
+    const ElementResults results = view.model.blocks()[b]->results();
+    now_.values.push_back(0.0 - results.deformations[e]);  // not -0 where bodies touch at rest
+    now_.rates.push_back(-results.rates[e]);
+  }
+  if (offered_ != nullptr) offered_->sample(view, now_.offered);
+  if (ledger_ == nullptr || !with_energies) return;
+  const EnergyBalance balance = ledger_->totals(view.model);
+  now_.energies.clear();
+  for (const EnergyColumn& column : energy_columns(in_plan_)) now_.energies.push_back(balance.*column.value);
+}
+
+const HistoryRecorder::Sample& HistoryRecorder::between(const StepView& view, double time) {
+  const double step = now_.time - before_.time, x = (time - before_.time) / step;
+  const auto linear = [x](double first, double last) { return first + x * (last - first); };
+  inside_.time = time;
+  inside_.ground_acceleration = {linear(before_.ground_acceleration.x, now_.ground_acceleration.x),
+                                 linear(before_.ground_acceleration.y, now_.ground_acceleration.y)};
+  inside_.values.resize(now_.values.size());
+  for (std::size_t i = 0; i < now_.values.size(); ++i) {
+    const HermiteCubic cubic{before_.values[i], before_.rates[i], now_.values[i], now_.rates[i], step};
+    // The openings of gaps follow the channels.
+    const bool is_channel = i < channels_.list().size();
+    const double value = cubic.is_smooth() ? cubic.value(x) : linear(before_.values[i], now_.values[i]);
+    inside_.values[i] = is_channel ? channels_.value_inside(view, i, x, value) : value;
+  }
+  inside_.energies = now_.energies;
+  if (before_.energies.size() == now_.energies.size())
+    for (std::size_t i = 0; i < now_.energies.size(); ++i)
+      inside_.energies[i] = linear(before_.energies[i], now_.energies[i]);
+  inside_.offered = now_.offered;
+  for (std::size_t i = 0; i < now_.offered.size(); ++i)
+    inside_.offered[i] = linear(before_.offered[i], now_.offered[i]);
+  return inside_;
+}
+
+void HistoryRecorder::reserve(double duration) {
+  constexpr double most = 1 << 23;  // numbers in all columns
+  const double rows = std::min(duration / interval_ + 2.0, most / static_cast<double>(columns_.size()));
+  for (Column& column : columns_) column.values.reserve(static_cast<std::size_t>(rows));
+}
+
+Table HistoryRecorder::take_table() {
+  Table taken;
+  for (Column& column : columns_)
+    taken.columns.push_back({column.quantity, column.where, column.unit, std::exchange(column.values, {})});
+  return taken;
+}
+
+void HistoryRecorder::add_row(const Sample& sample) {
+  // Before the row: without memory for it all columns keep one length.
+  for (Column& each : columns_)
+    if (each.values.size() == each.values.capacity()) each.values.reserve(2 * each.values.size() + 1);
+  auto column = columns_.begin();
+  const auto add = [&](double value) { (column++)->values.push_back(value); };
+  add(sample.time);
+  add(sample.ground_acceleration.x);
+  if (in_plan_) add(sample.ground_acceleration.y);
+  std::ranges::for_each(sample.values, add);
+  if (ledger_ != nullptr) std::ranges::for_each(sample.energies, add);
+  std::ranges::for_each(sample.offered, add);
+}
+
+}  // namespace moat

@@ -1,0 +1,78 @@
+// Histories of all channels.
+#pragma once
+
+#include <utility>
+#include <vector>
+
+#include "output/files/table.hpp"
+#include "output/peaks/peak_recorder.hpp"
+#include "output/recorders/channels.hpp"
+#include "output/recorders/energy_ledger.hpp"
+#include "output/recorders/offered_quantities.hpp"
+
+namespace moat {
+
+/// Keeps time, ground acceleration, every channel and the opening of every gap (negative while indented) at the
+/// multiples of a constant interval, from the first at or after the start on. A row that falls inside a step is
+/// interpolated: channels by the cubic through value and rate at both ends (forces of laws that are not linear by the
+/// law itself), everything else linearly. With a ledger the energies too, at place "structure", then the quantities
+/// that recorders offer. At an event a row has the values before it.
+class HistoryRecorder final : public StepObserver {
+ public:
+  /// interval: s, > 0. ledger: must outlive the recorder and be attached before it; may be null. inside_steps: rows may
+  /// fall inside steps, so that energies are needed at every step.
+  HistoryRecorder(const Model& model, double interval, const EnergyLedger* ledger = nullptr, bool inside_steps = false);
+
+  void start(const StepView& view) override;
+  void step(const StepView& view) override;
+  void event(const StepView& view, std::span<const RegimeChange> changes) override;
+
+  /// Before the start: adds columns for these quantities, which must outlive the recorder; called again, for those
+  /// listed since. Throws InputError for one that has a column already.
+  void add(const OfferedQuantities& quantities);
+
+  /// Before the start: channels are those that these peaks sample, which must outlive the recorder and be attached
+  /// before it. Otherwise they are sampled a second time.
+  void share_samples_of(const PeakRecorder& peaks) { sampled_ = &peaks; }
+  /// Before the start: room for the rows of so many seconds, up to 64 MB. More may come.
+  void reserve(double duration);
+
+  /// All columns, from the start to the last recorded time.
+  [[nodiscard]] Table table() const { return {columns_}; }
+  /// The same, whose rows the recorder then no longer has.
+  [[nodiscard]] Table take_table();
+  /// Absolute accelerations of the bases and tops of three buildings every 1 ms or less, because rows of `interval`
+  /// miss peaks of impacts. Empty for a model without gaps, and where `interval` is as short.
+  [[nodiscard]] const Table& floors() const { return floors_; }
+
+ private:
+  // Everything at one instant.
+  struct Sample {
+    double time = 0.0;
+    PlanVector ground_acceleration{};
+    std::vector<double> values, rates, energies, offered;
+  };
+
+  void take(const StepView& view, bool with_energies);
+  void add_row(const Sample& sample);
+  void add_rows_of_floors();
+  [[nodiscard]] const Sample& between(const StepView& view, double time);
+  [[nodiscard]] double next_time() const { return static_cast<double>(next_) * interval_; }
+
+  Channels channels_;
+  std::vector<std::pair<std::size_t, std::size_t>> gaps_;  // block and element
+  double interval_;
+  const EnergyLedger* ledger_;
+  bool inside_steps_;
+  bool in_plan_;
+  const PeakRecorder* sampled_ = nullptr;
+  const OfferedQuantities* offered_ = nullptr;
+  std::size_t offered_columns_ = 0;
+  long next_ = 0;  // multiple of the interval
+  Sample before_, now_, inside_;
+  std::vector<Column> columns_;
+  std::vector<std::size_t> channels_of_floors_;
+  Table floors_;  // time, then these channels
+};
+
+}  // namespace moat

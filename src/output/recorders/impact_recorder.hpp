@@ -1,0 +1,55 @@
+// The table of impacts.
+#pragma once
+
+#include <vector>
+
+#include "output/files/case_result.hpp"
+#include "output/peaks/peak_tracker.hpp"
+#include "output/recorders/step_observer.hpp"
+
+namespace moat {
+
+/// Lists every contact from touch until the gap opens, with the true rate of the indentation at touch as approach
+/// speed. The restitution of the law alone is filled in at finish().
+///
+/// The rebound ratio is NaN in three cases: for a contact that still lasts at the end, which is listed with its
+/// duration so far; for one without approach, closed when the model starts (time 0) or touched at a speed <= 0, which
+/// has no restitution either; and for one driven after a slow touch, which would rebound with more than
+/// `largest_rebound_ratio`.
+class ImpactRecorder final : public StepObserver {
+ public:
+  bool needs_energy_accounts() const override { return true; }
+  void start(const StepView& view) override;
+  void step(const StepView& view) override;
+  void event(const StepView& view, std::span<const RegimeChange> changes) override;
+  void finish(const StepView& view) override;
+
+  /// In order of touch.
+  [[nodiscard]] const std::vector<Impact>& impacts() const { return impacts_; }
+
+  /// As d'/v0 in the impact laws counts at most this.
+  static constexpr double largest_rebound_ratio = 100.0;
+
+ private:
+  struct Listed {
+    RegimeChange gap;
+    bool approached;
+  };
+  struct Ongoing {
+    RegimeChange gap;
+    std::size_t impact;
+    PeakTracker indentation, force, friction;
+    double dissipated_before, friction_before;  // J
+    int left_before = 0;                        // how often the corner had left its edge in contact
+  };
+
+  void follow(const StepView& view, bool after_event);
+  void open(const StepView& view, RegimeChange gap, bool closed_at_start = false);
+  void close(const StepView& view, const Ongoing& contact, double time, double rate, bool separated);
+
+  std::vector<Impact> impacts_;
+  std::vector<Listed> listed_;  // the gaps of the impacts
+  std::vector<Ongoing> ongoing_;
+};
+
+}  // namespace moat

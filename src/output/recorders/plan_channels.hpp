@@ -1,0 +1,72 @@
+// The quantities that a model in plan reports besides those of its degrees of freedom.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "model/model.hpp"
+#include "output/recorders/step_observer.hpp"
+
+namespace moat {
+
+/// One reported quantity.
+struct Channel {
+  std::string quantity;  ///< "displacement", "absolute_acceleration", "drift", "storey_shear", ...
+  std::string where;     ///< node, element or report: "base", "moat left"
+  std::string place;     ///< where its peak is listed: "moat" for "moat left"
+  std::string unit;      ///< SI
+  bool of_gap = false;   ///< Whether a gap reports it, whose sign is no side.
+};
+
+/// Resultants of simultaneous components and quantities at corners:
+///
+/// - `displacement`, `absolute_acceleration` [m, m/s^2]: resultants at the centre of mass of every diaphragm;
+/// - `corner_displacement`, `corner_acceleration`: the same at the corners of its outline;
+/// - `corner_drift` [m]: resultant displacement of a floor relative to the floor below, at the corners of its outline,
+///   and `drift_x`, `drift_y` at its centre of mass, `drift_rotation` [rad], for the floors of every Building;
+/// - components "_x" and "_y" of the quantities of PlanarElements;
+/// - `friction_force` [N] of contacts, along the edge;
+/// - `total_base_shear_x`, `total_base_shear_y` [N] and `total_base_torque` [N m] about the origin of every Building.
+///
+/// Corners share the place of their diaphragm, so that the peak is the largest of all corners and its side names it.
+class PlanChannels {
+ public:
+  PlanChannels() = default;
+  /// Appends the channels to `list`.
+  PlanChannels(const Model& model, std::vector<Channel>& list);
+
+  /// Writes values and rates and moves both pointers behind them.
+  void sample(const StepView& view, double*& value, double*& rate) const;
+  /// Appends the channels of a contact's friction.
+  void add_friction(std::size_t block, std::size_t element, std::vector<std::size_t>& bent) const;
+  /// Appends the channels whose rates jump where the acceleration of this body does.
+  void add_bent_by(const Model& model, NodeId body, std::vector<std::size_t>& bent) const;
+
+ private:
+  // A point of a diaphragm, or the difference of two diaphragms there.
+  struct Point {
+    DiaphragmId id;
+    PlanVector arm;  // from the centre of mass, m
+  };
+  struct Drift {
+    Point upper, lower;  // lower.id.x == ground where the storey stands on the ground
+  };
+  struct ElementOfBlock {
+    std::size_t block, element;
+    bool has_deformation, has_force;
+  };
+  void add_diaphragm(const PlacedDiaphragm& diaphragm, std::vector<Channel>& list);
+  void add_drifts(const Model& model, const Building& building, std::vector<Channel>& list);
+  void add_elements(const Model& model, std::vector<Channel>& list);
+
+  std::vector<Point> points_;  // two channels each: displacement, acceleration
+  std::vector<Drift> corner_drifts_, centre_drifts_;
+  std::vector<ElementOfBlock> planar_, sliding_;
+  std::size_t frictions_ = 0;  // channel of the first of sliding_
+  std::vector<std::vector<DiaphragmId>> buildings_;
+  std::vector<std::size_t> accelerations_;  // channel of every point's acceleration
+  std::vector<std::size_t> shears_;         // first channel of every building
+};
+
+}  // namespace moat

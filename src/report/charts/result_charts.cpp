@@ -1,0 +1,52 @@
+#include "report/charts/result_charts.hpp"
+
+#include <set>
+
+#include "output/charts/chart_table.hpp"
+#include "output/files/csv_writer.hpp"
+#include "output/files/file_name.hpp"
+#include "output/files/results_folder.hpp"
+#include "report/charts/energy_chart.hpp"
+#include "report/charts/floor_profiles.hpp"
+#include "report/charts/floor_spectra.hpp"
+#include "report/charts/history_charts.hpp"
+#include "report/charts/impact_loops.hpp"
+#include "report/charts/isolator_loops.hpp"
+#include "report/charts/orbit_charts.hpp"
+
+namespace moat {
+ResultCharts result_charts(const CaseResult& result) {
+  ResultCharts charts{.histories = history_charts(result),
+                      .floor_profiles = floor_profiles(result),
+                      .isolator_loops = isolator_loops(result),
+                      .impact_loops = impact_loops(result.impacts),
+                      .energy = {},
+                      .floor_spectra = floor_spectra(result),
+                      .orbits = orbit_charts(result)};
+  if (auto energy = energy_chart(result)) charts.energy.push_back(std::move(*energy));
+  return charts;
+}
+
+std::vector<const Chart*> ResultCharts::all() const {
+  std::vector<const Chart*> list;
+  for (const std::vector<Chart>* group :
+       {&histories, &floor_profiles, &isolator_loops, &impact_loops, &energy, &floor_spectra, &orbits})
+    for (const Chart& chart : *group) list.push_back(&chart);
+  return list;
+}
+
+void write_charts(const ResultCharts& charts, const std::filesystem::path& folder) {
+  if (!charts.histories.empty()) write_svg(charts.histories, folder / results_file::charts);
+  const std::filesystem::path singles = folder / results_file::charts_folder;
+  std::set<std::string> taken;
+  for (const Chart* chart : charts.all()) {
+    if (taken.empty()) std::filesystem::create_directories(singles);
+    const std::string title = file_name_of(chart->title);
+    std::string name = title;
+    for (int number = 2; !taken.insert(name).second; ++number) name = title + "_" + std::to_string(number);
+    write_svg(*chart, singles / (name + ".svg"));
+    write_csv(table_of(*chart), singles / (name + ".csv"));
+  }
+}
+
+}  // namespace moat

@@ -1,0 +1,228 @@
+#include "study/file/case_rows.hpp"
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string_view>
+
+#include "base/error.hpp"
+#include "base/sha256.hpp"
+#include "study/ranks/outcome_bytes.hpp"
+#include "study/study_tables.hpp"
+
+namespace moat {
+namespace {
+
+using sqlite::Database;
+using sqlite::Statement;
+using sqlite::Transaction;
+
+/// {"gap [cm]": 12.5, "record": "KBU000"}
+std::string parameters_of(const StudyCases& cases, std::size_t number) {
+  nlohmann::ordered_json parameters;
+  const StudyCase each{cases, number};
+  for (const StudyAxis& axis : cases.axes()) {
+    const std::string name = axis.unit.empty() || !axis.labels.empty() ? axis.name : axis.name + " [" + axis.unit + "]";
+    if (axis.labels.empty())
+      parameters[name] = each.value(axis.name);
+    else
+      parameters[name] = each.label(axis.name);
+  }
+  return parameters.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
+}
+
+constexpr std::string_view unverified = "unverified";
+
+/// It covers everything that the rows of a case hold.
+std::string checksum_of(std::size_t number, const std::string& parameters, CaseOutcome outcome, std::int64_t session) {
+  // They are read in this order.
+  std::ranges::sort(outcome.files, {}, [](const FileRead& file) { return std::tie(file.path, file.sha256); });
+  const auto twice = std::ranges::unique(outcome.files);
+  outcome.files.erase(twice.begin(), twice.end());
+  return sha256_of(parameters + "\n" + std::to_string(session) + "\n" + to_bytes(number, outcome));
+}
+
+/// The fields of a row of `cases` that are not in its outcome.
+struct Row {
+  std::string parameters, checksum;
+};
+
+bool is_as_written(std::size_t number, const StudyCases& cases, const StoredCases& stored,
+                   const std::optional<Row>& row) {
+  const CaseOutcome& outcome = stored.outcomes[number];
+  if (!row) return outcome.results.empty() && outcome.files.empty();
+  if (outcome.state == CaseState::open) return false;
+  if (!outcome.verified) return outcome.state != CaseState::done || !outcome.results.empty();
+  return row->parameters == parameters_of(cases, number) &&
+         row->checksum == checksum_of(number, row->parameters, outcome, stored.sessions[number]);
+}
+
+StoredCases read_rows(const Database& database, const StudyCases& cases) {
+  StoredCases stored{.outcomes = std::vector<CaseOutcome>(cases.count()),
+                     .sessions = std::vector<std::int64_t>(cases.count(), 0)};
+  std::vector<std::optional<Row>> row_of(cases.count());
+  CaseOutcome of_no_case;
+  const auto outcome_of_number = [&](std::int64_t number) -> CaseOutcome& {
+    if (number >= 0 && static_cast<std::size_t>(number) < cases.count())
+      return stored.outcomes[static_cast<std::size_t>(number)];
+    stored.changed.insert(number);
+    return of_no_case;
+  };
+  Statement rows = database.prepare(
+      std::string{"SELECT number, state, reason, steps, energy_error, seconds, session, parameters, "} +
+      (study_tables::have_checksums(database) ? "checksum" : "'unverified'") + " FROM cases");
+  while (rows.step()) {
+    CaseOutcome& outcome = outcome_of_number(rows.integer(0));
+    for (const CaseState state : {CaseState::done, CaseState::failed, CaseState::not_converged})
+      if (name_of(state) == rows.text(1)) outcome.state = state;
+    outcome.reason = rows.text(2);
+    outcome.steps = rows.integer(3);
+    outcome.energy_error = rows.real(4);
+    outcome.seconds = rows.real(5);
+    outcome.verified = rows.text(8) != unverified;
+    if (&outcome == &of_no_case) continue;
+    const auto number = static_cast<std::size_t>(rows.integer(0));
+    stored.sessions[number] = rows.integer(6);
+    row_of[number] = {rows.text(7), rows.text(8)};
+  }
+  Statement files =
+      database.prepare("SELECT number, path, sha256 FROM case_files JOIN files USING (file) ORDER BY path, sha256");
+  while (files.step()) outcome_of_number(files.integer(0)).files.push_back({files.text(1), files.text(2)});
+  std::map<std::int64_t, NamedNumber> names;
+  Statement name = database.prepare("SELECT result, quantity, place, unit FROM result_names");
+  while (name.step()) names[name.integer(0)] = {name.text(1), name.text(2), name.text(3)};
+  Statement values = database.prepare("SELECT number, result, value FROM results ORDER BY number, position");
+  while (values.step()) {
+    NamedNumber result = names[values.integer(1)];
+    result.value = values.real(2);
+    outcome_of_number(values.integer(0)).results.push_back(std::move(result));
+  }
+  for (std::size_t number = 0; number < cases.count(); ++number)
+    if (!is_as_written(number, cases, stored, row_of[number])) stored.changed.insert(static_cast<std::int64_t>(number));
+  return stored;
+}
+
+}  // namespace
+
+CaseRows::CaseRows(const Database& database, const StudyCases& cases)
+    : database_{&database},
+      cases_{&cases},
+      row_{database.prepare("INSERT INTO cases VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?)")},
+      value_{database.prepare("INSERT INTO results VALUES (?, ?, ?, ?)")},
+      name_{database.prepare("INSERT INTO result_names VALUES (?, ?, ?, ?)")},
+      file_{database.prepare("INSERT INTO files VALUES (?, ?, ?)")},
+      case_file_{database.prepare("INSERT INTO case_files VALUES (?, ?) ON CONFLICT DO NOTHING")} {
+  read_known();
+}
+
+void CaseRows::read_known() {
+  names_.clear();
+  files_.clear();
+  Statement names = database_->prepare("SELECT result, quantity, place, unit FROM result_names");
+  while (names.step()) names_[{names.text(1), names.text(2), names.text(3)}] = names.integer(0);
+  Statement files = database_->prepare("SELECT file, path, sha256 FROM files ORDER BY file");
+  while (files.step()) files_[files.text(1)] = {files.integer(0), files.text(2)};
+}
+
+void CaseRows::write(std::size_t number, const CaseOutcome& outcome, std::int64_t session) {
+  Transaction transaction{*database_};
+  const std::size_t names = names_.size(), files = files_.size();
+  try {
+    put(number, outcome, session);
+    for (const FileRead& file : outcome.files)
+      case_file_.bind(1, static_cast<std::int64_t>(number)).bind(2, number_of(file)).run();
+    transaction.commit();
+  } catch (...) {
+    transaction.undo();
+    // Names and files of a transaction that was undone are not in the file.
+    if (names_.size() > names || files_.size() > files) read_known();
+    throw;
+  }
+}
+
+void CaseRows::put(std::size_t number, const CaseOutcome& outcome, std::int64_t session) {
+  const auto id = static_cast<std::int64_t>(number);
+  const std::string parameters = parameters_of(*cases_, number);
+  row_.bind(1, id).bind(2, parameters).bind(3, name_of(outcome.state)).bind(4, outcome.reason);
+  row_.bind(5, static_cast<std::int64_t>(outcome.steps)).bind(6, outcome.energy_error).bind(7, outcome.seconds);
+  row_.bind(8, session);
+  row_.bind(9, outcome.verified ? checksum_of(number, parameters, outcome, session) : std::string{unverified}).run();
+  for (std::size_t i = 0; i < outcome.results.size(); ++i) {
+    const NamedNumber& result = outcome.results[i];
+    value_.bind(1, id).bind(2, static_cast<std::int64_t>(i)).bind(3, number_of(result)).bind(4, result.value).run();
+  }
+}
+
+void CaseRows::forget_failures() {
+  const StoredCases stored = read_rows(*database_, *cases_);
+  Transaction transaction{*database_};
+  if (stored.changed.empty()) {
+    database_->run("DELETE FROM cases WHERE state <> 'done'");
+  } else {
+    // A key that was damaged is not found by its number: the tables are written again with the cases that stay.
+    database_->run("DELETE FROM results; DELETE FROM cases; DELETE FROM result_names");
+    read_known();
+    for (std::size_t number = 0; number < stored.outcomes.size(); ++number)
+      if (stored.outcomes[number].state == CaseState::done &&
+          !stored.changed.contains(static_cast<std::int64_t>(number)))
+        put(number, stored.outcomes[number], stored.sessions[number]);
+  }
+  database_->run("DELETE FROM case_files WHERE number NOT IN (SELECT number FROM cases)");
+  transaction.commit();
+}
+
+std::int64_t CaseRows::number_of(const NamedNumber& result) {
+  const auto next = static_cast<std::int64_t>(names_.size());
+  const auto [found, added] = names_.try_emplace({result.quantity, result.where, result.unit}, next);
+  if (added) name_.bind(1, next).bind(2, result.quantity).bind(3, result.where).bind(4, result.unit).run();
+  return found->second;
+}
+
+std::int64_t CaseRows::number_of(const FileRead& file) {
+  const auto known = files_.find(file.path);
+  if (known == files_.end()) {
+    Statement last = database_->prepare("SELECT ifnull(max(file), 0) FROM files");
+    last.step();
+    const std::int64_t number = last.integer(0) + 1;
+    file_.bind(1, number).bind(2, file.path).bind(3, file.sha256).run();
+    files_[file.path] = {number, file.sha256};
+    return number;
+  }
+  if (known->second.sha256 != file.sha256)
+    throw InputError{"study " + database_->file().string() + ": " + file.path +
+                     " changed while the study ran, and results are not mixed. Restore the file and run the same "
+                     "command again, or start again in another file."};
+  return known->second.number;
+}
+
+namespace case_rows {
+
+StoredCases read(const Database& database, const StudyCases& cases) {
+  StoredCases stored = read_rows(database, cases);
+  if (stored.changed.empty()) return stored;
+  constexpr std::size_t most_named = 20;
+  std::string numbers;
+  for (std::size_t named = 0; const std::int64_t number : stored.changed)
+    if (++named <= most_named) numbers += (named > 1 ? ", " : " ") + std::to_string(number);
+  if (stored.changed.size() > most_named) numbers += " ... (" + std::to_string(stored.changed.size()) + " cases)";
+  throw FileError{"study " + database.file().string() + ": the results of case" + numbers +
+                  " are not those that were written: the file was changed or damaged. Run the script on this file with "
+                  "--retry; it computes these cases again and keeps the others."};
+}
+
+std::vector<FileRead> files_of(const Database& database) {
+  std::vector<FileRead> files;
+  Statement rows = database.prepare(
+      "SELECT path, sha256 FROM files WHERE file IN (SELECT max(file) FROM files GROUP BY path) ORDER BY path");
+  while (rows.step()) files.push_back({rows.text(0), rows.text(1)});
+  return files;
+}
+
+void accept_files(const Database& database, const std::vector<FileRead>& files) {
+  // The row with the largest number is the one that the study goes on with.
+  Statement row = database.prepare("INSERT INTO files (path, sha256) VALUES (?, ?)");
+  for (const FileRead& file : files) row.bind(1, file.path).bind(2, file.sha256).run();
+}
+
+}  // namespace case_rows
+}  // namespace moat

@@ -1,0 +1,90 @@
+// A study on disk: one SQLite file, from which it goes on after any interruption.
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "study/cases.hpp"
+#include "study/file/study_sessions.hpp"
+#include "study/file/study_version.hpp"
+#include "study/outcome.hpp"
+#include "study/result.hpp"
+
+namespace moat {
+
+/// Whether a study goes on although something changed on which its numbers depend.
+enum class StudyChanges {
+  refuse,  ///< with an InputError that names them
+  accept   ///< earlier cases stay; the file knows which version computed each case
+};
+
+/// A study in a file. Every case is written when it ends, in a transaction of its own: after `kill -9` at any moment
+/// the file holds all cases that had ended. After a power cut it may lack those of the last seconds; all others are
+/// whole. While a study runs, FILE-wal and FILE-shm belong to it, and FILE.lock keeps a second process away; at an
+/// orderly end FILE alone remains. Tables:
+///
+///     study          key, value: title, number of cases, current version
+///     axes           axis, name, unit, cases_group      axis_values   axis, position, value, label
+///     versions       version, name, value: the inputs of the numbers
+///     sessions       session, date, command, moat_version, git_commit, engine, host, version, ending
+///     cases          number, parameters (JSON), state, reason, steps, energy_error, seconds, session, checksum
+///     files          file, path, sha256                 case_files    number, file
+///     result_names   result, quantity, place, unit      results       number, position, result, value (NULL: NaN)
+///     case_results   view: number, quantity, place, unit, value
+///     case_versions  view: number, version, session, date, moat_version, git_commit
+///
+/// The checksum of a case is of all that its rows hold, and is compared whenever they are read: FileError names the
+/// cases that were changed or damaged. Cases of a moat that wrote none have the checksum "unverified".
+class StudyStore {
+ public:
+  /// Creates the file, or goes on with it. Throws InputError
+  ///
+  ///   - where the file holds a study of other axes,
+  ///   - where the identity, the hash of an axis value or a file that a case has read has changed, or such a file is
+  ///     missing, unless changes are accepted,
+  ///   - where another process computes the study now.
+  ///
+  /// The first two name every difference. Throws FileError where the file cannot be read or written, or is no study.
+  StudyStore(const std::filesystem::path& file, const StudyCases& cases, const StudyIdentity& identity,
+             const StudySession& session, StudyChanges changes = StudyChanges::refuse);
+  ~StudyStore();
+  StudyStore(const StudyStore&) = delete;
+  StudyStore& operator=(const StudyStore&) = delete;
+
+  /// One for every case; those that are missing are open. Throws FileError for cases that were changed.
+  [[nodiscard]] std::vector<CaseOutcome> outcomes() const;
+  /// Throws FileError, with all earlier cases intact, where the disk is full; InputError where a file that the case has
+  /// read differs from that of an earlier case. FileError where the file was removed or replaced meanwhile;
+  /// FILE.kept.db has all cases then.
+  void write(std::size_t number, const CaseOutcome& outcome);
+  /// Removes the cases that failed or did not converge, or were changed, so that they are computed again.
+  void forget_failures();
+  /// How this session ended: "finished", "stopped by SIGINT". Throws as write().
+  void end_session(const std::string& ending);
+
+ private:
+  struct Parts;
+  std::unique_ptr<Parts> parts_;
+};
+
+/// A study as it is in its file, for reading.
+struct StoredStudy {
+  std::string title;                    ///< Of the script.
+  std::vector<StudyIdentity> versions;  ///< All versions that computed cases.
+  std::size_t current_version = 0;      ///< Index of the last one.
+  std::vector<StoredSession> sessions;  ///< The runs that computed it.
+  /// The session that computed each case; 0 is the first. Of no meaning for open cases.
+  std::vector<std::size_t> session_of_case;
+  StudyResult result;  ///< Of all cases up to now.
+};
+/// Throws FileError where the file cannot be read or is no study.
+StoredStudy read_study(const std::filesystem::path& file);
+
+/// Puts the cases of parts into one study, a new file or one that holds the same study. A case that several files have
+/// must be equal in all. Throws InputError where the studies differ, FileError as above; nothing is written then.
+void merge_studies(const std::filesystem::path& into, const std::vector<std::filesystem::path>& parts);
+
+}  // namespace moat

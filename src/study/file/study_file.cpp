@@ -1,0 +1,88 @@
+#include "study/file/study_file.hpp"
+
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <array>
+#include <string>
+#include <utility>
+
+#include "base/error.hpp"
+#include "study/study_tables.hpp"
+
+namespace moat {
+namespace {
+
+namespace fs = std::filesystem;
+
+const fs::path& with_folder(const fs::path& file) {
+  std::error_code ignored;  // opening the file says more
+  if (file.has_parent_path()) fs::create_directories(file.parent_path(), ignored);
+  return file;
+}
+
+const fs::path& no_link(const fs::path& file) {
+  std::error_code none;
+  if (fs::is_symlink(fs::symlink_status(file, none)))
+    throw InputError{"study " + file.string() + ": this is a link, and moat writes through none. Give its target."};
+  return file;
+}
+
+/// The number of the file in its file system; 0 where there is no file.
+std::uintmax_t inode_at(const fs::path& file) {
+  struct stat found {};
+  return ::stat(file.c_str(), &found) == 0 ? found.st_ino : 0;
+}
+
+}  // namespace
+
+StudyFile::StudyFile(const fs::path& file, StudyCases cases, const std::string& title)
+    : lock_{with_folder(file)}, cases_{std::move(cases)}, database_{no_link(file), sqlite::Database::Access::write} {
+  const bool has_tables = study_tables::exist_in(database_);  // before anything is written to another database
+  database_.run("PRAGMA journal_mode = WAL; PRAGMA synchronous = NORMAL;");
+  // A process that was killed before its first transaction left an empty file.
+  if (!has_tables) {
+    sqlite::Transaction transaction{database_};
+    study_tables::create(database_, cases_, title);
+    transaction.commit();
+  }
+  // One that was killed before its second left a file without session.
+  is_new_ = study_sessions::all_of(database_).empty();
+  axis_differences_ = differences(study_tables::cases_of(database_), cases_);
+  place_ = fs::absolute(file);
+  inode_ = inode_at(place_);
+}
+
+void StudyFile::prepare_rows() {
+  study_tables::add_checksums(database_);
+  rows_ = std::make_unique<CaseRows>(database_, cases_);
+}
+
+void StudyFile::require_in_its_place() const {
+  if (inode_at(place_) == inode_) return;
+  fs::path kept = fs::path{place_}.replace_extension(".kept.db");
+  for (int number = 2; fs::exists(fs::symlink_status(kept)); ++number)
+    kept = fs::path{place_}.replace_extension(".kept_" + std::to_string(number) + ".db");
+  database_.prepare("VACUUM INTO ?").bind(1, with_folder(kept).native()).run();
+  throw FileError{"study " + database_.file().string() +
+                  ": the file was removed or replaced while the study ran. All finished cases are in " + kept.string() +
+                  ". Put it in the place of the former and run the same command again."};
+}
+
+StudyFile::~StudyFile() {
+  rows_.reset();
+  database_.become_one_file();
+}
+
+void StudyFile::refuse(const std::string& differences) const {
+  throw InputError{"study " + database_.file().string() +
+                   " was begun with something else, and results are not mixed:" + differences +
+                   "\nGive another file or folder, restore the former state, or remove the file and start again."};
+}
+
+std::string host_name() {
+  std::array<char, 256> name{};
+  return ::gethostname(name.data(), name.size() - 1) == 0 ? name.data() : "";
+}
+
+}  // namespace moat

@@ -1,0 +1,58 @@
+// The file of a study, open for writing by one process. Included by .cpp files alone.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <string>
+
+#include "study/cases.hpp"
+#include "study/file/case_rows.hpp"
+#include "study/file/file_lock.hpp"
+#include "study/file/sqlite.hpp"
+#include "study/file/study_sessions.hpp"
+
+namespace moat {
+
+/// A database in WAL mode, locked against other processes. At its orderly end one file remains.
+class StudyFile {
+ public:
+  /// Makes the file, or opens it. Throws as StudyStore does, except for differences.
+  StudyFile(const std::filesystem::path& file, StudyCases cases, const std::string& title);
+  ~StudyFile();
+  StudyFile(const StudyFile&) = delete;
+  StudyFile& operator=(const StudyFile&) = delete;
+
+  [[nodiscard]] const sqlite::Database& database() const { return database_; }
+  [[nodiscard]] const StudyCases& cases() const { return cases_; }
+  /// Whether no process has begun to compute cases.
+  [[nodiscard]] bool is_new() const { return is_new_; }
+  /// Of the axes in the file from those of the cases; nothing may be written then.
+  [[nodiscard]] const std::string& axis_differences() const { return axis_differences_; }
+  /// After prepare_rows().
+  CaseRows& rows() { return *rows_; }
+  /// Before cases are written, and after a change of the files that cases read. Gives a file of an older moat the
+  /// column of the checksums.
+  void prepare_rows();
+  /// Throws FileError where another file or none has taken the place of this one, which has no name then: its cases are
+  /// written to FILE.kept.db before.
+  void require_in_its_place() const;
+
+  /// Throws InputError with all differences.
+  [[noreturn]] void refuse(const std::string& differences) const;
+
+ private:
+  FileLock lock_;  // first: held until the database is closed
+  StudyCases cases_;
+  sqlite::Database database_;
+  bool is_new_ = false;
+  std::filesystem::path place_;  // absolute
+  std::uintmax_t inode_ = 0;     // of the file
+  std::string axis_differences_;
+  std::unique_ptr<CaseRows> rows_;
+};
+
+/// Of this machine.
+std::string host_name();
+
+}  // namespace moat

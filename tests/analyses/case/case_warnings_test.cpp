@@ -1,0 +1,174 @@
+// Warnings about energies that are not numbers, equations that do not balance, and strains beyond a fit.
+
+#include "analyses/case/case_warnings.hpp"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "analyses/case/case_run.hpp"
+#include "analysis_testing.hpp"
+#include "elements/contact/gap.hpp"
+#include "elements/line/isolator.hpp"
+#include "elements/line/shear_spring.hpp"
+#include "materials/impact/hertz.hpp"
+#include "materials/impact/linear_elastic.hpp"
+#include "materials/isolation/kikuchi_aiken_rubber.hpp"
+#include "motions/near_fault_pulse.hpp"
+
+namespace moat {
+namespace {
+
+using namespace units;
+
+const TransientOptions adapted{}, fixed{.step = 5 * ms}, exact{.integrator = ExactBetweenEvents{}};
+
+std::string only(const EnergyBalance& energy, const TransientOptions& options) {
+  const std::vector<std::string> warnings = energy_warnings(energy, 1e-3, options);
+  EXPECT_EQ(warnings.size(), 1u);
+  return warnings.empty() ? "" : warnings.front();
+}
+
+TEST(EnergyWarnings, AreNotGivenWithoutReason) {
+  EXPECT_TRUE(energy_warnings({}, 1e-3, adapted).empty());
+  EXPECT_TRUE(
+      energy_warnings({.equation_residual = 0.9, .integration_error = -0.9, .largest_input = 1e3}, 1e-3, adapted)
+          .empty());
+}
+
+TEST(EnergyWarnings, ANumberThatIsNotFiniteIsNoGoodBalance) {
+  constexpr double nan = std::numeric_limits<double>::quiet_NaN(), infinite = std::numeric_limits<double>::infinity();
+  EXPECT_NE(only({.integration_error = nan, .largest_input = 1.0}, adapted).find("not a finite number"),
+            std::string::npos);
+  EXPECT_NE(only({.integration_error = 1.0, .largest_input = infinite}, adapted).find("not a finite number"),
+            std::string::npos);
+  EXPECT_NE(only({.equation_residual = nan, .largest_kinetic = 1.0}, adapted).find("not a finite number"),
+            std::string::npos);
+}
+
+TEST(StrainWarnings, NameTheRubberBeyondItsFit) {
+  const auto warnings = [](Length height) {
+    Model model;
+    const NodeId node = add(model, Node{.name = "floor", .mass = 100 * tonne});
+    add(model, Isolator<KikuchiAikenRubber>{.upper = node, .law = {.area = 0.1 * m * m, .height = height}});
+    std::string all;
+    for (const std::string& each : run_case(model, near_fault_pulse({}).scaled_to_pga(0.4 * g)).warnings) all += each;
+    return all;
+  };
+  EXPECT_NE(warnings(1 * cm).find("The strain of \"bearings\" reached "), std::string::npos);
+  EXPECT_EQ(warnings(30 * cm).find("The strain"), std::string::npos);
+}
+
+TEST(EnergyWarnings, ARunIntoInfinityWarns) {
+  Model model;
+  const NodeId body = add(model, Node{.name = "body", .mass = 1e303 * kg});
+  add(model, ShearSpring{.name = "spring", .lower = ground, .upper = body, .stiffness = 100 * N / m});
+  // The kinetic energy of such a mass at such velocities is beyond the largest number.
+  const GroundMotion motion{"far too strong", 0.01, std::vector<double>(101, 1e5)};
+  const CaseResult result = run_case(model, motion, {.transient = fixed, .error_bars = ErrorBarMode::never});
+  ASSERT_EQ(result.warnings.size(), 3u);
+  EXPECT_NE(result.warnings[0].find("The model collapsed"), std::string::npos);
+  EXPECT_NE(result.warnings[1].find("The peak acceleration of the ground is 10197.2 g"), std::string::npos);
+  EXPECT_NE(result.warnings[2].find("An energy is not a finite number"), std::string::npos);
+}
+
+TEST(MotionWarnings, DoubtAccelerationsBeyondAllRecords) {
+  const GroundMotion motion{"strong", 0.01, {0.0, 9.80665, 0.0}};
+  EXPECT_TRUE(motion_warnings(motion.scaled_by(4.9)).empty());
+  EXPECT_EQ(
+      motion_warnings(motion.scaled_by(980.665)),
+      (std::vector<std::string>{"The peak acceleration of the ground is 980.665 g; no record is as strong as 5 g. "
+                                "Check the unit of the record and its scale factor (980.665)."}));
+}
+
+TEST(ModelWarnings, NameAGapWhoseSidesAreExchanged) {
+  for (const bool exchanged : {false, true}) {
+    Model model;
+    const NodeId west = add(model, Node{.name = "west", .mass = 1 * kg, .x = -3 * m});
+    const NodeId east = add(model, Node{.name = "east", .mass = 1 * kg, .x = 4 * m});
+    add(model, Gap<Hertz>{.name = "between",
+                          .left = exchanged ? east : west,
+                          .right = exchanged ? west : east,
+                          .clearance = 10 * cm,
+                          .law = {.stiffness = 1000 * N / m_3_2}});
+    const std::vector<std::string> warnings = model_warnings(model);
+    ASSERT_EQ(warnings.size(), exchanged ? 1u : 0u);
+    if (exchanged) {
+      EXPECT_EQ(
+          warnings[0],
+          "Gap \"between\": its left side \"east\" has x = 4 m and its right side \"west\" x = -3 m. Exchange .left "
+          "and .right, or correct the positions.");
+    }
+  }
+}
+
+TEST(ModelWarnings, SayNothingOfNodesWithoutPositions) {
+  Model model;
+  const NodeId one = add(model, Node{.name = "one", .mass = 1 * kg});
+  const NodeId other = add(model, Node{.name = "other", .mass = 1 * kg});
+  add(model,
+      Gap<Hertz>{.name = "gap", .left = one, .right = other, .clearance = 1 * cm, .law = {.stiffness = 1 * N / m_3_2}});
+  EXPECT_TRUE(model_warnings(model).empty());
+}
+
+TEST(EnergyWarnings, EquationsThatDoNotBalanceWarn) {
+  const EnergyBalance energy{.equation_residual = -2.0, .largest_input = 100.0};
+  const std::string warning = only(energy, adapted);
+  EXPECT_TRUE(
+      warning.starts_with("The equations do not balance: work and kinetic energy are off by 2 % of the largest"))
+      << warning;
+}
+
+TEST(EnergyWarnings, AdviceFitsTheKindOfSteps) {
+  for (const EnergyBalance& energy : {EnergyBalance{.integration_error = 2.0, .largest_input = 100.0},
+                                      EnergyBalance{.equation_residual = 2.0, .largest_input = 100.0}}) {
+    EXPECT_NE(only(energy, fixed).find("Take a shorter step (now 0.005 s)"), std::string::npos);
+    EXPECT_EQ(only(energy, fixed).find("tighter tolerance"), std::string::npos) << "it has none";
+    EXPECT_NE(only(energy, adapted).find("Take a tighter tolerance (now 3e-05)"), std::string::npos);
+    EXPECT_EQ(only(energy, adapted).find("shorter step"), std::string::npos) << "that would switch adapting off";
+    EXPECT_NE(only(energy, exact).find("steps_per_contact"), std::string::npos);
+    EXPECT_EQ(only(energy, exact).find("shorter step"), std::string::npos) << "exact steps refuse one";
+    EXPECT_EQ(only(energy, exact).find("tighter tolerance"), std::string::npos)
+        << "it has hardly an effect on energies";
+    EXPECT_EQ(only(energy, {.tolerance = TransientOptions::least_tolerance}).find("tighter tolerance (now"),
+              std::string::npos)
+        << "there is none";
+  }
+}
+
+TEST(ContactWarnings, AdviseMoreHalvingsWhereThereAreMore) {
+  for (const bool most : {false, true}) {
+    Model model;
+    const NodeId body = add(model, Node{.name = "body", .mass = 1 * kg, .initial_velocity = 1 * m / s});
+    add(model, Gap{.name = "wall",
+                   .left = body,
+                   .right = ground,
+                   .clearance = 1 * cm,
+                   .law = LinearElastic{.stiffness = (most ? 1e30 : 1e20) * N / m}});
+    const int halvings = most ? TransientOptions::most_halvings : 16;
+    const CaseResult result = run_case(model, GroundMotion{"still", 0.01, std::vector<double>(3, 0.0)},
+                                       {.transient = {.max_halvings = halvings}, .error_bars = ErrorBarMode::never});
+    std::string all;
+    for (const std::string& each : result.warnings) all += each;
+    EXPECT_NE(all.find("The shortest contact was divided into"), std::string::npos) << all;
+    EXPECT_EQ(all.find("Raise TransientOptions::max_halvings") == std::string::npos, most) << all;
+  }
+}
+
+TEST(EnergyWarnings, NameTheWorstElement) {
+  EXPECT_NE(only({.integration_error = 2.0, .largest_input = 100.0, .worst_element = "storey 3"}, adapted)
+                .find("most at \"storey 3\""),
+            std::string::npos);
+}
+
+TEST(SensitivityWarning, SaysWhyAndWhatToDo) {
+  ErrorBars bars{.checked = true, .companion_impacts = 8, .sensitive = true, .reason = "this differs"};
+  const std::string pounding = sensitivity_warning(bars, 7, adapted);
+  EXPECT_TRUE(pounding.starts_with("The case is sensitive: this differs. Take a tighter tolerance")) << pounding;
+  EXPECT_NE(pounding.find("known to their error bars only"), std::string::npos);
+  bars.companion_impacts = 0;
+  EXPECT_EQ(sensitivity_warning(bars, 0, fixed).find("Impacts"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace moat

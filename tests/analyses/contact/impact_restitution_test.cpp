@@ -1,0 +1,131 @@
+// Free impacts of two bodies through the whole analysis: the computed restitution is that of the law.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "analyses/case/case_run.hpp"
+#include "analysis_testing.hpp"
+#include "elements/contact/gap.hpp"
+#include "impact_cases.hpp"
+
+namespace moat {
+namespace {
+
+using namespace units;
+using namespace testing;
+
+struct Collision {
+  double left_mass, right_mass;  // kg
+  double approach_speed;         // m/s
+  double phase = 0.37;           // of arrival, in intervals of the motion
+
+  [[nodiscard]] double effective_mass() const { return left_mass * right_mass / (left_mass + right_mass); }
+};
+
+// Restitution in the impact of two free bodies; the ground is still and sampled at a quarter of the contact.
+template <class Law>
+double delivered(const Law& law, const Collision& collision, const TransientOptions& options = {}) {
+  const double effective_mass = collision.effective_mass();
+  const double interval = 0.25 * law.between(effective_mass).contact_duration(effective_mass, collision.approach_speed);
+  Model model;
+  const NodeId left = add(model, Node{.name = "left",
+                                      .mass = collision.left_mass * kg,
+                                      .initial_velocity = 0.75 * collision.approach_speed * m / s});
+  const NodeId right = add(model, Node{.name = "right",
+                                       .mass = collision.right_mass * kg,
+                                       .initial_velocity = -0.25 * collision.approach_speed * m / s});
+  const double clearance = (3.0 + collision.phase) * interval * collision.approach_speed;
+  add(model, Gap<Law>{.name = "gap", .left = left, .right = right, .clearance = clearance * m, .law = law});
+  Transient analysis{model, still_ground(4000 * interval * s, interval * s), options};
+  ImpactRecorder impacts;
+  analysis.attach(impacts);
+  while (!analysis.finished() && (impacts.impacts().empty() || impacts.impacts().front().duration == 0.0))
+    analysis.advance();
+  if (impacts.impacts().size() != 1) return std::nan("");
+  EXPECT_NEAR(impacts.impacts().front().approach_speed, collision.approach_speed, 1e-9 * collision.approach_speed);
+  return impacts.impacts().front().rebound_ratio;
+}
+
+const std::vector<double> restitutions{0.02, 0.05, 0.1, 0.2, 0.3, 0.5, 0.65, 0.8, 0.9, 0.97, 1.0};
+const std::vector<Collision> collisions{
+    {5.5e5, 5.5e5, 0.5}, {5.5e5, 1e2, 1e-3}, {1.0, 3e6, 5.0}, {3.05e6, 5.5e5, 0.1}, {1e-2, 1e-2, 1.0}};
+// Eight decades, N/m and N/m^1.5.
+const std::vector<double> stiffnesses{1e4, 1e6, 1e8, 1e10, 1e12};
+
+template <class Check>
+void for_every_case(Check check) {
+  for (const double restitution : restitutions)
+    for (const Collision& collision : collisions)
+      for (const double stiffness : stiffnesses) {
+        SCOPED_TRACE("e " + std::to_string(restitution) + ", masses " + std::to_string(collision.left_mass) + " and " +
+                     std::to_string(collision.right_mass) + ", v0 " + std::to_string(collision.approach_speed) +
+                     ", k " + std::to_string(stiffness));
+        check(restitution, collision, stiffness);
+      }
+}
+
+TEST(ImpactRestitution, ExactLawsDeliverWhatIsAskedWithDefaults) {
+  for_every_case([](double restitution, const Collision& collision, double stiffness) {
+    const ExactHertzDamp hertz{.stiffness = stiffness * N / m_3_2, .restitution = restitution};
+    EXPECT_NEAR(delivered(hertz, collision), restitution, 1e-3);
+    const ExactKelvin kelvin{.stiffness = stiffness * N / m, .restitution = restitution};
+    EXPECT_NEAR(delivered(kelvin, collision), restitution, 1e-3);
+    const ExactKelvin pulling{.stiffness = stiffness * N / m, .restitution = restitution, .may_pull = true};
+    EXPECT_NEAR(delivered(pulling, collision), restitution, 1e-3);
+  });
+}
+
+TEST(ImpactRestitution, ExactLawsDeliverToAMillionthWithTightSettings) {
+  const TransientOptions tight{.tolerance = 1e-8, .steps_per_contact = 2048};
+  for (const double restitution : {0.02, 0.1, 0.3, 0.65, 0.9, 1.0})
+    for (const Collision& collision : {Collision{5.5e5, 3e6, 1e-3}, Collision{1e2, 5.5e5, 5.0}}) {
+      SCOPED_TRACE("e " + std::to_string(restitution) + ", v0 " + std::to_string(collision.approach_speed));
+      const ExactHertzDamp hertz{.stiffness = 2.95e9 * N / m_3_2, .restitution = restitution};
+      EXPECT_NEAR(delivered(hertz, collision, tight), restitution, 1e-6);
+      const ExactKelvin kelvin{.stiffness = 5.8e8 * N / m, .restitution = restitution};
+      EXPECT_NEAR(delivered(kelvin, collision, tight), restitution, 1e-6);
+    }
+}
+
+TEST(ImpactRestitution, EveryLawDeliversItsClosedForm) {
+  AllImpactLaws::for_each([]<class Law>() {
+    SCOPED_TRACE(Law::name);
+    for (const double e : {0.4, 0.65, 0.8}) {
+      SCOPED_TRACE(e);
+      const Law law = impact_law<Law>(2.95e9, e);
+      for (const Collision& collision : collisions)
+        EXPECT_NEAR(delivered(law, collision), delivered_by(law, collision.effective_mass(), collision.approach_speed),
+                    1e-3);
+    }
+  });
+}
+
+TEST(ImpactRestitution, DoesNotDependOnThePhaseOfArrival) {
+  const ExactHertzDamp law{.stiffness = 2.95e9 * N / m_3_2, .restitution = 0.65};
+  double least = 1.0, most = 0.0;
+  for (int i = 0; i < 100; ++i) {
+    const double e = delivered(law, {5.5e5, 5.5e5, 0.5, 0.01 * i});
+    least = std::min(least, e);
+    most = std::max(most, e);
+  }
+  EXPECT_LT(most - least, 1e-3);
+  EXPECT_NEAR(0.5 * (least + most), 0.65, 1e-3);
+}
+
+// The first step after the touch ends on the sample, and may be as short as one likes. The jerk behind it is that of
+// the touch, where some laws rise with an infinite slope.
+TEST(ImpactRestitution, IsThatOfTheLawHoweverShortlyBeforeASampleItTouches) {
+  AllImpactLaws::for_each([]<class Law>() {
+    SCOPED_TRACE(Law::name);
+    const Law law = impact_law<Law>(2.95e9, 0.65);
+    for (double before = 1e-2; before > 1e-12; before *= 0.1) {
+      const Collision collision{5.5e5, 5.5e5, 0.5, 1.0 - before};
+      EXPECT_NEAR(delivered(law, collision), delivered_by(law, collision.effective_mass(), 0.5), 1e-4) << before;
+    }
+  });
+}
+
+}  // namespace
+}  // namespace moat

@@ -1,0 +1,180 @@
+#include "analyses/integrators/linear_system.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "analyses/integrators/linear_path.hpp"
+#include "elements/line/spring.hpp"
+#include "exponential_motion.hpp"
+#include "materials/linear.hpp"
+#include "message_of.hpp"
+#include "model/model.hpp"
+
+namespace moat {
+namespace {
+
+using namespace units;
+
+// A chain of bodies between two walls.
+Model chain(const std::vector<double>& masses, double stiffness = 4e4) {
+  Model model;
+  NodeId below = ground;
+  for (std::size_t i = 0; i <= masses.size(); ++i) {
+    const NodeId above =
+        i == masses.size() ? ground : add(model, Node{.name = "body " + std::to_string(i), .mass = masses[i] * kg});
+    const auto number = static_cast<double>(i);
+    add(model, Spring<Linear>{.name = "spring " + std::to_string(i),
+                              .lower = below,
+                              .upper = above,
+                              .law = {.stiffness = (1.0 + 0.2 * number) * stiffness * N / m,
+                                      .damping = (200.0 + 50.0 * number) * N * s / m}});
+    below = above;
+  }
+  model.prepare();
+  return model;
+}
+
+std::vector<double> masses_of(std::size_t count) {
+  std::vector<double> masses;
+  for (std::size_t i = 0; i < count; ++i) masses.push_back(100.0 + 30.0 * static_cast<double>(i));
+  return masses;
+}
+
+LinearSystem system_of(const Model& model, double longest_step) {
+  const testing::Tangents tangents{model};
+  return {tangents.stiffness, tangents.damping, model.masses(), longest_step};
+}
+
+// The system of a chain, its motion by the exponential, and a start of it: displacements, then velocities.
+struct MovingChain {
+  Model model;
+  LinearSystem system;
+  testing::ExponentialMotion exact;
+  Vector start;
+
+  MovingChain(Model its_model, double longest_step)
+      : model{std::move(its_model)},
+        system{system_of(model, longest_step)},
+        exact{model, testing::Tangents{model}, Vector::Zero(model.degrees_of_freedom())} {
+    const int count = model.degrees_of_freedom();
+    start.resize(2 * count);
+    for (int i = 0; i < count; ++i) {
+      exact.offset[i] = 0.7 - 0.2 * i;
+      start[i] = 0.01 * std::sin(1.0 + i);
+      start[count + i] = 0.4 * std::cos(2.0 + 3.0 * i);
+    }
+  }
+};
+
+// Each part of the motion to a share of its largest entry.
+void expect_equal(const Vector& found, const Vector& exact) {
+  const Eigen::Index count = exact.size() / 4;
+  for (Eigen::Index part = 0; part < found.size() / count; ++part) {
+    const Vector of_part = exact.segment(part * count, count);
+    const double allowed = 1e-12 * of_part.cwiseAbs().maxCoeff();
+    for (Eigen::Index i = 0; i < count; ++i) EXPECT_NEAR(found[part * count + i], of_part[i], allowed) << part << i;
+  }
+}
+
+// u and u' after so many steps under a ground of constant slope.
+void expect_to_advance_as_the_exponential(const MovingChain& chain, int steps) {
+  constexpr double ground = 2.3, slope = -170.0;
+  const Eigen::Index n = chain.exact.offset.size();
+  const double h = chain.system.step();
+  Vector state(3 * n + 1);
+  state << chain.start.head(n), h * chain.start.tail(n), Vector::Zero(n), -h * h * h * slope;
+  for (int step = 0; step < steps; ++step) {
+    state.segment(2 * n, n) = h * h * (chain.exact.offset.array() - (ground + h * step * slope));
+    state.head(2 * n) = chain.system.over_step() * state;
+  }
+  Vector found = state.head(2 * n);
+  found.tail(n) /= h;
+  expect_equal(found, chain.exact.after(steps * h, chain.start, ground, slope));
+}
+
+TEST(LinearSystem, AdvancesAsTheExponential) {
+  for (const std::size_t count : {1u, 2u, 3u, 5u, 8u, 11u})
+    for (const int steps : {1, 8}) {
+      SCOPED_TRACE(count);
+      SCOPED_TRACE(steps);
+      expect_to_advance_as_the_exponential({chain(masses_of(count)), 0.04}, steps);
+    }
+}
+
+// Coefficients of a light body are larger than its motion where it hangs on heavy ones.
+TEST(LinearSystem, KeepsItsDigitsBetweenLightAndHeavyBodies) {
+  expect_to_advance_as_the_exponential({chain({1e6, 1.0, 1e6, 1.0}), 0.01}, 1);
+}
+
+// About 1e4 1/s: 50 radians in 5 ms.
+TEST(LinearSystem, KeepsItsDigitsInFastVibrations) {
+  const MovingChain chain{moat::chain({100.0, 130.0, 160.0}, 4e9), 0.005};
+  expect_to_advance_as_the_exponential(chain, static_cast<int>(std::lround(0.005 / chain.system.step())));
+}
+
+// Bodies that nothing holds, and with them a system whose rates have no full set of eigenvectors.
+TEST(LinearSystem, MovesFreeBodies) {
+  Model model;
+  for (const char* name : {"one", "other"}) add(model, Node{.name = name, .mass = 100 * kg});
+  model.prepare();
+  expect_to_advance_as_the_exponential({std::move(model), 0.01}, 8);
+}
+
+// A series gives the motion at every time in a step.
+TEST(LinearSystem, TheSeriesIsTheExponential) {
+  constexpr double ground = 2.3, slope = -17.0;
+  for (const std::size_t count : {1u, 3u, 8u}) {
+    SCOPED_TRACE(count);
+    MovingChain chain{moat::chain(masses_of(count)), 0.02};
+    const auto n = static_cast<Eigen::Index>(count);
+    MotionState& state = chain.model.trial();
+    state.displacement.head(n) = chain.start.head(n);
+    state.velocity.head(n) = chain.start.tail(n);
+    const double length = 0.99 * chain.system.step();  // a whole one is passed by the exponential
+    LinearPath path;
+    path.begin(chain.system, chain.exact.offset, state,
+               {.length = length,
+                .end_time = length,
+                .ground_acceleration = {ground + length * slope, 0.0},
+                .ground_jerk = {slope, 0.0},
+                .ground_acceleration_at_start = {ground, 0.0}});
+    for (const double share : {1e-6, 0.1, 0.6, 1.0, 0.3, 0.0}) {
+      SCOPED_TRACE(share);
+      const double h = share * length;
+      path.move(h, state);
+      Vector found(4 * n);
+      found << state.displacement.head(n), state.velocity.head(n), state.acceleration.head(n), state.jerk.head(n);
+      expect_equal(found, chain.exact.after(h, chain.start, ground, slope));
+    }
+    for (Eigen::Index i = 0; i < n; ++i) {
+      EXPECT_DOUBLE_EQ(state.displacement[i], chain.start[i]) << i;
+      EXPECT_DOUBLE_EQ(state.velocity[i], chain.start[n + i]) << i;
+    }
+  }
+}
+
+TEST(LinearSystem, HalvesItsStepForTheFastestVibration) {
+  const Model model = chain({100.0});
+  // sqrt(4e4 (1 + 1.2) / 100 kg) is 29.7 1/s: 0.02 s is just too long for a half.
+  EXPECT_DOUBLE_EQ(system_of(model, 0.016).step(), 0.016);
+  EXPECT_DOUBLE_EQ(system_of(model, 0.02).step(), 0.01);
+  EXPECT_DOUBLE_EQ(system_of(model, 1.0).step(), 1.0 / 64.0);
+  const auto too_stiff = [] { [[maybe_unused]] const LinearSystem system = system_of(chain({100.0}, 4e17), 1.0); };
+  EXPECT_NE(testing::message_of(too_stiff).find("fastest eigenvalue"), std::string::npos);
+}
+
+TEST(LinearSystem, KnowsItsTangents) {
+  const Model model = chain(masses_of(3));
+  const testing::Tangents tangents{model}, stiffer{chain(masses_of(3), 5e4)};
+  const LinearSystem system = system_of(model, 0.01);
+  EXPECT_TRUE(system.is_of(tangents.stiffness, tangents.damping));
+  EXPECT_FALSE(system.is_of(stiffer.stiffness, tangents.damping));
+  EXPECT_FALSE(system.is_of(tangents.stiffness, tangents.stiffness));
+}
+
+}  // namespace
+}  // namespace moat

@@ -1,0 +1,58 @@
+// Allocations in steps.
+
+#include <gtest/gtest.h>
+
+#include "analyses/time_history/transient.hpp"
+#include "analysis_testing.hpp"
+#include "counted_allocations.hpp"
+#include "motions/near_fault_pulse.hpp"
+#include "output/peaks/peak_recorder.hpp"
+#include "output/recorders/energy_ledger.hpp"
+#include "paper_building.hpp"
+
+namespace moat {
+namespace {
+
+using namespace units;
+using namespace testing;
+
+class Allocation : public ::testing::TestWithParam<TransientOptions> {};
+
+// The whole path: model, NOX, KLU, event checks, ledger and peaks, through impacts and yielding.
+TEST_P(Allocation, NoStepAsksForMemoryOnceEverythingHasHappened) {
+  Model model;
+  ShearBuilding building = paper_building();
+  if (!is_exact(GetParam().integrator)) building.isolation = unlocated_paper_bearings();
+  const NodeId base = add(model, building).base;
+  add(model, Moat<HertzDamp>{.around = base, .clearance = 10 * cm, .law = paper_hertz_damp()});
+  Transient analysis{model, near_fault_pulse({.pulse_period = 1.3 * s}).scaled_to_pga(0.4 * g), GetParam()};
+  EnergyLedger ledger;
+  PeakRecorder peaks{model};
+  analysis.attach(ledger);
+  analysis.attach(peaks);
+  long steps = 0, steps_that_ask = 0, last_that_asks = 0, events_before = 0;
+  while (!analysis.finished()) {
+    const long before = count_of_allocations();
+    analysis.advance();
+    ++steps;
+    if (count_of_allocations() == before) continue;
+    ++steps_that_ask;
+    last_that_asks = steps;
+    events_before = analysis.statistics().events;
+  }
+  // The first steps, the first factors and the first change of every kind may allocate.
+  EXPECT_LE(steps_that_ask, 6);
+  EXPECT_LT(last_that_asks, steps / 2);
+  EXPECT_GE(analysis.statistics().events, events_before + 4) << "touches and separations came after the last request";
+}
+
+INSTANTIATE_TEST_SUITE_P(Integrators, Allocation,
+                         ::testing::Values(TransientOptions{}, TransientOptions{.step = 2.5 * ms},
+                                           TransientOptions{.integrator = ExactBetweenEvents{}}),
+                         [](const auto& options) {
+                           if (is_exact(options.param.integrator)) return "ExactBetweenEvents";
+                           return options.param.step.si() > 0.0 ? "FixedStep" : "AdaptiveStep";
+                         });
+
+}  // namespace
+}  // namespace moat

@@ -1,0 +1,114 @@
+#include "output/files/csv_writer.hpp"
+
+#include <bit>
+#include <charconv>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <random>
+#include <sstream>
+#include <vector>
+
+#include "output_testing.hpp"
+
+namespace moat {
+namespace {
+
+using testing_output::message_of;
+using testing_output::read_file;
+
+class CsvWriter : public testing_output::InFolder {};
+
+std::vector<std::string> split(const std::string& text, char separator) {
+  std::vector<std::string> parts;
+  std::istringstream stream{text};
+  for (std::string part; std::getline(stream, part, separator);) parts.push_back(part);
+  return parts;
+}
+
+// Such a table is written in several pieces.
+TEST_F(CsvWriter, KeepsEveryNumberOfALongTable) {
+  for (const std::size_t rows : {0, 1, 100'000}) {
+    Table table{{{"time", "", "s", {}}, {"peak", "base", "m", {}}}};
+    for (std::size_t row = 0; row < rows; ++row) {
+      table.columns[0].values.push_back(0.1 * static_cast<double>(row));
+      table.columns[1].values.push_back(std::sin(static_cast<double>(row)));
+    }
+    write_csv(table, folder / "long.csv");
+    std::istringstream lines{read_file(folder / "long.csv")};
+    std::string line;
+    ASSERT_TRUE(std::getline(lines, line));
+    std::size_t row = 0;
+    for (; std::getline(lines, line); ++row) {
+      const std::vector<std::string> parts = split(line, ',');
+      ASSERT_EQ(parts.size(), 2u) << row;
+      for (std::size_t i = 0; i < 2; ++i) ASSERT_EQ(std::stod(parts[i]), table.columns[i].values[row]) << row;
+    }
+    EXPECT_EQ(row, rows);
+  }
+}
+
+TEST_F(CsvWriter, LabelsStandInPlaceOfTheirNumbers) {
+  const Table table{{{"record", "", "1", {0.0, 1.0}, {"KJM000", "Erzincan, NS"}}, {"peak", "base", "m", {0.5, 0.25}}}};
+  write_csv(table, folder / "study.csv");
+  EXPECT_EQ(read_file(folder / "study.csv"), "record,peak [m] base\nKJM000,0.5\n\"Erzincan, NS\",0.25\n");
+  EXPECT_THROW(write_csv(Table{{{"record", "", "1", {0.0, 1.0}, {"KJM000"}}}}, folder / "bad.csv"), InputError);
+}
+
+TEST_F(CsvWriter, NumbersReadBackToTheSameBits) {
+  std::mt19937_64 random{2024};
+  Table table;
+  table.columns = {{"time", "", "s", {}}, {"displacement", "base", "m", {}}};
+  table.columns[0].values = {0.0, -0.0, 0.1, 1.0 / 3.0, 5e-324, std::numeric_limits<double>::max()};
+  while (table.columns[0].values.size() < 2000) {
+    const double value = std::bit_cast<double>(random());
+    if (std::isfinite(value)) table.columns[0].values.push_back(value);
+  }
+  table.columns[1].values.assign(table.rows(), 0.005);
+  write_csv(table, folder / "table.csv");
+
+  const std::vector<std::string> lines = split(read_file(folder / "table.csv"), '\n');
+  ASSERT_EQ(lines.size(), table.rows() + 1);
+  EXPECT_EQ(lines[0], "time [s],displacement [m] base");
+  for (std::size_t row = 0; row < table.rows(); ++row) {
+    const std::vector<std::string> cells = split(lines[row + 1], ',');
+    ASSERT_EQ(cells.size(), 2u);
+    double value = 0.0;
+    const auto parsed = std::from_chars(cells[0].data(), cells[0].data() + cells[0].size(), value);
+    ASSERT_EQ(parsed.ptr, cells[0].data() + cells[0].size()) << cells[0];
+    EXPECT_EQ(std::bit_cast<std::uint64_t>(value), std::bit_cast<std::uint64_t>(table.columns[0].values[row]));
+    EXPECT_EQ(cells[1], "0.005");
+  }
+}
+
+TEST_F(CsvWriter, QuotesNamesThatHoldASeparator) {
+  write_csv(Table{{{"force", "gap, \"left\"", "N", {1.0}}}}, folder / "table.csv");
+  EXPECT_EQ(read_file(folder / "table.csv"), "\"force [N] gap, \"\"left\"\"\"\n1\n");
+}
+
+TEST_F(CsvWriter, RefusesColumnsOfDifferentLength) {
+  const Table table{{{"time", "", "s", {0.0, 1.0}}, {"drift", "storey 1", "m", {0.0}}}};
+  EXPECT_EQ(message_of<InputError>([&] { write_csv(table, folder / "table.csv"); }),
+            "Table: column \"drift [m] storey 1\" has 1 values, the first column has 2. Every column needs one value "
+            "per row.");
+}
+
+TEST_F(CsvWriter, NamesTheFileItCannotWrite) {
+  const std::filesystem::path path = folder / "missing" / "table.csv";
+  const std::string message = message_of<FileError>([&] { write_csv(Table{}, path); });
+  EXPECT_NE(message.find(path.string()), std::string::npos) << message;
+  EXPECT_NE(message.find("No such file or directory"), std::string::npos) << message;
+}
+
+TEST_F(CsvWriter, WritesImpactsWithUnits) {
+  const std::string header =
+      "where,start [s],duration [s],approach_speed [m/s],largest_indentation [m],largest_force [N],rebound_ratio [1],"
+      "restitution [1],energy_lost [J]\n";
+  write_csv(std::vector<Impact>{}, folder / "none.csv");
+  EXPECT_EQ(read_file(folder / "none.csv"), header);
+  write_csv(std::vector<Impact>{{"moat left", 3.25, 0.125, 0.5, 0.0078125, 2.5e7, 0.75, 0.5, 4e5}}, folder / "one.csv");
+  EXPECT_EQ(read_file(folder / "one.csv"), header + "moat left,3.25,0.125,0.5,0.0078125,2.5e+07,0.75,0.5,4e+05\n");
+}
+
+}  // namespace
+}  // namespace moat

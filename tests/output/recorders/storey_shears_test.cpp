@@ -1,0 +1,68 @@
+#include "output/recorders/storey_shears.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "elements/line/shear_spring.hpp"
+#include "elements/line/viscous_damper.hpp"
+#include "output/vtk/model_scene.hpp"
+#include "structures/plan_building.hpp"
+
+namespace moat {
+namespace {
+
+using namespace units;
+
+TEST(StoreyShears, AddUpTheSpringsBetweenTheSameFloors) {
+  Model model;
+  const NodeId low = add(model, Node{.name = "low", .mass = 1 * kg}),
+               high = add(model, Node{.name = "high", .mass = 1 * kg});
+  add(model, ShearSpring{.name = "storey 1", .lower = ground, .upper = low, .stiffness = 1000 * N / m});
+  add(model, ShearSpring{.name = "frame", .lower = low, .upper = high, .stiffness = 100 * N / m});
+  add(model, ShearSpring{.name = "wall", .lower = low, .upper = high, .stiffness = 20 * N / m});
+  add(model, ViscousDamper{.name = "damper", .lower = low, .upper = high, .damping = 5 * N * s / m});
+  model.prepare();
+  model.trial().displacement.head(2) << 0.01, -0.04;
+  model.trial().velocity.head(2) << 1.0, 2.0;
+  model.evaluate();
+  model.commit();
+  StoreyShears shears{model, {{ground, low}, {low, high}}};
+  const std::span<const double> values = shears.evaluate(model);
+  ASSERT_EQ(values.size(), 2u);
+  EXPECT_NEAR(values[0], 10.0, 1e-12);
+  EXPECT_NEAR(values[1], -6.0, 1e-12);
+}
+
+TEST(StoreyShears, InPlanAreTheLengthOfTheSumOfAllColumns) {
+  // Six columns of 2 kN/m along x and y; the floor moves by (4, 3) cm, and turns about its centre, where the columns
+  // of a symmetric grid add nothing.
+  Model model;
+  const PlanBuildingParts tower = add(model, PlanBuilding{.outline = rectangle(20 * m, 12 * m),
+                                                          .storeys = 2,
+                                                          .floor_mass = 500 * tonne,
+                                                          .columns = grid(3, 2, {.stiffness = 2 * kN / m})});
+  model.prepare();
+  const auto move = [&](const DiaphragmId& floor, double x, double y, double r) {
+    model.trial().displacement[floor.x.index] = x;
+    model.trial().displacement[floor.y.index] = y;
+    model.trial().displacement[floor.r.index] = r;
+  };
+  move(tower.floors[0], 0.04, 0.03, 0.002);
+  move(tower.floors[1], 0.04, 0.03, 0.001);
+  model.evaluate();
+  model.commit();
+  const Scene scene = scene_of(model);
+  ASSERT_EQ(scene.storeys.size(), 2u);
+  StoreyShears shears{model, scene.storeys};
+  const std::span<const double> values = shears.evaluate(model);
+  EXPECT_NEAR(values[0], 6.0 * 2000.0 * 0.05, 1e-9);
+  EXPECT_NEAR(values[1], 0.0, 1e-9);
+  // Every storey is drawn at the four corners of its floor.
+  for (const int storey : {0, 1})
+    EXPECT_EQ(std::ranges::count_if(scene.cells, [&](const SceneCell& cell) { return cell.storey == storey; }), 4);
+}
+
+}  // namespace
+}  // namespace moat
