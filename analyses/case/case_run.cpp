@@ -172,9 +172,8 @@ void CaseRun::run_companion() {
   } else if (!untouched_ ||
              (options_.error_bars == ErrorBarMode::automatic && !companion_is_cheap(*untouched_, solves))) {
     about_companion_ =
-        "No error bars: the run evaluates more than 200000 elements, and a second one more again. --check (in code "
-        "CaseOptions::error_bars = "
-        "ErrorBarMode::always) makes it in any case.";
+        "No error bars by default for a run of this size (steps times elements). --check (in code "
+        "CaseOptions::error_bars = ErrorBarMode::always) makes the second run that they need.";
   } else {
     const TransientOptions finer = companion_options(options_.transient, spent.longest_step);
     about_companion_ = companion_description(finer);

@@ -21,7 +21,7 @@ namespace moat {
 
 /// When a run is followed by a companion with finer steps, from which its peaks get their errors.
 enum class ErrorBarMode {
-  automatic,  ///< where the run evaluates at most 2e5 elements (companion_is_cheap)
+  automatic,  ///< where steps times elements are few (companion_is_cheap)
   always,
   never,
 };

@@ -88,8 +88,6 @@ class StepControl {
   [[nodiscard]] double tolerance() const { return options_.tolerance; }
   /// From now on errors are compared with this share of the tolerance, 0 < share <= 1.
   void use_share_of_tolerance(double share) { share_of_tolerance_ = share; }
-  /// By which errors of accelerations are divided, m/s^2, one per node.
-  [[nodiscard]] const Vector& acceleration_scales() { return scales_.values(); }
   /// Elements changed their regime inside the last step.
   void changed_inside(const Model& model, std::span<const RegimeChange> changes);
 

@@ -6,12 +6,16 @@
 #include <utility>
 
 namespace moat {
+namespace {
 
-double StepGrid::next_multiple(double time, double step) {
+// The first multiple of `step` after `time`, both in s; one that is closer than round-off is skipped.
+double next_multiple(double time, double step) {
   const double position = time / step;
   const double coincident = std::max(1e-6, 8.0 * std::numeric_limits<double>::epsilon() * position);
   return static_cast<double>(static_cast<long>(position + coincident) + 1) * step;
 }
+
+}  // namespace
 
 StepGrid::StepGrid(const GroundMotion& motion, double start, double end)
     : motion_{&motion}, end_{end}, ground_{motion.components_at(start)} {}

@@ -21,8 +21,6 @@ class StepGrid {
   /// The ground's acceleration at the committed state, m/s^2.
   [[nodiscard]] PlanVector ground_acceleration() const { return ground_; }
 
-  /// The first multiple of `step` after `time`, both in s; one that is closer than round-off is skipped.
-  [[nodiscard]] static double next_multiple(double time, double step);
   /// The step from `time` to the next multiple of `length`, s.
   [[nodiscard]] StepTask next_step(double time, double length) const;
   /// The first h seconds of a step that next_step() returned.

@@ -56,6 +56,15 @@ StepView Transient::view(bool on_grid) const {
 }
 
 void Transient::advance() {
+  try {
+    take_and_report_step();
+  } catch (...) {
+    model_->return_to_committed_state();
+    throw;
+  }
+}
+
+void Transient::take_and_report_step() {
   if (!model_->prepared() || model_->state().ground_motion != motion_)
     throw InputError{
         "Transient: the model was changed while it is being analysed. Make a new Transient after adding to it, and "
@@ -166,7 +175,6 @@ void Transient::run(const std::function<bool()>& stop) {
   try {
     while (!finished() && !(stop && stop())) advance();
   } catch (...) {
-    model_->return_to_committed_state();
     try {
       end();
     } catch (const std::exception&) {

@@ -58,7 +58,7 @@ class Transient {
   /// Whether the end of the analysis is reached, or the model has collapsed.
   [[nodiscard]] bool finished() const { return collapse_.collapsed() || grid_.finished(model_->state().time); }
   /// One accepted step, and the changes of regime inside it or at its end if there are any. Observers attached since
-  /// the last step get the start first.
+  /// the last step get the start first. Where it throws, the model is in the state before.
   void advance();
   /// Calls finish() of the observers: the analysis ends here. run() does so itself.
   void finish();
@@ -76,6 +76,7 @@ class Transient {
   [[nodiscard]] std::vector<std::string> warnings() const;
 
  private:
+  void take_and_report_step();
   double take_step();
   double treat_crossing(double h);
   void commit(const StepTask& step);

@@ -41,8 +41,8 @@ struct TransientOptions {
   /// >= 1e-12, < 1. Adaptive step: the error of acceleration that one step should add at any node, relative to the
   /// scale of the absolute acceleration there (analyses/time_history/acceleration_scales.hpp); above twice that a step
   /// is repeated. Steps are the longest step divided by powers of two. Exact steps: sixteen times this is the error of
-  /// the cubic between the ends of a step, on the same scale; Newmark's steps between them, in contact, have a third of
-  /// it.
+  /// the cubic between the ends of a step, relative to the amplitude of the fastest vibration; Newmark's steps between
+  /// them, in contact, have a third of it.
   double tolerance = 3e-5;
 
   /// >= 4. Adaptive step: steps within the duration of one contact, estimated with the masses of the joined nodes

@@ -3,6 +3,7 @@
 #include <utility>
 
 namespace moat {
+
 LinkArrays::LinkArrays() = default;
 LinkArrays::LinkArrays(const LinkArrays& other) = default;
 LinkArrays& LinkArrays::operator=(const LinkArrays& other) = default;

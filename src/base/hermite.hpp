@@ -52,24 +52,6 @@ class HermiteCubic {
   double value_, rise_, left_, right_, h_;
 };
 
-/// One place on many such cubics over the same step: HermiteCubic{...}.value(x) with less to compute.
-class HermiteCubicsAt {
- public:
-  /// At x, 0 to 1, of a step of length h > 0 s.
-  HermiteCubicsAt(double x, double h)
-      : of_rise_{x * x * (3.0 - 2.0 * x)},
-        of_rate0_{h * x * (1.0 - x) * (1.0 - x)},
-        of_rate1_{-h * x * x * (1.0 - x)} {}
-
-  /// Of the cubic with these values and rates (per second) at its ends.
-  [[nodiscard]] double value(double value0, double rate0, double value1, double rate1) const {
-    return value0 + of_rise_ * (value1 - value0) + of_rate0_ * rate0 + of_rate1_ * rate1;
-  }
-
- private:
-  double of_rise_, of_rate0_, of_rate1_;
-};
-
 /// A quantity over one step, x = t/h from 0 to 1: the quintic through value and first two derivatives at both ends.
 /// Its error is h^6/46080 of the sixth derivative.
 class HermiteQuintic {
@@ -101,7 +83,7 @@ class HermiteQuintic {
   double h_;
 };
 
-/// One place on many such quintics over the same step, as HermiteCubicsAt.
+/// One place on many such quintics over the same step: HermiteQuintic{...}.value(x) with less to compute.
 class HermiteQuinticsAt {
  public:
   /// At x, 0 to 1, of a step of length h > 0 s.

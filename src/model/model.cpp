@@ -100,11 +100,11 @@ void Model::add_building(Building building) {
     require_node(nodes[i], check, i == 0 && building.base != ground ? "base" : "a floor");
     check.that(nodes[i] != ground, "the ground is among the floors.", "List only nodes with mass.");
     const auto index = static_cast<std::size_t>(nodes[i].index);
-    if (in_building_[index])
+    if (in_building_[index] || std::ranges::count(nodes, nodes[i]) > 1)
       check.that(false, "the node \"" + nodes_[index].name + "\" is in a building already.",
                  "Its inertia would count twice.");
-    in_building_[index] = true;
   }
+  for (const NodeId node : nodes) in_building_[static_cast<std::size_t>(node.index)] = true;
   building_names_.insert(building.name);
   buildings_.push_back(std::move(building));
 }

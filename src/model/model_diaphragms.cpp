@@ -19,12 +19,18 @@ DiaphragmId Model::add_diaphragm(const Diaphragm& diaphragm) {
       check.that(false, "the model has the node \"" + node.name + "\", which moves on a line.",
                  "Give that node a .direction, or make it a Diaphragm: a model moves on a line or in plan.");
   const double gyration = std::sqrt(inertia / diaphragm.mass.si());
-  const auto degree_of_freedom = [&](const char* suffix, PlanVector direction, Length displacement, Speed velocity) {
-    const std::string name = diaphragm.name + suffix;
-    check.that(!has_node(name), "a node \"" + name + "\" exists.", "Give every node and diaphragm its own name.");
+  // All three before the first is added.
+  for (const char* suffix : {":x", ":y", ":r"})
+    check.that(!has_node(diaphragm.name + suffix), "a node \"" + diaphragm.name + suffix + "\" exists.",
+               "Give every node and diaphragm its own name.");
+  const Length arc = gyration * diaphragm.initial_rotation * units::m;
+  const Speed arc_speed = gyration * units::m * diaphragm.initial_angular_velocity;
+  for (const Length displacement : {diaphragm.initial_displacement.x, diaphragm.initial_displacement.y, arc})
     check.finite("initial_displacement", displacement);
+  for (const Speed velocity : {diaphragm.initial_velocity_x, diaphragm.initial_velocity_y, arc_speed})
     check.finite("initial_velocity", velocity);
-    return append_node({.name = name,
+  const auto degree_of_freedom = [&](const char* suffix, PlanVector direction, Length displacement, Speed velocity) {
+    return append_node({.name = diaphragm.name + suffix,
                         .mass = diaphragm.mass,
                         .initial_displacement = displacement,
                         .initial_velocity = velocity,
@@ -42,8 +48,7 @@ DiaphragmId Model::add_diaphragm(const Diaphragm& diaphragm) {
   placed.id.x = degree_of_freedom(":x", {1.0, 0.0}, diaphragm.initial_displacement.x, diaphragm.initial_velocity_x);
   placed.id.y = degree_of_freedom(":y", {0.0, 1.0}, diaphragm.initial_displacement.y, diaphragm.initial_velocity_y);
   // The ground does not turn.
-  placed.id.r = degree_of_freedom(":r", {}, gyration * diaphragm.initial_rotation * units::m,
-                                  gyration * units::m * diaphragm.initial_angular_velocity);
+  placed.id.r = degree_of_freedom(":r", {}, arc, arc_speed);
   diaphragm_of_node_.resize(nodes_.size(), -1);
   for (const NodeId node : placed.id.degrees_of_freedom())
     diaphragm_of_node_[static_cast<std::size_t>(node.index)] = static_cast<int>(diaphragms_.size());

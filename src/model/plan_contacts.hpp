@@ -2,8 +2,8 @@
 #pragma once
 
 #include <cstddef>
-
 #include <string>
+
 #include "base/plan_vector.hpp"
 
 namespace moat {

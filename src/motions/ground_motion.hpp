@@ -55,7 +55,6 @@ class GroundMotion {
   [[nodiscard]] std::vector<MotionComponent> components() const;
   /// s
   [[nodiscard]] double time_step() const { return time_step_; }
-  [[nodiscard]] double samples_per_second() const { return samples_per_second_; }  ///< 1/s
   /// Time of the last sample, (number of samples - 1) * time_step, s.
   [[nodiscard]] double duration() const { return duration_; }
   /// m/s^2

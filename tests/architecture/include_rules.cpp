@@ -63,6 +63,8 @@ std::optional<std::string> layer_of(const std::string& path) {
 /// The file that alone may include a library, and the names of the headers of the library.
 const std::map<std::string, std::regex> only_in{
     {"src/output/vtk/vtk_writers.cpp", std::regex{R"(^(SMP/\w+/)?vtk\w*\.h$)"}},
+    {"src/solvers/newton.cpp", std::regex{R"(^(trilinos/)?(NOX|Teuchos)\w*\.(H|hpp)$)"}},
+    {"src/solvers/factorisation.cpp", std::regex{R"(^(suitesparse/)?(klu|btf|amd|colamd)\.h$)"}},
 };
 
 bool is_header(const std::string& path) { return !path.ends_with(".cpp"); }

@@ -19,12 +19,6 @@ TEST(HermiteCubic, IsTheCubicThroughItsEnds) {
   }
 }
 
-TEST(HermiteCubic, ManyAtOnePlaceAreTheSame) {
-  for (const double x : {0.0, 0.1, 0.5, 0.9, 1.0})
-    EXPECT_NEAR((HermiteCubicsAt{x, h}.value(value(start), rate(start), value(start + h), rate(start + h))),
-                value(start + x * h), 1e-14 * value(start + h));
-}
-
 // A quintic with its first two derivatives.
 double quintic(double t) { return value(t) + t * t * t * t * (2.0 - 3.0 * t); }
 double quintic_rate(double t) { return rate(t) + t * t * t * (8.0 - 15.0 * t); }

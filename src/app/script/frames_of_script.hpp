@@ -3,6 +3,7 @@
 
 #include <exception>
 #include <filesystem>
+#include <optional>
 #include <string>
 
 #include "base/text/terminal.hpp"
@@ -11,18 +12,19 @@
 
 namespace moat {
 
-/// Where a frame cannot be written there are no more, and the analysis goes on.
+/// Where frames cannot be written the analysis goes on without them.
 class FramesOfScript final : public StepObserver {
  public:
   /// As FrameRecorder.
-  FramesOfScript(const Model& model, const std::filesystem::path& folder, double interval)
-      : frames_{model, folder, interval} {}
+  FramesOfScript(const Model& model, const std::filesystem::path& folder, double interval) {
+    attempt([&] { frames_.emplace(model, folder, interval); });
+  }
 
   void start(const StepView& view) override {
-    attempt([&] { frames_.start(view); });
+    attempt([&] { frames_->start(view); });
   }
   void step(const StepView& view) override {
-    attempt([&] { frames_.step(view); });
+    attempt([&] { frames_->step(view); });
   }
   /// Why frames are missing; empty where none are.
   [[nodiscard]] const std::string& failure() const { return failure_; }
@@ -38,7 +40,7 @@ class FramesOfScript final : public StepObserver {
     }
   }
 
-  FrameRecorder frames_;
+  std::optional<FrameRecorder> frames_;
   std::string failure_;
 };
 

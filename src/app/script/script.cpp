@@ -214,7 +214,7 @@ std::optional<int> Script::read_options(const GroundMotion& motion, RunOptions& 
   // At most some 400 frames of a motion of any length.
   options.frame_interval = time("frame-interval", std::max(50 * units::ms, options.transient.end / 400.0),
                                 "between VTK frames; 0 s writes none");
-  line.add_flag("check", options.check, "error bars also where the run evaluates more than 200000 elements");
+  line.add_flag("check", options.check, "error bars, by a second run, for runs of any size");
   line.add_flag("quiet", options.quiet, "print warnings and errors only");
   line.add_json_flag();
   parts_->checked = true;

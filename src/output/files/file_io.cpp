@@ -37,7 +37,13 @@ void replace_file(const std::filesystem::path& path, const Write& write) {
   write_file(path, [&](const std::string& unfinished) {
     const int file = open(unfinished.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, permissions);
     if (file < 0) fail(path, "cannot be created", errno);
-    const int reason = write(file) ? 0 : errno;
+    int reason = 0;
+    try {
+      reason = write(file) ? 0 : errno;
+    } catch (...) {
+      close(file);
+      throw;
+    }
     // A full disk may show only at the end.
     return close(file) != 0 && reason == 0 ? errno : reason;
   });
@@ -59,7 +65,13 @@ void write_file(const std::filesystem::path& path, const std::function<std::stri
 
 void write_file(const std::filesystem::path& path, const std::function<int(const std::string&)>& write) {
   const std::string unfinished = path.string() + ".unfinished-" + std::to_string(getpid());
-  int reason = write(unfinished);
+  int reason = 0;
+  try {
+    reason = write(unfinished);
+  } catch (...) {
+    std::remove(unfinished.c_str());
+    throw;
+  }
   const char* what = "cannot be written completely";
   if (reason == 0) {
     if (std::rename(unfinished.c_str(), path.c_str()) == 0) return;

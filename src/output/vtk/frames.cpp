@@ -75,6 +75,7 @@ class FrameList {
   explicit FrameList(const fs::path& path) : path_{path} {
     write_file(path, head_ + tail_);
     file_.open(path, std::ios::in | std::ios::out);
+    if (!file_) refuse(std::strerror(errno));
   }
 
   void add(double time, const std::string& file) {
@@ -89,13 +90,16 @@ class FrameList {
       put(tail_);
       std::error_code ignored;
       fs::resize_file(path_, end_ + tail_.size(), ignored);
-      throw FileError{path_.string() + ": cannot be written (" + reason +
-                      "). Check the folder's rights and the disk space."};
+      refuse(reason);
     }
     end_ += entry.size();
   }
 
  private:
+  [[noreturn]] void refuse(const std::string& reason) const {
+    throw FileError{path_.string() + ": cannot be written (" + reason +
+                    "). Check the folder's rights and the disk space."};
+  }
   void put(const std::string& text) { (file_.seekp(static_cast<std::streamoff>(end_)) << text).flush(); }
 
   const std::string head_ = "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\">\n<Collection>\n";
