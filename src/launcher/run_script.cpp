@@ -32,15 +32,14 @@ void become_job(const Command& command) {
     set -m
     exec 3>&2 2>/dev/null # the shell has nothing to say
     first=0
-    hand_on() { if ((first)); then kill -TERM "$job"; else first=$1 && kill -USR1 "$job"; fi; }
+    hand_on() { if ((first)); then kill -TERM $!; else first=$1 && kill -USR1 $! || exit $((128 + first)); fi; }
     trap 'hand_on 1' HUP
     trap 'hand_on 2' INT
     trap 'hand_on 15' TERM
     setpriv --pdeathsig TERM "$@" </dev/null 2>&3 3>&- &
-    job=$!
-    wait "$job" # until it ends, or a signal comes
-    while kill -0 "$job"; do wait "$job"; done
-    wait "$job"
+    wait $! # until it ends, or a signal comes
+    while kill -0 $!; do wait $!; done
+    wait $!
     code=$?
     exit $((first && code ? 128 + first : code)))",
               "moat"};
