@@ -153,7 +153,7 @@ std::vector<std::string> broken_rules(const std::vector<SourceFile>& sources) {
         broken.push_back(place + "includes " + include.name + " in a header; it belongs in a .cpp file");
       }
       for (const auto& [file, library] : only_in)
-        if (source.path != file && std::regex_search(include.name, library))
+        if (source.path != file && !is_header(source.path) && std::regex_search(include.name, library))
           broken.push_back(place + "includes " + include.name + ", which belongs in " + file);
       const std::optional<std::string> target = resolve(source.path, include);
       if (!target) {

@@ -19,7 +19,8 @@ std::vector<SourceFile> tree_in_order() {
   return {
       {"src/base/error.hpp", "#include <string>\n"},
       {"src/model/model.hpp", "#include \"base/error.hpp\"\n"},
-      {"src/solvers/newton.cpp", "#include <NOX.H>\n#include <klu.h>\n#include \"base/error.hpp\"\n"},
+      {"src/solvers/newton.cpp", "#include <NOX.H>\n#include \"base/error.hpp\"\n"},
+      {"src/solvers/factorisation.cpp", "#include <klu.h>\n"},
       {"src/motions/motion.hpp", "#include \"base/error.hpp\"\n"},
       {"src/output/vtk/vtk_writers.cpp",
        "#include <vtkNew.h>\n#include \"model/model.hpp\"\n#include \"motions/motion.hpp\"\n"},
@@ -84,6 +85,13 @@ TEST(IncludeRules, RefuseHeavyLibrariesInHeaders) {
     EXPECT_EQ(broken_with({"src/output/bad.hpp", "#include <" + name + ">\n"}),
               sentences("src/output/bad.hpp:1 includes " + name + " in a header; it belongs in a .cpp file"));
   }
+}
+
+TEST(IncludeRules, RefuseNoxAndKluInAllFilesButOne) {
+  EXPECT_EQ(broken_with({"analyses/bad.cpp", "#include <NOX.H>\n#include <Teuchos_RCP.hpp>\n#include <klu.h>\n"}),
+            sentences("analyses/bad.cpp:1 includes NOX.H, which belongs in src/solvers/newton.cpp",
+                      "analyses/bad.cpp:2 includes Teuchos_RCP.hpp, which belongs in src/solvers/newton.cpp",
+                      "analyses/bad.cpp:3 includes klu.h, which belongs in src/solvers/factorisation.cpp"));
 }
 
 TEST(IncludeRules, RefuseVtkInAllFilesButOne) {
