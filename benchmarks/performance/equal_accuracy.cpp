@@ -68,7 +68,6 @@ class Report {
       if (seconds.contains(name)) judge(name, scaled(spread_of(seconds.at(name)), 1e3), Target{bound}, "ms");
     };
     at_most_ms(names::moat_recorded, 15.0);
-    at_most_ms(names::moat_exact_recorded, 3.0);
     if (!seconds.contains(names::moat_adaptive)) return;
     const std::vector<double>& moat = seconds.at(names::moat_adaptive);
     if (const auto sundials = seconds.find(names::arkode); sundials != seconds.end())
