@@ -258,7 +258,7 @@ TEST_F(ScriptRun, ProgressIsALineForEveryTenPercentWithoutATerminal) {
 TEST_F(ScriptRun, ErrorBarsOfALongRunAreMadeOnlyIfAsked) {
   const std::vector<std::string> common{"--end", "6 s", "--step", "0.1 ms", "--frame-interval", "0 s"};
   const ProgramResult plain = tour(common);
-  EXPECT_NE(plain.output.find("No error bars: the second run would cost more"), std::string::npos) << plain.output;
+  EXPECT_NE(plain.output.find("No error bars by default for a run of this size"), std::string::npos) << plain.output;
   EXPECT_EQ(plain.output.find("+-"), std::string::npos) << plain.output;
   const json without = json::parse(text_of(folder / "results/01_moat_wall/summary.json"));
   EXPECT_EQ(without.at("error_bars").at("checked"), false);

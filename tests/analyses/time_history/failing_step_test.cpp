@@ -12,6 +12,7 @@
 #include "base/error.hpp"
 #include "elements/line/link_block.hpp"
 #include "elements/line/shear_spring.hpp"
+#include "motions/near_fault_pulse.hpp"
 
 namespace moat {
 namespace {
@@ -186,16 +187,17 @@ TEST(FailingStep, AStepThatOnlyNeedsCuttingIsAccepted) {
   EXPECT_TRUE(analysis.finished());
 }
 
-// Before the edge the law has no force: on ground that is still all terms of its row vanish.
+// Before the edge the law has no force, and the pulse begins with accelerations of almost nothing: all terms of the
+// row vanish together.
 TEST(FailingStep, IsNoneWhereAllForcesVanish) {
   Model model;
   const NodeId body = add(model, Node{.name = "body", .mass = 1000 * kg, .initial_velocity = 10 * mm / s});
   model.register_element("Spring", "edge");
   model.block<LinkBlock<Edge>>().add({.name = "edge", .first = ground, .second = body}, Edge{});
-  Transient analysis{model, still_ground(1 * s)};
+  Transient analysis{model, near_fault_pulse(), {.end = 0.2 * s}};
   analysis.run();
   EXPECT_EQ(analysis.statistics().rejected_steps, 0);
-  EXPECT_NEAR(model.displacement(body), 10e-3, 1e-9);
+  EXPECT_LE(analysis.statistics().newton_iterations, 2 * analysis.statistics().accepted_steps);
 }
 
 }  // namespace
