@@ -70,12 +70,11 @@ class Report {
     at_most_ms(names::moat_recorded, 15.0);
     if (!seconds.contains(names::moat_adaptive)) return;
     const std::vector<double>& moat = seconds.at(names::moat_adaptive);
-    if (const auto sundials = seconds.find(names::arkode); sundials != seconds.end())
-      judge("ARKODE / moat adaptive", ratio_of(sundials->second, moat), Target{5.0, false});
-    if (const auto opensees = seconds.find(names::opensees); opensees != seconds.end()) {
-      const std::string name = "OpenSees / moat adaptive";
-      targets_->put(name, column_, cell(add(name, ratio_of(opensees->second, moat), "")));
-    }
+    for (const char* other : {names::arkode, names::opensees})
+      if (const auto its = seconds.find(other); its != seconds.end()) {
+        const std::string name = std::string{other} + " / moat adaptive";
+        targets_->put(name, column_, cell(add(name, ratio_of(its->second, moat), "")));
+      }
   }
 
   const Figure& add(const std::string& name, const Spread& value, const std::string& unit,
