@@ -109,7 +109,7 @@ struct HeatedSlidingIsolator {
             state.direction == 0 ? 0.0 : rate - state.direction * rates.coefficient * normal_force / elastic_stiffness};
   }
 
-  /// Of the slider on the surface, N/m^2.
+  /// Pressure of the slider on the surface, N/m^2.
   [[nodiscard]] double pressure() const {
     return normal_force / (std::numbers::pi * friction.slider_radius.si() * friction.slider_radius.si());
   }

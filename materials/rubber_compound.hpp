@@ -20,7 +20,7 @@ struct RubberCompound {
     x06,  ///< Bridgestone X0.6
     x04,  ///< Bridgestone X0.4
   };
-  static constexpr double largest_strain = 4.1;  ///< Of the fit; beyond it the skeleton goes on straight.
+  static constexpr double largest_strain = 4.1;  ///< Limit of the fit; beyond it the skeleton goes on straight.
 
   Kind kind = Kind::x06;  ///< the compound
 

@@ -33,7 +33,7 @@ struct RubberLoop {
     double value, slope, integral;  ///< without unit
   };
 
-  /// Of a compound.
+  /// Returns the loop of a compound with this largest strain.
   static RubberLoop at(const RubberCompound& rubber, double largest) {
     const double g = std::min(largest, RubberCompound::largest_strain);
     return {.largest = largest,
@@ -57,7 +57,7 @@ struct RubberLoop {
     return 0.5 * (1.0 - share) * skeleton * largest *
            (0.5 * size * size + std::pow(size, exponent + 1.0) / (exponent + 1.0));
   }
-  /// Of a branch with this b.
+  /// Returns the values of a branch with this b.
   [[nodiscard]] Branch branch(double b, double distance) const {
     const double c = second_decay, first = std::exp(-decay * distance), second = std::exp(-c * distance);
     return {

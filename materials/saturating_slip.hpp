@@ -73,7 +73,7 @@ class SaturatingSlip {
     }
     const PlanVector t = increment / size, m = turned_left(t);
     const double s = size / reach_;
-    // Of the cubic: h/10 (v0 - v1) x D - h^2/60 v0 x v1.
+    // The area of the cubic is h/10 (v0 - v1) x D - h^2/60 v0 x v1.
     const PlanVector bend = 0.1 * interval * (rate_before - rate);
     const double twist = interval * interval / 60.0, per_square = 1.0 / (reach_ * reach_);
     const double area = per_square * (cross(bend, increment) - twist * cross(rate_before, rate));
@@ -192,7 +192,7 @@ class SaturatingSlip {
     const double rest = s - elastic, share = rest / s, part = share * share * share;
     const double part_by_rest = 3.0 * share * share / s;
     const Parts end = pulled(begin, q, rest, all * part);
-    // Of the rest's length, with its part of the area, the whole length unchanged.
+    // The derivative by the rest's length, with its part of the area, the whole length unchanged.
     const Pair by_rest = end.by_size + (all * part_by_rest) * end.by_area;
     return {end.at,
             begin_by_p * end.by_p + -elastic_by_p * by_rest,

@@ -157,7 +157,7 @@ struct SeriesOfSliders {
     std::ranges::sort(list);
     return list;
   }
-  // Of one branch under a force.
+  // Returns the displacement of one branch under a force.
   [[nodiscard]] double displacement(const Branch& branch, double slip, double force) const {
     const auto list = corners(branch, slip);
     double below = -std::numeric_limits<double>::infinity(), above = -below;

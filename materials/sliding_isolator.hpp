@@ -26,7 +26,7 @@ struct SlidingIsolator {
   double restoring_stiffness = 0.0;  ///< k_r >= 0 N/m
   double elastic_stiffness = 0.0;    ///< k_0 > 0 N/m
   double normal_force = 0.0;         ///< N > 0 N
-  Friction friction;                 ///< Of the surface.
+  Friction friction;                 ///< Friction of the surface.
 
   struct State {
     double slip = 0.0;            ///< m

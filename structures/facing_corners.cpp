@@ -18,7 +18,7 @@ struct Edge {
   [[nodiscard]] double position(PlanVector point) const { return dot(along(), point - begin.si()); }
 };
 
-// Of walls around a space: the space is on the left. Of a solid body the space is outside.
+// Returns an edge with the free space on its left: inside walls around a space, outside a solid body.
 Edge edge_of(const PlanOutline& outline, std::size_t i, bool solid) {
   const PlanPosition &a = outline.corners[i], &b = outline.corners[(i + 1) % outline.size()];
   return solid ? Edge{b, a} : Edge{a, b};

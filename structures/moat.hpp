@@ -26,9 +26,9 @@ struct WallGeometry {
       2400.0 * units::kg / (units::m * units::m * units::m);
   /// 0 < share <= 1 of the inertia of the whole section; 0.3 to 0.5 where concrete has cracked.
   double cracked_share = 1.0;
-  /// Of the base against rotation, > 0 N m; clamped if left out.
+  /// Stiffness of the base against rotation, > 0 N m; clamped if left out.
   Energy base_rotation{};
-  /// Of the base, > 0 N m: the wall yields there; elastic if left out.
+  /// Yield moment of the base, > 0 N m: the wall yields there; elastic if left out.
   Energy yield_moment{};
 };
 

@@ -22,7 +22,7 @@ class PerStorey {
  public:
   /// A field that is left out does not compile, as with Required. Without this it would be an empty list.
   PerStorey() = delete;
-  /// The same for every storey.
+  /// One value for every storey.
   PerStorey(T every) : values_{every} {}
   /// Also from a type that converts to a value: any law for the law of a storey.
   template <std::convertible_to<T> Any>
@@ -32,9 +32,9 @@ class PerStorey {
   /// One value per storey, from the lowest up.
   PerStorey(std::vector<T> list) : values_{std::move(list)}, is_list_{true} {}
 
-  /// Of storey or floor 1, 2, ...
+  /// Value of storey or floor 1, 2, ...
   [[nodiscard]] const T& of(int storey) const { return values_[is_list_ ? static_cast<std::size_t>(storey - 1) : 0]; }
-  /// Of storeys 1 to `storeys`.
+  /// Values of storeys 1 to `storeys`.
   [[nodiscard]] std::vector<T> list(int storeys) const {
     return is_list_ ? values_ : std::vector<T>(static_cast<std::size_t>(storeys), values_.front());
   }

@@ -33,18 +33,18 @@ namespace moat {
 struct PlanBuilding {
   /// Put before the names of all parts ("north base", "north floor 1") where a model has several buildings.
   std::string name{};
-  Required<PlanOutline> outline;  ///< Of all floors, seen from above.
+  Required<PlanOutline> outline;  ///< Outline of all floors, seen from above.
   /// >= 1.
   Required<int> storeys;
   /// > 0 kg, each floor above the base.
   PerStorey<Mass> floor_mass;
-  /// Of the floors' centres of mass from the outline's centroid.
+  /// Offset of the floors' centres of mass from the outline's centroid.
   PlanPosition mass_offset{};
-  /// The same of the base.
+  /// Offset of the base's centre of mass from the outline's centroid.
   PlanPosition base_mass_offset{};
   /// One for all storeys, or a list from the lowest up.
   StoreyColumns columns;
-  RayleighDamping damping{};  ///< Of the superstructure.
+  RayleighDamping damping{};  ///< Damping of the superstructure.
   /// > 0 kg; give it together with bearings.
   Mass base_mass{};
   /// Under the base; fixed to the ground if left out.
@@ -55,7 +55,7 @@ struct PlanBuilding {
 
 /// The parts of a building in plan that was added.
 struct PlanBuildingParts {
-  std::string name;  ///< Of the building.
+  std::string name;  ///< Name of the building.
   DiaphragmId base;  ///< not specified() for a fixed building
   /// From the lowest up, without the base.
   Places<DiaphragmId, floors_remedy> floors;

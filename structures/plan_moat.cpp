@@ -51,7 +51,7 @@ std::vector<MeetingPair> moat_pairs(Model& model, const std::string& name, Diaph
   }
   const std::string base_name = base.name;
   const PlanOutline edges = walls.empty() ? offset_outwards(base.outline, *clearance) : walls;
-  // Of a law that belongs to a whole face: the mass that meets it flat.
+  // A law that belongs to a whole face gets the mass that meets it flat.
   const bool of_face = facing.share == Share::per_face || facing.points_per_face > 0;
   const Mass effective_mass = of_face ? base.mass * units::kg : Mass{};
 

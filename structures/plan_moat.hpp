@@ -61,13 +61,13 @@ struct PlanNeighbours {
 
 /// A corner and an edge that may meet: a CornerGap but for its law and friction.
 struct MeetingPair {
-  std::string name;         ///< Of the gap.
-  std::string place;        ///< Of the whole moat.
+  std::string name;         ///< Name of the gap.
+  std::string place;        ///< Name of the whole moat.
   PlanPoint corner;         ///< At rest.
   NodeId edge_of;           ///< The body of the edge.
   PlanPosition edge_begin;  ///< The corner is on the left of the way to edge_end.
   PlanPosition edge_end;    ///< At rest, too.
-  double share = 1.0;       ///< Of the law's force.
+  double share = 1.0;       ///< Share of the law's force.
   Mass effective_mass{};    ///< For the law; 0 kg stands for that of the corner.
   std::string corner_name;  ///< For tables.
   std::string edge_name;    ///< For tables.

@@ -18,7 +18,7 @@
 
 namespace moat {
 
-/// The same item on the points of a grid over the outline of a building: `along_x` columns of points by `along_y` rows,
+/// One item for all points of a grid over the outline of a building: `along_x` columns of points by `along_y` rows,
 /// from border to border of the rectangle around the outline. A single column or row stands in the middle.
 ///
 ///     4 . 5 . 6     grid(3, 2, item): numbered row by row
@@ -114,13 +114,13 @@ class PlanColumns {
 /// The columns of all storeys: one PlanColumns for all, or a list from the lowest up.
 class StoreyColumns {
  public:
-  /// The same for every storey.
+  /// One PlanColumns for every storey.
   template <std::convertible_to<PlanColumns> Every>
   StoreyColumns(Every every) : list_{PlanColumns{std::move(every)}} {}
   /// One per storey, from the lowest up.
   StoreyColumns(std::vector<PlanColumns> list) : list_{std::move(list)}, is_list_{true} {}
 
-  /// Of storey 1, 2, ...
+  /// Columns of storey 1, 2, ...
   [[nodiscard]] const PlanColumns& of(int storey) const {
     return list_[is_list_ ? static_cast<std::size_t>(storey - 1) : 0];
   }
@@ -167,7 +167,7 @@ class PlanBearings {
 
     /// On the floor, as given.
     [[nodiscard]] PlanPosition at() const { return at_; }
-    /// The same bearing at another position.
+    /// Returns the same bearing at another position.
     [[nodiscard]] Placed moved_to(PlanPosition at) const {
       Placed copy = *this;
       copy.at_ = at;

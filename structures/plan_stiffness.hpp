@@ -8,7 +8,8 @@
 
 namespace moat {
 
-/// Of these floors for small motions, all others held: a row and a column for each of their degrees of freedom, N/m.
+/// Returns the stiffness of these floors for small motions, all others held: a row and a column for each of their
+/// degrees of freedom, N/m.
 Eigen::MatrixXd stiffness_of_floors(const Model& model, const std::vector<DiaphragmId>& floors);
 
 }  // namespace moat

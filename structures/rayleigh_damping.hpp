@@ -7,7 +7,7 @@
 
 namespace moat {
 
-/// The same damping ratio in the first two modes of the building held at its base.
+/// One damping ratio in the first two modes of the building held at its base.
 struct RayleighDamping {
   /// 0 <= ratio < 1; 0.05 is 5 % of critical.
   double ratio = 0.0;

@@ -38,7 +38,7 @@ struct ShearBuilding {
   /// Storeys with a law of their own: YieldingStorey and others of materials/storeys. Rayleigh damping then uses their
   /// initial stiffness.
   std::optional<PerStorey<StoreyLaw>> storey{};
-  RayleighDamping damping{};  ///< Of the superstructure.
+  RayleighDamping damping{};  ///< Damping of the superstructure.
   /// > 0 kg; give it together with isolation.
   Mass base_mass{};
   /// The isolators under the base, with any law; fixed to the ground if left out.
@@ -47,8 +47,8 @@ struct ShearBuilding {
   bool p_delta = false;
   /// > 0 m. For drawings, and for p_delta.
   PerStorey<Length> storey_height = 3.5 * units::m;
-  Length half_width = 5.0 * units::m;  ///< Of all floors, for drawings.
-  Length x{};  ///< Of the middle of all floors, for drawings and for buildings beside each other.
+  Length half_width = 5.0 * units::m;  ///< Half width of all floors, for drawings.
+  Length x{};  ///< Position of the middle of all floors, for drawings and for buildings beside each other.
 };
 
 /// Adds nodes `base`, `floor 1` ..., elements `storey 1` ..., `bearings`, and the Building that it returns.

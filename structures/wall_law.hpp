@@ -36,9 +36,9 @@ class WallLaw {
                                      .force_quantity = force});
         }} {}
 
-  /// Of a wall of a model on a line.
+  /// Adds the law of a wall of a model on a line.
   void add_to(Model& model, const std::string& name, NodeId face) const { on_line_(model, name, face); }
-  /// Of a wall that moves in this direction, of length 1.
+  /// Adds the law of a wall that moves in this direction, of length 1.
   void add_in_plan(Model& model, const std::string& name, NodeId face, PlanVector direction) const {
     in_plan_(model, name, face, direction);
   }

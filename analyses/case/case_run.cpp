@@ -16,7 +16,7 @@
 namespace moat {
 namespace {
 
-// Of every result.
+// Assumptions of every result.
 constexpr std::array general_assumptions{
     "Displacements and velocities are relative to the ground, accelerations absolute; positive to the right.",
     "A peak is the value of largest magnitude over continuous time, with its sign, also between steps and on both "
@@ -29,7 +29,7 @@ constexpr std::array general_assumptions{
     "Energies are in the frame of the ground: input is the work of the ground's inertia forces on relative motion.",
     "storey_shear is the elastic force of the columns, without that of the storey's damping."};
 
-// Of results in plan, in place of those above.
+// Assumptions of results in plan, in place of those above.
 constexpr std::array plan_assumptions{
     "Floors are rigid and move in plan: x to the right, y up, rotation counter-clockwise, displacements and velocities "
     "relative to the ground, accelerations absolute. Vertical motion, rocking, uplift, the coupling of bearings with "

@@ -29,7 +29,7 @@ enum class ErrorBarMode {
 /// Options of one case.
 struct CaseOptions {
   std::string title{};           ///< In reports.
-  TransientOptions transient{};  ///< Of the analysis: step, tolerance, end.
+  TransientOptions transient{};  ///< Options of the analysis: step, tolerance, end.
   /// >= 0 s. Interval of the histories, which have rows exactly at its multiples; 0: that of the motion's samples.
   Time history_interval{};
   /// > 0. Integration error, and residual of the equations, as a fraction of the largest input or kinetic energy, above
@@ -68,7 +68,7 @@ class CaseRun {
   [[nodiscard]] const Transient& transient() const { return transient_; }  ///< The analysis behind the case.
   /// All that was recorded up to now.
   [[nodiscard]] CaseResult result() const { return result_with(histories_.table()); }
-  /// The same, without a copy of the histories, which are gone from the run afterwards.
+  /// Returns the result without a copy of the histories, which are gone from the run afterwards.
   [[nodiscard]] CaseResult take_result() { return result_with(histories_.take_table()); }
 
  private:

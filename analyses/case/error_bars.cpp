@@ -41,7 +41,8 @@ constexpr double settled_within = 0.01;
 /// A peak below this share of the largest of its kind is round-off, for example at a node that symmetry keeps at rest.
 /// It is judged relative to this share of the largest, and no other peak is judged by it.
 constexpr double negligible = 1e-6;
-/// The same for all peaks of one unit: below, the error of round-off alone exceeds `settled_within`.
+/// A peak below this share of the largest of its unit is judged so too: the error of round-off alone exceeds
+/// `settled_within` there.
 constexpr double negligible_of_unit = 2.0 * caution::round_off / settled_within;
 
 double median(std::vector<double> values) {

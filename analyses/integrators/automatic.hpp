@@ -16,7 +16,7 @@ namespace moat {
 /// Exact steps of such models are faster. For larger models they are slower, because their matrices are full.
 struct Automatic {
   static constexpr std::string_view name = "automatic";
-  static constexpr int most_degrees_of_freedom = 16;  ///< Of a model, for exact steps; more are solved by Newmark.
+  static constexpr int most_degrees_of_freedom = 16;  ///< Limit of exact steps; Newmark's method solves larger models.
 
   [[nodiscard]] std::optional<StepScheme> scheme() const { return std::nullopt; }
   void check(const Check&) const {}

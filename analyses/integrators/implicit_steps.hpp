@@ -40,11 +40,11 @@ class ImplicitSteps final : public Stepper {
   [[nodiscard]] StepControl& control() { return control_; }
   /// Chooses and judges the lengths of steps.
   [[nodiscard]] const StepControl& control() const { return control_; }
-  /// Of the last solve().
+  /// Returns the report of the last solve().
   [[nodiscard]] const NewtonReport& last_report() const { return last_report_; }
-  /// Over all steps so far.
+  /// Returns the number of iterations of all steps so far.
   [[nodiscard]] long newton_iterations() const { return newton_iterations_; }
-  /// Of the tangent, so far.
+  /// Returns the number of factorisations of the tangent so far.
   [[nodiscard]] long factorisations() const { return equations_.factorisations(); }
 
  private:

@@ -35,7 +35,7 @@ struct Newmark {
   /// (h w <= 2.45). Adapted steps take it up to h w = 1.8 and h c/m = 4, which is stable with damping too.
   static constexpr Newmark fourth_order() { return {.beta = 1.0 / 12.0, .corrects_velocity = true}; }
 
-  /// Of every step; none: chosen step by step.
+  /// Returns the scheme of every step; none if it is chosen step by step.
   [[nodiscard]] std::optional<StepScheme> scheme() const {
     if (!beta) return std::nullopt;
     return StepScheme{.beta = *beta, .corrects_velocity = corrects_velocity};

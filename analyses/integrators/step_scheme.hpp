@@ -47,7 +47,7 @@ struct StepScheme {
     return {.beta = 1.0 / 12.0, .corrects_velocity = true, .filters_corrections = true};
   }
 
-  /// Of the error of displacements in the length of the step.
+  /// Returns the order of the error of displacements in the length of the step.
   [[nodiscard]] constexpr int order() const { return !corrects_velocity ? 2 : filters_corrections ? 3 : 4; }
   /// Whether the equation is that of the end of the step alone.
   [[nodiscard]] constexpr bool balances_at_end() const { return mass_share == 1.0 && force_share == 1.0; }
@@ -59,7 +59,7 @@ struct StepScheme {
 
   /// The derivative of the displacement at the end of a step of h s by the acceleration there, s^2.
   [[nodiscard]] constexpr double displacement_weight(double h) const { return beta * h * h; }
-  /// The same of the velocity, s.
+  /// The derivative of the velocity at the end of a step by the acceleration there, s.
   [[nodiscard]] constexpr double velocity_weight(double h) const { return order() == 4 ? h / 3.0 : gamma * h; }
 
   /// How the scheme integrates forces, where it balances them at the end.

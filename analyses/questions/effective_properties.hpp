@@ -15,9 +15,9 @@ struct EffectiveProperties {
   double amplitude = 0.0;      ///< D, m
 };
 
-/// Of a loop of points in the order of time, m and N; the last point is joined to the first. The area is that of the
-/// polygon: it wants some hundred points. Throws InputError for fewer than three points, different numbers of both, or
-/// a loop that has no width.
+/// Returns the properties of a loop of points in the order of time, m and N; the last point is joined to the first. The
+/// area is that of the polygon: give some hundred points. Throws InputError for fewer than three points, different
+/// numbers of both, or a loop that has no width.
 EffectiveProperties effective_properties(std::span<const double> deformations, std::span<const double> forces);
 
 }  // namespace moat

@@ -20,7 +20,7 @@ struct IdaCurve {
   std::vector<double> levels, responses;
   /// Levels whose analysis failed or did not converge. They are no points: neither safe nor collapsed.
   std::vector<double> without_solution{};
-  /// Of a hunt: a curve whose last response is above it ended there, and counts as larger at higher levels.
+  /// Limit of a hunt: a curve whose last response is above it ended there, and counts as larger at higher levels.
   double response_limit = std::numeric_limits<double>::infinity();
 };
 

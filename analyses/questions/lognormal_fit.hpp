@@ -51,11 +51,11 @@ class LognormalFit {
   [[nodiscard]] Bounds dispersion_bounds() const;
   /// x > 0.
   [[nodiscard]] double probability(double x) const;
-  /// Of F(x), x > 0.
+  /// Confidence bounds of F(x), x > 0.
   [[nodiscard]] Bounds probability_bounds(double x) const;
   /// The x that a share of all values, > 0 and < 1, does not exceed.
   [[nodiscard]] double quantile(double share) const;
-  /// Of quantile(share), 0 < share < 1.
+  /// Confidence bounds of quantile(share), 0 < share < 1.
   [[nodiscard]] Bounds quantile_bounds(double share) const;
   /// The data, as given.
   [[nodiscard]] const std::vector<KnownInterval>& intervals() const { return intervals_; }

@@ -22,7 +22,7 @@ EnvelopeStudy with_envelope(StudyResult result) {
     EnvelopeEntry entry{column.quantity, column.where, column.unit, 0.0, ""};
     for (std::size_t row = 0; row < column.values.size(); ++row) {
       const double value = column.values[row];
-      // Of clearances the smallest is the worst.
+      // The smallest clearance is the worst.
       const bool worse = column.quantity == "clearance_left" ? value < entry.value : value > entry.value;
       if (!std::isfinite(value) || (!entry.at.empty() && !worse)) continue;
       entry.value = value;

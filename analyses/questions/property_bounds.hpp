@@ -33,13 +33,14 @@ struct PropertyBounds {
   };
   /// The upper factor of strength or stiffness, >= 1.8 unless qualified by tests.
   static double asce_7_upper(const Lambda& lambda, bool qualified_by_tests = true);
-  static double asce_7_lower(const Lambda& lambda, bool qualified_by_tests = true);  ///< The same for the lower bound.
+  /// The lower factor of strength or stiffness, <= 0.6 unless qualified by tests.
+  static double asce_7_lower(const Lambda& lambda, bool qualified_by_tests = true);
 };
 
 /// The three cases in the order nominal, lower, upper, and the envelope of their peaks.
 struct BoundedResult {
   std::array<CaseResult, 3> cases;  ///< Results in the order of `names`.
-  static constexpr std::array<const char*, 3> names{"nominal", "lower bound", "upper bound"};  ///< Of the cases.
+  static constexpr std::array<const char*, 3> names{"nominal", "lower bound", "upper bound"};  ///< Names of the cases.
 
   /// The largest of the three for every peak, with the case that governs. Pounding is not monotone in these factors:
   /// the lower bound gives most displacements and the upper most forces, but either may govern.

@@ -36,8 +36,8 @@ struct SmallestGap {
 /// Throws InputError for a parameter outside its range.
 SmallestGap smallest_gap(const std::function<Length(Length gap)>& clearance_left, const GapSearch& search = {});
 
-/// The same for a model as a case of a study: the smallest `clearance_left` of all its gaps. The result is
-/// `smallest_gap` [m]. Where even the largest gap is closed, it is infinite, and a second result,
+/// Finds the smallest gap of a model, as a case of a study, from the smallest `clearance_left` of all its gaps. The
+/// result is `smallest_gap` [m]. Where even the largest gap is closed, it is infinite, and a second result,
 /// `smallest_gap_above` [m], is that largest gap: the case is done, and known to need more.
 ///
 ///     const StudyResult study = script.study({record_axis("record", records)}, [&](const StudyCase& each) {
@@ -67,7 +67,7 @@ class GapDemand {
   [[nodiscard]] std::size_t without_solution() const { return without_solution_; }  ///< Cases that did not converge.
   /// "18 records with a smallest gap from 12.1 to 30.2 cm, 2 that need more than 50 cm, 0 without solution."
   [[nodiscard]] std::string description() const;
-  /// Of the smallest gaps, lognormal.
+  /// Returns the lognormal fit to the smallest gaps.
   [[nodiscard]] const LognormalFit& fit() const { return fit_; }
   /// The gap at which pounding has this probability, > 0 and < 1, by the fit.
   [[nodiscard]] Length gap(double probability_of_pounding) const;
@@ -76,7 +76,7 @@ class GapDemand {
   /// The smallest gap that is too narrow for at most this share of the records, without a distribution; infinite where
   /// more records than that need more than the largest gap.
   [[nodiscard]] Length empirical_gap(double share_that_pounds) const;
-  /// Of pounding in this gap, > 0, by the fit.
+  /// Returns the probability of pounding in this gap, > 0, by the fit.
   [[nodiscard]] double probability(Length gap) const;
   [[nodiscard]] Bounds probability_bounds(Length gap) const;  ///< Its confidence bounds.
 

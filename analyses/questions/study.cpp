@@ -136,7 +136,7 @@ std::vector<FileRead> files_of(const GroundMotion& motion) {
   return files;
 }
 
-/// Of the files of a motion; of one made in the program that of its samples.
+/// Returns the hash of the files of a motion, or of its samples if it was made in the program.
 std::string hash_of(const GroundMotion& motion) {
   std::string hashes;
   for (const FileRead& file : files_of(motion)) hashes += file.sha256;

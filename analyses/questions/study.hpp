@@ -30,7 +30,7 @@ struct StudyModel {
 /// An axis of records, called by their names, which must differ; a study that goes on compares the hashes of their
 /// files, and of motions made in the program those of their samples.
 StudyAxis record_axis(std::string name, const std::vector<GroundMotion>& motions);
-/// The same for pairs: "NWH090 + NWH360".
+/// An axis of pairs of records under the same rules; a pair is called "NWH090 + NWH360".
 StudyAxis record_axis(std::string name, const std::vector<PlanMotion>& pairs);
 
 /// Options of run_study().
@@ -82,10 +82,10 @@ struct StudyOptions {
 StudyResult run_study(const StudyCases& cases, const std::function<StudyRecord(const StudyCase&)>& compute,
                       const StudyOptions& options = {});
 
-/// The same for models: the results are the magnitudes of all peaks, as PeakRecorder names them, the `clearance_left`
-/// of every gap (negative: indented by so much), the number of `impacts`, and `collapsed`: 1 where a storey or an
-/// isolator was deformed by more than 3 m or a collapse ended the analysis, else 0; with StudyOptions::error_bars also
-/// their errors:
+/// Computes the models of a study in the same way. The results are the magnitudes of all peaks, as PeakRecorder names
+/// them, the `clearance_left` of every gap (negative: indented by so much), the number of `impacts`, and `collapsed`: 1
+/// where a storey or an isolator was deformed by more than 3 m or a collapse ended the analysis, else 0; with
+/// StudyOptions::error_bars also their errors:
 ///
 ///     result.values("impact_force", "moat");           // N
 ///     result.values("impact_force_error", "moat");     // N, the first holds to +- this

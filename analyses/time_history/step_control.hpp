@@ -123,7 +123,7 @@ class StepControl {
   double planned_ = 0.0;      // s, length of the last next_step(); samples of the motion may cut it
   double since_event_ = 0.0;  // s
   double fewest_steps_per_contact_ = std::numeric_limits<double>::infinity();
-  // Of the model with open gaps: bounds on the largest squared frequency, 1/s^2, and rate of damping, 1/s.
+  // Bounds on the largest squared frequency, 1/s^2, and rate of damping, 1/s, of the model with open gaps.
   double stiffest_squared_ = 0.0, most_damped_ = 0.0;
   Vector round_off_per_displacement_;  // of every node's acceleration, 1/s^2
   double largest_round_off_ = 0.0;

@@ -27,7 +27,7 @@ class StepSolver {
 
   /// Solves the first h seconds into the trial state. False if that did not converge.
   bool solve(double h);
-  /// The same as far as changes of regime depend on it.
+  /// Solves as far as changes of regime depend on it. False if that did not converge.
   bool look(double h) { return stepper_->look(first_part(h)); }
   /// Adds all that solve() would have found and look() left out: the step is to end where look() went.
   void complete() { stepper_->complete(); }

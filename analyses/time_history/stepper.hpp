@@ -22,7 +22,7 @@ class Stepper {
   /// Solves the step, or its first part, into the trial state, with all forces and their rates. False if it did not
   /// converge.
   virtual bool solve(const StepTask& part) = 0;
-  /// The same as far as changes of regime depend on it. complete() must follow if the step is to end there.
+  /// Solves as far as changes of regime depend on it. complete() must follow if the step is to end there.
   virtual bool look(const StepTask& part) { return solve(part); }
   /// Adds all that solve() would have found and look() left out.
   virtual void complete() {}

@@ -28,8 +28,8 @@ enum class EventTreatment {
 
 /// How a time history is computed. Every bound is checked by Transient's constructor.
 struct TransientOptions {
-  static constexpr double least_tolerance = 1e-12;  ///< Of `tolerance`.
-  static constexpr int most_halvings = 40;          ///< Of `max_halvings`.
+  static constexpr double least_tolerance = 1e-12;  ///< Lower bound of `tolerance`.
+  static constexpr int most_halvings = 40;          ///< Upper bound of `max_halvings`.
 
   /// Newmark, HilberHughesTaylor, GeneralizedAlpha, ExactBetweenEvents or Automatic, with its parameters.
   Integrator integrator = Newmark{};

@@ -81,7 +81,7 @@ std::vector<std::string> warnings_of(const TransientOptions& options, const Step
   constexpr double enough = 32.0;
   const double fewest = control.fewest_steps_per_contact();
   std::vector<std::string> list;
-  // Of one step; the steps together excite a vibration that is up to a thousand times as large.
+  // The round-off of one step; the steps together excite a vibration that is up to a thousand times as large.
   constexpr double harmful = 1e-6;
   if (control.largest_round_off() > harmful)
     list.push_back("The stiffness at \"" + std::string{model.node_name(control.place_of_round_off())} +

@@ -19,8 +19,8 @@ struct CornerAndEdge {
   double normal_mass = 0.0, tangential_mass = 0.0;  ///< effective, kg
   double cross_mobility = 0.0;                      ///< of one direction under a force along the other, 1/kg
 
-  /// Of a corner in contact at this place along t, m: > 0 while it is beside the edge, or past an end by less than 1 %
-  /// of the edge's length.
+  /// Returns the margin of a corner in contact at this place along t, m: > 0 while it is beside the edge, or past an
+  /// end by less than 1 % of the edge's length.
   [[nodiscard]] double margin_at_ends(double path) const {
     const double beyond = std::max(path - edge_end, edge_begin - path);
     return 0.01 * (edge_end - edge_begin) - beyond;

@@ -67,12 +67,12 @@ struct CornerGap {
 struct CornerGeometry {
   double clearance = 0.0;  ///< at rest, m
   PlanEndsBothWays ends;   ///< Motion of the corner relative to the edge, along normal and tangent.
-  PlanVector normal{};     ///< Of length 1, from the body of the corner to that of the edge.
+  PlanVector normal{};     ///< Unit vector from the body of the corner to that of the edge.
   /// Along the tangent from the corner at rest, m.
   double edge_begin = 0.0, edge_end = 0.0;
-  /// Effective, kg.
+  /// Effective masses, kg.
   double normal_mass = 0.0, tangential_mass = 0.0;
-  /// Of one direction under a force along the other, 1/kg.
+  /// Mobility of one direction under a force along the other, 1/kg.
   double cross_mobility = 0.0;
 };
 

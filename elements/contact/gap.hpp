@@ -59,7 +59,7 @@ struct GapPlace {
 /// are at different ones, and the clearance is not negative; returns the Check that names the gap.
 Check check_gap(const Model& model, const GapPlace& gap);
 
-/// Of two points, kg. Throws InputError if they are the same point.
+/// Returns the effective mass of two points, kg. Throws InputError if they are the same point.
 double effective_mass(const Model& model, const Check& check, const MemberPoint& first, const MemberPoint& second);
 
 /// Registers the gap, and describes its element. A gap at a point between nodes is drawn at the height of the end that

@@ -30,7 +30,7 @@ class NodePair {
     first_ = info.first == ground ? of_ground : info.first.index;
     second_ = info.second == ground ? of_ground : info.second.index;
   }
-  /// Of a global array: value at `second` minus value at `first`.
+  /// Returns the difference in a global array: value at `second` minus value at `first`.
   [[nodiscard]] double difference(const double* values) const { return values[second_] - values[first_]; }
   /// Adds the force to `second` and takes it from `first`, N.
   void add_force(double force, double* forces) const {
@@ -112,7 +112,7 @@ class PointPair {
     for (std::size_t i = 0; i < count; ++i)
       entry_[i] = node_[i] == ground_index ? static_cast<int>(matrix.cols()) : node_[i];
   }
-  /// Of a global array: value at the second point minus value at the first.
+  /// Returns the difference in a global array: value at the second point minus value at the first.
   [[nodiscard]] double difference(const double* values) const {
     double sum = 0.0;
     for (std::size_t i = 0; i < count; ++i) sum += weight_[i] * values[entry_[i]];

@@ -65,7 +65,7 @@ void add(Model& model, const Isolator<Law>& isolator) {
       model.block<LinkBlock<Repeated<Placed>>>().add(info, {law, static_cast<double>(isolator.count)});
   };
   if constexpr (WeightBearing<Law>) {
-    // Of one bearing.
+    // The weight on one bearing.
     const Force weight = weight_on(check, isolator.law.weight, (1.0 / isolator.count) * isolator.weight);
     given.push_back({"weight", weight.si(), "N"});
     place(isolator.law.carrying(weight));

@@ -11,7 +11,7 @@
 
 namespace moat {
 
-/// Of one link, J.
+/// Work and dissipation of one link, J.
 struct TotalWork {
   double work = 0.0, dissipated = 0.0;  ///< J
 };
@@ -92,7 +92,7 @@ class LinkEnergies {
   [[nodiscard]] TotalWork total_work(std::size_t link) const {
     return {accounts_[link].work, accounts_[link].dissipated};
   }
-  /// Of a step that was integrated elsewhere.
+  /// Sets the total after a step that was integrated elsewhere.
   void set_total_work(std::size_t link, const TotalWork& total) {
     accounts_[link].work = total.work;
     accounts_[link].dissipated = total.dissipated;

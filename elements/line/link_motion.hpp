@@ -12,7 +12,7 @@ namespace moat {
 struct LinkMotion {
   std::vector<double> deformations, rates, second_rates;  ///< m, m/s, m/s^2
 
-  /// Of all three; new entries are zero.
+  /// Changes the size of all three; new entries are zero.
   void resize(std::size_t count) {
     for (auto* values : {&deformations, &rates, &second_rates}) values->resize(count, 0.0);
   }
@@ -49,7 +49,7 @@ inline HermiteQuintic path_between(const LinkMotion& start, const LinkMotion& en
           step};
 }
 
-/// The same through value and rate alone.
+/// The deformation of one link between the same instants, through value and rate alone.
 inline HermiteCubic cubic_between(const LinkMotion& start, const LinkMotion& end, std::size_t link, double step) {
   return {start.deformations[link], start.rates[link], end.deformations[link], end.rates[link], step};
 }

@@ -40,7 +40,7 @@ class PlanEnds {
   [[nodiscard]] std::size_t size() const { return count_; }
   /// Index of the degree of freedom i, 0 <= i < size().
   [[nodiscard]] int node(std::size_t i) const { return node_[i]; }
-  /// Of the degree of freedom i, 0 <= i < size().
+  /// Weight of the degree of freedom i, 0 <= i < size().
   [[nodiscard]] double weight(std::size_t i) const { return weight_[i]; }
 
   /// The sum of weight^2/mass, 1/kg: the change of the difference under a unit impulse. `inverse_mass` is called with
@@ -59,7 +59,7 @@ class PlanEnds {
   }
   /// Nothing to keep: indices are known from the start.
   void find_entries(const ElementInfo&, const SparseMatrix&) {}
-  /// Of a global array: the sum of weight * value.
+  /// Returns the sum of weight * value over a global array.
   [[nodiscard]] double difference(const double* values) const {
     double sum = 0.0;
     for (std::size_t i = 0; i < count_; ++i) sum += weight_[i] * values[node_[i]];
@@ -103,7 +103,7 @@ class PlanEnds {
   std::array<double, most> weight_{};
 };
 
-/// The same along two directions at right angles, x and y or normal and tangent, with forces of two components and a
+/// PlanEnds along two directions at right angles, x and y or normal and tangent, with forces of two components and a
 /// tangent that need not be symmetric.
 class PlanEndsBothWays {
   static constexpr std::size_t most = PlanEnds::most;
@@ -140,7 +140,7 @@ class PlanEndsBothWays {
       sum += along_.weight(i) * across_.weight(i) * inverse_mass(along_.node(i));
     return sum;
   }
-  /// Of a global array: along and across.
+  /// Returns the differences in a global array, along and across.
   [[nodiscard]] PlanVector difference(const double* values) const {
     return {along_.difference(values), across_.difference(values)};
   }

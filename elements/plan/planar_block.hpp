@@ -197,7 +197,7 @@ class PlanarBlock final : public ElementBlock, public ElementLaws, public Planar
   }
   // Without the care of std::hypot for numbers near the ends of their range, which costs ten times as much.
   static double size_of(PlanVector vector) { return std::sqrt(dot(vector, vector)); }
-  // The same in all axes.
+  // The norm of a matrix that is the same in all axes.
   static double size_of(PlanMatrix a) { return std::sqrt(a.xx * a.xx + a.xy * a.xy + a.yx * a.yx + a.yy * a.yy); }
 
   void add_step(std::size_t i, double step, WorkRule rule) {

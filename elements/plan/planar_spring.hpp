@@ -56,7 +56,7 @@ void add(Model& model, const PlanarSpring<Law>& spring) {
                                       spring.law, PlanEndsBothWays{model, lower, upper, {1.0, 0.0}}, upper.at.si());
 }
 
-/// The same.
+/// Adds a bearing as a spring on the ground. Throws InputError as for a PlanarSpring.
 template <PlanarLaw Law>
 void add(Model& model, const PlanBearing<Law>& bearing) {
   add(model, PlanarSpring<Law>{.name = bearing.name,

@@ -28,7 +28,7 @@ class AnyContact {
   /// The form that it is.
   [[nodiscard]] const Form& form() const { return form_; }
 
-  /// Of the form that it is.
+  /// Returns the name of the form that it is.
   [[nodiscard]] std::string_view name() const;
   [[nodiscard]] std::vector<Parameter> parameters() const;
 
@@ -46,7 +46,7 @@ class AnyContact {
     return std::visit([&](const auto& law) { return law.regime_margin(committed, indentation, rate); }, form_);
   }
   State next_regime(const State& committed, double indentation, double rate) const;
-  /// Of the form that it is, s.
+  /// Returns the contact duration of the form that it is, s.
   double contact_duration(double effective_mass, double approach_speed) const;
 
  private:

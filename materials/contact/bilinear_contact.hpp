@@ -83,7 +83,7 @@ struct BilinearContact {
   }
 
  private:
-  // Of the spring that yields, m.
+  // Returns the stretch of the spring that yields, m.
   [[nodiscard]] double stretch_of(const State& state, double indentation) const {
     if (state.yields == 0) return indentation - state.slip;
     return state.yields > 0 ? yield_indentation : 0.0;

@@ -15,7 +15,7 @@ inline void check_restitution(const Check& check, double restitution) {
 /// analysis can resolve.
 inline constexpr double least_restitution_in_divisor = 1e-3;
 
-/// Of such laws. Throws InputError unless least_restitution_in_divisor <= restitution <= 1.
+/// Checks the restitution of such laws. Throws InputError unless least_restitution_in_divisor <= restitution <= 1.
 inline void check_restitution_in_divisor(const Check& check, double restitution) {
   check.between("restitution", restitution, least_restitution_in_divisor, 1.0, "1",
                 "It is the speed after the impact over the speed before; 1 is elastic. The damping of this law grows "

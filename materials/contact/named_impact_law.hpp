@@ -37,7 +37,7 @@ struct NamedImpactLaw {
   /// Throws InputError for an unknown name, with a list of the known ones, for a missing stiffness, and for a parameter
   /// that the law itself refuses.
   void check(const Check& check) const;
-  /// Of the law of that name, as given here. Throws InputError for an unknown name.
+  /// Returns the parameters of the law of that name, as given here. Throws InputError for an unknown name.
   [[nodiscard]] std::vector<Parameter> parameters() const;
   /// The law between two bodies of the given effective mass, kg.
   [[nodiscard]] AnyContact between(double effective_mass) const;

@@ -16,7 +16,7 @@ struct SharedContact {
 
   using State = ContactState;
 
-  /// Of the law of the face.
+  /// Returns the name of the law of the face.
   [[nodiscard]] std::string_view name() const { return name_of(law); }
   [[nodiscard]] std::vector<Parameter> parameters() const {
     std::vector<Parameter> list = parameters_of(law);
@@ -41,7 +41,7 @@ struct SharedContact {
   State next_regime(const State& committed, double indentation, double rate) const {
     return law.next_regime(committed, indentation, rate);
   }
-  /// Of the mass that the share carries.
+  /// Returns the contact duration of the mass that the share carries, s.
   double contact_duration(double effective_mass, double approach_speed) const {
     return law.contact_duration(effective_mass / share, approach_speed);
   }

@@ -21,7 +21,7 @@ struct FrictionCoefficient {
   double slope = 0.0;  ///< dmu/d|v|, s/m
 };
 
-/// The same coefficient at all speeds: 0 < mu <= 0.3.
+/// One coefficient at all speeds: 0 < mu <= 0.3.
 struct Coulomb {
   static constexpr std::string_view name = "Coulomb";
   Required<double> coefficient;  ///< mu
@@ -112,7 +112,7 @@ struct VelocityForceDependent {
   Required<Force> reference_force;
   /// 0 < exponent <= 1.
   double slow_exponent = 1.0;
-  double fast_exponent = 1.0;  ///< The same.
+  double fast_exponent = 1.0;  ///< 0 < exponent <= 1.
   /// 0 < rate <= 300 s/m.
   Required<decltype(units::s / units::m)> rate;
 

@@ -47,7 +47,7 @@ struct PressureTemperatureVelocity {
   double initial_temperature = 20.0;
 
   static constexpr std::size_t memory_size = 16;  ///< Number of exponentials.
-  /// Of the exponentials, s.
+  /// Times of the exponentials, s.
   static constexpr std::array<double, memory_size> memory_times = [] {
     constexpr double shortest = 4e-4, ratio = 3.21166;
     std::array<double, memory_size> times{};
@@ -58,18 +58,18 @@ struct PressureTemperatureVelocity {
     }
     return times;
   }();
-  /// Of the exponentials, s^-1/2.
+  /// Weights of the exponentials, s^-1/2.
   static constexpr std::array<double, memory_size> memory_weights{
       31.0271,  18.8793,  10.0178,  5.84403,  3.12446,  1.81896, 0.971398, 0.567258,
       0.302257, 0.176759, 0.093914, 0.055447, 0.028274, 0.0201,  0.000813, 0.017939};
   /// The part of the integral that the sum lacks below 1 ms, s^1/2.
   static constexpr double memory_rest = 0.017077;
 
-  /// Of mu at a pressure, Pa.
+  /// Factor of mu at a pressure, Pa.
   [[nodiscard]] double pressure_factor(double pressure) const {
     return depends_on_pressure ? std::pow(0.7, 0.02e-6 * (pressure - reference_pressure.si())) : 1.0;
   }
-  /// Of mu at a speed, m/s.
+  /// Factor of mu at a speed, m/s.
   [[nodiscard]] double speed_factor(double speed) const {
     return depends_on_speed ? 1.0 - 0.5 * std::exp(-rate.si() * speed) : 1.0;
   }
@@ -77,7 +77,7 @@ struct PressureTemperatureVelocity {
   [[nodiscard]] double speed_slope(double speed) const {
     return depends_on_speed ? 0.5 * rate.si() * std::exp(-rate.si() * speed) : 0.0;
   }
-  /// Of mu at a temperature, degrees Celsius.
+  /// Factor of mu at a temperature, degrees Celsius.
   [[nodiscard]] double temperature_factor(double celsius) const {
     const Fit fit = fit_of(weakening);
     return fit.scale * (std::pow(0.7, fit.rate * celsius) + fit.rest);

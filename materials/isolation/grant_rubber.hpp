@@ -184,8 +184,8 @@ struct GrantRubber {
   struct Wear {
     double elastic;              ///< K_S1 K_M
     double bound;                ///< K_S2
-    double elastic_slope = 0.0;  ///< Of K_S1 K_M.
-    double bound_slope = 0.0;    ///< Of K_S2.
+    double elastic_slope = 0.0;  ///< Derivative of K_S1 K_M.
+    double bound_slope = 0.0;    ///< Derivative of K_S2.
   };
   /// Thresholds and wear after a move.
   [[nodiscard]] static Damage worn(Damage damage, const Radii& radii) {

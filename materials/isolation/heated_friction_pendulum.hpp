@@ -25,7 +25,7 @@ struct HeatedFrictionPendulum {
 
   /// R > 0 m, effective.
   Required<Length> radius;
-  /// Of its surface.
+  /// Friction of its surface.
   Required<PressureTemperatureVelocity> friction;
   /// u_y > 0 m.
   Length yield_displacement = 1.0 * units::mm;

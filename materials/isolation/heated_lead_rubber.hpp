@@ -166,7 +166,7 @@ struct HeatedLeadRubber {
     State next = committed;
     const int direction = committed.direction != 0 ? committed.direction : deformation > committed.slip ? 1 : -1;
     if (committed.direction != 0) {
-      // Of a slide that ends inside a step.
+      // The slide ends inside a step and has heated the lead until then.
       const Slide slide = slide_to(committed, deformation, 0.0, 0.0);
       next.temperature = slide.temperature;
       next.heat += slide.heat;

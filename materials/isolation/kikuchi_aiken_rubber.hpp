@@ -50,7 +50,7 @@ struct KikuchiAikenRubber {
   Required<decltype(units::m * units::m)> area;
   /// H > 0 m: of all layers of rubber.
   Required<Length> height;
-  Compound compound = Compound::x06;  ///< Of this bearing.
+  Compound compound = Compound::x06;  ///< Compound of this bearing.
 
   using Reversal = RubberLoop::Reversal;             ///< A turn of the deformation.
   static constexpr std::size_t most_reversals = 64;  ///< That are remembered.

@@ -122,7 +122,7 @@ struct BiaxialGrantRubber {
   [[nodiscard]] PlanVector bound_slope(const GrantRubber::Wear& wear, PlanVector d, PlanVector lowest_slope) const {
     return rubber.b2.si() * (2.0 * wear.bound * d + wear.bound_slope * dot(d, d) * lowest_slope);
   }
-  // Of a move in direction n that begins in this state.
+  // Returns the tangent of a move in direction n that begins in this state.
   [[nodiscard]] PlanMatrix tangent_at_start(const State& state, PlanVector n) const {
     const PlanVector d = state.deformation, m = turned_left(n);
     const double u = length(d);

@@ -17,8 +17,8 @@ struct PlanarResponse {
   /// The rate of the force while the deformation goes on at its rate, N/s. Of a law with history it is not stiffness
   /// times rate, except where the increment is short.
   PlanVector force_rate{};
-  /// Of a law whose force follows the speed: its part in the rate of the force is this times the rate of the rate, N
-  /// s/m. `damping` is that of the whole step, with the bend of its path.
+  /// The viscosity of a law whose force follows the speed, N s/m: its part in the rate of the force is this times the
+  /// rate of the rate. `damping` is that of the whole step, with the bend of its path.
   PlanMatrix viscosity{};
 };
 

@@ -42,7 +42,7 @@ struct HyperbolicBackfill {
   /// K_ur >= K_max, N/m; K_max if left out.
   Stiffness unloading_stiffness{};
 
-  /// Of the contact of wall and soil.
+  /// Regimes of the contact of wall and soil.
   enum class Regime : int { open, elastic, virgin };
   struct State {
     double largest = 0.0;          ///< y_m, m

@@ -61,7 +61,7 @@ struct ImkBilinear {
   double strength_exponent = 1.0;
   double stiffness_exponent = 1.0;  ///< c, of the stiffness of unloading
 
-  /// Of the backbone, and of the way back to it.
+  /// Branches of the backbone, and of the way back to it.
   enum class Branch : int { elastic, slack, hardening, weakening, residual, failed };
   /// One direction of the backbone.
   struct Side {
@@ -218,7 +218,7 @@ struct ImkBilinear {
     side.weakening *= std::max(side.yield - residual(), 0.0) / (yield_force.si() - residual());
     return side;
   }
-  // Of one side, x in its direction.
+  // The hardening line and the falling line of one side, N; x is in its direction.
   [[nodiscard]] double hardening_of(const Side& side, double x) const {
     return side.yield + side.hardening * (x - side.yield / stiffness.si());
   }

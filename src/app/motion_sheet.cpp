@@ -17,7 +17,7 @@ using Json = nlohmann::ordered_json;
 
 constexpr double first_period = 0.02, last_period = 10.0;  // s
 constexpr int period_count = 120;
-// Of the table on the terminal, s.
+// Periods of the table on the terminal, s.
 constexpr std::array shown_periods{0.0, 0.05, 0.1, 0.2, 0.3, 0.5, 0.75, 1.0, 1.5, 2.0, 2.5, 3.0, 4.0, 5.0, 7.0, 10.0};
 
 std::string line(const std::string& name, const std::string& value, const std::string& remark = "") {

@@ -27,7 +27,7 @@ MotionSheet sheet_of(const GroundMotion& motion, double damping_ratio);
 /// For the terminal: the measures of every motion, and one table of pseudo-accelerations.
 std::string text_of(const std::vector<MotionSheet>& sheets);
 
-/// The same as JSON text, all numbers in SI units; with all periods.
+/// Returns the sheets as JSON text, all numbers in SI units; with all periods.
 std::string json_of(const std::vector<MotionSheet>& sheets);
 
 /// The spectra of all motions: one chart, and one table with a column per motion.

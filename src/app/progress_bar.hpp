@@ -21,7 +21,7 @@ class ProgressBar {
 
   /// 0 <= done <= all, all > 0. note: shown behind the amount.
   void operator()(double done, double all, const std::string& note = "");
-  /// Of a study, with rate, remaining time, impacts and failures so far.
+  /// Shows the progress of a study, with rate, remaining time, impacts and failures so far.
   void operator()(const StudyProgress& progress);
   /// Removes an unfinished bar from the terminal.
   void clear();

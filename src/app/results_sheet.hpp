@@ -15,7 +15,7 @@ namespace moat {
 struct ResultsSheet {
   std::filesystem::path folder;
   std::filesystem::path page;  ///< report.html; empty if there is none
-  /// Of summary.json, for a run. Of `peaks` the largest of each quantity, of `clearances` the smallest.
+  /// The content of summary.json, for a run. `peaks` has the largest of each quantity, `clearances` the smallest.
   std::optional<CaseResult> run{};
   std::size_t impacts = 0;
   /// The files *.db, by name.

@@ -99,7 +99,7 @@ class HermiteQuinticsAt {
               .of_second0 = 0.5 * h * x * (1.0 - x) * (1.0 - x) * (2.0 - 5.0 * x),
               .of_second1 = 0.5 * h * x * x * (1.0 - x) * (3.0 - 5.0 * x)} {}
 
-  /// Of the quintic with these values, rates and their rates (per second, per second squared) at its ends.
+  /// The value of the quintic with these values, rates and their rates (per second, per second squared) at its ends.
   [[nodiscard]] double value(double value0, double rate0, double second0, double value1, double rate1,
                              double second1) const {
     return value0 + value_.sum(value1 - value0, rate0, second0, rate1, second1);

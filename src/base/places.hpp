@@ -22,11 +22,11 @@ class Places : public std::vector<Place> {
   /// All of a vector.
   Places(List list) : List(std::move(list)) {}
 
-  /// Counted from 0. These throw InputError outside the list.
+  /// Returns a place, counted from 0. These throw InputError outside the list.
   const Place& operator[](std::size_t index) const { return List::operator[](checked(index)); }
-  Place& operator[](std::size_t index) { return List::operator[](checked(index)); }  ///< The same.
-  const Place& at(std::size_t index) const { return (*this)[index]; }                ///< The same.
-  Place& at(std::size_t index) { return (*this)[index]; }                            ///< The same.
+  Place& operator[](std::size_t index) { return List::operator[](checked(index)); }  ///< Returns it likewise.
+  const Place& at(std::size_t index) const { return (*this)[index]; }                ///< Returns it likewise.
+  Place& at(std::size_t index) { return (*this)[index]; }                            ///< Returns it likewise.
   const Place& front() const { return (*this)[0]; }                                  ///< The first.
   const Place& back() const { return (*this)[this->size() - 1]; }                    ///< The last.
   /// Counted from 1, as names do. Throws InputError outside 1 to size(), naming the owner and the parameter.

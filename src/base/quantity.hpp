@@ -21,9 +21,9 @@ namespace moat {
 template <int mass, int half_length, int time>
 class Quantity {
  public:
-  static constexpr int mass_exponent = mass;                                         ///< Of kg.
-  static constexpr int half_length_exponent = half_length;                           ///< Of the square root of m.
-  static constexpr int time_exponent = time;                                         ///< Of s.
+  static constexpr int mass_exponent = mass;                                         ///< Exponent of kg.
+  static constexpr int half_length_exponent = half_length;                           ///< Exponent of m^1/2.
+  static constexpr int time_exponent = time;                                         ///< Exponent of s.
   static constexpr bool dimensionless = mass == 0 && half_length == 0 && time == 0;  ///< A plain number.
 
   /// Zero.
@@ -78,7 +78,7 @@ class Quantity {
   friend constexpr Quantity<-mass, -half_length, -time> operator/(double number, Quantity q) {
     return Quantity<-mass, -half_length, -time>{number / q.si_};
   }
-  /// Of a quantity whose root has whole powers of kg and s, and of m whole or half ones.
+  /// The root of a quantity. It must have whole powers of kg and s, and whole or half powers of m.
   friend Quantity<mass / 2, half_length / 2, time / 2> sqrt(Quantity q) requires(!dimensionless && mass % 2 == 0 &&
                                                                                  half_length % 2 == 0 &&
                                                                                  time % 2 == 0) {

@@ -27,7 +27,7 @@ class Required {
   constexpr operator const T&() const { return value_; }             ///< The value.
   [[nodiscard]] constexpr const T& value() const { return value_; }  ///< The value.
 
-  /// Of a quantity, in SI units.
+  /// The value of a quantity in SI units.
   [[nodiscard]] constexpr double si() const requires requires(const T& quantity) { quantity.si(); }
   { return value_.si(); }
 

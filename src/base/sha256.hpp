@@ -11,7 +11,7 @@ namespace moat {
 /// 64 lower-case hexadecimal digits.
 std::string sha256_of(std::string_view bytes);
 
-/// Of a file's content; nothing if it cannot be read.
+/// Returns the hash of a file's content; nothing if it cannot be read.
 std::optional<std::string> sha256_of_file(const std::filesystem::path& path);
 
 }  // namespace moat

@@ -40,7 +40,7 @@ inline std::string words_of(const KnownUnit& unit) {
   return "a quantity in " + unit_symbol(unit.mass, unit.half_length, unit.time);
 }
 
-/// Of a type such as "Required<Force>" or "moat::Quantity<1, 2, -2>"; empty where it has no dimension.
+/// Returns the dimension of a type such as "Required<Force>" or "moat::Quantity<1, 2, -2>"; empty where it has none.
 inline std::string dimension_of_type(const std::string& type) {
   static const std::regex quantity{R"(.*\bQuantity<(-?\d{1,2}), ?(-?\d{1,2}), ?(-?\d{1,2})>[ >&]*)"};
   static const std::regex innermost{R"((?!std::vector|std::function)(?:.*\W)?(\w+)[ >&]*)"};
@@ -54,8 +54,8 @@ inline std::string dimension_of_type(const std::string& type) {
   return "";
 }
 
-/// Of a product of numbers and units, such as `100 * MN / m`; empty for every other expression, and for a unit that the
-/// script, `code`, declares itself.
+/// Returns the dimension of a product of numbers and units, such as `100 * MN / m`; empty for every other expression,
+/// and for a unit that the script, `code`, declares itself.
 inline std::string dimension_of_value(const std::string& value, const std::string& code) {
   static const std::regex number_of_script{R"([-+]?(\d+\.?\d*|\.\d+)([eE][-+]?\d+)?)"};
   static constexpr auto units = common_units_and(std::array{known_unit("m_3_2", units::m_3_2)});

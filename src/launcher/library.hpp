@@ -12,9 +12,9 @@ namespace moat::launcher {
 struct Part {
   /// For the line of progress.
   std::string what;
-  /// Of the build.
+  /// Targets of the build.
   std::vector<std::string> targets;
-  /// Of cmake/packages, besides `run`; installed where they are missing.
+  /// Lists of cmake/packages, besides `run`; their packages are installed where they are missing.
   std::vector<std::string> package_lists{};
   /// The option of CMake that adds the targets; empty if they are always there.
   std::string cmake_option{};

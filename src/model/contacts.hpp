@@ -15,7 +15,7 @@ struct ContactView {
 /// The side of an ElementBlock whose elements are contacts.
 class Contacts {
  public:
-  /// Of one element, at the committed state.
+  /// Returns the contact of one element at the committed state.
   [[nodiscard]] virtual ContactView contact(std::size_t element) const = 0;
   /// Number of contacts in progress.
   [[nodiscard]] virtual int touching() const = 0;

@@ -18,7 +18,7 @@ namespace moat {
 /// All three are nodes, so that model.displacement(base.x) and every recorder know them. w is in m, its inertia is the
 /// mass, and its force is moment / gyration; model.rotation(base) is theta.
 struct DiaphragmId {
-  /// Of ux, uy and w.
+  /// Nodes of ux, uy and w.
   NodeId x{}, y{}, r{};
 
   [[nodiscard]] constexpr bool specified() const { return x.specified(); }                        ///< Made by add().
@@ -62,7 +62,7 @@ struct Diaphragm {
   /// At time zero, relative to the ground.
   PlanPosition initial_displacement{};
   Angle initial_rotation{};  ///< At time zero.
-  /// Of the centre of mass at time zero.
+  /// Velocity of the centre of mass at time zero.
   Speed initial_velocity_x{}, initial_velocity_y{};
   Frequency initial_angular_velocity{};  ///< rad/s, at time zero.
   bool free = false;                     ///< Whether nothing need hold it, as Node::free.

@@ -24,7 +24,7 @@ struct ImpulseRules {
 struct MissedImpulses {
   Vector of_velocity, of_evaluated_velocity, of_displacement;  ///< as in ImpulseRules
 
-  /// Of so many degrees of freedom: nothing.
+  /// Sets the impulses of so many degrees of freedom to zero.
   void clear(Eigen::Index count) {
     for (Vector* values : {&of_velocity, &of_evaluated_velocity, &of_displacement}) values->setZero(count + 1);
   }

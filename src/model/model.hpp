@@ -155,7 +155,7 @@ class Model {
   void linearise(SparseMatrix& stiffness, SparseMatrix& damping, Vector& forces);
   /// Internal forces of the last evaluate(). The last entry is the sum of the forces on the ground: the reactions.
   [[nodiscard]] const Vector& internal_forces() const { return internal_forces_; }
-  /// The same at the committed state, after the last change of regime.
+  /// Internal forces at the committed state, after the last change of regime; the last entry as above.
   [[nodiscard]] const Vector& committed_forces() const { return committed_forces_; }
   /// matrix := acceleration_weight M + velocity_weight df/dv + displacement_weight df/du.
   void assemble_tangent(double acceleration_weight, double velocity_weight, double displacement_weight,
@@ -202,12 +202,12 @@ class Model {
   // The block of a type; `make` makes it if there is none.
   ElementBlock& block_of(std::type_index type, std::unique_ptr<ElementBlock> (*make)());
   NodeId append_node(Node node);
-  // Of the committed state, whose last entry is that of the ground.
+  // Returns the entry of a node in vectors of the committed state, whose last entry is that of the ground.
   [[nodiscard]] Eigen::Index entry(NodeId node) const {
     const Eigen::Index of_ground = state_.displacement.size() - 1;
     return node == ground && of_ground >= 0 ? of_ground : entry(node, of_ground - 1);
   }
-  // Of a vector with entries up to `last`.
+  // Returns the entry of a node in a vector with entries up to `last`; throws for a node that has none.
   [[nodiscard]] Eigen::Index entry(NodeId node, Eigen::Index last) const {
     if (node.index < 0 || node.index > last) refuse_entry(node);
     return node.index;

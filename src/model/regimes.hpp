@@ -15,7 +15,7 @@ namespace moat {
 struct RegimeScan {
   /// Smallest margin, m: how far the nearest element is from its next change of regime; negative: beyond it.
   double margin = std::numeric_limits<double>::infinity();
-  /// Of the element with that margin: index in its block, for a scan of one block.
+  /// Index of the element with that margin in its block, for a scan of one block.
   std::size_t nearest = 0;
   /// True if an element crossed its margin inside the step, also if all margins are positive again at its end.
   bool crossed = false;

@@ -20,7 +20,7 @@ using MotionFile = FileRead;
 struct MotionComponent {
   std::string name;           ///< In outputs.
   MotionFile file{};          ///< Where it was read.
-  double scale_factor = 1.0;  ///< Of all its accelerations, since then.
+  double scale_factor = 1.0;  ///< Factor of all its accelerations, since then.
 };
 
 /// The horizontal acceleration of the ground, sampled at a constant time step.
@@ -80,19 +80,19 @@ class GroundMotion {
   /// Largest absolute value over continuous time from 0 to duration(), not only at the samples. Of two components the
   /// largest resultant; of velocity and displacement then that at the samples.
   [[nodiscard]] Acceleration peak_acceleration() const;
-  [[nodiscard]] Speed peak_velocity() const;       ///< Of the ground.
-  [[nodiscard]] Length peak_displacement() const;  ///< Of the ground.
+  [[nodiscard]] Speed peak_velocity() const;       ///< Peak velocity of the ground.
+  [[nodiscard]] Length peak_displacement() const;  ///< Peak displacement of the ground.
 
-  /// The same motion with every acceleration multiplied by a finite factor. A note says so.
+  /// Returns the motion with every acceleration multiplied by a finite factor. A note says so.
   [[nodiscard]] GroundMotion scaled_by(double factor) const;
-  /// The same motion with its peak acceleration scaled to target > 0. Throws InputError if the motion is zero.
+  /// Returns the motion with its peak acceleration scaled to target > 0. Throws InputError if the motion is zero.
   [[nodiscard]] GroundMotion scaled_to_pga(Acceleration target) const;
-  /// The same motion with other samples, for example filtered ones; `note` says how they were made. Throws InputError
-  /// for two components.
+  /// Returns the motion with other samples, for example filtered ones; `note` says how they were made. Throws
+  /// InputError for two components.
   [[nodiscard]] GroundMotion with_samples(std::vector<double> samples, std::string note) const;
 
-  /// The same motion with a second component, along y, m/s^2. `first` and `second` are the motions from which both were
-  /// made. Throws InputError unless it has as many samples, all finite and of at most 1e6 m/s^2.
+  /// Returns the motion with a second component, along y, m/s^2. `first` and `second` are the motions from which both
+  /// were made. Throws InputError unless it has as many samples, all finite and of at most 1e6 m/s^2.
   [[nodiscard]] GroundMotion with_component_y(std::vector<double> samples, const GroundMotion& first,
                                               const GroundMotion& second) const;
 

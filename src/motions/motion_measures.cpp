@@ -21,7 +21,7 @@ void check_one_component(const char* function, const GroundMotion& motion) {
                                       "Take one of them: PlanMotion::first or second.");
 }
 
-/// Of the square of a line from a to b, over its first part.
+/// Integral of the square of a line from a to b, over its first part.
 double integral_of_square(double a, double b, double step, double part) {
   const double end = a + part * (b - a);
   return part * step * (a * a + a * end + end * end) / 3.0;

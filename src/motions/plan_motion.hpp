@@ -34,7 +34,7 @@ struct PlanMotion {
   [[nodiscard]] GroundMotion resolved() const;
   operator GroundMotion() const { return resolved(); }  ///< As analyses take it.
 
-  /// The same pair, turned by a further angle.
+  /// Returns the pair, turned by a further angle.
   [[nodiscard]] PlanMotion rotated(Angle angle) const { return {first, second, incidence + angle}; }
   /// Both components times one finite factor.
   [[nodiscard]] PlanMotion scaled_by(double factor) const;

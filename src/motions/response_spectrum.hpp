@@ -12,7 +12,7 @@ namespace moat {
 
 /// Largest responses of damped linear oscillators to one ground motion, one entry per period.
 struct ResponseSpectrum {
-  double damping_ratio = 0.0;                 ///< Of critical damping.
+  double damping_ratio = 0.0;                 ///< Share of critical damping.
   std::vector<double> period;                 ///< T, s
   std::vector<double> displacement;           ///< largest |u| relative to the ground, m
   std::vector<double> pseudo_acceleration;    ///< (2 pi / T)^2 * displacement, m/s^2

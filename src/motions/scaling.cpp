@@ -8,7 +8,7 @@
 namespace moat {
 namespace {
 
-// Of the average of spectral accelerations.
+// Periods in the average of spectral accelerations: their number, and the ends of their range over the period given.
 constexpr int number_of_periods = 10;
 constexpr double shortest_share = 0.2, longest_share = 3.0;
 

@@ -21,8 +21,8 @@ std::vector<Time> periods_around(Time period);
 Acceleration average_spectral_acceleration(const GroundMotion& motion, std::span<const Time> periods,
                                            double damping_ratio = 0.05);
 
-/// The same motion with every acceleration multiplied so that the measure has the target value > 0. Throw InputError if
-/// it is zero, or a parameter is outside its range.
+/// Returns the motion with every acceleration multiplied so that the measure has the target value > 0. These throw
+/// InputError if it is zero, or a parameter is outside its range.
 GroundMotion scaled_to_pgv(const GroundMotion& motion, Speed target);
 /// As above, for the spectral acceleration at a period.
 GroundMotion scaled_to_sa(const GroundMotion& motion, Time period, Acceleration target, double damping_ratio = 0.05);

@@ -13,7 +13,7 @@ inline std::string escaped(std::string_view text) { return escaped_markup(text);
 
 /// A row of a table with a name and a number; both are escaped.
 std::string number_row(std::string_view name, std::string_view value);
-/// The same with a text.
+/// A row of a table with a name and a text; both are escaped.
 std::string text_row(std::string_view name, std::string_view value);
 
 /// In the engineering unit with 4 significant digits, 2 if it is very small: "12.35 cm", "1.2e-09 kJ".

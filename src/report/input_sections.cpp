@@ -56,7 +56,7 @@ std::string place_of(const ElementFacts& element) {
   return dot(direction, direction) > 0.0 ? places + " along " + text_of(direction) : places;
 }
 
-// Of an end at a node, or between two.
+// Returns the text of an end at a node, or between two.
 std::string end_text(const std::string& node, const std::string& other, double share) {
   if (other.empty()) return node;
   return to_significant(share, 6) + " of the way from " + node + " to " + other;

@@ -9,7 +9,8 @@ namespace moat::html {
 /// A whole page that needs nothing else, no network and no other file. title: plain text; body: HTML.
 std::string page(std::string_view title, std::string_view body);
 
-/// The same with the script that moves the drawing and zooms the histories of a run. data: JSON (report/page_data.hpp).
+/// Such a page with the script that moves the drawing and zooms the histories of a run. data: JSON
+/// (report/page_data.hpp).
 std::string page_with_script(std::string_view title, std::string_view body, std::string_view data);
 
 }  // namespace moat::html

@@ -49,7 +49,7 @@ std::string table_of(const PeakGroup& group, bool with_errors, std::string_view 
   return html + "</table>\n";
 }
 
-// Of every quantity with very many places the largest values, in their order.
+// Returns the peaks, of a quantity with very many places only the largest, in their order.
 std::vector<Peak> shown(const std::vector<Peak>& peaks) {
   std::map<std::string, std::vector<double>> magnitudes;
   for (const Peak& peak : peaks) magnitudes[peak.quantity].push_back(peak.magnitude());

@@ -25,7 +25,7 @@ class ForceBalance {
   /// tolerance: of a residual over its row's scale, > 0.
   explicit ForceBalance(double tolerance) : tolerance_{tolerance} {}
 
-  /// Of the x last given to the system.
+  /// Returns the worst row at the x last given to the system.
   [[nodiscard]] static WorstRow worst_row(const Vector& residual, const NonlinearSystem& system);
   /// The row that is no number, or the first if the residual could not be computed.
   [[nodiscard]] static WorstRow no_number(const Vector& residual);

@@ -20,7 +20,7 @@ CaseOutcome with_reason(CaseState state, const char* reason) {
   return outcome;
 }
 
-/// Of two results with one name a table could hold one only.
+/// Throws InputError for two results with one name, of which a table could hold only one, or the name of an axis.
 void require_names_of_their_own(const StudyCase& each, const StudyRecord& record) {
   std::vector<std::pair<std::string_view, std::string_view>> names;
   for (const NamedNumber& result : record) names.emplace_back(result.quantity, result.where);

@@ -36,7 +36,7 @@ struct CaseOutcome {
   CaseState state = CaseState::open;  ///< how far it came
   std::string reason{};               ///< the message of the exception; empty if the case is done
   StudyRecord results{};              ///< empty unless it is done
-  /// Of its motion, and those that were read while it was computed.
+  /// The files of its motion, and those that were read while it was computed.
   std::vector<FileRead> files{};
   long steps = 0;  ///< of its analysis; 0: not known
   /// Error of the energy balance as a fraction of the largest input or kinetic energy; NaN: not known.

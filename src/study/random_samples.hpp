@@ -17,20 +17,20 @@ struct UniformDistribution {
 };
 /// standard_deviation > 0.
 struct NormalDistribution {
-  /// Of the values; the deviation > 0.
+  /// Mean and standard deviation of the values; the deviation > 0.
   double mean, standard_deviation;
 };
 /// ln x is normal with mean ln median and standard deviation `dispersion`; both > 0.
 struct LognormalDistribution {
-  /// Of the values, > 0; dispersion: standard deviation of their logarithm.
+  /// Median of the values, > 0; dispersion: standard deviation of their logarithm.
   double median, dispersion;
 };
 
 /// A parameter with a distribution; its numbers are in `unit`.
 struct RandomVariable {
-  std::string name;                                                                           ///< Of the axis.
-  std::string unit;                                                                           ///< Of its values.
-  std::variant<UniformDistribution, NormalDistribution, LognormalDistribution> distribution;  ///< Of its values.
+  std::string name;                                                                           ///< Name of the axis.
+  std::string unit;                                                                           ///< Unit of its values.
+  std::variant<UniformDistribution, NormalDistribution, LognormalDistribution> distribution;  ///< Their distribution.
 };
 
 /// How samples are drawn.

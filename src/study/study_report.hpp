@@ -30,7 +30,7 @@ struct StudyReport {
   Provenance provenance{};             ///< where the numbers come from
   std::vector<std::string> records{};  ///< which files of folders were left out or paired, and why
   std::vector<std::string> answers{};  ///< of the script, sentences
-  /// Of the script. A picture of a study with the title of one of these is left out.
+  /// Pictures of the script. A picture of a study with the title of one of these is left out.
   std::vector<StudyPicture> pictures{};
   std::vector<NamedStudy> studies{};  ///< in the order of the script
 };

@@ -21,7 +21,7 @@ void create(const sqlite::Database& database, const StudyCases& cases, const std
 
 StudyCases cases_of(const sqlite::Database& database);
 
-/// Of the table `study`; empty for an unknown key.
+/// Returns a value of the table `study`; empty for an unknown key.
 std::string property(const sqlite::Database& database, const std::string& key);
 void set_property(const sqlite::Database& database, const std::string& key, const std::string& value);
 

@@ -78,8 +78,8 @@ class Script {
   /// preset.
   GroundMotion motion(const GroundMotion& preset);
 
-  /// The same for two components: adds --record FILE and --record-2 FILE, to be given together, and --incidence NUMBER,
-  /// the angle in degrees from +x to the first component.
+  /// Adds --record FILE and --record-2 FILE, to be given together, and --incidence NUMBER, the angle in degrees from +x
+  /// to the first component, and returns the motion of both components, else the preset.
   PlanMotion plan_motion(const PlanMotion& preset);
 
   /// Before run(): calls the observer too, at every step; it must outlive the run. The quantities of a QuantityRecorder
@@ -91,7 +91,7 @@ class Script {
   /// With --json standard output holds summary.json alone, with the member "results_folder" in front, and all else goes
   /// to standard error. The observers are attached before. Throws InputError for one that is null.
   int run(Model& model, const GroundMotion& motion, std::initializer_list<StepObserver*> observers = {});
-  /// The same with options of the analysis that the command line lacks; those that it has are its defaults:
+  /// Runs with options of the analysis that the command line lacks; those that it has are its defaults:
   ///
   ///     return script.run(model, motion, {.integrator = GeneralizedAlpha{.spectral_radius = 0.9}});
   int run(Model& model, const GroundMotion& motion, const TransientOptions& options,
@@ -118,7 +118,7 @@ class Script {
   /// value of an option, and FileError where it cannot be written.
   StudyResult study(const StudyCases& cases, const std::function<StudyModel(const StudyCase&)>& make,
                     const StudyOptions& options = {}, const std::string& name = "study");
-  /// The same for cases that compute their results themselves.
+  /// Computes a study in the same way, of cases that compute their results themselves.
   StudyResult study(const StudyCases& cases, const std::function<StudyRecord(const StudyCase&)>& compute,
                     const StudyOptions& options = {}, const std::string& name = "study");
 

@@ -14,7 +14,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Of the library that this program runs with.
+/// Returns the hash of the library that this program runs with.
 std::string hash_of_library() {
   Dl_info info{};
   if (dladdr(reinterpret_cast<const void*>(&sha256_of_file), &info) == 0 || info.dli_fname == nullptr) return "";

@@ -136,7 +136,7 @@ void skip_comments(CosmosFile& file) {
       file.refuse("expected " + std::to_string(*count) + " lines of comment, each with \"|\" in front.");
 }
 
-/// Of "units=cm/sec2(04)" or "units=cm/sec2 (04)", m/s^2.
+/// Returns the unit of "units=cm/sec2(04)" or "units=cm/sec2 (04)", m/s^2.
 double unit_in(CosmosFile& file, std::string_view line, double number_in_header) {
   const std::string capitals = upper_case(line);
   std::string_view rest = capitals;

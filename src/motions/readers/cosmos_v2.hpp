@@ -31,7 +31,7 @@ bool is_cosmos(const TextFile& file);
 /// Throws FileError naming file, line and the mistake: a missing part, a wrong count, another quantity or unit (raw
 /// counts, velocity), something that is not a number, or a second channel.
 GroundMotion parse_cosmos(const TextFile& file);
-/// The same from a file on disk.
+/// Reads such a motion from a file on disk.
 GroundMotion read_cosmos(const std::filesystem::path& path);
 
 }  // namespace moat

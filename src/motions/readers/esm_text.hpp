@@ -28,7 +28,7 @@ bool is_esm(const TextFile& file);
 /// Throws FileError naming file, line and the mistake: a key that is missing or has another value, a wrong number of
 /// header lines or of values, something that is not a number.
 GroundMotion parse_esm(const TextFile& file);
-/// The same from a file on disk.
+/// Reads such a motion from a file on disk.
 GroundMotion read_esm(const std::filesystem::path& path);
 
 }  // namespace moat

@@ -25,7 +25,7 @@ namespace moat {
 GroundMotion read_peer_at2(const std::filesystem::path& path);
 
 struct TextFile;
-/// The same from a file in memory.
+/// Reads such a motion from a file in memory.
 GroundMotion parse_peer_at2(const TextFile& file);
 
 /// True if the text begins with a PEER AT2 header, in any unit.

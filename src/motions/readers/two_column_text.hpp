@@ -22,7 +22,7 @@ namespace moat {
 GroundMotion read_two_columns(const std::filesystem::path& path, Acceleration unit);
 
 struct TextFile;
-/// The same from a file in memory.
+/// Reads such a motion from a file in memory.
 GroundMotion parse_two_columns(const TextFile& file, Acceleration unit);
 
 /// True if the first line of the text that is neither empty nor a comment holds two numbers.

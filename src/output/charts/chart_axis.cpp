@@ -13,7 +13,7 @@ namespace {
 
 using Range = std::pair<double, double>;
 
-// Of a computed tick, relative to the distance of two.
+// Round-off of a computed tick, relative to the distance of two.
 constexpr double round_off = 1e-9;
 // From here on and below, labels have an exponent.
 constexpr double large = 1e6, small = 1e-4;

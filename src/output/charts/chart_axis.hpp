@@ -29,7 +29,7 @@ enum class AxisSide { bottom, left };
 /// labels do not overlap.
 ChartAxis axis_over(std::pair<double, double> range, bool logarithmic, AxisSide side, double length);
 
-/// The same with ends at round values that hold the range. Low may equal high here.
+/// Such an axis with ends at round values that hold the range. Low may equal high here.
 ChartAxis axis_around(std::pair<double, double> range, bool logarithmic, AxisSide side, double length);
 
 }  // namespace moat

@@ -37,7 +37,7 @@ std::string cell_number(double value) {
 struct Colour {
   double red, green, blue;
 };
-// Of viridis at equal distances.
+// Colours of viridis at equal distances.
 constexpr std::array<Colour, 9> viridis{{{68, 1, 84},
                                          {71, 44, 122},
                                          {59, 81, 139},

@@ -13,7 +13,7 @@ constexpr std::array<short, 95> advance{278,  278, 355, 556, 556, 889, 667, 191,
                                         667,  778, 722, 667, 611, 722, 667, 944, 667, 667, 611, 278, 278, 278, 469, 556,
                                         333,  556, 556, 500, 556, 556, 278, 556, 556, 222, 222, 500, 222, 833, 556, 556,
                                         556,  556, 333, 500, 278, 556, 500, 722, 500, 500, 500, 334, 260, 334, 584};
-/// Of any other character. Signs of the Far East are as wide as high.
+/// Advance of any other character. Signs of the Far East are as wide as high.
 constexpr double other_advance = 600.0, wide_advance = 1000.0;
 /// DejaVu Sans over Arial, for usual texts.
 constexpr double widest_face = 1.15;

@@ -68,7 +68,7 @@ struct Impact {
   double tangential_speed = 0.0;        ///< m/s, of the corner along the edge at first touch
   double largest_friction_force = 0.0;  ///< N
   double friction_loss = 0.0;           ///< J
-  ContactLoop loop{};                   ///< Of its force over its indentation.
+  ContactLoop loop{};                   ///< Loop of its force over its indentation.
 };
 
 /// Energy dissipated by the elements reported at one place.
@@ -123,7 +123,7 @@ struct SolverStatistics {
   long events = 0;             ///< touches, separations and other changes of regime, also inside steps
   long changes_inside = 0;     ///< of these, inside a step that went on (EventTreatment::inside_the_step)
   long newton_iterations = 0;  ///< In all steps.
-  long factorisations = 0;     ///< Of the tangent.
+  long factorisations = 0;     ///< Factorisations of the tangent.
   double cpu_seconds = 0.0;    ///< Time of the processor, s.
   double longest_step = 0.0;   ///< s, of the accepted steps
 };
@@ -143,7 +143,7 @@ struct ErrorBars {
 
 /// The motion as it was applied.
 struct MotionFacts {
-  std::string name;                  ///< Of the thing.
+  std::string name;                  ///< Name of the motion.
   double peak_acceleration = 0.0;    ///< m/s^2
   double peak_velocity = 0.0;        ///< m/s
   double time_step = 0.0;            ///< s
@@ -163,7 +163,7 @@ struct BuildingParts {
 
 /// A period with the name of the part that vibrates.
 struct NamedPeriod {
-  std::string name;    ///< Of the thing.
+  std::string name;    ///< Name of the part.
   double value = 0.0;  ///< s
 };
 
@@ -193,7 +193,7 @@ struct BuildingTorsion {
 
 /// Everything that one run produced.
 struct CaseResult {
-  std::string title;         ///< Of the script.
+  std::string title;         ///< Title of the script.
   Provenance provenance{};   ///< Command, script, version, date.
   AnalysisFacts analysis{};  ///< Its integrator and options.
   MotionFacts motion;        ///< As applied.
@@ -201,7 +201,7 @@ struct CaseResult {
   /// For drawings; its indices of nodes are those of `model.nodes`. Empty for models of more than `most_drawn_nodes`.
   Scene scene{};
   std::vector<BuildingParts> buildings;    ///< In the order of the model.
-  std::vector<NamedPeriod> periods;        ///< Of every building.
+  std::vector<NamedPeriod> periods;        ///< Periods of every building.
   std::vector<Peak> peaks;                 ///< One for every quantity and place.
   std::vector<GapClearance> clearances{};  ///< one for every gap
   std::vector<Impact> impacts;             ///< In the order of their starts.

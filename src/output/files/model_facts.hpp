@@ -36,11 +36,11 @@ struct ElementFacts {
   std::string law;                         ///< name of the law; empty where it is not known
   std::string first, second;               ///< names of the nodes or diaphragms it joins; "ground" for the ground
   std::vector<ParameterFacts> parameters;  ///< of its law
-  /// Of an end between two nodes: the other node.
+  /// The other node of an end between two nodes.
   std::string first_other{}, second_other{};
   /// The share of the way to it.
   double first_share = 0.0, second_share = 0.0;
-  /// Of a spring in plan: its ends at rest, m, and the direction of its force, zero for one that acts in both.
+  /// The ends at rest, m, of a spring in plan, and the direction of its force, zero for one that acts in both.
   std::optional<PlanPlaces> plan_places{};
 };
 

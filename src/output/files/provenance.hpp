@@ -16,7 +16,7 @@ struct Provenance {
   /// Every option of the script with its value, also those left at their defaults.
   std::vector<std::pair<std::string, std::string>> options{};
   std::string moat_version{};  ///< "0.1.0"
-  /// Of the source that moat was built from: 40 digits, "-dirty" behind them if files had been changed.
+  /// Commit of the source that moat was built from: 40 digits, "-dirty" behind them if files had been changed.
   std::string git_commit{};
   std::string date{};  ///< when the result was made, UTC: "2026-01-31T12:00:00Z"
 };

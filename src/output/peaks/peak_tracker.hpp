@@ -63,7 +63,7 @@ class PeakTracker {
 
   /// The value with the largest magnitude, the first of equal ones; 0 if there is none.
   [[nodiscard]] double value() const { return value_; }
-  /// Of the peak, >= 0.
+  /// Magnitude of the peak, >= 0.
   [[nodiscard]] double magnitude() const { return std::abs(value_); }
   /// When value() was reached, s.
   [[nodiscard]] double time() const { return time_; }

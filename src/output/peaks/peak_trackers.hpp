@@ -104,7 +104,7 @@ class PeakTrackers {
 
   /// The value with the largest magnitude, the first of equal ones; 0 if there is none.
   [[nodiscard]] double value(std::size_t i) const { return values_[i]; }
-  [[nodiscard]] double magnitude(std::size_t i) const { return std::abs(values_[i]); }  ///< Of value().
+  [[nodiscard]] double magnitude(std::size_t i) const { return std::abs(values_[i]); }  ///< Magnitude of value().
   /// When value() was reached, s.
   [[nodiscard]] double time(std::size_t i) const { return times_[i]; }
 

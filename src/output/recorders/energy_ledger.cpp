@@ -38,13 +38,13 @@ void EnergyLedger::step(const StepView& view) {
   remember(view);
 }
 
-// Of one component of the ground, which acts on these masses.
+// Adds the input of one component of the ground, which acts on these masses.
 void EnergyLedger::add_input(const StepView& view, const Vector& masses, double ground_before, double ground_now) {
   const MotionState& end = view.model.state();
   const int count = view.model.degrees_of_freedom();
   const auto displacement = end.displacement.head(count);
   if (view.work_rule == WorkRule::mean_force) {
-    // The same rule as for the work of the elements, so that the residual is an identity.
+    // The rule is the one for the work of the elements, so that the residual is an identity.
     input_ -= 0.5 * (ground_before + ground_now) * masses.dot(displacement - displacement_);
     return;
   }

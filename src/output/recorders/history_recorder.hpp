@@ -39,7 +39,7 @@ class HistoryRecorder final : public StepObserver {
 
   /// All columns, from the start to the last recorded time.
   [[nodiscard]] Table table() const { return {columns_}; }
-  /// The same, whose rows the recorder then no longer has.
+  /// Returns all columns; the recorder then no longer has their rows.
   [[nodiscard]] Table take_table();
   /// Absolute accelerations of the bases and tops of three buildings every 1 ms or less, because rows of `interval`
   /// miss peaks of impacts. Empty for a model without gaps, and where `interval` is as short.

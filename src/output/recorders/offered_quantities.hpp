@@ -48,7 +48,7 @@ class OfferedPeaks final : public StepObserver {
   [[nodiscard]] std::vector<std::string> warnings() const;
 
  private:
-  // Of one quantity.
+  // The largest value of one quantity.
   struct Largest {
     double value = std::numeric_limits<double>::quiet_NaN(), time = 0.0;
     long not_finite = 0;               // number of values

@@ -23,7 +23,7 @@ namespace moat {
 /// and without side.
 class QuantityRecorder : public StepObserver {
  public:
-  /// The same list whenever it is called.
+  /// Returns the same list whenever it is called.
   [[nodiscard]] virtual std::vector<OfferedQuantity> quantities() const = 0;
   /// Writes one value for each of them, at the committed state.
   virtual void sample(const StepView& view, std::span<double> values) const = 0;

@@ -18,8 +18,8 @@ class StoreyShears {
   /// storeys: the bodies below and above each.
   StoreyShears(const Model& model, const std::vector<std::pair<NodeId, NodeId>>& storeys);
 
-  /// Of the last evaluation of the model, N, one for each storey: on a line with its sign, in plan the length of the
-  /// sum of vectors. Valid until the next call.
+  /// Returns the shears of the last evaluation of the model, N, one for each storey: on a line with its sign, in plan
+  /// the length of the sum of vectors. Valid until the next call.
   std::span<const double> evaluate(const Model& model);
 
  private:

@@ -8,7 +8,7 @@
 namespace moat {
 namespace {
 
-// Of a contact: on its left node, or on its corner.
+// Returns the force of a contact on its left node, or on its corner.
 PlanVector force_on_first_point(const ElementBlock& block, std::size_t element) {
   const double normal_force = block.results().forces[element];
   const PlanContacts* corners = block.plan_contacts();

@@ -13,7 +13,7 @@
 namespace moat {
 namespace {
 
-// Of drawings only, m.
+// Lengths in drawings only, m.
 constexpr double slab_thickness = 0.4;
 constexpr double bearing_height = 0.8;
 constexpr double wall_thickness = 1.0;

@@ -7,7 +7,7 @@
 namespace moat {
 namespace {
 
-// Of a body: another one, and how much further that one stands.
+// A neighbour of a body, and how much further it stands.
 struct Neighbour {
   std::size_t body;
   PlanVector further;

@@ -18,7 +18,7 @@ class Orbit {
 
   /// Number of rows of the table.
   [[nodiscard]] std::size_t rows() const { return time_.values.size(); }
-  /// Of a point with this arm from the centre of mass, m.
+  /// Displacement of a point with this arm from the centre of mass, m.
   [[nodiscard]] PlanVector displacement(std::size_t row, PlanVector arm) const {
     return PlanVector{x_.values[row], y_.values[row]} + rotation_.values[row] * turned_left(arm);
   }

@@ -72,13 +72,13 @@ class StudyStore {
 
 /// A study as it is in its file, for reading.
 struct StoredStudy {
-  std::string title;                    ///< Of the script.
+  std::string title;                    ///< Title of the script.
   std::vector<StudyIdentity> versions;  ///< All versions that computed cases.
   std::size_t current_version = 0;      ///< Index of the last one.
   std::vector<StoredSession> sessions;  ///< The runs that computed it.
   /// The session that computed each case; 0 is the first. Of no meaning for open cases.
   std::vector<std::size_t> session_of_case;
-  StudyResult result;  ///< Of all cases up to now.
+  StudyResult result;  ///< Results of all cases up to now.
 };
 /// Throws FileError where the file cannot be read or is no study.
 StoredStudy read_study(const std::filesystem::path& file);

@@ -27,7 +27,7 @@ class StudyFile {
   [[nodiscard]] const StudyCases& cases() const { return cases_; }
   /// Whether no process has begun to compute cases.
   [[nodiscard]] bool is_new() const { return is_new_; }
-  /// Of the axes in the file from those of the cases; nothing may be written then.
+  /// Differences of the axes in the file from those of the cases; nothing may be written if there are any.
   [[nodiscard]] const std::string& axis_differences() const { return axis_differences_; }
   /// After prepare_rows().
   CaseRows& rows() { return *rows_; }
@@ -52,7 +52,7 @@ class StudyFile {
   std::unique_ptr<CaseRows> rows_;
 };
 
-/// Of this machine.
+/// Returns the name of this machine.
 std::string host_name();
 
 }  // namespace moat

@@ -29,7 +29,7 @@ std::size_t version_with(const Database& database, const StudyIdentity& identity
   const auto known = std::ranges::find(versions, identity);
   if (known != versions.end()) return static_cast<std::size_t>(known - versions.begin());
   Statement row = database.prepare("INSERT INTO versions VALUES (?, ?, ?)");
-  // Of a file without sessions versions_of() gives one that is empty.
+  // versions_of() returns one empty version for a file without sessions.
   Statement sessions = database.prepare("SELECT count(*) FROM sessions");
   sessions.step();
   const std::size_t version = sessions.integer(0) == 0 ? 0 : versions.size();

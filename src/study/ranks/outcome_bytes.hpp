@@ -14,7 +14,7 @@ std::string to_bytes(std::size_t number, const CaseOutcome& outcome);
 /// The outcome; its number goes to `number`.
 CaseOutcome from_bytes(const std::string& bytes, std::size_t& number);
 
-/// The same for all cases of a study, in their order.
+/// The bytes of all cases of a study, in their order.
 std::string to_bytes(const std::vector<CaseOutcome>& outcomes);
 std::vector<CaseOutcome> outcomes_from_bytes(const std::string& bytes);
 
