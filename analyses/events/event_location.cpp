@@ -57,10 +57,6 @@ double locate_change(StepSolver& step, double h, RegimeScan seen) {
   Bracket bracket{.before = {}, .beyond = {h, seen.margin}};
   double next = seen.fraction * h;
   constexpr int most_solves = 100, solves_by_motion = 8;
-  const auto ended_at = [&](double length) {
-    step.complete();
-    return length;
-  };
   for (int count = 0; count < most_solves; ++count) {
     // Every iterate solves the step again with a new length. The length comes from the motion at the end of the last
     // trial. Where this leaves the bracket, it comes from the interpolated margin of a step that ends beyond the
@@ -71,18 +67,18 @@ double locate_change(StepSolver& step, double h, RegimeScan seen) {
     if (!bracket.contains(next) || slow) next = bracket.before.length + 0.5 * width;
     if (width <= shortest) next = bracket.beyond.length;
     ++step.statistics().event_solves;
-    if (!step.look(next)) {
+    if (!step.solve(next)) {
       // The cut step may end before the change, or far beyond it: scan it again.
       const double shorter = step.solve_cutting(0.5 * next);
       seen = step.scan(shorter);
       return seen.crossed ? locate_change(step, shorter, seen) : shorter;
     }
     seen = step.scan(next);
-    if (is_located(seen, tolerance) || (seen.margin < 0.0 && width <= shortest)) return ended_at(next);
-    if (seen.crossed && width <= shortest) return ended_at(next);  // crossed and came back within round-off: no change
+    if (is_located(seen, tolerance) || (seen.margin < 0.0 && width <= shortest)) return next;
+    if (seen.crossed && width <= shortest) return next;  // crossed and came back within round-off: no change
     // This step has no change. If the longer step crossed a margin and came back, the change lies in the rest of it,
     // which the next step scans again.
-    if (!seen.crossed && (width <= shortest || bracket.beyond.margin >= 0.0)) return ended_at(next);
+    if (!seen.crossed && (width <= shortest || bracket.beyond.margin >= 0.0)) return next;
     (seen.crossed ? bracket.beyond : bracket.before) = {next, seen.margin};
     // Where a margin was crossed and came back, the motion at the end of the step is not that of the change.
     const double by_motion = seen.crossed_back ? 0.0 : next + step.model().time_to_next_change(step.aim());

@@ -63,20 +63,11 @@ void ExactSteps::begin(const StepTask& step) {
   path_.begin(*system_, offset_, model_->state(), step);
 }
 
-void ExactSteps::move_to_end(const StepTask& part) {
+bool ExactSteps::solve(const StepTask& part) {
   path_.move(part.length, model_->trial());
   model_->trial().time = part.end_time;
-}
-
-bool ExactSteps::solve(const StepTask& part) {
-  move_to_end(part);
-  complete();
-  return true;
-}
-
-bool ExactSteps::look(const StepTask& part) {
-  move_to_end(part);
-  model_->evaluate_regimes();
+  model_->evaluate();
+  model_->evaluate_rates();
   return true;
 }
 

@@ -40,17 +40,11 @@ class ExactSteps final : public Stepper {
   double next_length() override;
   void begin(const StepTask& step) override;
   bool solve(const StepTask& part) override;
-  bool look(const StepTask& part) override;
-  void complete() override {
-    model_->evaluate();
-    model_->evaluate_rates();
-  }
-  bool accepts(const StepTask&, std::span<const RegimeChange>) override { return true; }
+  bool accepts(const StepTask&) override { return true; }
   WorkRule work_rule() const override { return WorkRule::quadrature; }
 
  private:
   void linearise();
-  void move_to_end(const StepTask& part);
 
   Model* model_;
   StepControl* control_;

@@ -15,22 +15,13 @@ class ImplicitSteps final : public Stepper {
   ImplicitSteps(Model& model, const TransientOptions& options, const StepControl::Options& control);
 
   double next_length() override;
-  void begin(const StepTask&) override {
-    is_set_up_ = false;
-    missed_in_ = 0.0;
-  }
+  void begin(const StepTask&) override {}
   bool solve(const StepTask& part) override;
-  bool accepts(const StepTask& step, std::span<const RegimeChange> inside) override {
-    return control_.accepts(*model_, step, scheme_, inside, equations_.filtered_curve());
+  bool accepts(const StepTask& step) override {
+    return control_.accepts(*model_, step, scheme_, equations_.filtered_curve());
   }
   WorkRule work_rule() const override { return scheme_.order() > 2 ? WorkRule::quadrature : WorkRule::mean_force; }
 
-  /// The trial state that the step would lead to without iterations; only elements that can change their regime are
-  /// evaluated there.
-  void predict(const StepTask& step);
-  /// The next solutions of a step of this length, s, have the impulses that the scheme leaves out of forces that change
-  /// inside the trial step (Model::find_missed_impulses).
-  void add_missed_impulses(double length);
   /// Computes accelerations and jerks of the committed state again, from its forces.
   void balance_committed_state(PlanVector ground_acceleration) {
     equations_.balance_committed_state(ground_acceleration);
@@ -54,9 +45,6 @@ class ImplicitSteps final : public Stepper {
   StepControl control_;
   StepScheme scheme_{};  // of the step being tried
   Vector acceleration_;
-  bool is_set_up_ = false;  // by predict(): the equations of the whole step
-  MissedImpulses missed_;
-  double missed_in_ = 0.0;  // a step of this length; 0: none; s
   NewtonReport last_report_;
   long newton_iterations_ = 0;
 };

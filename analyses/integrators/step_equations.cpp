@@ -29,8 +29,6 @@ StepEquations::StepEquations(Model& model) : model_{&prepared(model)}, resultant
 void StepEquations::begin(const StepTask& task, StepScheme scheme, Vector& guess) {
   task_ = task;
   scheme_ = scheme;
-  is_moved_ = false;
-  added_velocities_.clear();
   const double h = task.length;
   const MotionState& start = model_->state();
   const double *u = start.displacement.data(), *v = start.velocity.data(), *a = start.acceleration.data(),
@@ -98,28 +96,6 @@ void StepEquations::average_start(const double* acceleration) {
         (1.0 - scheme_.force_share) * (force[i] + masses[i] * shares.of(task_.ground_acceleration_at_start, i));
 }
 
-void StepEquations::predict(const StepTask& task, StepScheme scheme, Vector& guess) {
-  begin(task, scheme, guess);
-  move(guess);
-  is_moved_ = true;
-  model_->evaluate_regimes();
-}
-
-void StepEquations::add_impulses(const MissedImpulses& missed) {
-  const double *mass = model_->masses().data(), *of_displacement = missed.of_displacement.data(),
-               *of_velocity = missed.of_velocity.data(), *of_evaluated_velocity = missed.of_evaluated_velocity.data();
-  const int count = size();
-  for (int i = 0; i < count; ++i) {
-    // Few degrees of freedom have any.
-    if (of_displacement[i] == 0.0 && of_velocity[i] == 0.0) continue;
-    predicted_displacement_[i] += task_.length * of_displacement[i] / mass[i];
-    predicted_velocity_[i] += of_evaluated_velocity[i] / mass[i];
-    added_velocities_.push_back({i, of_velocity[i] / mass[i]});
-  }
-  curvature_.forget();  // accelerations bend or jump inside this step
-  is_moved_ = false;
-}
-
 void StepEquations::complete() {
   // The unknown of an averaged equation is not the acceleration at the end, but one of first order.
   if (!scheme_.balances_at_end()) {
@@ -141,7 +117,6 @@ void StepEquations::complete() {
         scheme_.filters_corrections ? end_correction_[i] - start_correction_[i] : correction * (end_jerk[i] - jerk[i]);
     velocity[i] = v[i] + half * (a[i] + end_acceleration[i]) - corrected;
   }
-  for (const auto& [i, added] : added_velocities_) velocity[i] += added;
   model_->evaluate_linear_elements();
 }
 
@@ -223,7 +198,7 @@ void StepEquations::move(const Vector& acceleration) {
 
 bool StepEquations::compute_residual(const Vector& acceleration, Vector& residual) {
   const int count = size();
-  if (!std::exchange(is_moved_, false)) move(acceleration);
+  move(acceleration);
   model_->evaluate();
 
   // m/s^2. Where nothing moves yet, all terms of a row vanish together, and no residual is small beside them.

@@ -2,8 +2,6 @@
 #pragma once
 
 #include <limits>
-#include <utility>
-#include <vector>
 
 #include "analyses/integrators/acceleration_curvature.hpp"
 #include "analyses/integrators/step_scheme.hpp"
@@ -28,11 +26,6 @@ class StepEquations final : public NonlinearSystem {
   /// Sets up a step from the model's committed state. `guess` := accelerations to start from: those at its start, or
   /// where the scheme knows jerks their continuation from the last step.
   void begin(const StepTask& task, StepScheme scheme, Vector& guess);
-  /// begin(), and the trial state that the guess leads to; only elements that can change their regime are evaluated.
-  /// The next compute_residual() is that of the guess.
-  void predict(const StepTask& task, StepScheme scheme, Vector& guess);
-  /// After begin() or predict(): the step has these impulses besides those that the scheme sees.
-  void add_impulses(const MissedImpulses& missed);
   /// After the last compute_residual(): jerks of the trial state, and its velocities where the scheme corrects them.
   void complete();
 
@@ -77,8 +70,7 @@ class StepEquations final : public NonlinearSystem {
   SparseMatrix tangent_;
   StepTask task_;
   Vector predicted_displacement_, predicted_velocity_;
-  std::vector<std::pair<int, double>> added_velocities_;  // by add_impulses(), m/s, with their degrees of freedom
-  Vector of_start_;                                       // the share of the start in averaged equations
+  Vector of_start_;  // the share of the start in averaged equations
   // Largest force of every row: of the iterate, and of the last balanced step. All terms of a row may be zero at the
   // same instant; its scale is therefore at least half of the latter.
   Vector scales_, balanced_scales_;
@@ -86,7 +78,6 @@ class StepEquations final : public NonlinearSystem {
   bool factorised_ = false;
   double factorised_velocity_weight_ = 0.0, factorised_displacement_weight_ = 0.0, factorised_mass_share_ = 0.0;
   long factorised_version_ = 0;
-  bool is_moved_ = false;  // the trial state is that of the guess, since predict()
   // Values that belong to the state at this instant.
   struct AtInstant {
     double time = std::numeric_limits<double>::quiet_NaN();  // s

@@ -4,8 +4,6 @@
 #include <cmath>
 #include <limits>
 
-#include "model/impulses.hpp"
-
 namespace moat {
 
 /// The methods of Newmark, Hilber, Hughes & Taylor, and Chung & Hulbert over a step h, from 0 to 1:
@@ -61,17 +59,6 @@ struct StepScheme {
   [[nodiscard]] constexpr double displacement_weight(double h) const { return beta * h * h; }
   /// The derivative of the velocity at the end of a step by the acceleration there, s.
   [[nodiscard]] constexpr double velocity_weight(double h) const { return order() == 4 ? h / 3.0 : gamma * h; }
-
-  /// How the scheme integrates forces, where it balances them at the end.
-  [[nodiscard]] constexpr ImpulseRules impulse_rules() const {
-    if (!corrects_velocity) {
-      const ImpulseRule of_velocity{1.0 - gamma, gamma, 0.0, 0.0};
-      return {of_velocity, of_velocity, {0.5 - beta, beta, 0.0, 0.0}};
-    }
-    return {{0.5, 0.5, 1.0 / 12.0, -1.0 / 12.0},
-            filters_corrections ? ImpulseRule{0.5, 0.5, 0.0, 0.0} : ImpulseRule{2.0 / 3.0, 1.0 / 3.0, 1.0 / 6.0, 0.0},
-            {5.0 / 12.0, 1.0 / 12.0, 1.0 / 12.0, 0.0}};
-  }
 
   friend bool operator==(const StepScheme&, const StepScheme&) = default;
 };

@@ -1,7 +1,6 @@
 #include "analyses/time_history/step_control.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "analyses/time_history/ground_component.hpp"
@@ -86,14 +85,14 @@ StepControl::Step StepControl::next_step(const Model& model) {
 }
 
 // Largest error of all nodes, divided by the tolerance.
-double StepControl::error_of(const Model& model, const StepTask& step, StepScheme scheme, const Vector& scales_of_nodes,
+double StepControl::error_of(const Model& model, const StepTask& step, StepScheme scheme,
                              const double* filtered_curve) {
   // For an equal estimate the error of average acceleration is larger: its error of period equals the estimate.
   constexpr double stricter_at_second_order = 8.0;
   const int count = model.degrees_of_freedom();
   const MotionState &start = model.state(), &end = model.trial();
   const double *a0 = start.acceleration.data(), *a1 = end.acceleration.data(), *j0 = start.jerk.data(),
-               *j1 = end.jerk.data(), *u1 = end.displacement.data(), *scales = scales_of_nodes.data(),
+               *j1 = end.jerk.data(), *u1 = end.displacement.data(), *scales = scales_.values().data(),
                *round_off_per_displacement = round_off_per_displacement_.data();
   const double h = step.length;
   const bool fourth_order = scheme.order() > 2;
@@ -130,27 +129,10 @@ double StepControl::error_of(const Model& model, const StepTask& step, StepSchem
   return (fourth_order ? 1.0 : stricter_at_second_order) * largest / (share_of_tolerance_ * options_.tolerance);
 }
 
-// The scales of all nodes. They are infinite for nodes of elements that change inside the step or did so inside the
-// last two, where forces need not be smooth yet: these are not judged.
-const Vector& StepControl::scales_without(const Model& model, std::span<const RegimeChange> inside) {
-  if (inside.empty() && changed_before_.empty() && changed_last_.empty()) return scales_.values();
-  scales_without_bends_ = scales_.values();
-  for (const std::span<const RegimeChange> changes :
-       std::array<std::span<const RegimeChange>, 3>{inside, changed_last_, changed_before_})
-    for (const RegimeChange& change : changes) {
-      const ElementInfo& element = model.blocks()[change.block]->info(change.element);
-      for (const NodeId end : {element.first, element.second})
-        for (const NodeId node : model.body_of(end))
-          scales_without_bends_[node.index] = std::numeric_limits<double>::infinity();
-    }
-  return scales_without_bends_;
-}
-
-bool StepControl::accepts(const Model& model, const StepTask& step, StepScheme scheme,
-                          std::span<const RegimeChange> inside, const double* filtered_curve) {
+bool StepControl::accepts(const Model& model, const StepTask& step, StepScheme scheme, const double* filtered_curve) {
   if (!adaptive() || ramp_ > 0) return true;
   const double h = step.length;
-  const double error = error_of(model, step, scheme, scales_without(model, inside), filtered_curve);
+  const double error = error_of(model, step, scheme, filtered_curve);
   constexpr double repeat_above = 2.0;
   if (error > repeat_above && step_at(options_.max_halvings) < 0.5 * h) {
     // The repeated step must be shorter than h. In contact or for stability h may be shorter than the nominal step.
@@ -176,8 +158,6 @@ bool StepControl::accepts(const Model& model, const StepTask& step, StepScheme s
 void StepControl::accepted(const Model& model, double h, PlanVector ground_acceleration) {
   if (!adaptive()) return;
   since_event_ += h;
-  changed_before_.swap(changed_last_);
-  changed_last_.clear();
   scales_.accepted(model, h, ground_acceleration);
   watch_round_off(model);
   // The ramp after a touch does not count steps cut short by a sample of the motion: the jerk behind one that is short
@@ -201,12 +181,6 @@ void StepControl::watch_round_off(const Model& model) {
       place_of_round_off_ = NodeId{i};
     }
   });
-}
-
-void StepControl::changed_inside(const Model& model, std::span<const RegimeChange> changes) {
-  changed_last_.assign(changes.begin(), changes.end());
-  since_event_ = 0.0;
-  if (adaptive()) scales_.regimes_changed(model);
 }
 
 void StepControl::restart(const Model& model, bool touched) {

@@ -3,7 +3,6 @@
 
 #include <limits>
 #include <optional>
-#include <span>
 #include <vector>
 
 #include "analyses/integrators/step_equations.hpp"
@@ -66,30 +65,21 @@ class StepControl {
   [[nodiscard]] bool adaptive() const { return options_.fixed_step <= 0.0; }
   /// The step to try next from the committed state.
   [[nodiscard]] Step next_step(const Model& model);
-  /// Judges the trial state that a step of this scheme led to, but not the nodes (ElementInfo::first and second) of
-  /// elements that change their regime inside it or did so inside the last two, because the rates of their
-  /// accelerations jump there or are not smooth yet. `filtered_curve`: of a scheme that has it
+  /// Judges the trial state that a step of this scheme led to. `filtered_curve`: of a scheme that has it
   /// (StepEquations::filtered_curve). False: repeat with next_step(), which is shorter.
   [[nodiscard]] bool accepts(const Model& model, const StepTask& step, StepScheme scheme,
-                             std::span<const RegimeChange> inside = {}, const double* filtered_curve = nullptr);
+                             const double* filtered_curve = nullptr);
   /// The trial state was committed.
   void accepted(const Model& model, double h, PlanVector ground_acceleration);
   /// Elements changed their regime at the committed state, or the ground stopped; `touched` if a gap closed.
   void restart(const Model& model, bool touched);
 
-  /// Whether a step of this length divides a contact of this duration finely enough, both in s. A fixed one always.
-  [[nodiscard]] bool is_short_enough(double step, double contact) const {
-    constexpr double round_off = 1e-9;
-    return !adaptive() || step * options_.steps_per_contact <= contact * (1.0 + round_off);
-  }
   /// The longest step, s.
   [[nodiscard]] double grid_interval() const { return options_.grid_interval; }
   /// As given.
   [[nodiscard]] double tolerance() const { return options_.tolerance; }
   /// From now on errors are compared with this share of the tolerance, 0 < share <= 1.
   void use_share_of_tolerance(double share) { share_of_tolerance_ = share; }
-  /// Elements changed their regime inside the last step.
-  void changed_inside(const Model& model, std::span<const RegimeChange> changes);
 
   /// Fewest steps any contact was divided into so far; infinite without contact.
   [[nodiscard]] double fewest_steps_per_contact() const { return fewest_steps_per_contact_; }
@@ -107,16 +97,14 @@ class StepControl {
   [[nodiscard]] double stable_step(double contact) const;
   [[nodiscard]] double stable_damped_step() const;
   [[nodiscard]] double error_of(const Model& model, const StepTask& step, StepScheme scheme,
-                                const Vector& scales_of_nodes, const double* filtered_curve);
-  [[nodiscard]] const Vector& scales_without(const Model& model, std::span<const RegimeChange> inside);
+                                const double* filtered_curve);
   void watch_round_off(const Model& model);
 
   Options options_;
   Resultants resultants_;
   AccelerationScales scales_;
-  Vector scales_without_bends_, lost_forces_;
-  std::vector<RegimeChange> changed_last_, changed_before_;  // inside the last step, and inside the one before
-  std::vector<double> steps_;                                // the longest, divided by 1, 2, 4, ...; s
+  Vector lost_forces_;
+  std::vector<double> steps_;  // the longest, divided by 1, 2, 4, ...; s
   double share_of_tolerance_ = 1.0;
   int halvings_ = 0;
   int ramp_ = 0;              // further halvings after a touch

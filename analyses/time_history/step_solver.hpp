@@ -27,12 +27,8 @@ class StepSolver {
 
   /// Solves the first h seconds into the trial state. False if that did not converge.
   bool solve(double h);
-  /// Solves as far as changes of regime depend on it. False if that did not converge.
-  bool look(double h) { return stepper_->look(first_part(h)); }
-  /// Adds all that solve() would have found and look() left out: the step is to end where look() went.
-  void complete() { stepper_->complete(); }
-  /// Solves them cut in half until that converges; returns the length that did. Throws ConvergenceError that names
-  /// time, step, residual and the worst node after `max_cuts` cuts.
+  /// Solves the first h seconds, cut in half until that converges; returns the length that did. Throws ConvergenceError
+  /// that names time, step, residual and the worst node after `max_cuts` cuts.
   double solve_cutting(double h);
   /// Changes of regime in the trial step of length h. The aim is the middle of the band of margins in which a located
   /// step may end, beyond the change and not before it.

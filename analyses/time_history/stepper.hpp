@@ -1,8 +1,6 @@
 // The interface of methods that compute a trial state from the committed state.
 #pragma once
 
-#include <span>
-
 #include "analyses/integrators/step_equations.hpp"
 #include "model/model.hpp"
 
@@ -22,13 +20,8 @@ class Stepper {
   /// Solves the step, or its first part, into the trial state, with all forces and their rates. False if it did not
   /// converge.
   virtual bool solve(const StepTask& part) = 0;
-  /// Solves as far as changes of regime depend on it. complete() must follow if the step is to end there.
-  virtual bool look(const StepTask& part) { return solve(part); }
-  /// Adds all that solve() would have found and look() left out.
-  virtual void complete() {}
-  /// Judges the trial state that solve() led to, with these changes of regime inside the step. False: begin again with
-  /// next_length(), which is shorter.
-  [[nodiscard]] virtual bool accepts(const StepTask& step, std::span<const RegimeChange> inside) = 0;
+  /// Judges the trial state that solve() led to. False: begin again with next_length(), which is shorter.
+  [[nodiscard]] virtual bool accepts(const StepTask& step) = 0;
   /// How the work of its steps is formed.
   [[nodiscard]] virtual WorkRule work_rule() const = 0;
 };

@@ -26,7 +26,6 @@ Transient::Transient(Model& model, GroundMotion motion, TransientOptions options
       grid_{*motion_, model.state().time, end_of(options_, model, *motion_)},
       implicit_{model, options_, control_options(options_, *motion_)},
       step_{model, options_, grid_, implicit_, statistics_},
-      inside_{step_, options_.events},
       chatter_{options_.max_events_per_second} {
   check_components(model, *motion_);
   const IntegratorChoice choice = choose_integrator(model, options_, implicit_.control(), exact_);
@@ -72,48 +71,23 @@ void Transient::take_and_report_step() {
   observers_.start(view(true));
   if (grid_.reaches_end_of_motion(model_->state().time)) end_motion();
   double h = take_step();
-  crossing_ = Crossing::none;
-  if (seen_.crossed || !changes_.empty()) h = treat_crossing(h);
+  const RegimeScan seen = step_.scan(h);
+  if (seen.crossed && options_.events == EventTreatment::located && !is_located(seen, step_.location_tolerance()))
+    h = locate_change(step_, h, seen);
   commit(step_.first_part(h));
   observers_.step(view(h == step_.whole().length));
-  if (crossing_ == Crossing::inside) report_changes_inside();
-  if (crossing_ == Crossing::located) change_regimes_at_end();
-  inside_.accepted(changes_.size());
+  if (seen.crossed) change_regimes_at_end();
 }
 
 // Solves a step of the length that the stepper proposes, or a shorter one if it does not converge or its error is too
-// large. Returns the length of the trial step, whose changes are seen_.
+// large. Returns the length of the trial step.
 double Transient::take_step() {
   Stepper& stepper = exact_ && exact_->applies() ? static_cast<Stepper&>(*exact_) : implicit_;
-  for (bool foresee = true;; ++statistics_.repeated_steps) {
+  for (;; ++statistics_.repeated_steps) {
     step_.begin(stepper);
-    changes_.clear();
-    if (foresee && inside_.wanted(0)) inside_.foresee(changes_);
     const double h = step_.solve_cutting(step_.whole().length);
-    // Changes that were foreseen belong to the whole step.
-    const bool cut = h != step_.whole().length && !changes_.empty();
-    seen_ = step_.scan(h);
-    if (!cut && stepper.accepts(step_.first_part(h), changes_)) return h;
-    model_->undo_changes_inside();
-    foresee = foresee && !cut;
+    if (stepper.accepts(step_.first_part(h))) return h;
   }
-}
-
-// Elements change their regime in the trial step of length h: crosses the changes or ends the step at the first.
-// Returns the length of the trial step after that.
-double Transient::treat_crossing(double h) {
-  RegimeScan last = seen_;
-  if (inside_.wanted(seen_.crossings)) {
-    if (inside_.settle(h, changes_)) {
-      crossing_ = Crossing::inside;
-      return h;
-    }
-    h = step_.solve_cutting(h);
-    last = step_.scan(h);
-  }
-  if (!last.crossed) return h;
-  crossing_ = Crossing::located;
-  return is_located(last, step_.location_tolerance()) ? h : locate_change(step_, h, last);
 }
 
 void Transient::commit(const StepTask& step) {
@@ -139,18 +113,6 @@ void Transient::change_regimes_at_end() {
   implicit_.control().restart(*model_, std::ranges::any_of(changes_, &RegimeChange::touched));
   if (changes_.empty()) return;
   balance();
-  report_changes();
-}
-
-void Transient::report_changes_inside() {
-  if (changes_.empty()) return;
-  statistics_.changes_inside += static_cast<long>(changes_.size());
-  implicit_.control().changed_inside(*model_, changes_);
-  if (exact_) exact_->restart();
-  report_changes();
-}
-
-void Transient::report_changes() {
   statistics_.events += static_cast<long>(changes_.size());
   chatter_.count(*model_, changes_);
   observers_.event(view(false), changes_);
@@ -187,7 +149,7 @@ void Transient::run(const std::function<bool()>& stop) {
 
 std::vector<std::string> Transient::assumptions() const {
   std::vector<std::string> list =
-      assumptions_of(options_, implicit_.control(), longest_step(options_, motion_->time_step()), statistics_);
+      assumptions_of(options_, implicit_.control(), longest_step(options_, motion_->time_step()));
   if (!choice_.empty()) list.insert(list.begin(), choice_);
   return list;
 }

@@ -7,7 +7,6 @@
 #include <string>
 #include <vector>
 
-#include "analyses/events/changes_inside.hpp"
 #include "analyses/events/chatter_guard.hpp"
 #include "analyses/events/collapse_guard.hpp"
 #include "analyses/integrators/exact_steps.hpp"
@@ -29,8 +28,8 @@ namespace moat {
 /// NOX. Touch and separation of gaps, and yield and unloading of located bearings, are events. A located one ends its
 /// step (analyses/events/event_location.hpp): the step that would cross it is solved again, shorter, until it ends
 /// there; then the acceleration is computed again from the forces after the change, and one step of another length ends
-/// on the time grid. Where events are many they may stay inside a step (analyses/events/changes_inside.hpp). The end of
-/// the motion is an event too: the ground's acceleration drops to zero there. The step follows the physics
+/// on the time grid. With EventTreatment::at_end_of_step elements change at the end of the step instead. The end of the
+/// motion is an event too: the ground's acceleration drops to zero there. The step follows the physics
 /// (analyses/time_history/step_control.hpp) unless it is fixed.
 ///
 /// A step that does not converge is cut in half; if that does not help, advance() throws ConvergenceError
@@ -57,7 +56,7 @@ class Transient {
   [[nodiscard]] bool collapsed() const { return collapse_.collapsed(); }
   /// Whether the end of the analysis is reached, or the model has collapsed.
   [[nodiscard]] bool finished() const { return collapse_.collapsed() || grid_.finished(model_->state().time); }
-  /// One accepted step, and the changes of regime inside it or at its end if there are any. Observers attached since
+  /// One accepted step, and the changes of regime at its end if there are any. Observers attached since
   /// the last step get the start first. Where it throws, the model is in the state before.
   void advance();
   /// Calls finish() of the observers: the analysis ends here. run() does so itself.
@@ -78,11 +77,8 @@ class Transient {
  private:
   void take_and_report_step();
   double take_step();
-  double treat_crossing(double h);
   void commit(const StepTask& step);
   void change_regimes_at_end();
-  void report_changes_inside();
-  void report_changes();
   void end_motion();
   void balance();
   [[nodiscard]] StepView view(bool on_grid) const;
@@ -96,13 +92,10 @@ class Transient {
   ImplicitSteps implicit_;
   std::optional<ExactSteps> exact_;
   StepSolver step_;
-  ChangesInside inside_;
   ChatterGuard chatter_;
   CollapseGuard collapse_;
   Observers observers_;
-  std::vector<RegimeChange> changes_;  // of the last step
-  RegimeScan seen_;                    // in the last trial step
-  enum class Crossing { none, located, inside } crossing_ = Crossing::none;
+  std::vector<RegimeChange> changes_;  // of the last step that had any
 };
 
 }  // namespace moat

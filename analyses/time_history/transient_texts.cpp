@@ -10,20 +10,13 @@ namespace moat {
 namespace {
 
 std::string_view name_of(EventTreatment events) {
-  switch (events) {
-    case EventTreatment::located:
-      return "located";
-    case EventTreatment::inside_the_step:
-      return "inside_the_step";
-    default:
-      return "automatic";
-  }
+  return events == EventTreatment::located ? "located" : "at_end_of_step";
 }
 
 }  // namespace
 
 std::vector<std::string> assumptions_of(const TransientOptions& options, const StepControl& control,
-                                        double longest_step, const SolverStatistics& statistics) {
+                                        double longest_step) {
   const std::string step = control.adaptive() ? "step adapted to an error of " + to_text(options.tolerance) +
                                                     " of each node's acceleration and to " +
                                                     std::to_string(options.steps_per_contact) +
@@ -37,11 +30,11 @@ std::vector<std::string> assumptions_of(const TransientOptions& options, const S
              "where a step is too long for that), ";
   return {method + step + "; every step solved until the forces at each node balance to " +
               to_text(options.force_tolerance) + " of the largest force there.",
-          "Touch and separation located until the gap is zero to " + to_text(options.location_tolerance.si()) +
-              " m, acceleration recomputed there" +
-              (statistics.changes_inside > 0 ? "; " + std::to_string(statistics.changes_inside) + " of " +
-                                                   std::to_string(statistics.events) + " changes crossed inside a step."
-                                             : "."),
+          options.events == EventTreatment::located
+              ? "Touch and separation located until the gap is zero to " + to_text(options.location_tolerance.si()) +
+                    " m, acceleration recomputed there."
+              : "Touch and separation at the end of the step that crosses them, up to a step too late; acceleration "
+                "recomputed there.",
           "Ground acceleration linear between samples and zero after the last one; the system starts at rest at the "
           "first sample unless initial values are given."};
 }

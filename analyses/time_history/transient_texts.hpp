@@ -8,13 +8,13 @@
 #include "analyses/time_history/transient_options.hpp"
 #include "model/model.hpp"
 #include "motions/ground_motion.hpp"
-#include "output/files/case_result.hpp"
+#include "output/files/analysis_facts.hpp"
 
 namespace moat {
 
 /// Method, step and tolerances, one sentence each. `longest_step` s is that of adapted steps.
 std::vector<std::string> assumptions_of(const TransientOptions& options, const StepControl& control,
-                                        double longest_step, const SolverStatistics& statistics);
+                                        double longest_step);
 
 /// All options as they were given, and the numbers of the scheme.
 AnalysisFacts facts_of(const TransientOptions& options);

@@ -29,7 +29,7 @@ StreetReport measure_street(const StreetSetting& setting) {
   report.degrees_of_freedom = model.degrees_of_freedom();
   report.build_seconds = seconds(Clock::wall) - start;
 
-  TransientOptions options{.step = 2.5 * units::ms};
+  TransientOptions options{.step = 2.5 * units::ms, .events = EventTreatment::at_end_of_step};
   // A street has many contacts, none of which chatters.
   options.max_events_per_second = 1'000'000'000;
   Transient transient{model, street_motion(), options};

@@ -90,7 +90,7 @@ TEST_F(ScriptRun, SummaryHasAllOptionsOfTheAnalysis) {
   const json analysis = json::parse(text_of(folder / "out/summary.json")).at("analysis");
   EXPECT_EQ(analysis.at("options").at("tolerance"), (json{{"value", 1e-4}, {"unit", "1"}}));
   EXPECT_EQ(analysis.at("options").at("max_cuts").at("value"), 12.0);
-  EXPECT_EQ(analysis.at("events"), "automatic");
+  EXPECT_EQ(analysis.at("events"), "located");
 }
 
 TEST_F(ScriptRun, ReportsAnErrorBeforeTheScriptExists) {

@@ -6,7 +6,6 @@
 
 #include <array>
 
-#include "analyses/integrators/step_scheme.hpp"
 #include "materials/contact/viscous_linear_contact.hpp"
 
 namespace moat {
@@ -51,29 +50,6 @@ TEST(LinkOverStep, IntegratesItsWork) {
   const double dissipated = damping * speed * speed * time;
   EXPECT_NEAR(total.dissipated, dissipated, 1e-13 * dissipated);
   EXPECT_NEAR(total.work, 0.5 * stiffness * deepest * deepest + dissipated, 1e-13 * total.work);
-}
-
-// Rules of all schemes: the integrals of forces that each of them forms exactly, over a step of 2 s.
-TEST(ForceOverStep, MissesNothingThatTheSchemeIntegratesExactly) {
-  constexpr double h = 2.0;
-  const auto expect_none = [](const ForceOverStep& force, const ImpulseRules& rules) {
-    EXPECT_NEAR(force.missed(force.impulse, rules.of_velocity, h), 0.0, 1e-14);
-    EXPECT_NEAR(force.missed(force.impulse, rules.of_evaluated_velocity, h), 0.0, 1e-14);
-    EXPECT_NEAR(force.missed(force.falling, rules.of_displacement, h), 0.0, 1e-14);
-  };
-  const ForceOverStep constant{3.0, 0.0, 3.0, 0.0, 3.0 * h, 3.0 * h / 2.0};
-  const ForceOverStep linear{0.0, 1.0, h, 1.0, h * h / 2.0, h * h / 6.0};
-  const ForceOverStep square{0.0, 0.0, h * h, 2.0 * h, h * h * h / 3.0, h * h * h / 12.0};
-  expect_none(constant, StepScheme::average_acceleration().impulse_rules());
-  expect_none(constant, StepScheme::fourth_order().impulse_rules());
-  expect_none(linear, StepScheme::fourth_order().impulse_rules());
-  expect_none(square, StepScheme::fourth_order().impulse_rules());
-  // Linear acceleration integrates linear forces.
-  expect_none(linear, StepScheme{.beta = 1.0 / 6.0}.impulse_rules());
-  // Average acceleration takes the mean of both forces for the displacement.
-  const ImpulseRules average = StepScheme::average_acceleration().impulse_rules();
-  EXPECT_NEAR(linear.missed(linear.impulse, average.of_velocity, h), 0.0, 1e-14);
-  EXPECT_NEAR(linear.missed(linear.falling, average.of_displacement, h), h * h / 6.0 - h * h / 4.0, 1e-14);
 }
 
 }  // namespace

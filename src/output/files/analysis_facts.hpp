@@ -11,7 +11,7 @@ namespace moat {
 /// The options of an analysis, as they were given in code and on the command line.
 struct AnalysisFacts {
   std::string integrator{};          ///< its name, or its description where it has parameters
-  std::string events{};              ///< "automatic", "located" or "inside_the_step"
+  std::string events{};              ///< "located" or "at_end_of_step"
   std::string error_bars{};          ///< "automatic", "always" or "never"
   std::vector<Parameter> options{};  ///< all numbers of TransientOptions, CaseOptions and the scheme, by their names
 };

@@ -119,9 +119,8 @@ struct SolverStatistics {
   long accepted_steps = 0;     ///< Taken.
   long rejected_steps = 0;     ///< cut because Newton did not converge
   long repeated_steps = 0;     ///< repeated shorter because the error estimate was too large
-  long event_solves = 0;       ///< solved again for a change of regime: to end there, or with the new regime
-  long events = 0;             ///< touches, separations and other changes of regime, also inside steps
-  long changes_inside = 0;     ///< of these, inside a step that went on (EventTreatment::inside_the_step)
+  long event_solves = 0;       ///< solved again to end at a change of regime
+  long events = 0;             ///< touches, separations and other changes of regime
   long newton_iterations = 0;  ///< In all steps.
   long factorisations = 0;     ///< Factorisations of the tangent.
   double cpu_seconds = 0.0;    ///< Time of the processor, s.

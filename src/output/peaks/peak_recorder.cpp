@@ -39,12 +39,7 @@ void PeakRecorder::add_slide_begins() {
   }
 }
 
-void PeakRecorder::event(const StepView& view, std::span<const RegimeChange> changes) {
-  if (!values_jump(changes)) {
-    for (const RegimeChange& change : changes)
-      for (const std::size_t channel : channels_.bent_by(*model_, change)) peaks_.add_bend(channel, change.time);
-    return;
-  }
+void PeakRecorder::event(const StepView& view, std::span<const RegimeChange>) {
   sample(view);
   peaks_.restart();
 }

@@ -59,10 +59,8 @@ void EnergyLedger::add_input(const StepView& view, const Vector& masses, double 
   input_ -= ground_now * now - ground_before * before - slope * mean;
 }
 
-void EnergyLedger::event(const StepView& view, std::span<const RegimeChange> changes) {
-  // The next step starts with the accelerations after the jump.
-  if (values_jump(changes)) remember(view);
-}
+// The next step starts with the accelerations after the jump.
+void EnergyLedger::event(const StepView& view, std::span<const RegimeChange>) { remember(view); }
 
 void EnergyLedger::remember(const StepView& view) {
   const MotionState& state = view.model.state();

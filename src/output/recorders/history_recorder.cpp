@@ -106,9 +106,7 @@ void HistoryRecorder::step(const StepView& view) {
     add_row(std::abs(time - next_time()) <= coincident * interval_ ? now_ : between(view, next_time()));
 }
 
-void HistoryRecorder::event(const StepView& view, std::span<const RegimeChange> changes) {
-  if (values_jump(changes)) take(view, inside_steps_);
-}
+void HistoryRecorder::event(const StepView& view, std::span<const RegimeChange>) { take(view, inside_steps_); }
 
 void HistoryRecorder::take(const StepView& view, bool with_energies) {
   now_.time = view.model.state().time;

@@ -24,10 +24,9 @@ struct StepView {
   }
 };
 
-/// Receives every accepted step of an analysis. At a located event it is called twice for the same
-/// instant: step() with the values before the change of regime, event() with those after it. Where elements changed
-/// inside a step (RegimeChange::inside), event() follows that step, at its end, and no value jumps. Where the ground
-/// stops after the last sample, event() has no changes, and accelerations jump.
+/// Receives every accepted step of an analysis. At an event it is called twice for the same instant: step() with the
+/// values before the change of regime, event() with those after it. Where the ground stops after the last sample,
+/// event() has no changes, and accelerations jump.
 class StepObserver {
  public:
   virtual ~StepObserver() = default;
@@ -39,7 +38,7 @@ class StepObserver {
   virtual void start(const StepView& view) = 0;
   /// After every accepted step.
   virtual void step(const StepView& view) = 0;
-  /// After a located change of regime.
+  /// After changes of regime.
   virtual void event(const StepView&, std::span<const RegimeChange>) {}
   /// After the last step, also when a step failed and the analysis ends early.
   virtual void finish(const StepView&) {}

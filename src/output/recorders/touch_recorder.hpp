@@ -27,7 +27,7 @@ class TouchRecorder final : public StepObserver {
   void step(const StepView&) override {}
   void event(const StepView& view, std::span<const RegimeChange> changes) override;
 
-  /// In the order in which they were reported: that of time, but for touches inside one step.
+  /// In the order of time.
   [[nodiscard]] const std::vector<Touch>& touches() const { return touches_; }
 
  private:

@@ -40,8 +40,7 @@ TEST(AnalysisFacts, DifferWhereAnyOptionDiffers) {
                                           {.max_iterations = 3},
                                           {.max_cuts = 2},
                                           {.location_tolerance = 1e-6 * m},
-                                          {.events = EventTreatment::located},
-                                          {.events = EventTreatment::inside_the_step},
+                                          {.events = EventTreatment::at_end_of_step},
                                           {.max_events_per_second = 100}};
   for (std::size_t i = 0; i < all.size(); ++i)
     for (std::size_t k = 0; k < i; ++k)
@@ -69,7 +68,7 @@ TEST(AnalysisFacts, DifferWhereAnyOptionOfTheCaseDiffers) {
 TEST(AnalysisFacts, HaveTheValuesAsGiven) {
   const AnalysisFacts facts = facts_of({.integrator = GeneralizedAlpha{.spectral_radius = 0.7}, .step = 1 * ms});
   EXPECT_NE(facts.integrator.find("0.7"), std::string::npos) << facts.integrator;
-  EXPECT_EQ(facts.events, "automatic");
+  EXPECT_EQ(facts.events, "located");
   EXPECT_EQ(facts.options.front(), (Parameter{"step", 1e-3, "s"}));
 }
 
