@@ -7,7 +7,6 @@
 #include "analyses/case/case_warnings.hpp"
 #include "analyses/modes/periods.hpp"
 #include "analyses/modes/torsion.hpp"
-#include "analyses/time_history/transient_texts.hpp"
 #include "base/check.hpp"
 #include "base/error.hpp"
 #include "model/building.hpp"

@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "analyses/time_history/ground_component.hpp"
+#include "analyses/time_history/equation_of_motion.hpp"
 
 namespace moat {
 

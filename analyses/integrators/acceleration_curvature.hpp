@@ -3,7 +3,7 @@
 
 #include <limits>
 
-#include "analyses/time_history/step_task.hpp"
+#include "analyses/time_history/step_method.hpp"
 #include "model/model.hpp"
 
 namespace moat {

@@ -1,11 +1,10 @@
 // The choice between exact steps and Newmark's method.
 #pragma once
 
-#include <optional>
 #include <string>
 #include <string_view>
 
-#include "analyses/integrators/step_scheme.hpp"
+#include "analyses/time_history/step_method.hpp"
 #include "base/check.hpp"
 
 namespace moat {
@@ -18,7 +17,7 @@ struct Automatic {
   static constexpr std::string_view name = "automatic";
   static constexpr int most_degrees_of_freedom = 16;  ///< Limit of exact steps; Newmark's method solves larger models.
 
-  [[nodiscard]] std::optional<StepScheme> scheme() const { return std::nullopt; }
+  [[nodiscard]] StepMethods methods(Model& model, const StepSettings& settings) const;
   void check(const Check&) const {}
   [[nodiscard]] std::string description() const { return "Exact between events, or Newmark's method"; }
 

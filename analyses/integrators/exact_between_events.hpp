@@ -1,21 +1,21 @@
 // Exact steps while no gap is closed.
 #pragma once
 
-#include <optional>
 #include <string>
 #include <string_view>
 
-#include "analyses/integrators/step_scheme.hpp"
+#include "analyses/time_history/step_method.hpp"
 #include "base/check.hpp"
 
 namespace moat {
 
-/// Exact steps while no gap is closed (analyses/integrators/exact_steps.hpp), Newmark's method in contact: for small
+/// Exact steps while no gap is closed (analyses/integrators/exact_method.hpp), Newmark's method in contact: for small
 /// models whose springs, dampers and bearings are linear between located events.
 struct ExactBetweenEvents {
   static constexpr std::string_view name = "exact-between-events";
 
-  [[nodiscard]] std::optional<StepScheme> scheme() const { return std::nullopt; }
+  /// Throws InputError where the model is not linear between events (ExactMethod).
+  [[nodiscard]] StepMethods methods(Model& model, const StepSettings& settings) const;
   void check(const Check&) const {}
   [[nodiscard]] std::string description() const {
     return "Exact steps while no gap is closed; in contact: Newmark's method";

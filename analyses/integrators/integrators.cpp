@@ -28,7 +28,14 @@ Integrator integrator_named(std::string_view name, std::string_view what) {
 }
 
 std::optional<StepScheme> scheme_of(const Integrator& integrator) {
-  return std::visit([](const auto& each) { return each.scheme(); }, integrator);
+  return std::visit(
+      [](const auto& each) -> std::optional<StepScheme> {
+        if constexpr (requires { each.scheme(); })
+          return each.scheme();
+        else
+          return std::nullopt;
+      },
+      integrator);
 }
 
 std::string_view name_of(const Integrator& integrator) {

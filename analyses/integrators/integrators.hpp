@@ -1,6 +1,7 @@
 // The one list of integrators.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -10,11 +11,13 @@
 #include "analyses/integrators/generalized_alpha.hpp"
 #include "analyses/integrators/hilber_hughes_taylor.hpp"
 #include "analyses/integrators/newmark.hpp"
+#include "analyses/integrators/step_scheme.hpp"
 
 namespace moat {
 
-/// An integrator is a value with `name`, check(), description() and scheme(): the numbers of its steps
-/// (analyses/integrators/step_scheme.hpp). Names on the command line, checks and reports follow from this list.
+/// An integrator is a value with `name`, check() and description(), and with one of two functions: scheme(), the
+/// numbers of Newmark's family (analyses/integrators/step_scheme.hpp), or methods(), which makes a StepMethod of its
+/// own. Names on the command line, checks and reports follow from this list.
 ///
 ///     TransientOptions{.integrator = GeneralizedAlpha{.spectral_radius = 0.8}}
 using Integrator = std::variant<Newmark, HilberHughesTaylor, GeneralizedAlpha, ExactBetweenEvents, Automatic>;
@@ -25,13 +28,11 @@ Integrator integrator_named(std::string_view name, std::string_view what = "inte
 /// "newmark, hht-alpha, ..."
 std::string integrator_names();
 
-/// The numbers of its implicit step; empty for exact steps.
+/// Returns the numbers of its steps; none if it is not of Newmark's family, or chooses them step by step.
 std::optional<StepScheme> scheme_of(const Integrator& integrator);
 /// That of the option `--integrator`.
 std::string_view name_of(const Integrator& integrator);
 /// Whether it is ExactBetweenEvents.
 inline bool is_exact(const Integrator& integrator) { return std::holds_alternative<ExactBetweenEvents>(integrator); }
-/// Whether it is Automatic.
-inline bool is_automatic(const Integrator& integrator) { return std::holds_alternative<Automatic>(integrator); }
 
 }  // namespace moat

@@ -4,7 +4,7 @@
 #include <Eigen/Core>
 
 #include "analyses/integrators/linear_system.hpp"
-#include "analyses/time_history/step_task.hpp"
+#include "analyses/time_history/step_method.hpp"
 #include "model/model.hpp"
 
 namespace moat {

@@ -5,20 +5,11 @@
 #include <limits>
 #include <utility>
 
-#include "analyses/time_history/ground_component.hpp"
+#include "analyses/time_history/equation_of_motion.hpp"
 
 namespace moat {
-namespace {
 
-Model& prepared(Model& model) {
-  model.prepare();
-  return model;
-}
-
-}  // namespace
-
-// Members behind the model need it prepared.
-StepEquations::StepEquations(Model& model) : model_{&prepared(model)}, resultants_{model}, curvature_{model} {
+StepEquations::StepEquations(Model& model) : model_{&model}, resultants_{model}, curvature_{model} {
   tangent_ = model.zero_matrix();
   predicted_displacement_.setZero(size());
   predicted_velocity_.setZero(size());
@@ -100,7 +91,7 @@ void StepEquations::complete() {
   // The unknown of an averaged equation is not the acceleration at the end, but one of first order.
   if (!scheme_.balances_at_end()) {
     averaged_at_end_ = {task_.end_time, model_->trial().acceleration};
-    balance_trial_state(task_.ground_acceleration);
+    balance_trial_state(*model_, task_.ground_acceleration);
   }
   model_->evaluate_rates();
   balanced_scales_.swap(scales_);  // the next residual writes all of scales_
@@ -159,23 +150,9 @@ void StepEquations::filter_corrections_at_end() {
   filter(filtered_curve_, 1);
 }
 
-void StepEquations::balance_committed_state(PlanVector ground_acceleration) {
-  MotionState& trial = model_->trial();
-  trial = model_->state();
-  model_->evaluate();
-  balance_trial_state(ground_acceleration);
-  model_->evaluate_rates();
-  model_->commit();
+void StepEquations::forget() {
   averaged_at_start_ = averaged_at_end_ = jerks_at_start_ = jerks_at_end_ = {};
   curvature_.forget();
-}
-
-void StepEquations::balance_trial_state(PlanVector ground_acceleration) {
-  const Vector& force = model_->internal_forces();
-  const GroundShares shares = model_->ground_shares();
-  Vector& acceleration = model_->trial().acceleration;
-  for (int i = 0; i < size(); ++i)
-    acceleration[i] = -force[i] / model_->masses()[i] - shares.of(ground_acceleration, i);
 }
 
 // The trial state with these accelerations at its end.

@@ -6,7 +6,7 @@
 #include "analyses/integrators/acceleration_curvature.hpp"
 #include "analyses/integrators/step_scheme.hpp"
 #include "analyses/time_history/resultants.hpp"
-#include "analyses/time_history/step_task.hpp"
+#include "analyses/time_history/step_method.hpp"
 #include "model/model.hpp"
 #include "solvers/factorisation.hpp"
 #include "solvers/newton.hpp"
@@ -20,7 +20,7 @@ namespace moat {
 /// step, and steps that end at a located event can be very short.
 class StepEquations final : public NonlinearSystem {
  public:
-  /// The model must outlive the equations.
+  /// The model must be prepared and outlive the equations.
   explicit StepEquations(Model& model);
 
   /// Sets up a step from the model's committed state. `guess` := accelerations to start from: those at its start, or
@@ -29,9 +29,8 @@ class StepEquations final : public NonlinearSystem {
   /// After the last compute_residual(): jerks of the trial state, and its velocities where the scheme corrects them.
   void complete();
 
-  /// Accelerations that balance the committed state, for the start and after events: M a = -f - M iota a_g, and their
-  /// jerks. Leaves both in the committed state of the model.
-  void balance_committed_state(PlanVector ground_acceleration);
+  /// Accelerations of the committed state may have jumped: the next step follows no other.
+  void forget();
 
   int size() const override { return model_->degrees_of_freedom(); }
   bool compute_residual(const Vector& acceleration, Vector& residual) override;
@@ -60,8 +59,6 @@ class StepEquations final : public NonlinearSystem {
   void filter_corrections_at_end();
   void move(const Vector& acceleration);
   void average_start(const double* acceleration);
-  // Accelerations of the trial state from its forces.
-  void balance_trial_state(PlanVector ground_acceleration);
 
   Model* model_;
   Resultants resultants_;

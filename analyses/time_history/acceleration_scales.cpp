@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "analyses/time_history/ground_component.hpp"
+#include "analyses/time_history/equation_of_motion.hpp"
 #include "model/building.hpp"
 
 namespace moat {

@@ -53,6 +53,19 @@ std::string sides_of(const Model& model, const ElementInfo& gap) {
          std::string{model.node_name(gap.first)} + "\"";
 }
 
+// Whether both motions are the same up to a time, s, at the samples of the finer one.
+bool agree_until(double time, const GroundMotion& one, const GroundMotion& other) {
+  const double interval = std::min(one.time_step(), other.time_step());
+  const double round_off = 1e-9 * one.peak_acceleration().si();
+  for (double t = 0.0, i = 0.0; t < time; ++i) {
+    t = std::min(i * interval, time);
+    // Round-off of the time may put a last sample behind the end of its motion.
+    const double before = t * (1.0 - 1e-12);
+    if (length(one.components_at(before) - other.components_at(before)) > round_off) return false;
+  }
+  return true;
+}
+
 }  // namespace
 
 void check_held(const Model& model) {
@@ -108,6 +121,23 @@ void check_gap_directions(const Model& model) {
           "Exchange .left and .right of one of them. A body inside another one needs its .x and "
           "a smaller .half_width.");
     }
+}
+
+void check_motion(const Model& model, const GroundMotion& motion, double end) {
+  const Check check{"Transient", motion.name()};
+  const double now = model.state().time;
+  const std::string stands = "the model stands at t = " + to_text(now) + " s";
+  const GroundMotion* former = model.state().ground_motion.get();
+  check.that(now <= 0.0 || former == nullptr || agree_until(now, *former, motion),
+             stands + " under other accelerations of the ground, those of \"" +
+                 (former != nullptr ? former->name() : "") + "\".",
+             "Copy the model before its first analysis, and give every motion a copy. For shocks one after the other "
+             "give one motion, joined({first, second}, 20 * s).");
+  check.that(now < end, stands + ", and the analysis ends at " + to_text(end) + " s.",
+             "Copy the model before its first analysis to use it again, or give a later TransientOptions::end.");
+  check.that(model.is_plan() || !motion.has_two_components(),
+             "the motion has two components, and the model moves on a line.",
+             "Give one component, or make the model of diaphragms.");
 }
 
 }  // namespace moat

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "model/model.hpp"
+#include "motions/ground_motion.hpp"
 
 namespace moat {
 
@@ -14,5 +15,9 @@ void check_held(const Model& model);
 /// has the first on the left and the other on the right. A body whose half width fits into that of the other, where
 /// their x puts it, may have gaps on both sides.
 void check_gap_directions(const Model& model);
+
+/// Throws InputError for a motion of two components on a line, and for a model that stands at or beyond `end` s, or
+/// came to its time under other accelerations of the ground.
+void check_motion(const Model& model, const GroundMotion& motion, double end);
 
 }  // namespace moat

@@ -3,10 +3,14 @@
 #include <algorithm>
 #include <cmath>
 
-#include "analyses/time_history/ground_component.hpp"
+#include "analyses/time_history/equation_of_motion.hpp"
 
 namespace moat {
 namespace {
+
+// Scales of acceleration are at least this share of the peak ground acceleration. A node with a smaller acceleration is
+// at rest, or free.
+constexpr double least_share_of_ground = 0.02;
 
 // Further halvings of the first step after a touch.
 constexpr int at_touch = 6;
@@ -16,8 +20,11 @@ double change_by_doubling(StepScheme scheme) { return scheme.order() > 2 ? 8.0 :
 
 }  // namespace
 
-StepControl::StepControl(const Model& model, Options options)
-    : options_{options}, resultants_{model}, scales_{model, options.lowest_acceleration} {
+StepControl::StepControl(const Model& model, const StepSettings& settings, std::optional<StepScheme> scheme)
+    : settings_{settings},
+      scheme_of_all_{scheme},
+      resultants_{model},
+      scales_{model, least_share_of_ground * settings.peak_ground_acceleration} {
   SparseMatrix matrix = model.linear_stiffness(StiffnessStage::initial);
   const Vector stiffness = resultants_.row_sums(matrix).cwiseQuotient(model.masses());
   stiffest_squared_ = stiffness.maxCoeff();
@@ -25,8 +32,8 @@ StepControl::StepControl(const Model& model, Options options)
   round_off_per_displacement_ = last_digits * stiffness;
   model.assemble_tangent(0.0, 1.0, 0.0, matrix);
   most_damped_ = resultants_.row_sums(matrix).cwiseQuotient(model.masses()).maxCoeff();
-  for (int halvings = 0; halvings <= options_.max_halvings; ++halvings)
-    steps_.push_back(std::ldexp(options_.grid_interval, -halvings));
+  for (int halvings = 0; halvings <= settings_.max_halvings; ++halvings)
+    steps_.push_back(std::ldexp(settings_.longest_step, -halvings));
   restart(model, false);
 }
 
@@ -47,26 +54,26 @@ double StepControl::stable_damped_step() const {
 StepControl::Step StepControl::next_step(const Model& model) {
   const double contact = model.shortest_contact();
   if (!adaptive()) {
-    fewest_steps_per_contact_ = std::min(fewest_steps_per_contact_, contact / options_.fixed_step);
-    return {options_.fixed_step, options_.scheme.value_or(StepScheme::average_acceleration())};
+    fewest_steps_per_contact_ = std::min(fewest_steps_per_contact_, contact / settings_.fixed_step);
+    return {settings_.fixed_step, scheme_of_all_.value_or(StepScheme::average_acceleration())};
   }
   constexpr double durations_until_leaning = 4.0;
   const bool pounding = since_event_ < durations_until_leaning * contact && std::isfinite(contact);
   // The nominal step is halved further for the contact, for stability, and for the first steps after a touch.
   int halvings = halvings_;
   if (pounding)
-    while (halvings < options_.max_halvings && step_at(halvings) * options_.steps_per_contact > contact) ++halvings;
+    while (halvings < settings_.max_halvings && step_at(halvings) * settings_.steps_per_contact > contact) ++halvings;
   StepScheme scheme = StepScheme::average_acceleration();
   const int halvings_without_bounds = halvings;
-  if (options_.scheme) {
-    scheme = *options_.scheme;
+  if (scheme_of_all_) {
+    scheme = *scheme_of_all_;
   } else if (ramp_ < at_touch) {
     // Up to this many halvings for stability, the fourth-order scheme costs less than average acceleration, and less
     // than the scheme for strong dashpots. Steps that are halved more than once would not be judged.
     constexpr int worth_halving = 6, worth_halving_for_dashpots = 1;
     const auto halved = [&](double stable, int worth) {
       int stable_halvings = halvings;
-      while (stable_halvings < std::min(halvings_without_bounds + worth, options_.max_halvings) &&
+      while (stable_halvings < std::min(halvings_without_bounds + worth, settings_.max_halvings) &&
              step_at(stable_halvings) > stable)
         ++stable_halvings;
       if (step_at(stable_halvings) > stable) return false;
@@ -78,8 +85,8 @@ StepControl::Step StepControl::next_step(const Model& model) {
                                                                         : StepScheme::strongly_damped();
   }
   if (scheme.order() == 2) halvings = halvings_without_bounds;
-  planned_ = step_at(std::min(halvings + ramp_, options_.max_halvings));
-  scheme.filters_corrections |= !options_.scheme && scheme.order() == 2 && planned_ > stable_damped_step();
+  planned_ = step_at(std::min(halvings + ramp_, settings_.max_halvings));
+  scheme.filters_corrections |= !scheme_of_all_ && scheme.order() == 2 && planned_ > stable_damped_step();
   if (pounding) fewest_steps_per_contact_ = std::min(fewest_steps_per_contact_, contact / planned_);
   return {planned_, scheme};
 }
@@ -126,7 +133,7 @@ double StepControl::error_of(const Model& model, const StepTask& step, StepSchem
       }
     });
   });
-  return (fourth_order ? 1.0 : stricter_at_second_order) * largest / (share_of_tolerance_ * options_.tolerance);
+  return (fourth_order ? 1.0 : stricter_at_second_order) * largest / settings_.tolerance;
 }
 
 bool StepControl::accepts(const Model& model, const StepTask& step, StepScheme scheme, const double* filtered_curve) {
@@ -134,10 +141,10 @@ bool StepControl::accepts(const Model& model, const StepTask& step, StepScheme s
   const double h = step.length;
   const double error = error_of(model, step, scheme, filtered_curve);
   constexpr double repeat_above = 2.0;
-  if (error > repeat_above && step_at(options_.max_halvings) < 0.5 * h) {
+  if (error > repeat_above && step_at(settings_.max_halvings) < 0.5 * h) {
     // The repeated step must be shorter than h. In contact or for stability h may be shorter than the nominal step.
     constexpr double shorter = 0.75;
-    while (halvings_ < options_.max_halvings && step_at(halvings_) > shorter * h) ++halvings_;
+    while (halvings_ < settings_.max_halvings && step_at(halvings_) > shorter * h) ++halvings_;
     return false;
   }
   // The error of a much shorter step cannot be extrapolated to the nominal step.
@@ -148,7 +155,7 @@ bool StepControl::accepts(const Model& model, const StepTask& step, StepScheme s
   // two limits keeps the length from alternating.
   const double of_doubling = change_by_doubling(scheme);
   const double nominal_error = error * std::pow(nominal / h, scheme.order() > 2 ? 3 : 2);
-  if (nominal_error > 1.2 && halvings_ < options_.max_halvings)
+  if (nominal_error > 1.2 && halvings_ < settings_.max_halvings)
     ++halvings_;
   else if (nominal_error * of_doubling < 0.9 && halvings_ > 0)
     --halvings_;

@@ -5,10 +5,10 @@
 #include <optional>
 #include <vector>
 
-#include "analyses/integrators/step_equations.hpp"
 #include "analyses/integrators/step_scheme.hpp"
 #include "analyses/time_history/acceleration_scales.hpp"
 #include "analyses/time_history/resultants.hpp"
+#include "analyses/time_history/step_method.hpp"
 #include "model/model.hpp"
 
 namespace moat {
@@ -42,27 +42,17 @@ namespace moat {
 /// tangent takes few values.
 class StepControl {
  public:
-  /// How steps are chosen.
-  struct Options {
-    double fixed_step = 0.0;             ///< s; 0: adaptive
-    double grid_interval = 0.0;          ///< s; the longest adaptive step
-    double tolerance = 3e-5;             ///< > 0, of the error of one step over its scale
-    int steps_per_contact = 32;          ///< > 0; the shortest contact is divided into these
-    int max_halvings = 24;               ///< of the grid interval, for the shortest step
-    std::optional<StepScheme> scheme{};  ///< of every step; none: chosen here
-    double lowest_acceleration = 0.0;    ///< m/s^2; errors are judged on no smaller scale
-  };
   /// One step to take.
   struct Step {
     double length = 0.0;  ///< s
     StepScheme scheme{};  ///< the numbers of the method
   };
 
-  /// The model must be complete.
-  StepControl(const Model& model, Options options);
+  /// `scheme`: of every step; none: chosen here. The model must be complete.
+  StepControl(const Model& model, const StepSettings& settings, std::optional<StepScheme> scheme);
 
   /// Whether lengths follow from errors.
-  [[nodiscard]] bool adaptive() const { return options_.fixed_step <= 0.0; }
+  [[nodiscard]] bool adaptive() const { return settings_.fixed_step <= 0.0; }
   /// The step to try next from the committed state.
   [[nodiscard]] Step next_step(const Model& model);
   /// Judges the trial state that a step of this scheme led to. `filtered_curve`: of a scheme that has it
@@ -73,13 +63,6 @@ class StepControl {
   void accepted(const Model& model, double h, PlanVector ground_acceleration);
   /// Elements changed their regime at the committed state, or the ground stopped; `touched` if a gap closed.
   void restart(const Model& model, bool touched);
-
-  /// The longest step, s.
-  [[nodiscard]] double grid_interval() const { return options_.grid_interval; }
-  /// As given.
-  [[nodiscard]] double tolerance() const { return options_.tolerance; }
-  /// From now on errors are compared with this share of the tolerance, 0 < share <= 1.
-  void use_share_of_tolerance(double share) { share_of_tolerance_ = share; }
 
   /// Fewest steps any contact was divided into so far; infinite without contact.
   [[nodiscard]] double fewest_steps_per_contact() const { return fewest_steps_per_contact_; }
@@ -100,12 +83,12 @@ class StepControl {
                                 const double* filtered_curve);
   void watch_round_off(const Model& model);
 
-  Options options_;
+  StepSettings settings_;
+  std::optional<StepScheme> scheme_of_all_;
   Resultants resultants_;
   AccelerationScales scales_;
   Vector lost_forces_;
   std::vector<double> steps_;  // the longest, divided by 1, 2, 4, ...; s
-  double share_of_tolerance_ = 1.0;
   int halvings_ = 0;
   int ramp_ = 0;              // further halvings after a touch
   double planned_ = 0.0;      // s, length of the last next_step(); samples of the motion may cut it

@@ -1,7 +1,7 @@
 // Where steps end.
 #pragma once
 
-#include "analyses/time_history/step_task.hpp"
+#include "analyses/time_history/step_method.hpp"
 #include "motions/ground_motion.hpp"
 
 namespace moat {

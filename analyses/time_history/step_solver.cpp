@@ -7,21 +7,21 @@
 
 namespace moat {
 
-StepSolver::StepSolver(Model& model, const TransientOptions& options, const StepGrid& grid, ImplicitSteps& implicit,
-                       SolverStatistics& statistics)
+StepSolver::StepSolver(Model& model, const StepSettings& settings, const StepGrid& grid, SolverStatistics& statistics)
     : model_{&model},
       grid_{&grid},
-      implicit_{&implicit},
       statistics_{&statistics},
-      location_tolerance_{options.location_tolerance.si()},
-      force_tolerance_{options.force_tolerance},
-      max_cuts_{options.max_cuts},
-      stepper_{&implicit} {}
+      location_tolerance_{settings.location_tolerance},
+      force_tolerance_{settings.newton.tolerance},
+      max_cuts_{settings.max_cuts} {}
 
-void StepSolver::begin(Stepper& stepper) {
-  stepper_ = &stepper;
-  whole_ = grid_->next_step(model_->state().time, stepper.next_length());
-  stepper.begin(whole_);
+double StepSolver::solve_next(StepMethod& method) {
+  method_ = &method;
+  for (;; ++statistics_->repeated_steps) {
+    whole_ = grid_->next_step(model_->state().time, method.propose());
+    const double h = solve_cutting(whole_.length);
+    if (method.judge(first_part(h))) return h;
+  }
 }
 
 const StepTask& StepSolver::first_part(double h) {
@@ -29,8 +29,6 @@ const StepTask& StepSolver::first_part(double h) {
   part_ = grid_->first_part(whole_, h);
   return part_;
 }
-
-bool StepSolver::solve(double h) { return stepper_->solve(first_part(h)); }
 
 double StepSolver::solve_cutting(double h) {
   for (int cut = 0; cut <= max_cuts_; ++cut, h *= 0.5) {
@@ -41,7 +39,7 @@ double StepSolver::solve_cutting(double h) {
 }
 
 void StepSolver::give_up(double h) const {
-  const NewtonReport& report = implicit_->last_report();
+  const NewtonReport report = method_->imbalance();
   const std::string worst{model_->node_name(NodeId{report.worst_degree_of_freedom})};
   const double time = model_->state().time;
   throw ConvergenceError{"The step from t = " + to_text(time) + " s did not converge although it was cut to " +

@@ -1,32 +1,30 @@
 // One step being tried.
 #pragma once
 
-#include "analyses/events/chatter_guard.hpp"
-#include "analyses/integrators/implicit_steps.hpp"
 #include "analyses/time_history/step_grid.hpp"
+#include "analyses/time_history/step_method.hpp"
+#include "model/model.hpp"
 #include "output/files/case_result.hpp"
 
 namespace moat {
 
-/// The step being tried from the committed state: solves it, or shorter parts of it, and looks for changes of regime
-/// in it.
+/// The step being tried from the committed state: solves it by a method, or shorter parts of it, and looks for changes
+/// of regime in it.
 class StepSolver {
  public:
   /// All must outlive this object.
-  StepSolver(Model& model, const TransientOptions& options, const StepGrid& grid, ImplicitSteps& implicit,
-             SolverStatistics& statistics);
+  StepSolver(Model& model, const StepSettings& settings, const StepGrid& grid, SolverStatistics& statistics);
 
-  /// Sets up the next step by this stepper.
-  void begin(Stepper& stepper);
-  /// The stepper of the last begin().
-  [[nodiscard]] Stepper& stepper() const { return *stepper_; }
-  /// The whole step, and its first h seconds.
+  /// Solves the next step by this method: one of the length that it proposes, or a shorter one where that does not
+  /// converge or the method judges its error too large. Returns the length of the trial step, s.
+  double solve_next(StepMethod& method);
+  /// The last step that was proposed, and its first h seconds.
   [[nodiscard]] const StepTask& whole() const { return whole_; }
   /// 0 < h <= the whole step, s. Valid until the next call.
   [[nodiscard]] const StepTask& first_part(double h);
 
   /// Solves the first h seconds into the trial state. False if that did not converge.
-  bool solve(double h);
+  bool solve(double h) { return method_->solve(first_part(h)); }
   /// Solves the first h seconds, cut in half until that converges; returns the length that did. Throws ConvergenceError
   /// that names time, step, residual and the worst node after `max_cuts` cuts.
   double solve_cutting(double h);
@@ -40,8 +38,6 @@ class StepSolver {
 
   /// The model as given.
   [[nodiscard]] Model& model() const { return *model_; }
-  /// The implicit steps as given.
-  [[nodiscard]] ImplicitSteps& implicit() const { return *implicit_; }
   /// Counts of the steps solved here.
   [[nodiscard]] SolverStatistics& statistics() const { return *statistics_; }
 
@@ -50,11 +46,10 @@ class StepSolver {
 
   Model* model_;
   const StepGrid* grid_;
-  ImplicitSteps* implicit_;
   SolverStatistics* statistics_;
   double location_tolerance_, force_tolerance_;
   int max_cuts_;
-  Stepper* stepper_;
+  StepMethod* method_ = nullptr;
   StepTask whole_, part_;
 };
 

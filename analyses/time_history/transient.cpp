@@ -6,10 +6,10 @@
 #include <utility>
 
 #include "analyses/events/event_location.hpp"
-#include "analyses/integrators/integrator_choice.hpp"
+#include "analyses/integrators/methods_of.hpp"
+#include "analyses/time_history/equation_of_motion.hpp"
 #include "analyses/time_history/model_checks.hpp"
-#include "analyses/time_history/transient_setup.hpp"
-#include "analyses/time_history/transient_texts.hpp"
+#include "base/check.hpp"
 #include "base/error.hpp"
 
 namespace moat {
@@ -23,20 +23,20 @@ Transient::Transient(Model& model, GroundMotion motion, TransientOptions options
     : model_{&model},
       motion_{std::make_shared<const GroundMotion>(std::move(motion))},
       options_{checked(options, *motion_)},
-      grid_{*motion_, model.state().time, end_of(options_, model, *motion_)},
-      implicit_{model, options_, control_options(options_, *motion_)},
-      step_{model, options_, grid_, implicit_, statistics_},
+      settings_{settings_of(options_, *motion_)},
+      grid_{*motion_, model.state().time, options.end.si() > 0.0 ? options.end.si() : motion_->duration()},
+      step_{model, settings_, grid_, statistics_},
       chatter_{options_.max_events_per_second} {
-  check_components(model, *motion_);
-  const IntegratorChoice choice = choose_integrator(model, options_, implicit_.control(), exact_);
-  options_.integrator = choice.integrator;
-  choice_ = choice.reason;
+  check_motion(model, *motion_, grid_.end());
+  model.prepare();
+  methods_ = methods_of(options_.integrator, model, settings_);
+  method_ = methods_.by_preference.front().get();
   check_held(model);
   check_gap_directions(model);
   constexpr std::size_t most_at_one_instant = 64;  // more is rare
   changes_.reserve(most_at_one_instant);
   model_->begin_motion(motion_);
-  balance();
+  restart(false);
   change_regimes_at_end();
   // All energies count from here, those of the elements too.
   if (model_->keeps_energy_accounts()) model_->start_energy_accounts();
@@ -51,7 +51,7 @@ void Transient::attach(StepObserver& observer) {
 
 StepView Transient::view(bool on_grid) const {
   const PlanVector acceleration = grid_.ground_acceleration();
-  return {*model_, acceleration.x, on_grid, step_.stepper().work_rule(), acceleration.y};
+  return {*model_, acceleration.x, on_grid, method_->work_rule(), acceleration.y};
 }
 
 void Transient::advance() {
@@ -70,7 +70,8 @@ void Transient::take_and_report_step() {
         "after another analysis of it."};
   observers_.start(view(true));
   if (grid_.reaches_end_of_motion(model_->state().time)) end_motion();
-  double h = take_step();
+  method_ = std::ranges::find_if(methods_.by_preference, [](const auto& each) { return each->applies(); })->get();
+  double h = step_.solve_next(*method_);
   const RegimeScan seen = step_.scan(h);
   if (seen.crossed && options_.events == EventTreatment::located && !is_located(seen, step_.location_tolerance()))
     h = locate_change(step_, h, seen);
@@ -79,40 +80,26 @@ void Transient::take_and_report_step() {
   if (seen.crossed) change_regimes_at_end();
 }
 
-// Solves a step of the length that the stepper proposes, or a shorter one if it does not converge or its error is too
-// large. Returns the length of the trial step.
-double Transient::take_step() {
-  Stepper& stepper = exact_ && exact_->applies() ? static_cast<Stepper&>(*exact_) : implicit_;
-  for (;; ++statistics_.repeated_steps) {
-    step_.begin(stepper);
-    const double h = step_.solve_cutting(step_.whole().length);
-    if (stepper.accepts(step_.first_part(h))) return h;
-  }
-}
-
 void Transient::commit(const StepTask& step) {
-  model_->commit(step_.stepper().work_rule());
+  model_->commit(method_->work_rule());
   grid_.accepted(step);
   ++statistics_.accepted_steps;
   statistics_.longest_step = std::max(statistics_.longest_step, step.length);
-  statistics_.factorisations = implicit_.factorisations();
-  statistics_.newton_iterations = implicit_.newton_iterations();
-  implicit_.control().accepted(*model_, step.length, grid_.ground_acceleration());
+  for (const auto& method : methods_.by_preference) method->accepted(step);
   collapse_.look(*model_);
 }
 
-// The force may jump at the committed state. With the acceleration before the jump the scheme would lose its order.
-void Transient::balance() {
-  implicit_.balance_committed_state(grid_.ground_acceleration());
-  if (exact_) exact_->restart();
+// The force may jump at the committed state. With the acceleration before the jump methods would lose their order.
+void Transient::restart(bool touched) {
+  balance_committed_state(*model_, grid_.ground_acceleration());
+  for (const auto& method : methods_.by_preference) method->restart(touched);
 }
 
 void Transient::change_regimes_at_end() {
   changes_.clear();
   model_->change_regimes(changes_);
-  implicit_.control().restart(*model_, std::ranges::any_of(changes_, &RegimeChange::touched));
   if (changes_.empty()) return;
-  balance();
+  restart(std::ranges::any_of(changes_, &RegimeChange::touched));
   statistics_.events += static_cast<long>(changes_.size());
   chatter_.count(*model_, changes_);
   observers_.event(view(false), changes_);
@@ -120,8 +107,7 @@ void Transient::change_regimes_at_end() {
 
 void Transient::end_motion() {
   if (!grid_.end_motion()) return;
-  balance();
-  implicit_.control().restart(*model_, false);
+  restart(false);
   observers_.event(view(false), {});
 }
 
@@ -147,16 +133,34 @@ void Transient::run(const std::function<bool()>& stop) {
   end();
 }
 
+SolverStatistics Transient::statistics() const {
+  SolverStatistics sum = statistics_;
+  for (const auto& method : methods_.by_preference) method->add_costs(sum);
+  return sum;
+}
+
 std::vector<std::string> Transient::assumptions() const {
-  std::vector<std::string> list =
-      assumptions_of(options_, implicit_.control(), longest_step(options_, motion_->time_step()));
-  if (!choice_.empty()) list.insert(list.begin(), choice_);
+  std::vector<std::string> list;
+  if (!methods_.reason.empty()) list.push_back(methods_.reason);
+  std::string steps;
+  for (const auto& method : methods_.by_preference) steps += method->description();
+  list.push_back(steps + ".");
+  list.push_back(options_.events == EventTreatment::located
+                     ? "Touch and separation located until the gap is zero to " +
+                           to_text(options_.location_tolerance.si()) + " m, acceleration recomputed there."
+                     : "Touch and separation at the end of the step that crosses them, up to a step too late; "
+                       "acceleration recomputed there.");
+  list.push_back(
+      "Ground acceleration linear between samples and zero after the last one; the system starts at rest at the first "
+      "sample unless initial values are given.");
   return list;
 }
 
 std::vector<std::string> Transient::warnings() const {
-  std::vector<std::string> list = warnings_of(options_, implicit_.control(), *motion_, *model_);
-  if (collapse_.collapsed()) list.insert(list.begin(), collapse_.warning());
+  std::vector<std::string> list;
+  if (collapse_.collapsed()) list.push_back(collapse_.warning());
+  for (const auto& method : methods_.by_preference)
+    for (std::string& warning : method->warnings()) list.push_back(std::move(warning));
   return list;
 }
 

@@ -3,16 +3,14 @@
 
 #include <functional>
 #include <memory>
-#include <optional>
 #include <string>
 #include <vector>
 
 #include "analyses/events/chatter_guard.hpp"
 #include "analyses/events/collapse_guard.hpp"
-#include "analyses/integrators/exact_steps.hpp"
-#include "analyses/integrators/implicit_steps.hpp"
 #include "analyses/time_history/observers.hpp"
 #include "analyses/time_history/step_grid.hpp"
+#include "analyses/time_history/step_method.hpp"
 #include "analyses/time_history/step_solver.hpp"
 #include "analyses/time_history/transient_options.hpp"
 #include "model/model.hpp"
@@ -24,13 +22,13 @@ namespace moat {
 
 /// Integrates M a + f(u, v) = -M iota a_g(t) from the model's committed state.
 ///
-/// The integrator (analyses/integrators/integrators.hpp) takes the steps; implicit ones are solved by Newton-Raphson in
-/// NOX. Touch and separation of gaps, and yield and unloading of located bearings, are events. A located one ends its
-/// step (analyses/events/event_location.hpp): the step that would cross it is solved again, shorter, until it ends
-/// there; then the acceleration is computed again from the forces after the change, and one step of another length ends
-/// on the time grid. With EventTreatment::at_end_of_step elements change at the end of the step instead. The end of the
-/// motion is an event too: the ground's acceleration drops to zero there. The step follows the physics
-/// (analyses/time_history/step_control.hpp) unless it is fixed.
+/// The methods of the integrator (analyses/integrators/integrators.hpp, step_method.hpp) take the steps. Touch and
+/// separation of gaps, and yield and unloading of located bearings, are events. A located one ends its step
+/// (analyses/events/event_location.hpp): the step that would cross it is solved again, shorter, until it ends there;
+/// then the acceleration is computed again from the forces after the change, and one step of another length ends on the
+/// time grid. With EventTreatment::at_end_of_step elements change at the end of the step instead. The end of the motion
+/// is an event too: the ground's acceleration drops to zero there. The step follows the physics, as the method
+/// proposes, unless it is fixed.
 ///
 /// A step that does not converge is cut in half; if that does not help, advance() throws ConvergenceError
 /// naming time, step, residual and the worst place. It is never accepted. The analysis ends, with a warning, where the
@@ -65,10 +63,10 @@ class Transient {
   /// step; true ends the run there.
   void run(const std::function<bool()>& stop = {});
 
-  [[nodiscard]] const Model& model() const { return *model_; }                      ///< The model at the time reached.
-  [[nodiscard]] const GroundMotion& motion() const { return *motion_; }             ///< As it is applied.
-  [[nodiscard]] const SolverStatistics& statistics() const { return statistics_; }  ///< Cost up to now.
-  [[nodiscard]] double end_time() const { return grid_.end(); }                     ///< s
+  [[nodiscard]] const Model& model() const { return *model_; }           ///< The model at the time reached.
+  [[nodiscard]] const GroundMotion& motion() const { return *motion_; }  ///< As it is applied.
+  [[nodiscard]] SolverStatistics statistics() const;                     ///< Cost up to now.
+  [[nodiscard]] double end_time() const { return grid_.end(); }          ///< s
   /// One sentence each: scheme, step, tolerances.
   [[nodiscard]] std::vector<std::string> assumptions() const;
   /// Settings that can make the results inaccurate, with advice.
@@ -76,21 +74,20 @@ class Transient {
 
  private:
   void take_and_report_step();
-  double take_step();
   void commit(const StepTask& step);
   void change_regimes_at_end();
   void end_motion();
-  void balance();
+  void restart(bool touched);
   [[nodiscard]] StepView view(bool on_grid) const;
 
   Model* model_;
   std::shared_ptr<const GroundMotion> motion_;  // shared with the state of the model
   TransientOptions options_;
-  std::string choice_;  // why the integrator was chosen; empty if the options give it
-  SolverStatistics statistics_;
+  StepSettings settings_;
+  SolverStatistics statistics_;  // without the costs of methods
   StepGrid grid_;
-  ImplicitSteps implicit_;
-  std::optional<ExactSteps> exact_;
+  StepMethods methods_;
+  StepMethod* method_ = nullptr;  // of the last step, or the first of all
   StepSolver step_;
   ChatterGuard chatter_;
   CollapseGuard collapse_;

@@ -2,9 +2,11 @@
 #pragma once
 
 #include "analyses/integrators/integrators.hpp"
+#include "analyses/time_history/step_method.hpp"
 #include "base/quantity.hpp"
 #include "base/units.hpp"
 #include "motions/ground_motion.hpp"
+#include "output/files/analysis_facts.hpp"
 #include "solvers/newton.hpp"
 
 namespace moat {
@@ -24,7 +26,6 @@ enum class EventTreatment {
 /// How a time history is computed. Every bound is checked by Transient's constructor.
 struct TransientOptions {
   static constexpr double least_tolerance = 1e-12;  ///< Lower bound of `tolerance`.
-  static constexpr int most_halvings = 40;          ///< Upper bound of `max_halvings`.
 
   /// Newmark, HilberHughesTaylor, GeneralizedAlpha, ExactBetweenEvents or Automatic, with its parameters.
   Integrator integrator = Newmark{};
@@ -82,7 +83,13 @@ struct TransientOptions {
 /// The longest step that an analysis may take, s: the fixed one, or by TransientOptions::largest_step.
 double longest_step(const TransientOptions& options, double sample_interval);
 
+/// Returns the part of the options that methods need.
+StepSettings settings_of(const TransientOptions& options, const GroundMotion& motion);
+
 /// The options themselves. Throws InputError for one outside its range, and for more than 1e9 steps.
 const TransientOptions& checked(const TransientOptions& options, const GroundMotion& motion);
+
+/// Returns all options as they were given, and the numbers of the scheme, for reports.
+AnalysisFacts facts_of(const TransientOptions& options);
 
 }  // namespace moat

@@ -6,6 +6,7 @@
 
 #include "analyses/integrators/step_equations.hpp"
 #include "analyses/integrators/wood_bossak_zienkiewicz.hpp"
+#include "analyses/time_history/equation_of_motion.hpp"
 #include "elements/line/shear_spring.hpp"
 
 namespace moat::testing {
@@ -19,9 +20,10 @@ TEST(IntegratorRecipe, HasTheSpectralRadiusOfItsSource) {
     Model model;
     const NodeId node = add(model, Node{.name = "mass", .mass = 1 * kg, .initial_displacement = 1 * m});
     add(model, ShearSpring{.name = "spring", .lower = ground, .upper = node, .stiffness = 1e8 * N / m});
+    model.prepare();
     StepEquations equations{model};
     NewtonSolver newton{equations, {}};
-    equations.balance_committed_state({});
+    balance_committed_state(model, {});
     const StepScheme scheme = WoodBossakZienkiewicz{.alpha = alpha}.scheme().value();
     const double step = 0.01;
     Vector acceleration = Vector::Zero(1);

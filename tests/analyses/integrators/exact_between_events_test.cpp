@@ -9,6 +9,7 @@
 #include <numbers>
 
 #include "analyses/case/case_run.hpp"
+#include "analyses/integrators/exact_method.hpp"
 #include "analysis_testing.hpp"
 #include "counted_allocations.hpp"
 #include "elements/contact/gap.hpp"
@@ -296,7 +297,7 @@ TEST(ExactBetweenEvents, RefusesALawThatDoesNotSayItIsLinear) {
 
 TEST(ExactBetweenEvents, RefusesALargeModel) {
   Model model;
-  for (int i = 0; i <= ExactSteps::most_degrees_of_freedom; ++i)
+  for (int i = 0; i <= ExactMethod::most_degrees_of_freedom; ++i)
     add(model, Node{.name = "node " + std::to_string(i), .mass = 1 * kg});
   EXPECT_EQ(message_of([&] { Transient(model, still_ground(1 * s), exact_options()); }),
             "TransientOptions: integrator = ExactBetweenEvents{} is for at most 50 degrees of freedom; the model has "

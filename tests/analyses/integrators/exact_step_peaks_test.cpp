@@ -11,6 +11,7 @@
 
 #include "analyses/case/case_run.hpp"
 #include "analyses/case/error_bars.hpp"
+#include "analyses/integrators/exact_method.hpp"
 #include "analysis_testing.hpp"
 #include "elements/line/shear_spring.hpp"
 #include "elements/line/viscous_damper.hpp"
@@ -105,7 +106,7 @@ TEST(ExactSteps, FindPeaksToTheirTolerance) {
       steps_before = run.solver.accepted_steps;
       EXPECT_EQ(run.touches.size(), fine.touches.size());
       // In contact Newmark's steps have errors of their own.
-      const double allowed = ExactSteps::cubics_within * tolerance + (clearance > 0.0 ? 2e-4 : 1e-6);
+      const double allowed = ExactMethod::cubics_within * tolerance + (clearance > 0.0 ? 2e-4 : 1e-6);
       for (std::size_t i = 0; i < fine.peaks.size(); ++i)
         EXPECT_NEAR(run.peaks[i].value / fine.peaks[i].value, 1.0, allowed)
             << fine.peaks[i].quantity << " " << fine.peaks[i].where;
@@ -153,7 +154,7 @@ TEST(ExactSteps, FindPeaksOfVelocityOfStiffBodies) {
     const auto velocity = std::ranges::find(peaks, "velocity", &Peak::quantity);
     ASSERT_NE(velocity, peaks.end());
     EXPECT_NEAR(velocity->magnitude() / largest_velocity(period, damping_ratio, long_interval, samples), 1.0,
-                ExactSteps::cubics_within * TransientOptions{}.tolerance);
+                ExactMethod::cubics_within * TransientOptions{}.tolerance);
   }
 }
 

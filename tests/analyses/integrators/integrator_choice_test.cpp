@@ -1,4 +1,4 @@
-#include "analyses/integrators/integrator_choice.hpp"
+#include "analyses/integrators/automatic.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-// A vector of the ground along degrees of freedom.
+// M a + f = -M iota a_g, term by term.
 #pragma once
 
 #include "base/plan_vector.hpp"
@@ -16,5 +16,11 @@ void with_ground_component(const Model& model, PlanVector vector, const Use& use
   else
     use([value = vector.x](int) { return value; });
 }
+
+/// Sets the accelerations of the trial state to those that balance its forces, after Model::evaluate().
+void balance_trial_state(Model& model, PlanVector ground_acceleration);
+
+/// Computes accelerations and jerks of the committed state from its forces, for the start and after events.
+void balance_committed_state(Model& model, PlanVector ground_acceleration);
 
 }  // namespace moat

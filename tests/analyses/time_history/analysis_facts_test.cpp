@@ -1,6 +1,4 @@
 // Reports list all options of an analysis.
-#include "analyses/time_history/transient_texts.hpp"
-
 #include <gtest/gtest.h>
 
 #include <string>
@@ -8,6 +6,7 @@
 
 #include "analyses/case/case_run.hpp"
 #include "analyses/integrators/integrators.hpp"
+#include "analyses/time_history/transient_options.hpp"
 #include "elements/line/shear_spring.hpp"
 #include "motions/ground_motion.hpp"
 

@@ -1,8 +1,9 @@
-#include "analyses/integrators/exact_steps.hpp"
+#include "analyses/integrators/exact_method.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <utility>
 
 #include "base/check.hpp"
 
@@ -15,8 +16,12 @@ constexpr std::size_t most_systems = 256;
 
 }  // namespace
 
-ExactSteps::ExactSteps(Model& model, StepControl& control)
-    : model_{&model}, control_{&control}, stiffness_{model.zero_matrix()}, damping_{stiffness_} {
+ExactMethod::ExactMethod(Model& model, double longest_step, double tolerance)
+    : model_{&model},
+      longest_step_{longest_step},
+      tolerance_{tolerance},
+      stiffness_{model.zero_matrix()},
+      damping_{stiffness_} {
   const Check check{"TransientOptions", ""};
   check.that(!model.is_plan(), "integrator: ExactBetweenEvents{} takes models on a line; this one moves in plan.",
              "Use Newmark{}, the default.");
@@ -34,10 +39,9 @@ ExactSteps::ExactSteps(Model& model, StepControl& control)
   }
   // A model with too large an eigenvalue is refused before the first step.
   if (applies()) linearise();
-  control.use_share_of_tolerance(share_in_contact);
 }
 
-void ExactSteps::linearise() {
+void ExactMethod::linearise() {
   model_->linearise(stiffness_, damping_, forces_at_rest_);
   const Vector& masses = model_->masses();
   auto known =
@@ -45,27 +49,23 @@ void ExactSteps::linearise() {
   if (known == systems_.end()) {
     if (systems_.size() == most_systems) systems_.clear();
     // The cubic through the ends of a vibration misses it by phase^4/384 of its amplitude.
-    const double phase = std::pow(384.0 * cubics_within * control_->tolerance(), 0.25);
-    known =
-        systems_.emplace(systems_.end(), stiffness_, damping_, masses, control_->grid_interval(), std::min(0.5, phase));
+    const double phase = std::pow(384.0 * cubics_within * tolerance_, 0.25);
+    known = systems_.emplace(systems_.end(), stiffness_, damping_, masses, longest_step_, std::min(0.5, phase));
   }
   system_ = &*known;
   offset_ = -forces_at_rest_.head(masses.size()).cwiseQuotient(masses);
 }
 
-double ExactSteps::next_length() {
+double ExactMethod::propose() {
   if (system_ == nullptr) linearise();
+  begins_ = true;
   return system_->step();
 }
 
-void ExactSteps::begin(const StepTask& step) {
-  if (system_ == nullptr) linearise();
-  path_.begin(*system_, offset_, model_->state(), step);
-}
-
-bool ExactSteps::solve(const StepTask& part) {
-  path_.move(part.length, model_->trial());
-  model_->trial().time = part.end_time;
+bool ExactMethod::solve(const StepTask& task) {
+  if (std::exchange(begins_, false)) path_.begin(*system_, offset_, model_->state(), task);
+  path_.move(task.length, model_->trial());
+  model_->trial().time = task.end_time;
   model_->evaluate();
   model_->evaluate_rates();
   return true;
