@@ -55,8 +55,8 @@ struct StudyOptions {
   /// Only the cases from the first up to and without the last; the others stay open. Empty: all.
   std::optional<std::pair<std::size_t, std::size_t>> part{};
   /// The ranks of the job (ranks_of_this_job()); every rank calls run_study with the same cases and gets the same
-  /// result. Rank 0 has the store, progress and stop; `threads` are those of each rank, 0: one. Null: this process
-  /// alone.
+  /// result. Rank 0 has the store, progress, stop and `threads`, 0: one; the others compute one case at a time. Null:
+  /// this process alone.
   Ranks* ranks = nullptr;
   /// Whether cases that fail or do not converge are a state in the result, in place of a StudyError.
   bool keep_failures = false;

@@ -122,7 +122,8 @@ void ScriptStudy::choose_part(const StudyCases& cases) {
 
 StudySession ScriptStudy::session(const Provenance& origin, const std::string& title, int threads) const {
   std::string engine = threads > 0 ? std::to_string(threads) + " threads" : "all cores";
-  if (ranks_ != nullptr) engine = std::to_string(ranks_->count()) + " ranks" + (threads > 1 ? " of " + engine : "");
+  if (ranks_ != nullptr)
+    engine = std::to_string(ranks_->count()) + " ranks" + (threads > 1 ? ", the first with " + engine : "");
   return {.title = title,
           .command_line = origin.command_line,
           .moat_version = origin.moat_version,

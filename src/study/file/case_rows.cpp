@@ -7,7 +7,7 @@
 
 #include "base/error.hpp"
 #include "base/sha256.hpp"
-#include "study/ranks/outcome_bytes.hpp"
+#include "study/outcome_bytes.hpp"
 #include "study/study_tables.hpp"
 
 namespace moat {

@@ -6,7 +6,7 @@
 #include "base/error.hpp"
 #include "study/file/store.hpp"
 #include "study/file/study_file.hpp"
-#include "study/ranks/outcome_bytes.hpp"
+#include "study/outcome_bytes.hpp"
 #include "study/study_tables.hpp"
 
 namespace moat {
