@@ -88,8 +88,6 @@ std::string case_section(const StudyResult& result) {
   for (const StudyAxis& axis : result.axes())
     html += text_row("Axis " + axis.name + (axis.unit.empty() ? "" : " [" + axis.unit + "]"),
                      std::to_string(axis.values.size()) + " values");
-  if (const std::string unverified = unverified_message(result); !unverified.empty())
-    html += text_row("Not verified", unverified);
   return html + "</table>\n";
 }
 

@@ -170,8 +170,8 @@ void ScriptStudy::end_at_stop(const StudyStopped& stopped, const fs::path& file,
 }
 
 void ScriptStudy::print_warnings(const StudyResult& result, const std::string& name) {
-  for (const std::string& warning : {failure_message(result), unverified_message(result)})
-    if (!warning.empty()) print_text(std::cerr, "moat: warning: " + name + ": " + warning + "\n");
+  if (const std::string warning = failure_message(result); !warning.empty())
+    print_text(std::cerr, "moat: warning: " + name + ": " + warning + "\n");
 }
 
 void ScriptStudy::answer(const std::string& sentence) {

@@ -17,6 +17,7 @@ class Ranks {
   [[nodiscard]] virtual int rank() const = 0;
   /// Number of ranks, > 0.
   [[nodiscard]] virtual int count() const = 0;
+  /// Sends bytes, which the rank receives once.
   virtual void send(int to, const std::string& bytes) = 0;
   /// Waits for the next message of a rank, and returns it as it was sent.
   virtual std::string receive(int from) = 0;
