@@ -50,7 +50,6 @@ struct TrialModel {
   std::uint64_t seed = 0;
   std::string failed;  ///< message of the reference where it stopped; there are no trials then
   testing::CheckedReference reference;
-  double reference_cpu_seconds = 0.0;
   std::vector<Trial> trials;
 };
 

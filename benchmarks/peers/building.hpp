@@ -1,13 +1,13 @@
 // The five-storey building in its moat, and the motions that shake it.
 #pragma once
 
-#include <filesystem>
 #include <moat.hpp>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "paper/paper_building.hpp"
+#include "paper/records.hpp"
 
 namespace moat::peers {
 
@@ -39,15 +39,12 @@ inline HertzDamp hertz_damp() {
   return {.stiffness = paper::hertz_impact_stiffness, .restitution = paper::restitution};
 }
 
-/// The synthetic pulse and, from the folder of records unless that is empty, three recorded motions, all of 0.4 g.
-inline std::vector<std::pair<std::string, GroundMotion>> motions(const std::filesystem::path& records) {
-  std::vector<std::pair<std::string, GroundMotion>> list{{"pulse", near_fault_pulse()}};
-  if (!records.empty())
-    for (const auto& [name, file] :
-         {std::pair{"GBZ000", "RSN1161_KOCAELI_GBZ000.AT2"}, std::pair{"JEN022", "RSN982_NORTHR_JEN022.AT2"},
-          std::pair{"WVC270", "RSN803_LOMAP_WVC270.AT2"}})
-      list.emplace_back(name, read_motion(records / file));
-  for (auto& [name, motion] : list) motion = motion.scaled_to_pga(0.4 * units::g);
+/// The synthetic pulse and, if asked, the records of the paper but KBU000, all of 0.4 g.
+inline std::vector<std::pair<std::string, GroundMotion>> motions(bool recorded) {
+  std::vector<std::pair<std::string, GroundMotion>> list{{"pulse", near_fault_pulse().scaled_to_pga(paper::paper_pga)}};
+  for (const paper::PaperRecord& record : paper::paper_records)
+    if (recorded && record.label != std::string{"KBU000"})
+      list.emplace_back(record.label, paper::read_unscaled(record).scaled_to_pga(paper::paper_pga));
   return list;
 }
 

@@ -9,7 +9,6 @@
 
 #include "base/error.hpp"
 #include "measuring/command_output.hpp"
-#include "peers/opensees_model.hpp"
 
 namespace moat::peers {
 
@@ -49,7 +48,7 @@ OpenSeesRun OpenSees::run(const Model& model, const GroundMotion& motion, double
   const std::filesystem::path model_file = folder_ / "model.tcl", motion_file = folder_ / "motion.txt",
                               messages = folder_ / "opensees_messages.txt";
   std::ofstream tcl = opened(model_file);
-  const OpenSeesTags tags = write_opensees_model(model, tcl);
+  const std::vector<int> tags = write_opensees_model(model, tcl);
   finish(tcl, model_file);
   std::ofstream samples = opened(motion_file);
   samples << std::setprecision(17);
@@ -57,7 +56,7 @@ OpenSeesRun OpenSees::run(const Model& model, const GroundMotion& motion, double
   finish(samples, motion_file);
 
   std::ostringstream command, gaps;
-  for (const int tag : tags.gaps) gaps << tag << ' ';
+  for (const int tag : tags) gaps << tag << ' ';
   const long count = std::lround(std::min(end, motion.duration()) / step);
   command << std::setprecision(17) << shell_quoted(program_) << ' ' << shell_quoted(MOAT_OPENSEES_HISTORY) << ' '
           << shell_quoted(model_file.string()) << ' ' << shell_quoted(motion_file.string()) << ' ' << motion.time_step()

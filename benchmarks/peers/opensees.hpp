@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <iosfwd>
 #include <optional>
 #include <string>
 #include <vector>
@@ -12,6 +13,11 @@
 #include "peers/ladders.hpp"
 
 namespace moat::peers {
+
+/// Writes Tcl that builds the same model: nodes with masses and committed displacement, velocity and acceleration,
+/// springs, dampers, bilinear bearings, and gaps with `LinearElastic` or `HertzDamp`. Node i of the model has tag
+/// i + 1, the ground tag 0. Returns the tags of the gaps. Throws InputError for a law that OpenSees does not have.
+std::vector<int> write_opensees_model(const Model& model, std::ostream& tcl);
 
 /// One of the settings in history.tcl.
 struct OpenSeesSetting {

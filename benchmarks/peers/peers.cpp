@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "app/usage_errors.hpp"
 #include "measuring/measure.hpp"
 #include "measuring/record.hpp"
 #include "measuring/street.hpp"
@@ -68,7 +69,7 @@ struct Options {
 
 std::vector<Case> buildings(const Options& options) {
   std::vector<Case> cases;
-  for (const auto& [name, motion] : motions(options.records)) {
+  for (const auto& [name, motion] : motions(!options.records.empty())) {
     cases.push_back(
         five_storeys(name + ", linear contact", LinearElastic{.stiffness = paper::linear_impact_stiffness}, motion));
     cases.push_back(five_storeys(name + ", Hertz-damp contact", hertz_damp(), motion));
@@ -165,9 +166,7 @@ int run(const Options& options, bool write_docs) {
 }  // namespace moat::peers
 
 int main(int argc, char** argv) {
-  constexpr int exit_usage = 2;
-  CLI::App app{"moat beside OpenSees on the same models, in turns"};
-  app.name("./moat bench peers");
+  CLI::App app{"moat beside OpenSees on the same models, in turns", "moat bench peers"};
   app.footer(
       "OpenSees is the program that OPENSEES names, else `OpenSees` on the path. It is given moat's own models,\n"
       "written in Tcl, and the steps that benchmarks/peers/history.tcl describes. Without it nothing is compared.");
@@ -178,16 +177,8 @@ int main(int argc, char** argv) {
       ->capture_default_str()
       ->check(CLI::Range(1, 1000));
   app.add_flag("--write-docs", write_docs, "also bring docs/performance.md up to date");
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? 0 : exit_usage;
-  }
-  try {
+  return moat::run_command(app, "moat bench peers", argc, argv, [&] {
     if (const char* records = std::getenv("MOAT_RECORDS")) options.records = records;
     return moat::peers::run(options, write_docs);
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "moat: error: %s\n", error.what());
-    return 1;
-  }
+  });
 }

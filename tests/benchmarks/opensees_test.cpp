@@ -14,7 +14,6 @@
 #include <vector>
 
 #include "in_folder.hpp"
-#include "peers/opensees_model.hpp"
 
 namespace moat::peers {
 namespace {
@@ -49,7 +48,7 @@ Model tower(bool linear_contact) {
 // The lines of a Tcl file as words.
 struct Tcl {
   std::vector<std::vector<std::string>> lines;
-  OpenSeesTags tags;
+  std::vector<int> gaps;
 
   [[nodiscard]] std::vector<std::vector<std::string>> starting_with(const std::string& word) const {
     std::vector<std::vector<std::string>> found;
@@ -62,7 +61,7 @@ struct Tcl {
 Tcl tcl_of(const Model& model) {
   std::stringstream text;
   Tcl tcl;
-  tcl.tags = write_opensees_model(model, text);
+  tcl.gaps = write_opensees_model(model, text);
   for (std::string line; std::getline(text, line);) {
     std::istringstream words{line};
     auto& list = tcl.lines.emplace_back();
@@ -116,7 +115,7 @@ TEST(OpenSeesModel, ClosesItsGapsOnTheRightSides) {
   for (const auto& line : tcl.starting_with("uniaxialMaterial"))
     if (line[1] == "ElasticPPGap") gaps[line[2]] = line;
   ASSERT_EQ(gaps.size(), 2u);
-  ASSERT_EQ(tcl.tags.gaps.size(), 2u);
+  ASSERT_EQ(tcl.gaps.size(), 2u);
   double sum_of_closing_moves = 0.0;
   for (const auto& line : tcl.starting_with("element")) {
     const auto found = gaps.find(line[6]);
