@@ -120,12 +120,6 @@ MotionFacts facts_of(const GroundMotion& motion) {
           .components = motion.components()};
 }
 
-std::vector<Touch> touches_of(const std::vector<Impact>& impacts) {
-  std::vector<Touch> touches;
-  for (const Impact& impact : impacts) touches.push_back({impact.where, impact.start, impact.approach_speed});
-  return touches;
-}
-
 }  // namespace
 
 CaseRun::CaseRun(Model& model, const GroundMotion& motion, CaseOptions options)
@@ -229,7 +223,7 @@ CaseResult CaseRun::result_with(Table histories) const {
 void CaseRun::add_errors(CaseResult& result) const {
   if (companion_) {
     const double least_share = least_share_of_errors(transient_.model(), options_.transient);
-    PeaksAndImpacts main{result.peaks, touches_of(result.impacts), result.solver, result.clearances};
+    PeaksAndImpacts main{result.peaks, result.impacts, result.solver, result.clearances};
     result.error_bars =
         estimate_errors(result.peaks, main.touches, *companion_, least_share,
                         scales_of_run(result.peaks, transient_.model(), transient_.motion(), options_.transient));

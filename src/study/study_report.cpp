@@ -8,8 +8,6 @@
 #include "base/error.hpp"
 #include "base/text/number_format.hpp"
 #include "output/files/file_io.hpp"
-#include "output/files/file_name.hpp"
-#include "report/charts/chart_grid.hpp"
 #include "report/html.hpp"
 #include "report/input_sections.hpp"
 #include "report/page.hpp"

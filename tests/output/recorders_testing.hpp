@@ -10,6 +10,7 @@
 #include "elements/line/shear_spring.hpp"
 #include "elements/line/viscous_damper.hpp"
 #include "materials/impact/hertz_damp.hpp"
+#include "output/recorders/channels.hpp"
 #include "output/recorders/step_observer.hpp"
 #include "structures/moat.hpp"
 #include "unlocated_bilinear.hpp"
@@ -52,5 +53,12 @@ struct HandMovedBuilding {
   Model model;
   NodeId base, floor;
 };
+
+/// The number of the channel of this quantity at this place; -1 if there is none.
+inline int find(const Channels& channels, std::string_view quantity, std::string_view where) {
+  for (std::size_t i = 0; i < channels.list().size(); ++i)
+    if (channels.list()[i].quantity == quantity && channels.list()[i].where == where) return static_cast<int>(i);
+  return -1;
+}
 
 }  // namespace moat::testing_output

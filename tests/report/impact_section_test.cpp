@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "report/charts/impact_loops.hpp"
+#include "report/charts/result_charts.hpp"
 #include "report_testing.hpp"
 
 namespace moat {

@@ -5,7 +5,6 @@
 
 #include "model/building.hpp"
 #include "model/model.hpp"
-#include "output/recorders/gaps_of.hpp"
 
 namespace moat {
 namespace {
@@ -33,7 +32,7 @@ ElementFacts facts_of(const Model& model, const ElementBlock& block, std::size_t
     facts.first_share = first.share;
     facts.second_share = second.share;
   }
-  if (has_gaps(block)) facts.parameters.push_back({"clearance", info.offset, "m"});
+  if (block.contacts() != nullptr) facts.parameters.push_back({"clearance", info.offset, "m"});
   for (const Parameter& each : law.parameters)
     facts.parameters.push_back({std::string{each.name}, each.value, std::string{each.unit}});
   return facts;

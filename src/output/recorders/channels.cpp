@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include "output/recorders/gaps_of.hpp"
-
 namespace moat {
 
 Channels::Channels(const Model& model) {
@@ -26,25 +24,25 @@ Channels::Channels(const Model& model) {
 void Channels::add_elements(const Model& model, std::size_t b) {
   const ElementBlock& block = *model.blocks()[b];
   const ElementLaws* laws = block.laws();
+  const bool has_gaps = block.contacts() != nullptr;
   BlockChannels of_block{b, {}, {}, {}, {}};
   for (std::size_t e = 0; e < block.size(); ++e) {
     const ElementInfo& info = block.info(e);
     if (!info.deformation_quantity.empty()) {
-      const bool indentation = block.contacts() != nullptr;
-      (indentation ? of_block.indentations : of_block.deformations).push_back({e, list_.size()});
-      list_.push_back({info.deformation_quantity, info.name, info.listed_under(), "m", has_gaps(block)});
+      (has_gaps ? of_block.indentations : of_block.deformations).push_back({e, list_.size()});
+      list_.push_back({info.deformation_quantity, info.name, info.listed_under(), "m", has_gaps});
     }
     if (info.force_quantity.empty()) continue;
     if (laws != nullptr && !block.constant_tangent()) of_laws_.push_back({list_.size(), b, e});
     of_block.forces.push_back({e, list_.size()});
-    list_.push_back({info.force_quantity, info.name, info.listed_under(), "N", has_gaps(block)});
+    list_.push_back({info.force_quantity, info.name, info.listed_under(), "N", has_gaps});
     if (laws == nullptr) continue;
     const auto quantities = laws->law_quantities(e);
     for (std::size_t q = 0; q < quantities.size(); ++q) {
       const ReportedQuantity& quantity = quantities[q];
       of_block.law_quantities.push_back({e, list_.size(), q});
       list_.push_back(
-          {std::string{quantity.name}, info.name, info.listed_under(), std::string{quantity.unit}, has_gaps(block)});
+          {std::string{quantity.name}, info.name, info.listed_under(), std::string{quantity.unit}, has_gaps});
     }
   }
   if (!of_block.deformations.empty() || !of_block.indentations.empty() || !of_block.forces.empty())
@@ -83,12 +81,6 @@ std::vector<std::size_t> Channels::bent_by(const Model& model, const RegimeChang
   }
   plan_.add_friction(change.block, change.element, bent);
   return bent;
-}
-
-int Channels::find(std::string_view quantity, std::string_view where) const {
-  for (std::size_t i = 0; i < list_.size(); ++i)
-    if (list_[i].quantity == quantity && list_[i].where == where) return static_cast<int>(i);
-  return -1;
 }
 
 void Channels::sample(const StepView& view, std::vector<double>& values, std::vector<double>& rates) const {

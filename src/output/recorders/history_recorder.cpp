@@ -8,7 +8,6 @@
 #include "base/hermite.hpp"
 #include "model/building.hpp"
 #include "output/recorders/energy_columns.hpp"
-#include "output/recorders/gaps_of.hpp"
 
 namespace moat {
 namespace {
@@ -30,7 +29,7 @@ HistoryRecorder::HistoryRecorder(const Model& model, double interval, const Ener
   for (const Channel& channel : channels_.list())
     columns_.push_back({channel.quantity, channel.where, channel.unit, {}});
   for (std::size_t b = 0; b < model.blocks().size(); ++b) {
-    if (!has_gaps(*model.blocks()[b])) continue;
+    if (model.blocks()[b]->contacts() == nullptr) continue;
     for (std::size_t e = 0; e < model.blocks()[b]->size(); ++e) {
       gaps_.push_back({b, e});
       columns_.push_back({"opening", model.blocks()[b]->info(e).name, "m", {}});

@@ -22,30 +22,27 @@ void ImpactRecorder::start(const StepView& view) {
 }
 
 void ImpactRecorder::follow(const StepView& view, bool after_event) {
-  const double time = view.model.state().time;
+  if (!with_energies_) return;
   for (Ongoing& contact : ongoing_) {
     const ElementBlock& block = *view.model.blocks()[contact.gap.block];
     const std::size_t element = contact.gap.element;
     const PlanContacts* sliding = block.plan_contacts();
     const ElementResults results = block.results();
-    const double indentation = results.deformations[element], rate = results.rates[element];
-    const double force = results.forces[element], force_rate = results.force_rates[element];
+    const double friction = sliding != nullptr ? sliding->friction_force(element) : 0.0,
+                 friction_rate = sliding != nullptr ? sliding->friction_force_rate(element) : 0.0;
+    CommonInstant& next = contact.peaks.next();
+    next.time = view.model.state().time;
+    next.values = {results.deformations[element], results.forces[element], friction};
+    next.rates = {results.rates[element], results.force_rates[element], friction_rate};
     ContactLoop& loop = impacts_[contact.impact].loop;
-    loop.indentation.push_back(indentation);
-    loop.force.push_back(force);
-    if (after_event) {
-      contact.indentation.restart(time, indentation, rate);
-      contact.force.restart(time, force, force_rate);
-      if (sliding != nullptr)
-        contact.friction.restart(time, sliding->friction_force(element), sliding->friction_force_rate(element));
-    } else {
-      contact.indentation.add(time, indentation, rate);
-      contact.force.add(time, force, force_rate, [&](double fraction, double of_cubic) {
-        return block.laws() != nullptr ? block.laws()->force_inside(element, fraction) : of_cubic;
+    loop.indentation.push_back(next.values[0]);
+    loop.force.push_back(next.values[1]);
+    if (after_event)
+      contact.peaks.restart();
+    else
+      contact.peaks.add([&](std::size_t quantity, double fraction, double of_cubic) {
+        return quantity == 1 && block.laws() != nullptr ? block.laws()->force_inside(element, fraction) : of_cubic;
       });
-      if (sliding != nullptr)
-        contact.friction.add(time, sliding->friction_force(element), sliding->friction_force_rate(element));
-    }
   }
 }
 
@@ -73,8 +70,8 @@ void ImpactRecorder::event(const StepView& view, std::span<const RegimeChange> c
 void ImpactRecorder::open(const StepView& view, RegimeChange gap, bool closed_at_start) {
   const ElementBlock& block = *view.model.blocks()[gap.block];
   const double speed = block.contacts()->contact(gap.element).approach_speed;
-  const ElementEnergy energy = block.energy(gap.element);
-  ongoing_.push_back({gap, impacts_.size(), {}, {}, {}, energy.dissipated, energy.friction});
+  const ElementEnergy energy = with_energies_ ? block.energy(gap.element) : ElementEnergy{};
+  ongoing_.push_back({gap, impacts_.size(), PeakTrackers{3}, energy.dissipated, energy.friction});
   impacts_.push_back({.where = block.info(gap.element).name,
                       .start = gap.time,
                       .approach_speed = speed,
@@ -89,11 +86,12 @@ void ImpactRecorder::open(const StepView& view, RegimeChange gap, bool closed_at
 }
 
 void ImpactRecorder::close(const StepView& view, const Ongoing& contact, double time, double rate, bool separated) {
+  if (!with_energies_) return;
   Impact& impact = impacts_[contact.impact];
   impact.duration = time - impact.start;
-  impact.largest_indentation = contact.indentation.magnitude();
-  impact.largest_force = contact.force.magnitude();
-  impact.largest_friction_force = contact.friction.magnitude();
+  impact.largest_indentation = contact.peaks.magnitude(0);
+  impact.largest_force = contact.peaks.magnitude(1);
+  impact.largest_friction_force = contact.peaks.magnitude(2);
   const ElementEnergy energy = view.model.blocks()[contact.gap.block]->energy(contact.gap.element);
   impact.energy_lost = energy.dissipated - contact.dissipated_before;
   impact.friction_loss = energy.friction - contact.friction_before;
@@ -107,7 +105,7 @@ void ImpactRecorder::finish(const StepView& view) {
   ongoing_.clear();
   for (std::size_t i = 0; i < impacts_.size(); ++i) {
     const auto [gap, approached] = listed_[i];
-    if (approached)
+    if (approached && with_energies_)
       impacts_[i].restitution =
           view.model.blocks()[gap.block]->contacts()->delivered_restitution(gap.element, impacts_[i].approach_speed);
   }

@@ -219,9 +219,9 @@ TEST(ErrorBars, AGrazingContactIsSensitive) {
 Peak peak(std::string quantity, double value) { return {std::move(quantity), "here", value, "m", 1.0}; }
 
 // So many impacts, one a second, each with 1 m/s.
-std::vector<Touch> touches(int count) {
-  std::vector<Touch> list;
-  for (int i = 0; i < count; ++i) list.push_back({"wall", 1.0 * i, 1.0});
+std::vector<Impact> touches(int count) {
+  std::vector<Impact> list;
+  for (int i = 0; i < count; ++i) list.push_back({.where = "wall", .start = 1.0 * i, .approach_speed = 1.0});
   return list;
 }
 
@@ -325,7 +325,8 @@ TEST(EstimateErrors, ImpactsThatPartAreSensitiveEvenIfThePeaksAgree) {
 
 TEST(EstimateErrors, ComparesImpactsGapByGap) {
   // The same impacts, but those of two gaps at one instant are listed in the other order.
-  const std::vector<Touch> list{{"left", 1.0, 0.5}, {"right", 1.0, 0.9}};
+  const std::vector<Impact> list{{.where = "left", .start = 1.0, .approach_speed = 0.5},
+                                 {.where = "right", .start = 1.0, .approach_speed = 0.9}};
   std::vector<Peak> peaks{peak("displacement", 1.0)};
   EXPECT_FALSE(estimate_errors(peaks, list, {{peak("displacement", 1.0001)}, {list[1], list[0]}, {}}).sensitive);
 }

@@ -10,7 +10,7 @@
 #include "motions/near_fault_pulse.hpp"
 #include "motions/plan_motion.hpp"
 #include "paper_building.hpp"
-#include "report/charts/floor_spectra.hpp"
+#include "report/charts/result_charts.hpp"
 #include "small_plan_building.hpp"
 #include "structures/plan_moat.hpp"
 

@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "message_of.hpp"
-#include "output/files/table_columns.hpp"
 #include "recorders_testing.hpp"
 
 namespace moat {
@@ -43,7 +42,8 @@ TEST(HistoryRecorder, InterpolatesByValueAndRate) {
   recorder.step(building.move(1.0, end, end, 0.01 * end, 0.01 * end, 2.0));
   const Table table = recorder.table();
   ASSERT_EQ(table.rows(), 5u);
-  const auto displacement = static_cast<std::size_t>(Channels{building.model}.find("displacement", "base")) + 2;
+  const auto displacement =
+      static_cast<std::size_t>(testing_output::find(Channels{building.model}, "displacement", "base")) + 2;
   for (std::size_t i = 0; i < 5; ++i) {
     const double time = 0.25 * static_cast<double>(i);
     EXPECT_DOUBLE_EQ(table.columns[0].values[i], time);

@@ -1,9 +1,7 @@
-#include "report/charts/orbit.hpp"
+#include "report/charts/result_charts.hpp"
 
 #include <gtest/gtest.h>
 
-#include "report/charts/orbit_charts.hpp"
-#include "report/charts/plan_view.hpp"
 #include "report_testing.hpp"
 
 namespace moat {
@@ -23,19 +21,6 @@ CaseResult turning_base() {
   return result;
 }
 
-TEST(Orbit, IsThatOfAPointOfARigidFloor) {
-  const CaseResult result = turning_base();
-  const std::optional<Orbit> orbit = orbit_of(result.model.diaphragms[0], result.histories);
-  ASSERT_TRUE(orbit.has_value());
-  const PlanVector at_row = orbit->displacement(1, {9.0, 10.0});
-  EXPECT_DOUBLE_EQ(at_row.x, 0.1 - 0.01 * 10.0);
-  EXPECT_DOUBLE_EQ(at_row.y, 0.01 * 9.0);
-  const PlanVector between = orbit->displacement_at(1.5, {0.0, 0.0});
-  EXPECT_DOUBLE_EQ(between.x, 0.15);
-  EXPECT_DOUBLE_EQ(between.y, -0.05);
-  EXPECT_EQ(orbit->displacement_at(9.0, {}), (PlanVector{0.2, -0.1})) << "the last row";
-}
-
 TEST(OrbitCharts, ShowCentreAndCornersOfEveryBase) {
   CaseResult result = turning_base();
   const std::vector<Chart> charts = orbit_charts(result);
@@ -48,17 +33,6 @@ TEST(OrbitCharts, ShowCentreAndCornersOfEveryBase) {
   EXPECT_NEAR(charts[0].series[3].y[1], 9.0, 1e-12);
   result.model.diaphragms[0].is_base = false;
   EXPECT_TRUE(orbit_charts(result).empty());
-}
-
-TEST(PlanView, ShowsOutlineWallsOrbitsAndImpacts) {
-  const CaseResult result = testing_report::plan_result();
-  const std::vector<std::string> views = plan_views(result);
-  ASSERT_EQ(views.size(), 1u);
-  EXPECT_EQ(testing_report::count(views[0], "<polyline"), 5u) << "corners and centre of mass";
-  EXPECT_EQ(testing_report::count(views[0], "<circle"), result.impacts.size());
-  for (int wall = 1; wall <= 4; ++wall)
-    EXPECT_NE(views[0].find("moat wall " + std::to_string(wall)), std::string::npos) << wall;
-  EXPECT_TRUE(plan_views(testing_report::line_result()).empty());
 }
 
 }  // namespace

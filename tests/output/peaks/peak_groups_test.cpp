@@ -1,6 +1,4 @@
-// Errors rounded up, and the digits that they leave to a value.
-
-#include "output/files/rounded_error.hpp"
+#include "output/peaks/peak_groups.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,6 +7,36 @@
 
 namespace moat {
 namespace {
+
+TEST(IsolatorsAtTheEnd, AreTheLastRowOfTheirDeformations) {
+  const Table histories{.columns = {{"time", "", "s", {0.0, 0.5, 1.0}},
+                                    {"drift", "storey 1", "m", {0.0, 0.1, 0.2}},
+                                    {"isolator_deformation", "west", "m", {0.0, 0.3, -0.04}},
+                                    {"isolator_deformation", "east", "m", {0.0, 0.3, 0.05}}}};
+  const std::vector<Peak> ends = isolators_at_the_end(histories);
+  ASSERT_EQ(ends.size(), 2u);
+  EXPECT_EQ(ends[0].where, "west");
+  EXPECT_EQ(ends[0].value, -0.04);
+  EXPECT_EQ(ends[0].time, 1.0);
+  EXPECT_EQ(ends[1].value, 0.05);
+}
+
+TEST(IsolatorsAtTheEnd, AreNoneWithoutHistories) { EXPECT_TRUE(isolators_at_the_end({}).empty()); }
+
+TEST(ConstantQuantities, NeverChangeAtAnyPlaceAndAreNotZero) {
+  const Table histories{.columns = {{"time", "", "s", {0.0, 0.5}},
+                                    {"friction_coefficient", "west", "1", {0.05, 0.05}},
+                                    {"friction_coefficient", "east", "1", {0.08, 0.08}},
+                                    {"temperature", "west", "K", {293.0, 293.0}},
+                                    {"temperature", "east", "K", {293.0, 294.0}},
+                                    {"impact_force", "moat", "N", {0.0, 0.0}}}};
+  EXPECT_EQ(constant_quantities(histories), std::set<std::string>{"friction_coefficient"});
+}
+
+TEST(ConstantQuantities, AreNotSeenInOneRow) {
+  EXPECT_TRUE(constant_quantities({.columns = {{"friction_coefficient", "west", "1", {0.05}}}}).empty());
+  EXPECT_TRUE(constant_quantities({}).empty());
+}
 
 TEST(RoundedError, HasOneDigitOrTwoIfTheFirstIsOne) {
   EXPECT_EQ(rounded_error(0.0204).text, "0.03");
