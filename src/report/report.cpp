@@ -6,14 +6,11 @@
 #include "output/files/file_io.hpp"
 #include "output/files/results_folder.hpp"
 #include "output/recorders/energy_columns.hpp"
-#include "report/charts/drawing.hpp"
 #include "report/html.hpp"
-#include "report/impact_section.hpp"
 #include "report/input_sections.hpp"
 #include "report/page.hpp"
 #include "report/page_data.hpp"
-#include "report/peak_section.hpp"
-#include "report/summary_section.hpp"
+#include "report/sections.hpp"
 
 namespace moat {
 namespace {

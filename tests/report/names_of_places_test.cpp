@@ -8,8 +8,8 @@
 #include <string>
 
 #include "moat.hpp"
-#include "report/charts/drawing.hpp"
 #include "report/charts/result_charts.hpp"
+#include "report/sections.hpp"
 #include "report_testing.hpp"
 #include "small_plan_building.hpp"
 

@@ -181,10 +181,6 @@ ResultsFolder::ResultsFolder(const fs::path& wanted, WhenFolderExists when_exist
     make_folder_beside(command);
     return;
   }
-  if (when_exists == WhenFolderExists::refuse)
-    throw InputError{"results folder " + final_.string() +
-                     " exists and is not empty. Choose another folder, remove this one, or allow overwriting or a "
-                     "new number."};
   final_ = next_number(final_, [&](const fs::path& numbered) {
     if (create(numbered)) mark_ = claim(numbered, command);
     return mark_ >= 0;

@@ -39,8 +39,7 @@ enum class WhenFolderExists {
   /// Replace the files that `.moat` lists, or after a run that was killed all that have the names of results, or lie
   /// in the folders frames and charts. Everything else stays; links are removed, not followed. Throws InputError where
   /// there is neither `.moat` nor `unfinished` of moat.
-  overwrite,
-  refuse  ///< throw InputError
+  overwrite
 };
 
 /// The folder of one run. It is taken at once: of runs that start together each gets a folder of its own, and a run
@@ -55,8 +54,9 @@ enum class WhenFolderExists {
 class ResultsFolder {
  public:
   /// Creates the folder and those above it. A folder that exists but is empty is taken as it is; one given as . or ..
-  /// has its own name. command: for `unfinished`. Throws InputError for an empty path, the root and for `refuse`,
-  /// FileError where a folder cannot be created (among others because a file of that name exists).
+  /// has its own name. command: for `unfinished`. Throws InputError for an empty path, the root, and a folder
+  /// that may not be overwritten, FileError where a folder cannot be created (among others because a file of that name
+  /// exists).
   ResultsFolder(const std::filesystem::path& wanted, WhenFolderExists when_exists,
                 const std::string& command = program_invocation_name);
   /// Without finish() before, "<name>.new" stays, and during an exception any folder stays unfinished.

@@ -25,7 +25,7 @@ class ResultsFolderTest : public testing_output::InFolder {
   }
   // Complete results, which moat knows by the list of their files.
   static void put_results(const fs::path& results, const std::vector<std::string>& names = {"summary.json"}) {
-    ResultsFolder run{results, WhenFolderExists::refuse};
+    ResultsFolder run{results, WhenFolderExists::use_new_number};
     for (const std::string& name : names) put(run.path() / name);
     run.finish();
   }
@@ -51,7 +51,7 @@ class ResultsFolderTest : public testing_output::InFolder {
 
 TEST_F(ResultsFolderTest, IsCreatedWithTheFoldersAbove) {
   const fs::path wanted = folder / "results" / "suite" / "x";
-  for (const auto when : {WhenFolderExists::use_new_number, WhenFolderExists::overwrite, WhenFolderExists::refuse}) {
+  for (const auto when : {WhenFolderExists::use_new_number, WhenFolderExists::overwrite}) {
     fs::remove_all(folder / "results");
     EXPECT_EQ(ResultsFolder(wanted, when).path(), wanted);
     EXPECT_TRUE(fs::is_directory(wanted));
@@ -134,7 +134,7 @@ TEST_F(ResultsFolderTest, TwoRunsThatOverwriteHaveFoldersOfTheirOwn) {
 // Runs that start at one moment, as of a shell's loop or of an array of jobs.
 TEST_F(ResultsFolderTest, RunsThatStartTogetherHaveFoldersOfTheirOwn) {
   constexpr int runs = 8;
-  for (const auto when : {WhenFolderExists::use_new_number, WhenFolderExists::overwrite, WhenFolderExists::refuse})
+  for (const auto when : {WhenFolderExists::use_new_number, WhenFolderExists::overwrite})
     for (const bool exists : {false, true})
       for (int round = 0; round < 25; ++round) {
         fs::remove_all(folder / "x");
@@ -146,27 +146,18 @@ TEST_F(ResultsFolderTest, RunsThatStartTogetherHaveFoldersOfTheirOwn) {
         for (int run = 0; run < runs; ++run)
           threads.emplace_back([&, run] {
             start.arrive_and_wait();
-            try {
-              folders[run] = std::make_unique<ResultsFolder>(folder / "x", when);
-            } catch (const InputError&) {
-              EXPECT_EQ(when, WhenFolderExists::refuse);
-            }
+            folders[run] = std::make_unique<ResultsFolder>(folder / "x", when);
           });
         for (std::thread& thread : threads) thread.join();
         std::set<fs::path> paths;
-        for (const auto& each : folders) {
-          if (!each) continue;
-          EXPECT_TRUE(paths.insert(each->path()).second) << each->path();
-        }
+        for (const auto& each : folders) EXPECT_TRUE(paths.insert(each->path()).second) << each->path();
         EXPECT_TRUE(paths.contains(folder / "x"));
-        EXPECT_EQ(paths.size(), when == WhenFolderExists::refuse ? 1u : runs);
       }
 }
 
 TEST_F(ResultsFolderTest, IsTakenFromItsFirstMomentToItsEnd) {
   ResultsFolder first{folder / "x", WhenFolderExists::use_new_number};
   EXPECT_EQ(ResultsFolder(folder / "x", WhenFolderExists::use_new_number).path(), folder / "x_2");
-  EXPECT_THROW(ResultsFolder(folder / "x", WhenFolderExists::refuse), InputError);
   put(first.path() / "summary.json");
   first.finish();
   EXPECT_EQ(ResultsFolder(folder / "x", WhenFolderExists::use_new_number).path(), folder / "x_3");
@@ -371,21 +362,12 @@ TEST_F(ResultsFolderTest, GivesDotsTheNameOfTheirFolder) {
   EXPECT_FALSE(fs::exists(folder / "x" / "._2"));
   EXPECT_EQ(message_of<InputError>([&] { (void)numbered("/"); }),
             "results folder /: this is the root of all folders. Give a folder in it, for example results/run.");
-}
-
-TEST_F(ResultsFolderTest, RefusesAndSaysTheRemedy) {
-  put(folder / "x" / "notes.txt");
-  EXPECT_EQ(message_of<InputError>([&] { ResultsFolder(folder / "x", WhenFolderExists::refuse); }),
-            "results folder " + (folder / "x").string() +
-                " exists and is not empty. Choose another folder, remove this one, or allow overwriting or a new "
-                "number.");
-  EXPECT_TRUE(fs::exists(folder / "x" / "notes.txt"));
   EXPECT_THROW(ResultsFolder("", WhenFolderExists::overwrite), InputError);
 }
 
 TEST_F(ResultsFolderTest, ReportsAFileInTheWay) {
   put(folder / "x");
-  for (const auto when : {WhenFolderExists::use_new_number, WhenFolderExists::overwrite, WhenFolderExists::refuse}) {
+  for (const auto when : {WhenFolderExists::use_new_number, WhenFolderExists::overwrite}) {
     EXPECT_NE(message_of<FileError>([&] { ResultsFolder(folder / "x", when); }).find((folder / "x").string()),
               std::string::npos);
     EXPECT_THROW(ResultsFolder(folder / "x" / "inside", when), FileError);
