@@ -6,7 +6,6 @@
 #include <string>
 
 #include "output/files/engineering_unit.hpp"
-#include "output/recorders/energy_columns.hpp"
 #include "report/charts/chart_columns.hpp"
 
 namespace moat {
@@ -46,9 +45,9 @@ std::vector<const Column*> impact_forces(const Table& table) {
 std::vector<Chart> history_charts(const CaseResult& result) {
   const Table& table = result.histories;
   require_equal_lengths(table);
-  const std::vector<const Column*> times = columns_of(table, "time");
+  const Column* time = column_of(table, "time", "");
   std::vector<Chart> charts;
-  if (times.empty() || times.front()->values.back() <= times.front()->values.front()) return charts;
+  if (time == nullptr || time->values.back() <= time->values.front()) return charts;
   std::vector<std::vector<const Column*>> groups;
   if (result.model.diaphragms.empty()) {
     groups = {bases_and_tops(result, result.histories, "displacement"),
@@ -64,41 +63,32 @@ std::vector<Chart> history_charts(const CaseResult& result) {
     if (offered.insert(each.quantity).second) groups.push_back(columns_of(table, each.quantity));
   for (std::vector<const Column*>& columns : groups) {
     std::erase_if(columns, [](const Column* column) { return !can_be_drawn(*column); });
-    if (!columns.empty()) charts.push_back(history_chart(*times.front(), columns));
+    if (!columns.empty()) charts.push_back(history_chart(*time, columns));
   }
   return charts;
 }
 
 std::optional<Chart> energy_chart(const CaseResult& result) {
-  const auto energies = [&](const EnergyColumn& column) {
-    return columns_of(result.histories, std::string{column.name} + "_energy");
+  const auto energy = [&](const std::string& name) {
+    return column_of(result.histories, name + "_energy", "structure");
   };
-  const std::vector<const Column*> times = columns_of(result.histories, "time");
-  if (times.empty() || times.front()->values.size() < 2) return std::nullopt;
-  const std::vector<double>& time = times.front()->values;
+  const Column *time = column_of(result.histories, "time", ""), *input = energy("input");
+  if (time == nullptr || time->values.size() < 2 || input == nullptr) return std::nullopt;
   Chart chart{.title = "Energy", .x_label = "time [s]", .y_label = axis_label("energy", "J"), .series = {}};
-  std::vector<double> below(time.size(), 0.0), input;
+  std::vector<double> below(time->values.size(), 0.0);
   // Energies that only grow lie at the bottom, those that come and go on top.
-  for (double EnergyBalance::*const part :
-       {&EnergyBalance::hysteretic, &EnergyBalance::viscous, &EnergyBalance::impact, &EnergyBalance::friction,
-        &EnergyBalance::strain, &EnergyBalance::kinetic, &EnergyBalance::input}) {
-    for (const EnergyColumn& column : energy_columns(result.energy.in_plan)) {
-      if (column.value != part || energies(column).empty()) continue;
-      const std::vector<double> values = in_engineering_unit(*energies(column).front());
-      if (part == &EnergyBalance::input) {
-        chart.series.push_back({.name = column.name, .x = time, .y = values, .colour = 6});
-        return chart;
-      }
-      Series band{.name = column.name, .x = time, .y = below, .style = Series::Style::band};
-      for (std::size_t i = 0; i < below.size(); ++i) below[i] += values[i];
-      for (std::size_t i = time.size(); i-- > 0;) {
-        band.x.push_back(time[i]);
-        band.y.push_back(below[i]);
-      }
-      chart.series.push_back(std::move(band));
-    }
+  for (const char* name : {"hysteretic", "viscous", "impact", "friction", "strain", "kinetic"}) {
+    const Column* part = energy(name);
+    if (part == nullptr) continue;
+    const std::vector<double> values = in_engineering_unit(*part);
+    Series band{.name = name, .x = time->values, .y = below, .style = Series::Style::band};
+    for (std::size_t i = 0; i < below.size(); ++i) below[i] += values[i];
+    band.x.insert(band.x.end(), time->values.rbegin(), time->values.rend());
+    band.y.insert(band.y.end(), below.rbegin(), below.rend());
+    chart.series.push_back(std::move(band));
   }
-  return std::nullopt;  // no input
+  chart.series.push_back({.name = "input", .x = time->values, .y = in_engineering_unit(*input), .colour = 6});
+  return chart;
 }
 
 }  // namespace moat
