@@ -1,11 +1,9 @@
-#include "elements/contact/gap.hpp"
+#include "moat.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "materials/contact/impact_laws.hpp"
-#include "materials/contact/named_impact_law.hpp"
 #include "message_of.hpp"
 #include "two_nodes.hpp"
 
@@ -25,9 +23,7 @@ const LinearElastic elastic{.stiffness = 1e8 * N / m};
 // Brings the contact to the committed state at the given motion, into the regime that belongs there.
 void commit_at(TwoNodes& nodes, double ua, double ub, double va, double vb) {
   nodes.move(ua, ub, va, vb);
-  nodes.model.commit();
-  std::vector<RegimeChange> changes;
-  nodes.model.change_regimes(changes);
+  commit_with_regimes(nodes.model);
 }
 
 TEST(Gap, DoesNothingWhileItIsOpen) {
@@ -50,33 +46,6 @@ TEST(Gap, PushesTheLeftNodeLeftAndTheRightNodeRight) {
   EXPECT_NEAR(nodes.forces()[1], -1e6, 1e-3);
   expect_action_is_reaction(nodes);
   EXPECT_NEAR(nodes.model.blocks()[0]->results().forces[0], 1e6, 1e-3) << "compression is reported positive";
-}
-
-TEST(Gap, HoldsAgainstWallsOnBothSides) {
-  for (const bool wall_is_left : {true, false}) {
-    TwoNodes nodes;
-    add(nodes.model, wall_is_left ? gap_between(ground, nodes.a, elastic) : gap_between(nodes.a, ground, elastic));
-    nodes.start();
-    const double away = wall_is_left ? -1.0 : 1.0;
-    commit_at(nodes, away * (0.1 + 1e-9), 0.0, away, 0.0);
-    nodes.move(away * 0.11, 0.0);
-    EXPECT_NEAR(nodes.forces()[0], away * 1e6, 1e-3);
-    expect_action_is_reaction(nodes);
-  }
-}
-
-TEST(Gap, FreezesTheApproachSpeedAtTouch) {
-  TwoNodes nodes;
-  add(nodes.model, gap_between(nodes.a, nodes.b, hertz_damp));
-  nodes.start();
-  commit_at(nodes, 0.1 + 1e-9, 0.0, 0.7, 0.2);
-  const ElementBlock& block = *nodes.model.blocks()[0];
-  EXPECT_TRUE(block.contacts()->contact(0).touching);
-  EXPECT_DOUBLE_EQ(block.contacts()->contact(0).approach_speed, 0.5);
-  commit_at(nodes, 0.12, 0.0, 0.1, 0.0);
-  EXPECT_DOUBLE_EQ(block.contacts()->contact(0).approach_speed, 0.5);
-  commit_at(nodes, 0.09, 0.0, -0.3, 0.0);
-  EXPECT_FALSE(block.contacts()->contact(0).touching);
 }
 
 TEST(Gap, ReportsTheTrueApproachSpeedWhereTheLawCountsMore) {

@@ -1,13 +1,10 @@
 // The force and the work of a link over a step inside which it changes.
 
-#include "elements/line/link_over_step.hpp"
+#include "moat.hpp"
 
 #include <gtest/gtest.h>
 
 #include <array>
-
-#include "analyses/integrators/step_scheme.hpp"
-#include "materials/contact/viscous_linear_contact.hpp"
 
 namespace moat {
 namespace {

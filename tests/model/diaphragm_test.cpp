@@ -1,18 +1,11 @@
 // Diaphragms among the nodes of a model: inertia, kinematics, refusals.
-#include "model/diaphragm.hpp"
+#include "moat.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "elements/contact/gap.hpp"
-#include "elements/line/shear_spring.hpp"
-#include "elements/line/viscous_damper.hpp"
-#include "elements/plan/plan_spring.hpp"
-#include "materials/impact/hertz.hpp"
-#include "materials/linear.hpp"
 #include "message_of.hpp"
-#include "model/model.hpp"
 
 namespace moat {
 namespace {

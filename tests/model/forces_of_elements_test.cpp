@@ -4,15 +4,8 @@
 
 #include <cmath>
 
-#include "elements/contact/gap.hpp"
-#include "elements/line/lead_rubber_bearing.hpp"
-#include "elements/line/link_block.hpp"
-#include "elements/line/shear_spring.hpp"
-#include "elements/line/viscous_damper.hpp"
-#include "materials/bilinear.hpp"
-#include "materials/impact/hertz_damp.hpp"
-#include "materials/linear.hpp"
-#include "model/model.hpp"
+#include "moat.hpp"
+#include "moved_model.hpp"
 
 namespace moat {
 namespace {
@@ -89,12 +82,12 @@ TEST(ForcesOfElements, OfStiffLinksBetweenNodesThatMoveTogetherHaveNoRoundOff) {
     before = next;
   }
   model.prepare();
-  Vector& u = model.trial().displacement;
+  Vector u(links + 1);
   for (int i = 0; i <= links; ++i) u[i] = 0.3 + 1e-9 * std::sin(1.0 + 2.3 * i);
-  model.evaluate();
+  const Vector forces = testing::forces_at(model, u);
   for (int i = 1; i < links; ++i)
-    EXPECT_NEAR(model.internal_forces()[i], stiffness * ((u[i] - u[i - 1]) - (u[i + 1] - u[i])), 1e-11) << i;
-  EXPECT_GT(model.internal_forces().lpNorm<Eigen::Infinity>(), 1e3);
+    EXPECT_NEAR(forces[i], stiffness * ((u[i] - u[i - 1]) - (u[i + 1] - u[i])), 1e-11) << i;
+  EXPECT_GT(forces.lpNorm<Eigen::Infinity>(), 1e3);
 }
 
 TEST(ForcesOfElements, AtRestOfASpringThatIsTooLong) {
@@ -104,10 +97,7 @@ TEST(ForcesOfElements, AtRestOfASpringThatIsTooLong) {
   model.block<LinkBlock<Linear>>().add({.name = "spring", .first = ground, .second = node, .offset = 0.2},
                                        Linear{.stiffness = 1 * kN / m});
   model.prepare();
-  model.trial().displacement[0] = 0.5;
-  model.evaluate();
-  EXPECT_DOUBLE_EQ(model.internal_forces()[0], 300.0);
-  EXPECT_DOUBLE_EQ(model.internal_forces()[1], -300.0);
+  EXPECT_EQ(testing::forces_at(model, Vector{{0.5}}), (Vector{{300.0, -300.0}}));
 }
 
 // Forces follow from the tangents and the forces at rest, with elastic and with sliding bearings, and an open gap.
@@ -116,24 +106,17 @@ TEST(ForcesOfElements, FollowFromTheLinearisedModel) {
   const int count = model.degrees_of_freedom();
   SparseMatrix stiffness = model.zero_matrix(), damping = stiffness;
   Vector at_rest;
-  MotionState& trial = model.trial();
   for (const double displacement : {0.005, 0.02}) {
-    trial.displacement.head(count).setConstant(displacement);
-    trial.velocity.head(count).setConstant(0.1);
-    model.evaluate();
-    model.commit();
-    std::vector<RegimeChange> changes;
-    model.change_regimes(changes);
-    EXPECT_EQ(changes.size(), displacement > 0.01 ? 2u : 0u);
+    testing::move_to(model, Vector::Constant(count, displacement), Vector::Constant(count, 0.1));
+    EXPECT_EQ(testing::commit_with_regimes(model).size(), displacement > 0.01 ? 2u : 0u);
     model.linearise(stiffness, damping, at_rest);
+    Vector u(count), v(count);
     for (int i = 0; i < count; ++i) {
-      trial.displacement[i] = 0.03 + 0.001 * i;  // the gap stays open
-      trial.velocity[i] = 0.5 * std::cos(2.0 + 1.7 * i);
+      u[i] = 0.03 + 0.001 * i;  // the gap stays open
+      v[i] = 0.5 * std::cos(2.0 + 1.7 * i);
     }
-    model.evaluate();
-    const Vector expected = model.internal_forces().head(count);
-    const Vector found =
-        at_rest.head(count) + stiffness * trial.displacement.head(count) + damping * trial.velocity.head(count);
+    const Vector expected = testing::forces_at(model, u, v).head(count);
+    const Vector found = at_rest.head(count) + stiffness * u + damping * v;
     EXPECT_LT((found - expected).norm(), 1e-12 * expected.norm());
   }
 }

@@ -47,18 +47,13 @@ TEST(ModelInput, RefusesANodeWithoutOrWithATakenName) {
 TEST(ModelInput, RefusesAMassThatIsNotPositive) {
   Model model;
   const auto refusal = [&](Mass mass) { return message_of([&] { add(model, Node{.name = "base", .mass = mass}); }); };
-  EXPECT_EQ(refusal(0 * kg),
-            "Node \"base\": mass = 0 kg is not allowed; it must be > 0 kg and finite. "
-            "Every degree of freedom needs mass.");
-  EXPECT_EQ(refusal(-2 * tonne),
-            "Node \"base\": mass = -2000 kg is not allowed; it must be > 0 kg and finite. "
-            "Every degree of freedom needs mass.");
-  EXPECT_EQ(refusal(std::numeric_limits<double>::quiet_NaN() * kg),
-            "Node \"base\": mass = nan kg is not allowed; it must be > 0 kg and finite. "
-            "Every degree of freedom needs mass.");
-  EXPECT_EQ(refusal(std::numeric_limits<double>::infinity() * kg),
-            "Node \"base\": mass = inf kg is not allowed; it must be > 0 kg and finite. "
-            "Every degree of freedom needs mass.");
+  for (const auto& [mass, text] : {std::pair{0.0, "0"},
+                                   {-2000.0, "-2000"},
+                                   {std::nan(""), "nan"},
+                                   {std::numeric_limits<double>::infinity(), "inf"}})
+    EXPECT_EQ(refusal(mass * kg), "Node \"base\": mass = " + std::string{text} +
+                                      " kg is not allowed; it must be > 0 kg and finite. Every degree of freedom needs "
+                                      "mass.");
   // A node that was refused does not occupy its name.
   EXPECT_NO_THROW(add(model, Node{.name = "base", .mass = 1 * kg}));
 }

@@ -6,14 +6,8 @@
 #include <cmath>
 #include <vector>
 
-#include "analyses/time_history/transient.hpp"
-#include "base/error.hpp"
-#include "elements/contact/gap.hpp"
-#include "elements/line/lead_rubber_bearing.hpp"
-#include "elements/line/shear_spring.hpp"
-#include "elements/line/viscous_damper.hpp"
-#include "materials/impact/hertz_damp.hpp"
-#include "model/model.hpp"
+#include "moat.hpp"
+#include "moved_model.hpp"
 
 namespace moat {
 namespace {
@@ -61,10 +55,8 @@ struct Fingerprint {
 Fingerprint fingerprint(const Model& original) {
   Model copy = original;
   const MotionState state = copy.state();
-  copy.trial().displacement.head(2) << 0.031, 0.033;
-  copy.trial().velocity.head(2) << 0.2, -0.1;
-  copy.evaluate();
-  return {state.time, state.displacement, state.velocity, state.acceleration, copy.internal_forces()};
+  const Vector forces = testing::forces_at(copy, Vector{{0.031, 0.033}}, Vector{{0.2, -0.1}});
+  return {state.time, state.displacement, state.velocity, state.acceleration, forces};
 }
 
 TEST(ModelState, StartsFromInitialValues) {
@@ -87,11 +79,8 @@ TEST(ModelState, EvaluateWithoutCommitLeavesTheCommittedStateAlone) {
   for (int i = 0; i < 120; ++i) analysis.advance();
   const Fingerprint before = fingerprint(model);
   // Far beyond yield and into the wall, then out on the other side.
-  for (const double displacement : {0.3, -0.3, 0.002}) {
-    model.trial().displacement.head(2).setConstant(displacement);
-    model.trial().velocity.head(2).setConstant(-displacement);
-    model.evaluate();
-  }
+  for (const double displacement : {0.3, -0.3, 0.002})
+    testing::move_to(model, Vector::Constant(2, displacement), Vector::Constant(2, -displacement));
   EXPECT_EQ(fingerprint(model), before);
   model.commit();
   EXPECT_NE(fingerprint(model), before);
@@ -102,16 +91,9 @@ TEST(ModelState, CommittedHistoryMatters) {
   Isolated made = isolated_storey();
   Model& model = made.model;
   model.prepare();
-  struct Motion {
-    double displacement, velocity;
-  };
-  for (const Motion& motion : {Motion{0.03, 1.0}, {0.03, -1.0}, {0.0, -1.0}}) {
-    model.trial().displacement.head(2).setConstant(motion.displacement);
-    model.trial().velocity.head(2).setConstant(motion.velocity);
-    model.evaluate();
-    model.commit();
-    std::vector<RegimeChange> changes;
-    model.change_regimes(changes);
+  for (const auto& [displacement, velocity] : {std::pair{0.03, 1.0}, {0.03, -1.0}, {0.0, -1.0}}) {
+    testing::move_to(model, Vector::Constant(2, displacement), Vector::Constant(2, velocity));
+    testing::commit_with_regimes(model);
   }
   const Vector& forces = model.internal_forces();
   // k1 = 4 MN/m, k2 = 0.4 MN/m, d_y = 1 cm: slip 2 cm, of which unloading by 3 cm takes 1 cm back.
@@ -204,28 +186,14 @@ TEST(ModelState, TangentIsTheDerivativeOfTheForces) {
   while (std::abs(model.state().displacement[made.base.index]) < 0.041 && !analysis.finished()) analysis.advance();
   ASSERT_FALSE(analysis.finished());
 
-  const auto forces_at = [&](const Vector& displacement, const Vector& velocity) {
-    model.trial().displacement.head(2) = displacement;
-    model.trial().velocity.head(2) = velocity;
-    model.evaluate();
-    return Vector{model.internal_forces().head(2)};
-  };
   // A little deeper than the committed state, where the bearing stands at its corner.
   const Vector u = model.state().displacement.head(2) * 1.02, v = model.state().velocity.head(2);
-  Eigen::Matrix2d stiffness, damping;
-  for (int i = 0; i < 2; ++i) {
-    const Vector du = 1e-7 * Vector::Unit(2, i), dv = 1e-5 * Vector::Unit(2, i);
-    stiffness.col(i) = (forces_at(u + du, v) - forces_at(u - du, v)) / 2e-7;
-    damping.col(i) = (forces_at(u, v + dv) - forces_at(u, v - dv)) / 2e-5;
-  }
-  forces_at(u, v);
-  SparseMatrix matrix = model.zero_matrix();
-  model.assemble_tangent(3.0, 0.0, 0.0, matrix);
-  EXPECT_EQ(Eigen::Matrix2d{matrix}, Eigen::Matrix2d{(3.0 * model.masses()).asDiagonal()});
-  model.assemble_tangent(0.0, 0.0, 2.0, matrix);
-  EXPECT_LT((Eigen::Matrix2d{matrix} - 2.0 * stiffness).norm(), 1e-5 * stiffness.norm());
-  model.assemble_tangent(0.0, 5.0, 0.0, matrix);
-  EXPECT_LT((Eigen::Matrix2d{matrix} - 5.0 * damping).norm(), 1e-5 * damping.norm());
+  const testing::Derivatives slopes = testing::derivatives_at(model, u, v, 1e-7, 1e-5);
+  const Eigen::Matrix2d stiffness = slopes.stiffness.topRows(2), damping = slopes.damping.topRows(2);
+  testing::move_to(model, u, v);
+  EXPECT_EQ(testing::tangent_of(model, 3.0, 0.0, 0.0), Eigen::MatrixXd{(3.0 * model.masses()).asDiagonal()});
+  EXPECT_LT((testing::tangent_of(model, 0.0, 0.0, 2.0) - 2.0 * stiffness).norm(), 1e-5 * stiffness.norm());
+  EXPECT_LT((testing::tangent_of(model, 0.0, 5.0, 0.0) - 5.0 * damping).norm(), 1e-5 * damping.norm());
 }
 
 TEST(ModelState, RefusesNodesThatHaveNone) {
@@ -250,9 +218,7 @@ TEST(ModelState, AScanOfABlockKnowsTheNearestElement) {
   Model model = isolated_storey().model;
   model.prepare();
   for (const double displacement : {0.03, -0.03}) {
-    model.trial().displacement[0] = displacement;
-    model.trial().time = 0.01;
-    model.evaluate();
+    testing::move_to(model, Vector{{displacement}}, {}, 0.01);
     for (const auto& block : model.blocks()) {
       if (block->contacts() == nullptr) continue;
       RegimeScan scan;

@@ -1,11 +1,10 @@
-#include "structures/moat.hpp"
+#include "moat.hpp"
+#include "moved_model.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "materials/impact/hertz_damp.hpp"
-#include "materials/storeys/yielding_storey.hpp"
 #include "message_of.hpp"
 
 namespace moat {
@@ -39,29 +38,10 @@ TEST(Moat, OneSideClosesWhereTheOtherOpens) {
   model.prepare();
   const ElementBlock& gaps = *model.blocks().front();
   for (const double displacement : {0.12, -0.12}) {
-    model.trial().displacement[0] = displacement;
-    model.evaluate();
+    testing::move_to(model, Vector{{displacement}});
     EXPECT_DOUBLE_EQ(gaps.results().deformations[0], -displacement - 0.1);
     EXPECT_DOUBLE_EQ(gaps.results().deformations[1], displacement - 0.1);
   }
-}
-
-TEST(Moat, RefusesWhatItsGapsRefuse) {
-  Model model;
-  const NodeId base = add(model, Node{.name = "base", .mass = 550 * tonne});
-  const auto refusal = [&](NodeId around, Length clearance) {
-    return message_of([&] { add(model, Moat<HertzDamp>{.around = around, .clearance = clearance, .law = law}); });
-  };
-  EXPECT_EQ(refusal(NodeId{}, 10 * cm),
-            "Moat \"moat\": around is not given. Set it to a node of this model or to `ground`.");
-  EXPECT_EQ(refusal(NodeId{4}, 10 * cm),
-            "Moat \"moat\": around is not a node of this model. Use the NodeId that add(model, Node{...}) returned.");
-  EXPECT_EQ(refusal(base, -10 * cm),
-            "Gap \"moat left\": clearance = -0.1 m is not allowed; it must be >= 0 m and finite. "
-            "Give the free distance at rest, 0 m for wall to wall; a preload is an initial_displacement.");
-  EXPECT_EQ(refusal(ground, 10 * cm),
-            "Gap \"moat left\": left and right are the same node, \"ground\". An element joins two different nodes.");
-  EXPECT_TRUE(model.blocks().empty());
 }
 
 TEST(Moat, MayHaveOneSideOnly) {
@@ -98,11 +78,7 @@ TEST(Moat, FlexibleWallsAreNodesOnSprings) {
   EXPECT_NEAR(model.nodes()[2].x.si() - model.nodes()[2].half_width.si(), 5.1, 1e-12);
   EXPECT_NEAR(model.nodes()[1].x.si() + model.nodes()[1].half_width.si(), -5.1, 1e-12);
   model.prepare();
-  model.trial().displacement[2] = 0.01;
-  model.trial().velocity[2] = 0.1;
-  model.evaluate();
-  Vector force;
-  force = model.internal_forces();
+  const Vector force = testing::forces_at(model, Vector{{0.0, 0.0, 0.01}}, Vector{{0.0, 0.0, 0.1}});
   EXPECT_NEAR(force[2], 2e7 + 3e4, 1e-3);
   EXPECT_EQ(force[1], 0.0);
   // The gap opens as the wall gives way.
@@ -119,11 +95,7 @@ TEST(Moat, FlexibleWallsTakeAnyLaw) {
   FlexibleWall wall{.mass = 20 * tonne, .damping = 3e5 * kg / s, .law = YieldingStorey::typical()};
   add(model, Moat<HertzDamp>{.around = base, .clearance = 10 * cm, .law = law, .wall = wall});
   model.prepare();
-  model.trial().displacement[2] = 0.001;
-  model.trial().velocity[2] = 0.1;
-  model.evaluate();
-  Vector force;
-  force = model.internal_forces();
+  const Vector force = testing::forces_at(model, Vector{{0.0, 0.0, 0.001}}, Vector{{0.0, 0.0, 0.1}});
   EXPECT_NEAR(force[2], 1e6 + 3e4, 1e-3);
 
   wall.stiffness = 2 * GN / m;
@@ -134,23 +106,27 @@ TEST(Moat, FlexibleWallsTakeAnyLaw) {
             "one of both.");
 }
 
-TEST(Moat, RefusesAnEmptyName) {
+TEST(Moat, RefusesBadInput) {
   Model model;
   const NodeId base = add(model, Node{.name = "base", .mass = 550 * tonne});
-  EXPECT_EQ(
-      message_of([&] { add(model, Moat<HertzDamp>{.name = "", .around = base, .clearance = 10 * cm, .law = law}); }),
-      "Moat: a moat has no name. Give .name, or leave it out: \"moat\".");
-}
-
-TEST(Moat, RefusesABadWall) {
-  Model model;
-  const NodeId base = add(model, Node{.name = "base", .mass = 550 * tonne});
-  EXPECT_EQ(message_of([&] {
-              add(model, Moat<HertzDamp>{.around = base,
-                                         .clearance = 10 * cm,
-                                         .law = law,
-                                         .wall = FlexibleWall{.mass = 20 * tonne, .stiffness = -2 * GN / m}});
-            }),
+  const auto refusal = [&](auto change) {
+    Moat<HertzDamp> moat{.around = base, .clearance = 10 * cm, .law = law};
+    change(moat);
+    return message_of([&] { add(model, moat); });
+  };
+  EXPECT_EQ(refusal([](auto& moat) { moat.name = ""; }),
+            "Moat: a moat has no name. Give .name, or leave it out: \"moat\".");
+  EXPECT_EQ(refusal([](auto& moat) { moat.around = NodeId{}; }),
+            "Moat \"moat\": around is not given. Set it to a node of this model or to `ground`.");
+  EXPECT_EQ(refusal([](auto& moat) { moat.around = NodeId{4}; }),
+            "Moat \"moat\": around is not a node of this model. Use the NodeId that add(model, Node{...}) returned.");
+  EXPECT_EQ(refusal([](auto& moat) { moat.clearance = -10 * cm; }),
+            "Gap \"moat left\": clearance = -0.1 m is not allowed; it must be >= 0 m and finite. "
+            "Give the free distance at rest, 0 m for wall to wall; a preload is an initial_displacement.");
+  EXPECT_EQ(refusal([](auto& moat) { moat.around = ground; }),
+            "Gap \"moat left\": left and right are the same node, \"ground\". An element joins two different nodes.");
+  EXPECT_TRUE(model.blocks().empty());
+  EXPECT_EQ(refusal([](auto& moat) { moat.wall = FlexibleWall{.mass = 20 * tonne, .stiffness = -2 * GN / m}; }),
             "FlexibleWall \"moat left wall\": stiffness = -2e+09 N/m is not allowed; it must be > 0 N/m and finite.");
 }
 

@@ -1,5 +1,5 @@
 // Moats and neighbours in plan: which corners meet which walls, flexible walls, refusals.
-#include "structures/plan_moat.hpp"
+#include "moat.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,10 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "analyses/case/case_run.hpp"
-#include "materials/impact/exact_hertz_damp.hpp"
 #include "message_of.hpp"
-#include "structures/moat.hpp"
 
 namespace moat {
 namespace {
