@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "analyses/time_history/transient.hpp"
-#include "checked_reference.hpp"
 #include "moat_model.hpp"
+#include "reference_history.hpp"
 
 namespace moat {
 

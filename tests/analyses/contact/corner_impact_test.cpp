@@ -3,18 +3,9 @@
 
 #include <cmath>
 #include <string>
-#include <vector>
 
-#include "analyses/case/case_run.hpp"
 #include "analysis_testing.hpp"
-#include "base/units.hpp"
-#include "elements/contact/corner_gap.hpp"
-#include "elements/plan/plan_spring.hpp"
-#include "elements/plan/planar_spring.hpp"
-#include "materials/impact/exact_hertz_damp.hpp"
-#include "materials/impact/exact_kelvin.hpp"
-#include "materials/linear.hpp"
-#include "materials/plan/biaxial_bilinear.hpp"
+#include "moat.hpp"
 
 namespace moat {
 namespace {
@@ -32,16 +23,20 @@ struct FreeSlab {
         Diaphragm{
             .name = "slab", .mass = mass * kg, .outline = outline, .initial_velocity_x = vx, .initial_velocity_y = vy});
   }
-  // Wall at x = 10 m + 1 cm, from y = -8 m to 8 m.
+  // A corner of the slab before the wall at x = 10.01 m, from y = -8 m to 8 m.
+  CornerGap<ExactHertzDamp> corner(PlanPosition at = {arm_x * m, arm_y* m}) {
+    return {.name = "corner " + std::to_string(++corners),
+            .corner = PlanPoint{slab, at},
+            .edge_of = ground,
+            .edge_begin = PlanPosition{10.01 * m, -8 * m},
+            .edge_end = PlanPosition{10.01 * m, 8 * m},
+            .law = {.stiffness = 1e9 * N / m_3_2, .restitution = restitution}};
+  }
   void add_corner(PlanPosition at, CornerFriction friction, double share = 1.0) {
-    add(model, CornerGap<ExactHertzDamp>{.name = "corner " + std::to_string(++corners),
-                                         .corner = PlanPoint{slab, at},
-                                         .edge_of = ground,
-                                         .edge_begin = PlanPosition{10.01 * m, -8 * m},
-                                         .edge_end = PlanPosition{10.01 * m, 8 * m},
-                                         .law = {.stiffness = 1e9 * N / m_3_2, .restitution = restitution},
-                                         .friction = friction,
-                                         .share = share});
+    CornerGap<ExactHertzDamp> gap = corner(at);
+    gap.friction = friction;
+    gap.share = share;
+    add(model, gap);
   }
   CaseResult run(TransientOptions options) {
     return run_case(model, still_ground(1 * s, 5 * ms), {.transient = options, .error_bars = ErrorBarMode::never});
@@ -153,15 +148,13 @@ TEST(CornerImpact, IntoASquareCornerOfTheMoatStaysOnTheDiagonal) {
   for (const auto& [options, tolerance] : {std::pair{TransientOptions{}, 1e-3}, std::pair{tight(), 1e-5}}) {
     FreeSlab slab{0.5 * m / s, 0.5 * m / s, rectangle(10 * m, 10 * m)};
     const PlanPosition corner{5 * m, 5 * m};
-    int wall = 0;
     for (const auto& [begin, end] : {std::pair{PlanPosition{5.01 * m, -6 * m}, PlanPosition{5.01 * m, 6 * m}},
-                                     std::pair{PlanPosition{6 * m, 5.01 * m}, PlanPosition{-6 * m, 5.01 * m}}})
-      add(slab.model, CornerGap<ExactHertzDamp>{.name = "wall " + std::to_string(++wall),
-                                                .corner = PlanPoint{slab.slab, corner},
-                                                .edge_of = ground,
-                                                .edge_begin = begin,
-                                                .edge_end = end,
-                                                .law = {.stiffness = 1e9 * N / m_3_2, .restitution = restitution}});
+                                     std::pair{PlanPosition{6 * m, 5.01 * m}, PlanPosition{-6 * m, 5.01 * m}}}) {
+      CornerGap<ExactHertzDamp> gap = slab.corner(corner);
+      gap.edge_begin = begin;
+      gap.edge_end = end;
+      add(slab.model, gap);
+    }
     const CaseResult result = slab.run(options);
     const double vx = slab.model.velocity(slab.slab.x);
     // Torques cancel: each wall sees the whole mass.
@@ -169,19 +162,6 @@ TEST(CornerImpact, IntoASquareCornerOfTheMoatStaysOnTheDiagonal) {
     EXPECT_NEAR(slab.model.velocity(slab.slab.y), vx, 1e-12);
     EXPECT_NEAR(slab.model.angular_velocity(slab.slab), 0.0, 1e-12);
     EXPECT_EQ(result.impacts.size(), 2U);
-  }
-}
-
-TEST(CornerImpact, EnergyIsConservedWithStickAndSlip) {
-  // Low tangential stiffness: the corner sticks, slips and sticks again.
-  for (const double stiffness : {1e7, 1e8, 1e9}) {
-    FreeSlab slab{0.6 * m / s, 0.2 * m / s};
-    slab.add_corner({arm_x * m, arm_y * m}, {0.6, stiffness * N / m});
-    const CaseResult result = slab.run({});
-    const EnergyBalance& energy = result.energy;
-    EXPECT_NEAR(energy.kinetic + energy.strain + energy.impact + energy.friction, 0.0, 2e-3 * energy.largest_kinetic)
-        << stiffness;
-    EXPECT_GT(energy.friction, 0.0);
   }
 }
 
@@ -203,12 +183,9 @@ TEST(CornerImpact, DampedLinearLawWithAJumpAtTouchKeepsTheEnergy) {
 TEST(CornerImpact, CornerBesideTheEdgeDoesNotTouch) {
   // The wall ends at y = 5 m; the corner at y = 6 m passes its end.
   FreeSlab slab{0.6 * m / s};
-  add(slab.model, CornerGap<ExactHertzDamp>{.name = "corner",
-                                            .corner = PlanPoint{slab.slab, {arm_x * m, arm_y * m}},
-                                            .edge_of = ground,
-                                            .edge_begin = PlanPosition{10.01 * m, -8 * m},
-                                            .edge_end = PlanPosition{10.01 * m, 5 * m},
-                                            .law = {.stiffness = 1e9 * N / m_3_2, .restitution = restitution}});
+  CornerGap<ExactHertzDamp> gap = slab.corner();
+  gap.edge_end = PlanPosition{10.01 * m, 5 * m};
+  add(slab.model, gap);
   const CaseResult result = slab.run({});
   EXPECT_TRUE(result.impacts.empty());
   EXPECT_NEAR(slab.model.velocity(slab.slab.x), 0.6, 1e-14);
@@ -228,12 +205,10 @@ TEST(CornerImpact, ClearanceLeftIsTheDistanceFromTheEdge) {
                                        .lower = PlanPoint{ground, {}},
                                        .upper = PlanPoint{slab.slab, {}},
                                        .law = {.stiffness = Stiffness{mass * 9.0}}});
-    add(slab.model, CornerGap<ExactHertzDamp>{.name = "corner",
-                                              .corner = PlanPoint{slab.slab, {arm_x * m, arm_y * m}},
-                                              .edge_of = ground,
-                                              .edge_begin = PlanPosition{x * m, -8 * m},
-                                              .edge_end = PlanPosition{x * m, 8 * m},
-                                              .law = {.stiffness = 1e9 * N / m_3_2, .restitution = restitution}});
+    CornerGap<ExactHertzDamp> gap = slab.corner();
+    gap.edge_begin = PlanPosition{x * m, -8 * m};
+    gap.edge_end = PlanPosition{x * m, 8 * m};
+    add(slab.model, gap);
     const CaseResult result = slab.run({});
     ASSERT_EQ(result.clearances.size(), 1U);
     if (result.impacts.empty())
@@ -248,12 +223,10 @@ TEST(CornerImpact, ClearanceLeftIsTheDistanceFromTheEdge) {
 TEST(CornerImpact, LoadedCornerThatSlidesPastTheEndIsReleased) {
   // Fast along the wall: it leaves the end, y = 6.1 m, after 20 ms of a contact of about 0.15 s.
   FreeSlab slab{0.6 * m / s, 5.0 * m / s};
-  add(slab.model, CornerGap<ExactHertzDamp>{.name = "corner",
-                                            .corner = PlanPoint{slab.slab, {arm_x * m, arm_y * m}},
-                                            .edge_of = ground,
-                                            .edge_begin = PlanPosition{10.01 * m, 0 * m},
-                                            .edge_end = PlanPosition{10.01 * m, 6.2 * m},
-                                            .law = {.stiffness = 1e9 * N / m_3_2, .restitution = restitution}});
+  CornerGap<ExactHertzDamp> gap = slab.corner();
+  gap.edge_begin = PlanPosition{10.01 * m, 0 * m};
+  gap.edge_end = PlanPosition{10.01 * m, 6.2 * m};
+  add(slab.model, gap);
   const CaseResult result = slab.run({});
   ASSERT_EQ(result.impacts.size(), 1U);
   const Impact& impact = result.impacts[0];
@@ -264,61 +237,10 @@ TEST(CornerImpact, LoadedCornerThatSlidesPastTheEndIsReleased) {
   EXPECT_NEAR(energy.kinetic + energy.strain + energy.impact, 0.0, 1e-3 * energy.impact);
   EXPECT_TRUE(std::isnan(impact.rebound_ratio)) << "it did not rebound";
   EXPECT_EQ(std::ranges::count(result.warnings,
-                               "\"corner\": the corner left its edge in contact, 1 time. It slid past an end and was "
+                               "\"corner 1\": the corner left its edge in contact, 1 time. It slid past an end and was "
                                "released; the energy it had stored counts as lost in the impact. Check the outline of "
                                "the wall there."),
             1);
-}
-
-// Sliders are bearings whose strength is mu W and that have no other stiffness; they yield at a very small deformation.
-PlanBearing<BiaxialBilinear> slider(const std::string& name, DiaphragmId slab, PlanPosition at, double friction_force) {
-  constexpr double reach = 1e-5;  // m
-  return {
-      .name = name,
-      .under = slab,
-      .at = at,
-      .law = {.yield_force = friction_force * N, .yield_displacement = reach * m, .post_yield_stiffness = 0 * N / m}};
-}
-
-TEST(SlidingSlab, StopsAfterTheDistanceOfItsEnergy) {
-  // From (1.2, 0.9) m/s on mu = 0.05: v^2/(2 mu g) = 2.294361 m along (0.8, 0.6), after 3.059149 s.
-  FreeSlab slab{1.2 * m / s, 0.9 * m / s};
-  constexpr double weight = mass * standard_gravity, mu = 0.05;
-  add(slab.model, slider("slider", slab.slab, {}, mu * weight));
-  double stopped = 0.0;
-  Transient analysis{slab.model, still_ground(3.5 * s, 5 * ms)};
-  testing::Watch watch{[&](const StepView& view) {
-    const double speed = std::hypot(view.model.velocity(slab.slab.x), view.model.velocity(slab.slab.y));
-    if (speed > 0.005) stopped = view.model.state().time + speed / (mu * standard_gravity);
-  }};
-  analysis.attach(watch);
-  analysis.run();
-  const double x = slab.model.displacement(slab.slab.x), y = slab.model.displacement(slab.slab.y);
-  EXPECT_NEAR(std::hypot(x, y), 2.294361, 1e-4);
-  EXPECT_NEAR(y / x, 0.75, 1e-6);
-  EXPECT_NEAR(stopped, 3.059149, 1e-4);
-}
-
-TEST(SlidingSlab, TurningSlabStopsAfterTheAngleOfItsEnergy) {
-  // On N equal sliders at radius R: theta = J w0^2/(2 mu W R).
-  constexpr double weight = mass * standard_gravity, mu = 0.05, radius = 8.0, w0 = 0.1;
-  for (const int count : {3, 6}) {
-    Model model;
-    const DiaphragmId slab = add(model, Diaphragm{.name = "slab",
-                                                  .mass = mass * kg,
-                                                  .outline = rectangle(20 * m, 12 * m),
-                                                  .initial_angular_velocity = w0 / s});
-    for (int i = 0; i < count; ++i)
-      add(model, slider("slider " + std::to_string(i), slab,
-                        {radius * std::cos(2.0 * pi * i / count) * m, radius * std::sin(2.0 * pi * i / count) * m},
-                        mu * weight / count));
-    Transient analysis{model, still_ground(2 * s, 5 * ms)};
-    analysis.run();
-    const double expected = inertia * w0 * w0 / (2.0 * mu * weight * radius);
-    // Points move along tangents, by the linear kinematics; the angle is exact but for the elastic reach.
-    EXPECT_NEAR(model.rotation(slab) / expected, 1.0, 1e-3);
-    EXPECT_NEAR(model.displacement(slab.x), 0.0, 1e-9);
-  }
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include <string>
 
 #include "elements/line/shear_spring.hpp"
+#include "moved_model.hpp"
 #include "paper_building.hpp"
 
 namespace moat {
@@ -41,9 +42,7 @@ double first_period_with_bearings(double bearing_stiffness) {
 }
 
 TEST(Periods, OfThePapersBuildingByName) {
-  Model model;
-  const Building nodes = add(model, paper_building());
-  add(model, Moat<HertzDamp>{.around = nodes.base, .clearance = 10 * cm, .law = paper_hertz_damp()});
+  Model model = pounding_building();
   const auto periods = by_name(characteristic_periods(model));
   ASSERT_EQ(periods.size(), 4u);
 
@@ -65,8 +64,7 @@ TEST(Periods, DoNotDependOnWhereTheModelIs) {
   Model model;
   const Building nodes = add(model, paper_building());
   const auto before = by_name(characteristic_periods(model));
-  model.trial().displacement.head(6).setConstant(0.3);
-  model.evaluate();
+  move_to(model, Vector::Constant(6, 0.3));
   model.commit();
   EXPECT_EQ(by_name(characteristic_periods(model)), before);
   EXPECT_EQ(model.displacement(nodes.base), 0.3);

@@ -38,17 +38,6 @@ TEST(FragilityChart, HasCurveBandAndShares) {
   EXPECT_EQ(chart.series[2].y, (std::vector{0.25})) << "no share without a trial";
 }
 
-TEST(PoundingChart, FallsWithTheGap) {
-  const StudyResult study =
-      run_study({{.name = "record", .unit = "", .values = {1.0, 2.0, 3.0, 4.0}}}, [](const StudyCase& each) {
-        return StudyRecord{{"smallest_gap", "", "m", 0.1 * each.value("record")}};
-      });
-  const Chart chart = pounding_chart(GapDemand{study}, "Pounding");
-  expect_band_around_curve(chart);
-  EXPECT_TRUE(std::ranges::is_sorted(chart.series[1].y, std::greater{}));
-  EXPECT_EQ(chart.series[2].y, (std::vector{0.75, 0.5, 0.25, 0.0}));
-}
-
 TEST(PoundingChart, SaysHowManyRecordsNeedMore) {
   const StudyResult study =
       run_study({{.name = "record", .unit = "", .values = {1.0, 2.0, 3.0, 4.0}}}, [](const StudyCase& each) {

@@ -4,8 +4,6 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
-
 #include "analyses/questions/incremental_dynamic_analysis.hpp"
 #include "analyses/questions/study.hpp"
 

@@ -2,17 +2,11 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cmath>
 
-#include "analyses/case/case_run.hpp"
-#include "analyses/questions/study.hpp"
 #include "analysis_testing.hpp"
-#include "elements/line/spring.hpp"
-#include "elements/line/storey.hpp"
 #include "in_folder.hpp"
-#include "materials/storeys/p_delta.hpp"
-#include "materials/storeys/yielding_storey.hpp"
+#include "moat.hpp"
 #include "output/files/summary.hpp"
 #include "peak_in.hpp"
 #include "report/report.hpp"

@@ -6,13 +6,8 @@
 #include <limits>
 #include <string>
 
-#include "analyses/case/case_run.hpp"
 #include "analysis_testing.hpp"
-#include "base/check.hpp"
-#include "base/error.hpp"
-#include "elements/line/link_block.hpp"
-#include "elements/line/shear_spring.hpp"
-#include "motions/near_fault_pulse.hpp"
+#include "moat.hpp"
 
 namespace moat {
 namespace {
@@ -113,17 +108,6 @@ TEST(FailingStep, AForceThatIsNotANumberIsAFailureWithAPlace) {
     EXPECT_TRUE(model.state().displacement.allFinite()) << beyond;
     const std::string message = error.what();
     EXPECT_NE(message.find("worst at \"puller\""), std::string::npos) << message;
-  }
-}
-
-TEST(FailingStep, CutsAsOftenAsAllowed) {
-  for (const int cuts : {0, 1, 6}) {
-    Model model = pulling(Brittle{});
-    CaseRun run{model, still_ground(1 * s), {.transient = {.step = 10 * ms, .max_cuts = cuts}}};
-    const ConvergenceError error = failure_of(run);
-    // The grid ahead may be nearer than a step: the first try is at most that long.
-    EXPECT_LE(error.step, 0.01 * std::ldexp(1.0, -cuts) * (1.0 + 1e-9)) << cuts;
-    EXPECT_GE(run.transient().statistics().rejected_steps, cuts + 1) << cuts;
   }
 }
 

@@ -1,4 +1,4 @@
-#include "analyses/time_history/observers.hpp"
+#include "moat.hpp"
 
 #include <gtest/gtest.h>
 
@@ -6,9 +6,6 @@
 #include <span>
 #include <string>
 #include <vector>
-
-#include "base/error.hpp"
-#include "output/recorders/step_observer.hpp"
 
 namespace moat {
 namespace {

@@ -3,16 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <numbers>
 #include <vector>
 
-#include "analyses/case/case_run.hpp"
-#include "analyses/questions/study.hpp"
 #include "analysis_testing.hpp"
-#include "elements/line/shear_spring.hpp"
 #include "message_of.hpp"
-#include "motions/near_fault_pulse.hpp"
-#include "motions/plan_motion.hpp"
+#include "moat.hpp"
 #include "paper_building.hpp"
 #include "peak_in.hpp"
 #include "small_plan_building.hpp"
@@ -22,13 +17,6 @@ namespace {
 
 using namespace units;
 using namespace testing;
-
-Model pounding() {
-  Model model;
-  const auto building = add(model, paper_building());
-  add(model, Moat{.around = building.base, .clearance = 10 * cm, .law = paper_hertz_damp()});
-  return model;
-}
 
 Model in_plan() {
   Model model;
@@ -82,7 +70,7 @@ TEST(SecondAnalysis, UnderAnotherMotionIsRefused) {
       of_samples("one sample differs", longer.time_step(), one_other),
       of_samples("same samples at another interval", 1.01 * longer.time_step(), samples_of(longer)),
       still_ground(20 * s)};
-  Model moved = pounding();
+  Model moved = pounding_building();
   (void)run_case(moved, first);
   for (const GroundMotion& other : others) {
     SCOPED_TRACE(other.name());
@@ -115,7 +103,7 @@ TEST(SecondAnalysis, OfASecondComponentOrAnotherIncidenceIsRefused) {
 // In two parts: by the same motion, under another name, with more zeros, with more samples.
 TEST(SecondAnalysis, UnderTheSameMotionGoesOn) {
   const GroundMotion motion = pulse(1.0);
-  Model whole_model = pounding();
+  Model whole_model = pounding_building();
   const TransientOptions options{.tolerance = 1e-8, .largest_step = 2.5 * ms};
   const CaseResult whole = run_case(whole_model, motion, {.transient = options});
   ASSERT_GT(whole.impacts.size(), 1u);
@@ -123,7 +111,7 @@ TEST(SecondAnalysis, UnderTheSameMotionGoesOn) {
     for (const GroundMotion& same :
          {motion, extended(motion, 2.0), resampled(motion, 2), resampled(extended(motion, 4.0), 4)}) {
       SCOPED_TRACE(::testing::Message() << same.name() << " from " << middle);
-      Model model = pounding();
+      Model model = pounding_building();
       TransientOptions first_part = options, second_part = options;
       first_part.end = middle * s;
       second_part.end = same.duration() > motion.duration() ? same.duration() * s : motion.duration() * s;
@@ -148,7 +136,7 @@ TEST(SecondAnalysis, UnderTheSameMotionGoesOn) {
 TEST(SecondAnalysis, GoesOnUnderAMotionJoinedToItsOwn) {
   const GroundMotion first = pulse(), both = joined({first, first.scaled_by(-0.8)}, 2 * s);
   const TransientOptions options{.tolerance = 1e-8, .largest_step = 2.5 * ms};
-  Model at_once = pounding(), in_parts = pounding();
+  Model at_once = pounding_building(), in_parts = pounding_building();
   const CaseResult whole = run_case(at_once, both, {.transient = options});
   (void)run_case(in_parts, first, {.transient = options});
   const CaseResult second = run_case(in_parts, both, {.transient = options});
@@ -158,9 +146,7 @@ TEST(SecondAnalysis, GoesOnUnderAMotionJoinedToItsOwn) {
 }
 
 TEST(SecondAnalysis, OfInitialVelocitiesIsNoSecondOne) {
-  Model model;
-  const NodeId body = add(model, Node{.name = "body", .mass = 1 * kg, .initial_velocity = 1 * m / s});
-  add(model, ShearSpring{.name = "spring", .lower = ground, .upper = body, .stiffness = 40 * N / m});
+  Model model = oscillator({.velocity = 1.0});
   EXPECT_NO_THROW((Transient{model, still_ground(1 * s)}));
   EXPECT_NO_THROW((void)run_case(model, pulse())) << "nothing has moved yet";
 }
@@ -168,7 +154,7 @@ TEST(SecondAnalysis, OfInitialVelocitiesIsNoSecondOne) {
 // The energies of the elements are kept by the model, the input by the ledger.
 TEST(SecondAnalysis, CountsAllEnergiesFromItsStart) {
   const GroundMotion motion = pulse(2.0);
-  Model model = pounding();
+  Model model = pounding_building();
   EnergyLedger ledger;
   for (const double end : {1.9, 2.6, 3.3, 5.5}) {
     SCOPED_TRACE(end);
@@ -184,7 +170,7 @@ TEST(SecondAnalysis, CountsAllEnergiesFromItsStart) {
 
 TEST(SecondAnalysis, EndsTheFirst) {
   const GroundMotion motion = pulse();
-  Model model = pounding();
+  Model model = pounding_building();
   Transient first{model, motion};
   first.advance();
   Transient second{model, motion};
