@@ -4,7 +4,6 @@
 
 #include "analyses/case/case_run.hpp"
 #include "elements/line/cable.hpp"
-#include "law_battery.hpp"
 #include "message_of.hpp"
 
 namespace moat::testing {

@@ -1,4 +1,4 @@
-// The tables of impact laws in the guide.
+// The tables of laws in the guide.
 #pragma once
 
 #include <string>
@@ -7,5 +7,8 @@ namespace moat::testing {
 
 /// One table for each form of contact, with a row for every law of AllImpactLaws.
 std::string impact_law_tables();
+
+/// One table for each folder of other laws, with a row for every law of AllSpringLaws.
+std::string spring_law_tables();
 
 }  // namespace moat::testing

@@ -1,13 +1,13 @@
-#include "impact_law_tables.hpp"
+#include "law_tables.hpp"
 
 #include <array>
 #include <concepts>
+#include <filesystem>
 #include <iomanip>
 #include <sstream>
 
 #include "impact_cases.hpp"
-#include "materials/contact/free_impact.hpp"
-#include "materials/contact/named_impact_law.hpp"
+#include "moat.hpp"
 
 namespace moat::testing {
 namespace {
@@ -58,6 +58,31 @@ std::string table(const std::string& title, const std::string& formula) {
   return text;
 }
 
+struct Family {
+  std::string folder, title;
+};
+const std::array<Family, 4> families{Family{"isolation", "Isolators"}, Family{"dampers", "Dampers"},
+                                     Family{"storeys", "Storeys"}, Family{"soil", "Soil"}};
+
+std::filesystem::path folder_of(const Family& family) {
+  return std::filesystem::path{MOAT_SOURCE_DIR} / "materials" / family.folder;
+}
+
+template <class Law>
+std::string spring_row(const Family& family) {
+  std::ostringstream text;
+  text << "| [`" << Law::name << "`](../materials/" << family.folder << "/" << option_name(Law::name) << ".hpp) | "
+       << Law::formula << " | ";
+  const char* separator = "";
+  for (const Parameter& parameter : Law::typical().parameters()) {
+    text << separator << "`" << parameter.name << "` " << to_text(parameter.value);
+    if (parameter.unit != "1") text << " " << parameter.unit;
+    separator = ", ";
+  }
+  text << " |\n";
+  return text.str();
+}
+
 }  // namespace
 
 std::string impact_law_tables() {
@@ -76,6 +101,18 @@ std::string impact_law_tables() {
              "Linear springs, one of which yields:** loads with K1 to d_y = a d_m, then with K2; dE = k d_m^2.5 (1 - "
              "e^2)/2.5, K_eff = k d_m^(1/2), k in N/m^1.5",
              "K1, K2");
+}
+
+std::string spring_law_tables() {
+  std::string text;
+  for (const Family& family : families) {
+    if (!text.empty()) text += "\n";
+    text += "**" + family.title + "**\n\n| Law | Force | Parameters, with typical values |\n|---|---|---|\n";
+    AllSpringLaws::for_each([&]<class Law>() {
+      if (std::filesystem::exists(folder_of(family) / (option_name(Law::name) + ".hpp"))) text += spring_row<Law>(family);
+    });
+  }
+  return text;
 }
 
 }  // namespace moat::testing
