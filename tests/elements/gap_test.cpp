@@ -62,19 +62,6 @@ TEST(Gap, ReportsTheTrueApproachSpeedWhereTheLawCountsMore) {
   }
 }
 
-TEST(Gap, UsesTheEffectiveMassOfItsNodes) {
-  const Kelvin kelvin{.stiffness = 1e8 * N / m, .restitution = 0.65};
-  const double between_nodes = 1e3 * 3e3 / 4e3;
-  TwoNodes nodes;
-  add(nodes.model, gap_between(nodes.a, nodes.b, kelvin));
-  Gap against_wall = gap_between(nodes.b, ground, kelvin);
-  against_wall.name = "wall";
-  add(nodes.model, against_wall);
-  const auto& block = nodes.model.block<LinkBlock<ViscousLinearContact>>();
-  EXPECT_DOUBLE_EQ(block.law(0).damping, kelvin.between(between_nodes).damping);
-  EXPECT_DOUBLE_EQ(block.law(1).damping, kelvin.between(3e3).damping);
-}
-
 template <class Law>
 void expect_sound_gap(const Law& law) {
   TwoNodes nodes;

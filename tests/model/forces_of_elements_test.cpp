@@ -90,16 +90,6 @@ TEST(ForcesOfElements, OfStiffLinksBetweenNodesThatMoveTogetherHaveNoRoundOff) {
   EXPECT_GT(forces.lpNorm<Eigen::Infinity>(), 1e3);
 }
 
-TEST(ForcesOfElements, AtRestOfASpringThatIsTooLong) {
-  Model model;
-  const NodeId node = add(model, Node{.name = "node", .mass = 1 * tonne});
-  // Not an element of the library: the offset of a linear law.
-  model.block<LinkBlock<Linear>>().add({.name = "spring", .first = ground, .second = node, .offset = 0.2},
-                                       Linear{.stiffness = 1 * kN / m});
-  model.prepare();
-  EXPECT_EQ(testing::forces_at(model, Vector{{0.5}}), (Vector{{300.0, -300.0}}));
-}
-
 // Forces follow from the tangents and the forces at rest, with elastic and with sliding bearings, and an open gap.
 TEST(ForcesOfElements, FollowFromTheLinearisedModel) {
   Model model = pounding_buildings();

@@ -4,7 +4,6 @@
 
 #include <cmath>
 #include <limits>
-#include <vector>
 
 #include "counted_allocations.hpp"
 #include "matrices.hpp"
@@ -15,37 +14,6 @@ namespace moat {
 namespace {
 
 using testing::message_of;
-
-// x^2 + y^2 = 4, x y = 1, with its root in the first quadrant: x = (sqrt 6 + sqrt 2)/2, y = (sqrt 6 - sqrt 2)/2.
-class CircleAndHyperbola final : public NonlinearSystem {
- public:
-  std::vector<double> errors;  // distance from the root, of every iterate
-
-  static Vector root() {
-    return Vector{{0.5 * (std::sqrt(6.0) + std::sqrt(2.0)), 0.5 * (std::sqrt(6.0) - std::sqrt(2.0))}};
-  }
-  int size() const override { return 2; }
-  bool compute_residual(const Vector& x, Vector& residual) override {
-    x_ = x;
-    residual[0] = x[0] * x[0] + x[1] * x[1] - 4.0;
-    residual[1] = x[0] * x[1] - 1.0;
-    errors.push_back((x - root()).norm());
-    return true;
-  }
-  const Vector& residual_scales() const override { return scales_; }
-  bool compute_jacobian() override {
-    determinant_ = 2.0 * x_[0] * x_[0] - 2.0 * x_[1] * x_[1];
-    return determinant_ != 0.0;
-  }
-  void solve(Vector& vector) const override {
-    vector = Vector{{(x_[0] * vector[0] - 2.0 * x_[1] * vector[1]) / determinant_,
-                     (-x_[1] * vector[0] + 2.0 * x_[0] * vector[1]) / determinant_}};
-  }
-
- private:
-  Vector x_, scales_ = Vector::Constant(2, 4.0);
-  double determinant_ = 0.0;
-};
 
 // k_i x_i + x_i^3 = load in every degree of freedom of a chain, solved with the sparse factorisation.
 class CubicChain final : public NonlinearSystem {
@@ -122,32 +90,6 @@ class Faulty final : public NonlinearSystem {
   Fault fault_;
   Vector scales_ = Vector::Ones(3);
 };
-
-TEST(NewtonSolver, FindsTheRootWithTheRightReport) {
-  CircleAndHyperbola system;
-  NewtonSolver solver{system, {.tolerance = 1e-13}};
-  Vector x{{2.0, 0.4}};
-  const NewtonReport report = solver.solve(x);
-  EXPECT_TRUE(report.converged);
-  EXPECT_LT((x - CircleAndHyperbola::root()).norm(), 1e-13);
-  EXPECT_LE(report.residual, 1e-13);
-  EXPECT_EQ(report.iterations + 1, static_cast<int>(system.errors.size()));
-}
-
-TEST(NewtonSolver, ConvergesQuadratically) {
-  CircleAndHyperbola system;
-  NewtonSolver solver{system, {.tolerance = 1e-15}};
-  Vector x{{2.1, 0.4}};
-  solver.solve(x);
-  // The order log(e2/e1)/log(e1/e0) of the last three errors above round-off.
-  std::vector<double> errors;
-  for (const double error : system.errors)
-    if (error > 1e-12) errors.push_back(error);
-  ASSERT_GE(errors.size(), 3u);
-  const std::size_t last = errors.size() - 1;
-  const double order = std::log(errors[last] / errors[last - 1]) / std::log(errors[last - 1] / errors[last - 2]);
-  EXPECT_NEAR(order, 2.0, 0.1);
-}
 
 TEST(NewtonSolver, ALinearSystemTakesOneIteration) {
   Faulty system{Faulty::Fault::none};
