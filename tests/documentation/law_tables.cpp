@@ -109,7 +109,8 @@ std::string spring_law_tables() {
     if (!text.empty()) text += "\n";
     text += "**" + family.title + "**\n\n| Law | Force | Parameters, with typical values |\n|---|---|---|\n";
     AllSpringLaws::for_each([&]<class Law>() {
-      if (std::filesystem::exists(folder_of(family) / (option_name(Law::name) + ".hpp"))) text += spring_row<Law>(family);
+      if (std::filesystem::exists(folder_of(family) / (option_name(Law::name) + ".hpp")))
+        text += spring_row<Law>(family);
     });
   }
   return text;

@@ -275,7 +275,6 @@ void History::accept(double h) {
   std::swap(start_channels_, end_channels_);
   std::swap(start_margins_, end_margins_);
   std::swap(start_, end_);
-  ++result_.steps;
   for (std::size_t i = 0; i < size_; ++i) {
     largest_displacement_[i] = std::max(largest_displacement_[i], std::abs(start_.displacement[i]));
     largest_velocity_[i] = std::max(largest_velocity_[i], std::abs(start_.velocity[i]));

@@ -31,7 +31,6 @@ struct ReferenceResult {
   std::vector<ReferencePeak> peaks;
   std::vector<ReferenceTouch> touches;
   std::vector<double> displacement, velocity;  ///< of the nodes at the end
-  long steps = 0;
 };
 
 /// Dormand and Prince's fifth-order method in steps that end on the samples of the motion and on every event: touch,
