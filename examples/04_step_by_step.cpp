@@ -63,7 +63,8 @@ class ImpactPrinter final : public StepObserver {
       std::printf("%8.4f s  %-10s  %s", change.time, block.info(change.element).name.c_str(),
                   change.touched ? "touches" : "opens\n");
       if (change.touched)
-        std::printf(" at %.1f cm/s\n", 100.0 * block.contacts()->contact(change.element).approach_speed);
+        std::printf(" at %.1f cm/s\n",
+                    100.0 * view.state.elements(change.block).contact(change.element).approach_speed);
     }
   }
 
@@ -97,14 +98,15 @@ int main() {
   ImpactPrinter printer;
   analysis.attach(printer);
 
-  // The model is that of the script: its committed state can be read after every step.
+  // The model does not change; the state of the analysis can be read after every step.
+  const AnalysisState& state = analysis.state();
   double largest_stretch = 0.0, its_time = 0.0;
   while (!analysis.finished()) {
     analysis.advance();
-    const double stretch = std::abs(model.displacement(tank) - model.displacement(building.top()));
+    const double stretch = std::abs(state.displacement(tank) - state.displacement(building.top()));
     if (stretch > largest_stretch) {
       largest_stretch = stretch;
-      its_time = model.state().time;
+      its_time = state.time();
     }
   }
 

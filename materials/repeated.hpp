@@ -18,12 +18,17 @@ struct Repeated {
   using State = typename Law::State;
 
   Response evaluate(const State& committed, double deformation, double rate, State& trial) const
-      requires(!TimeDependentLaw<Law>) {
+      requires(!TimeDependentLaw<Law> && !AxialForceLaw<Law>) {
     return times(law.evaluate(committed, deformation, rate, trial));
   }
   Response evaluate(const State& committed, double deformation, double rate, Interval interval,
                     State& trial) const requires TimeDependentLaw<Law> {
     return times(law.evaluate(committed, deformation, rate, interval, trial));
+  }
+  /// The axial force is that on all of them.
+  Response evaluate(const State& committed, double deformation, double rate, Interval interval, AxialForce axial,
+                    State& trial) const requires AxialForceLaw<Law> {
+    return times(law.evaluate(committed, deformation, rate, interval, {axial.compression / count}, trial));
   }
   double force_rate(const State& state, double deformation, double rate, double second_rate) const requires
       requires(const Law& each) {

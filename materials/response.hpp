@@ -36,6 +36,11 @@ struct Interval {
   [[nodiscard]] double path(double deformation) const { return deformation - start_deformation; }  ///< m
 };
 
+/// The force along the axis of an element, across its deformation: the weight on a bearing.
+struct AxialForce {
+  double compression = 0.0;  ///< N; negative in tension
+};
+
 /// The parts that all laws have.
 template <class Law>
 concept LawParts = std::is_trivially_copyable_v<typename Law::State> &&
@@ -60,6 +65,18 @@ concept TimeDependentLaw = LawParts<Law> && requires(const Law& law, const typen
   { law.evaluate(committed, x, x, interval, trial) } -> std::same_as<Response>;
 };
 
+/// A law that depends on the axial force as well: friction under a weight that changes. Its evaluate() gets the
+/// interval of the step and the axial force at the instant of evaluation.
+///
+///     Response evaluate(State const& committed, double deformation, double rate, Interval interval, AxialForce axial,
+///                       State& trial) const
+template <class Law>
+concept AxialForceLaw = LawParts<Law> &&
+    requires(const Law& law, const typename Law::State& committed, typename Law::State& trial, Interval interval,
+             AxialForce axial, double x) {
+  { law.evaluate(committed, x, x, interval, axial, trial) } -> std::same_as<Response>;
+};
+
 /// A force-deformation law: a value without base class that does not depend on nodes, time steps or integrators.
 /// Deformation in m, rate in m/s, force in N; springs count tension positive, contacts indentation and compression.
 ///
@@ -70,17 +87,20 @@ concept TimeDependentLaw = LawParts<Law> && requires(const Law& law, const typen
 /// dissipated_energy(from, to), the heat between two of its states, J: its rate jumps where it yields, which no
 /// quadrature over a step resolves.
 template <class Law>
-concept ForceLaw = TimeDependentLaw<Law> ||
+concept ForceLaw = TimeDependentLaw<Law> || AxialForceLaw<Law> ||
     (LawParts<Law>&& requires(const Law& law, const typename Law::State& committed, typename Law::State& trial,
                               double x) {
       { law.evaluate(committed, x, x, trial) } -> std::same_as<Response>;
     });
 
-/// Evaluates a law of either kind.
+/// Evaluates a law of any kind.
 template <ForceLaw Law>
 Response respond(const Law& law, const typename Law::State& committed, double deformation, double rate,
-                 [[maybe_unused]] Interval interval, typename Law::State& trial) {
-  if constexpr (TimeDependentLaw<Law>)
+                 [[maybe_unused]] Interval interval, typename Law::State& trial,
+                 [[maybe_unused]] AxialForce axial = {}) {
+  if constexpr (AxialForceLaw<Law>)
+    return law.evaluate(committed, deformation, rate, interval, axial, trial);
+  else if constexpr (TimeDependentLaw<Law>)
     return law.evaluate(committed, deformation, rate, interval, trial);
   else
     return law.evaluate(committed, deformation, rate, trial);

@@ -70,13 +70,15 @@ WallLaw FlexibleWall::acting_law() const {
 
 NodeId add_wall(Model& model, const FlexibleWall& wall, const std::string& name, NodeId around, Length offset) {
   wall.check(Check{"FlexibleWall", name});
-  const Node& base = model.node(around);
+  const Body& base = model.body(around);
   // For drawings only: a wall half a metre thick whose face is the clearance away from the floor's edge.
   const Length half_width = 0.25 * units::m;
-  const Length distance = offset + (offset.si() < 0.0 ? -1.0 : 1.0) * (base.half_width + half_width);
-  const NodeId node = add(
-      model,
-      Node{.name = name, .mass = wall.mass, .x = base.x + distance, .height = base.height, .half_width = half_width});
+  const Length distance = offset + (offset.si() < 0.0 ? -1.0 : 1.0) * (Length{base.half_width} + half_width);
+  const NodeId node = add(model, Node{.name = name,
+                                      .mass = wall.mass,
+                                      .x = Length{base.x} + distance,
+                                      .height = Length{base.height},
+                                      .half_width = half_width});
   wall.acting_law().add_to(model, name, node);
   if (wall.dashpot().si() > 0.0)
     add(model, ViscousDamper{.name = name + " damping", .lower = ground, .upper = node, .damping = wall.dashpot()});

@@ -77,17 +77,6 @@ bool rows_at_steps(double interval, double step) {
   return std::abs(ratio - std::round(ratio)) < 1e-9 * ratio && ratio > 0.5;
 }
 
-// The companion starts from the model before the first step. A large model is not copied where no companion will run.
-std::optional<Model> copy_for_companion(const Model& model, const GroundMotion& motion, const CaseOptions& options) {
-  if (options.error_bars == ErrorBarMode::never) return std::nullopt;
-  if (options.error_bars == ErrorBarMode::always) return model;
-  const TransientOptions& transient = options.transient;
-  const double end = transient.end.si() > 0.0 ? transient.end.si() : motion.duration();
-  const double steps = (end - model.state().time) / longest_step(transient, motion.time_step());
-  if (!companion_is_cheap(model, steps)) return std::nullopt;
-  return model;
-}
-
 std::string_view name_of(ErrorBarMode mode) {
   switch (mode) {
     case ErrorBarMode::always:
@@ -119,18 +108,11 @@ MotionFacts facts_of(const GroundMotion& motion) {
           .components = motion.components()};
 }
 
-std::vector<Touch> touches_of(const std::vector<Impact>& impacts) {
-  std::vector<Touch> touches;
-  for (const Impact& impact : impacts) touches.push_back({impact.where, impact.start, impact.approach_speed});
-  return touches;
-}
-
 }  // namespace
 
-CaseRun::CaseRun(Model& model, const GroundMotion& motion, CaseOptions options)
+CaseRun::CaseRun(const Model& model, const GroundMotion& motion, CaseOptions options)
     : options_{checked(std::move(options))},
       periods_{characteristic_periods(model)},
-      untouched_{copy_for_companion(model, motion, options_)},
       transient_{model, motion, options_.transient},
       peaks_{model},
       clearances_{model},
@@ -138,7 +120,7 @@ CaseRun::CaseRun(Model& model, const GroundMotion& motion, CaseOptions options)
           model, history_interval(options_, motion), &energy_,
           !rows_at_steps(history_interval(options_, motion), longest_step(options_.transient, motion.time_step()))} {
   histories_.share_samples_of(peaks_);
-  histories_.reserve(transient_.end_time() - model.state().time);
+  histories_.reserve(transient_.end_time());
 }
 
 void CaseRun::attach(StepObserver& observer) {
@@ -168,8 +150,7 @@ void CaseRun::run_companion() {
     about_companion_ = "No error bars: they were not wanted (CaseOptions::error_bars).";
   } else if (transient_.collapsed()) {
     about_companion_ = "No error bars: the model collapsed, and peaks of a fall depend on where it is stopped.";
-  } else if (!untouched_ ||
-             (options_.error_bars == ErrorBarMode::automatic && !companion_is_cheap(*untouched_, solves))) {
+  } else if (options_.error_bars == ErrorBarMode::automatic && !companion_is_cheap(transient_.model(), solves)) {
     about_companion_ =
         "No error bars by default for a run of this size (steps times elements). --check (in code "
         "CaseOptions::error_bars = ErrorBarMode::always) makes the second run that they need.";
@@ -177,13 +158,12 @@ void CaseRun::run_companion() {
     const TransientOptions finer = companion_options(options_.transient, spent.longest_step);
     about_companion_ = companion_description(finer);
     try {
-      companion_ = compute_peaks(*untouched_, transient_.motion(), finer, companion_observer_, stop_);
+      companion_ = compute_peaks(transient_.model(), transient_.motion(), finer, companion_observer_, stop_);
     } catch (const Error& error) {
       companion_failure_ = error.what();
       about_companion_ = "No error bars: the second run failed.";
     }
   }
-  untouched_.reset();
 }
 
 CaseResult CaseRun::result_with(Table histories) const {
@@ -194,7 +174,7 @@ CaseResult CaseRun::result_with(Table histories) const {
       .analysis = facts_of(options_),
       .motion = facts_of(motion),
       .model = facts_of(transient_.model()),
-      .scene = transient_.model().node_count() <= most_drawn_nodes ? scene_of(transient_.model()) : Scene{},
+      .scene = transient_.model().degrees_of_freedom() <= most_drawn_nodes ? scene_of(transient_.model()) : Scene{},
       .buildings = parts_of_buildings(transient_.model()),
       .periods = periods_,
       .peaks = peaks_.peaks(),
@@ -203,14 +183,14 @@ CaseResult CaseRun::result_with(Table histories) const {
       .histories = std::move(histories),
       .floor_accelerations = impacts_.impacts().empty() ? Table{} : histories_.floors(),
       .offered = offered_.list(),
-      .energy = energy_.balance(transient_.model()),
+      .energy = energy_.at_end(),
       .solver = transient_.statistics(),
       .error_bars = {},
       .warnings = transient_.warnings(),
       .assumptions = transient_.assumptions()};
   for (const auto& warnings :
        {motion_warnings(motion), model_warnings(transient_.model()), collapse_warnings(result.peaks),
-        strain_warnings(result.peaks), plan_warnings(transient_.model(), result.peaks, result.impacts),
+        strain_warnings(result.peaks), plan_warnings(transient_.state(), result.peaks, result.impacts),
         energy_warnings(result.energy, options_.warn_above_energy_error, options_.transient)})
     result.warnings.insert(result.warnings.end(), warnings.begin(), warnings.end());
   result.torsion = torsion_of(transient_.model(), result.peaks);
@@ -228,7 +208,7 @@ CaseResult CaseRun::result_with(Table histories) const {
 void CaseRun::add_errors(CaseResult& result) const {
   if (companion_) {
     const double least_share = least_share_of_errors(transient_.model(), options_.transient);
-    PeaksAndImpacts main{result.peaks, touches_of(result.impacts), result.solver, result.clearances};
+    PeaksAndImpacts main{result.peaks, result.impacts, result.solver, result.clearances};
     result.error_bars =
         estimate_errors(result.peaks, main.touches, *companion_, least_share,
                         scales_of_run(result.peaks, transient_.model(), transient_.motion(), options_.transient));
@@ -243,7 +223,7 @@ void CaseRun::add_errors(CaseResult& result) const {
                               companion_failure_);
 }
 
-CaseResult run_case(Model& model, const GroundMotion& motion, CaseOptions options) {
+CaseResult run_case(const Model& model, const GroundMotion& motion, CaseOptions options) {
   CaseRun run{model, motion, std::move(options)};
   run.run();
   return run.take_result();

@@ -49,7 +49,7 @@ struct CaseOptions {
 class CaseRun {
  public:
   /// The model must outlive the run. Throws InputError for an option outside its range.
-  CaseRun(Model& model, const GroundMotion& motion, CaseOptions options = {});
+  CaseRun(const Model& model, const GroundMotion& motion, CaseOptions options = {});
   CaseRun(const CaseRun&) = delete;
   CaseRun& operator=(const CaseRun&) = delete;
 
@@ -78,7 +78,6 @@ class CaseRun {
 
   CaseOptions options_;
   std::vector<NamedPeriod> periods_;
-  std::optional<Model> untouched_;  // for the companion
   Transient transient_;
   EnergyLedger energy_;
   PeakRecorder peaks_;
@@ -96,6 +95,6 @@ class CaseRun {
 };
 
 /// Runs one case and returns its result.
-CaseResult run_case(Model& model, const GroundMotion& motion, CaseOptions options = {});
+CaseResult run_case(const Model& model, const GroundMotion& motion, CaseOptions options = {});
 
 }  // namespace moat

@@ -8,7 +8,6 @@
 #include "base/check.hpp"
 #include "base/units.hpp"
 #include "output/files/engineering_unit.hpp"
-#include "output/recorders/gaps_of.hpp"
 
 namespace moat {
 namespace {
@@ -36,11 +35,11 @@ bool all_finite(const EnergyBalance& energy) {
 std::vector<std::string> bearings_outside(const Model& model) {
   std::vector<std::string> warnings;
   for (const auto& block : model.blocks()) {
-    const PlanarElements* planar = block->planar();
-    for (std::size_t e = 0; planar != nullptr && e < block->size(); ++e) {
+    for (std::size_t e = 0; e < block->size(); ++e) {
       const ElementInfo& info = block->info(e);
+      if (!info.acts_in_two_directions()) continue;
       const PlacedDiaphragm* floor = model.diaphragm_of(info.second);
-      const PlanVector at = planar->position(e);
+      const PlanVector at = info.plan_places()->second;
       if (!info.isolates || floor == nullptr || floor->outline.empty() || floor->outline.contains(at)) continue;
       warnings.push_back("Bearing \"" + info.name + "\" at (" + to_text(at.x) + ", " + to_text(at.y) +
                          ") m is outside the outline of \"" + floor->name + "\". Correct its position or the outline.");
@@ -53,9 +52,8 @@ std::vector<std::string> bearings_outside(const Model& model) {
 std::vector<std::string> jamming_corners(const Model& model) {
   std::vector<std::string> warnings;
   for (const auto& block : model.blocks()) {
-    const PlanContacts* contacts = block->plan_contacts();
-    for (std::size_t e = 0; contacts != nullptr && e < block->size(); ++e)
-      if (contacts->may_jam(e))
+    for (std::size_t e = 0; e < block->size(); ++e)
+      if (const CornerPair* pair = block->info(e).corner_pair(); pair != nullptr && pair->may_jam)
         warnings.push_back("\"" + block->info(e).name +
                            "\" can jam: while its corner slides, friction presses it into the edge at least as hard as "
                            "the contact pushes it back, 1/m_n <= mu |m_nt|. Give less friction, or check the rotary "
@@ -85,29 +83,29 @@ std::vector<std::string> model_warnings(const Model& model) {
     return warnings;
   }
   for (const auto& block : model.blocks())
-    for (std::size_t e = 0; has_gaps(*block) && e < block->size(); ++e) {
+    for (std::size_t e = 0; block->kind().contacts && e < block->size(); ++e) {
       const ElementInfo& info = block->info(e);
       // The right side of a gap is its first node.
       if (info.first == ground || info.second == ground) continue;
-      const Node &right = model.node(info.first), &left = model.node(info.second);
+      const Body &right = model.body(info.first), &left = model.body(info.second);
       if (left.x <= right.x) continue;
-      warnings.push_back("Gap \"" + info.name + "\": its left side \"" + left.name +
-                         "\" has x = " + to_text(left.x.si()) + " m and its right side \"" + right.name + "\" x = " +
-                         to_text(right.x.si()) + " m. Exchange .left and .right, or correct the positions.");
+      warnings.push_back("Gap \"" + info.name + "\": its left side \"" + left.name + "\" has x = " + to_text(left.x) +
+                         " m and its right side \"" + right.name + "\" x = " + to_text(right.x) +
+                         " m. Exchange .left and .right, or correct the positions.");
     }
   return warnings;
 }
 
-std::vector<std::string> plan_warnings(const Model& model, const std::vector<Peak>& peaks,
+std::vector<std::string> plan_warnings(const AnalysisState& state, const std::vector<Peak>& peaks,
                                        const std::vector<Impact>& impacts) {
   std::vector<std::string> warnings;
-  for (const auto& block : model.blocks()) {
-    const PlanContacts* contacts = block->plan_contacts();
-    for (std::size_t e = 0; contacts != nullptr && e < block->size(); ++e) {
-      const int times = contacts->times_left(e);
+  const Model& model = state.model();
+  for (std::size_t b = 0; b < model.blocks().size(); ++b) {
+    for (std::size_t e = 0; e < model.blocks()[b]->size(); ++e) {
+      const int times = state.elements(b).contact(e).departures;
       if (times == 0) continue;
       warnings.push_back(
-          "\"" + block->info(e).name + "\": the corner left its edge in contact, " + std::to_string(times) +
+          "\"" + model.blocks()[b]->info(e).name + "\": the corner left its edge in contact, " + std::to_string(times) +
           (times == 1 ? " time" : " times") +
           ". It slid past an end and was released; the energy it had stored counts as lost in the impact. "
           "Check the outline of the wall there.");

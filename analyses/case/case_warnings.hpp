@@ -18,7 +18,7 @@ std::vector<std::string> model_warnings(const Model& model);
 
 /// In plan: corners in contact that slid past the end of an edge, and rotations whose neglected second-order
 /// displacement of a corner, r theta^2/2, exceeds 1 mm or 10 % of the largest indentation.
-std::vector<std::string> plan_warnings(const Model& model, const std::vector<Peak>& peaks,
+std::vector<std::string> plan_warnings(const AnalysisState& state, const std::vector<Peak>& peaks,
                                        const std::vector<Impact>& impacts);
 
 /// A storey or an isolator that was deformed by more than 3 m, although not so far that the analysis ended

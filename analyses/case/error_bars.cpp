@@ -12,6 +12,7 @@
 #include "output/files/engineering_unit.hpp"
 #include "output/peaks/peak_recorder.hpp"
 #include "output/recorders/clearance_recorder.hpp"
+#include "output/recorders/impact_recorder.hpp"
 
 namespace moat {
 namespace {
@@ -107,17 +108,17 @@ std::vector<Peak> with_approaches(const PeaksAndImpacts& run) {
   return peaks;
 }
 
-std::map<std::string_view, std::vector<Touch>> by_gap(std::span<const Touch> touches) {
-  std::map<std::string_view, std::vector<Touch>> of_gap;
-  for (const Touch& touch : touches) of_gap[touch.where].push_back(touch);
+std::map<std::string_view, std::vector<Impact>> by_gap(std::span<const Impact> touches) {
+  std::map<std::string_view, std::vector<Impact>> of_gap;
+  for (const Impact& touch : touches) of_gap[touch.where].push_back(touch);
   return of_gap;
 }
 
 // When the speeds of an impact first differ by more than `settled_within` of the fastest approach, s; infinite if they
 // never do. Compared are impacts of gaps that have equally many in both runs, in their order.
-double divergence(std::span<const Touch> touches, std::span<const Touch> of_companion) {
+double divergence(std::span<const Impact> touches, std::span<const Impact> of_companion) {
   double fastest = 0.0;
-  for (const Touch& touch : touches) fastest = std::max(fastest, touch.approach_speed);
+  for (const Impact& touch : touches) fastest = std::max(fastest, touch.approach_speed);
   double first = std::numeric_limits<double>::infinity();
   const auto others = by_gap(of_companion);
   for (const auto& [gap, own] : by_gap(touches)) {
@@ -125,14 +126,14 @@ double divergence(std::span<const Touch> touches, std::span<const Touch> of_comp
     if (other == others.end() || other->second.size() != own.size()) continue;
     for (std::size_t i = 0; i < own.size(); ++i)
       if (std::abs(own[i].approach_speed - other->second[i].approach_speed) > settled_within * fastest)
-        first = std::min(first, own[i].time);
+        first = std::min(first, own[i].start);
   }
   return first;
 }
 
 // The impacts of a run beside those of its companion.
 struct ImpactComparison {
-  ImpactComparison(std::span<const Touch> touches, std::span<const Touch> of_companion)
+  ImpactComparison(std::span<const Impact> touches, std::span<const Impact> of_companion)
       : count{touches.size()},
         companion_count{of_companion.size()},
         diverges_at{divergence(touches, of_companion)},
@@ -216,11 +217,11 @@ std::string companion_description(const TransientOptions& companion) {
          to_text(companion.largest_step.si()) + " s.";
 }
 
-PeaksAndImpacts compute_peaks(Model& model, const GroundMotion& motion, const TransientOptions& options,
+PeaksAndImpacts compute_peaks(const Model& model, const GroundMotion& motion, const TransientOptions& options,
                               StepObserver* observer, const std::function<bool()>& stop) {
   Transient transient{model, motion, options};
   PeakRecorder peaks{model};
-  TouchRecorder touches;
+  ImpactRecorder touches{false};
   ClearanceRecorder clearances{model};
   transient.attach(peaks);
   transient.attach(touches);
@@ -228,13 +229,13 @@ PeaksAndImpacts compute_peaks(Model& model, const GroundMotion& motion, const Tr
   if (observer != nullptr) transient.attach(*observer);
   transient.run(stop);
   if (!transient.finished()) throw Error{"it was stopped."};
-  return {peaks.peaks(), touches.touches(), transient.statistics(), clearances.clearances(), transient.collapsed()};
+  return {peaks.peaks(), touches.impacts(), transient.statistics(), clearances.clearances(), transient.collapsed()};
 }
 
 ScalesOfUnits scales_of_run(const std::vector<Peak>& peaks, const Model& model, const GroundMotion& motion,
                             const TransientOptions& options) {
   ScalesOfUnits scales = largest_of_each(&Peak::unit, peaks);
-  const double mass = model.masses().sum(), pga = motion.peak_acceleration().si();
+  const double mass = model.mass_matrix().diagonal().sum(), pga = motion.peak_acceleration().si();
   const auto raise = [&](const char* unit, double scale) { return scales[unit] = std::max(scales[unit], scale); };
   const double length = raise("m", options.location_tolerance.si() / negligible_of_unit);
   const double force = raise("N", mass * pga);
@@ -250,7 +251,7 @@ ScalesOfUnits scales_of_run(const std::vector<Peak>& peaks, const Model& model, 
   return scales;
 }
 
-ErrorBars estimate_errors(std::vector<Peak>& peaks, std::span<const Touch> touches, const PeaksAndImpacts& companion,
+ErrorBars estimate_errors(std::vector<Peak>& peaks, std::span<const Impact> touches, const PeaksAndImpacts& companion,
                           double least_share, const ScalesOfUnits& scales) {
   const ImpactComparison impacts{touches, companion.touches};
   ScalesOfUnits of_unit = largest_of_each(&Peak::unit, peaks);
@@ -277,7 +278,7 @@ void estimate_clearance_errors(PeaksAndImpacts& main, const PeaksAndImpacts& com
 double least_share_of_errors(const Model& model, const TransientOptions& options) {
   const bool adapted = options.step.si() <= 0.0 && !is_exact(options.integrator);
   const bool bends = std::ranges::any_of(model.blocks(), [](const auto& block) {
-    return block->size() > 0 && block->regimes() == nullptr && !block->linear_between_events();
+    return block->size() > 0 && !block->kind().has_regimes && !block->kind().linear_between_events;
   });
   return adapted && bends ? caution::share_of_tolerance * options.tolerance : 0.0;
 }

@@ -12,7 +12,6 @@
 #include "motions/ground_motion.hpp"
 #include "output/files/case_result.hpp"
 #include "output/recorders/step_observer.hpp"
-#include "output/recorders/touch_recorder.hpp"
 
 namespace moat {
 
@@ -30,7 +29,7 @@ std::string companion_description(const TransientOptions& companion);
 /// Peaks, clearances and touches of one run, and its cost.
 struct PeaksAndImpacts {
   std::vector<Peak> peaks;                 ///< of every quantity and place
-  std::vector<Touch> touches;              ///< one for every impact
+  std::vector<Impact> touches;             ///< one for every impact
   SolverStatistics solver;                 ///< steps, iterations, seconds
   std::vector<GapClearance> clearances{};  ///< of every gap
   bool collapsed = false;                  ///< Transient::collapsed()
@@ -49,7 +48,7 @@ ScalesOfUnits scales_of_run(const std::vector<Peak>& peaks, const Model& model, 
 
 /// Runs the model and returns its peaks and touches. The observer, if any, gets every step. stop: asked before every
 /// step; true ends the run with an Error. Throws as Transient does.
-PeaksAndImpacts compute_peaks(Model& model, const GroundMotion& motion, const TransientOptions& options,
+PeaksAndImpacts compute_peaks(const Model& model, const GroundMotion& motion, const TransientOptions& options,
                               StepObserver* observer = nullptr, const std::function<bool()>& stop = {});
 
 /// Gives every peak of the main run its error: Richardson's estimate from the companion's peak, whose own error is at
@@ -65,7 +64,7 @@ PeaksAndImpacts compute_peaks(Model& model, const GroundMotion& motion, const Tr
 /// if the speeds of an impact differ by more than 1 % of the fastest approach (from then on the two runs are two
 /// motions, whose peaks may agree by chance), or if any error is not within 1 % of its peak. `touches` are those of the
 /// main run.
-ErrorBars estimate_errors(std::vector<Peak>& peaks, std::span<const Touch> touches, const PeaksAndImpacts& companion,
+ErrorBars estimate_errors(std::vector<Peak>& peaks, std::span<const Impact> touches, const PeaksAndImpacts& companion,
                           double least_share = 0.0, const ScalesOfUnits& scales = {});
 
 /// Gives every clearance of the main run its error: that of the largest approach of the two sides, estimated like the

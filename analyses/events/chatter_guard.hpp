@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "model/model.hpp"
+#include "model/analysis_state.hpp"
 
 namespace moat {
 
@@ -16,7 +16,7 @@ class ChatterGuard {
   explicit ChatterGuard(int largest_per_second) : largest_per_second_{largest_per_second} {}
 
   /// Throws Error that names the element, if one changed too often.
-  void count(const Model& model, std::span<const RegimeChange> changes);
+  void count(const AnalysisState& state, std::span<const RegimeChange> changes);
 
  private:
   int largest_per_second_;

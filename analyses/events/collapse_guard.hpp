@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "model/model.hpp"
+#include "model/analysis_state.hpp"
 
 namespace moat {
 
@@ -15,14 +15,14 @@ class CollapseGuard {
   static constexpr double largest_deformation = 100.0;  ///< m
 
   /// Looks at the committed state.
-  void look(Model& model);
+  void look(AnalysisState& state);
   /// Whether one was found.
   [[nodiscard]] bool collapsed() const { return !warning_.empty(); }
   /// Names element and time; empty without a collapse.
   [[nodiscard]] const std::string& warning() const { return warning_; }
 
  private:
-  void look_at_elements(const Model& model);
+  void look_at_elements(const AnalysisState& state);
 
   std::string warning_;
 };

@@ -33,13 +33,13 @@ struct Bracket {
 std::string nearest_element(const StepSolver& step, double h) {
   std::string name = "an element";
   double least = std::numeric_limits<double>::infinity();
-  for (const auto& block : step.model().blocks()) {
-    if (block->regimes() == nullptr || block->size() == 0) continue;
+  const Model& model = step.state().model();
+  for (std::size_t b = 0; b < model.blocks().size(); ++b) {
     RegimeScan scan;
-    block->regimes()->scan(h, step.aim(), scan);
+    step.state().elements(b).scan(h, step.aim(), scan);
     if (scan.margin >= least) continue;
     least = scan.margin;
-    name = block->info(scan.nearest).name;
+    name = model.blocks()[b]->info(scan.nearest).name;
   }
   return name;
 }
@@ -52,7 +52,7 @@ bool is_located(const RegimeScan& seen, double location_tolerance) {
 
 double locate_change(StepSolver& step, double h, RegimeScan seen) {
   const double tolerance = step.location_tolerance();
-  const double start = step.model().state().time;
+  const double start = step.state().time();
   const double shortest = 4.0 * std::numeric_limits<double>::epsilon() * (start + h);
   Bracket bracket{.before = {}, .beyond = {h, seen.margin}};
   double next = seen.fraction * h;
@@ -81,7 +81,7 @@ double locate_change(StepSolver& step, double h, RegimeScan seen) {
     if (!seen.crossed && (width <= shortest || bracket.beyond.margin >= 0.0)) return next;
     (seen.crossed ? bracket.beyond : bracket.before) = {next, seen.margin};
     // Where a margin was crossed and came back, the motion at the end of the step is not that of the change.
-    const double by_motion = seen.crossed_back ? 0.0 : next + step.model().time_to_next_change(step.aim());
+    const double by_motion = seen.crossed_back ? 0.0 : next + step.state().time_to_next_change(step.aim());
     next = bracket.contains(by_motion) ? by_motion
            : seen.crossed              ? seen.fraction * next
                                        : secant(bracket.before, bracket.beyond, step.aim());

@@ -6,13 +6,13 @@
 
 namespace moat {
 
-AccelerationCurvature::AccelerationCurvature(const Model& model) : model_{&model} {
+AccelerationCurvature::AccelerationCurvature(const AnalysisState& state) : state_{&state} {
   // Only room, so that steps need not ask for it.
-  for (Start* start : {&earlier_, &start_}) start->acceleration = start->jerk = model.state().jerk;
+  for (Start* start : {&earlier_, &start_}) start->acceleration = start->jerk = state.motion().jerk;
 }
 
 void AccelerationCurvature::add_to(Vector& guess, const StepTask& task) {
-  const MotionState& now = model_->state();
+  const MotionState& now = state_->motion();
   if (start_.time != now.time) {
     std::swap(earlier_, start_);
     if (end_ != now.time) earlier_.time = unknown;
@@ -30,8 +30,8 @@ void AccelerationCurvature::add_to(Vector& guess, const StepTask& task) {
   const double *a0 = earlier_.acceleration.data(), *j0 = earlier_.jerk.data(), *a1 = start_.acceleration.data(),
                *j1 = start_.jerk.data();
   double* __restrict first = guess.data();
-  with_ground_component(*model_, earlier_.ground_acceleration - start_.ground_acceleration,
-                        [&, count = model_->degrees_of_freedom()](const auto& of_ground) {
+  with_ground_component(state_->model(), earlier_.ground_acceleration - start_.ground_acceleration,
+                        [&, count = state_->model().degrees_of_freedom()](const auto& of_ground) {
                           for (int i = 0; i < count; ++i) {
                             const double p = a0[i] - a1[i] + of_ground(i) + length * j1[i],
                                          q = length * (j0[i] - j1[i]);

@@ -4,7 +4,7 @@
 #include <limits>
 
 #include "analyses/time_history/step_method.hpp"
-#include "model/model.hpp"
+#include "model/analysis_state.hpp"
 
 namespace moat {
 
@@ -17,7 +17,7 @@ namespace moat {
 class AccelerationCurvature {
  public:
   /// The model must be prepared and outlive this object.
-  explicit AccelerationCurvature(const Model& model);
+  explicit AccelerationCurvature(const AnalysisState& state);
 
   /// Adds this to a guess of the accelerations at the end of a step from the model's committed state, also of one that
   /// is tried again. Adds nothing where the last step given here did not end there, or was less than half as long.
@@ -30,12 +30,12 @@ class AccelerationCurvature {
 
   // A committed state from which a step began.
   struct Start {
-    double time = unknown;             // s
-    PlanVector ground_acceleration{};  // m/s^2
+    double time = unknown;               // s
+    GroundVector ground_acceleration{};  // m/s^2
     Vector acceleration, jerk;
   };
 
-  const Model* model_;
+  const AnalysisState* state_;
   Start earlier_, start_;  // of the step before, its time unknown where it did not end here; and of this one
   double end_ = unknown;   // of the step given last, s
 };

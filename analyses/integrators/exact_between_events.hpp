@@ -15,7 +15,7 @@ struct ExactBetweenEvents {
   static constexpr std::string_view name = "exact-between-events";
 
   /// Throws InputError where the model is not linear between events (ExactMethod).
-  [[nodiscard]] StepMethods methods(Model& model, const StepSettings& settings) const;
+  [[nodiscard]] StepMethods methods(AnalysisState& state, const StepSettings& settings) const;
   void check(const Check&) const {}
   [[nodiscard]] std::string description() const {
     return "Exact steps while no gap is closed; in contact: Newmark's method";

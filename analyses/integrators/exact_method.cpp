@@ -16,21 +16,23 @@ constexpr std::size_t most_systems = 256;
 
 }  // namespace
 
-ExactMethod::ExactMethod(Model& model, double longest_step, double tolerance)
-    : model_{&model},
+ExactMethod::ExactMethod(AnalysisState& state, double longest_step, double tolerance)
+    : state_{&state},
       longest_step_{longest_step},
       tolerance_{tolerance},
-      stiffness_{model.zero_matrix()},
+      stiffness_{state.zero_matrix()},
       damping_{stiffness_} {
   const Check check{"TransientOptions", ""};
-  check.that(!model.is_plan(), "integrator: ExactBetweenEvents{} takes models on a line; this one moves in plan.",
+  check.that(state.model().moves_along_x(),
+             "integrator: ExactBetweenEvents{} takes models on a line; this one moves in plan or in generalised "
+             "coordinates.",
              "Use Newmark{}, the default.");
-  check.that(model.degrees_of_freedom() <= most_degrees_of_freedom,
+  check.that(state.model().degrees_of_freedom() <= most_degrees_of_freedom,
              "integrator = ExactBetweenEvents{} is for at most " + std::to_string(most_degrees_of_freedom) +
-                 " degrees of freedom; the model has " + std::to_string(model.degrees_of_freedom()) + ".",
+                 " degrees of freedom; the model has " + std::to_string(state.model().degrees_of_freedom()) + ".",
              "Use Newmark{}.");
-  for (const auto& block : model.blocks()) {
-    if (block->size() == 0 || block->linear_between_events()) continue;
+  for (const auto& block : state.model().blocks()) {
+    if (block->size() == 0 || block->kind().linear_between_events) continue;
     const ElementInfo& info = block->info(0);
     check.that(false,
                "integrator = ExactBetweenEvents{} needs elements that are linear between located events, and \"" +
@@ -42,18 +44,21 @@ ExactMethod::ExactMethod(Model& model, double longest_step, double tolerance)
 }
 
 void ExactMethod::linearise() {
-  model_->linearise(stiffness_, damping_, forces_at_rest_);
-  const Vector& masses = model_->masses();
+  state_->linearise(stiffness_, damping_, forces_at_rest_);
+  const MassMatrix& mass = state_->model().mass_matrix();
+  const auto size = static_cast<Eigen::Index>(state_->model().degrees_of_freedom());
   auto known =
       std::ranges::find_if(systems_, [&](const LinearSystem& system) { return system.is_of(stiffness_, damping_); });
   if (known == systems_.end()) {
     if (systems_.size() == most_systems) systems_.clear();
     // The cubic through the ends of a vibration misses it by phase^4/384 of its amplitude.
     const double phase = std::pow(384.0 * cubics_within * tolerance_, 0.25);
-    known = systems_.emplace(systems_.end(), stiffness_, damping_, masses, longest_step_, std::min(0.5, phase));
+    known = systems_.emplace(systems_.end(), stiffness_, damping_, mass, Vector::Ones(size), longest_step_,
+                             std::min(0.5, phase));
   }
   system_ = &*known;
-  offset_ = -forces_at_rest_.head(masses.size()).cwiseQuotient(masses);
+  offset_ = -forces_at_rest_.head(size);
+  mass.solve(offset_.data());
 }
 
 double ExactMethod::propose() {
@@ -63,11 +68,11 @@ double ExactMethod::propose() {
 }
 
 bool ExactMethod::solve(const StepTask& task) {
-  if (std::exchange(begins_, false)) path_.begin(*system_, offset_, model_->state(), task);
-  path_.move(task.length, model_->trial());
-  model_->trial().time = task.end_time;
-  model_->evaluate();
-  model_->evaluate_rates();
+  if (std::exchange(begins_, false)) path_.begin(*system_, offset_, state_->motion(), task);
+  path_.move(task.length, state_->trial());
+  state_->trial().time = task.end_time;
+  state_->evaluate();
+  state_->evaluate_rates();
   return true;
 }
 

@@ -1,6 +1,7 @@
 // Exact steps of a model that is linear between events.
 #pragma once
 
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -8,7 +9,7 @@
 #include "analyses/integrators/linear_system.hpp"
 #include "analyses/time_history/step_method.hpp"
 #include "base/vector.hpp"
-#include "model/model.hpp"
+#include "model/analysis_state.hpp"
 
 namespace moat {
 
@@ -25,9 +26,9 @@ class ExactMethod final : public StepMethod {
   /// The model must be prepared and outlive this object. Steps are at most `longest_step` s. Throws InputError for a
   /// model with too many degrees of freedom, an element that is not linear between events, or an eigenvalue that needs
   /// thousands of steps from sample to sample.
-  ExactMethod(Model& model, double longest_step, double tolerance);
+  ExactMethod(AnalysisState& state, double longest_step, double tolerance);
 
-  bool applies() const override { return model_->contacts_going_on() == 0; }
+  bool applies() const override { return !std::isfinite(state_->shortest_contact()); }
   double propose() override;
   bool solve(const StepTask& task) override;
   void restart(bool) override { system_ = nullptr; }
@@ -37,7 +38,7 @@ class ExactMethod final : public StepMethod {
  private:
   void linearise();
 
-  Model* model_;
+  AnalysisState* state_;
   double longest_step_, tolerance_;  // s, 1
   std::vector<LinearSystem> systems_;
   const LinearSystem* system_ = nullptr;  // of the current regimes; null: not known yet

@@ -21,7 +21,8 @@ void LinearPath::begin(const LinearSystem& system, const Vector& offset, const M
   there_.resize(3 * n + 1);
   start_.head(n) = start.displacement.head(n);
   start_.segment(n, n) = h * start.velocity.head(n);
-  start_.segment(2 * n, n) = h * h * (offset.array() - step.ground_acceleration_at_start.x);
+  start_.segment(2 * n, n) =
+      h * h * (offset - step.ground_acceleration_at_start.x * system.rates().block(2 * n, 3 * n, n, 1));
   start_[3 * n] = -h * h * h * step.ground_jerk.x;
   expanded_ = false;
 }
@@ -33,7 +34,7 @@ void LinearPath::move(double h, MotionState& motion) {
   const double step = system_->step(), share = h / step;
   if (std::abs(share - 1.0) <= round_off) {
     there_.head(2 * n).noalias() = system_->over_step() * start_;
-    there_.segment(2 * n, n) = start_.segment(2 * n, n).array() + start_[3 * n];
+    there_.segment(2 * n, n) = start_.segment(2 * n, n) + start_[3 * n] * rates.block(2 * n, 3 * n, n, 1);
     there_[3 * n] = start_[3 * n];
   } else {
     go_inside(share);

@@ -5,7 +5,7 @@
 
 #include "analyses/integrators/linear_system.hpp"
 #include "analyses/time_history/step_method.hpp"
-#include "model/model.hpp"
+#include "model/analysis_state.hpp"
 
 namespace moat {
 

@@ -9,17 +9,21 @@
 
 namespace moat {
 
-LinearSystem::LinearSystem(const SparseMatrix& stiffness, const SparseMatrix& damping, const Vector& masses,
-                           double longest_step, double largest_phase)
+LinearSystem::LinearSystem(const SparseMatrix& stiffness, const SparseMatrix& damping, const MassMatrix& mass,
+                           const Vector& influence, double longest_step, double largest_phase)
     : stiffness_{stiffness}, damping_{damping}, step_{longest_step} {
-  const Eigen::Index n = masses.size();
-  const auto per_mass = masses.cwiseInverse().asDiagonal();
+  const Eigen::Index n = influence.size();
+  const auto per_mass = [&](const SparseMatrix& matrix) {
+    Eigen::MatrixXd solution{matrix};
+    for (Eigen::Index column = 0; column < n; ++column) mass.solve(solution.col(column).data());
+    return solution;
+  };
   rates_.setZero(3 * n + 1, 3 * n + 1);
   rates_.block(0, n, n, n).setIdentity();
-  rates_.block(n, 0, n, n) = -step_ * step_ * (per_mass * Eigen::MatrixXd{stiffness});
-  rates_.block(n, n, n, n) = -step_ * (per_mass * Eigen::MatrixXd{damping});
+  rates_.block(n, 0, n, n) = -step_ * step_ * per_mass(stiffness);
+  rates_.block(n, n, n, n) = -step_ * per_mass(damping);
   rates_.block(n, 2 * n, n, n).setIdentity();
-  rates_.block(2 * n, 3 * n, n, 1).setOnes();
+  rates_.block(2 * n, 3 * n, n, 1) = influence;
 
   constexpr double longest_against_fastest = 0.5;
   constexpr int most_steps = 1 << 12;

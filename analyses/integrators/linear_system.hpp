@@ -5,6 +5,7 @@
 
 #include "base/sparse_matrix.hpp"
 #include "base/vector.hpp"
+#include "model/mass_matrix.hpp"
 
 namespace moat {
 
@@ -22,11 +23,11 @@ namespace moat {
 /// Velocities are scaled by h so that exp(A), by which z is multiplied over a step, is exact to round-off.
 class LinearSystem {
  public:
-  /// Tangents of a model, with its masses in kg. The step is the longest, in s, halved until the fastest eigenvalue
-  /// times the step is at most the largest phase, 0 < phase <= 1/2. Throws InputError where 1/2 needs more than 12
-  /// halvings.
-  LinearSystem(const SparseMatrix& stiffness, const SparseMatrix& damping, const Vector& masses, double longest_step,
-               double largest_phase = 0.5);
+  /// Tangents of a model with its masses, and the displacements iota of its degrees of freedom with the ground. The
+  /// step is the longest, in s, halved until the fastest eigenvalue times the step is at most the largest phase, 0 <
+  /// phase <= 1/2. Throws InputError where 1/2 needs more than 12 halvings.
+  LinearSystem(const SparseMatrix& stiffness, const SparseMatrix& damping, const MassMatrix& mass,
+               const Vector& influence, double longest_step, double largest_phase = 0.5);
 
   /// Whether it was made of these tangents.
   [[nodiscard]] bool is_of(const SparseMatrix& stiffness, const SparseMatrix& damping) const {

@@ -8,6 +8,6 @@ namespace moat {
 
 /// Makes the methods that take its steps. The model must be prepared and outlive them. Throws InputError for a model
 /// that it cannot integrate.
-StepMethods methods_of(const Integrator& integrator, Model& model, const StepSettings& settings);
+StepMethods methods_of(const Integrator& integrator, AnalysisState& state, const StepSettings& settings);
 
 }  // namespace moat

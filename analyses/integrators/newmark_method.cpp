@@ -8,20 +8,20 @@
 
 namespace moat {
 
-NewmarkMethod::NewmarkMethod(Model& model, const StepSettings& settings, std::optional<StepScheme> scheme,
+NewmarkMethod::NewmarkMethod(AnalysisState& state, const StepSettings& settings, std::optional<StepScheme> scheme,
                              std::string description)
-    : model_{&model},
+    : state_{&state},
       settings_{settings},
       scheme_of_all_{scheme},
       description_{std::move(description)},
-      equations_{model},
+      equations_{state},
       newton_{equations_, settings.newton},
-      control_{model, settings, scheme} {
-  acceleration_.setZero(model.degrees_of_freedom());
+      control_{state, settings, scheme} {
+  acceleration_.setZero(state.model().degrees_of_freedom());
 }
 
 double NewmarkMethod::propose() {
-  const StepControl::Step step = control_.next_step(*model_);
+  const StepControl::Step step = control_.next_step(*state_);
   scheme_ = step.scheme;
   return step.length;
 }
@@ -36,7 +36,7 @@ bool NewmarkMethod::solve(const StepTask& task) {
 
 void NewmarkMethod::restart(bool touched) {
   equations_.forget();
-  control_.restart(*model_, touched);
+  control_.restart(*state_, touched);
 }
 
 void NewmarkMethod::add_costs(SolverStatistics& statistics) const {
@@ -65,7 +65,7 @@ std::vector<std::string> NewmarkMethod::warnings() const {
   // The round-off of one step; the steps together excite a vibration that is up to a thousand times as large.
   constexpr double harmful = 1e-6;
   if (control_.largest_round_off() > harmful)
-    list.push_back("The stiffness at \"" + std::string{model_->node_name(control_.place_of_round_off())} +
+    list.push_back("The stiffness at \"" + std::string{state_->model().node_name(control_.place_of_round_off())} +
                    "\" is so high that round-off is " + to_text(100.0 * control_.largest_round_off()) +
                    " % of the acceleration there in a single step, and up to a thousand times that after many. Check "
                    "the parameters of its elements; a softer spring or a rigid "
@@ -104,10 +104,10 @@ std::vector<std::string> NewmarkMethod::warnings_of_fixed_step() const {
   return list;
 }
 
-StepMethods newmark_alone(Model& model, const StepSettings& settings, std::optional<StepScheme> scheme,
+StepMethods newmark_alone(AnalysisState& state, const StepSettings& settings, std::optional<StepScheme> scheme,
                           std::string description) {
   StepMethods methods;
-  methods.by_preference.push_back(std::make_unique<NewmarkMethod>(model, settings, scheme, std::move(description)));
+  methods.by_preference.push_back(std::make_unique<NewmarkMethod>(state, settings, scheme, std::move(description)));
   return methods;
 }
 

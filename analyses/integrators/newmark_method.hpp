@@ -18,15 +18,15 @@ class NewmarkMethod final : public StepMethod {
  public:
   /// `scheme`: of every step, with its description; none: StepControl chooses one for each step. The model must be
   /// prepared and outlive this object.
-  NewmarkMethod(Model& model, const StepSettings& settings, std::optional<StepScheme> scheme = {},
+  NewmarkMethod(AnalysisState& state, const StepSettings& settings, std::optional<StepScheme> scheme = {},
                 std::string description = {});
 
   double propose() override;
   bool solve(const StepTask& task) override;
   bool judge(const StepTask& task) override {
-    return control_.accepts(*model_, task, scheme_, equations_.filtered_curve());
+    return control_.accepts(*state_, task, scheme_, equations_.filtered_curve());
   }
-  void accepted(const StepTask& task) override { control_.accepted(*model_, task.length, task.ground_acceleration); }
+  void accepted(const StepTask& task) override { control_.accepted(*state_, task.length, task.ground_acceleration); }
   void restart(bool touched) override;
 
   WorkRule work_rule() const override { return scheme_.order() > 2 ? WorkRule::quadrature : WorkRule::mean_force; }
@@ -38,7 +38,7 @@ class NewmarkMethod final : public StepMethod {
  private:
   [[nodiscard]] std::vector<std::string> warnings_of_fixed_step() const;
 
-  Model* model_;
+  AnalysisState* state_;
   StepSettings settings_;
   std::optional<StepScheme> scheme_of_all_;
   std::string description_;
@@ -52,7 +52,7 @@ class NewmarkMethod final : public StepMethod {
 };
 
 /// An analysis by this method alone.
-StepMethods newmark_alone(Model& model, const StepSettings& settings, std::optional<StepScheme> scheme = {},
+StepMethods newmark_alone(AnalysisState& state, const StepSettings& settings, std::optional<StepScheme> scheme = {},
                           std::string description = {});
 
 }  // namespace moat

@@ -9,8 +9,8 @@
 
 namespace moat {
 
-StepEquations::StepEquations(Model& model) : model_{&model}, resultants_{model}, curvature_{model} {
-  tangent_ = model.zero_matrix();
+StepEquations::StepEquations(AnalysisState& state) : state_{&state}, resultants_{state.model()}, curvature_{state} {
+  tangent_ = state.zero_matrix();
   predicted_displacement_.setZero(size());
   predicted_velocity_.setZero(size());
   scales_.setZero(size());
@@ -21,7 +21,7 @@ void StepEquations::begin(const StepTask& task, StepScheme scheme, Vector& guess
   task_ = task;
   scheme_ = scheme;
   const double h = task.length;
-  const MotionState& start = model_->state();
+  const MotionState& start = state_->motion();
   const double *u = start.displacement.data(), *v = start.velocity.data(), *a = start.acceleration.data(),
                *jerk = start.jerk.data();
   if (scheme.filters_corrections && !is_known(jerks_at_start_, jerks_at_end_))
@@ -41,7 +41,7 @@ void StepEquations::begin(const StepTask& task, StepScheme scheme, Vector& guess
         first[i] = a[i] + start_correction_[i] / (correction / h);
       }
     } else {
-      with_ground_component(*model_, task.ground_jerk, [&, count = size()](const auto& ground_jerk) {
+      with_ground_component(state_->model(), task.ground_jerk, [&, count = size()](const auto& ground_jerk) {
         for (int i = 0; i < count; ++i) {
           const double relative_jerk = jerk[i] - ground_jerk(i);
           const double shift = correction * relative_jerk;
@@ -60,13 +60,13 @@ void StepEquations::begin(const StepTask& task, StepScheme scheme, Vector& guess
     }
   }
   if (!scheme.balances_at_end()) average_start(a);
-  model_->trial().time = task.end_time;
+  state_->trial().time = task.end_time;
   if (scheme.order() == 4) curvature_.add_to(guess, task);
 }
 
 // Whether the state of a step that was completed has been committed, or its start is tried again.
 bool StepEquations::is_known(AtInstant& of_start, AtInstant& of_end) const {
-  const double now = model_->state().time;
+  const double now = state_->motion().time;
   if (of_end.time == now) std::swap(of_end, of_start);
   return of_start.time == now;
 }
@@ -78,28 +78,29 @@ bool StepEquations::has_factors_of_step() const {
 }
 
 void StepEquations::average_start(const double* acceleration) {
-  const GroundShares shares = model_->ground_shares();
-  const Vector &masses = model_->masses(), &force = model_->committed_forces();
+  const GroundColumns ground_inertia = state_->ground_inertia();
+  const Vector& force = state_->committed_forces();
   of_start_.resize(size());
+  state_->model().mass_matrix().multiply(acceleration, of_start_.data());
   for (int i = 0; i < size(); ++i)
     of_start_[i] =
-        (1.0 - scheme_.mass_share) * masses[i] * acceleration[i] +
-        (1.0 - scheme_.force_share) * (force[i] + masses[i] * shares.of(task_.ground_acceleration_at_start, i));
+        (1.0 - scheme_.mass_share) * of_start_[i] +
+        (1.0 - scheme_.force_share) * (force[i] + ground_inertia.times(task_.ground_acceleration_at_start, i));
 }
 
 void StepEquations::complete() {
   // The unknown of an averaged equation is not the acceleration at the end, but one of first order.
   if (!scheme_.balances_at_end()) {
-    averaged_at_end_ = {task_.end_time, model_->trial().acceleration};
-    balance_trial_state(*model_, task_.ground_acceleration);
+    averaged_at_end_ = {task_.end_time, state_->trial().acceleration};
+    state_->balance(task_.ground_acceleration);
   }
-  model_->evaluate_rates();
+  state_->evaluate_rates();
   balanced_scales_.swap(scales_);  // the next residual writes all of scales_
   if (scheme_.filters_corrections) filter_corrections_at_end();
   if (!scheme_.corrects_velocity) return;
   const double h = task_.length, correction = h * h / 12.0, half = scheme_.gamma * h;
-  const MotionState& start = model_->state();
-  MotionState& end = model_->trial();
+  const MotionState& start = state_->motion();
+  MotionState& end = state_->trial();
   const double *v = start.velocity.data(), *a = start.acceleration.data(), *jerk = start.jerk.data(),
                *end_acceleration = end.acceleration.data(), *end_jerk = end.jerk.data();
   double* __restrict velocity = end.velocity.data();
@@ -108,14 +109,14 @@ void StepEquations::complete() {
         scheme_.filters_corrections ? end_correction_[i] - start_correction_[i] : correction * (end_jerk[i] - jerk[i]);
     velocity[i] = v[i] + half * (a[i] + end_acceleration[i]) - corrected;
   }
-  model_->evaluate_linear_elements();
+  state_->evaluate_linear_elements();
 }
 
 // h^2/12 times relative jerks, filtered.
 void StepEquations::find_correction(const Vector& jerks, Vector& correction) {
   const double factor = task_.length * task_.length / 12.0;
   correction.resize(size());
-  with_ground_component(*model_, task_.ground_jerk, [&](const auto& ground_jerk) {
+  with_ground_component(state_->model(), task_.ground_jerk, [&](const auto& ground_jerk) {
     for (int i = 0; i < size(); ++i) correction[i] = factor * (jerks[i] - ground_jerk(i));
   });
   filter(correction, 2);
@@ -124,7 +125,9 @@ void StepEquations::find_correction(const Vector& jerks, Vector& correction) {
 void StepEquations::filter(Vector& values, int power) {
   if (!has_factors_of_step() && !factorise()) return;  // the solution of the step will fail too
   for (int count = 0; count < power; ++count) {
-    values.array() *= model_->masses().array();
+    inertia_.resize(size());
+    state_->model().mass_matrix().multiply(values.data(), inertia_.data());
+    values.swap(inertia_);
     factorisation_.solve(values);
   }
 }
@@ -132,12 +135,12 @@ void StepEquations::filter(Vector& values, int power) {
 // Results have filtered jerks.
 void StepEquations::filter_corrections_at_end() {
   const double h = task_.length;
-  const MotionState& start = model_->state();
-  MotionState& end = model_->trial();
+  const MotionState& start = state_->motion();
+  MotionState& end = state_->trial();
   jerks_at_end_ = {task_.end_time, end.jerk};
   find_correction(end.jerk, end_correction_);
   filtered_curve_.resize(size());
-  with_ground_component(*model_, task_.ground_jerk, [&](const auto& ground_jerk) {
+  with_ground_component(state_->model(), task_.ground_jerk, [&](const auto& ground_jerk) {
     for (int i = 0; i < size(); ++i) {
       const double before = jerks_at_start_.values[i], after = end.jerk[i];
       filtered_curve_[i] =
@@ -158,7 +161,7 @@ void StepEquations::forget() {
 // The trial state with these accelerations at its end.
 void StepEquations::move(const Vector& acceleration) {
   const int count = size();
-  MotionState& trial = model_->trial();
+  MotionState& trial = state_->trial();
   const double displacement_weight = scheme_.displacement_weight(task_.length),
                velocity_weight = scheme_.velocity_weight(task_.length);
   const double *a = acceleration.data(), *predicted_displacement = predicted_displacement_.data(),
@@ -176,20 +179,22 @@ void StepEquations::move(const Vector& acceleration) {
 bool StepEquations::compute_residual(const Vector& acceleration, Vector& residual) {
   const int count = size();
   move(acceleration);
-  model_->evaluate();
+  state_->evaluate();
 
   // m/s^2. Where nothing moves yet, all terms of a row vanish together, and no residual is small beside them.
   constexpr double negligible_acceleration = 1e-12;
   const double* a = acceleration.data();
-  const double* mass = model_->masses().data();
-  const double* force = model_->internal_forces().data();
+  const MassMatrix& mass_matrix = state_->model().mass_matrix();
+  const double* mass = mass_matrix.diagonal().data();
+  inertia_.resize(count);
+  mass_matrix.multiply(a, inertia_.data());
+  const double* force = state_->internal_forces().data();
   const double* balanced_scales = balanced_scales_.data();
   double* __restrict unbalanced = residual.data();
   double* __restrict scales = scales_.data();
-  const auto inertia = [&](int i) { return mass[i] * a[i]; };
+  const auto inertia = [values = inertia_.data()](int i) { return values[i]; };
   const auto inner = [&](int i) { return force[i]; };
-  with_ground_component(*model_, task_.ground_acceleration, [&](const auto& ground_acceleration) {
-    const auto load = [&](int i) { return mass[i] * ground_acceleration(i); };
+  with_ground_inertia(*state_, task_.ground_acceleration, [&](const auto& load) {
     resultants_.with([&](const auto& size) {
       for (int i = 0; i < count; ++i) {
         unbalanced[i] = inertia(i) + force[i] + load(i);
@@ -199,34 +204,34 @@ bool StepEquations::compute_residual(const Vector& acceleration, Vector& residua
     });
   });
   // A floor in plan is one place: forces that cancel in one of its directions leave round-off of those in another.
-  for (const PlacedDiaphragm& diaphragm : model_->diaphragms()) {
+  for (const PlacedDiaphragm& diaphragm : state_->model().diaphragms()) {
     const int first = diaphragm.id.x.index;
     const double largest = std::max(scales[first], scales[first + 2]);
     for (int i = first; i < first + 3; ++i) scales[i] = largest;
   }
   if (!scheme_.balances_at_end()) {
     const double mass_share = scheme_.mass_share, force_share = scheme_.force_share;
-    const GroundShares shares = model_->ground_shares();
+    const GroundColumns ground_inertia = state_->ground_inertia();
     for (int i = 0; i < count; ++i)
-      unbalanced[i] = mass_share * mass[i] * a[i] +
-                      force_share * (force[i] + mass[i] * shares.of(task_.ground_acceleration, i)) + of_start_[i];
+      unbalanced[i] = mass_share * inertia(i) +
+                      force_share * (force[i] + ground_inertia.times(task_.ground_acceleration, i)) + of_start_[i];
   }
   return true;
 }
 
 bool StepEquations::compute_jacobian() {
-  return (has_factors_of_step() && model_->tangent_version() == factorised_version_) || factorise();
+  return (has_factors_of_step() && state_->tangent_version() == factorised_version_) || factorise();
 }
 
 bool StepEquations::factorise() {
   const double velocity_weight = scheme_.force_share * scheme_.velocity_weight(task_.length),
                displacement_weight = scheme_.force_share * scheme_.displacement_weight(task_.length);
-  model_->assemble_tangent(scheme_.mass_share, velocity_weight, displacement_weight, tangent_);
+  state_->assemble_tangent(scheme_.mass_share, velocity_weight, displacement_weight, tangent_);
   factorised_ = factorisation_.factorise(tangent_);
   factorised_velocity_weight_ = velocity_weight;
   factorised_displacement_weight_ = displacement_weight;
   factorised_mass_share_ = scheme_.mass_share;
-  factorised_version_ = model_->tangent_version();
+  factorised_version_ = state_->tangent_version();
   return factorised_;
 }
 
@@ -235,11 +240,12 @@ double StepEquations::round_off(int row) const {
   // matters where net forces are small but displacements are not: at the end of a motion, and beside very stiff links.
   constexpr double last_digits = 8.0 * std::numeric_limits<double>::epsilon();
   const double weight = scheme_.displacement_weight(task_.length);
+  const MassMatrix& mass = state_->model().mass_matrix();
   double sum = 0.0;
   // The pattern is symmetric, and so are nearly all tangents: the column is used in place of the row.
   for (SparseMatrix::InnerIterator entry{tangent_, row}; entry; ++entry) {
-    const double of_stiffness = entry.value() - (entry.row() == row ? model_->masses()[row] : 0.0);
-    sum += std::abs(of_stiffness * model_->trial().displacement[entry.row()]);
+    const double of_stiffness = entry.value() - mass.at(static_cast<int>(entry.row()), row);
+    sum += std::abs(of_stiffness * state_->trial().displacement[entry.row()]);
   }
   return last_digits * sum / weight;
 }

@@ -7,7 +7,7 @@
 #include "analyses/integrators/step_scheme.hpp"
 #include "analyses/time_history/resultants.hpp"
 #include "analyses/time_history/step_method.hpp"
-#include "model/model.hpp"
+#include "model/analysis_state.hpp"
 #include "solvers/factorisation.hpp"
 #include "solvers/newton.hpp"
 
@@ -21,7 +21,7 @@ namespace moat {
 class StepEquations final : public NonlinearSystem {
  public:
   /// The model must be prepared and outlive the equations.
-  explicit StepEquations(Model& model);
+  explicit StepEquations(AnalysisState& state);
 
   /// Sets up a step from the model's committed state. `guess` := accelerations to start from: those at its start, or
   /// where the scheme knows jerks their continuation from the last step.
@@ -32,7 +32,7 @@ class StepEquations final : public NonlinearSystem {
   /// Accelerations of the committed state may have jumped: the next step follows no other.
   void forget();
 
-  int size() const override { return model_->degrees_of_freedom(); }
+  int size() const override { return state_->model().degrees_of_freedom(); }
   bool compute_residual(const Vector& acceleration, Vector& residual) override;
   const Vector& residual_scales() const override { return scales_; }
   double round_off(int row) const override;
@@ -60,13 +60,14 @@ class StepEquations final : public NonlinearSystem {
   void move(const Vector& acceleration);
   void average_start(const double* acceleration);
 
-  Model* model_;
+  AnalysisState* state_;
   Resultants resultants_;
   StepScheme scheme_;
   Factorisation factorisation_;
   SparseMatrix tangent_;
   StepTask task_;
   Vector predicted_displacement_, predicted_velocity_;
+  Vector inertia_;   // of the iterate
   Vector of_start_;  // the share of the start in averaged equations
   // Largest force of every row: of the iterate, and of the last balanced step. All terms of a row may be zero at the
   // same instant; its scale is therefore at least half of the latter.

@@ -22,33 +22,38 @@ std::vector<NodeId> isolated_nodes(const Model& model, const std::vector<Element
   return nodes;
 }
 
-std::vector<int> indices_of(const std::vector<NodeId>& nodes) {
+// All degrees of freedom of the bodies of these nodes, ascending.
+std::vector<int> indices_of(const Model& model, const std::vector<NodeId>& nodes) {
   std::vector<int> indices;
-  for (const NodeId node : nodes) indices.push_back(node.index);
+  for (const NodeId first : nodes)
+    for (const NodeId node : model.body_of(first)) indices.push_back(node.index);
   std::ranges::sort(indices);
   return indices;
 }
 
-// First period of the given nodes, all others held; infinite if they are free, 0 if there are none.
-double first_period(const SparseMatrix& stiffness, const Vector& masses, const std::vector<int>& nodes) {
-  if (nodes.empty()) return 0.0;
-  std::vector<int> position(static_cast<std::size_t>(stiffness.rows()), -1);
+// The rows and columns of these nodes.
+SparseMatrix part_of(const SparseMatrix& matrix, const std::vector<int>& nodes) {
+  std::vector<int> position(static_cast<std::size_t>(matrix.rows()), -1);
   for (std::size_t i = 0; i < nodes.size(); ++i) position[static_cast<std::size_t>(nodes[i])] = static_cast<int>(i);
   std::vector<Eigen::Triplet<double>> entries;
   for (std::size_t i = 0; i < nodes.size(); ++i)
-    for (SparseMatrix::InnerIterator entry{stiffness, nodes[i]}; entry; ++entry)
+    for (SparseMatrix::InnerIterator entry{matrix, nodes[i]}; entry; ++entry)
       if (const int row = position[static_cast<std::size_t>(entry.row())]; row >= 0)
         entries.emplace_back(row, static_cast<int>(i), entry.value());
   const auto size = static_cast<Eigen::Index>(nodes.size());
   SparseMatrix part{size, size};
   part.setFromTriplets(entries.begin(), entries.end());
-  Vector mass{size};
-  for (std::size_t i = 0; i < nodes.size(); ++i) mass[static_cast<Eigen::Index>(i)] = masses[nodes[i]];
-  return slowest_modes(part, mass, 1).front().period();
+  return part;
+}
+
+// First period of the given nodes, all others held; infinite if they are free, 0 if there are none.
+double first_period(const SparseMatrix& stiffness, const SparseMatrix& mass, const std::vector<int>& nodes) {
+  if (nodes.empty()) return 0.0;
+  return slowest_modes(part_of(stiffness, nodes), part_of(mass, nodes), 1).front().period();
 }
 
 // The first three modes, with both stiffnesses of bearings that yield; once where they are the same.
-std::vector<NamedPeriod> periods_in_plan(Model& model) {
+std::vector<NamedPeriod> periods_in_plan(const Model& model) {
   constexpr int count = 3;
   const auto named = [&](StiffnessStage stage, const char* bearings) {
     std::vector<NamedPeriod> periods;
@@ -68,11 +73,12 @@ std::vector<NamedPeriod> periods_in_plan(Model& model) {
 
 }  // namespace
 
-std::vector<NamedPeriod> characteristic_periods(Model& model, std::size_t most_buildings) {
+std::vector<NamedPeriod> characteristic_periods(const Model& model, std::size_t most_buildings) {
   if (model.is_plan()) return periods_in_plan(model);
-  model.prepare();
   const SparseMatrix initial = model.linear_stiffness(StiffnessStage::initial),
                      post_yield = model.linear_stiffness(StiffnessStage::post_yield);
+  SparseMatrix masses = model.zero_matrix();
+  model.mass_matrix().add_to(1.0, masses);
 
   std::vector<NamedPeriod> periods;
   const std::vector<Building> buildings = all_buildings(model);
@@ -83,10 +89,10 @@ std::vector<NamedPeriod> characteristic_periods(Model& model, std::size_t most_b
     const auto report = [&](const char* name, double value) {
       if (value > 0.0 && std::isfinite(value)) periods.push_back({prefix + name, value});
     };
-    const std::vector<int> nodes = indices_of(building.nodes());
-    const std::vector<int> held = indices_of(isolated_nodes(model, isolators[b]));
+    const std::vector<int> nodes = indices_of(model, building.nodes());
+    const std::vector<int> held = indices_of(model, isolated_nodes(model, isolators[b]));
     if (held.empty()) {
-      report("first mode", first_period(initial, model.masses(), nodes));
+      report("first mode", first_period(initial, masses, nodes));
       continue;
     }
     std::vector<int> superstructure;
@@ -94,14 +100,14 @@ std::vector<NamedPeriod> characteristic_periods(Model& model, std::size_t most_b
     // With the building rigid only its isolators deform: the sum of all entries of its stiffness.
     double mass = 0.0, isolation_stiffness = 0.0;
     for (const int node : nodes) {
-      mass += model.masses()[node];
+      mass += masses.col(node).sum();
       isolation_stiffness += post_yield.col(node).sum();
     }
-    report("fixed base", first_period(initial, model.masses(), superstructure));
+    report("fixed base", first_period(initial, masses, superstructure));
     if (isolation_stiffness > 0.0)
       report("isolation, rigid building", 2.0 * std::numbers::pi * std::sqrt(mass / isolation_stiffness));
-    report("first mode, post-yield bearings", first_period(post_yield, model.masses(), nodes));
-    report("first mode, initial bearings", first_period(initial, model.masses(), nodes));
+    report("first mode, post-yield bearings", first_period(post_yield, masses, nodes));
+    report("first mode, initial bearings", first_period(initial, masses, nodes));
   }
   return periods;
 }

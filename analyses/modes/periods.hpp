@@ -18,6 +18,6 @@ namespace moat {
 ///
 /// With several buildings each name starts with that of the building. Free bodies have no period and are
 /// left out. Only the first `most_buildings` are computed.
-std::vector<NamedPeriod> characteristic_periods(Model& model, std::size_t most_buildings = 8);
+std::vector<NamedPeriod> characteristic_periods(const Model& model, std::size_t most_buildings = 8);
 
 }  // namespace moat

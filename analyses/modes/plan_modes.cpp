@@ -20,34 +20,27 @@ std::string PlanMode::character() const {
   return text;
 }
 
-std::vector<PlanMode> plan_modes(Model& model, StiffnessStage stage, int count) {
+std::vector<PlanMode> plan_modes(const Model& model, StiffnessStage stage, int count) {
   const Check check{"plan_modes", ""};
   check.that(model.is_plan(), "the model moves on a line.", "Its periods are those of characteristic_periods().");
   check.that(count >= 1, "count", count, "1", ">= 1");
-  model.prepare();
   const SparseMatrix stiffness = model.linear_stiffness(stage);
-  const Vector& masses = model.masses();
-  const GroundShares shares = model.ground_shares();
-  double mass_x = 0.0, mass_y = 0.0;
-  for (int i = 0; i < masses.size(); ++i) {
-    mass_x += masses[i] * shares.x[i] * shares.x[i];
-    mass_y += masses[i] * shares.y[i] * shares.y[i];
-  }
+  const int size = model.degrees_of_freedom();
+  SparseMatrix masses = model.zero_matrix();
+  model.mass_matrix().add_to(1.0, masses);
+  const Eigen::Map<const Vector> along_x{model.ground_influence().x, size}, along_y{model.ground_influence().y, size};
+  const Vector mass_x = masses * along_x, mass_y = masses * along_y;
   std::vector<PlanMode> modes;
-  for (Mode& each : slowest_modes(stiffness, masses, std::min(count, static_cast<int>(masses.size())))) {
+  for (Mode& each : slowest_modes(stiffness, masses, std::min(count, size))) {
     PlanMode mode;
     mode.period = each.period();
-    double load_x = 0.0, load_y = 0.0;
-    for (int i = 0; i < masses.size(); ++i) {
-      const double energy = masses[i] * each.shape[i] * each.shape[i];
-      load_x += masses[i] * shares.x[i] * each.shape[i];
-      load_y += masses[i] * shares.y[i] * each.shape[i];
-      mode.along_x += energy * shares.x[i] * shares.x[i];
-      mode.along_y += energy * shares.y[i] * shares.y[i];
-    }
+    const Vector energy = each.shape.cwiseProduct(masses * each.shape);
+    mode.along_x = energy.dot(along_x.cwiseAbs2());
+    mode.along_y = energy.dot(along_y.cwiseAbs2());
     mode.rotation = std::max(1.0 - mode.along_x - mode.along_y, 0.0);
-    mode.participation_x = load_x * load_x / mass_x;
-    mode.participation_y = load_y * load_y / mass_y;
+    const double load_x = mass_x.dot(each.shape), load_y = mass_y.dot(each.shape);
+    mode.participation_x = load_x * load_x / mass_x.dot(along_x);
+    mode.participation_y = load_y * load_y / mass_y.dot(along_y);
     mode.shape = std::move(each.shape);
     modes.push_back(std::move(mode));
   }

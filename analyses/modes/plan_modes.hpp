@@ -27,6 +27,6 @@ struct PlanMode {
 
 /// The slowest modes of the model, at most `count`. `stage` says which stiffness bearings that yield have. Throws
 /// InputError for a model on a line and for count < 1, std::runtime_error where the modes cannot be computed.
-std::vector<PlanMode> plan_modes(Model& model, StiffnessStage stage, int count);
+std::vector<PlanMode> plan_modes(const Model& model, StiffnessStage stage, int count);
 
 }  // namespace moat

@@ -19,11 +19,11 @@ Bearings bearings_under(const Model& model, DiaphragmId base) {
   Bearings bearings;
   double sum = 0.0;
   for (const auto& block : model.blocks()) {
-    const PlanarElements* planar = block->planar();
-    for (std::size_t e = 0; planar != nullptr && e < block->size(); ++e) {
-      if (!block->info(e).isolates || block->info(e).second != base.x) continue;
-      const PlanVector at = planar->position(e);
-      const double stiffness = planar->linear_stiffness(e, StiffnessStage::post_yield);
+    for (std::size_t e = 0; e < block->size(); ++e) {
+      const ElementInfo& info = block->info(e);
+      if (!info.acts_in_two_directions() || !info.isolates || info.second != base.x) continue;
+      const PlanVector at = info.plan_places()->second;
+      const double stiffness = block->linear_stiffness(e, StiffnessStage::post_yield);
       bearings.positions.push_back({Length{at.x}, Length{at.y}});
       bearings.centre += stiffness * at;
       sum += stiffness;

@@ -17,8 +17,6 @@
 #include "base/sha256.hpp"
 #include "output/recorders/energy_columns.hpp"
 #include "output/recorders/energy_ledger.hpp"
-#include "study/ranks/outcome_bytes.hpp"
-#include "study/ranks/rank_engine.hpp"
 
 namespace moat {
 namespace {
@@ -75,10 +73,14 @@ class Progress {
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
-/// Outcomes that this process computes or has in its store; those of other ranks come through it.
 std::vector<CaseOutcome> compute_outcomes(const StudyCases& cases, const ComputeCase& compute,
                                           const StudyOptions& options) {
-  const std::size_t threads = threads_of(options);
+  std::vector<ComputeCase> workers(threads_of(options),
+                                   [&](const StudyCase& each) { return outcome_of(each, compute); });
+  if (options.ranks != nullptr) {
+    if (options.ranks->rank() > 0) return compute_for_first_rank(*options.ranks, cases, compute);
+    for (int rank = 1; rank < options.ranks->count(); ++rank) workers.push_back(computed_on(*options.ranks, rank));
+  }
   std::vector<CaseOutcome> outcomes =
       options.store != nullptr ? options.store->outcomes() : std::vector<CaseOutcome>(cases.count());
   const std::vector<std::size_t> numbers = open_numbers(outcomes, options);
@@ -89,32 +91,13 @@ std::vector<CaseOutcome> compute_outcomes(const StudyCases& cases, const Compute
     const StudyProgress& now = progress.finished(outcomes[number]);
     if (options.progress) options.progress(now);
   };
-  if (options.ranks != nullptr)
-    compute_as_first_rank(*options.ranks, cases, numbers, compute, finished, options.stop, threads);
-  else
-    compute_on_threads(cases, numbers, compute, finished, options.stop, threads);
+  compute_cases(cases, numbers, workers, finished, options.stop);
+  if (options.ranks != nullptr) end_work(*options.ranks, outcomes);
   return outcomes;
 }
 
-/// The outcomes of rank 0 on every rank.
-std::vector<CaseOutcome> compute_on_every_rank(const StudyCases& cases, const ComputeCase& compute,
-                                               const StudyOptions& options) {
-  Ranks& ranks = *options.ranks;
-  std::string bytes;
-  if (ranks.rank() == 0) {
-    std::vector<CaseOutcome> outcomes = compute_outcomes(cases, compute, options);
-    bytes = to_bytes(outcomes);
-    ranks.broadcast(bytes);
-    return outcomes;
-  }
-  compute_as_other_rank(ranks, cases, compute);
-  ranks.broadcast(bytes);
-  return outcomes_from_bytes(bytes);
-}
-
 StudyResult compute_study(const StudyCases& cases, const ComputeCase& compute, const StudyOptions& options) {
-  std::vector<CaseOutcome> outcomes = options.ranks != nullptr ? compute_on_every_rank(cases, compute, options)
-                                                               : compute_outcomes(cases, compute, options);
+  std::vector<CaseOutcome> outcomes = compute_outcomes(cases, compute, options);
   const bool stopped = !open_numbers(outcomes, options).empty();
   StudyResult result{cases, std::move(outcomes)};
   if (stopped) throw StudyStopped{std::move(result)};
@@ -149,12 +132,11 @@ std::string hash_of(const GroundMotion& motion) {
   add({&time_step, 1});
   add(motion.samples());
   add(motion.samples_y());
+  add(motion.samples_z());
   return sha256_of(bytes);
 }
 
-CaseOutcome outcome_of_model(Model& model, const GroundMotion& motion, const StudyOptions& options) {
-  std::optional<Model> untouched;
-  if (options.error_bars) untouched = model;
+CaseOutcome outcome_of_model(const Model& model, const GroundMotion& motion, const StudyOptions& options) {
   std::optional<EnergyLedger> energy;
   if (options.energies) energy.emplace();
   PeaksAndImpacts main = compute_peaks(model, motion, options.transient, energy ? &*energy : nullptr);
@@ -163,7 +145,7 @@ CaseOutcome outcome_of_model(Model& model, const GroundMotion& motion, const Stu
   if (options.error_bars && !main.collapsed) {
     try {
       const PeaksAndImpacts companion =
-          compute_peaks(*untouched, motion, companion_options(options.transient, main.solver.longest_step));
+          compute_peaks(model, motion, companion_options(options.transient, main.solver.longest_step));
       const double least_share = least_share_of_errors(model, options.transient);
       const ScalesOfUnits scales = scales_of_run(main.peaks, model, motion, options.transient);
       sensitive = estimate_errors(main.peaks, main.touches, companion, least_share, scales).sensitive ? 1.0 : 0.0;
@@ -186,7 +168,7 @@ CaseOutcome outcome_of_model(Model& model, const GroundMotion& motion, const Stu
   const bool collapsed = main.collapsed || !collapse_warnings(main.peaks).empty();
   record.push_back({"collapsed", "", "1", collapsed ? 1.0 : 0.0});
   if (options.error_bars) record.push_back({"sensitive", "", "1", sensitive});
-  if (energy) add_energies(outcome, energy->balance(model));
+  if (energy) add_energies(outcome, energy->at_end());
   return outcome;
 }
 
@@ -225,7 +207,7 @@ StudyResult run_study(const StudyCases& cases, const std::function<StudyModel(co
   return compute_study(cases, outcome, options);
 }
 
-StudyRecord peaks_of(Model& model, const GroundMotion& motion, const TransientOptions& options, bool error_bars) {
+StudyRecord peaks_of(const Model& model, const GroundMotion& motion, const TransientOptions& options, bool error_bars) {
   return outcome_of_model(model, motion, {.transient = options, .error_bars = error_bars}).results;
 }
 

@@ -55,8 +55,8 @@ struct StudyOptions {
   /// Only the cases from the first up to and without the last; the others stay open. Empty: all.
   std::optional<std::pair<std::size_t, std::size_t>> part{};
   /// The ranks of the job (ranks_of_this_job()); every rank calls run_study with the same cases and gets the same
-  /// result. Rank 0 has the store, progress and stop; `threads` are those of each rank, 0: one. Null: this process
-  /// alone.
+  /// result. Rank 0 has the store, progress, stop and `threads`, 0: one; the others compute one case at a time. Null:
+  /// this process alone.
   Ranks* ranks = nullptr;
   /// Whether cases that fail or do not converge are a state in the result, in place of a StudyError.
   bool keep_failures = false;
@@ -99,7 +99,7 @@ StudyResult run_study(const StudyCases& cases, const std::function<StudyModel(co
 /// The results of one case of a study: magnitudes of the peaks of one model under one motion, clearances left, the
 /// number of impacts, and `collapsed`. With error_bars also "..._error" of peaks and clearances, and "sensitive"
 /// (StudyOptions).
-StudyRecord peaks_of(Model& model, const GroundMotion& motion, const TransientOptions& options = {},
+StudyRecord peaks_of(const Model& model, const GroundMotion& motion, const TransientOptions& options = {},
                      bool error_bars = false);
 
 }  // namespace moat

@@ -18,13 +18,13 @@ constexpr double lenience_in_contact = 16.0;
 
 }  // namespace
 
-AccelerationScales::AccelerationScales(const Model& model, double lowest)
+AccelerationScales::AccelerationScales(const AnalysisState& state, double lowest)
     : lowest_{std::max(lowest, std::numeric_limits<double>::min())},
-      resultants_{model},
-      building_{connected_parts(model)},
+      resultants_{state.model()},
+      building_{connected_parts(state.model())},
       touching_(static_cast<std::size_t>(std::ranges::max(building_)) + 1, 0),
       touched_before_(touching_) {
-  values_.setConstant(model.degrees_of_freedom(), lowest_);
+  values_.setConstant(state.model().degrees_of_freedom(), lowest_);
   own_ = values_;
   outside_contact_ = values_;
   of_building_.setZero(static_cast<Eigen::Index>(touching_.size()));
@@ -33,28 +33,29 @@ AccelerationScales::AccelerationScales(const Model& model, double lowest)
     if (runs_.empty() || runs_.back().building != building) runs_.push_back({i, i, building});
     runs_.back().end = i + 1;
   }
-  const std::size_t nodes_of_contact = model.is_plan() ? 6 : 2;
+  const std::size_t nodes_of_contact = state.model().is_plan() ? 6 : 2;
   std::size_t contacts = 0;
-  for (const auto& block : model.blocks()) contacts += block->contacts() != nullptr ? block->size() : 0;
+  for (const auto& block : state.model().blocks()) contacts += block->kind().contacts ? block->size() : 0;
   raised_.reserve(nodes_of_contact * contacts);
-  regimes_changed(model);
+  regimes_changed(state);
 }
 
-void AccelerationScales::regimes_changed(const Model& model) {
+void AccelerationScales::regimes_changed(const AnalysisState& state) {
   if (!any_touching_) outside_contact_ = own_;
   touched_before_.swap(touching_);
   std::ranges::fill(touching_, 0);
   raised_.clear();
-  for (const auto& block : model.blocks()) {
-    const Contacts* contacts = block->contacts();
-    if (contacts == nullptr || contacts->touching() == 0) continue;
-    for (std::size_t e = 0; e < block->size(); ++e) {
-      const ContactView contact = contacts->contact(e);
+  const auto masses = state.model().mass_matrix().diagonal();
+  for (std::size_t b = 0; b < state.model().blocks().size(); ++b) {
+    if (!std::isfinite(state.elements(b).shortest_contact())) continue;
+    const ElementBlock& block = *state.model().blocks()[b];
+    for (std::size_t e = 0; e < block.size(); ++e) {
+      const ContactView contact = state.elements(b).contact(e);
       if (!contact.touching) continue;
-      for (const NodeId end : {block->info(e).first, block->info(e).second})
-        for (const NodeId node : model.body_of(end)) {
+      for (const NodeId end : {block.info(e).first, block.info(e).second})
+        for (const NodeId node : state.model().body_of(end)) {
           touching_[static_cast<std::size_t>(building_[static_cast<std::size_t>(node.index)])] = 1;
-          raised_.push_back({node.index, lenience_in_contact * contact.expected_force / model.mass(node)});
+          raised_.push_back({node.index, lenience_in_contact * contact.expected_force / masses[node.index]});
         }
     }
   }
@@ -91,17 +92,17 @@ void AccelerationScales::raise_to_building() {
   }
 }
 
-void AccelerationScales::accepted(const Model& model, double h, PlanVector ground_acceleration) {
+void AccelerationScales::accepted(const AnalysisState& state, double h, GroundVector ground_acceleration) {
   if (h != step_of_fade_) {
     step_of_fade_ = h;
     fade_ = std::exp(-h / seconds_to_fade);
   }
   const double fade = fade_;
-  const int count = model.degrees_of_freedom();
-  const double* acceleration = model.state().acceleration.data();
+  const int count = state.model().degrees_of_freedom();
+  const double* acceleration = state.motion().acceleration.data();
   double* __restrict values = own_.data();
   double* __restrict outside = outside_contact_.data();
-  with_ground_component(model, ground_acceleration, [&, lowest = lowest_](const auto& of_ground) {
+  with_ground_component(state.model(), ground_acceleration, [&, lowest = lowest_](const auto& of_ground) {
     const auto absolute = [&](int i) { return acceleration[i] + of_ground(i); };
     resultants_.with([&](const auto& size) {
       for (int i = 0; i < count; ++i) values[i] = std::max(std::max(values[i] * fade, lowest), size(i, absolute));

@@ -5,7 +5,7 @@
 
 #include "analyses/time_history/resultants.hpp"
 #include "base/vector.hpp"
-#include "model/model.hpp"
+#include "model/analysis_state.hpp"
 
 namespace moat {
 
@@ -21,12 +21,12 @@ namespace moat {
 class AccelerationScales {
  public:
   /// lowest >= 0: no scale is below this, m/s^2.
-  AccelerationScales(const Model& model, double lowest);
+  AccelerationScales(const AnalysisState& state, double lowest);
 
   /// Contacts may have begun or ended.
-  void regimes_changed(const Model& model);
+  void regimes_changed(const AnalysisState& state);
   /// A step of h s was committed.
-  void accepted(const Model& model, double h, PlanVector ground_acceleration);
+  void accepted(const AnalysisState& state, double h, GroundVector ground_acceleration);
 
   /// The scale of every node, m/s^2, > 0.
   [[nodiscard]] const Vector& values();

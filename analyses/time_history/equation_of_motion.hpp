@@ -1,26 +1,29 @@
 // M a + f = -M iota a_g, term by term.
 #pragma once
 
-#include "base/plan_vector.hpp"
-#include "model/model.hpp"
+#include "base/ground_vector.hpp"
+#include "model/analysis_state.hpp"
 
 namespace moat {
 
-/// Calls use(component), where component(i) is the component of a vector of the ground, an acceleration for example,
-/// along degree of freedom i. On a line it is the same for all, which saves loops the look at two shares. The model
-/// must be prepared.
+/// Calls use(component), where component(i) is the displacement of degree of freedom i when the ground moves by a
+/// vector and nothing deforms, iota u_g; of accelerations for example. Where all degrees of freedom move along x it is
+/// the same for all, which saves loops the look at three shares.
 template <class Use>
-void with_ground_component(const Model& model, PlanVector vector, const Use& use) {
-  if (model.is_plan())
-    use([vector, shares = model.ground_shares()](int i) { return shares.of(vector, i); });
-  else
+void with_ground_component(const Model& model, GroundVector vector, const Use& use) {
+  if (model.moves_along_x())
     use([value = vector.x](int) { return value; });
+  else
+    use([vector, influence = model.ground_influence()](int i) { return influence.times(vector, i); });
 }
 
-/// Sets the accelerations of the trial state to those that balance its forces, after Model::evaluate().
-void balance_trial_state(Model& model, PlanVector ground_acceleration);
-
-/// Computes accelerations and jerks of the committed state from its forces, for the start and after events.
-void balance_committed_state(Model& model, PlanVector ground_acceleration);
+/// Calls use(force), where force(i) is the force on degree of freedom i for an acceleration of the ground, M iota a_g.
+template <class Use>
+void with_ground_inertia(const AnalysisState& state, GroundVector acceleration, const Use& use) {
+  if (state.model().moves_along_x())
+    use([value = acceleration.x, inertia = state.ground_inertia().x](int i) { return inertia[i] * value; });
+  else
+    use([acceleration, inertia = state.ground_inertia()](int i) { return inertia.times(acceleration, i); });
+}
 
 }  // namespace moat

@@ -33,7 +33,7 @@ std::vector<bool> loose_in_plan(const Model& model) {
 std::string subject(const Model& model, const std::vector<int>& part, int number, const std::string& verb) {
   constexpr std::size_t most = 4;
   std::vector<std::string> names;
-  for (int i = 0; i < model.node_count(); ++i)
+  for (int i = 0; i < model.degrees_of_freedom(); ++i)
     if (part[static_cast<std::size_t>(i)] == number && model.body_of(NodeId{i}).front() == NodeId{i})
       names.emplace_back(model.body_name(NodeId{i}));
   if (names.size() > most) names = {names[0], names[1], names[2], std::to_string(names.size() - 3) + " more"};
@@ -44,8 +44,8 @@ std::string subject(const Model& model, const std::vector<int>& part, int number
 
 // Whether one of the two bodies of a gap stands inside the other.
 bool encloses(const Model& model, const ElementInfo& gap) {
-  const Node &a = model.node(gap.first), &b = model.node(gap.second);
-  return std::abs(a.x.si() - b.x.si()) < std::abs(a.half_width.si() - b.half_width.si());
+  const Body &a = model.body(gap.first), &b = model.body(gap.second);
+  return std::abs(a.x - b.x) < std::abs(a.half_width - b.half_width);
 }
 
 std::string sides_of(const Model& model, const ElementInfo& gap) {
@@ -68,22 +68,23 @@ bool agree_until(double time, const GroundMotion& one, const GroundMotion& other
 
 }  // namespace
 
-void check_held(const Model& model) {
+void check_held(const AnalysisState& state) {
+  const Model& model = state.model();
   const std::vector<int> part = connected_parts(model);
   const auto part_of = [&](int node) { return static_cast<std::size_t>(part[static_cast<std::size_t>(node)]); };
   std::vector<bool> held(part.size(), false), loose(part.size(), false), free(part.size(), false);
   for (const auto& block : model.blocks())
-    for (std::size_t e = 0; block->contacts() == nullptr && e < block->size(); ++e) {
+    for (std::size_t e = 0; !block->kind().contacts && e < block->size(); ++e) {
       const NodeId first = block->info(e).first, second = block->info(e).second;
       if ((first.index < 0) != (second.index < 0)) held[part_of(std::max(first.index, second.index))] = true;
     }
   const std::vector<bool> loose_nodes = model.is_plan() ? loose_in_plan(model) : std::vector<bool>(part.size(), false);
-  for (int i = 0; i < model.node_count(); ++i) {
+  for (int i = 0; i < model.degrees_of_freedom(); ++i) {
     if (loose_nodes[static_cast<std::size_t>(i)]) loose[part_of(i)] = true;
-    if (model.node(NodeId{i}).free || model.velocity(NodeId{i}) != 0.0) free[part_of(i)] = true;
+    if (model.body(NodeId{i}).free || state.velocity(NodeId{i}) != 0.0) free[part_of(i)] = true;
   }
   const Check check{"Model", ""};
-  for (int i = 0; i < model.node_count(); ++i) {
+  for (int i = 0; i < model.degrees_of_freedom(); ++i) {
     const std::size_t number = part_of(i);
     if (free[number] || (held[number] && !loose[number])) continue;
     const int number_of_part = part[static_cast<std::size_t>(i)];
@@ -99,14 +100,14 @@ void check_held(const Model& model) {
 }
 
 void check_gap_directions(const Model& model) {
-  std::vector<int> body(static_cast<std::size_t>(model.node_count()));
-  for (int i = 0; i < model.node_count(); ++i) body[static_cast<std::size_t>(i)] = -1 - i;
+  std::vector<int> body(static_cast<std::size_t>(model.degrees_of_freedom()));
+  for (int i = 0; i < model.degrees_of_freedom(); ++i) body[static_cast<std::size_t>(i)] = -1 - i;
   for (std::size_t b = 0; b < model.buildings().size(); ++b)
     for (const NodeId node : model.buildings()[b].nodes())
       body[static_cast<std::size_t>(node.index)] = static_cast<int>(b);
   std::map<std::pair<int, int>, const ElementInfo*> known;  // by the bodies on the left and on the right
   for (const auto& block : model.blocks())
-    for (std::size_t e = 0; block->contacts() != nullptr && !model.is_plan() && e < block->size(); ++e) {
+    for (std::size_t e = 0; block->kind().contacts && !model.is_plan() && e < block->size(); ++e) {
       const ElementInfo& gap = block->info(e);
       if (gap.first == ground || gap.second == ground) continue;
       const int right = body[static_cast<std::size_t>(gap.first.index)],
@@ -123,18 +124,21 @@ void check_gap_directions(const Model& model) {
     }
 }
 
-void check_motion(const Model& model, const GroundMotion& motion, double end) {
+void check_start(const Model& model, const AnalysisState& state, const GroundMotion& motion, double end) {
   const Check check{"Transient", motion.name()};
-  const double now = model.state().time;
-  const std::string stands = "the model stands at t = " + to_text(now) + " s";
-  const GroundMotion* former = model.state().ground_motion.get();
+  check.that(&state.model() == &model && state.fits_model(),
+             "the state is that of another model, or of this one before something was added to it.",
+             "Give a state that an analysis of this model reached, or none.");
+  const double now = state.time();
+  const std::string stands = "the state stands at t = " + to_text(now) + " s";
+  const GroundMotion* former = state.ground_motion();
   check.that(now <= 0.0 || former == nullptr || agree_until(now, *former, motion),
              stands + " under other accelerations of the ground, those of \"" +
                  (former != nullptr ? former->name() : "") + "\".",
-             "Copy the model before its first analysis, and give every motion a copy. For shocks one after the other "
-             "give one motion, joined({first, second}, 20 * s).");
+             "Make a Transient without a state, which starts at rest. For shocks one after the other give one motion, "
+             "joined({first, second}, 20 * s).");
   check.that(now < end, stands + ", and the analysis ends at " + to_text(end) + " s.",
-             "Copy the model before its first analysis to use it again, or give a later TransientOptions::end.");
+             "Make a Transient without a state, which starts at rest, or give a later TransientOptions::end.");
   check.that(model.is_plan() || !motion.has_two_components(),
              "the motion has two components, and the model moves on a line.",
              "Give one component, or make the model of diaphragms.");

@@ -23,7 +23,7 @@ struct Entries {
 
 Resultants::Resultants(const Model& model) {
   if (!model.is_plan()) return;
-  for (int i = 0; i < model.node_count(); ++i) partners_.push_back(i);
+  for (int i = 0; i < model.degrees_of_freedom(); ++i) partners_.push_back(i);
   for (const PlacedDiaphragm& diaphragm : model.diaphragms()) {
     partners_[static_cast<std::size_t>(diaphragm.id.x.index)] = diaphragm.id.y.index;
     partners_[static_cast<std::size_t>(diaphragm.id.y.index)] = diaphragm.id.x.index;

@@ -20,21 +20,22 @@ double change_by_doubling(StepScheme scheme) { return scheme.order() > 2 ? 8.0 :
 
 }  // namespace
 
-StepControl::StepControl(const Model& model, const StepSettings& settings, std::optional<StepScheme> scheme)
+StepControl::StepControl(const AnalysisState& state, const StepSettings& settings, std::optional<StepScheme> scheme)
     : settings_{settings},
       scheme_of_all_{scheme},
-      resultants_{model},
-      scales_{model, least_share_of_ground * settings.peak_ground_acceleration} {
-  SparseMatrix matrix = model.linear_stiffness(StiffnessStage::initial);
-  const Vector stiffness = resultants_.row_sums(matrix).cwiseQuotient(model.masses());
+      resultants_{state.model()},
+      scales_{state, least_share_of_ground * settings.peak_ground_acceleration} {
+  SparseMatrix matrix = state.model().linear_stiffness(StiffnessStage::initial);
+  const MassMatrix& mass = state.model().mass_matrix();
+  const Vector stiffness = mass.largest_accelerations(resultants_.row_sums(matrix));
   stiffest_squared_ = stiffness.maxCoeff();
   constexpr double last_digits = 4.0 * std::numeric_limits<double>::epsilon();
   round_off_per_displacement_ = last_digits * stiffness;
-  model.assemble_tangent(0.0, 1.0, 0.0, matrix);
-  most_damped_ = resultants_.row_sums(matrix).cwiseQuotient(model.masses()).maxCoeff();
+  state.assemble_tangent(0.0, 1.0, 0.0, matrix);
+  most_damped_ = mass.largest_accelerations(resultants_.row_sums(matrix)).maxCoeff();
   for (int halvings = 0; halvings <= settings_.max_halvings; ++halvings)
     steps_.push_back(std::ldexp(settings_.longest_step, -halvings));
-  restart(model, false);
+  restart(state, false);
 }
 
 // Longest step inside the bound of stability of the fourth-order scheme, during a contact of this duration: h w <= 1.8
@@ -51,8 +52,8 @@ double StepControl::stable_damped_step() const {
   return of_damping / std::max(most_damped_, std::numeric_limits<double>::min());
 }
 
-StepControl::Step StepControl::next_step(const Model& model) {
-  const double contact = model.shortest_contact();
+StepControl::Step StepControl::next_step(const AnalysisState& state) {
+  const double contact = state.shortest_contact();
   if (!adaptive()) {
     fewest_steps_per_contact_ = std::min(fewest_steps_per_contact_, contact / settings_.fixed_step);
     return {settings_.fixed_step, scheme_of_all_.value_or(StepScheme::average_acceleration())};
@@ -92,12 +93,12 @@ StepControl::Step StepControl::next_step(const Model& model) {
 }
 
 // Largest error of all nodes, divided by the tolerance.
-double StepControl::error_of(const Model& model, const StepTask& step, StepScheme scheme,
+double StepControl::error_of(const AnalysisState& state, const StepTask& step, StepScheme scheme,
                              const double* filtered_curve) {
   // For an equal estimate the error of average acceleration is larger: its error of period equals the estimate.
   constexpr double stricter_at_second_order = 8.0;
-  const int count = model.degrees_of_freedom();
-  const MotionState &start = model.state(), &end = model.trial();
+  const int count = state.model().degrees_of_freedom();
+  const MotionState &start = state.motion(), &end = state.trial();
   const double *a0 = start.acceleration.data(), *a1 = end.acceleration.data(), *j0 = start.jerk.data(),
                *j1 = end.jerk.data(), *u1 = end.displacement.data(), *scales = scales_.values().data(),
                *round_off_per_displacement = round_off_per_displacement_.data();
@@ -105,11 +106,12 @@ double StepControl::error_of(const Model& model, const StepTask& step, StepSchem
   const bool fourth_order = scheme.order() > 2;
   // The parabola and the cubic may agree by chance where a force has a corner inside the step. The jump of the jerk
   // still shows the corner, and the model knows the force that is lost where a path turns.
-  const UnlocatedCorners corners = model.find_corners(lost_forces_);
+  const UnlocatedCorners corners = state.find_corners(lost_forces_);
   const double of_jump = !fourth_order || corners.jump ? h : 0.0, of_curve = fourth_order ? 1.0 : 0.0;
-  const double *lost = lost_forces_.data(), *masses = model.masses().data();
+  if (corners.turn) state.model().mass_matrix().solve(lost_forces_.data());
+  const double* lost = lost_forces_.data();
   double largest = 0.0;
-  with_ground_component(model, h * step.ground_jerk, [&](const auto& rise_of_ground) {
+  with_ground_component(state.model(), h * step.ground_jerk, [&](const auto& rise_of_ground) {
     const auto curve = [&](int i) {
       if (filtered_curve != nullptr) return filtered_curve[i];
       return 2.0 * (a1[i] - a0[i] + rise_of_ground(i)) - h * (j0[i] + j1[i]);
@@ -118,9 +120,9 @@ double StepControl::error_of(const Model& model, const StepTask& step, StepSchem
       return filtered_curve != nullptr && !fourth_order ? filtered_curve[i] / h : j1[i] - j0[i];
     };
     const auto displacement = [&](int i) { return u1[i]; };
-    const auto lost_acceleration = [&](int i) { return lost[i] / masses[i]; };
-    const GroundShares shares = model.ground_shares();
-    const auto acceleration = [&](int i) { return a1[i] + shares.of(step.ground_acceleration, i); };
+    const auto lost_acceleration = [&](int i) { return lost[i]; };
+    const GroundColumns shares = state.model().ground_influence();
+    const auto acceleration = [&](int i) { return a1[i] + shares.times(step.ground_acceleration, i); };
     resultants_.with([&](const auto& size) {
       for (int i = 0; i < count; ++i) {
         double difference = std::max(of_curve * size(i, curve), of_jump * size(i, jump)) / 12.0;
@@ -136,10 +138,11 @@ double StepControl::error_of(const Model& model, const StepTask& step, StepSchem
   return (fourth_order ? 1.0 : stricter_at_second_order) * largest / settings_.tolerance;
 }
 
-bool StepControl::accepts(const Model& model, const StepTask& step, StepScheme scheme, const double* filtered_curve) {
+bool StepControl::accepts(const AnalysisState& state, const StepTask& step, StepScheme scheme,
+                          const double* filtered_curve) {
   if (!adaptive() || ramp_ > 0) return true;
   const double h = step.length;
-  const double error = error_of(model, step, scheme, filtered_curve);
+  const double error = error_of(state, step, scheme, filtered_curve);
   constexpr double repeat_above = 2.0;
   if (error > repeat_above && step_at(settings_.max_halvings) < 0.5 * h) {
     // The repeated step must be shorter than h. In contact or for stability h may be shorter than the nominal step.
@@ -162,23 +165,23 @@ bool StepControl::accepts(const Model& model, const StepTask& step, StepScheme s
   return true;
 }
 
-void StepControl::accepted(const Model& model, double h, PlanVector ground_acceleration) {
+void StepControl::accepted(const AnalysisState& state, double h, GroundVector ground_acceleration) {
   if (!adaptive()) return;
   since_event_ += h;
-  scales_.accepted(model, h, ground_acceleration);
-  watch_round_off(model);
+  scales_.accepted(state, h, ground_acceleration);
+  watch_round_off(state);
   // The ramp after a touch does not count steps cut short by a sample of the motion: the jerk behind one that is short
   // enough is still that of the touch, which is infinite for some laws.
   constexpr double whole = 0.25;
   if (h >= whole * planned_) ramp_ = std::max(ramp_ - 1, 0);
 }
 
-void StepControl::watch_round_off(const Model& model) {
+void StepControl::watch_round_off(const AnalysisState& state) {
   constexpr double harmless_squared_frequency = 1e10;  // 1/s^2
   if (stiffest_squared_ < harmless_squared_frequency) return;
-  const Vector& displacement = model.state().displacement;
+  const Vector& displacement = state.motion().displacement;
   resultants_.with([&](const auto& size) {
-    for (int i = 0; i < model.degrees_of_freedom(); ++i) {
+    for (int i = 0; i < state.model().degrees_of_freedom(); ++i) {
       // A displacement has a relative error of about epsilon; times stiffness over mass this is an error of
       // acceleration.
       const double share =
@@ -190,13 +193,13 @@ void StepControl::watch_round_off(const Model& model) {
   });
 }
 
-void StepControl::restart(const Model& model, bool touched) {
+void StepControl::restart(const AnalysisState& state, bool touched) {
   if (touched)
     ramp_ = at_touch;
   else if (ramp_ < at_touch)  // a whole step was taken since the touch
     ramp_ = 0;
   since_event_ = 0.0;
-  if (adaptive()) scales_.regimes_changed(model);
+  if (adaptive()) scales_.regimes_changed(state);
 }
 
 }  // namespace moat

@@ -9,7 +9,7 @@
 #include "analyses/time_history/acceleration_scales.hpp"
 #include "analyses/time_history/resultants.hpp"
 #include "analyses/time_history/step_method.hpp"
-#include "model/model.hpp"
+#include "model/analysis_state.hpp"
 
 namespace moat {
 
@@ -49,20 +49,20 @@ class StepControl {
   };
 
   /// `scheme`: of every step; none: chosen here. The model must be complete.
-  StepControl(const Model& model, const StepSettings& settings, std::optional<StepScheme> scheme);
+  StepControl(const AnalysisState& state, const StepSettings& settings, std::optional<StepScheme> scheme);
 
   /// Whether lengths follow from errors.
   [[nodiscard]] bool adaptive() const { return settings_.fixed_step <= 0.0; }
   /// The step to try next from the committed state.
-  [[nodiscard]] Step next_step(const Model& model);
+  [[nodiscard]] Step next_step(const AnalysisState& state);
   /// Judges the trial state that a step of this scheme led to. `filtered_curve`: of a scheme that has it
   /// (StepEquations::filtered_curve). False: repeat with next_step(), which is shorter.
-  [[nodiscard]] bool accepts(const Model& model, const StepTask& step, StepScheme scheme,
+  [[nodiscard]] bool accepts(const AnalysisState& state, const StepTask& step, StepScheme scheme,
                              const double* filtered_curve = nullptr);
   /// The trial state was committed.
-  void accepted(const Model& model, double h, PlanVector ground_acceleration);
+  void accepted(const AnalysisState& state, double h, GroundVector ground_acceleration);
   /// Elements changed their regime at the committed state, or the ground stopped; `touched` if a gap closed.
-  void restart(const Model& model, bool touched);
+  void restart(const AnalysisState& state, bool touched);
 
   /// Fewest steps any contact was divided into so far; infinite without contact.
   [[nodiscard]] double fewest_steps_per_contact() const { return fewest_steps_per_contact_; }
@@ -79,9 +79,9 @@ class StepControl {
   [[nodiscard]] double step_at(int halvings) const { return steps_[static_cast<std::size_t>(halvings)]; }
   [[nodiscard]] double stable_step(double contact) const;
   [[nodiscard]] double stable_damped_step() const;
-  [[nodiscard]] double error_of(const Model& model, const StepTask& step, StepScheme scheme,
+  [[nodiscard]] double error_of(const AnalysisState& state, const StepTask& step, StepScheme scheme,
                                 const double* filtered_curve);
-  void watch_round_off(const Model& model);
+  void watch_round_off(const AnalysisState& state);
 
   StepSettings settings_;
   std::optional<StepScheme> scheme_of_all_;

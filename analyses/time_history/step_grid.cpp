@@ -45,7 +45,7 @@ bool StepGrid::reaches_end_of_motion(double time) const {
 
 bool StepGrid::end_motion() {
   motion_ended_ = true;
-  return std::exchange(ground_, PlanVector{}) != PlanVector{};
+  return std::exchange(ground_, GroundVector{}) != GroundVector{};
 }
 
 }  // namespace moat

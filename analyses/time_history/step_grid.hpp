@@ -19,7 +19,7 @@ class StepGrid {
   /// Whether a time in s is the end, but for round-off.
   [[nodiscard]] bool finished(double time) const { return time >= end_ * (1.0 - 1e-12); }
   /// The ground's acceleration at the committed state, m/s^2.
-  [[nodiscard]] PlanVector ground_acceleration() const { return ground_; }
+  [[nodiscard]] GroundVector ground_acceleration() const { return ground_; }
 
   /// The step from `time` to the next multiple of `length`, s.
   [[nodiscard]] StepTask next_step(double time, double length) const;
@@ -39,7 +39,7 @@ class StepGrid {
 
   const GroundMotion* motion_;
   double end_;
-  PlanVector ground_;
+  GroundVector ground_;
   bool motion_ended_ = false;
 };
 

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "base/plan_vector.hpp"
-#include "model/model.hpp"
+#include "base/ground_vector.hpp"
+#include "model/analysis_state.hpp"
 #include "output/files/case_result.hpp"
 #include "solvers/newton.hpp"
 
@@ -14,12 +14,12 @@ namespace moat {
 
 /// A step from the committed state.
 struct StepTask {
-  double length = 0.0;                        ///< h > 0 s
-  double end_time = 0.0;                      ///< s
-  PlanVector ground_acceleration{};           ///< m/s^2, at the end
-  PlanVector ground_jerk{};                   ///< m/s^3, mean of the step; used by schemes that correct the velocity
-  PlanVector ground_acceleration_at_start{};  ///< m/s^2
-  double start_time = 0.0;                    ///< s
+  double length = 0.0;                          ///< h > 0 s
+  double end_time = 0.0;                        ///< s
+  GroundVector ground_acceleration{};           ///< m/s^2, at the end
+  GroundVector ground_jerk{};                   ///< m/s^3, mean of the step; used by schemes that correct the velocity
+  GroundVector ground_acceleration_at_start{};  ///< m/s^2
+  double start_time = 0.0;                      ///< s
 };
 
 /// The part of TransientOptions and of the motion that steps need.
@@ -40,8 +40,9 @@ struct StepSettings {
 
 /// A method of integration. An analysis (Transient) has one or several, in order of preference. The first that applies
 /// takes the step: propose(), solve(), and judge(), from propose() again where judge() returns false. The step is then
-/// looked through for events, which may call solve() with shorter parts of it, and committed. All methods are told of
-/// every step, whoever took it. A method does not depend on observers, files or the location of events.
+/// looked through for events, which may call solve() with shorter parts of it, and committed. Every method hears of
+/// every step, also of those that another one took. A method does not depend on observers, files or the location of
+/// events.
 class StepMethod {
  public:
   virtual ~StepMethod() = default;

@@ -7,8 +7,9 @@
 
 namespace moat {
 
-StepSolver::StepSolver(Model& model, const StepSettings& settings, const StepGrid& grid, SolverStatistics& statistics)
-    : model_{&model},
+StepSolver::StepSolver(AnalysisState& state, const StepSettings& settings, const StepGrid& grid,
+                       SolverStatistics& statistics)
+    : state_{&state},
       grid_{&grid},
       statistics_{&statistics},
       location_tolerance_{settings.location_tolerance},
@@ -18,7 +19,7 @@ StepSolver::StepSolver(Model& model, const StepSettings& settings, const StepGri
 double StepSolver::solve_next(StepMethod& method) {
   method_ = &method;
   for (;; ++statistics_->repeated_steps) {
-    whole_ = grid_->next_step(model_->state().time, method.propose());
+    whole_ = grid_->next_step(state_->motion().time, method.propose());
     const double h = solve_cutting(whole_.length);
     if (method.judge(first_part(h))) return h;
   }
@@ -40,8 +41,8 @@ double StepSolver::solve_cutting(double h) {
 
 void StepSolver::give_up(double h) const {
   const NewtonReport report = method_->imbalance();
-  const std::string worst{model_->node_name(NodeId{report.worst_degree_of_freedom})};
-  const double time = model_->state().time;
+  const std::string worst{state_->model().node_name(NodeId{report.worst_degree_of_freedom})};
+  const double time = state_->motion().time;
   throw ConvergenceError{"The step from t = " + to_text(time) + " s did not converge although it was cut to " +
                              to_text(h) + " s: the forces are out of balance by " + to_text(report.residual) +
                              " of the largest force there (allowed: " + to_text(force_tolerance_) + "), worst at \"" +

@@ -3,7 +3,7 @@
 
 #include "analyses/time_history/step_grid.hpp"
 #include "analyses/time_history/step_method.hpp"
-#include "model/model.hpp"
+#include "model/analysis_state.hpp"
 #include "output/files/case_result.hpp"
 
 namespace moat {
@@ -13,7 +13,7 @@ namespace moat {
 class StepSolver {
  public:
   /// All must outlive this object.
-  StepSolver(Model& model, const StepSettings& settings, const StepGrid& grid, SolverStatistics& statistics);
+  StepSolver(AnalysisState& state, const StepSettings& settings, const StepGrid& grid, SolverStatistics& statistics);
 
   /// Solves the next step by this method: one of the length that it proposes, or a shorter one where that does not
   /// converge or the method judges its error too large. Returns the length of the trial step, s.
@@ -30,21 +30,21 @@ class StepSolver {
   double solve_cutting(double h);
   /// Changes of regime in the trial step of length h. The aim is the middle of the band of margins in which a located
   /// step may end, beyond the change and not before it.
-  [[nodiscard]] RegimeScan scan(double h) const { return model_->scan_regimes(h, aim()); }
+  [[nodiscard]] RegimeScan scan(double h) const { return state_->scan_regimes(h, aim()); }
   /// m, < 0.
   [[nodiscard]] double aim() const { return -0.5 * location_tolerance_; }
   /// m, > 0: the band of margins in which a located step ends.
   [[nodiscard]] double location_tolerance() const { return location_tolerance_; }
 
   /// The model as given.
-  [[nodiscard]] Model& model() const { return *model_; }
+  [[nodiscard]] AnalysisState& state() const { return *state_; }
   /// Counts of the steps solved here.
   [[nodiscard]] SolverStatistics& statistics() const { return *statistics_; }
 
  private:
   [[noreturn]] void give_up(double h) const;
 
-  Model* model_;
+  AnalysisState* state_;
   const StepGrid* grid_;
   SolverStatistics* statistics_;
   double location_tolerance_, force_tolerance_;

@@ -7,7 +7,6 @@
 
 #include "analyses/events/event_location.hpp"
 #include "analyses/integrators/methods_of.hpp"
-#include "analyses/time_history/equation_of_motion.hpp"
 #include "analyses/time_history/model_checks.hpp"
 #include "base/check.hpp"
 #include "base/error.hpp"
@@ -19,57 +18,56 @@ double process_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER
 
 }  // namespace
 
-Transient::Transient(Model& model, GroundMotion motion, TransientOptions options)
-    : model_{&model},
+Transient::Transient(const Model& model, GroundMotion motion, TransientOptions options)
+    : Transient{model, std::move(motion), AnalysisState{model}, options} {}
+
+Transient::Transient(const Model& model, GroundMotion motion, AnalysisState state, TransientOptions options)
+    : state_{std::move(state)},
       motion_{std::make_shared<const GroundMotion>(std::move(motion))},
       options_{checked(options, *motion_)},
       settings_{settings_of(options_, *motion_)},
-      grid_{*motion_, model.state().time, options.end.si() > 0.0 ? options.end.si() : motion_->duration()},
-      step_{model, settings_, grid_, statistics_},
+      grid_{*motion_, state_.time(), options.end.si() > 0.0 ? options.end.si() : motion_->duration()},
+      step_{state_, settings_, grid_, statistics_},
       chatter_{options_.max_events_per_second} {
-  check_motion(model, *motion_, grid_.end());
-  model.prepare();
-  methods_ = methods_of(options_.integrator, model, settings_);
+  check_start(model, state_, *motion_, grid_.end());
+  methods_ = methods_of(options_.integrator, state_, settings_);
   method_ = methods_.by_preference.front().get();
-  check_held(model);
+  check_held(state_);
   check_gap_directions(model);
   constexpr std::size_t most_at_one_instant = 64;  // more is rare
   changes_.reserve(most_at_one_instant);
-  model_->begin_motion(motion_);
+  state_.begin_motion(motion_);
   restart(false);
   change_regimes_at_end();
   // All energies count from here, those of the elements too.
-  if (model_->keeps_energy_accounts()) model_->start_energy_accounts();
+  if (state_.keeps_energy_accounts()) state_.start_energy_accounts();
 }
 
 Transient::~Transient() = default;
 
 void Transient::attach(StepObserver& observer) {
-  if (observer.needs_energy_accounts() && !model_->keeps_energy_accounts()) model_->start_energy_accounts();
+  if (observer.needs_energy_accounts() && !state_.keeps_energy_accounts()) state_.start_energy_accounts();
   observers_.add(observer);
 }
 
 StepView Transient::view(bool on_grid) const {
-  const PlanVector acceleration = grid_.ground_acceleration();
-  return {*model_, acceleration.x, on_grid, method_->work_rule(), acceleration.y};
+  return {state_.model(), state_, grid_.ground_acceleration(), on_grid, method_->work_rule()};
 }
 
 void Transient::advance() {
   try {
     take_and_report_step();
   } catch (...) {
-    model_->return_to_committed_state();
+    state_.return_to_committed_state();
     throw;
   }
 }
 
 void Transient::take_and_report_step() {
-  if (!model_->prepared() || model_->state().ground_motion != motion_)
-    throw InputError{
-        "Transient: the model was changed while it is being analysed. Make a new Transient after adding to it, and "
-        "after another analysis of it."};
+  if (!state_.fits_model())
+    throw InputError{"Transient: the model was added to while it is being analysed. Make a new Transient after that."};
   observers_.start(view(true));
-  if (grid_.reaches_end_of_motion(model_->state().time)) end_motion();
+  if (grid_.reaches_end_of_motion(state_.time())) end_motion();
   method_ = std::ranges::find_if(methods_.by_preference, [](const auto& each) { return each->applies(); })->get();
   double h = step_.solve_next(*method_);
   const RegimeScan seen = step_.scan(h);
@@ -81,27 +79,27 @@ void Transient::take_and_report_step() {
 }
 
 void Transient::commit(const StepTask& step) {
-  model_->commit(method_->work_rule());
+  state_.commit(method_->work_rule());
   grid_.accepted(step);
   ++statistics_.accepted_steps;
   statistics_.longest_step = std::max(statistics_.longest_step, step.length);
   for (const auto& method : methods_.by_preference) method->accepted(step);
-  collapse_.look(*model_);
+  collapse_.look(state_);
 }
 
 // The force may jump at the committed state. With the acceleration before the jump methods would lose their order.
 void Transient::restart(bool touched) {
-  balance_committed_state(*model_, grid_.ground_acceleration());
+  state_.balance_committed_state(grid_.ground_acceleration());
   for (const auto& method : methods_.by_preference) method->restart(touched);
 }
 
 void Transient::change_regimes_at_end() {
   changes_.clear();
-  model_->change_regimes(changes_);
+  state_.change_regimes(changes_);
   if (changes_.empty()) return;
   restart(std::ranges::any_of(changes_, &RegimeChange::touched));
   statistics_.events += static_cast<long>(changes_.size());
-  chatter_.count(*model_, changes_);
+  chatter_.count(state_, changes_);
   observers_.event(view(false), changes_);
 }
 

@@ -13,14 +13,14 @@
 #include "analyses/time_history/step_method.hpp"
 #include "analyses/time_history/step_solver.hpp"
 #include "analyses/time_history/transient_options.hpp"
-#include "model/model.hpp"
+#include "model/analysis_state.hpp"
 #include "motions/ground_motion.hpp"
 #include "output/files/case_result.hpp"
 #include "output/recorders/step_observer.hpp"
 
 namespace moat {
 
-/// Integrates M a + f(u, v) = -M iota a_g(t) from the model's committed state.
+/// Integrates M a + f(u, v) = -M iota a_g(t). The model does not change: the analysis has a state of its own.
 ///
 /// The methods of the integrator (analyses/integrators/integrators.hpp, step_method.hpp) take the steps. Touch and
 /// separation of gaps, and yield and unloading of located bearings, are events. A located one ends its step
@@ -38,10 +38,13 @@ namespace moat {
 ///     while (!analysis.finished()) analysis.advance();
 class Transient {
  public:
-  /// The model must outlive the analysis, and meanwhile neither be added to nor analysed by another. A model that moved
-  /// before goes on from its time, with energies that count from there. Throws InputError for an option outside its
-  /// range, and for a model that stands at or beyond the end, or moved under other accelerations of the ground.
-  Transient(Model& model, GroundMotion motion, TransientOptions options = {});
+  /// Starts at rest, with the initial displacements and velocities of the model, which must outlive the analysis and
+  /// not be added to meanwhile. Throws InputError for an option outside its range.
+  Transient(const Model& model, GroundMotion motion, TransientOptions options = {});
+  /// Goes on from a state of this model, with energies that count from there. Throws InputError as above, and for a
+  /// state that stands at or beyond the end, came to its time under other accelerations of the ground, or is of another
+  /// model.
+  Transient(const Model& model, GroundMotion motion, AnalysisState state, TransientOptions options = {});
   Transient(const Transient&) = delete;
   Transient& operator=(const Transient&) = delete;
   ~Transient();
@@ -53,9 +56,9 @@ class Transient {
   /// Whether it ended early because the model fell; its last values then depend on where the analysis ended.
   [[nodiscard]] bool collapsed() const { return collapse_.collapsed(); }
   /// Whether the end of the analysis is reached, or the model has collapsed.
-  [[nodiscard]] bool finished() const { return collapse_.collapsed() || grid_.finished(model_->state().time); }
+  [[nodiscard]] bool finished() const { return collapse_.collapsed() || grid_.finished(state_.time()); }
   /// One accepted step, and the changes of regime at its end if there are any. Observers attached since
-  /// the last step get the start first. Where it throws, the model is in the state before.
+  /// the last step get the start first. Where it throws, the state is that before.
   void advance();
   /// Calls finish() of the observers: the analysis ends here. run() does so itself.
   void finish();
@@ -63,7 +66,8 @@ class Transient {
   /// step; true ends the run there.
   void run(const std::function<bool()>& stop = {});
 
-  [[nodiscard]] const Model& model() const { return *model_; }           ///< The model at the time reached.
+  [[nodiscard]] const Model& model() const { return state_.model(); }    ///< As given.
+  [[nodiscard]] const AnalysisState& state() const { return state_; }    ///< At the time reached.
   [[nodiscard]] const GroundMotion& motion() const { return *motion_; }  ///< As it is applied.
   [[nodiscard]] SolverStatistics statistics() const;                     ///< Cost up to now.
   [[nodiscard]] double end_time() const { return grid_.end(); }          ///< s
@@ -80,7 +84,7 @@ class Transient {
   void restart(bool touched);
   [[nodiscard]] StepView view(bool on_grid) const;
 
-  Model* model_;
+  AnalysisState state_;
   std::shared_ptr<const GroundMotion> motion_;  // shared with the state of the model
   TransientOptions options_;
   StepSettings settings_;

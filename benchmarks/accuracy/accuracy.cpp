@@ -11,15 +11,16 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
-#include <cstdlib>
 #include <filesystem>
-#include <fstream>
 #include <optional>
-#include <sstream>
 
+#include "app/usage_errors.hpp"
+#include "base/text/number_format.hpp"
 #include "documentation_section.hpp"
 #include "output/charts/chart.hpp"
 #include "paper/paper_building.hpp"
+#include "paper/printed_table.hpp"
+#include "paper/records.hpp"
 #include "random_models.hpp"
 #include "streets.hpp"
 
@@ -77,37 +78,29 @@ double largest_error(const Peaks& peaks, const Peaks& reference) {
   return worst;
 }
 
-Peaks reference_of(const std::string& record) {
-  std::ifstream file{MOAT_REFERENCE_PEAKS};
-  for (std::string line; std::getline(file, line);) {
-    std::vector<std::string> cells;
-    std::stringstream stream{line};
-    for (std::string cell; std::getline(stream, cell, ',');) cells.push_back(cell);
-    if (cells.size() < 11 || cells[0] != record || cells[3] != "hertz_damp") continue;
-    // Columns in cm, m/s^2 and kN; the tenth is the isolator force.
-    const auto number = [&](std::size_t column, double unit) { return std::stod(cells[column]) * unit; };
-    return {number(4, 0.01), number(5, 0.01), number(6, 1.0), number(7, 1.0), number(8, 1e3), number(10, 1e3)};
+/// Nothing for KBU000, for which there is no reference.
+std::optional<Peaks> reference_of(const std::string& record) {
+  for (const paper::PrintedRow& row : paper::printed_table("reference_peaks.csv")) {
+    if (row.at("record") != record || row.at("case") != "hertz_damp") continue;
+    const auto number = [&](const char* column, double unit) { return unit * paper::number(row, column); };
+    return Peaks{number("base_displacement_cm", 0.01),  number("top_displacement_cm", 0.01),
+                 number("base_acceleration_m_s2", 1.0), number("top_acceleration_m_s2", 1.0),
+                 number("impact_force_kN", 1e3),        number("first_storey_shear_kN", 1e3)};
   }
-  throw FileError{std::string{MOAT_REFERENCE_PEAKS} + ": has no row hertz_damp of " + record + "."};
+  return std::nullopt;
 }
 
 std::vector<Motion> motions() {
   std::vector<Motion> list;
   const GroundMotion pulse = near_fault_pulse().scaled_to_pga(0.4 * g);
   list.push_back({"pulse", pulse, peaks_of(run(pulse, {.tolerance = 1e-7, .steps_per_contact = 512}))});
-  const char* folder = std::getenv("MOAT_RECORDS");
-  if (folder == nullptr) {
-    std::printf(
-        "Skipped: three recorded motions. Set MOAT_RECORDS to a folder with PEER NGA-West2 records RSN1161\n"
-        "(GBZ000), RSN982 (JEN022) and RSN803 (WVC270).\n");
+  if (const std::string missing = paper::missing_records(); !missing.empty()) {
+    std::printf("Skipped: recorded motions. %s\n", missing.c_str());
     return list;
   }
-  for (const auto& [name, record] : {std::pair{"GBZ000", "RSN1161_KOCAELI_GBZ000"},
-                                     {"JEN022", "RSN982_NORTHR_JEN022"},
-                                     {"WVC270", "RSN803_LOMAP_WVC270"}})
-    list.push_back({name,
-                    read_motion(std::filesystem::path{folder} / (std::string{record} + ".AT2")).scaled_to_pga(0.4 * g),
-                    reference_of(record)});
+  for (const paper::PaperRecord& record : paper::paper_records)
+    if (const auto reference = reference_of(std::filesystem::path{record.file}.stem()))
+      list.push_back({record.label, paper::read_unscaled(record).scaled_to_pga(paper::paper_pga), *reference});
   return list;
 }
 
@@ -144,12 +137,6 @@ Series series_of(const std::string& name, const std::vector<Point>& points) {
   return series;
 }
 
-std::string percent(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.4f", 100.0 * value);
-  return text;
-}
-
 std::string table_of(const Motion& motion, const Curves& curves) {
   std::string text = "**" + motion.name +
                      "**\n\n| fixed step | steps | error of peaks, % | energy error, % | tolerance "
@@ -157,7 +144,7 @@ std::string table_of(const Motion& motion, const Curves& curves) {
   for (std::size_t i = 0; i < curves.fixed.size(); ++i) {
     for (const Point* point : {&curves.fixed[i], &curves.adaptive[i]})
       text += "| " + point->setting + " | " + std::to_string(static_cast<long>(point->steps)) + " | " +
-              percent(point->error) + " | " + percent(point->energy_error) + " ";
+              to_fixed(100.0 * point->error, 4) + " | " + to_fixed(100.0 * point->energy_error, 4) + " ";
     text += "|\n";
   }
   return text + "\n";
@@ -192,9 +179,7 @@ void run_all(const std::filesystem::path& folder, const std::string& documentati
 }  // namespace
 
 int main(int argc, char** argv) {
-  constexpr int exit_usage = 2;
-  CLI::App app{"Error of the peaks against the number of steps, fixed and adaptive"};
-  app.name("./moat bench accuracy");
+  CLI::App app{"Error of the peaks against the number of steps, fixed and adaptive", "moat bench accuracy"};
   std::string folder = "results/accuracy";
   bool write_docs = false;
   app.add_option("--out", folder, "folder for the figure")->capture_default_str();
@@ -213,12 +198,7 @@ int main(int argc, char** argv) {
       ->check(CLI::PositiveNumber);
   app.add_option("--csv", random.csv, "file for a row per random model and setting");
   app.add_flag("--only-random", only_random, "random models alone");
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? 0 : exit_usage;
-  }
-  try {
+  return run_command(app, "moat bench accuracy", argc, argv, [&] {
     const std::string documentation = write_docs ? MOAT_VERIFICATION : "";
     if (!only_random) {
       run_all(folder, documentation);
@@ -232,8 +212,5 @@ int main(int argc, char** argv) {
       if (write_docs) replace_section(documentation, "random models", tables);
     }
     return 0;
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "moat: error: %s\n", error.what());
-    return 1;
-  }
+  });
 }

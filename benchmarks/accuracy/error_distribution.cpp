@@ -18,16 +18,6 @@ std::string text(const char* format, double value) {
 
 std::string whole(double value) { return std::to_string(std::lround(value)); }
 
-}  // namespace
-
-std::string percent(double value) { return text("%.2g %%", 100.0 * value); }
-
-double quantile(const std::vector<double>& sorted, double share) {
-  if (sorted.empty()) return NAN;
-  const double place = std::ceil(share * static_cast<double>(sorted.size())) - 1.0;
-  return sorted[static_cast<std::size_t>(std::max(place, 0.0))];
-}
-
 ErrorBarCheck check_error_bars(const std::vector<const TrialModel*>& models, std::size_t setting) {
   std::vector<double> widths;
   std::size_t peaks = 0, covered = 0;
@@ -43,6 +33,16 @@ ErrorBarCheck check_error_bars(const std::vector<const TrialModel*>& models, std
   if (peaks == 0) return {};
   std::sort(widths.begin(), widths.end());
   return {peaks, static_cast<double>(covered) / static_cast<double>(peaks), quantile(widths, 0.5)};
+}
+
+}  // namespace
+
+std::string percent(double value) { return text("%.2g %%", 100.0 * value); }
+
+double quantile(const std::vector<double>& sorted, double share) {
+  if (sorted.empty()) return NAN;
+  const double place = std::ceil(share * static_cast<double>(sorted.size())) - 1.0;
+  return sorted[static_cast<std::size_t>(std::max(place, 0.0))];
 }
 
 ErrorDistribution error_distribution(const std::vector<const TrialModel*>& models, std::size_t setting) {

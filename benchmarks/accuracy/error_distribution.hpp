@@ -31,7 +31,6 @@ struct ErrorDistribution {
 };
 
 /// Of setting number `setting` of all models.
-ErrorBarCheck check_error_bars(const std::vector<const TrialModel*>& models, std::size_t setting);
 ErrorDistribution error_distribution(const std::vector<const TrialModel*>& models, std::size_t setting);
 
 /// The smallest value that is not below the share of the sorted values; NaN without any.

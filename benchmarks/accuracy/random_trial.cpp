@@ -1,23 +1,16 @@
 #include "random_trial.hpp"
 
 #include <cmath>
-#include <ctime>
 #include <map>
 
 #include "analyses/case/case_run.hpp"
 #include "base/error.hpp"
+#include "measuring/measure.hpp"
 #include "random_model.hpp"
 
 namespace moat {
-namespace {
 
-double thread_seconds() {
-  timespec now{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
-
-}  // namespace
+using performance::seconds;
 
 double TrialPeak::error() const { return reference == 0.0 ? std::abs(value) : std::abs(value - reference) / reference; }
 
@@ -34,7 +27,7 @@ Trial run_trial(const testing::PlainModel& plain, const testing::CheckedReferenc
                 const TrialSetting& setting) {
   const testing::ReferenceResult& reference = checked.result;
   Trial trial;
-  const double started = thread_seconds();
+  const double started = seconds();
   try {
     Model model = testing::moat_model(plain);
     TransientOptions options = setting.options;
@@ -57,14 +50,13 @@ Trial run_trial(const testing::PlainModel& plain, const testing::CheckedReferenc
   } catch (const Error& error) {
     trial.refused = error.what();
   }
-  trial.cpu_seconds = thread_seconds() - started;
+  trial.cpu_seconds = seconds() - started;
   return trial;
 }
 
 TrialModel run_trials(std::uint64_t seed, const std::vector<TrialSetting>& settings) {
   TrialModel model;
   model.seed = seed;
-  const double started = thread_seconds();
   testing::PlainModel plain;
   try {
     plain = testing::random_model(seed);
@@ -73,7 +65,6 @@ TrialModel run_trials(std::uint64_t seed, const std::vector<TrialSetting>& setti
     model.failed = error.what();
     return model;
   }
-  model.reference_cpu_seconds = thread_seconds() - started;
   for (const TrialSetting& setting : settings) model.trials.push_back(run_trial(plain, model.reference, setting));
   return model;
 }

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "analyses/time_history/transient.hpp"
-#include "checked_reference.hpp"
 #include "moat_model.hpp"
+#include "reference_history.hpp"
 
 namespace moat {
 
@@ -50,7 +50,6 @@ struct TrialModel {
   std::uint64_t seed = 0;
   std::string failed;  ///< message of the reference where it stopped; there are no trials then
   testing::CheckedReference reference;
-  double reference_cpu_seconds = 0.0;
   std::vector<Trial> trials;
 };
 

@@ -35,11 +35,11 @@ struct Street {
 };
 
 Run run(const Street& street, TransientOptions options) {
-  Model model = performance::street(street.buildings, performance::street_law(street.law));
+  const Model model = performance::street(street.buildings, performance::street_law(street.law));
   options.end = street.end;
   PeakRecorder peaks{model};
   ImpactRecorder impacts;
-  Transient analysis{model, performance::street_motion(), options};
+  Transient analysis{model, performance::street_motion(), performance::street_at_start(model), options};
   analysis.attach(peaks);
   analysis.attach(impacts);
   analysis.run();

@@ -5,13 +5,13 @@
 
 #include <array>
 #include <cmath>
-#include <cstdio>
-#include <exception>
 #include <iostream>
 #include <numbers>
 #include <string>
 #include <vector>
 
+#include "app/usage_errors.hpp"
+#include "base/text/number_format.hpp"
 #include "base/units.hpp"
 #include "documentation_section.hpp"
 #include "materials/isolation/heated_friction_pendulum.hpp"
@@ -23,16 +23,10 @@ namespace {
 using namespace units;
 constexpr double pi = std::numbers::pi;
 
-std::string number(double value, int decimals) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.*f", decimals, value);
-  return text;
-}
-
 template <std::size_t n>
 std::string row(const std::string& name, const std::array<double, n>& values, int decimals) {
   std::string text = "| " + name + " |";
-  for (const double value : values) text += " " + number(value, decimals) + " |";
+  for (const double value : values) text += " " + to_fixed(value, decimals) + " |";
   return text + "\n";
 }
 
@@ -179,27 +173,19 @@ std::string friction_heating() {
   return text;
 }
 
-int run(int argc, char** argv) {
-  CLI::App app{"Isolators under given motions, against measurements and other programs"};
-  bool write_docs = false;
-  app.add_flag("--write-docs", write_docs, "write the tables of docs/verification.md");
-  CLI11_PARSE(app, argc, argv);
-  const std::string lead = lead_heating(), friction = friction_heating();
-  std::cout << lead << "\n" << friction;
-  if (!write_docs) return 0;
-  replace_section(MOAT_VERIFICATION, "lead heating", lead);
-  replace_section(MOAT_VERIFICATION, "friction heating", friction);
-  return 0;
-}
-
 }  // namespace
 }  // namespace moat
 
 int main(int argc, char** argv) {
-  try {
-    return moat::run(argc, argv);
-  } catch (const std::exception& error) {
-    std::cerr << error.what() << "\n";
-    return 1;
-  }
+  CLI::App app{"Isolators under given motions, against measurements and other programs", "moat bench isolators"};
+  bool write_docs = false;
+  app.add_flag("--write-docs", write_docs, "write the tables of docs/verification.md");
+  return moat::run_command(app, "moat bench isolators", argc, argv, [&] {
+    const std::string lead = moat::lead_heating(), friction = moat::friction_heating();
+    std::cout << lead << "\n" << friction;
+    if (!write_docs) return 0;
+    moat::replace_section(MOAT_VERIFICATION, "lead heating", lead);
+    moat::replace_section(MOAT_VERIFICATION, "friction heating", friction);
+    return 0;
+  });
 }

@@ -1,23 +1,11 @@
 #include "measuring/measure.hpp"
 
-#include <algorithm>
-#include <cmath>
 #include <ctime>
 
 #include "base/error.hpp"
+#include "study/study_charts.hpp"
 
 namespace moat::performance {
-namespace {
-
-// Between two neighbours where the position is not a whole number.
-double quantile(const std::vector<double>& sorted, double fraction) {
-  const double position = fraction * static_cast<double>(sorted.size() - 1);
-  const auto below = static_cast<std::size_t>(position);
-  const std::size_t above = std::min(below + 1, sorted.size() - 1);
-  return std::lerp(sorted[below], sorted[above], position - static_cast<double>(below));
-}
-
-}  // namespace
 
 double seconds(Clock clock) {
   timespec now{};
@@ -27,8 +15,7 @@ double seconds(Clock clock) {
 
 Spread spread_of(std::vector<double> values) {
   if (values.empty()) throw InputError{"spread_of: there is no value. Give at least one."};
-  std::sort(values.begin(), values.end());
-  return {quantile(values, 0.5), quantile(values, 0.25), quantile(values, 0.75), static_cast<int>(values.size())};
+  return {fractile(values, 0.5), fractile(values, 0.25), fractile(values, 0.75), static_cast<int>(values.size())};
 }
 
 Spread ratio_of(const std::vector<double>& a, const std::vector<double>& b) {

@@ -43,19 +43,6 @@ Building add_building(Model& model, int number) {
 
 Length clearance_after(int number) { return (2.5 + 2.0 * spread_evenly(number, clearance_step)) * cm; }
 
-/// Every floor of a building moves alike at the start.
-void set_in_motion(Model& model) {
-  model.prepare();
-  MotionState& state = model.trial();
-  for (int i = 0; i < model.degrees_of_freedom(); ++i) {
-    const int number = 1 + i / degrees_of_freedom_per_building;
-    state.displacement[i] = 0.01 * spread_evenly(number, displacement_step);
-    state.velocity[i] = 0.6 * spread_evenly(number, velocity_step);
-  }
-  model.evaluate();
-  model.commit();
-}
-
 template <class Law>
 Model street_of(int buildings, const Law& law) {
   Check{"Street", ""}.that(buildings >= 2, "buildings", buildings, "1", ">= 2");
@@ -75,7 +62,6 @@ Model street_of(int buildings, const Law& law) {
                       .right = ground,
                       .clearance = clearance_after(buildings),
                       .law = law});
-  set_in_motion(model);
   return model;
 }
 
@@ -94,6 +80,19 @@ Model street(int buildings) {
 }
 
 Model street(int buildings, const NamedImpactLaw& law) { return street_of(buildings, law); }
+
+AnalysisState street_at_start(const Model& street) {
+  AnalysisState state{street};
+  MotionState& motion = state.trial();
+  for (int i = 0; i < street.degrees_of_freedom(); ++i) {
+    const int number = 1 + i / degrees_of_freedom_per_building;
+    motion.displacement[i] = 0.01 * spread_evenly(number, displacement_step);
+    motion.velocity[i] = 0.6 * spread_evenly(number, velocity_step);
+  }
+  state.evaluate();
+  state.commit();
+  return state;
+}
 
 GroundMotion street_motion() { return near_fault_pulse({.lead_in = 0 * s}).scaled_to_pga(0.4 * g); }
 

@@ -15,12 +15,14 @@ namespace moat::performance {
 /// 2 to 6 cm. All follow additive sequences of irrational steps: the same street for the same number of buildings, in
 /// which no two neighbours are alike.
 ///
-/// Bases and floors start at the instant of the pulse's largest motion: every building stands within 2 cm of its
-/// place and moves with up to 0.6 m/s, so that contacts begin and end from the first steps on.
-///
 /// Gaps have the contact law of the first tour, or another one. Throws InputError unless buildings >= 2.
 Model street(int buildings);
 Model street(int buildings, const NamedImpactLaw& law);  ///< With this law in all gaps.
+
+/// The state in which a street starts, at the instant of the pulse's largest motion: every building stands within 2 cm
+/// of its place, and all its floors move alike with up to 0.6 m/s, so that contacts begin and end from the first steps
+/// on. The model must outlive it.
+AnalysisState street_at_start(const Model& street);
 
 /// A law of that name (impact_law_names()) about as stiff as that of street(int), with a restitution of 0.65.
 NamedImpactLaw street_law(const std::string& name);

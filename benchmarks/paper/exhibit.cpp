@@ -1,117 +1,121 @@
 #include "paper/exhibit.hpp"
 
-#include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cstdio>
-#include <nlohmann/json.hpp>
 
 #include "output/files/csv_writer.hpp"
 #include "output/files/file_io.hpp"
+#include "report/html.hpp"
 
 namespace moat::paper {
+namespace {
 
-using Json = nlohmann::ordered_json;
+using html::escaped;
 
-struct Exhibit::Content {
-  Json json;
-  std::size_t reported = 0;
-  bool all_held = true;
-};
+constexpr int figure_width = 1000;
 
-Exhibit::Exhibit(std::filesystem::path folder, std::string id, std::string title, bool coarse)
-    : folder_{std::move(folder)}, id_{std::move(id)}, coarse_{coarse}, content_{std::make_unique<Content>()} {
-  content_->json = {{"id", id_},
-                    {"title", std::move(title)},
-                    {"skipped", ""},
-                    {"blocks", Json::array()},
-                    {"checks", Json::array()},
-                    {"findings", Json::array()}};
+// Verdicts are coloured.
+std::string html_row(const Cells& cells, const std::string& tag) {
+  std::string row = "<tr>";
+  for (const std::string& cell : cells) {
+    std::string style;
+    for (const auto& [verdict, name] :
+         {std::pair{Verdict::holds, "holds"}, std::pair{Verdict::partly, "partly"}, std::pair{Verdict::fails, "fails"}})
+      if (cell == name_of(verdict)) style = std::string{" class=\""} + name + "\"";
+    row += "<" + tag + style + ">" + escaped(cell) + "</" + tag + ">";
+  }
+  return row + "</tr>\n";
 }
-Exhibit::~Exhibit() = default;
+
+std::string markdown_row(const Cells& cells) {
+  std::string row = "|";
+  for (std::string cell : cells) {
+    for (std::size_t at = cell.find('|'); at != std::string::npos; at = cell.find('|', at + 2)) cell.insert(at, "\\");
+    row += " " + cell + " |";
+  }
+  return row + "\n";
+}
+
+}  // namespace
+
+std::string html_table(const ShownTable& table) {
+  std::string html = "<div class=\"scroll\"><table>";
+  if (!table.caption.empty()) html += "<caption>" + escaped(table.caption) + "</caption>\n";
+  html += html_row(table.header, "th");
+  for (const Cells& row : table.rows) html += html_row(row, "td");
+  return html + "</table></div>\n";
+}
+
+std::string markdown_table(const ShownTable& table) {
+  std::string text = markdown_row(table.header) + markdown_row(Cells(table.header.size(), "---"));
+  for (const Cells& row : table.rows) text += markdown_row(row);
+  return text + "\n";
+}
+
+std::string name_of(Verdict verdict) {
+  return verdict == Verdict::holds ? "holds" : verdict == Verdict::partly ? "partly" : "does not hold";
+}
 
 void Exhibit::text(const std::string& paragraph) {
-  content_->json["blocks"].push_back({{"type", "text"}, {"text", paragraph}});
+  as_html += "<p>" + escaped(paragraph) + "</p>\n";
+  as_markdown += paragraph + "\n\n";
 }
 
 void Exhibit::table(const ShownTable& table) {
-  content_->json["blocks"].push_back(
-      {{"type", "table"}, {"caption", table.caption}, {"header", table.header}, {"rows", table.rows}});
+  as_html += html_table(table);
+  as_markdown += "**" + table.caption + "**\n\n" + markdown_table(table);
 }
 
 void Exhibit::figure(const ShownFigure& figure) {
-  constexpr int width = 1000;
   const std::string file = figure.name + ".svg";
-  write_svg(figure.charts, folder_ / file, width, figure.panel_height, figure.columns);
-  content_->json["blocks"].push_back(
-      {{"type", "figure"}, {"name", figure.name}, {"file", file}, {"caption", figure.caption}});
+  write_svg(figure.charts, folder / file, figure_width, figure.panel_height, figure.columns);
+  as_html += "<figure id=\"" + figure.name + "\">\n" +
+             svg_text(figure.charts, figure_width, figure.panel_height, figure.columns) + "<figcaption>" +
+             escaped(figure.caption) + "</figcaption></figure>\n";
+  as_markdown += "Figure `" + file + "`: " + figure.caption + "\n\n";
 }
 
 void Exhibit::numbers(const std::string& name, const Table& table) {
   const std::string file = name + ".csv";
-  write_csv(table, folder_ / file);
-  content_->json["blocks"].push_back({{"type", "numbers"}, {"file", file}});
+  write_csv(table, folder / file);
+  as_html += "<p class=\"note\">All numbers: <a href=\"" + file + "\">" + file + "</a></p>\n";
 }
 
 void Exhibit::assert_that(bool held, const std::string& what) {
-  content_->json["checks"].push_back({{"what", what}, {"held", held}});
-  content_->all_held = content_->all_held && held;
-  if (!held) std::fprintf(stderr, "moat: %s: did not hold: %s\n", id_.c_str(), what.c_str());
+  assertions.push_back({held, what});
+  if (!held) std::fprintf(stderr, "moat: %s: did not hold: %s\n", id.c_str(), what.c_str());
 }
 
-void Exhibit::report(std::size_t count) { content_->reported += count; }
-
-void Exhibit::finding(const Finding& finding) {
-  const char* verdict = finding.verdict == Verdict::holds    ? "holds"
-                        : finding.verdict == Verdict::partly ? "partly"
-                                                             : "does not hold";
-  content_->json["findings"].push_back({{"source", finding.source},
-                                        {"claim", finding.claim},
-                                        {"criterion", finding.criterion},
-                                        {"found", finding.found},
-                                        {"verdict", verdict}});
+std::size_t Exhibit::held() const {
+  return static_cast<std::size_t>(std::ranges::count(assertions, true, &Assertion::held));
 }
 
-void Exhibit::skip(const std::string& reason) {
-  content_->json["skipped"] = reason;
-  std::fprintf(stderr, "moat: %s is skipped: %s\n", id_.c_str(), reason.c_str());
+std::string Exhibit::counts() const {
+  return std::to_string(assertions.size()) + " asserted, " + std::to_string(held()) + " held.";
 }
 
-bool Exhibit::write() const {
-  Json json = content_->json;
-  json["reported"] = content_->reported;
-  write_file(folder_ / (id_ + ".json"), json.dump(1) + "\n");
-  return content_->all_held;
+std::string Exhibit::html() const {
+  std::string page = "<section id=\"" + id + "\"><h2>" + escaped(title) + "</h2>\n";
+  if (!failure.empty()) page += "<p class=\"fails\">" + escaped(failure) + "</p>\n";
+  if (!skipped.empty()) page += "<p>Skipped: " + escaped(skipped) + "</p>\n";
+  page += as_html;
+  if (!assertions.empty()) page += "<details><summary>" + counts() + "</summary><ul class=\"note\">\n";
+  for (const auto& [held, what] : assertions)
+    page += std::string{"<li><span class=\""} + (held ? "holds\">held" : "fails\">did not hold") + "</span> " +
+            escaped(what) + "</li>\n";
+  if (!assertions.empty()) page += "</ul></details>\n";
+  return page + "<p class=\"note\">Computed by benchmarks/paper/" + source + ".cpp</p></section>\n";
 }
 
-int run_exhibit(int argc, char** argv, const std::string& id, const std::string& title,
-                const std::function<void(Exhibit&)>& show) {
-  constexpr int exit_usage = 2;
-  CLI::App app{title};
-  std::string folder = "results/paper";
-  bool coarse = false;
-  app.add_option("--out", folder, "folder for figures, tables and " + id + ".json")->capture_default_str();
-  app.add_flag("--coarse", coarse, "few points per curve, to try the page");
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? 0 : exit_usage;
-  }
-  try {
-    std::filesystem::create_directories(folder);
-    Exhibit exhibit{folder, id, title, coarse};
-    show(exhibit);
-    return exhibit.write() ? 0 : 1;
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "moat: error: %s\n", error.what());
-    return 1;
-  }
+std::string Exhibit::markdown() const {
+  std::string text = "### " + title + "\n\nComputed by `benchmarks/paper/" + source + ".cpp`.";
+  if (!assertions.empty()) text += " " + counts();
+  text += "\n\n";
+  for (const auto& [held, what] : assertions)
+    if (!held) text += "- Did not hold: " + what + "\n\n";
+  return text + as_markdown;
 }
 
-std::string fixed(double value, int decimals) {
-  char text[64];
-  std::snprintf(text, sizeof text, "%.*f", decimals, value);
-  return text;
-}
-
-std::string ratio(double computed, double printed) { return fixed(computed / printed, 3); }
+std::string ratio(double computed, double printed) { return to_fixed(computed / printed, 3); }
 
 }  // namespace moat::paper

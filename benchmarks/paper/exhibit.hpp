@@ -1,22 +1,23 @@
-// The output of a script of the benchmark: text, tables, figures, checks and findings, for the page and the docs.
+// The output for a table or figure of the paper: text, tables, figures, checks and findings, for the page and the docs.
 #pragma once
 
 #include <moat.hpp>
 
 #include <filesystem>
-#include <functional>
-#include <memory>
 #include <string>
 #include <vector>
 
+#include "base/text/number_format.hpp"
 #include "output/charts/chart.hpp"
 
 namespace moat::paper {
 
+using Cells = std::vector<std::string>;
+
 struct ShownTable {
   std::string caption;
-  std::vector<std::string> header;
-  std::vector<std::vector<std::string>> rows;
+  Cells header;
+  std::vector<Cells> rows;
 };
 
 enum class Verdict { holds, partly, fails };
@@ -38,50 +39,78 @@ struct ShownFigure {
   int columns = 1;
 };
 
-/// Collects the output of a script and writes it to <folder>/<id>.json, beside the figures and tables of numbers.
-class Exhibit {
- public:
-  Exhibit(std::filesystem::path folder, std::string id, std::string title, bool coarse);
-  ~Exhibit();
-  Exhibit(const Exhibit&) = delete;
-  Exhibit& operator=(const Exhibit&) = delete;
+/// Something that must hold.
+struct Assertion {
+  bool held;
+  std::string text;
+};
 
-  /// True if few points are enough, because only the page itself is being tested.
-  [[nodiscard]] bool coarse() const { return coarse_; }
-  [[nodiscard]] const std::string& id() const { return id_; }
+/// Writes figures and tables of numbers as files at once, and keeps all else for the page.
+struct Exhibit {
+  std::filesystem::path folder{};
+  std::string id{}, title{};
+  std::string source{};  ///< of the code, in this folder, without ending
+  bool coarse = false;   ///< few points are enough, because only the page itself is being tested
+
+  std::vector<Assertion> assertions{};
+  std::size_t reported = 0;  ///< numbers that were put beside the paper's without a bound
+  std::vector<Finding> findings{};
+  std::string skipped{};                 ///< why nothing of this was computed
+  std::string failure{};                 ///< the error with which it ended
+  std::string as_html{}, as_markdown{};  ///< texts, tables and figures
 
   void text(const std::string& paragraph);
   void table(const ShownTable& table);
   void figure(const ShownFigure& figure);
   /// Writes <name>.csv and names it on the page.
   void numbers(const std::string& name, const Table& table);
-  /// Something that must hold.
   void assert_that(bool held, const std::string& what);
-  /// So many numbers were put beside the paper's without a bound.
-  void report(std::size_t count);
-  void finding(const Finding& finding);
-  /// Nothing of this was computed.
-  void skip(const std::string& reason);
+  void report(std::size_t count) { reported += count; }
+  void finding(const Finding& finding) { findings.push_back(finding); }
 
-  /// Writes the JSON file. True if all that was asserted held.
-  bool write() const;
-
- private:
-  struct Content;
-  std::filesystem::path folder_;
-  std::string id_;
-  bool coarse_;
-  std::unique_ptr<Content> content_;
+  /// Number of assertions that held.
+  [[nodiscard]] std::size_t held() const;
+  /// "30 asserted, 30 held."
+  [[nodiscard]] std::string counts() const;
+  /// Its section of the page, and of the documentation.
+  [[nodiscard]] std::string html() const;
+  [[nodiscard]] std::string markdown() const;
 };
 
-/// The main() of a script: reads --out FOLDER and --coarse, shows, writes. Exit code 0 if all that was asserted held,
-/// 1 if not or after an error, which is printed on standard error; 2 for wrong usage.
-int run_exhibit(int argc, char** argv, const std::string& id, const std::string& title,
-                const std::function<void(Exhibit&)>& show);
+/// A table as HTML, escaped, and as Markdown.
+std::string html_table(const ShownTable& table);
+std::string markdown_table(const ShownTable& table);
+/// "holds", "partly", "does not hold".
+std::string name_of(Verdict verdict);
 
-/// "12.35" for 12.3456 and 2 decimals.
-std::string fixed(double value, int decimals);
 /// "1.032": computed over printed.
 std::string ratio(double computed, double printed);
+
+struct Totals {
+  std::size_t asserted = 0, held = 0, reported = 0, skipped = 0;
+  /// "289 asserted, 289 held, 220 reported"
+  [[nodiscard]] std::string in_words() const;
+};
+
+Totals totals_of(const std::vector<Exhibit>& exhibits);
+
+/// Writes <folder>/index.html, with all figures inside. Throws FileError.
+void write_page(const std::filesystem::path& folder, const std::vector<Exhibit>& exhibits);
+
+/// The tables, checks and findings as Markdown, with headings of third level.
+std::string documentation(const std::vector<Exhibit>& exhibits);
+
+// The tables and figures; those but table1 and pulse need the records.
+void show_table1(Exhibit& exhibit);
+void show_table2(Exhibit& exhibit);
+void show_table3_fig6(Exhibit& exhibit);
+void show_fig4(Exhibit& exhibit);
+void show_fig5(Exhibit& exhibit);
+void show_fig7(Exhibit& exhibit);
+void show_fig8(Exhibit& exhibit);
+void show_fig9(Exhibit& exhibit);
+void show_fig10(Exhibit& exhibit);
+void show_fig11(Exhibit& exhibit);
+void show_pulse(Exhibit& exhibit);
 
 }  // namespace moat::paper

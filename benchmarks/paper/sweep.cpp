@@ -26,7 +26,7 @@ constexpr Panel panels[] = {{"top_acceleration", "Top floor", "peak acceleration
                             {"total_base_shear", "Total base shear", "peak force [MN]", 1e6},
                             {"sum_of_floor_inertia_maxima", "Sum of floor inertia maxima", "force [MN]", 1e6}};
 
-StudyRecord responses_of(Model& model, const Building& nodes, const GroundMotion& motion) {
+StudyRecord responses_of(const Model& model, const Building& nodes, const GroundMotion& motion) {
   const StudyRecord peaks = peaks_of(model, motion, {.tolerance = sweep_tolerance});
   const std::string base{model.node_name(nodes.base)}, top{model.node_name(nodes.top())};
   double largest_drift = 0.0;
@@ -59,7 +59,7 @@ std::vector<double> ranks(const std::vector<double>& values) {
 }  // namespace
 
 SweepResult run_sweep(Exhibit& exhibit, const Sweep& sweep, const std::vector<GroundMotion>& motions,
-                      const std::vector<std::string>& labels, const std::string& caption) {
+                      const std::vector<std::string>& labels) {
   StudyResult study = run_study({sweep.axis, StudyAxis::of_names("record", labels)},
                                 [&](const StudyCase& each) {
                                   Model model;
@@ -69,7 +69,7 @@ SweepResult run_sweep(Exhibit& exhibit, const Sweep& sweep, const std::vector<Gr
                                 {.progress = ProgressBar{sweep.name + ", " + sweep.title}});
   SweepResult result{sweep.axis.values, labels, std::move(study)};
 
-  ShownFigure figure{sweep.name, caption, {}, 290, 2};
+  ShownFigure figure{sweep.name, sweep.caption, {}, 290, 2};
   for (const Panel& panel : panels) {
     Chart chart{.title = panel.title,
                 .x_label = sweep.x_label,
@@ -77,20 +77,20 @@ SweepResult run_sweep(Exhibit& exhibit, const Sweep& sweep, const std::vector<Gr
                 .series = {},
                 .logarithmic_x = sweep.logarithmic,
                 .y_from_zero = true,
-                .x_range = {{result.x().front(), result.x().back()}}};
+                .x_range = {{result.x.front(), result.x.back()}}};
     for (std::size_t motion = 0; motion < motions.size(); ++motion) {
       std::vector<double> y = result.curve(panel.response, motion);
       for (double& value : y) value /= panel.unit;
-      chart.series.push_back({.name = labels[motion], .x = result.x(), .y = std::move(y)});
+      chart.series.push_back({.name = labels[motion], .x = result.x, .y = std::move(y)});
     }
     figure.charts.push_back(std::move(chart));
   }
   exhibit.figure(figure);
-  exhibit.numbers(sweep.name, result.study().table());
+  exhibit.numbers(sweep.name, result.study.table());
   return result;
 }
 
-int points(const Exhibit& exhibit, int count) { return exhibit.coarse() ? 5 : count; }
+int points(const Exhibit& exhibit, int count) { return exhibit.coarse ? 5 : count; }
 
 double rank_correlation(const std::vector<double>& x, const std::vector<double>& y) {
   const std::vector<double> a = ranks(x), b = ranks(y);
@@ -117,18 +117,24 @@ std::size_t position_of_maximum(const std::vector<double>& y) {
   return static_cast<std::size_t>(std::ranges::max_element(y) - y.begin());
 }
 
-void judge(Exhibit& exhibit, const SweepResult& result, const std::string& source, const std::string& claim,
-           const std::string& criterion, const std::function<Answer(std::size_t)>& answer) {
+void judge(Exhibit& exhibit, const SweepResult& result, const Claim& claim,
+           const std::function<Answer(const std::vector<double>&)>& answer) {
+  judge_motions(exhibit, result, claim,
+                [&](std::size_t motion) { return answer(result.curve(claim.response, motion)); });
+}
+
+void judge_motions(Exhibit& exhibit, const SweepResult& result, const Claim& claim,
+                   const std::function<Answer(std::size_t)>& answer) {
   std::string found;
   std::size_t held = 0;
-  for (std::size_t motion = 0; motion < result.labels().size(); ++motion) {
+  for (std::size_t motion = 0; motion < result.labels.size(); ++motion) {
     const Answer each = answer(motion);
     held += each.holds ? 1 : 0;
-    found += (found.empty() ? "" : "; ") + result.labels()[motion] + (each.holds ? " yes" : " no") + " (" +
-             each.number + ")";
+    found +=
+        (found.empty() ? "" : "; ") + result.labels[motion] + (each.holds ? " yes" : " no") + " (" + each.number + ")";
   }
-  const Verdict verdict = held == result.labels().size() ? Verdict::holds : held > 0 ? Verdict::partly : Verdict::fails;
-  exhibit.finding({source, claim, criterion, found, verdict});
+  const Verdict verdict = held == result.labels.size() ? Verdict::holds : held > 0 ? Verdict::partly : Verdict::fails;
+  exhibit.finding({claim.source, claim.text, claim.criterion, found, verdict});
 }
 
 }  // namespace moat::paper

@@ -19,33 +19,26 @@ struct Sweep {
   bool logarithmic = false;
   /// Adds the building of one case to an empty model, with floors 1 to `storeys`.
   std::function<Building(Model&, const StudyCase&)> build;
+  std::string caption;
 };
 
 /// Peaks of a sweep, by axis and record.
-class SweepResult {
- public:
-  SweepResult(std::vector<double> x, std::vector<std::string> labels, StudyResult study)
-      : x_{std::move(x)}, labels_{std::move(labels)}, study_{std::move(study)} {}
+struct SweepResult {
+  std::vector<double> x;
+  std::vector<std::string> labels;  ///< of the motions
+  StudyResult study;
 
-  [[nodiscard]] const std::vector<double>& x() const { return x_; }
-  [[nodiscard]] const std::vector<std::string>& labels() const { return labels_; }
-  [[nodiscard]] const StudyResult& study() const { return study_; }
   /// One curve in SI units: "top_acceleration", "base_acceleration", "largest_drift", "first_storey_drift",
   /// "base_displacement", "impact_force", "isolator_force", "total_base_shear", "first_storey_shear",
   /// "sum_of_floor_inertia_maxima" or "impacts".
   [[nodiscard]] std::vector<double> curve(const std::string& response, std::size_t motion) const {
-    return study_.values(response, "", {{"record", motion}});
+    return study.values(response, "", {{"record", motion}});
   }
-
- private:
-  std::vector<double> x_;
-  std::vector<std::string> labels_;
-  StudyResult study_;
 };
 
 /// Computes all cases and shows six responses over the axis, a curve for every motion.
 SweepResult run_sweep(Exhibit& exhibit, const Sweep& sweep, const std::vector<GroundMotion>& motions,
-                      const std::vector<std::string>& labels, const std::string& caption);
+                      const std::vector<std::string>& labels);
 
 /// `count` values, or five of them where the exhibit is coarse.
 int points(const Exhibit& exhibit, int count);
@@ -66,8 +59,16 @@ struct Answer {
   std::string number;
 };
 
-/// Adds a finding: it holds if it does for all motions, partly if for some.
-void judge(Exhibit& exhibit, const SweepResult& result, const std::string& source, const std::string& claim,
-           const std::string& criterion, const std::function<Answer(std::size_t motion)>& answer);
+/// A statement of the paper about a response, with our criterion.
+struct Claim {
+  std::string source, text, criterion, response;
+};
+
+/// Adds a finding: it holds if the answer of the response's curve does for all motions, partly if for some.
+void judge(Exhibit& exhibit, const SweepResult& result, const Claim& claim,
+           const std::function<Answer(const std::vector<double>& y)>& answer);
+/// Adds such a finding where an answer needs several curves of a motion; the response is not used.
+void judge_motions(Exhibit& exhibit, const SweepResult& result, const Claim& claim,
+                   const std::function<Answer(std::size_t motion)>& answer);
 
 }  // namespace moat::paper

@@ -14,11 +14,10 @@
 #include "paper/exhibit.hpp"
 #include "paper/printed_table.hpp"
 
-using namespace moat;
-using namespace moat::paper;
-using namespace moat::units;
-
+namespace moat::paper {
 namespace {
+
+using namespace units;
 
 constexpr double mass = 570.0, speed = 0.5;  // kg, m/s
 constexpr HertzStiffness stiffness = 2e9 * N / m_3_2;
@@ -42,7 +41,9 @@ const std::vector<CheckedColumn> columns{
     {"Hertz-damp: \"Hertz-damp model\"", "e_hertz_damp",
      [](double e) { return delivered(HertzDamp{.stiffness = stiffness, .restitution = e}); }}};
 
-void show(Exhibit& exhibit) {
+}  // namespace
+
+void show_table1(Exhibit& exhibit) {
   const std::vector<PrintedRow> printed = printed_table("table1.csv");
 
   ShownTable checked{"Delivered restitution beside the paper's, with the laws that its columns were computed with",
@@ -63,13 +64,13 @@ void show(Exhibit& exhibit) {
   for (const PrintedRow& row : printed) {
     const double e = number(row, "e0");
     requested.push_back(e);
-    std::vector<std::string> cells{fixed(e, 1)};
+    std::vector<std::string> cells{to_fixed(e, 1)};
     for (std::size_t i = 0; i < columns.size(); ++i) {
       const double computed = columns[i].restitution(e), theirs = number(row, columns[i].printed);
-      exhibit.assert_that(std::abs(computed - theirs) <= bound, columns[i].title + ", e0 = " + fixed(e, 1) + ": " +
-                                                                    fixed(computed, 4) + " within " + fixed(bound, 3) +
-                                                                    " of " + fixed(theirs, 4));
-      cells.insert(cells.end(), {fixed(computed, 4), fixed(theirs, 4)});
+      exhibit.assert_that(std::abs(computed - theirs) <= bound, columns[i].title + ", e0 = " + to_fixed(e, 1) + ": " +
+                                                                    to_fixed(computed, 4) + " within " +
+                                                                    to_fixed(bound, 3) + " of " + to_fixed(theirs, 4));
+      cells.insert(cells.end(), {to_fixed(computed, 4), to_fixed(theirs, 4)});
       for (std::size_t j = 2 * i; j < 2 * i + 2; ++j) curves[j].x.push_back(e);
       curves[2 * i].y.push_back(computed);
       curves[2 * i + 1].y.push_back(theirs);
@@ -83,8 +84,8 @@ void show(Exhibit& exhibit) {
     const double jankowski = delivered(NonlinearViscoelastic{.stiffness = stiffness, .restitution = e});
     error_of_printed.push_back(std::abs(approach / e - 1.0));
     error_of_jankowski.push_back(std::abs(jankowski / e - 1.0));
-    formulas.rows.push_back({fixed(e, 1), fixed(approach, 4), fixed(throughout, 4), row.at("e_this_paper"),
-                             fixed(jankowski, 4), row.at("e_nonlinear_viscoelastic")});
+    formulas.rows.push_back({to_fixed(e, 1), to_fixed(approach, 4), to_fixed(throughout, 4), row.at("e_this_paper"),
+                             to_fixed(jankowski, 4), row.at("e_nonlinear_viscoelastic")});
     exhibit.report(3);
   }
   exhibit.table(checked);
@@ -112,8 +113,8 @@ void show(Exhibit& exhibit) {
   const double tabulated = worst_above(error_of_tabulated, 0.5), as_printed = worst_above(error_of_printed, 0.5);
   exhibit.finding({"3.2", "For e0 > 0.5 the relative error of the modified Hertz-damp model is below 1.5 %",
                    "largest error of the delivered e at e0 = 0.6 ... 1.0 below 1.5 %",
-                   "tabulated form " + fixed(100 * tabulated, 1) + " %; printed Eq. 10 with Eq. 27 " +
-                       fixed(100 * as_printed, 1) + " %",
+                   "tabulated form " + to_fixed(100 * tabulated, 1) + " %; printed Eq. 10 with Eq. 27 " +
+                       to_fixed(100 * as_printed, 1) + " %",
                    tabulated > 0.015    ? Verdict::fails
                    : as_printed > 0.015 ? Verdict::partly
                                         : Verdict::holds});
@@ -128,16 +129,12 @@ void show(Exhibit& exhibit) {
                    "each form's error of the delivered e below that of the other laws: tabulated form against the "
                    "columns of Table 1 "
                    "at each e0 < 1; printed form against Eqs. 9-11, largest error at e0 > 0.5",
-                   "tabulated form: the others have at least " + fixed(best_other, 2) +
-                       " times its error; printed form: " + fixed(100 * as_printed, 1) + " % against " +
-                       fixed(100 * jankowski, 1) + " %. The factor of the tabulated form is that of Hu & Guo (2015)",
+                   "tabulated form: the others have at least " + to_fixed(best_other, 2) +
+                       " times its error; printed form: " + to_fixed(100 * as_printed, 1) + " % against " +
+                       to_fixed(100 * jankowski, 1) + " %. The factor of the tabulated form is that of Hu & Guo (2015)",
                    best_other > 1.0 && as_printed < jankowski   ? Verdict::holds
                    : best_other > 1.0 || as_printed < jankowski ? Verdict::partly
                                                                 : Verdict::fails});
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
-  return run_exhibit(argc, argv, "table1", "Table 1: restitution of a pendulum against a wall", show);
-}
+}  // namespace moat::paper

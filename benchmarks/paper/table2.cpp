@@ -15,11 +15,10 @@
 #include "paper/printed_table.hpp"
 #include "paper/records.hpp"
 
-using namespace moat;
-using namespace moat::paper;
-using namespace moat::units;
-
+namespace moat::paper {
 namespace {
+
+using namespace units;
 
 const TransientOptions converged{.tolerance = 1e-5, .steps_per_contact = 128};
 
@@ -146,7 +145,7 @@ void compare_with_references(Exhibit& exhibit) {
         in = column.name + ", " + row.at("record");
       }
     }
-    shown.rows.push_back({laws[law].label, fixed(100 * largest, 4), in});
+    shown.rows.push_back({laws[law].label, to_fixed(100 * largest, 4), in});
   }
   exhibit.table(shown);
 }
@@ -211,7 +210,8 @@ void show_reading(Exhibit& exhibit, const std::string& caption, const std::vecto
     for (std::size_t law = 0; law < printed_laws; ++law) {
       const double computed = value_of(peaks[law], quantity, where) / unit;
       const double paper = number(theirs, laws[law].printed);
-      cells.push_back(fixed(computed, decimals) + " / " + fixed(paper, decimals) + " = " + ratio(computed, paper));
+      cells.push_back(to_fixed(computed, decimals) + " / " + to_fixed(paper, decimals) + " = " +
+                      ratio(computed, paper));
     }
     exhibit.report(printed_laws);
     shown.rows.push_back(cells);
@@ -222,7 +222,7 @@ void show_reading(Exhibit& exhibit, const std::string& caption, const std::vecto
     add_row(shear.label + " / paper's base shear [kN]", shear.quantity, shear.where, 1e3, 0,
             printed.at(printed_shear.name));
   std::vector<std::string> impacts{"impacts"};
-  for (const StudyRecord& each : peaks) impacts.push_back(fixed(value_of(each, "impacts", ""), 0));
+  for (const StudyRecord& each : peaks) impacts.push_back(to_fixed(value_of(each, "impacts", ""), 0));
   shown.rows.push_back(impacts);
   exhibit.table(shown);
 }
@@ -272,8 +272,8 @@ void assert_what_holds(Exhibit& exhibit, const std::vector<StudyRecord>& peaks) 
       const double computed = value_of(peaks[law], each.quantity, each.where) / each.unit;
       const double paper = number(printed.at(each.name), laws[law].printed);
       exhibit.assert_that(std::abs(computed / paper - 1.0) <= 0.08,
-                          laws[law].label + ", " + each.label + ": " + fixed(computed, 2) +
-                              " within 8 % of the paper's " + fixed(paper, 2));
+                          laws[law].label + ", " + each.label + ": " + to_fixed(computed, 2) +
+                              " within 8 % of the paper's " + to_fixed(paper, 2));
     }
   }
   enum Law { linear, hertz, kelvin, hertz_damp, modified };
@@ -298,7 +298,7 @@ void find_claims(Exhibit& exhibit, const std::vector<StudyRecord>& peaks) {
     }
     largest = std::max(largest, high / low - 1.0);
     spreads += (spreads.empty() ? "" : ", ") + each.label.substr(0, each.label.find(" [")) + " " +
-               fixed(100 * (high / low - 1.0), 0) + " %";
+               to_fixed(100 * (high / low - 1.0), 0) + " %";
   }
   exhibit.finding({"4.2, Table 2", "The peaks for the five impact laws differ by less than 10 %",
                    "largest over smallest peak below 1.10 for every response", spreads,
@@ -336,14 +336,12 @@ void explain(Exhibit& exhibit) {
       "itself: for one elastic impact, equal approach energy demands contact forces of Hertz and linear elastic model "
       "in "
       "the ratio 1.25 d_linear/d_Hertz = " +
-      fixed(demanded, 2) + ", but its base accelerations have the ratio " + fixed(given, 2) + ".");
+      to_fixed(demanded, 2) + ", but its base accelerations have the ratio " + to_fixed(given, 2) + ".");
 }
 
-void show(Exhibit& exhibit) {
-  if (const std::string missing = missing_records(); !missing.empty()) {
-    exhibit.skip(missing);
-    return;
-  }
+}  // namespace
+
+void show_table2(Exhibit& exhibit) {
   const GroundMotion gebze_record = scaled_records()[gebze];
   const std::vector<StudyRecord> plain = peaks_of_laws({.name = "plain", .motion = gebze_record});
   assert_what_holds(exhibit, plain);
@@ -379,8 +377,8 @@ void show(Exhibit& exhibit) {
       {}};
   const auto summarise = [&](const std::string& name, const std::vector<StudyRecord>& peaks) {
     const Agreement agreement = agreement_of(peaks);
-    summary.rows.push_back(
-        {name, std::to_string(agreement.within_five_percent) + " of 25", fixed(100 * agreement.root_mean_square, 1)});
+    summary.rows.push_back({name, std::to_string(agreement.within_five_percent) + " of 25",
+                            to_fixed(100 * agreement.root_mean_square, 1)});
     exhibit.report(2);
   };
   summarise("plain, GBZ000", plain);
@@ -391,8 +389,4 @@ void show(Exhibit& exhibit) {
   find_claims(exhibit, plain);
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
-  return run_exhibit(argc, argv, "table2", "Table 2: peaks for five impact laws", show);
-}
+}  // namespace moat::paper

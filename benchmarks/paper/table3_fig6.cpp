@@ -8,11 +8,10 @@
 #include "paper/printed_table.hpp"
 #include "paper/records.hpp"
 
-using namespace moat;
-using namespace moat::paper;
-using namespace moat::units;
-
+namespace moat::paper {
 namespace {
+
+using namespace units;
 
 double ratio_of(const GroundMotion& motion) { return (motion.peak_velocity() / motion.peak_acceleration()).si(); }
 
@@ -25,10 +24,10 @@ void show_records(Exhibit& exhibit) {
   const auto add_row = [&](std::size_t i, const std::string& file, const GroundMotion& motion) {
     const double pga = motion.peak_acceleration() / g;
     const double their_pga = number(printed[i], "pga_g"), their_ratio = number(printed[i], "pgv_over_pga_s");
-    table.rows.push_back({std::string{paper_records[i].earthquake} + ", " + paper_records[i].station, file,
-                          fixed(pga, 3), printed[i].at("pga_g"), ratio(pga, their_pga), fixed(ratio_of(motion), 3),
-                          printed[i].at("pgv_over_pga_s"), ratio(ratio_of(motion), their_ratio),
-                          to_text(motion.time_step()), fixed(motion.duration(), 2)});
+    table.rows.push_back(
+        {std::string{paper_records[i].earthquake} + ", " + paper_records[i].station, file, to_fixed(pga, 3),
+         printed[i].at("pga_g"), ratio(pga, their_pga), to_fixed(ratio_of(motion), 3), printed[i].at("pgv_over_pga_s"),
+         ratio(ratio_of(motion), their_ratio), to_text(motion.time_step()), to_fixed(motion.duration(), 2)});
     exhibit.report(2);
   };
   for (std::size_t i = 0; i < paper_records.size(); ++i)
@@ -47,7 +46,7 @@ void show_records(Exhibit& exhibit) {
 
 void show_spectra(Exhibit& exhibit) {
   std::vector<Time> periods;
-  for (const double period : logarithmically_spaced(0.02, 5.0, exhibit.coarse() ? 40 : 300))
+  for (const double period : logarithmically_spaced(0.02, 5.0, exhibit.coarse ? 40 : 300))
     periods.push_back(period * s);
   Chart spectra{.title = "Acceleration spectra, 5 % damping, PGA 0.4 g",
                 .x_label = "period [s]",
@@ -73,14 +72,11 @@ void show_spectra(Exhibit& exhibit) {
   exhibit.numbers("fig6", numbers);
 }
 
-void show(Exhibit& exhibit) {
-  if (const std::string missing = missing_records(); !missing.empty()) return exhibit.skip(missing);
+}  // namespace
+
+void show_table3_fig6(Exhibit& exhibit) {
   show_records(exhibit);
   show_spectra(exhibit);
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
-  return run_exhibit(argc, argv, "table3_fig6", "Table 3 and Figure 6: ground motions", show);
-}
+}  // namespace moat::paper

@@ -9,7 +9,6 @@
 
 #include "base/error.hpp"
 #include "measuring/command_output.hpp"
-#include "peers/opensees_model.hpp"
 
 namespace moat::peers {
 
@@ -44,12 +43,12 @@ std::optional<OpenSees> OpenSees::find(const std::filesystem::path& folder) {
   return OpenSees{program, folder};
 }
 
-OpenSeesRun OpenSees::run(const Model& model, const GroundMotion& motion, double step, double end,
+OpenSeesRun OpenSees::run(const AnalysisState& start, const GroundMotion& motion, double step, double end,
                           const OpenSeesSetting& setting, NodeId base, NodeId top) const {
   const std::filesystem::path model_file = folder_ / "model.tcl", motion_file = folder_ / "motion.txt",
                               messages = folder_ / "opensees_messages.txt";
   std::ofstream tcl = opened(model_file);
-  const OpenSeesTags tags = write_opensees_model(model, tcl);
+  const std::vector<int> tags = write_opensees_model(start, tcl);
   finish(tcl, model_file);
   std::ofstream samples = opened(motion_file);
   samples << std::setprecision(17);
@@ -57,7 +56,7 @@ OpenSeesRun OpenSees::run(const Model& model, const GroundMotion& motion, double
   finish(samples, motion_file);
 
   std::ostringstream command, gaps;
-  for (const int tag : tags.gaps) gaps << tag << ' ';
+  for (const int tag : tags) gaps << tag << ' ';
   const long count = std::lround(std::min(end, motion.duration()) / step);
   command << std::setprecision(17) << shell_quoted(program_) << ' ' << shell_quoted(MOAT_OPENSEES_HISTORY) << ' '
           << shell_quoted(model_file.string()) << ' ' << shell_quoted(motion_file.string()) << ' ' << motion.time_step()
@@ -90,7 +89,8 @@ const std::vector<OpenSeesSetting>& opensees_settings() {
 }
 
 History opensees_history(const OpenSees& opensees, const Case& of, const OpenSeesSetting& setting, double step) {
-  const OpenSeesRun run = opensees.run(of.model, of.motion, step, of.end, setting, of.base, of.top);
+  const Transient at_start{of.model, of.motion, of.start(of.model)};
+  const OpenSeesRun run = opensees.run(at_start.state(), of.motion, step, of.end, setting, of.base, of.top);
   History history{{}, run.cpu_seconds};
   if (run.solved && run.peaks.size() == history.peaks.size()) std::ranges::copy(run.peaks, history.peaks.begin());
   return history;

@@ -2,16 +2,22 @@
 #pragma once
 
 #include <filesystem>
+#include <iosfwd>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "model/model.hpp"
+#include "model/analysis_state.hpp"
 #include "motions/ground_motion.hpp"
 #include "peers/building.hpp"
 #include "peers/ladders.hpp"
 
 namespace moat::peers {
+
+/// Writes Tcl that builds the same model: nodes with masses and committed displacement, velocity and acceleration,
+/// springs, dampers, bilinear bearings, and gaps with `LinearElastic` or `HertzDamp`. Node i of the model has tag
+/// i + 1, the ground tag 0. Returns the tags of the gaps. Throws InputError for a law that OpenSees does not have.
+std::vector<int> write_opensees_model(const AnalysisState& state, std::ostream& tcl);
 
 /// One of the settings in history.tcl.
 struct OpenSeesSetting {
@@ -35,9 +41,9 @@ class OpenSees {
   /// Throws InputError where OPENSEES names no program.
   static std::optional<OpenSees> find(const std::filesystem::path& folder);
 
-  /// Steps of `step` s to the end of the motion or `end` s, whichever comes first. Peaks are those of nodes `base` and
-  /// `top`. Throws Error where OpenSees prints no result.
-  [[nodiscard]] OpenSeesRun run(const Model& model, const GroundMotion& motion, double step, double end,
+  /// Steps of `step` s from this state to the end of the motion or `end` s, whichever comes first. Peaks are those of
+  /// nodes `base` and `top`. Throws Error where OpenSees prints no result.
+  [[nodiscard]] OpenSeesRun run(const AnalysisState& start, const GroundMotion& motion, double step, double end,
                                 const OpenSeesSetting& setting, NodeId base, NodeId top) const;
 
  private:
@@ -47,7 +53,8 @@ class OpenSees {
   std::filesystem::path folder_;
 };
 
-/// A history of steps of `step` s. One that OpenSees does not solve has no peaks, and so the largest error.
+/// A history of steps of `step` s, with moat's accelerations at the start. One that OpenSees does not solve has no
+/// peaks, and so the largest error.
 History opensees_history(const OpenSees& opensees, const Case& of, const OpenSeesSetting& setting, double step);
 
 /// Steps from the interval of the motion to a twentieth of it. OpenSees and the case must outlive the ladder.

@@ -1,4 +1,4 @@
-#include "peers/opensees_model.hpp"
+#include "peers/opensees.hpp"
 
 #include <algorithm>
 #include <iomanip>
@@ -43,33 +43,34 @@ void write_material(const std::string& law, const Values& parameters, double cle
 
 }  // namespace
 
-OpenSeesTags write_opensees_model(const Model& model, std::ostream& tcl) {
+std::vector<int> write_opensees_model(const AnalysisState& state, std::ostream& tcl) {
+  const Model& model = state.model();
   constexpr int exact_digits = 17;
   tcl << std::setprecision(exact_digits) << "model basic -ndm 1 -ndf 1\nnode 0 0.0\nfix 0 1\n";
   const auto tag_of = [](NodeId node) { return node == ground ? 0 : node.index + 1; };
-  for (int i = 0; i < model.node_count(); ++i) {
+  for (int i = 0; i < model.degrees_of_freedom(); ++i) {
     const NodeId node{i};
     tcl << "node " << tag_of(node) << " 0.0\nmass " << tag_of(node) << ' ' << model.mass(node) << '\n';
-    tcl << "setNodeDisp " << tag_of(node) << " 1 " << model.displacement(node) << " -commit\n";
-    tcl << "setNodeVel " << tag_of(node) << " 1 " << model.velocity(node) << " -commit\n";
-    tcl << "setNodeAccel " << tag_of(node) << " 1 " << model.acceleration(node) << " -commit\n";
+    tcl << "setNodeDisp " << tag_of(node) << " 1 " << state.displacement(node) << " -commit\n";
+    tcl << "setNodeVel " << tag_of(node) << " 1 " << state.velocity(node) << " -commit\n";
+    tcl << "setNodeAccel " << tag_of(node) << " 1 " << state.acceleration(node) << " -commit\n";
   }
-  OpenSeesTags tags;
+  std::vector<int> gaps;
   int tag = 0;
   for (const auto& block : model.blocks())
     for (std::size_t e = 0; e < block->size(); ++e) {
       ++tag;
       const ElementInfo& info = block->info(e);
-      const LawAsGiven law = law_of(*block, e);
+      const LawAsGiven law = block->law(e);
       write_material(law.name, law.parameters, info.offset, tag, tcl);
       // Both programs measure second minus first; a gap's deformation is compression here and extension there.
-      const bool is_gap = block->contacts() != nullptr;
+      const bool is_gap = block->kind().contacts;
       const NodeId first = is_gap ? info.second : info.first, second = is_gap ? info.first : info.second;
       tcl << "element zeroLength " << tag << ' ' << tag_of(first) << ' ' << tag_of(second) << " -mat " << tag
           << " -dir 1\n";
-      if (is_gap) tags.gaps.push_back(tag);
+      if (is_gap) gaps.push_back(tag);
     }
-  return tags;
+  return gaps;
 }
 
 }  // namespace moat::peers

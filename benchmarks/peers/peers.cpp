@@ -6,8 +6,10 @@
 #include <cstdlib>
 #include <moat.hpp>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "app/usage_errors.hpp"
 #include "measuring/measure.hpp"
 #include "measuring/record.hpp"
 #include "measuring/street.hpp"
@@ -24,17 +26,17 @@ using performance::Figure;
 using performance::Peaks;
 
 NodeId node_named(const Model& model, const std::string& name) {
-  for (int i = 0; i < model.node_count(); ++i)
+  for (int i = 0; i < model.degrees_of_freedom(); ++i)
     if (model.node_name(NodeId{i}) == name) return NodeId{i};
   throw InputError{"The model has no node " + name + "."};
 }
 
 History moat_history(const Case& of, TransientOptions options) {
   options.end = of.end * s;
-  Model model = of.model;
+  AnalysisState at_start = of.start(of.model);
   const double start = performance::seconds();
-  Transient analysis{model, of.motion, options};
-  PeakRecorder recorder{model};
+  Transient analysis{of.model, of.motion, std::move(at_start), options};
+  PeakRecorder recorder{of.model};
   analysis.attach(recorder);
   analysis.run();
   History history{{}, performance::seconds() - start};
@@ -68,7 +70,7 @@ struct Options {
 
 std::vector<Case> buildings(const Options& options) {
   std::vector<Case> cases;
-  for (const auto& [name, motion] : motions(options.records)) {
+  for (const auto& [name, motion] : motions(!options.records.empty())) {
     cases.push_back(
         five_storeys(name + ", linear contact", LinearElastic{.stiffness = paper::linear_impact_stiffness}, motion));
     cases.push_back(five_storeys(name + ", Hertz-damp contact", hertz_damp(), motion));
@@ -117,7 +119,8 @@ void compare_streets(performance::Record& record, const OpenSees& opensees, cons
     const std::string size = buildings == 100 ? "600 DOF" : "6,000 DOF", middle = std::to_string(buildings / 2) + " ";
     Model model = performance::street(buildings);
     const NodeId base = node_named(model, middle + "base"), top = node_named(model, middle + "floor 5");
-    const Case street = balanced(size, std::move(model), base, top, performance::street_motion(), end);
+    const Case street{
+        size, std::move(model), base, top, performance::street_motion(), end, performance::street_at_start};
     const Peaks reference = moat_history(street, {.tolerance = 1e-6, .steps_per_contact = 256}).peaks;
     std::vector<Ladder> all{{"moat, default", {{"", [&street] { return moat_history(street, {}); }}}}};
     for (const OpenSeesSetting& setting : opensees_settings())
@@ -165,9 +168,7 @@ int run(const Options& options, bool write_docs) {
 }  // namespace moat::peers
 
 int main(int argc, char** argv) {
-  constexpr int exit_usage = 2;
-  CLI::App app{"moat beside OpenSees on the same models, in turns"};
-  app.name("./moat bench peers");
+  CLI::App app{"moat beside OpenSees on the same models, in turns", "moat bench peers"};
   app.footer(
       "OpenSees is the program that OPENSEES names, else `OpenSees` on the path. It is given moat's own models,\n"
       "written in Tcl, and the steps that benchmarks/peers/history.tcl describes. Without it nothing is compared.");
@@ -178,16 +179,8 @@ int main(int argc, char** argv) {
       ->capture_default_str()
       ->check(CLI::Range(1, 1000));
   app.add_flag("--write-docs", write_docs, "also bring docs/performance.md up to date");
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? 0 : exit_usage;
-  }
-  try {
+  return moat::run_command(app, "moat bench peers", argc, argv, [&] {
     if (const char* records = std::getenv("MOAT_RECORDS")) options.records = records;
     return moat::peers::run(options, write_docs);
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "moat: error: %s\n", error.what());
-    return 1;
-  }
+  });
 }

@@ -24,7 +24,7 @@ class Report {
     if (!opensees_) record.note("OpenSees is not installed (OPENSEES names it): it is left out.");
     if (options.records.empty())
       record.note("MOAT_RECORDS is not set: recorded motions are left out, and only the pulse is computed.");
-    for (const auto& [name, motion] : peers::motions(options.quick ? "" : options.records))
+    for (const auto& [name, motion] : peers::motions(!options.quick && !options.records.empty()))
       cases_.push_back(peers::five_storeys(name, peers::hertz_damp(), motion));
   }
 

@@ -26,9 +26,9 @@ Peaks five_of(const std::vector<Peak>& peaks) {
 // The five peaks alone, as the program around SUNDIALS follows them.
 class FivePeakObserver final : public StepObserver {
  public:
-  explicit FivePeakObserver(const Model& model) : top_{model.node_count() - 1} {
-    for (const auto& block : model.blocks())
-      if (block->size() > 0 && block->contacts() != nullptr) gaps_ = block.get();
+  explicit FivePeakObserver(const Model& model) : top_{model.degrees_of_freedom() - 1} {
+    for (std::size_t b = 0; b < model.blocks().size(); ++b)
+      if (model.blocks()[b]->kind().contacts) gaps_ = b;
   }
 
   void start(const StepView& view) override { step(view); }
@@ -48,8 +48,8 @@ class FivePeakObserver final : public StepObserver {
 
  private:
   void sample(const StepView& view) {
-    const MotionState& state = view.model.state();
-    const ElementResults gaps = gaps_->results();
+    const MotionState& state = view.state.motion();
+    const ResultsOf<double> gaps = view.state.elements(gaps_).results().line;
     CommonInstant& next = peaks_.next();
     next.time = state.time;
     std::size_t i = 0;
@@ -58,21 +58,20 @@ class FivePeakObserver final : public StepObserver {
       next.rates[i++] = rate;
     };
     for (const int node : {0, top_}) add(state.displacement[node], state.velocity[node]);
-    for (const int node : {0, top_}) add(state.acceleration[node] + view.ground_acceleration, state.jerk[node]);
+    for (const int node : {0, top_}) add(state.acceleration[node] + view.ground_acceleration.x, state.jerk[node]);
     for (const std::size_t gap : {std::size_t{0}, std::size_t{1}}) add(gaps.forces[gap], gaps.force_rates[gap]);
   }
 
   int top_;
-  const ElementBlock* gaps_ = nullptr;
+  std::size_t gaps_ = 0;  // block
   PeakTrackers peaks_{6};
 };
 
 }  // namespace
 
 Peaks moat_peaks(const Model& model, const GroundMotion& motion, const TransientOptions& options) {
-  Model copy = model;
-  Transient analysis{copy, motion, options};
-  FivePeakObserver observer{copy};
+  Transient analysis{model, motion, options};
+  FivePeakObserver observer{model};
   analysis.attach(observer);
   analysis.run();
   return observer.peaks();
@@ -80,8 +79,7 @@ Peaks moat_peaks(const Model& model, const GroundMotion& motion, const Transient
 
 Peaks moat_case(const Model& model, const GroundMotion& motion, const TransientOptions& options,
                 ErrorBarMode error_bars) {
-  Model copy = model;
-  return five_of(run_case(copy, motion, {.transient = options, .error_bars = error_bars}).peaks);
+  return five_of(run_case(model, motion, {.transient = options, .error_bars = error_bars}).peaks);
 }
 
 }  // namespace moat::performance

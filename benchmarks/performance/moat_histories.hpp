@@ -6,7 +6,7 @@
 
 namespace moat::performance {
 
-/// Analyses a copy of the model, followed by an observer of the five peaks alone, like those of other programs.
+/// Analyses the model, followed by an observer of the five peaks alone, like those of other programs.
 Peaks moat_peaks(const Model& model, const GroundMotion& motion, const TransientOptions& options);
 
 /// The same as a script does it, up to its results in memory: CaseRun with peaks, energy ledger, impacts, histories,

@@ -7,10 +7,10 @@
 #include <string>
 #include <vector>
 
+#include "app/usage_errors.hpp"
 #include "base/error.hpp"
 #include "measuring/measure.hpp"
 #include "measuring/record.hpp"
-#include "performance/compare.hpp"
 #include "performance/sections.hpp"
 #include "performance/street_run.hpp"
 
@@ -46,9 +46,7 @@ void measure(const Options& options, const std::string& only, bool write_docs) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  constexpr int exit_usage = 2;
-  CLI::App app{"How fast moat is, as ratios measured in one run"};
-  app.name("./moat bench performance");
+  CLI::App app{"How fast moat is, as ratios measured in one run", "moat bench performance"};
   Options options;
   std::string only;
   bool write_docs = false;
@@ -61,17 +59,6 @@ int main(int argc, char** argv) {
       ->capture_default_str()
       ->check(CLI::Range(5, 1000));
   app.add_flag("--quick", options.quick, "less of everything, to try the program");
-  app.add_option("--street-program", options.street_program, "another build that computes the streets of `scale`")
-      ->check(CLI::ExistingFile);
-
-  Comparison comparison;
-  CLI::App* comparing = app.add_subcommand("compare", "another build (A) and this one (B) in turns A B A B");
-  comparing->add_option("program", comparison.other, "the other build's program")->required()->check(CLI::ExistingFile);
-  comparing->add_option("--section", comparison.section, "the section that is run")
-      ->capture_default_str()
-      ->check(CLI::IsMember(names));
-  comparing->add_option("--out", comparison.folder, "folder for the figures of all turns")->capture_default_str();
-  comparing->add_option("--turns", comparison.turns, "2: A B A B")->capture_default_str()->check(CLI::Range(1, 100));
 
   StreetSetting street;
   CLI::App* on_street = app.add_subcommand("street", "steps of a street in this process; prints JSON");
@@ -79,21 +66,12 @@ int main(int argc, char** argv) {
   on_street->add_option("--steps-before", street.steps_before, "not measured")->capture_default_str();
   on_street->add_option("--steps", street.steps, "measured")->capture_default_str();
 
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? 0 : exit_usage;
-  }
-  try {
-    if (*comparing) return compare(comparison), 0;
+  return moat::run_command(app, "moat bench performance", argc, argv, [&] {
     if (*on_street) return std::printf("%s\n", nlohmann::json(measure_street(street)).dump().c_str()), 0;
     if (const char* records = std::getenv("MOAT_RECORDS")) options.records = records;
     if (write_docs && (options.quick || options.records.empty()))
       throw moat::InputError{"--write-docs needs the recorded motions (MOAT_RECORDS), and not --quick."};
     measure(options, only, write_docs);
     return 0;
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "moat: error: %s\n", error.what());
-    return 1;
-  }
+  });
 }

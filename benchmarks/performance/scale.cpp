@@ -46,7 +46,7 @@ std::vector<Size> sizes_in_turns(const Options& options) {
   constexpr int buildings[] = {167, 1000, 5270, 16667};
   std::vector<Size> sizes(std::size(buildings));
   for (int round = 0; round < (options.quick ? 1 : options.rounds); ++round)
-    for (std::size_t i = 0; i < sizes.size(); ++i) sizes[i].add(run_street(options.street_program, buildings[i]));
+    for (std::size_t i = 0; i < sizes.size(); ++i) sizes[i].add(run_street(buildings[i]));
   return sizes;
 }
 

@@ -16,8 +16,6 @@ struct Options {
   int rounds = 5;
   /// Less of everything, to try the program; its figures mean little.
   bool quick = false;
-  /// The build of this program that computes the streets.
-  std::filesystem::path street_program = "/proc/self/exe";
 };
 
 /// The five-storey building: time for an error of 0.1 %, beside SUNDIALS and OpenSees.

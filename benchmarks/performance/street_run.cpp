@@ -1,7 +1,9 @@
 #include "performance/street_run.hpp"
 
+#include <filesystem>
 #include <fstream>
 #include <string>
+#include <utility>
 
 #include "base/error.hpp"
 #include "measuring/command_output.hpp"
@@ -25,14 +27,15 @@ double peak_resident_bytes() {
 StreetReport measure_street(const StreetSetting& setting) {
   StreetReport report;
   double start = seconds(Clock::wall);
-  Model model = street(setting.buildings);
+  const Model model = street(setting.buildings);
+  AnalysisState at_start = street_at_start(model);
   report.degrees_of_freedom = model.degrees_of_freedom();
   report.build_seconds = seconds(Clock::wall) - start;
 
   TransientOptions options{.step = 2.5 * units::ms, .events = EventTreatment::at_end_of_step};
   // A street has many contacts, none of which chatters.
   options.max_events_per_second = 1'000'000'000;
-  Transient transient{model, street_motion(), options};
+  Transient transient{model, street_motion(), std::move(at_start), options};
   EnergyLedger ledger;
   transient.attach(ledger);
 
@@ -48,8 +51,8 @@ StreetReport measure_street(const StreetSetting& setting) {
   return report;
 }
 
-StreetReport run_street(const std::filesystem::path& program, int buildings) {
-  const std::string path = std::filesystem::canonical(program).string();
+StreetReport run_street(int buildings) {
+  const std::string path = std::filesystem::read_symlink("/proc/self/exe").string();
   return nlohmann::json::parse(output_of(shell_quoted(path) + " street --buildings " + std::to_string(buildings)))
       .get<StreetReport>();
 }

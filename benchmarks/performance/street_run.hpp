@@ -1,7 +1,6 @@
 // One run of a street in a process of its own.
 #pragma once
 
-#include <filesystem>
 #include <nlohmann/json.hpp>
 #include <vector>
 
@@ -27,8 +26,8 @@ struct StreetReport {
 /// In this process.
 StreetReport measure_street(const StreetSetting& setting);
 
-/// By the sub-command `street` of this program or of another build of it, so that the peak of memory is that of this
-/// one street. Throws Error where that fails.
-StreetReport run_street(const std::filesystem::path& program, int buildings);
+/// By the sub-command `street` of this program, so that the peak of memory is that of this one street. Throws Error
+/// where that fails.
+StreetReport run_street(int buildings);
 
 }  // namespace moat::performance

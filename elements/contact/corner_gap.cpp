@@ -25,16 +25,15 @@ CornerGeometry corner_geometry(const Model& model, const std::string& name, cons
   check.not_negative(
       "clearance", geometry.clearance, "m",
       "Overlap at rest: the corner must be on the left of the way from edge_begin to edge_end, or on it.");
-  geometry.ends = PlanEndsBothWays{model, on_edge, corner, geometry.normal};
+  geometry.ends = PlanEnds{model, on_edge, corner, geometry.normal};
   geometry.edge_begin = dot(begin - at, tangent);
   geometry.edge_end = dot(end - at, tangent);
-  const auto inverse_mass = [&](int node) { return 1.0 / model.node(NodeId{node}).mass.si(); };
-  const double along = geometry.ends.along().mobility(inverse_mass),
-               across = geometry.ends.across().mobility(inverse_mass);
+  const MassMatrix& mass = model.mass_matrix();
+  const double along = geometry.ends.along().mobility(mass), across = geometry.ends.across().mobility(mass);
   check.that(along > 0.0, "neither body moves along the normal, so that the gap never changes.",
              "Give bodies that move towards each other.");
   geometry.normal_mass = 1.0 / along;
-  geometry.cross_mobility = geometry.ends.cross_mobility(inverse_mass);
+  geometry.cross_mobility = geometry.ends.cross_mobility(mass);
   geometry.tangential_mass = across > 0.0 ? 1.0 / across : std::numeric_limits<double>::infinity();
   return geometry;
 }
@@ -63,34 +62,41 @@ CornerAndEdge corner_and_edge(const CornerPlace& gap, const CornerGeometry& geom
   constexpr double of_tangent = 0.85;
   const double tangential_stiffness =
       gap.friction.tangential_stiffness ? gap.friction.tangential_stiffness->si() : of_tangent * tangent;
-  return {.pair = {gap.corner_name, gap.edge_name, gap.corner.at.si(), gap.edge_begin.si(), gap.edge_end.si(),
-                   geometry.normal},
-          .ends = geometry.ends,
+  return {.ends = geometry.ends,
           .friction = {gap.friction.coefficient, tangential_stiffness},
           .edge_begin = geometry.edge_begin,
           .edge_end = geometry.edge_end,
           .normal_mass = geometry.normal_mass,
-          .tangential_mass = geometry.tangential_mass,
-          .cross_mobility = geometry.cross_mobility};
+          .tangential_mass = geometry.tangential_mass};
 }
 
-ElementInfo register_corner(Model& model, const CornerPlace& gap, const CornerAndEdge& corner, double clearance,
-                            std::string_view law, std::vector<Parameter> parameters) {
+ElementInfo register_corner(Model& model, const CornerPlace& gap, const CornerGeometry& geometry,
+                            const CornerAndEdge& corner, std::string_view law, std::vector<Parameter> parameters) {
   model.register_element("CornerGap", gap.name);
+  ElementDetails details{.corner_pair =
+                             CornerPair{.corner = gap.corner_name,
+                                        .edge = gap.edge_name,
+                                        .position = gap.corner.at.si(),
+                                        .edge_begin = gap.edge_begin.si(),
+                                        .edge_end = gap.edge_end.si(),
+                                        .normal = geometry.normal,
+                                        .distance_at_rest = corner.distance({geometry.clearance, 0.0}, 0.0, 0.0).value,
+                                        .may_jam = 1.0 <= corner.normal_mass * corner.friction.coefficient *
+                                                              std::abs(geometry.cross_mobility)}};
   ElementInfo info{.name = gap.name,
                    .place = gap.place,
                    .first = gap.edge_of,
                    .second = gap.corner.of,
                    .deformation_quantity = "indentation",
                    .force_quantity = "impact_force",
-                   .offset = clearance};
+                   .offset = geometry.clearance};
   if (!parameters.empty()) {
     parameters.push_back({"friction", corner.friction.coefficient, "1"});
     parameters.push_back({"tangential_stiffness", corner.friction.tangential_stiffness, "N/m"});
     if (gap.share != 1.0) parameters.push_back({"share", gap.share, "1"});
-    info.details = std::make_shared<const ElementDetails>(
-        ElementDetails{.law_as_given = LawAsGiven{std::string{law}, std::move(parameters)}});
+    details.law_as_given = LawAsGiven{std::string{law}, std::move(parameters)};
   }
+  info.details = std::make_shared<const ElementDetails>(std::move(details));
   return info;
 }
 

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "elements/contact/corner_contacts.hpp"
+#include "elements/contact/corner_and_edge.hpp"
 #include "elements/contact/gap.hpp"
 #include "elements/plan/plan_point.hpp"
 #include "materials/contact/shared_contact.hpp"
@@ -66,7 +66,7 @@ struct CornerGap {
 /// Where a corner and an edge are, and how they move.
 struct CornerGeometry {
   double clearance = 0.0;  ///< at rest, m
-  PlanEndsBothWays ends;   ///< Motion of the corner relative to the edge, along normal and tangent.
+  PlanEnds ends;           ///< Motion of the corner relative to the edge, along normal and tangent.
   PlanVector normal{};     ///< Unit vector from the body of the corner to that of the edge.
   /// Along the tangent from the corner at rest, m.
   double edge_begin = 0.0, edge_end = 0.0;
@@ -95,13 +95,13 @@ CornerGeometry check_corner(const Model& model, const CornerPlace& gap);
 /// The gap as its block keeps it; `tangent` N/m is that of the law from which the stiffness along the wall follows.
 CornerAndEdge corner_and_edge(const CornerPlace& gap, const CornerGeometry& geometry, double tangent);
 /// Registers the gap, and describes its element. Without parameters of the law reports show the contact's own.
-ElementInfo register_corner(Model& model, const CornerPlace& gap, const CornerAndEdge& corner, double clearance,
-                            std::string_view law, std::vector<Parameter> parameters);
+ElementInfo register_corner(Model& model, const CornerPlace& gap, const CornerGeometry& geometry,
+                            const CornerAndEdge& corner, std::string_view law, std::vector<Parameter> parameters);
 
 /// Adds the element to the block of its law.
 template <ContactLaw Contact>
 void add_corner(Model& model, ElementInfo info, const Contact& law, const CornerAndEdge& corner) {
-  model.block<CornerContacts<Contact>>().add(std::move(info), law, corner);
+  model.block<LinkBlock<Contact, CornerAndEdge>>().add(std::move(info), law, corner, corner.normal_mass);
 }
 
 /// Throws InputError for a bad parameter of gap, friction or law, unknown bodies, or a name that is taken.
@@ -120,8 +120,8 @@ void add(Model& model, const CornerGap<Law>& gap) {
   const CornerAndEdge corner = corner_and_edge(place, geometry, tangent);
   std::vector<Parameter> parameters;
   if constexpr (requires { gap.law.parameters(); }) parameters = gap.law.parameters();
-  add_corner(model, register_corner(model, place, corner, geometry.clearance, name_of(gap.law), std::move(parameters)),
-             law, corner);
+  add_corner(model, register_corner(model, place, geometry, corner, name_of(gap.law), std::move(parameters)), law,
+             corner);
 }
 
 // For moat's impact laws compiled in the library, so that a script compiles faster.

@@ -27,7 +27,7 @@ Check check_ends(const Model& model, const GapPlace& gap) {
 std::optional<MemberEnds> member_ends(const Model& model, const MemberPoint& left, const MemberPoint& right) {
   if (left.is_node() && right.is_node()) return std::nullopt;
   const MemberPoint& drawn = !left.is_node() && right.is_node() && right.node != ground ? right : left;
-  const auto height = [&](NodeId node) { return node == ground ? 0.0 : model.node(node).height.si(); };
+  const auto height = [&](NodeId node) { return node == ground ? 0.0 : model.body(node).height; };
   return MemberEnds{right, left, (1.0 - drawn.share) * height(drawn.node) + drawn.share * height(drawn.other)};
 }
 
@@ -41,8 +41,7 @@ Check check_gap(const Model& model, const GapPlace& gap) {
 }
 
 double effective_mass(const Model& model, const Check& check, const MemberPoint& first, const MemberPoint& second) {
-  const double mobility =
-      PointPair{first, second}.mobility([&](int node) { return 1.0 / model.node(NodeId{node}).mass.si(); });
+  const double mobility = WeightedEnds{first, second}.mobility(model.mass_matrix());
   check.that(mobility > 0.0, "left and right are the same point, so that the gap never changes.",
              "Give two points that move towards each other.");
   return 1.0 / mobility;

@@ -73,7 +73,8 @@ void add_contact(Model& model, ElementInfo info, const Contact& law, double effe
   if (left.is_node() && right.is_node())
     model.block<LinkBlock<Contact>>().add(std::move(info), law, effective_mass);
   else
-    model.block<LinkBlock<Contact, PointPair>>().add(std::move(info), law, effective_mass, PointPair{right, left});
+    model.block<LinkBlock<Contact, WeightedEnds>>().add(std::move(info), law, WeightedEnds{right, left},
+                                                        effective_mass);
 }
 
 /// Throws InputError for a bad parameter of gap or law, unknown nodes, two ends at the same point, or a name that is

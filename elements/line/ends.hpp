@@ -4,8 +4,10 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <span>
 
 #include "model/element_block.hpp"
+#include "model/mass_matrix.hpp"
 #include "model/member_point.hpp"
 #include "model/node.hpp"
 
@@ -16,19 +18,19 @@ namespace moat {
 /// Global arrays have one entry more than there are degrees of freedom, the last for the ground.
 class NodePair {
  public:
+  using Vector = double;  ///< of deformations and forces
+  using Matrix = double;  ///< of stiffnesses
+
   NodePair() = default;
-  /// The nodes come with each call.
-  explicit NodePair(const ElementInfo&) {}
+  /// Both nodes of `info`.
+  explicit NodePair(const ElementInfo& info) : first_{info.first.index}, second_{info.second.index} {}
 
   /// Adds the pairs of degrees of freedom that stiffness couples.
-  void add_couplings(const ElementInfo& info, Couplings& couplings) const {
-    couplings.couple(info.first.index, info.second.index);
-  }
-  /// Keeps the positions of both ends in global arrays.
-  void find_entries(const ElementInfo& info, const SparseMatrix& matrix) {
-    const int of_ground = static_cast<int>(matrix.cols());
-    first_ = info.first == ground ? of_ground : info.first.index;
-    second_ = info.second == ground ? of_ground : info.second.index;
+  void add_couplings(Couplings& couplings) const { couplings.couple(first_, second_); }
+  /// The entry of the ground in global arrays.
+  void put_ground_at(int entry) {
+    if (first_ == ground_index) first_ = entry;
+    if (second_ == ground_index) second_ = entry;
   }
   /// Returns the difference in a global array: value at `second` minus value at `first`.
   [[nodiscard]] double difference(const double* values) const { return values[second_] - values[first_]; }
@@ -38,18 +40,15 @@ class NodePair {
     forces[first_] -= force;
   }
 
-  /// The positions of an element's stiffness in the values of the matrix.
+  /// The positions of an element's stiffness in the values of a matrix.
   class Slots {
    public:
-    /// Keeps the positions in the values of the matrix.
-    void find(const NodePair& ends, const SparseMatrix& matrix) {
-      const auto index = [&](int entry) { return entry == matrix.cols() ? ground_index : entry; };
-      const int first = index(ends.first_), second = index(ends.second_);
-      first_first_ = entry_position(matrix, first, first);
-      first_second_ = entry_position(matrix, first, second);
-      second_first_ = entry_position(matrix, second, first);
-      second_second_ = entry_position(matrix, second, second);
-    }
+    /// Before put_ground_at().
+    Slots(const NodePair& ends, const SparseMatrix& matrix)
+        : first_first_{entry_position(matrix, ends.first_, ends.first_)},
+          first_second_{entry_position(matrix, ends.first_, ends.second_)},
+          second_first_{entry_position(matrix, ends.second_, ends.first_)},
+          second_second_{entry_position(matrix, ends.second_, ends.second_)} {}
     /// Adds a stiffness between both ends, N/m.
     void add_stiffness(const NodePair&, double stiffness, double* values) const {
       add_to_entry(values, second_second_, stiffness);
@@ -59,96 +58,93 @@ class NodePair {
     }
 
    private:
-    int first_first_ = 0, first_second_ = 0, second_first_ = 0, second_second_ = 0;
+    int first_first_, first_second_, second_first_, second_second_;
   };
 
  private:
   int first_ = 0, second_ = 0;
 };
 
-/// Both ends at points between nodes: difference = sum of weight * value over up to four nodes, each of them once. A
-/// node on both sides has the sum of its weights, which is zero where it moves both sides alike.
-class PointPair {
-  static constexpr std::size_t count = 4;
-
+/// Weighted degrees of freedom, never the ground: difference = sum of weight * value. Between points on columns and
+/// between points in plan.
+class WeightedEnds {
  public:
-  PointPair() = default;
-  /// The nodes of `info`.
-  explicit PointPair(const ElementInfo& info) : PointPair{info.first, info.second} {}
-  /// Both points at rest at equal displacements.
-  PointPair(const MemberPoint& first, const MemberPoint& second)
-      : node_{first.node.index, first.other.index, second.node.index, second.other.index},
-        weight_{first.share - 1.0, -first.share, 1.0 - second.share, second.share} {
-    for (std::size_t i = 0; i < count; ++i) {
-      for (std::size_t j = 0; j < i; ++j) {
-        if (node_[i] != node_[j]) continue;
-        weight_[j] += weight_[i];
-        weight_[i] = 0.0;
-      }
-    }
-    // Sums of shares that cancel leave round-off.
-    for (double& weight : weight_)
-      if (std::abs(weight) < 1e-12) weight = 0.0;
+  using Vector = double;                  ///< as NodePair
+  using Matrix = double;                  ///< as NodePair
+  static constexpr std::size_t most = 6;  ///< degrees of freedom
+
+  WeightedEnds() = default;
+  /// At points between nodes, the second with the sign plus. A node on both sides has the sum of its weights, and is
+  /// left out where that vanishes because it moves both sides alike.
+  WeightedEnds(const MemberPoint& first, const MemberPoint& second) {
+    add(first.node, first.share - 1.0);
+    add(first.other, -first.share);
+    add(second.node, 1.0 - second.share);
+    add(second.other, second.share);
+  }
+  /// Adds a degree of freedom, unless it is the ground or the weight is zero.
+  void add(NodeId node, double weight) {
+    if (node == ground || weight == 0.0) return;
+    std::size_t i = 0;
+    while (i < count_ && nodes_[i] != node.index) ++i;
+    if (i == count_) weights_[count_++] = 0.0;
+    nodes_[i] = node.index;
+    weights_[i] += weight;
+    constexpr double round_off = 1e-12;
+    if (std::abs(weights_[i]) >= round_off) return;
+    --count_;
+    nodes_[i] = nodes_[count_];
+    weights_[i] = weights_[count_];
   }
 
-  /// The sum of weight^2/mass over the nodes, 1/kg: the change of the difference under a unit impulse. `inverse_mass`
-  /// is called with indices of nodes, never with the ground's.
-  template <class InverseMass>
-  [[nodiscard]] double mobility(InverseMass inverse_mass) const {
-    double sum = 0.0;
-    for (std::size_t i = 0; i < count; ++i)
-      if (weight_[i] != 0.0 && node_[i] != ground_index) sum += weight_[i] * weight_[i] * inverse_mass(node_[i]);
-    return sum;
-  }
+  /// The indices of all degrees of freedom.
+  [[nodiscard]] std::span<const int> nodes() const { return {nodes_.data(), count_}; }
+  /// Their weights.
+  [[nodiscard]] std::span<const double> weights() const { return {weights_.data(), count_}; }
+  /// The change of the difference under a unit impulse, 1/kg.
+  [[nodiscard]] double mobility(const MassMatrix& mass) const { return mass.mobility(nodes(), weights(), weights()); }
 
-  /// Adds the pairs of degrees of freedom that stiffness couples.
-  void add_couplings(const ElementInfo&, Couplings& couplings) const {
-    for (std::size_t i = 0; i < count; ++i)
-      for (std::size_t j = 0; j < i; ++j)
-        if (weight_[i] != 0.0 && weight_[j] != 0.0) couplings.couple(node_[i], node_[j]);
+  /// As NodePair.
+  void add_couplings(Couplings& couplings) const {
+    for (const int a : nodes())
+      for (const int b : nodes()) couplings.couple(a, b);
   }
-  /// Keeps the positions of the nodes in global arrays.
-  void find_entries(const ElementInfo&, const SparseMatrix& matrix) {
-    for (std::size_t i = 0; i < count; ++i)
-      entry_[i] = node_[i] == ground_index ? static_cast<int>(matrix.cols()) : node_[i];
-  }
-  /// Returns the difference in a global array: value at the second point minus value at the first.
+  /// Nothing to do: the ground is never among the degrees of freedom.
+  void put_ground_at(int) {}
+  /// As NodePair.
   [[nodiscard]] double difference(const double* values) const {
     double sum = 0.0;
-    for (std::size_t i = 0; i < count; ++i) sum += weight_[i] * values[entry_[i]];
+    for (std::size_t i = 0; i < count_; ++i) sum += weights_[i] * values[nodes_[i]];
     return sum;
   }
-  /// Adds the force to the second point and takes it from the first, N.
+  /// As NodePair.
   void add_force(double force, double* forces) const {
-    for (std::size_t i = 0; i < count; ++i) forces[entry_[i]] += weight_[i] * force;
+    for (std::size_t i = 0; i < count_; ++i) forces[nodes_[i]] += weights_[i] * force;
   }
 
-  /// The positions of an element's stiffness in the values of the matrix.
+  /// As NodePair::Slots.
   class Slots {
    public:
-    /// Keeps the positions in the values of the matrix.
-    void find(const PointPair& ends, const SparseMatrix& matrix) {
-      for (std::size_t i = 0; i < count; ++i)
-        for (std::size_t j = 0; j < count; ++j)
-          slot_[i][j] = ends.weight_[i] != 0.0 && ends.weight_[j] != 0.0
-                            ? entry_position(matrix, ends.node_[i], ends.node_[j])
-                            : -1;
+    Slots(const WeightedEnds& ends, const SparseMatrix& matrix) {
+      for (std::size_t i = 0; i < ends.count_; ++i)
+        for (std::size_t j = 0; j < ends.count_; ++j)
+          slot_[i][j] = entry_position(matrix, ends.nodes_[i], ends.nodes_[j]);
     }
-    /// Adds a stiffness between both points, N/m.
-    void add_stiffness(const PointPair& ends, double stiffness, double* values) const {
-      for (std::size_t i = 0; i < count; ++i)
-        for (std::size_t j = 0; j < count; ++j)
-          add_to_entry(values, slot_[i][j], ends.weight_[i] * ends.weight_[j] * stiffness);
+    /// Adds a stiffness between both ends, N/m.
+    void add_stiffness(const WeightedEnds& ends, double stiffness, double* values) const {
+      for (std::size_t i = 0; i < ends.count_; ++i)
+        for (std::size_t j = 0; j < ends.count_; ++j)
+          values[slot_[i][j]] += ends.weights_[i] * ends.weights_[j] * stiffness;
     }
 
    private:
-    std::array<std::array<int, count>, count> slot_{};
+    std::array<std::array<int, most>, most> slot_{};
   };
 
  private:
-  std::array<int, count> node_{ground_index, ground_index, ground_index, ground_index};
-  std::array<double, count> weight_{};
-  std::array<int, count> entry_{};
+  std::size_t count_ = 0;
+  std::array<int, most> nodes_{};
+  std::array<double, most> weights_{};
 };
 
 }  // namespace moat

@@ -86,10 +86,4 @@ class MarginPath {
   Path path_;
 };
 
-/// Fraction at which the deformation turns inside a step with these rates at its ends, 0 if it does not. A linear rate
-/// is exact for average acceleration, and close enough for others to decide whether to look there.
-inline double turning_point(double start_rate, double end_rate) {
-  return start_rate * end_rate < 0.0 ? start_rate / (start_rate - end_rate) : 0.0;
-}
-
 }  // namespace moat

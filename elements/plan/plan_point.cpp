@@ -9,9 +9,9 @@ PlanRow row_of(const Model& model, const PlanPoint& point, PlanVector direction)
   if (body == ground) return {};
   if (const PlacedDiaphragm* diaphragm = model.diaphragm_of(body)) {
     const DiaphragmId& id = diaphragm->id;
-    return {{id.x.index, id.y.index, id.r.index}, diaphragm->weights(point.at.si(), direction)};
+    return {id.degrees_of_freedom(), diaphragm->weights(point.at.si(), direction)};
   }
-  return {{body.index, ground_index, ground_index}, {dot(*model.node(body).direction, direction), 0.0, 0.0}};
+  return {{body, ground, ground}, {dot(*model.body(body).direction, direction), 0.0, 0.0}};
 }
 
 void check_point(const Model& model, std::string_view kind, const std::string& name, std::string_view field,
@@ -23,8 +23,8 @@ void check_point(const Model& model, std::string_view kind, const std::string& n
   check.finite(text + ".at.y", point.at.y);
   const NodeId body = point.of;
   if (body == ground || model.diaphragm_of(body) != nullptr) return;
-  check.that(model.node(body).direction.get() != nullptr,
-             text + ".of is the node \"" + model.node(body).name + "\", which moves on a line.",
+  check.that(model.body(body).direction.has_value(),
+             text + ".of is the node \"" + model.body(body).name + "\", which moves on a line.",
              "Give a diaphragm, a node with a .direction, or `ground`.");
 }
 

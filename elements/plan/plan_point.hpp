@@ -23,9 +23,8 @@ struct PlanPoint {
 
 /// The shares of up to three degrees of freedom in the displacement of a point along a direction.
 struct PlanRow {
-  std::array<int, 3> node{ground_index, ground_index,
-                          ground_index};  ///< indices of the degrees of freedom; `ground_index` where there is none
-  std::array<double, 3> weight{};         ///< of each
+  std::array<NodeId, 3> node{ground, ground, ground};  ///< `ground` where there is none
+  std::array<double, 3> weight{};                      ///< of each
 };
 
 /// `direction` has length 1, or any other: displacements scale with it. Zero weights for the ground.

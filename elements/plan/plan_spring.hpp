@@ -37,16 +37,16 @@ void add(Model& model, const PlanSpring<Law>& spring) {
   const PlanVector direction = unit_direction(check, "direction", spring.direction);
   if constexpr (requires { spring.law.check(check); }) spring.law.check(check);
   model.register_element("PlanSpring", spring.name);
-  model.block<LinkBlock<Law, PlanEnds>>().add({.name = spring.name,
-                                               .place = spring.place,
-                                               .first = lower.of,
-                                               .second = upper.of,
-                                               .deformation_quantity = spring.deformation_quantity,
-                                               .force_quantity = spring.force_quantity,
-                                               .isolates = spring.isolates,
-                                               .drawn_as = DrawnAs::nothing,
-                                               .details = plan_details(lower, upper, direction)},
-                                              spring.law, PlanEnds{model, lower, upper, direction});
+  model.block<LinkBlock<Law, WeightedEnds>>().add({.name = spring.name,
+                                                   .place = spring.place,
+                                                   .first = lower.of,
+                                                   .second = upper.of,
+                                                   .deformation_quantity = spring.deformation_quantity,
+                                                   .force_quantity = spring.force_quantity,
+                                                   .isolates = spring.isolates,
+                                                   .drawn_as = DrawnAs::nothing,
+                                                   .details = plan_details(lower, upper, direction)},
+                                                  spring.law, PlanEnds{model, lower, upper, direction}.along());
 }
 
 }  // namespace moat

@@ -1,5 +1,7 @@
 #include "elements/plan/rotation_link.hpp"
 
+#include <utility>
+
 #include "elements/line/link_block.hpp"
 #include "materials/linear.hpp"
 #include "materials/viscous.hpp"
@@ -9,12 +11,12 @@ namespace {
 
 // Two points of a body 1 m apart along x differ in their y displacements by theta times 1 m: a moment in N m is the
 // force of a law with this deformation.
-PlanEnds rotation_of(const Model& model, NodeId lower, NodeId upper) {
-  const auto at = [&](double x) {
-    const PlanPosition place{Length{x}, {}};
-    return PlanEnds{model, PlanPoint{lower, place}, PlanPoint{upper, place}, {0.0, 1.0}, PlanEnds::Keep::all};
-  };
-  return at(0.5).minus(at(-0.5));
+WeightedEnds rotation_of(const Model& model, NodeId lower, NodeId upper) {
+  WeightedEnds ends;
+  for (const auto& [body, sign] : {std::pair{lower, -1.0}, {upper, 1.0}})
+    if (const PlacedDiaphragm* diaphragm = model.diaphragm_of(body))
+      ends.add(diaphragm->id.r, sign / diaphragm->gyration);
+  return ends;
 }
 
 Check check_bodies(const Model& model, std::string_view kind, const std::string& name, NodeId lower, NodeId upper) {
@@ -29,7 +31,7 @@ template <class Law>
 void add_link(Model& model, std::string_view kind, const std::string& name, NodeId lower, NodeId upper,
               const Law& law) {
   model.register_element(kind, name);
-  model.block<LinkBlock<Law, PlanEnds>>().add(
+  model.block<LinkBlock<Law, WeightedEnds>>().add(
       {.name = name, .first = lower, .second = upper, .drawn_as = DrawnAs::nothing}, law,
       rotation_of(model, lower, upper));
 }

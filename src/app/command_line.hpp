@@ -1,12 +1,16 @@
 // The options of a script and the line that sets them.
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <list>
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
 #include <vector>
+
+namespace CLI {
+class App;
+}
 
 namespace moat {
 
@@ -15,6 +19,7 @@ namespace moat {
 class CommandLine {
  public:
   CommandLine(int argc, char** argv, std::string title);
+  ~CommandLine();
 
   /// The text given for an option, if any. Throws InputError for a name that no command line can hold, or that is
   /// taken.
@@ -26,8 +31,8 @@ class CommandLine {
 
   /// Whether -h or --help stands anywhere, also where an option would take it for its value.
   [[nodiscard]] bool help_wanted() const { return help_wanted_; }
-  [[nodiscard]] std::string help() const { return app_.help(); }
-  [[nodiscard]] std::string title() const { return app_.get_description(); }
+  [[nodiscard]] std::string help() const;
+  [[nodiscard]] std::string title() const;
   /// Whether --json stands anywhere.
   [[nodiscard]] bool json_wanted() const { return json_wanted_ && !help_wanted_; }
   /// Name of the program, without folder and extension.
@@ -43,7 +48,7 @@ class CommandLine {
  private:
   void require_new(const std::string& name) const;
 
-  CLI::App app_;
+  std::unique_ptr<CLI::App> app_;
   std::string program_ = "script";
   std::vector<std::string> arguments_;
   std::list<std::string> texts_;  // CLI11 keeps references to them

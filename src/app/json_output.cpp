@@ -9,11 +9,19 @@
 #include <iostream>
 #include <nlohmann/json.hpp>
 
+#include "app/study_json.hpp"
 #include "base/error.hpp"
 #include "base/text/terminal.hpp"
 #include "output/files/results_folder.hpp"
 
 namespace moat {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::string text_of(const Json& json) { return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n"; }
+
+}  // namespace
 
 JsonOutput::JsonOutput() {
   std::cout.flush();
@@ -41,12 +49,22 @@ void JsonOutput::write(const std::string& text) const {
   }
 }
 
+std::string json_of(const StudyReport& report, const std::filesystem::path& folder) {
+  Json json{{"title", report.title}, {"results_folder", folder.string()}, {"studies", Json::array()}};
+  for (const NamedStudy& study : report.studies) {
+    Json entry{{"name", study.name}, {"file", (folder / (study.name + ".db")).string()}};
+    entry.update(counts_of(study.result));
+    json["studies"].push_back(std::move(entry));
+  }
+  json["answers"] = report.answers;
+  return text_of(json);
+}
+
 std::string summary_with_folder(const std::filesystem::path& folder) {
-  using Json = nlohmann::ordered_json;
   std::ifstream file{folder / results_file::summary, std::ios::binary};
   Json json{{"results_folder", folder.string()}};
   json.update(Json::parse(file));
-  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  return text_of(json);
 }
 
 }  // namespace moat

@@ -4,6 +4,8 @@
 #include <filesystem>
 #include <string>
 
+#include "study/study_report.hpp"
+
 namespace moat {
 
 /// As long as it lives, all that the program prints goes to standard error, also by std::printf and by libraries, and
@@ -22,6 +24,9 @@ class JsonOutput {
  private:
   int standard_output_;
 };
+
+/// The studies in a folder, how far they are, and their answers: the text that Script::finish() describes.
+std::string json_of(const StudyReport& report, const std::filesystem::path& folder);
 
 /// summary.json of a folder of results, with the folder in front of its other members: "results_folder".
 std::string summary_with_folder(const std::filesystem::path& folder);

@@ -41,7 +41,7 @@ class ProgressObserver final : public StepObserver {
   explicit ProgressObserver(double end, const std::string& title = "") : end_{end}, bar_{title, "s"} {}
 
   void start(const StepView&) override {}
-  void step(const StepView& view) override { bar_(view.model.state().time, end_); }
+  void step(const StepView& view) override { bar_(view.state.time(), end_); }
   void event(const StepView&, std::span<const RegimeChange>) override {}
   void finish(const StepView&) override { bar_.clear(); }
 

@@ -11,7 +11,7 @@
 #include "output/files/peak_table.hpp"
 #include "output/files/results_folder.hpp"
 #include "output/files/summary.hpp"
-#include "output/recorders/at_the_end.hpp"
+#include "output/peaks/peak_groups.hpp"
 #include "output/recorders/energy_columns.hpp"
 #include "output/vtk/vtk_files.hpp"
 #include "report/charts/result_charts.hpp"
@@ -48,8 +48,8 @@ void write_results(const CaseResult& result, const std::filesystem::path& folder
 std::string keep_results(const CaseResult& result, const std::filesystem::path& folder) {
   using namespace results_file;
   std::error_code error;
-  for (const char* name : all_folders) std::filesystem::remove_all(folder / name, error);
-  for (const std::string_view name : all_at_top)
+  for (const char* name : {frames_folder, charts_folder}) std::filesystem::remove_all(folder / name, error);
+  for (const std::string_view name : all_names)
     if (name != unfinished) std::filesystem::remove(folder / name, error);
   std::string kept, missing = "frames";
   const auto keep = [&](const char* name, const std::function<void()>& write) {

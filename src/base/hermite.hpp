@@ -99,14 +99,15 @@ class HermiteQuinticsAt {
               .of_second0 = 0.5 * h * x * (1.0 - x) * (1.0 - x) * (2.0 - 5.0 * x),
               .of_second1 = 0.5 * h * x * x * (1.0 - x) * (3.0 - 5.0 * x)} {}
 
-  /// The value of the quintic with these values, rates and their rates (per second, per second squared) at its ends.
-  [[nodiscard]] double value(double value0, double rate0, double second0, double value1, double rate1,
-                             double second1) const {
+  /// The value of the quintic with these values, rates and their rates (per second, per second squared) at its ends: of
+  /// a number, or of a vector.
+  template <class Value>
+  [[nodiscard]] Value value(Value value0, Value rate0, Value second0, Value value1, Value rate1, Value second1) const {
     return value0 + value_.sum(value1 - value0, rate0, second0, rate1, second1);
   }
   /// Per second.
-  [[nodiscard]] double rate(double value0, double rate0, double second0, double value1, double rate1,
-                            double second1) const {
+  template <class Value>
+  [[nodiscard]] Value rate(Value value0, Value rate0, Value second0, Value value1, Value rate1, Value second1) const {
     return rate_.sum(value1 - value0, rate0, second0, rate1, second1);
   }
 
@@ -114,7 +115,8 @@ class HermiteQuinticsAt {
   struct Weights {
     double of_rise, of_rate0, of_rate1, of_second0, of_second1;
 
-    [[nodiscard]] double sum(double rise, double rate0, double second0, double rate1, double second1) const {
+    template <class Value>
+    [[nodiscard]] Value sum(Value rise, Value rate0, Value second0, Value rate1, Value second1) const {
       return of_rise * rise + of_rate0 * rate0 + of_rate1 * rate1 + of_second0 * second0 + of_second1 * second1;
     }
   };

@@ -25,6 +25,8 @@ struct PlanVector {
 
 /// The scalar product.
 [[nodiscard]] constexpr double dot(PlanVector a, PlanVector b) { return a.x * b.x + a.y * b.y; }
+/// The product, for code that serves quantities of one component and of two.
+[[nodiscard]] constexpr double dot(double a, double b) { return a * b; }
 /// Positive if b lies counter-clockwise of a.
 [[nodiscard]] constexpr double cross(PlanVector a, PlanVector b) { return a.x * b.y - a.y * b.x; }
 /// sqrt(x^2 + y^2).

@@ -72,7 +72,7 @@ MOAT_RECORDS, and fails when a test was skipped.)"},
 ./moat bench paper [--out FOLDER] [--write-docs] [--coarse]
 ./moat bench accuracy [--out FOLDER] [--write-docs] [--only-random] [--models N] [--seed N] [--threads N] [--csv FILE]
 ./moat bench isolators [--write-docs]
-./moat bench performance [--out FOLDER] [--write-docs] [--only SECTION] [--rounds N] [--quick] [compare PROGRAM]
+./moat bench performance [--out FOLDER] [--write-docs] [--only SECTION] [--rounds N] [--quick]
 ./moat bench peers [--out FOLDER] [--write-docs] [--rounds N]
 
 paper: every table and figure of Zhao, Liu & Li (2017) beside the printed numbers, on a page to open from disk,

@@ -31,7 +31,7 @@ std::vector<NodeId> Building::nodes() const {
 
 std::vector<std::vector<ElementId>> isolators_of(const Model& model, std::span<const Building> buildings) {
   constexpr int none = -1;
-  std::vector<int> building_of_node(static_cast<std::size_t>(model.node_count()), none);
+  std::vector<int> building_of_node(static_cast<std::size_t>(model.degrees_of_freedom()), none);
   for (std::size_t b = 0; b < buildings.size(); ++b)
     for (const NodeId node : buildings[b].nodes())
       building_of_node[static_cast<std::size_t>(node.index)] = static_cast<int>(b);
@@ -46,11 +46,11 @@ std::vector<std::vector<ElementId>> isolators_of(const Model& model, std::span<c
 }
 
 std::vector<int> connected_parts(const Model& model) {
-  NodeSets parts{model.node_count()};
-  for (const PlacedDiaphragm& diaphragm : model.diaphragms())
-    for (const NodeId node : {diaphragm.id.y, diaphragm.id.r}) parts.join(diaphragm.id.x.index, node.index);
+  NodeSets parts{model.degrees_of_freedom()};
+  for (const Body& body : model.bodies())
+    for (const NodeId node : model.body_of(body.first)) parts.join(body.first.index, node.index);
   for_each_element(model, [&](ElementId id, const ElementInfo& info) {
-    if (model.blocks()[id.block]->contacts() == nullptr) parts.join(info.first.index, info.second.index);
+    if (!model.blocks()[id.block]->kind().contacts) parts.join(info.first.index, info.second.index);
   });
   return parts.numbers();
 }
@@ -67,14 +67,14 @@ std::vector<Building> all_buildings(const Model& model) {
   for_each_element(model, [&](ElementId, const ElementInfo& info) {
     if (const NodeId node = isolated_node(info); node != ground) isolated[static_cast<std::size_t>(node.index)] = true;
   });
-  for (int node = 0; node < model.node_count(); ++node) {
+  for (int node = 0; node < model.degrees_of_freedom(); ++node) {
     // A diaphragm counts once.
     if (model.body_of(NodeId{node}).front() != NodeId{node}) continue;
     int& building = building_of_part[static_cast<std::size_t>(part[static_cast<std::size_t>(node)])];
     if (building == known) continue;
     if (building == none) {
       building = static_cast<int>(buildings.size());
-      buildings.push_back({.name = std::string{model.node_name(NodeId{node})}});
+      buildings.push_back({.name = std::string{model.body_name(NodeId{node})}});
     }
     Building& its = buildings[static_cast<std::size_t>(building)];
     if (isolated[static_cast<std::size_t>(node)] && its.base == ground)

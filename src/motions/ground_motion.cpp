@@ -94,6 +94,16 @@ GroundMotion GroundMotion::with_component_y(std::vector<double> samples, const G
   return motion;
 }
 
+GroundMotion GroundMotion::with_component_z(std::vector<double> samples) const {
+  Check{"GroundMotion", name_}.that(samples.size() == samples_.size(), "number of samples of the vertical component",
+                                    static_cast<double>(samples.size()), "1",
+                                    "that of the component along x, " + std::to_string(samples_.size()));
+  check_samples(samples, "vertical component, ");
+  GroundMotion motion = *this;
+  motion.samples_z_ = std::move(samples);
+  return motion;
+}
+
 std::vector<double> GroundMotion::velocity() const {
   std::vector<double> result(samples_.size());
   for (std::size_t i = 1; i < samples_.size(); ++i)
@@ -169,8 +179,10 @@ GroundMotion GroundMotion::scaled_by(double factor) const {
   GroundMotion motion = *this;
   motion.samples_ = std::move(scaled);
   for (double& sample : motion.samples_y_) sample *= factor;
+  for (double& sample : motion.samples_z_) sample *= factor;
   motion.check_samples(motion.samples_, "");
   motion.check_samples(motion.samples_y_, "component along y, ");
+  motion.check_samples(motion.samples_z_, "vertical component, ");
   motion.notes_.push_back("accelerations multiplied by " + to_text(factor));
   motion.scale_factor_ *= factor;
   for (MotionComponent& component : motion.components_) component.scale_factor *= factor;
@@ -178,7 +190,7 @@ GroundMotion GroundMotion::scaled_by(double factor) const {
 }
 
 GroundMotion GroundMotion::with_samples(std::vector<double> samples, std::string note) const {
-  Check{"GroundMotion", name_}.that(!has_two_components(), "it has two components already.",
+  Check{"GroundMotion", name_}.that(!has_two_components() && samples_z_.empty(), "it has several components already.",
                                     "Change the samples of each before they become a PlanMotion.");
   std::vector<std::string> notes = notes_;
   notes.push_back(std::move(note));
@@ -216,7 +228,8 @@ GroundMotion joined(const std::vector<GroundMotion>& motions, Time rest) {
   const auto rests = static_cast<std::size_t>(std::ceil(rest.si() / interval * (1.0 - round_off)));
   std::string name;
   std::vector<std::string> notes;
-  std::vector<double> x, y;
+  std::vector<double> x, y, z;
+  bool vertical = false;
   std::size_t start = 0;
   for (const GroundMotion& each : motions) {
     const Check its{"joined", each.name()};
@@ -230,14 +243,17 @@ GroundMotion joined(const std::vector<GroundMotion>& motions, Time rest) {
     notes.push_back("from " + to_text(static_cast<double>(start) * interval) + " s on: " + each.description());
     notes.insert(notes.end(), each.notes().begin(), each.notes().end());
     const std::size_t count = each.samples().size();
-    for (auto [all, samples] : {std::pair{&x, each.samples()}, std::pair{&y, each.samples_y()}}) {
+    vertical = vertical || !each.samples_z().empty();
+    for (auto [all, samples] :
+         {std::pair{&x, each.samples()}, std::pair{&y, each.samples_y()}, std::pair{&z, each.samples_z()}}) {
       all->resize(start + count, 0.0);
       for (std::size_t i = 0; i < samples.size(); ++i) (*all)[start + i] += samples[i];
     }
     start += count - 1 + rests;
   }
-  const GroundMotion motion{std::move(name), interval, std::move(x), std::move(notes)};
-  return motions.front().has_two_components() ? motion.with_component_y(std::move(y), motion, motion) : motion;
+  GroundMotion motion{std::move(name), interval, std::move(x), std::move(notes)};
+  if (motions.front().has_two_components()) motion = motion.with_component_y(std::move(y), motion, motion);
+  return vertical ? motion.with_component_z(std::move(z)) : motion;
 }
 
 }  // namespace moat

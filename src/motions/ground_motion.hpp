@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "base/files_read.hpp"
-#include "base/plan_vector.hpp"
+#include "base/ground_vector.hpp"
 #include "base/quantity.hpp"
 
 namespace moat {
@@ -67,9 +67,12 @@ class GroundMotion {
   [[nodiscard]] bool has_two_components() const { return !samples_y_.empty(); }
   /// m/s^2, as many as samples(); empty for one component.
   [[nodiscard]] std::span<const double> samples_y() const { return samples_y_; }
-  /// Both components at a time in s, m/s^2; zero outside [0, duration()].
-  [[nodiscard]] PlanVector components_at(double time) const {
-    return {acceleration_at(time), samples_y_.empty() ? 0.0 : value_at(samples_y_, time)};
+  /// m/s^2, upwards, as many as samples(); empty without a vertical component.
+  [[nodiscard]] std::span<const double> samples_z() const { return samples_z_; }
+  /// All components at a time in s, m/s^2; zero outside [0, duration()].
+  [[nodiscard]] GroundVector components_at(double time) const {
+    return {acceleration_at(time), samples_y_.empty() ? 0.0 : value_at(samples_y_, time),
+            samples_z_.empty() ? 0.0 : value_at(samples_z_, time)};
   }
 
   /// Ground velocity at the samples, m/s.
@@ -96,6 +99,11 @@ class GroundMotion {
   [[nodiscard]] GroundMotion with_component_y(std::vector<double> samples, const GroundMotion& first,
                                               const GroundMotion& second) const;
 
+  /// Returns the motion with a vertical component, upwards, m/s^2, for degrees of freedom that the ground lifts
+  /// (GeneralisedCoordinate::ground_influence). Throws InputError unless it has as many samples, all finite and of at
+  /// most 1e6 m/s^2.
+  [[nodiscard]] GroundMotion with_component_z(std::vector<double> samples) const;
+
   /// One line: name, PGA, PGV, PGV/PGA, time step, duration, number of samples.
   [[nodiscard]] std::string description() const;
 
@@ -115,7 +123,7 @@ class GroundMotion {
   double samples_per_second_;
   double duration_;
   std::vector<double> samples_;
-  std::vector<double> samples_y_{};  // empty for one component
+  std::vector<double> samples_y_{}, samples_z_{};  // empty without that component
   std::vector<std::string> notes_;
   MotionFile file_;
   double scale_factor_ = 1.0;

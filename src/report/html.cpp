@@ -27,4 +27,12 @@ std::string number_with_unit(double value_in_si, std::string_view si_symbol) {
   return number + " " + with_raised_digits(unit.symbol);
 }
 
+std::string chart_grid(const std::vector<Chart>& charts, int width, int height) {
+  std::string html = "<div class=\"charts\" style=\"--width: " + std::to_string(width) + "px\">\n";
+  for (const Chart& chart : charts) html += svg_text({chart}, width, height);
+  return html + "</div>\n";
+}
+
+std::string wide_picture(const std::string& svg) { return "<div class=\"wide-picture\">\n" + svg + "</div>\n"; }
+
 }  // namespace moat::html

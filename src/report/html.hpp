@@ -3,13 +3,15 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
 
+#include "output/charts/chart.hpp"
 #include "output/files/xml_text.hpp"
 
 namespace moat::html {
 
 /// Text as HTML, in UTF-8.
-inline std::string escaped(std::string_view text) { return escaped_markup(text); }
+inline std::string escaped(std::string_view text) { return escaped_for_xml(text); }
 
 /// A row of a table with a name and a number; both are escaped.
 std::string number_row(std::string_view name, std::string_view value);
@@ -18,5 +20,12 @@ std::string text_row(std::string_view name, std::string_view value);
 
 /// In the engineering unit with 4 significant digits, 2 if it is very small: "12.35 cm", "1.2e-09 kJ".
 std::string number_with_unit(double value_in_si, std::string_view si_symbol);
+
+/// Every chart as a picture of its own, `width` by `height` pixels: side by side where there is room, below each other
+/// on a phone, where letters of one wide picture could not be read.
+std::string chart_grid(const std::vector<Chart>& charts, int width, int height);
+
+/// A picture as wide as the page; on a phone it keeps a readable size and scrolls sideways.
+std::string wide_picture(const std::string& svg);
 
 }  // namespace moat::html

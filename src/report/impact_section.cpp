@@ -1,4 +1,4 @@
-#include "report/impact_section.hpp"
+#include "report/sections.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -6,8 +6,7 @@
 #include "base/text/number_format.hpp"
 #include "output/files/engineering_unit.hpp"
 #include "output/recorders/impact_columns.hpp"
-#include "report/charts/chart_grid.hpp"
-#include "report/charts/impact_loops.hpp"
+#include "report/charts/result_charts.hpp"
 #include "report/html.hpp"
 
 namespace moat::html {
@@ -64,21 +63,12 @@ std::string requested_restitution(const ModelFacts& model, const std::string& ga
 
 std::string ratio(double value) { return std::isfinite(value) ? to_significant(value, 4) : "none"; }
 
-// Three charts beside each other, or two if a title is long, so that none is cut.
-int width_for_titles(const std::vector<Chart>& charts) {
-  constexpr std::size_t letters_of_a_third = 22;
-  constexpr int third = 333, half = 500;
-  return std::ranges::all_of(charts, [](const Chart& chart) { return chart.title.size() <= letters_of_a_third; })
-             ? third
-             : half;
-}
-
 std::string loop_section(const CaseResult& result, const std::vector<Chart>& loops) {
   if (loops.empty()) return "";
   std::string html = "<h3>Force over indentation</h3>\n";
   if (loops.size() < result.impacts.size())
     html += "<p>The " + std::to_string(loops.size()) + " impacts with the largest forces.</p>\n";
-  html += chart_grid(loops, width_for_titles(loops), 260) +
+  html += chart_grid(loops, 500, 260) +
           "<div class=\"wide\"><table>\n<tr><th scope=\"col\">Impact</th>"
           "<th class=\"number\" scope=\"col\">Restitution asked of the law</th>"
           "<th class=\"number\" scope=\"col\">delivered by it</th>"

@@ -21,8 +21,8 @@
   // [index of the motion, x, y] for each.
   function readShapes(svg) {
     const pairs = (text) => text.trim().split(/\s+/).map((pair) => pair.split(",").map(Number));
-    return [...svg.querySelectorAll("[data-move], [data-spread], polygon, polyline")].map((element) => {
-      const rest = pairs(element.getAttribute("points") || element.dataset.at);
+    return [...svg.querySelectorAll("polygon, polyline")].map((element) => {
+      const rest = pairs(element.getAttribute("points"));
       const still = rest.map(() => [0, 0]);
       const spread = element.dataset.spread ? pairs(element.dataset.spread) : still;
       const move = element.dataset.move
@@ -83,6 +83,26 @@
         const points = [];
         for (let row = 0; row < run.rows; row += stride) points.push(place(shape, 0, row, factor));
         shape.element.setAttribute("points", text(points));
+      }
+      if (shapes.some((shape) => shape.isOrbit)) drawImpacts();
+    }
+    // A dot with its time on the orbit where each impact began.
+    function drawImpacts() {
+      svg.querySelectorAll("circle, text").forEach((each) => each.remove());
+      const box = svg.viewBox.baseVal, size = 0.026 * box.width;
+      for (const impact of run.impacts) {
+        const gap = shapes.find((shape) => shape.isGap && shape.name === impact.where);
+        if (!gap) continue;
+        const [x, y] = place(gap, 0, (impact.start - run.start) / run.interval, factor);
+        const add = (name, attributes) => {
+          const element = document.createElementNS(svg.namespaceURI, name);
+          for (const each in attributes) element.setAttribute(each, attributes[each]);
+          return svg.appendChild(element);
+        };
+        const inwards = x > box.x + 0.5 * box.width ? -0.3 * size : 0.3 * size;
+        add("circle", { cx: x, cy: y, r: 0.2 * size });
+        add("text", { x: x + inwards, y: y - 0.3 * size, "font-size": size, "text-anchor": inwards < 0 ? "end" : "start" })
+          .textContent = impact.start.toFixed(2) + " s";
       }
     }
     function setFactor(value) {

@@ -7,8 +7,8 @@
 #include <nlohmann/json.hpp>
 
 #include "base/text/number_format.hpp"
-#include "output/charts/chart_legend.hpp"
-#include "report/charts/motions_of_nodes.hpp"
+#include "output/charts/chart_panel.hpp"
+#include "report/charts/chart_columns.hpp"
 
 namespace moat::html {
 namespace {
@@ -32,7 +32,8 @@ std::string json_of(const Chart& chart, std::size_t stride) {
   std::string series;
   for (std::size_t i = 0; i < chart.series.size(); ++i)
     series += std::string{i > 0 ? "," : ""} + "{\"name\":" + text_of(chart.series[i].name) + ",\"colour\":\"" +
-              colour_of(chart, i).colour + "\",\"values\":" + array_of(chart.series[i].y, 1.0, stride) + "}";
+              std::string{paint_of(chart, i).colour} + "\",\"values\":" + array_of(chart.series[i].y, 1.0, stride) +
+              "}";
   return "{\"title\":" + text_of(chart.title) + ",\"label\":" + text_of(chart.y_label) + ",\"series\":[" + series +
          "]}";
 }

@@ -1,15 +1,12 @@
-#include "report/peak_section.hpp"
+#include "report/sections.hpp"
 
 #include <algorithm>
-#include <map>
 #include <set>
 #include <string_view>
 #include <vector>
 
 #include "output/files/engineering_unit.hpp"
 #include "output/peaks/peak_groups.hpp"
-#include "output/recorders/at_the_end.hpp"
-#include "output/recorders/constant_quantities.hpp"
 #include "report/html.hpp"
 
 namespace moat::html {
@@ -49,22 +46,15 @@ std::string table_of(const PeakGroup& group, bool with_errors, std::string_view 
   return html + "</table>\n";
 }
 
-// Returns the peaks, of a quantity with very many places only the largest, in their order.
-std::vector<Peak> shown(const std::vector<Peak>& peaks) {
-  std::map<std::string, std::vector<double>> magnitudes;
-  for (const Peak& peak : peaks) magnitudes[peak.quantity].push_back(peak.magnitude());
-  for (auto& [quantity, values] : magnitudes) std::ranges::sort(values, std::ranges::greater{});
-  std::map<std::string, std::size_t> taken;
-  std::vector<Peak> kept;
-  for (const Peak& peak : peaks) {
-    const std::vector<double>& values = magnitudes[peak.quantity];
-    if (values.size() > most_places &&
-        (peak.magnitude() < values[most_places - 1] || taken[peak.quantity] == most_places))
-      continue;
-    ++taken[peak.quantity];
-    kept.push_back(peak);
-  }
-  return kept;
+// Keeps the rows of a group with the largest sizes, in their order; returns whether it had more.
+bool shorten(PeakGroup& group) {
+  if (group.rows.size() <= most_places) return false;
+  std::vector<double> sizes;
+  for (const PeakRow& row : group.rows) sizes.push_back(row.size);
+  std::ranges::nth_element(sizes, sizes.begin() + (most_places - 1), std::ranges::greater{});
+  std::erase_if(group.rows, [&](const PeakRow& row) { return row.size < sizes[most_places - 1]; });
+  group.rows.resize(most_places);
+  return true;
 }
 
 }  // namespace
@@ -73,44 +63,47 @@ std::string peak_section(const CaseResult& result) {
   const std::set<std::string> constant = constant_quantities(result.histories);
   std::vector<Peak> changing = result.peaks;
   std::erase_if(changing, [&](const Peak& peak) { return constant.contains(peak.quantity); });
-  const std::vector<Peak> peaks = shown(changing);
+  std::vector<PeakGroup> groups = group_peaks(changing);
+  bool all_shown = true;
+  for (PeakGroup& group : groups) all_shown = !shorten(group) && all_shown;
   std::string html =
       "<h2>Peaks</h2>\n" + error_bar_note(result.error_bars) +
       (result.model.diaphragms.empty() ? "<p>Positive to the right"
                                        : "<p>x is positive to the right, y up in plan, rotations counter-clockwise") +
       "; forces and deformations of gaps are positive in compression.";
-  if (peaks.size() < changing.size())
+  if (!all_shown)
     html += " Shown are the largest " + std::to_string(most_places) +
             " places of each quantity; summary.json has all " + std::to_string(result.peaks.size()) + " peaks.";
   if (!constant.empty()) html += " Not listed, because it never changes: ";
   for (const std::string& quantity : constant) html += (quantity == *constant.begin() ? "" : ", ") + in_words(quantity);
   html += (constant.empty() ? "</p>" : ".</p>") + std::string{"\n<div class=\"columns wide\">\n"};
-  for (const PeakGroup& group : group_peaks(peaks))
-    html += table_of(group, result.error_bars.checked, "side", result.error_bars);
+  for (const PeakGroup& group : groups) html += table_of(group, result.error_bars.checked, "side", result.error_bars);
   return html + "</div>\n";
 }
 
 std::string clearance_section(const CaseResult& result) {
   if (result.clearances.empty()) return "";
-  std::vector<GapClearance> least = result.clearances;
-  if (least.size() > most_places) {
-    std::ranges::stable_sort(least, {}, &GapClearance::left);
-    least.resize(most_places);
+  PeakGroup least = clearance_group(result.clearances);
+  const bool all_shown = least.rows.size() <= most_places;
+  if (!all_shown) {
+    std::ranges::stable_sort(least.rows, {}, &PeakRow::size);
+    least.rows.resize(most_places);
   }
   return "<h2>Clearances</h2>\n<p>The smallest opening of every gap" +
-         (least.size() < result.clearances.size()
-              ? ", of the " + std::to_string(most_places) + " narrowest of " + std::to_string(result.clearances.size())
-              : "") +
+         (all_shown ? ""
+                    : ", of the " + std::to_string(most_places) + " narrowest of " +
+                          std::to_string(result.clearances.size())) +
          ". Negative: the two sides indented each other by so much.</p>\n<div class=\"wide\">\n" +
-         table_of(clearance_group(least), result.error_bars.checked, "at rest", {}) + "</div>\n";
+         table_of(least, result.error_bars.checked, "at rest", {}) + "</div>\n";
 }
 
 std::string section_at_the_end(const CaseResult& result) {
-  const std::vector<Peak> isolators = shown(isolators_at_the_end(result.histories));
+  std::vector<PeakGroup> isolators = group_peaks(isolators_at_the_end(result.histories));
   if (isolators.empty()) return "";
+  shorten(isolators.front());
   return "<h2>At the end</h2>\n<p>The deformation of isolators when the analysis ends: their residual offset, if the "
          "building has come to rest.</p>\n<div class=\"wide\">\n" +
-         table_of(group_peaks(isolators).front(), false, "", {}) + "</div>\n";
+         table_of(isolators.front(), false, "", {}) + "</div>\n";
 }
 
 }  // namespace moat::html

@@ -6,16 +6,11 @@
 #include "output/files/file_io.hpp"
 #include "output/files/results_folder.hpp"
 #include "output/recorders/energy_columns.hpp"
-#include "report/charts/chart_grid.hpp"
-#include "report/charts/drawing.hpp"
-#include "report/charts/plan_view.hpp"
 #include "report/html.hpp"
-#include "report/impact_section.hpp"
 #include "report/input_sections.hpp"
 #include "report/page.hpp"
 #include "report/page_data.hpp"
-#include "report/peak_section.hpp"
-#include "report/summary_section.hpp"
+#include "report/sections.hpp"
 
 namespace moat {
 namespace {
@@ -81,12 +76,6 @@ std::string history_section(const std::vector<Chart>& charts) {
   return html;
 }
 
-std::string plan_section(const CaseResult& result) {
-  std::string html;
-  for (const std::string& view : plan_views(result)) html += "<h2>Orbit</h2>\n" + html::wide_picture(view);
-  return html;
-}
-
 std::string input_section(const CaseResult& result) {
   return "<details><summary>Motion, model, origin, solver, assumptions</summary>\n" +
          html::motion_section(result.motion) + html::model_section(result.model) +
@@ -97,14 +86,14 @@ std::string input_section(const CaseResult& result) {
 }  // namespace
 
 void write_report_html(const CaseResult& result, const ResultCharts& charts, const std::filesystem::path& folder) {
-  const std::string body = html::summary_section(result) + html::warning_section(result) +
-                           html::drawing_section(result) + plan_section(result) + history_section(charts.histories) +
-                           grid_of("Largest values over height", charts.floor_profiles, 300) +
-                           grid_of("Isolators", charts.isolator_loops, 340) +
-                           html::impact_section(result, charts.impact_loops) + energy_section(result, charts.energy) +
-                           grid_of("Floor response spectra", charts.floor_spectra, 320) + html::peak_section(result) +
-                           html::clearance_section(result) + html::section_at_the_end(result) + period_section(result) +
-                           input_section(result);
+  const std::string body =
+      html::summary_section(result) + html::warning_section(result) + html::drawing_section(result) +
+      grid_of("Orbits", charts.orbits, 400) + history_section(charts.histories) +
+      grid_of("Largest values over height", charts.floor_profiles, 300) +
+      grid_of("Isolators", charts.isolator_loops, 340) + html::impact_section(result, charts.impact_loops) +
+      energy_section(result, charts.energy) + grid_of("Floor response spectra", charts.floor_spectra, 320) +
+      html::peak_section(result) + html::clearance_section(result) + html::section_at_the_end(result) +
+      period_section(result) + input_section(result);
   write_file(folder / results_file::report,
              html::page_with_script(result.title, body, html::page_data(result, charts.histories)));
 }

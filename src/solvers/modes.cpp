@@ -1,6 +1,7 @@
 #include "solvers/modes.hpp"
 
 #include <Spectra/SymEigsShiftSolver.h>
+#include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
 
 #include <algorithm>
@@ -93,6 +94,19 @@ std::vector<Mode> slowest_modes(const SparseMatrix& stiffness, const Vector& mas
     const double eigenvalue = pairs.values[i] > round_off ? pairs.values[i] : 0.0;
     modes.push_back({std::sqrt(eigenvalue), pairs.vectors.col(i).cwiseQuotient(root_mass)});
   }
+  return modes;
+}
+
+std::vector<Mode> slowest_modes(const SparseMatrix& stiffness, const SparseMatrix& mass, int count) {
+  const SparseMatrix pruned = mass.pruned();
+  if (pruned.nonZeros() == pruned.rows()) return slowest_modes(stiffness, Vector{pruned.diagonal()}, count);
+  // With M = L L' the shapes L' shape are those of L^-1 K L^-T and unit masses.
+  const Eigen::LLT<Eigen::MatrixXd> factors{Eigen::MatrixXd{mass}};
+  Eigen::MatrixXd scaled = factors.matrixL().solve(Eigen::MatrixXd{stiffness});
+  scaled = factors.matrixL().solve(Eigen::MatrixXd{scaled.transpose()});
+  std::vector<Mode> modes =
+      slowest_modes(SparseMatrix{scaled.sparseView()}, Vector{Vector::Ones(scaled.rows())}, count);
+  for (Mode& mode : modes) mode.shape = factors.matrixU().solve(Vector{mode.shape});
   return modes;
 }
 

@@ -20,7 +20,10 @@ struct Mode {
 ///
 /// stiffness: symmetric, positive semi-definite, N/m; mass: the diagonal of M, kg, all > 0.
 /// Small structures are solved dense by Eigen, large ones by Spectra's shift-and-invert Lanczos.
+/// A mass matrix that is not diagonal takes the dense solution.
 /// Throws InputError if count is not from 1 to the size, Error if the iteration does not converge.
 std::vector<Mode> slowest_modes(const SparseMatrix& stiffness, const Vector& mass, int count);
+/// As above with a symmetric and positive definite matrix M, kg.
+std::vector<Mode> slowest_modes(const SparseMatrix& stiffness, const SparseMatrix& mass, int count);
 
 }  // namespace moat

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <exception>
+#include <functional>
 #include <mutex>
 #include <string_view>
 #include <system_error>
@@ -62,33 +63,36 @@ CaseOutcome outcome_of(const StudyCase& each, const ComputeCase& compute) {
   return outcome;
 }
 
-void compute_on_threads(const StudyCases& cases, const std::vector<std::size_t>& numbers, const ComputeCase& compute,
-                        const CaseFinished& finished, const std::function<bool()>& stop, std::size_t threads) {
-  OpenCases open{numbers, stop};
-  std::mutex reporting;
+void compute_cases(const StudyCases& cases, const std::vector<std::size_t>& numbers,
+                   const std::vector<ComputeCase>& workers, const CaseFinished& finished,
+                   const std::function<bool()>& stop) {
+  std::mutex mutex;  // of all that follows
+  std::size_t next = 0;
   std::exception_ptr failure;
-  const auto work = [&] {
-    std::size_t number = 0;
-    while (open.next(number)) {
-      CaseOutcome outcome = outcome_of(StudyCase{cases, number}, compute);
-      const std::lock_guard lock{reporting};
+  const auto work = [&](const ComputeCase& compute) {
+    std::unique_lock lock{mutex};
+    while (!failure && next < numbers.size() && !(stop && stop())) {
+      const std::size_t number = numbers[next++];
+      lock.unlock();
+      CaseOutcome outcome = compute(StudyCase{cases, number});
+      lock.lock();
       if (failure) return;
       try {
         finished(number, std::move(outcome));
       } catch (...) {
         failure = std::current_exception();
-        open.close();
       }
     }
   };
   {
     std::vector<std::jthread> others;
     try {
-      for (std::size_t i = 1; i < std::min(threads, numbers.size()); ++i) others.emplace_back(work);
+      for (std::size_t i = 1; i < std::min(workers.size(), numbers.size()); ++i)
+        others.emplace_back(work, std::cref(workers[i]));
     } catch (const std::system_error&) {
       // The system gives no more threads: those that there are compute all cases.
     }
-    work();
+    work(workers.front());
   }
   if (failure) std::rethrow_exception(failure);
 }

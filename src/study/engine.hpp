@@ -3,8 +3,6 @@
 
 #include <cstddef>
 #include <functional>
-#include <mutex>
-#include <utility>
 #include <vector>
 
 #include "study/cases.hpp"
@@ -31,37 +29,12 @@ using ComputeCase = std::function<CaseOutcome(const StudyCase&)>;
 /// so do two results with one name, or a result with the name of an axis.
 CaseOutcome outcome_of(const StudyCase& each, const ComputeCase& compute);
 
-/// Hands the numbers of open cases to threads, one after the other. Safe to call from several threads.
-class OpenCases {
- public:
-  /// stop: asked before every case, by one thread at a time; true hands out no more. May be empty.
-  OpenCases(std::vector<std::size_t> numbers, std::function<bool()> stop)
-      : numbers_{std::move(numbers)}, stop_{std::move(stop)} {}
-
-  /// The next number and true, or false if there is none.
-  bool next(std::size_t& number) {
-    const std::lock_guard lock{mutex_};
-    if (next_ >= numbers_.size() || (stop_ && stop_())) return false;
-    number = numbers_[next_++];
-    return true;
-  }
-  /// Hands out no more.
-  void close() {
-    const std::lock_guard lock{mutex_};
-    next_ = numbers_.size();
-  }
-
- private:
-  std::vector<std::size_t> numbers_;
-  std::function<bool()> stop_;
-  std::mutex mutex_;
-  std::size_t next_ = 0;
-};
-
-/// Computes the cases with these numbers on `threads` >= 1 threads, the caller's among them, until stop() is true:
-/// cases in flight end. Where the system gives fewer threads, those compute all cases. An exception of finished() (a
-/// full disk) ends the study in the same way and is thrown again.
-void compute_on_threads(const StudyCases& cases, const std::vector<std::size_t>& numbers, const ComputeCase& compute,
-                        const CaseFinished& finished, const std::function<bool()>& stop, std::size_t threads);
+/// Computes the cases with these numbers. Every worker computes one case after the other in a thread of its own, the
+/// first one in that of the caller; where the system gives fewer threads, those compute all cases. stop, which may be
+/// empty, is asked before every case, by one thread at a time: true lets cases in flight end, and hands out no more. An
+/// exception of finished() (a full disk) ends the study in the same way and is thrown again.
+void compute_cases(const StudyCases& cases, const std::vector<std::size_t>& numbers,
+                   const std::vector<ComputeCase>& workers, const CaseFinished& finished,
+                   const std::function<bool()>& stop);
 
 }  // namespace moat

@@ -42,8 +42,6 @@ struct CaseOutcome {
   /// Error of the energy balance as a fraction of the largest input or kinetic energy; NaN: not known.
   double energy_error = std::numeric_limits<double>::quiet_NaN();
   double seconds = 0.0;  ///< wall clock
-  /// Whether it is known to be as it was computed: false in a study that was stored without checksums.
-  bool verified = true;
 };
 
 /// "open", "done", "failed", "not converged".

@@ -158,13 +158,6 @@ std::string failure_message(const StudyResult& result) {
   return text;
 }
 
-std::string unverified_message(const StudyResult& result) {
-  const auto count = std::ranges::count(result.outcomes(), false, &CaseOutcome::verified);
-  return count == 0 ? ""
-                    : std::to_string(count) + " of " + std::to_string(result.cases().count()) +
-                          " cases come from a moat that stored no checksums: a change of their results is not seen.";
-}
-
 StudyError::StudyError(StudyResult computed)
     : Error{failure_message(computed)}, failures{failures_of(computed)}, result{std::move(computed)} {}
 

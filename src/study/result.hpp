@@ -80,9 +80,6 @@ std::vector<StudyError::Failure> failures_of(const StudyResult& result);
 /// "2 of 40 cases failed.", then a line with number and axis values for each of the first five; empty if none did.
 std::string failure_message(const StudyResult& result);
 
-/// Says how many cases are not verified (CaseOutcome); empty if all are.
-std::string unverified_message(const StudyResult& result);
-
 /// A study ended before its last case because StudyOptions::stop asked for it. `result` has the cases up to then.
 class StudyStopped : public Error {
  public:

@@ -8,8 +8,6 @@
 #include "base/error.hpp"
 #include "base/text/number_format.hpp"
 #include "output/files/file_io.hpp"
-#include "output/files/file_name.hpp"
-#include "report/charts/chart_grid.hpp"
 #include "report/html.hpp"
 #include "report/input_sections.hpp"
 #include "report/page.hpp"
@@ -88,8 +86,6 @@ std::string case_section(const StudyResult& result) {
   for (const StudyAxis& axis : result.axes())
     html += text_row("Axis " + axis.name + (axis.unit.empty() ? "" : " [" + axis.unit + "]"),
                      std::to_string(axis.values.size()) + " values");
-  if (const std::string unverified = unverified_message(result); !unverified.empty())
-    html += text_row("Not verified", unverified);
   return html + "</table>\n";
 }
 

@@ -14,8 +14,7 @@ namespace {
 using sqlite::Database;
 using sqlite::Statement;
 
-// Files of format 2 have no checksums.
-constexpr const char *format = "3", *format_before = "2";
+constexpr const char* format = "3";
 
 constexpr const char* schema = R"(
 CREATE TABLE study (key TEXT PRIMARY KEY, value TEXT NOT NULL) WITHOUT ROWID;
@@ -52,25 +51,10 @@ bool exist_in(const Database& database) {
   Statement known = database.prepare("SELECT count(*) FROM sqlite_master WHERE name IN ('study', 'cases', 'results')");
   known.step();
   if (known.integer(0) != 3) refuse(database, "this is another database. Give another file.");
-  // The column is compared too: a format that was damaged must not turn checksums off.
-  if (const std::string found = property(database, "format");
-      found != (have_checksums(database) ? format : format_before))
+  if (const std::string found = property(database, "format"); found != format)
     refuse(database, "its format is " + found + ", and this moat reads " + format +
                          ". Use the moat that made it, or start again in another file.");
   return true;
-}
-
-bool have_checksums(const Database& database) {
-  Statement column = database.prepare("SELECT count(*) FROM pragma_table_info('cases') WHERE name = 'checksum'");
-  return column.step() && column.integer(0) == 1;
-}
-
-void add_checksums(const Database& database) {
-  if (have_checksums(database)) return;
-  sqlite::Transaction transaction{database};
-  database.run("ALTER TABLE cases ADD COLUMN checksum TEXT NOT NULL DEFAULT 'unverified'");
-  set_property(database, "format", format);
-  transaction.commit();
 }
 
 void create(const Database& database, const StudyCases& cases, const std::string& title) {
@@ -82,13 +66,9 @@ void create(const Database& database, const StudyCases& cases, const std::string
   Statement entry = database.prepare("INSERT INTO axis_values VALUES (?, ?, ?, ?)");
   for (std::size_t i = 0; i < cases.axes().size(); ++i) {
     const StudyAxis& axis = cases.axes()[i];
-    const auto number = static_cast<std::int64_t>(i);
-    row.bind(1, number).bind(2, axis.name).bind(3, axis.unit);
-    row.bind(4, static_cast<std::int64_t>(cases.groups()[i])).run();
-    for (std::size_t position = 0; position < axis.values.size(); ++position) {
-      entry.bind(1, number).bind(2, static_cast<std::int64_t>(position)).bind(3, axis.values[position]);
-      entry.bind(4, axis.labels.empty() ? "" : axis.labels[position]).run();
-    }
+    row.run(i, axis.name, axis.unit, cases.groups()[i]);
+    for (std::size_t position = 0; position < axis.values.size(); ++position)
+      entry.run(i, position, axis.values[position], axis.labels.empty() ? std::string{} : axis.labels[position]);
   }
 }
 
@@ -105,7 +85,7 @@ StudyCases cases_of(const Database& database) {
     if (std::exchange(group, axes.integer(3)) != axes.integer(3)) end_group();
     StudyAxis axis{.name = axes.text(1), .unit = axes.text(2), .values = {}};
     Statement values = database.prepare("SELECT value, label FROM axis_values WHERE axis = ? ORDER BY position");
-    values.bind(1, axes.integer(0));
+    values.bind(axes.integer(0));
     while (values.step()) {
       axis.values.push_back(values.real(0));
       axis.labels.push_back(values.text(1));
@@ -120,13 +100,13 @@ StudyCases cases_of(const Database& database) {
 
 std::string property(const Database& database, const std::string& key) {
   Statement row = database.prepare("SELECT value FROM study WHERE key = ?");
-  row.bind(1, key);
+  row.bind(key);
   return row.step() ? row.text(0) : "";
 }
 
 void set_property(const Database& database, const std::string& key, const std::string& value) {
-  Statement row = database.prepare("INSERT INTO study VALUES (?, ?) ON CONFLICT DO UPDATE SET value = excluded.value");
-  row.bind(1, key).bind(2, value).run();
+  database.prepare("INSERT INTO study VALUES (?, ?) ON CONFLICT (key) DO UPDATE SET value = excluded.value")
+      .run(key, value);
 }
 
 }  // namespace moat::study_tables

@@ -11,11 +11,6 @@ namespace moat::study_tables {
 /// Whether the file has the tables; false for an empty one. Throws FileError for another database or format.
 bool exist_in(const sqlite::Database& database);
 
-/// Whether cases have a checksum; not in a file of an older moat.
-bool have_checksums(const sqlite::Database& database);
-/// Gives the cases of such a file the checksum "unverified".
-void add_checksums(const sqlite::Database& database);
-
 /// Makes the tables, with axes and title, in the transaction of the caller.
 void create(const sqlite::Database& database, const StudyCases& cases, const std::string& title);
 

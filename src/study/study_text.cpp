@@ -77,7 +77,6 @@ std::string description_of(const StoredStudy& study) {
   for (const CaseOutcome& outcome : result.outcomes()) seconds += outcome.seconds;
   text += "time of all cases: " + to_significant(seconds, 4) + " s\n";
   if (const std::string failures = failure_message(result); !failures.empty()) text += failures + "\n";
-  if (const std::string unverified = unverified_message(result); !unverified.empty()) text += unverified + "\n";
   return text + slowest_lines(result) + session_lines(study);
 }
 

@@ -3,24 +3,39 @@
 
 #include <cmath>
 #include <functional>
+#include <span>
+#include <string>
+#include <utility>
 #include <vector>
 
-#include "base/units.hpp"
-#include "motions/ground_motion.hpp"
-#include "output/recorders/step_observer.hpp"
+#include "ended_case.hpp"
+#include "moat.hpp"
+#include "small_models.hpp"
 
 namespace moat::testing {
 
+/// The samples of an acceleration of the ground, m/s^2, as a function of time in s, from 0 s on.
+template <class Acceleration>
+GroundMotion sampled(const std::string& name, Time duration, Time time_step, Acceleration acceleration) {
+  const auto intervals = static_cast<int>(std::lround(duration / time_step));
+  std::vector<double> samples;
+  for (int i = 0; i <= intervals; ++i) samples.push_back(acceleration(time_step.si() * i));
+  return GroundMotion{name, time_step.si(), std::move(samples)};
+}
+
 /// A ground that does not move, for analyses that start from initial values.
 inline GroundMotion still_ground(Time duration, Time time_step = 10 * units::ms) {
-  const auto samples = static_cast<std::size_t>(std::lround(duration / time_step)) + 1;
-  return GroundMotion{"still ground", time_step.si(), std::vector<double>(samples, 0.0)};
+  return sampled("still ground", duration, time_step, [](double) { return 0.0; });
 }
 
 /// A ground whose acceleration stays the same from the first instant on.
 inline GroundMotion constant_acceleration(double acceleration, Time duration, Time time_step = 10 * units::ms) {
-  const auto samples = static_cast<std::size_t>(std::lround(duration / time_step)) + 1;
-  return GroundMotion{"constant acceleration", time_step.si(), std::vector<double>(samples, acceleration)};
+  return sampled("constant acceleration", duration, time_step, [=](double) { return acceleration; });
+}
+
+/// amplitude sin(frequency t), in m/s^2 and 1/s, with samples every 10 ms.
+inline GroundMotion sine_motion(double amplitude, double frequency, Time duration) {
+  return sampled("sine", duration, 10 * units::ms, [=](double t) { return amplitude * std::sin(frequency * t); });
 }
 
 /// Order of convergence from errors at a step and at half of it.
@@ -30,6 +45,7 @@ inline double order(double error, double error_at_half_the_step) { return std::l
 class Watch final : public StepObserver {
  public:
   explicit Watch(std::function<void(const StepView&)> look) : look_{std::move(look)} {}
+
   int events = 0;
 
   void start(const StepView& view) override { look_(view); }

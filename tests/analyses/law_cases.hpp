@@ -67,13 +67,4 @@ inline double largest_error(const CaseResult& result, const Row& row) {
   return worst;
 }
 
-/// Largest relative difference of the six between two results with impacts.
-inline double difference_of_peaks(const CaseResult& one, const CaseResult& other) {
-  double worst = 0.0;
-  for (const ReferencePeak& found : reference_peaks)
-    worst = std::max(worst,
-                     std::abs(peak(one, found.quantity, found.where) / peak(other, found.quantity, found.where) - 1.0));
-  return worst;
-}
-
 }  // namespace moat::testing

@@ -1,10 +1,7 @@
 // The building of Zhao, Liu & Li (2017).
 #pragma once
 
-#include "base/units.hpp"
-#include "materials/impact/hertz_damp.hpp"
-#include "structures/moat.hpp"
-#include "structures/shear_building.hpp"
+#include "moat.hpp"
 #include "unlocated_bilinear.hpp"
 
 namespace moat::testing {
@@ -41,5 +38,12 @@ inline ShearBuilding paper_building_on_fixed_base() {
 }
 
 inline HertzDamp paper_hertz_damp() { return {.stiffness = 2.95e9 * units::N / units::m_3_2, .restitution = 0.65}; }
+
+/// A building on bearings inside a moat with the contacts of the paper.
+inline Model pounding_building(Length clearance = 10 * units::cm, const ShearBuilding& building = paper_building()) {
+  Model model;
+  add(model, Moat{.around = add(model, building).base, .clearance = clearance, .law = paper_hertz_damp()});
+  return model;
+}
 
 }  // namespace moat::testing

@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -14,9 +13,7 @@
 #include <string>
 #include <vector>
 
-#include "base/units.hpp"
-#include "motions/readers/read_motion.hpp"
-#include "output/files/case_result.hpp"
+#include "moat.hpp"
 #include "peak_in.hpp"
 
 namespace moat::testing {

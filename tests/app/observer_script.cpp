@@ -20,7 +20,7 @@ struct Momentum final : QuantityRecorder {
     return {{"momentum" + end_of_names, "body" + end_of_names, "kg m/s" + end_of_names}};
   }
   void sample(const StepView& view, std::span<double> values) const override {
-    values[0] = 2.0 * view.model.state().velocity[0];
+    values[0] = 2.0 * view.state.motion().velocity[0];
   }
 };
 

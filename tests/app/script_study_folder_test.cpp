@@ -120,19 +120,6 @@ TEST_F(StudyInFolder, DamagedCasesAreComputedAgain) {
   EXPECT_EQ(answer_of(file("a"), "SELECT group_concat(number) FROM cases WHERE session > 1"), "1,4");
 }
 
-TEST_F(StudyInFolder, SaysThatOldCasesAreNotVerified) {
-  ASSERT_EQ(run(in_a).exit_code, 0);
-  const std::string before = contents_of(file("a"));
-  answer_of(file("a"), "ALTER TABLE cases DROP COLUMN checksum; UPDATE study SET value = '2' WHERE key = 'format'");
-  const std::string words = "6 of 6 cases come from a moat that stored no checksums";
-  EXPECT_NE(study_command({"show", "a"}).output.find(words), std::string::npos);
-  const ProgramResult result = run(in_a);
-  ASSERT_EQ(result.exit_code, 0) << result.errors;
-  EXPECT_NE(result.errors.find(words), std::string::npos) << result.errors;
-  EXPECT_NE(text_of(folder / "a/report.html").find(words), std::string::npos);
-  EXPECT_EQ(contents_of(file("a")), before);
-}
-
 TEST_F(StudyInFolder, NamesTheFilesOfRecordsThatItLeavesOut) {
   for (const char* name : {"r/A000.AT2", "r/A090.AT2", "r/A-UP.AT2", "r/B000.AT2", "r/notes.md"}) {
     fs::create_directories(folder / "r");

@@ -300,8 +300,9 @@ TEST_F(ScriptRun, NoFramesWithoutAnInterval) {
 
 TEST_F(ScriptRun, FramesThatCannotBeWrittenAreAnErrorAndTheOtherResultsStay) {
   ASSERT_EQ(tour({"--end", "0.5 s", "--quiet"}).exit_code, 0);
-  // New results are written to this folder until they are complete.
+  // New results are written to this folder until they are complete, also where a run was killed there.
   std::filesystem::create_directories(folder / "results/01_moat_wall.new/frames/frame_000003.vtu");
+  std::ofstream{folder / "results/01_moat_wall.new/unfinished"};
   const ProgramResult result = tour({"--end", "0.5 s", "--frame-interval", "1 ms", "--force"});
   EXPECT_EQ(result.exit_code, 1);
   EXPECT_NE(result.errors.find("moat: error: results/01_moat_wall.new/frames/frame_000003.vtu"), std::string::npos)

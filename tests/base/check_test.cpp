@@ -8,21 +8,14 @@
 
 #include "base/error.hpp"
 #include "base/units.hpp"
+#include "message_of.hpp"
 
 namespace moat {
 namespace {
 
 using namespace units;
 
-template <class Action>
-std::string message_of(Action action) {
-  try {
-    action();
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "nothing was thrown";
-}
+using testing::message_of;
 
 const Check check{"Gap", "moat left"};
 

@@ -1,10 +1,9 @@
-// The output of the scripts of the benchmark, and its counts.
+// The output of the benchmark, and its counts.
 
 #include "paper/exhibit.hpp"
 
 #include "in_folder.hpp"
 #include "message_of.hpp"
-#include "paper/page.hpp"
 #include "paper/printed_table.hpp"
 
 namespace moat::paper {
@@ -12,9 +11,9 @@ namespace {
 
 class ExhibitInFolder : public InFolder {
  protected:
-  /// One script that shows something of every kind.
-  void write_example(bool held) const {
-    Exhibit exhibit{folder, "example", "An <example>", false};
+  /// One exhibit that shows something of every kind.
+  [[nodiscard]] std::vector<Exhibit> example(bool held) const {
+    Exhibit exhibit{folder, "example", "An <example>", "example_source", false};
     exhibit.text("Text & more.");
     exhibit.table({"Caption", {"a", "b"}, {{"1|2", "3"}}});
     exhibit.figure(
@@ -25,14 +24,12 @@ class ExhibitInFolder : public InFolder {
     exhibit.assert_that(held, "two is three");
     exhibit.report(4);
     exhibit.finding({"1.2", "a claim", "a criterion", "a number", Verdict::partly});
-    EXPECT_EQ(exhibit.write(), held);
+    return {exhibit};
   }
-  const std::vector<ScriptRun> runs{{.id = "example", .program = "example_program", .failure = ""}};
 };
 
 TEST_F(ExhibitInFolder, CountsWhatIsAssertedAndWhatHolds) {
-  write_example(false);
-  const Totals totals = totals_of(folder, runs);
+  const Totals totals = totals_of(example(false));
   EXPECT_EQ(totals.asserted, 2u);
   EXPECT_EQ(totals.held, 1u);
   EXPECT_EQ(totals.reported, 4u);
@@ -40,26 +37,26 @@ TEST_F(ExhibitInFolder, CountsWhatIsAssertedAndWhatHolds) {
 }
 
 TEST_F(ExhibitInFolder, MakesAPageThatNeedsNoOtherFile) {
-  write_example(false);
-  write_page(folder, runs);
+  write_page(folder, example(false));
   const std::string page = text_of("index.html");
   for (const char* part :
        {"2 asserted, 1 held, 4 reported", "An &lt;example&gt;", "Text &amp; more.", "<figure id=\"curve\">", "<svg",
-        "did not hold</span> two is three", "<td>a claim</td>", "example_program.cpp"})
+        "did not hold</span> two is three", "<td>a claim</td>", "<td class=\"partly\">partly", "example_source.cpp"})
     EXPECT_NE(page.find(part), std::string::npos) << part;
   for (const char* part : {"<img", "<?xml", "<script", "<link"}) EXPECT_EQ(page.find(part), std::string::npos) << part;
 }
 
 TEST_F(ExhibitInFolder, WritesTablesAsMarkdown) {
-  write_example(true);
-  const std::string text = documentation(folder, runs);
+  const std::string text = documentation(example(true));
   EXPECT_NE(text.find("| a | b |\n| --- | --- |\n| 1\\|2 | 3 |\n"), std::string::npos) << text;
   EXPECT_NE(text.find("| 1.2 | a claim | a criterion | a number | partly |"), std::string::npos) << text;
 }
 
-TEST_F(ExhibitInFolder, SaysOnThePageThatAScriptFailed) {
-  write_page(folder, {{.id = "gone", .program = "gone", .failure = "gone: ended by signal 11."}});
-  EXPECT_NE(text_of("index.html").find("gone: ended by signal 11."), std::string::npos);
+TEST_F(ExhibitInFolder, SaysOnThePageThatItFailed) {
+  std::vector<Exhibit> exhibits = example(true);
+  exhibits.front().failure = "no memory";
+  write_page(folder, exhibits);
+  EXPECT_NE(text_of("index.html").find("no memory"), std::string::npos);
 }
 
 TEST(PrintedTable, HasTheTenRowsOfTable1) {

@@ -13,10 +13,10 @@ namespace {
 
 using namespace units;
 
-std::vector<Peak> peaks(Model model, TransientOptions options) {
+std::vector<Peak> peaks(const Model& model, TransientOptions options) {
   PeakRecorder recorder{model};
   options.end = 1 * s;
-  Transient analysis{model, performance::street_motion(), options};
+  Transient analysis{model, performance::street_motion(), performance::street_at_start(model), options};
   analysis.attach(recorder);
   analysis.run();
   return recorder.peaks();

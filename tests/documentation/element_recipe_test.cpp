@@ -2,9 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include "analyses/case/case_run.hpp"
 #include "elements/line/cable.hpp"
-#include "law_battery.hpp"
+#include "ended_case.hpp"
 #include "message_of.hpp"
 
 namespace moat::testing {
@@ -21,10 +20,10 @@ Model mass_on_a_cable(Length slack) {
 
 // A free mass tightens the cable and leaves it with the same speed: v sqrt(m/k) is the largest stretch.
 TEST(ElementRecipe, PullsAndNeverPushes) {
-  Model model = mass_on_a_cable(5 * cm);
+  const Model model = mass_on_a_cable(5 * cm);
   const GroundMotion still{"still", 0.01, std::vector<double>(81, 0.0)};
-  const CaseResult result = run_case(model, still, {.transient = {.tolerance = 1e-7}});
-  EXPECT_NEAR(model.velocity(NodeId{0}), -1.0, 1e-3);
+  const auto [result, state] = run_to_end(model, still, {.transient = {.tolerance = 1e-7}});
+  EXPECT_NEAR(state.velocity(NodeId{0}), -1.0, 1e-3);
   const auto force = std::ranges::find(result.peaks, "cable_force", &Peak::quantity);
   ASSERT_NE(force, result.peaks.end());
   EXPECT_NEAR(force->magnitude(), std::sqrt(100.0 * 1e4), 1.0);

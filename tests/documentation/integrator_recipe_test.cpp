@@ -20,22 +20,22 @@ TEST(IntegratorRecipe, HasTheSpectralRadiusOfItsSource) {
     Model model;
     const NodeId node = add(model, Node{.name = "mass", .mass = 1 * kg, .initial_displacement = 1 * m});
     add(model, ShearSpring{.name = "spring", .lower = ground, .upper = node, .stiffness = 1e8 * N / m});
-    model.prepare();
-    StepEquations equations{model};
+    AnalysisState state{model};
+    StepEquations equations{state};
     NewtonSolver newton{equations, {}};
-    balance_committed_state(model, {});
+    state.balance_committed_state({});
     const StepScheme scheme = WoodBossakZienkiewicz{.alpha = alpha}.scheme().value();
     const double step = 0.01;
     Vector acceleration = Vector::Zero(1);
     const auto advance = [&](int steps) {
       for (int i = 0; i < steps; ++i) {
-        const double start = model.state().time;
+        const double start = state.time();
         equations.begin({.length = step, .end_time = start + step, .start_time = start}, scheme, acceleration);
         EXPECT_TRUE(newton.solve(acceleration).converged);
         equations.complete();
-        model.commit();
+        state.commit();
       }
-      return std::abs(model.displacement(node));
+      return std::abs(state.displacement(node));
     };
     // Two equal eigenvalues: the amplitude falls as (c + n) r^n. Successive ratios approach r.
     const double radius = (1.0 + alpha) / (1.0 - alpha);

@@ -5,7 +5,7 @@
 #include "analyses/case/case_run.hpp"
 #include "elements/line/shear_spring.hpp"
 #include "output/recorders/separation_recorder.hpp"
-#include "report/charts/history_charts.hpp"
+#include "report/charts/result_charts.hpp"
 
 namespace moat::testing {
 namespace {

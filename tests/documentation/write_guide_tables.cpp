@@ -4,8 +4,7 @@
 #include <iostream>
 
 #include "documentation_section.hpp"
-#include "impact_law_tables.hpp"
-#include "spring_law_tables.hpp"
+#include "law_tables.hpp"
 
 int main(int argc, char** argv) {
   if (argc != 2) {

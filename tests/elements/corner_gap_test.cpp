@@ -10,6 +10,7 @@
 #include "analyses/case/case_warnings.hpp"
 #include "materials/impact/hertz.hpp"
 #include "message_of.hpp"
+#include "moved_model.hpp"
 
 namespace moat {
 namespace {
@@ -36,13 +37,10 @@ struct Slabs {
     gap.corner = PlanPoint{a, {2 * m, 1 * m}};
     gap.edge_of = b.x;
     add(model, gap);
-    model.prepare();
   }
   Model model;
   DiaphragmId a, b;
 };
-
-using Block = CornerContacts<SharedContact<ViscousHertzContact>>;
 
 TEST(CornerGap, ClearanceAndMotionAreThoseAlongNormalAndTangent) {
   Slabs slabs;
@@ -51,19 +49,16 @@ TEST(CornerGap, ClearanceAndMotionAreThoseAlongNormalAndTangent) {
   const PlanVector t = (end - begin) / length(end - begin), n = -turned_left(t);
   const double clearance = dot(begin - at, n);
   EXPECT_GT(clearance, 0.0);
-  const ElementBlock& block = *slabs.model.blocks()[0];
-  EXPECT_NEAR(block.info(0).offset, clearance, 1e-15);
+  EXPECT_NEAR(slabs.model.blocks()[0]->info(0).offset, clearance, 1e-15);
   // Move both bodies.
-  MotionState& trial = slabs.model.trial();
-  trial = slabs.model.state();
-  const double u[6] = {0.1, -0.05, 0.02, 0.03, 0.04, -0.01};
-  for (int i = 0; i < 6; ++i) trial.displacement[i] = u[i];
-  slabs.model.evaluate();
+  const Vector u{{0.1, -0.05, 0.02, 0.03, 0.04, -0.01}};
+  AnalysisState state{slabs.model};
+  testing::move_to(state, u);
   const double ra = std::sqrt(20.0 / 8.0), rb = std::sqrt(30.0 / 5.0);
   const PlanVector faced = at + clearance * n, arm_a = at, arm_b = faced - PlanVector{9.0, 1.0};
   const PlanVector moved_a = PlanVector{u[0], u[1]} + u[2] / ra * turned_left(arm_a),
                    moved_b = PlanVector{u[3], u[4]} + u[5] / rb * turned_left(arm_b);
-  EXPECT_NEAR(block.results().deformations[0], dot(moved_a - moved_b, n) - clearance, 1e-14);
+  EXPECT_NEAR(state.elements(0).results()[0].deformation, dot(moved_a - moved_b, n) - clearance, 1e-14);
 }
 
 TEST(CornerGap, EffectiveMassIsThatOfTheImpulse) {
@@ -89,57 +84,29 @@ TEST(CornerGap, TangentIsTheDerivativeOfTheForces) {
   for (const double friction : {0.0, 0.05, 1.0}) {
     Slabs slabs{friction};
     slabs.add_gap();
-    Model& model = slabs.model;
-    const double u0[6] = {0.8, 0.1, 0.02, -0.2, 0.0, 0.03};
-    const auto set = [&](const double* change, double time) {
-      MotionState& trial = model.trial();
-      trial.time = time;
-      for (int i = 0; i < 6; ++i) trial.displacement[i] = u0[i] + (change != nullptr ? change[i] : 0.0);
-    };
+    AnalysisState state{slabs.model};
     // Touch, then move along the edge.
-    model.trial() = model.state();
-    set(nullptr, 0.1);
-    model.evaluate();
-    model.evaluate_rates();
-    model.commit();
-    std::vector<RegimeChange> changes;
-    model.change_regimes(changes);
-    ASSERT_EQ(changes.size(), 1U);
-    model.evaluate();
-    model.evaluate_rates();
-    model.commit();
-    const double slide[6] = {0.02, 0.1, 0.01, 0.0, -0.05, 0.0};
-    model.trial() = model.state();
-    set(slide, 0.2);
-    model.evaluate();
-    const Vector forces = model.internal_forces();
-    EXPECT_GT(model.blocks()[0]->results().forces[0], 0.0);
-    const PlanContacts& contact = *model.blocks()[0]->plan_contacts();
-    const double limit = friction * model.blocks()[0]->results().forces[0];
-    EXPECT_LE(std::abs(contact.friction_force(0)), limit * (1.0 + 1e-12));
+    const Vector touch{{0.8, 0.1, 0.02, -0.2, 0.0, 0.03}}, still = Vector::Zero(6);
+    for (const std::size_t changes : {1u, 0u}) {
+      testing::move_to(state, touch, still, changes == 1u ? 0.1 : 0.0);
+      state.evaluate_rates();
+      ASSERT_EQ(testing::commit_with_regimes(state).size(), changes);
+    }
+    const Vector slid = touch + Vector{{0.02, 0.1, 0.01, 0.0, -0.05, 0.0}};
+    const Vector forces = testing::forces_at(state, slid, still, 0.1);
+    EXPECT_GT(state.elements(0).results()[0].force, 0.0);
+    const double limit = friction * state.elements(0).results()[0].force,
+                 friction_force = std::abs(state.elements(0).contact(0).friction_force);
+    EXPECT_LE(friction_force, limit * (1.0 + 1e-12));
     if (friction == 0.05) {
-      EXPECT_NEAR(std::abs(contact.friction_force(0)), limit, 1e-9 * limit);
+      EXPECT_NEAR(friction_force, limit, 1e-9 * limit);
     }
     if (friction == 1.0) {
-      EXPECT_LT(std::abs(contact.friction_force(0)), 0.999 * limit);
+      EXPECT_LT(friction_force, 0.999 * limit);
     }
-    SparseMatrix tangent = model.zero_matrix();
-    model.assemble_tangent(0.0, 0.0, 1.0, tangent);
-    const Eigen::MatrixXd expected{tangent};
-    for (int j = 0; j < 6; ++j) {
-      constexpr double h = 1e-7;
-      double ahead[6], behind[6];
-      for (int i = 0; i < 6; ++i) ahead[i] = behind[i] = slide[i];
-      ahead[j] += h;
-      behind[j] -= h;
-      set(ahead, 0.2);
-      model.evaluate();
-      Vector slope = model.internal_forces();
-      set(behind, 0.2);
-      model.evaluate();
-      slope = (slope - model.internal_forces()) / (2.0 * h);
-      for (int i = 0; i < 6; ++i) EXPECT_NEAR(slope[i], expected(i, j), 1e-3) << friction << " " << i << " " << j;
-    }
+    const Eigen::MatrixXd tangent = testing::tangent_of(state, 0.0, 0.0, 1.0);
+    const Eigen::MatrixXd slope = testing::derivatives_at(state, slid, still, 1e-7, 1.0, 0.1).stiffness.topRows(6);
+    EXPECT_LT((slope - tangent).cwiseAbs().maxCoeff(), 1e-3) << friction;
     // Action and reaction: no net force.
     EXPECT_NEAR(forces[0] + forces[3], 0.0, 1e-10);
     EXPECT_NEAR(forces[1] + forces[4], 0.0, 1e-10);

@@ -2,14 +2,9 @@
 
 #include <gtest/gtest.h>
 
-#include "analyses/case/case_run.hpp"
-#include "base/error.hpp"
-#include "base/units.hpp"
-#include "elements/contact/gap.hpp"
-#include "elements/line/shear_spring.hpp"
-#include "materials/impact/exact_kelvin.hpp"
-#include "materials/impact/linear_elastic.hpp"
 #include "message_of.hpp"
+#include "moat.hpp"
+#include "moved_model.hpp"
 
 namespace moat {
 namespace {
@@ -32,33 +27,14 @@ TEST(GapPoints, ForceIsSharedByTheFloorsOfTheColumn) {
                    .right = n.other,
                    .clearance = 10 * mm,
                    .law = law});
-  n.model.prepare();
-  std::vector<RegimeChange> changes;
-  n.model.change_regimes(changes);  // the neighbour starts 20 mm inside the column
-  ASSERT_EQ(changes.size(), 1u);
-  Vector force;
-  force = n.model.internal_forces();
+  AnalysisState state{n.model};
+  // The neighbour starts 20 mm inside the column.
+  ASSERT_EQ(testing::commit_with_regimes(state).size(), 1u);
+  const Vector force = state.internal_forces();
   EXPECT_NEAR(force[0], 0.75 * 20.0, 1e-12);
   EXPECT_NEAR(force[1], 0.25 * 20.0, 1e-12);
   EXPECT_NEAR(force[2], -20.0, 1e-12);
   EXPECT_EQ(force[3], 0.0);
-}
-
-TEST(GapPoints, TangentIsTheDerivativeOfTheForces) {
-  Neighbours n;
-  add(n.model, Gap{.name = "mid-column",
-                   .left = MemberPoint{n.low, n.high, 0.25},
-                   .right = MemberPoint{n.other, ground, 0.5},
-                   .clearance = 1 * mm,
-                   .law = law});
-  n.model.prepare();
-  std::vector<RegimeChange> changes;
-  n.model.change_regimes(changes);
-  SparseMatrix tangent = n.model.zero_matrix();
-  n.model.assemble_tangent(0.0, 0.0, 1.0, tangent);
-  const Eigen::Vector3d weights{0.75, 0.25, -0.5};
-  const Eigen::MatrixXd expected = 1000.0 * weights * weights.transpose();
-  EXPECT_LT((Eigen::MatrixXd{tangent} - expected).cwiseAbs().maxCoeff(), 1e-12);
 }
 
 TEST(GapPoints, EffectiveMassIsThatOfAnImpulseAtThePoint) {
@@ -69,16 +45,6 @@ TEST(GapPoints, EffectiveMassIsThatOfAnImpulseAtThePoint) {
   // A unit impulse at the quarter point moves it by (3/4)^2 / 2 + (1/4)^2 / 3.
   EXPECT_NEAR(effective_mass(n.model, check, MemberPoint(n.low, n.high, 0.25), ground),
               1.0 / (0.5625 / 2.0 + 0.0625 / 3.0), 1e-12);
-}
-
-TEST(GapPoints, ANodeOnBothSidesCountsOnce) {
-  Neighbours n;
-  const Check check{"Gap", "test"};
-  // d = (u_low + u_high)/2 - u_high: a unit impulse moves it by (1/2)^2/2 + (1/2)^2/3.
-  EXPECT_NEAR(effective_mass(n.model, check, MemberPoint(n.low, n.high, 0.5), n.high), 4.0 / (1.0 / 2.0 + 1.0 / 3.0),
-              1e-12);
-  EXPECT_NEAR(effective_mass(n.model, check, MemberPoint(n.low, n.high, 0.5), MemberPoint(n.low, n.high, 0.2)),
-              1.0 / (0.09 / 2.0 + 0.09 / 3.0), 1e-12);
 }
 
 TEST(GapPoints, ANodeOnBothSidesLeavesTheRestitutionAsAsked) {
@@ -103,14 +69,11 @@ TEST(GapPoints, MayBeginAtTheSameNode) {
                    .right = MemberPoint{n.low, n.other, 0.25},
                    .clearance = 1 * mm,
                    .law = law});
-  n.model.prepare();
-  std::vector<RegimeChange> changes;
-  n.model.change_regimes(changes);  // 0.25 (u_high - u_other) is 7.5 mm
-  SparseMatrix tangent = n.model.zero_matrix();
-  n.model.assemble_tangent(0.0, 0.0, 1.0, tangent);
+  AnalysisState state{n.model};
+  testing::commit_with_regimes(state);  // 0.25 (u_high - u_other) is 7.5 mm
   const Eigen::Vector3d weights{0.0, 0.25, -0.25};
   const Eigen::MatrixXd expected = 1000.0 * weights * weights.transpose();
-  EXPECT_LT((Eigen::MatrixXd{tangent} - expected).cwiseAbs().maxCoeff(), 1e-12);
+  EXPECT_LT((testing::tangent_of(state, 0.0, 0.0, 1.0) - expected).cwiseAbs().maxCoeff(), 1e-12);
 }
 
 TEST(GapPoints, RefuseTwoEndsAtTheSamePoint) {

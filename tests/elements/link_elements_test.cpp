@@ -1,12 +1,10 @@
 #include <gtest/gtest.h>
 
-#include <stdexcept>
+#include <cmath>
+#include <numbers>
 
-#include "elements/line/lead_rubber_bearing.hpp"
-#include "elements/line/shear_spring.hpp"
-#include "elements/line/spring.hpp"
-#include "elements/line/viscous_damper.hpp"
 #include "message_of.hpp"
+#include "moat.hpp"
 #include "two_nodes.hpp"
 #include "unlocated_bilinear.hpp"
 
@@ -41,24 +39,12 @@ TEST(ShearSpring, PullsTheUpperNodeBackAndTheLowerOneAlong) {
   EXPECT_NEAR(nodes.forces()[0], -20e3, 1e-8);
   EXPECT_NEAR(nodes.forces()[1], 20e3, 1e-8);
   expect_action_is_reaction(nodes);
-  nodes.model.commit();
-  const ElementBlock& block = *nodes.model.blocks()[0];
-  EXPECT_NEAR(block.results().deformations[0], 0.02, 1e-15);
-  EXPECT_NEAR(block.results().forces[0], 20e3, 1e-8);
-  EXPECT_EQ(block.info(0).deformation_quantity, "drift");
-  EXPECT_EQ(block.info(0).force_quantity, "storey_shear");
-}
-
-TEST(ShearSpring, StandsOnTheGround) {
-  TwoNodes nodes;
-  add(nodes.model, spring(ground, nodes.a));
-  nodes.start();
-  nodes.move(0.02, 1.0);
-  EXPECT_EQ(nodes.forces()[1], 0.0);
-  EXPECT_NEAR(nodes.forces()[2], -20e3, 1e-8);
-  expect_action_is_reaction(nodes);
-  expect_exact_tangent(nodes, 0.02, 1.0, 0.0, 0.0, 1e-3);
-  expect_rollback(nodes, 0.02, 1.0, 0.0, 0.0);
+  nodes.state->commit();
+  EXPECT_NEAR(nodes.state->elements(0).results()[0].deformation, 0.02, 1e-15);
+  EXPECT_NEAR(nodes.state->elements(0).results()[0].force, 20e3, 1e-8);
+  const ElementInfo& info = nodes.model.blocks()[0]->info(0);
+  EXPECT_EQ(info.deformation_quantity, "drift");
+  EXPECT_EQ(info.force_quantity, "storey_shear");
 }
 
 TEST(ViscousDamper, ResistsTheDifferenceOfVelocities) {
@@ -82,7 +68,7 @@ TEST(LawWithoutRegimes, YieldsUnloadsAndKeepsItsSlipOnlyOnceCommitted) {
   nodes.move(0.0, 0.04);
   EXPECT_NEAR(nodes.forces()[1], 1.3e6, 1e-6) << "not committed: still on the backbone";
   nodes.move(0.0, 0.05);
-  nodes.model.commit();
+  nodes.state->commit();
   nodes.move(0.0, 0.04);
   EXPECT_NEAR(nodes.forces()[1], 0.4e6, 1e-6) << "committed: unloads with the initial stiffness";
   expect_action_is_reaction(nodes);
@@ -94,19 +80,9 @@ TEST(LawWithoutRegimes, HasExactTangentsOnEveryBranch) {
   nodes.start();
   for (const double u : {0.005, 0.02, -0.03}) expect_exact_tangent(nodes, 0.0, u, 0.0, 0.0, 1e-4);
   nodes.move(0.0, 0.05);
-  nodes.model.commit();
+  nodes.state->commit();
   for (const double u : {0.06, 0.04, 0.02, -0.05}) expect_exact_tangent(nodes, 0.0, u, 0.0, 0.0, 1e-4);
   expect_rollback(nodes, 0.0, 0.045, 0.0, 0.0);
-}
-
-TEST(LeadRubberBearing, HasTheLinearStiffnessOfEachStage) {
-  TwoNodes nodes;
-  add(nodes.model, bearing(ground, nodes.a));
-  nodes.start();
-  SparseMatrix stiffness = nodes.model.linear_stiffness(StiffnessStage::initial);
-  EXPECT_DOUBLE_EQ(stiffness.coeff(0, 0), 1e8);
-  stiffness = nodes.model.linear_stiffness(StiffnessStage::post_yield);
-  EXPECT_DOUBLE_EQ(stiffness.coeff(0, 0), 1e7);
 }
 
 TEST(LinkElements, OfOneModelActTogether) {
@@ -118,50 +94,6 @@ TEST(LinkElements, OfOneModelActTogether) {
   expect_exact_tangent(nodes, 0.03, 0.035, 0.2, -0.1, 1e-4);
   expect_action_is_reaction(nodes);
   expect_rollback(nodes, 0.03, 0.035, 0.2, -0.1);
-}
-
-TEST(LinkElements, TheEnergiesOfABlockAreTheSumOfThoseOfItsElements) {
-  TwoNodes nodes;
-  ShearSpring second = spring(ground, nodes.a);
-  second.name = "storey 0";
-  add(nodes.model, spring(nodes.a, nodes.b));
-  add(nodes.model, second);
-  add(nodes.model, damper(nodes.a, nodes.b));
-  add(nodes.model, yielding_spring(ground, nodes.b));
-  nodes.start();
-  EnergySums none;
-  EXPECT_THROW(nodes.model.blocks()[0]->add_energies(none), std::logic_error) << "no accounts";
-  nodes.model.start_energy_accounts();
-  for (const double u : {0.01, 0.03, -0.02}) {
-    nodes.move(u, 2.0 * u, 0.1, 0.4);
-    nodes.model.trial().time += 0.1;
-    nodes.model.evaluate_rates();
-    nodes.model.commit(u > 0.02 ? WorkRule::mean_force : WorkRule::quadrature);
-  }
-  for (const auto& block : nodes.model.blocks()) {
-    EnergySums expected, found;
-    for (std::size_t e = 0; e < block->size(); ++e) expected.add(false, block->energy(e));
-    block->add_energies(found);
-    EXPECT_EQ(found.work, expected.work);
-    EXPECT_EQ(found.stored, expected.stored);
-    EXPECT_EQ(found.viscous, expected.viscous);
-    EXPECT_EQ(found.hysteretic, expected.hysteretic);
-    EXPECT_EQ(found.error, expected.error);
-    EXPECT_NE(found.work, 0.0);
-  }
-}
-
-TEST(LinkElements, OfACopiedModelAreIndependent) {
-  TwoNodes nodes;
-  add(nodes.model, yielding_spring(ground, nodes.a));
-  nodes.start();
-  TwoNodes copy{nodes};
-  copy.move(0.05, 0.0);
-  copy.model.commit();
-  nodes.move(0.005, 0.0);
-  EXPECT_NEAR(nodes.forces()[0], 0.5e6, 1e-6);
-  copy.move(0.005, 0.0);
-  EXPECT_LT(copy.forces()[0], 0.0);
 }
 
 TEST(LinkElements, TellWhatIsWrongWithTheirNodes) {
@@ -207,6 +139,25 @@ TEST(LinkElements, NeedANameOfTheirOwn) {
   nameless.name.clear();
   EXPECT_EQ(message_of([&] { add(nodes.model, nameless); }),
             "ViscousDamper: an element has no name. Give .name: results are listed under it.");
+}
+
+const BearingDesign design{
+    .weight = 30 * MN, .characteristic_strength = 1.5 * MN, .isolation_period = 2.5 * s, .yield_displacement = 1 * cm};
+
+TEST(LeadRubberBearing, OfADesignHasItsPeriodAndItsStrength) {
+  const LeadRubberBearing bearing = LeadRubberBearing::from_design(design);
+  const double mass = 30e6 / 9.80665, stiffness = bearing.post_yield_stiffness.si();
+  EXPECT_NEAR(2.0 * std::numbers::pi * std::sqrt(mass / stiffness), 2.5, 1e-12);
+  // On the post-yield branch, back at zero displacement, the force is the characteristic strength.
+  EXPECT_NEAR(bearing.yield_force.si() - stiffness * bearing.yield_displacement.si(), 1.5e6, 1e-6);
+  EXPECT_EQ(bearing.yield_displacement.si(), 0.01);
+}
+
+TEST(LeadRubberBearing, RefusesADesignThatIsNotPositive) {
+  BearingDesign bad = design;
+  bad.isolation_period = 0 * s;
+  EXPECT_EQ(message_of([&] { static_cast<void>(LeadRubberBearing::from_design(bad)); }),
+            "LeadRubberBearing::from_design: isolation_period = 0 s is not allowed; it must be > 0 s and finite.");
 }
 
 }  // namespace

@@ -3,37 +3,31 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <cmath>
-#include <string>
+#include <optional>
 
 #include "base/units.hpp"
-#include "model/model.hpp"
+#include "model/analysis_state.hpp"
+#include "moved_model.hpp"
 
 namespace moat::testing {
 
-/// Nodes "a" (1 t) and "b" (3 t). add() elements to `model`, then start() and move().
+/// Nodes "a" (1 t) and "b" (3 t). add() elements to `model`, then start() and move(); `state` exists from start() on.
 struct TwoNodes {
   Model model;
   NodeId a = add(model, Node{.name = "a", .mass = 1 * units::tonne});
   NodeId b = add(model, Node{.name = "b", .mass = 3 * units::tonne});
 
-  void start() { model.prepare(); }
+  std::optional<AnalysisState> state{};
+
+  void start() { state.emplace(model); }
 
   /// The trial state, evaluated: displacements (m) and velocities (m/s) of both nodes.
   void move(double ua, double ub, double va = 0.0, double vb = 0.0) {
-    model.trial() = model.state();
-    model.trial().displacement.head(2) << ua, ub;
-    model.trial().velocity.head(2) << va, vb;
-    model.evaluate();
+    move_to(*state, Vector{{ua, ub}}, Vector{{va, vb}});
   }
 
   /// Internal forces on a, b and the ground, N.
-  [[nodiscard]] Eigen::Vector3d forces() const {
-    Vector force;
-    force = model.internal_forces();
-    return force;
-  }
+  [[nodiscard]] Eigen::Vector3d forces() const { return state->internal_forces(); }
 };
 
 /// The sum over nodes and ground is zero: the forces on the two ends are opposite.
@@ -47,9 +41,7 @@ inline void expect_action_is_reaction(const TwoNodes& nodes) {
 inline void expect_exact_tangent(TwoNodes& nodes, double ua, double ub, double va, double vb, double width) {
   constexpr double displacement_weight = 0.7, velocity_weight = 0.3;
   nodes.move(ua, ub, va, vb);
-  SparseMatrix tangent = nodes.model.zero_matrix();
-  nodes.model.assemble_tangent(0.0, velocity_weight, displacement_weight, tangent);
-  const Eigen::MatrixXd exact{tangent};
+  const Eigen::MatrixXd exact = tangent_of(*nodes.state, 0.0, velocity_weight, displacement_weight);
   const auto force_at = [&](double step, int column) {
     const double da = column == 0 ? step : 0.0, db = column == 1 ? step : 0.0;
     nodes.move(ua + displacement_weight * da, ub + displacement_weight * db, va + velocity_weight * da,

@@ -35,19 +35,23 @@ Peaks peaks_of(const json& summary) {
   return peaks;
 }
 
-TEST_F(Tours, OneAndTwoHaveTheSamePeaks) {
-  const json first = summary_of(FIRST_TOUR, "first"), second = summary_of(SECOND_TOUR, "second");
-  const Peaks expected = peaks_of(first), peaks = peaks_of(second);
+// The motion makes both buildings pound, so that the impacts are compared too.
+void expect_same(const json& one, const json& other, double tolerance) {
+  const Peaks expected = peaks_of(one), peaks = peaks_of(other);
   ASSERT_EQ(peaks.size(), expected.size());
-  ASSERT_GE(peaks.size(), 6u + 6u + 5u + 5u + 4u);
   for (const auto& [key, value] : expected) {
     ASSERT_EQ(peaks.count(key), 1u) << key.first << " " << key.second;
-    EXPECT_NE(value, 0.0) << key.first << " " << key.second;
-    EXPECT_LE(std::abs(peaks.at(key) - value), 1e-12 * std::abs(value)) << key.first << " " << key.second;
+    EXPECT_LE(std::abs(peaks.at(key) - value), tolerance * std::abs(value)) << key.first << " " << key.second;
   }
-  // The pulse makes the building pound, so that the impacts are compared too.
-  EXPECT_GT(first.at("impacts").get<int>(), 0);
-  EXPECT_EQ(first.at("impacts"), second.at("impacts"));
+  EXPECT_GT(one.at("impacts").get<int>(), 0);
+  EXPECT_EQ(one.at("impacts"), other.at("impacts"));
+}
+
+TEST_F(Tours, OneAndTwoHaveTheSamePeaks) {
+  const json first = summary_of(FIRST_TOUR, "first"), second = summary_of(SECOND_TOUR, "second");
+  expect_same(first, second, 1e-12);
+  ASSERT_GE(first.at("peaks").size(), 6u + 6u + 5u + 5u + 4u);
+  for (const auto& [key, value] : peaks_of(first)) EXPECT_NE(value, 0.0) << key.first << " " << key.second;
   ASSERT_EQ(first.at("periods").size(), second.at("periods").size());
   for (std::size_t i = 0; i < first.at("periods").size(); ++i)
     EXPECT_NEAR(first.at("periods").at(i).at("value").get<double>(),
@@ -56,14 +60,7 @@ TEST_F(Tours, OneAndTwoHaveTheSamePeaks) {
 
 TEST_F(Tours, FiveAndSixHaveTheSamePeaks) {
   const json fifth = summary_of(FIFTH_TOUR, "fifth"), sixth = summary_of(SIXTH_TOUR, "sixth");
-  const Peaks expected = peaks_of(fifth), peaks = peaks_of(sixth);
-  ASSERT_EQ(peaks.size(), expected.size());
-  for (const auto& [key, value] : expected) {
-    ASSERT_EQ(peaks.count(key), 1u) << key.first << " " << key.second;
-    EXPECT_LE(std::abs(peaks.at(key) - value), 1e-9 * std::abs(value)) << key.first << " " << key.second;
-  }
-  EXPECT_GT(fifth.at("impacts").get<int>(), 0);
-  EXPECT_EQ(fifth.at("impacts"), sixth.at("impacts"));
+  expect_same(fifth, sixth, 1e-9);
   EXPECT_GT(fifth.at("energy").at("friction").get<double>(), 0.0);
   EXPECT_EQ(fifth.at("impact_table").at(0).at("edge"), sixth.at("impact_table").at(0).at("edge"));
 }

@@ -4,10 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "base/units.hpp"
-#include "materials/plan/biaxial_friction_pendulum.hpp"
-#include "materials/plan/biaxial_grant_rubber.hpp"
-#include "message_of.hpp"
+#include "moat.hpp"
 #include "planar_battery.hpp"
 #include "spring_battery.hpp"
 
@@ -42,6 +39,12 @@ TEST(BiaxialFrictionPendulum, AlongALineIsThePendulum) {
   const BiaxialFrictionPendulum law = pendulum(0.06);
   expect_same_along_a_line(law, law.pendulum.carrying(law.pendulum.weight), 0.2);
 }
+TEST(BiaxialBilinear, AlongALineIsBilinear) {
+  const Bilinear line{.yield_force = 215 * kN, .yield_displacement = 1 * cm, .post_yield_stiffness = 1.5 * MN / m};
+  expect_same_along_a_line(BiaxialBilinear{line.yield_force, line.yield_displacement, line.post_yield_stiffness}, line,
+                           0.03);
+}
+
 TEST(BiaxialGrantRubber, AlongALineIsTheRubber) {
   expect_same_along_a_line(BiaxialGrantRubber{GrantRubber::typical()}, GrantRubber::typical(), 0.09);
 }
@@ -59,43 +62,6 @@ TEST(BiaxialFrictionPendulum, DissipatesOnACircleAsTheClosedFormSays) {
     path.to({radius * std::cos(angle), radius * std::sin(angle)}, {1.0, 0.0});
   }
   EXPECT_NEAR((path.state.heat - at_start) / 1e3, 75.3973, 1e-3);
-}
-
-// Along a bent path whose speed changes; a fast one slides all the time.
-TEST(BiaxialFrictionPendulum, KnowsTheRateOfItsForce) {
-  const BiaxialFrictionPendulum law = pendulum(VelocityDependent{.slow = 0.03, .fast = 0.06, .rate = 5 * s / m});
-  const auto d = [](double t) { return PlanVector{0.3 * t + 0.1 * t * t, 0.05 * std::sin(4.0 * t)}; };
-  const auto v = [](double t) { return PlanVector{0.3 + 0.2 * t, 0.2 * std::cos(4.0 * t)}; };
-  const auto a = [](double t) { return PlanVector{0.2, -0.8 * std::sin(4.0 * t)}; };
-  BiaxialFrictionPendulum::State state;
-  constexpr double h = 1e-4;
-  PlanVector before, rate;
-  double largest = 0.0, error = 0.0;
-  for (int i = 1; i <= 5000; ++i) {
-    const double t = i * h;
-    BiaxialFrictionPendulum::State after;
-    const PlanarResponse at = law.evaluate(state, d(t), v(t), h, after);
-    state = after;
-    const PlanVector now = at.force_rate + at.viscosity * a(t);
-    if (i > 1000) {
-      // The mean of both rates is that of the step.
-      error = std::max(error, length((at.force - before) / h - 0.5 * (rate + now)));
-      largest = std::max(largest, length(now));
-    }
-    before = at.force;
-    rate = now;
-  }
-  EXPECT_LT(error, 1e-3 * largest);
-}
-
-TEST(BiaxialFrictionPendulum, NeedsTheWeightOnIt) {
-  BiaxialFrictionPendulum law = pendulum(0.06);
-  law.pendulum.weight = Force{};
-  EXPECT_EQ(message_of([&] {
-              law.check(Check{"PlanSpring", "bearing 1"});
-            }),
-            "PlanSpring \"bearing 1\": weight = 0 N is not allowed; it must be > 0 N and finite. Give the weight on "
-            "this bearing; a PlanBuilding knows its share.");
 }
 
 }  // namespace

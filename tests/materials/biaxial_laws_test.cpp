@@ -3,14 +3,9 @@
 
 #include <cmath>
 #include <numbers>
-#include <random>
 #include <vector>
 
-#include "base/units.hpp"
-#include "lead_bilinear.hpp"
-#include "materials/bilinear.hpp"
-#include "materials/plan/biaxial_bilinear.hpp"
-#include "materials/plan/biaxial_bouc_wen.hpp"
+#include "moat.hpp"
 
 namespace moat {
 namespace {
@@ -85,77 +80,6 @@ TYPED_TEST(BiaxialLaw, SteadyCircleHasItsForceAndEnergy) {
   EXPECT_NEAR(this->law.dissipated_energy(start, state) / per_turn, 1.0, 1e-3);
 }
 
-TYPED_TEST(BiaxialLaw, TurnedPathTurnsTheForce) {
-  std::mt19937 random{7};
-  std::uniform_real_distribution<double> step{-3.0 * reach, 3.0 * reach}, angle{0.0, 6.3};
-  for (int trial = 0; trial < 50; ++trial) {
-    typename TypeParam::State plain, turned_state;
-    const double a = angle(random), c = std::cos(a), s = std::sin(a);
-    const auto turn = [&](PlanVector v) { return PlanVector{c * v.x - s * v.y, s * v.x + c * v.y}; };
-    PlanVector d;
-    for (int i = 0; i < 20; ++i) {
-      d += {step(random), step(random)};
-      const PlanVector expected = turn(follow(this->law, plain, d).force);
-      const PlanVector force = follow(this->law, turned_state, turn(d)).force;
-      ASSERT_NEAR(force.x, expected.x, 1e-12 * strength);
-      ASSERT_NEAR(force.y, expected.y, 1e-12 * strength);
-      ASSERT_LE(length(plain.z), 1.0 + 1e-12);
-    }
-  }
-}
-
-TYPED_TEST(BiaxialLaw, DividedIncrementEndsAtTheSameForce) {
-  // Exact for a straight increment: a hundred parts of it end where it ends, with the same heat.
-  std::mt19937 random{11};
-  std::uniform_real_distribution<double> step{-3.0 * reach, 3.0 * reach};
-  typename TypeParam::State state;
-  PlanVector d;
-  for (int i = 0; i < 100; ++i) {
-    const PlanVector from = d;
-    d += {step(random), step(random)};
-    typename TypeParam::State divided = state;
-    constexpr int parts = 100;
-    for (int k = 1; k <= parts; ++k) follow(this->law, divided, from + double(k) / parts * (d - from));
-    follow(this->law, state, d);
-    ASSERT_NEAR(divided.z.x, state.z.x, 1e-10);
-    ASSERT_NEAR(divided.z.y, state.z.y, 1e-10);
-    ASSERT_NEAR(divided.dissipated, state.dissipated, 1e-9);
-  }
-}
-
-// Straight paths, paths that bend, and paths that turn back, where the area is cut off.
-TYPED_TEST(BiaxialLaw, TangentsAreTheDerivatives) {
-  std::mt19937 random{3};
-  std::uniform_real_distribution<double> part{-1.0, 1.0};
-  for (const double interval : {0.0, 0.3, 1.0, 3.0}) {
-    typename TypeParam::State state;
-    PlanVector d;
-    int bent = 0;
-    for (int i = 0; i < 1000; ++i) {
-      const PlanVector increment = (i % 2 == 0 ? 2.0 : 0.2) * reach * PlanVector{part(random), part(random)};
-      d += increment;
-      const PlanVector rate = increment + 0.7 * length(increment) * PlanVector{part(random), part(random)};
-      typename TypeParam::State ignored;
-      const PlanarResponse at = this->law.evaluate(state, d, rate, interval, ignored);
-      bent += length(at.damping * PlanVector{1.0, 0.5}) > 0.0 ? 1 : 0;
-      constexpr double h = 1e-7 * reach;
-      const auto differs = [&](PlanVector ahead, PlanVector behind, PlanVector tangent) {
-        return length((ahead - behind) / (2.0 * h) - tangent) > 1e-5 * strength / reach;
-      };
-      for (const PlanVector direction : {PlanVector{1.0, 0.0}, PlanVector{0.0, 1.0}}) {
-        const auto force = [&](PlanVector by, PlanVector by_rate) {
-          return this->law.evaluate(state, d + by, rate + by_rate, interval, ignored).force;
-        };
-        const PlanVector step = h * direction;
-        ASSERT_FALSE(differs(force(step, {}), force(-step, {}), at.stiffness * direction)) << interval << " " << i;
-        ASSERT_FALSE(differs(force({}, step), force({}, -step), at.damping * direction)) << interval << " " << i;
-      }
-      follow(this->law, state, d, rate, interval);
-    }
-    EXPECT_EQ(bent > 300, interval > 0.0);
-  }
-}
-
 // z' = w - z (z.w) by Runge and Kutta's method, along an ellipse on which z never stops being pulled.
 TYPED_TEST(BiaxialLaw, ErrorOfABentPathIsOfFourthOrder) {
   const auto rate = [](double t) { return reach * PlanVector{-3.0 * std::sin(t), 5.0 * std::cos(t)}; };
@@ -194,65 +118,6 @@ TYPED_TEST(BiaxialLaw, ErrorOfABentPathIsOfFourthOrder) {
     EXPECT_NEAR(of_heat[i - 1] / of_heat[i], 16.0, 6.0) << i;
   }
   EXPECT_LT(errors.back(), 1e-6);
-}
-
-TYPED_TEST(BiaxialLaw, ForceRateIsThatOfTheMotionThatGoesOn) {
-  std::mt19937 random{5};
-  std::uniform_real_distribution<double> step{-2.0 * reach, 2.0 * reach};
-  typename TypeParam::State state;
-  PlanVector d;
-  for (int i = 0; i < 200; ++i) {
-    d += {step(random), step(random)};
-    const PlanVector rate{step(random), step(random)};
-    const PlanarResponse at = follow(this->law, state, d, rate);
-    typename TypeParam::State ignored;
-    constexpr double h = 1e-6;
-    const PlanVector after = this->law.evaluate(state, d + h * rate, rate, 0.0, ignored).force;
-    ASSERT_NEAR((after.x - at.force.x) / h, at.force_rate.x, 1e-4 * strength);
-    ASSERT_NEAR((after.y - at.force.y) / h, at.force_rate.y, 1e-4 * strength);
-  }
-}
-
-TYPED_TEST(BiaxialLaw, WorkIsStoredOrDissipated) {
-  std::mt19937 random{13};
-  std::uniform_real_distribution<double> step{-2.0 * reach, 2.0 * reach};
-  typename TypeParam::State state;
-  PlanVector d, force;
-  double work = 0.0, scale = 0.0;
-  for (int i = 0; i < 50; ++i) {
-    const PlanVector from = d;
-    d += {step(random), step(random)};
-    constexpr int parts = 2000;
-    for (int k = 1; k <= parts; ++k) {
-      const PlanVector after = follow(this->law, state, from + double(k) / parts * (d - from)).force;
-      work += dot(0.5 * (force + after), (d - from) / parts);
-      force = after;
-    }
-    scale = std::max(scale, std::abs(work));
-  }
-  const double dissipated = this->law.dissipated_energy({}, state);
-  EXPECT_GT(dissipated, 0.3 * work);
-  EXPECT_NEAR(work, this->law.stored_energy(state, d) + dissipated, 1e-5 * scale);
-}
-
-TEST(BiaxialBilinear, AlongALineIsBilinear) {
-  const Bilinear line{.yield_force = (strength + post_yield * reach) * N,
-                      .yield_displacement = reach * m,
-                      .post_yield_stiffness = post_yield * N / m};
-  std::mt19937 random{17};
-  std::uniform_real_distribution<double> step{-3.0 * reach, 3.0 * reach};
-  const double c = std::cos(0.7), s = std::sin(0.7);
-  Bilinear::State line_state;
-  BiaxialBilinear::State state;
-  double d = 0.0;
-  for (int i = 0; i < 100; ++i) {
-    const double before = d;
-    d += step(random);
-    const Response expected = testing::lead(line, line_state, before, d);
-    const PlanarResponse response = follow(bilinear(), state, {c * d, s * d});
-    ASSERT_NEAR(response.force.x, c * expected.force, 1e-9 * strength);
-    ASSERT_NEAR(response.force.y, s * expected.force, 1e-9 * strength);
-  }
 }
 
 TEST(BiaxialBoucWen, SteadyCycleHasTheClosedForm) {

@@ -2,10 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
-
 #include "base/units.hpp"
-#include "message_of.hpp"
 #include "spring_battery.hpp"
 
 namespace moat::testing {
@@ -48,21 +45,6 @@ TEST(BilinearImpact, UnloadsAndLoadsAgainAlongItsLines) {
   // The next contact starts without memory of this one.
   path.move(-1.0, 1.0);
   expect(1.0, 10.0);
-}
-
-TEST(BilinearImpact, RefusesParametersOutsideTheirRange) {
-  BilinearImpact wrong = law;
-  wrong.yield_share = 0.6;
-  EXPECT_EQ(message_of([&] {
-              wrong.check(Check{"Gap", "moat"});
-            }),
-            "Gap \"moat\": yield_share = 0.6 is not allowed; it must be > 0 and <= 0.5. 0.1 is usual.");
-  wrong = law;
-  wrong.expected_indentation = 0 * m;
-  EXPECT_EQ(message_of([&] {
-              wrong.check(Check{"Gap", "moat"});
-            }),
-            "Gap \"moat\": expected_indentation = 0 m is not allowed; it must be > 0 m and finite.");
 }
 
 }  // namespace

@@ -1,13 +1,10 @@
-#include "materials/isolation/friction_pendulum.hpp"
+#include "moat.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <numbers>
 
-#include "base/units.hpp"
-#include "materials/isolation/flat_slider.hpp"
-#include "message_of.hpp"
 #include "spring_battery.hpp"
 
 namespace moat::testing {
@@ -15,15 +12,7 @@ namespace {
 
 using namespace units;
 
-TEST(FrictionPendulum, PassesTheBattery) {
-  FrictionPendulum law = FrictionPendulum::typical();
-  law.friction = 0.05;
-  expect_sound_spring(law.carrying(30 * MN), {});
-  expect_sound_spring(FrictionPendulum::typical().carrying(30 * MN), {.rate = 0.02, .one_speed = true});
-}
-
 TEST(FlatSlider, PassesTheBattery) {
-  expect_sound_spring(FlatSlider::typical().carrying(30 * MN), {});
   FlatSlider bare = FlatSlider::typical();
   bare.restoring_stiffness = {};
   expect_sound_spring(bare.carrying(1 * MN), {});
@@ -45,31 +34,6 @@ TEST(FrictionPendulum, HasTheLoopOfFriction) {
   path.move(-0.2, 1.0);
   path.move(0.2, 1.0);
   EXPECT_NEAR(path.dissipated() - before, 4.0 * 0.05e6 * (0.2 - 0.001), 1e-4);
-}
-
-TEST(FrictionPendulum, ReportsFrictionAndSlip) {
-  const SlidingIsolator law = FrictionPendulum::typical().carrying(1 * MN);
-  EXPECT_NEAR(law.quantity(0, {}, 0.0, 0.01, 0.0).value, 0.06 - 0.03 * std::exp(-0.5), 1e-15);
-  EXPECT_EQ(law.quantity(1, {.slip = 0.07}, 0.0, 0.0, 0.0).value, 0.07);
-}
-
-TEST(FrictionPendulum, RefusesParametersOutsideTheirRange) {
-  const auto message = [](auto change) {
-    FrictionPendulum law = FrictionPendulum::typical();
-    change(law);
-    return message_of([&] { law.check(Check{"Isolator", "bearings"}); });
-  };
-  EXPECT_EQ(message([](FrictionPendulum&) {}), "nothing was thrown");
-  EXPECT_EQ(message([](FrictionPendulum& law) { law.radius = -1 * m; }),
-            "Isolator \"bearings\": radius = -1 m is not allowed; it must be > 0 m and finite.");
-  EXPECT_EQ(message([](FrictionPendulum& law) { law.friction = 0.4; }),
-            "Isolator \"bearings\": friction.coefficient = 0.4 is not allowed; it must be > 0 and <= 0.3.");
-  EXPECT_EQ(
-      message([](FrictionPendulum& law) {
-        law.friction = VelocityDependent{.slow = 0.08, .fast = 0.06, .rate = 50 * s / m};
-      }),
-      "Isolator \"bearings\": friction.slow = 0.08 is not allowed; it must be > 0 and <= 0.06. Friction at rest is "
-      "at most that at high speed.");
 }
 
 TEST(Friction, HasExactSlopesOverSpeed) {

@@ -1,7 +1,7 @@
 // Heat of a sliding surface: rests, long motions, and a slider that leaves the centre, against superpositions of the
 // rise under a half-space.
 
-#include "materials/heated_sliding_isolator.hpp"
+#include "moat.hpp"
 
 #include <gtest/gtest.h>
 
@@ -10,8 +10,6 @@
 #include <numbers>
 #include <vector>
 
-#include "base/units.hpp"
-#include "materials/isolation/heated_friction_pendulum.hpp"
 #include "spring_battery.hpp"
 
 namespace moat::testing {
@@ -93,14 +91,6 @@ TEST(HeatedSlidingIsolator, CoolsInARestAsAHalfSpace) {
   // Beyond one hour: the bound of the header.
   for (const double rest : {1e4, 1e5, 1e6})
     EXPECT_NEAR(shock.rise_after(rest), shock.exact_after(rest), std::sqrt(10.0) / 120.0 * shock.rise());
-}
-
-TEST(HeatedSlidingIsolator, HeatsThroughLongMotions) {
-  ToAndFro motion{constant_friction()};
-  for (int part = 0; part < 12; ++part) {
-    motion.slide(100.0, part % 3 == 0 ? 0.05 : 0.01);
-    EXPECT_NEAR(motion.rise(), motion.exact(), 2e-3 * motion.exact()) << part;
-  }
 }
 
 // The flux lasts while |d| < r_c sqrt(pi)/2, for every length of steps.

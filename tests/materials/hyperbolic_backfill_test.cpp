@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include "base/units.hpp"
-#include "message_of.hpp"
 #include "spring_battery.hpp"
 
 namespace moat::testing {
@@ -55,16 +54,6 @@ TEST(HyperbolicBackfill, IsTheFormOfShamsabadi) {
   LawPath<HyperbolicBackfill> path{law};
   path.move(0.025, 1.0);
   EXPECT_NEAR(path.force(), 0.75e6, 1e-3);
-}
-
-TEST(HyperbolicBackfill, RefusesASofterUnloading) {
-  HyperbolicBackfill law = per_metre;
-  law.unloading_stiffness = 10 * MN / m;
-  EXPECT_EQ(message_of([&] {
-              law.check(Check{"Moat", "moat"});
-            }),
-            "Moat \"moat\": unloading_stiffness = 1e+07 N/m is not allowed; it must be >= initial_stiffness = 2.03e+07 "
-            "N/m. A softer line would give back more energy than went in.");
 }
 
 }  // namespace

@@ -95,45 +95,5 @@ TEST(RegimeMargin, OfEveryContactIsALength) {
   expect_margin_is_a_length(RootDampedHertzContact{1e9, 2e7}, RootDampedHertzContact{k, c}, unit);
 }
 
-TEST(RegimeMargin, HasTheSignOfTheForceAndTheSizeOfTheIndentation) {
-  const ContactState loaded{ContactPhase::loaded, 0.3};
-  const auto expect = [&](const auto& law) {
-    for (const double v : {-0.6, -0.35, -0.2, -0.01}) {
-      const double d = 0.02, margin = law.regime_margin(loaded, d, v);
-      ContactState trial;
-      EXPECT_EQ(margin > 0.0, law.evaluate(loaded, d, v, trial).force > 0.0) << v;
-      EXPECT_LT(margin, 1.0001 * d);
-      EXPECT_GT(margin, -10.0 * d);
-    }
-  };
-  expect(ViscousLinearContact{1e9, 1e8});
-  expect(ViscousHertzContact{1e9, 0.8});
-  expect(RootDampedHertzContact{1e9, 2e7});
-}
-
-TEST(ContactState, FreezesTheApproachSpeedUntilTheGapOpens) {
-  const ViscousHertzContact law{.stiffness = 1e9, .damping_factor = 1.0};
-  const ContactState touched = law.next_regime({}, 1e-13, 0.5);
-  EXPECT_EQ(touched.approach_speed, 0.5);
-  // Drawn apart faster than v0/z the law ends, pushed together again it goes on with the same speed.
-  const ContactState released = law.next_regime(touched, 1e-3, -0.6);
-  EXPECT_EQ(released.phase, ContactPhase::released);
-  const ContactState again = law.next_regime(released, 1e-3, 0.2);
-  EXPECT_EQ(again.phase, ContactPhase::loaded);
-  EXPECT_EQ(again.approach_speed, 0.5);
-  EXPECT_EQ(law.next_regime(again, -1e-13, -0.2).phase, ContactPhase::open);
-}
-
-TEST(KelvinThatPulls, PullsBeforeTheGapOpensAndNotByDefault) {
-  ContactState trial;
-  const ContactState loaded{ContactPhase::loaded, 0.5};
-  const Stiffness stiffness{1e9};
-  const auto pulling = Kelvin{.stiffness = stiffness, .restitution = 0.65, .may_pull = true}.between(mass);
-  EXPECT_LT(pulling.evaluate(loaded, 1e-6, -0.3, trial).force, 0.0);
-  EXPECT_GT(pulling.regime_margin(loaded, 1e-6, -0.3), 0.0);
-  const auto clamped = Kelvin{.stiffness = stiffness, .restitution = 0.65}.between(mass);
-  EXPECT_LT(clamped.regime_margin(loaded, 1e-6, -0.3), 0.0);
-}
-
 }  // namespace
 }  // namespace moat::testing

@@ -1,10 +1,8 @@
 #include <gtest/gtest.h>
 
-#include "base/units.hpp"
 #include "impact_cases.hpp"
-#include "materials/bilinear.hpp"
-#include "materials/contact/impact_laws.hpp"
 #include "message_of.hpp"
+#include "moat.hpp"
 
 namespace moat::testing {
 namespace {
@@ -88,20 +86,74 @@ TEST(ImpactLawCheck, RefusesToPullWithADashpotThatNeverPulls) {
             "approach_only is true. A dashpot that acts on approach only never pulls.");
 }
 
-TEST(BilinearCheck, NamesTheParameterItsRangeAndWhatToDo) {
-  const auto with = [](Force force, Length displacement, Stiffness stiffness) {
-    return message(
-        Bilinear{.yield_force = force, .yield_displacement = displacement, .post_yield_stiffness = stiffness});
+// The message for a law of which something was changed, without the name of its element.
+template <class Law, class Change>
+std::string refusal(Law law, Change change) {
+  change(law);
+  return message(law).substr(std::string{"Gap \"moat left\": "}.size());
+}
+
+TEST(SpringLawCheck, NamesTheParameterItsRangeAndWhatToDo) {
+  const Bilinear bilinear{.yield_force = 1 * N, .yield_displacement = 1 * cm, .post_yield_stiffness = 1 * N / m};
+  const BilinearImpact yielding{.stiffness = 2.95e9 * N / m_3_2, .restitution = 0.65, .expected_indentation = 2 * cm};
+  struct Row {
+    std::string found, expected;
   };
-  EXPECT_EQ(with(0 * N, 1 * cm, 1 * N / m),
-            "Gap \"moat left\": yield_force = 0 N is not allowed; it must be > 0 N and finite.");
-  EXPECT_EQ(with(1 * N, -1 * cm, 1 * N / m),
-            "Gap \"moat left\": yield_displacement = -0.01 m is not allowed; it must be > 0 m and finite.");
-  EXPECT_EQ(with(1 * N, 1 * cm, -1 * N / m),
-            "Gap \"moat left\": post_yield_stiffness = -1 N/m is not allowed; it must be >= 0 N/m and finite.");
-  EXPECT_EQ(with(1 * N, 1 * cm, 100 * N / m),
-            "Gap \"moat left\": post_yield_stiffness = 100 N/m is not allowed; it must be below the initial stiffness "
-            "yield_force / yield_displacement = 100 N/m. Check the exponents of the three parameters.");
+  const std::vector<Row> rows{
+      {refusal(bilinear, [](auto& law) { law.yield_force = 0 * N; }),
+       "yield_force = 0 N is not allowed; it must be > 0 N and finite."},
+      {refusal(bilinear, [](auto& law) { law.yield_displacement = -1 * cm; }),
+       "yield_displacement = -0.01 m is not allowed; it must be > 0 m and finite."},
+      {refusal(bilinear, [](auto& law) { law.post_yield_stiffness = -1 * N / m; }),
+       "post_yield_stiffness = -1 N/m is not allowed; it must be >= 0 N/m and finite."},
+      {refusal(bilinear, [](auto& law) { law.post_yield_stiffness = 100 * N / m; }),
+       "post_yield_stiffness = 100 N/m is not allowed; it must be below the initial stiffness yield_force / "
+       "yield_displacement = 100 N/m. Check the exponents of the three parameters."},
+      {refusal(yielding, [](auto& law) { law.yield_share = 0.6; }),
+       "yield_share = 0.6 is not allowed; it must be > 0 and <= 0.5. 0.1 is usual."},
+      {refusal(yielding, [](auto& law) { law.expected_indentation = 0 * m; }),
+       "expected_indentation = 0 m is not allowed; it must be > 0 m and finite."},
+      {refusal(BoucWen::typical(), [](auto& law) { law.beta = 0.4; }),
+       "beta = 0.4 is not allowed; it must be from 0.5 to 10. Below 1/2 small cycles would gain energy."},
+      {refusal(BoucWen::typical(), [](auto& law) { law.exponent = 0.5; }),
+       "exponent = 0.5 is not allowed; it must be from 1 to 50. 1 to 2 is usual; 50 is nearly bilinear."},
+      {refusal(BoucWen::typical(), [](auto& law) { law.post_yield_stiffness = 1 * GN / m; }),
+       "post_yield_stiffness = 1e+09 N/m is not allowed; it must be below the initial stiffness yield_force / "
+       "yield_displacement = 1.93e+08 N/m. Check the exponents of the three parameters."},
+      {refusal(FrictionPendulum::typical(), [](auto& law) { law.radius = -1 * m; }),
+       "radius = -1 m is not allowed; it must be > 0 m and finite."},
+      {refusal(FrictionPendulum::typical(), [](auto& law) { law.friction = 0.4; }),
+       "friction.coefficient = 0.4 is not allowed; it must be > 0 and <= 0.3."},
+      {refusal(FrictionPendulum::typical(),
+               [](auto& law) { law.friction = VelocityDependent{.slow = 0.08, .fast = 0.06, .rate = 50 * s / m}; }),
+       "friction.slow = 0.08 is not allowed; it must be > 0 and <= 0.06. Friction at rest is at most that at high "
+       "speed."},
+      {refusal(BiaxialFrictionPendulum{FrictionPendulum::typical()}, [](auto& law) { law.pendulum.weight = Force{}; }),
+       "weight = 0 N is not allowed; it must be > 0 N and finite. Give the weight on this bearing; a PlanBuilding "
+       "knows "
+       "its share."},
+      {refusal(TriplePendulum::typical(), [](auto& law) { law.inner_friction = 0.05; }),
+       "inner_friction = 0.05 is not allowed; it must be > 0 and below lower_friction = 0.04. Three sliders in series "
+       "need friction that rises from inside to outside."},
+      {refusal(TriplePendulum::typical(), [](auto& law) { law.lower_capacity = 0.1 * m; }),
+       "lower_capacity = 0.1 m is not allowed; it must be >= (upper_friction - lower_friction) lower_radius = 0.14986 "
+       "m. Else the lower surface reaches its stop before the upper one slides, which this model does not cover."},
+      {refusal(TriplePendulum::typical(), [](auto& law) { law.inner_capacity = 0.02 * m; }),
+       "inner_capacity = 0.02 m is not allowed; it must be >= (upper_friction - inner_friction) inner_radius = "
+       "0.027559 "
+       "m. Else an inner surface reaches its stop before the upper one slides, which this model does not cover."},
+      {refusal(GrantRubber::typical(), [](auto& law) { law.a2 = -1e8 * N / (m * m * m); }),
+       "a2 = -1e+08 N/m^3 is not allowed; it must be so that a1 + 3 a2 d^2 + 5 a3 d^4 >= 0 at every d. The elastic "
+       "force must grow with d."},
+      {refusal(MaxwellDamper::typical(), [](auto& law) { law.exponent = 1.2; }),
+       "exponent = 1.2 is not allowed; it must be from 0.1 to 1. Fluid dampers have 0.15 to 1."},
+      {refusal(ImkBilinear::typical(), [](auto& law) { law.ultimate_drift = 5 * mm; }),
+       "ultimate_drift = 0.005 m is not allowed; it must be above the yield drift yield_force / stiffness = 0.01 m."},
+      {refusal(HyperbolicBackfill{.initial_stiffness = 20.3 * MN / m, .ultimate_force = 326 * kN},
+               [](auto& law) { law.unloading_stiffness = 10 * MN / m; }),
+       "unloading_stiffness = 1e+07 N/m is not allowed; it must be >= initial_stiffness = 2.03e+07 N/m. A softer line "
+       "would give back more energy than went in."}};
+  for (const auto& [found, expected] : rows) EXPECT_EQ(found, expected);
 }
 
 }  // namespace

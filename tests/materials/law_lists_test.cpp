@@ -9,14 +9,7 @@
 #include <type_traits>
 #include <utility>
 
-#include "base/units.hpp"
-#include "materials/bilinear.hpp"
-#include "materials/contact/impact_laws.hpp"
-#include "materials/contact/named_impact_law.hpp"
-#include "materials/linear.hpp"
-#include "materials/plan/planar_laws.hpp"
-#include "materials/spring_laws.hpp"
-#include "materials/viscous.hpp"
+#include "moat.hpp"
 #include "random_spring.hpp"
 #include "spring_battery.hpp"
 
@@ -28,38 +21,17 @@ using namespace units;
 // Laws without a folder of their own, of which elements are made.
 using BasicLaws = LawList<Linear, Viscous, Bilinear>;
 
-template <ForceLaw Law>
-struct BasicCase {
-  Law law;
-  SpringTrial trial{};
-};
-template <ForceLaw Law>
-BasicCase<Law> basic_case() = delete;
-
-const Bilinear bearing{.yield_force = 1.93 * MN, .yield_displacement = 1 * cm, .post_yield_stiffness = 19.3 * MN / m};
-
-template <>
-BasicCase<Linear> basic_case() {
-  return {{.stiffness = 1 * MN / m, .damping = 0.3 * MN * s / m}};
-}
-template <>
-BasicCase<Viscous> basic_case() {
-  return {{.damping = 0.767 * MN * s / m}};
-}
-template <>
-BasicCase<Bilinear> basic_case() {
-  return {bearing};
-}
-
 TEST(BasicLaws, PassTheBattery) {
-  BasicLaws::for_each([]<class Law>() {
-    SCOPED_TRACE(Law::name);
-    expect_sound_spring(basic_case<Law>().law, basic_case<Law>().trial);
-  });
+  expect_sound_spring(Linear{.stiffness = 1 * MN / m, .damping = 0.3 * MN * s / m}, {});
+  expect_sound_spring(Viscous{.damping = 0.767 * MN * s / m}, {});
+  expect_sound_spring(
+      Bilinear{.yield_force = 1.93 * MN, .yield_displacement = 1 * cm, .post_yield_stiffness = 19.3 * MN / m}, {});
 }
 
-// Whether a header has a law: a function that gives the force of one.
+// Whether a header has a law: it stands in a folder of laws, or has a function that gives the force of one.
 bool has_law(const std::filesystem::path& header) {
+  const std::set<std::string> folders{"impact", "isolation", "dampers", "storeys", "soil"};
+  if (folders.contains(header.parent_path().filename())) return true;
   std::ostringstream text;
   text << std::ifstream{header}.rdbuf();
   return text.str().find("\n  Response evaluate(") != std::string::npos ||
@@ -78,6 +50,7 @@ TEST(LawsInTheFolderOfMaterials, AreAllInAList) {
   });
   AllImpactLaws::for_each([&]<class Law>() {
     using Contact = std::remove_cvref_t<decltype(std::declval<const Law&>().between(1.0))>;
+    tested.insert(option_name(Law::name));
     tested.insert(option_name(Contact::name));
   });
   std::set<std::string> headers;

@@ -1,12 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "base/units.hpp"
-#include "materials/bilinear.hpp"
-#include "materials/contact/any_contact.hpp"
-#include "materials/contact/impact_laws.hpp"
-#include "materials/linear.hpp"
-#include "materials/response.hpp"
-#include "materials/viscous.hpp"
+#include "moat.hpp"
 
 namespace moat::testing {
 namespace {

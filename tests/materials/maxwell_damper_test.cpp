@@ -6,8 +6,6 @@
 #include <numbers>
 
 #include "base/units.hpp"
-#include "message_of.hpp"
-#include "spring_battery.hpp"
 
 namespace moat::testing {
 namespace {
@@ -41,20 +39,6 @@ Cycle cycle(const MaxwellDamper& law, double frequency, double amplitude, double
     before = d;
   }
   return last;
-}
-
-TEST(MaxwellDamper, PassesTheBattery) {
-  // A Maxwell damper depends on the length of steps.
-  for (const double exponent : {0.15, 0.35, 1.0}) {
-    MaxwellDamper law = MaxwellDamper::typical();
-    law.exponent = exponent;
-    SCOPED_TRACE(exponent);
-    const SpringTrial trial{.deformation = 0.01, .rate = 0.5, .energy = 1e-3, .pieces = 0.0, .one_speed = true};
-    expect_tangents(law, trial);
-    expect_purity(law, trial);
-    expect_symmetry(law, trial);
-    expect_no_gain(law, {.deformation = 0.001, .rate = 0.5, .pieces = 0.0, .one_speed = true, .moves = 20});
-  }
 }
 
 TEST(MaxwellDamper, BalancesItsEnergyByTheMeanForce) {
@@ -126,16 +110,6 @@ TEST(MaxwellDamper, DoesNotRingWhereTheTrapezoidalRuleWould) {
     EXPECT_LT(state.force, before);
     before = state.force;
   }
-}
-
-TEST(MaxwellDamper, RefusesParametersOutsideTheirRange) {
-  MaxwellDamper law = MaxwellDamper::typical();
-  law.exponent = 1.2;
-  EXPECT_EQ(
-      message_of([&] {
-        law.check(Check{"Spring", "dampers"});
-      }),
-      "Spring \"dampers\": exponent = 1.2 is not allowed; it must be from 0.1 to 1. Fluid dampers have 0.15 to 1.");
 }
 
 }  // namespace

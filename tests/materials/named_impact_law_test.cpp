@@ -1,13 +1,11 @@
-#include "materials/contact/named_impact_law.hpp"
+#include "moat.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <concepts>
 
-#include "base/units.hpp"
 #include "impact_cases.hpp"
-#include "materials/contact/free_impact.hpp"
 #include "message_of.hpp"
 
 namespace moat::testing {
@@ -51,13 +49,6 @@ TEST(NamedImpactLaw, IsTheLawOfThatName) {
     }
   });
   EXPECT_EQ(impact_law_names().size(), names);
-}
-
-TEST(NamedImpactLaw, KnowsAliases) {
-  EXPECT_TRUE((std::same_as<Anagnostopoulos, Kelvin>));
-  EXPECT_TRUE((std::same_as<LankaraniNikravesh, HertzDamp>));
-  EXPECT_TRUE((std::same_as<ModifiedHertzDamp, HuGuo>));
-  EXPECT_EQ(name_of(named("modified_hertz_damp")), "HuGuo");
 }
 
 TEST(OptionName, IsTheNameOfTheTypeInSmallLetters) {

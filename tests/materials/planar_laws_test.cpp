@@ -3,10 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include <filesystem>
-#include <fstream>
-#include <set>
-#include <sstream>
 #include <string>
 
 #include "materials/contact/named_impact_law.hpp"
@@ -26,24 +22,6 @@ TEST(EveryPlanarLaw, PassesTheBattery) {
     }
     EXPECT_GT(count, 0) << Law::name;
   });
-}
-
-// Whether a header in `materials` has a law of two components: its name says so, or a function that gives the force of
-// one.
-bool has_planar_law(const std::filesystem::path& header) {
-  std::ostringstream text;
-  text << std::ifstream{header}.rdbuf();
-  return header.stem().string().starts_with("biaxial_") ||
-         text.str().find("PlanarResponse evaluate(") != std::string::npos;
-}
-
-TEST(AllPlanarLaws, AreTheHeadersInTheFolderOfMaterials) {
-  std::set<std::string> headers, laws;
-  for (const auto& entry : std::filesystem::recursive_directory_iterator{MOAT_SOURCE_DIR "/materials"})
-    if (entry.path().extension() == ".hpp" && has_planar_law(entry.path())) headers.insert(entry.path().stem());
-  AllPlanarLaws::for_each([&]<class Law>() { laws.insert(option_name(Law::name)); });
-  EXPECT_EQ(headers, laws) << "every header of a law of two components has the name of its law, and a place in "
-                              "AllPlanarLaws (materials/plan/planar_laws.hpp)";
 }
 
 }  // namespace

@@ -31,7 +31,7 @@ TEST(IndependentReference, KnowsEveryImpactLawOrThisTestSaysWhyNot) {
         << (known.contains(name)
                 ? " is in the reference: take it out of the list above."
                 : " is not compared with the independent reference. Give it a PlainLawKind "
-                  "(tests/support/reference/plain_model.hpp), its equations (reference_contact.cpp) and its case in "
+                  "(tests/support/reference/plain_model.hpp), its equations (reference_contact.cpp) and its name in "
                   "moat_model.cpp; or name it in the list above with the reason.");
   });
   for (const auto& [name, reason] : without_reference) EXPECT_TRUE(laws.contains(name)) << name << " is no impact law";

@@ -5,7 +5,6 @@
 #include <gtest/gtest.h>
 
 #include <limits>
-#include <string>
 
 #include "message_of.hpp"
 #include "random_spring.hpp"

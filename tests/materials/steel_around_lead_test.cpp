@@ -164,52 +164,5 @@ TEST(SteelAroundLead, CoolsInARestAsTheSuperpositionOfAllStepsSays) {
     }
 }
 
-// One that counts from the first slip would cool as slowly after the rest as it did before it.
-TEST(SteelAroundLead, ForgetsAShockAfterALongRest) {
-  const HeatedLeadRubber law = bearing(0.05, 1.0);
-  Driven fresh{law}, rested{law};
-  fresh.shake(0.15, 0.5, 4, 800);
-  rested.shake(0.01, 0.5, 2, 800);
-  rested.rest(4.0 * 3600.0);
-  rested.shake(0.15, 0.5, 4, 800);
-  EXPECT_NEAR(rested.state().temperature, fresh.state().temperature, 1e-3 * fresh.state().temperature);
-}
-
-TEST(SteelAroundLead, OnlyCoolsWithoutPowerAndNeverBelowTheStart) {
-  for (const double radius : {0.03, 0.15})
-    for (const double shims : {0.1, 3.0}) {
-      Driven bearing_at_rest{bearing(radius, shims)};
-      bearing_at_rest.shake(0.2, 0.5, 3, 400);
-      bearing_at_rest.rest(30.0);
-      bearing_at_rest.shake(0.1, 0.5, 1, 400);
-      const double hot = bearing_at_rest.state().temperature, force = bearing_at_rest.force();
-      double before = hot;
-      for (double length = 1e-3; length < 1e5; length *= 1.5) {
-        bearing_at_rest.rest(length);
-        EXPECT_LT(bearing_at_rest.state().temperature, before) << length;
-        EXPECT_GT(bearing_at_rest.state().temperature, 0.0) << length;
-        before = bearing_at_rest.state().temperature;
-        for (const double layer : bearing_at_rest.state().steel) {
-          EXPECT_GE(layer, 0.0);
-          EXPECT_LE(layer, hot);
-        }
-      }
-      EXPECT_LT(before, 5e-3 * hot);
-      EXPECT_EQ(bearing_at_rest.force(), force);  // it sticks
-    }
-}
-
-TEST(SteelAroundLead, CoolsAlikeInOneStepAndInMany) {
-  for (const double rest : {0.5, 10.0, 3600.0}) {
-    Driven one{bearing(0.07, 1.0)};
-    one.shake(0.15, 0.5, 4, 800);
-    const double hot = one.state().temperature;
-    Driven many = one;
-    one.rest(rest);
-    many.rest(rest, 7919);
-    EXPECT_NEAR(one.state().temperature, many.state().temperature, 1e-4 * hot);
-  }
-}
-
 }  // namespace
 }  // namespace moat::testing

@@ -1,16 +1,10 @@
-#include "model/building.hpp"
+#include "moat.hpp"
 
 #include <gtest/gtest.h>
 
 #include <string>
 #include <vector>
 
-#include "base/error.hpp"
-#include "elements/contact/gap.hpp"
-#include "elements/line/isolator.hpp"
-#include "elements/line/shear_spring.hpp"
-#include "materials/impact/hertz_damp.hpp"
-#include "materials/linear.hpp"
 #include "message_of.hpp"
 
 namespace moat {
@@ -29,37 +23,23 @@ void join(Model& model, NodeId lower, NodeId upper) {
 
 TEST(Building, RefusesNodesThatDoNotFit) {
   Model model;
-  add_floor(model, "base");
-  EXPECT_EQ(message_of([&] { add(model, Building{.name = "house"}); }),
-            "Building \"house\": no floors are given. Give .base and .floors, from the lowest up.");
-}
-
-TEST(Building, RefusesAFloorThatIsTheGround) {
-  Model model;
-  const NodeId node = add_floor(model, "base");
-  EXPECT_EQ(message_of([&] { add(model, Building{.name = "house", .base = node, .floors = {ground}}); }),
-            "Building \"house\": the ground is among the floors. List only nodes with mass.");
-}
-
-TEST(Building, RefusesAnUnknownNode) {
-  Model model;
-  const NodeId node = add_floor(model, "base");
-  EXPECT_EQ(message_of([&] { add(model, Building{.name = "house", .base = NodeId{1}}); }),
-            "Building \"house\": base is not a node of this model. Use the NodeId that add(model, Node{...}) "
-            "returned.");
-  EXPECT_EQ(message_of([&] { add(model, Building{.base = node, .floors = {NodeId{}}}); }),
-            "Building: a floor is not given. Set it to a node of this model or to `ground`.");
-}
-
-TEST(Building, RefusesANodeOrANameTwice) {
-  Model model;
   const NodeId a = add_floor(model, "a"), b = add_floor(model, "b");
   add(model, Building{.name = "house", .base = a});
-  EXPECT_EQ(message_of([&] { add(model, Building{.name = "house", .base = b}); }),
+  const auto refusal = [&](const Building& building) { return message_of([&] { add(model, building); }); };
+  EXPECT_EQ(refusal({.name = "shed"}),
+            "Building \"shed\": no floors are given. Give .base and .floors, from the lowest up.");
+  EXPECT_EQ(refusal({.name = "shed", .base = b, .floors = {ground}}),
+            "Building \"shed\": the ground is among the floors. List only nodes with mass.");
+  EXPECT_EQ(refusal({.name = "shed", .base = NodeId{2}}),
+            "Building \"shed\": base is not a node of this model. Use the NodeId that add(model, Node{...}) "
+            "returned.");
+  EXPECT_EQ(refusal({.base = b, .floors = {NodeId{}}}),
+            "Building: a floor is not given. Set it to a node of this model or to `ground`.");
+  EXPECT_EQ(refusal({.name = "house", .base = b}),
             "Building \"house\": a building of this name exists. Give every building its own .name.");
-  EXPECT_EQ(message_of([&] { add(model, Building{.name = "shed", .base = a}); }),
+  EXPECT_EQ(refusal({.name = "shed", .base = a}),
             "Building \"shed\": the node \"a\" is in a building already. Its inertia would count twice.");
-  EXPECT_EQ(message_of([&] { add(model, Building{.name = "barn", .base = b, .floors = {b}}); }),
+  EXPECT_EQ(refusal({.name = "barn", .base = b, .floors = {b}}),
             "Building \"barn\": the node \"b\" is in a building already. Its inertia would count twice.");
 }
 

@@ -4,7 +4,6 @@
 
 #include <Eigen/Dense>
 #include <stdexcept>
-#include <utility>
 #include <vector>
 
 namespace moat {
@@ -50,20 +49,6 @@ TEST(EntryPosition, IsRefusedForAnEntryThatTheMatrixDoesNotHave) {
   EXPECT_THROW(static_cast<void>(entry_position(matrix, 3, 0)), std::out_of_range);
   // Beyond the last row of the last column: nothing there to look at.
   EXPECT_THROW(static_cast<void>(entry_position(matrix, 4, 3)), std::out_of_range);
-}
-
-TEST(EntryPosition, ScattersIntoTheDenseMatrix) {
-  SparseMatrix matrix = chain_and_loner();
-  Eigen::Matrix4d dense = Eigen::Matrix4d::Zero();
-  // Unsymmetric, and onto the ground as elements do.
-  const auto scatter = [&](int row, int column, double value) {
-    add_to_entry(matrix.valuePtr(), entry_position(matrix, row, column), value);
-    if (row != ground_index && column != ground_index) dense(row, column) += value;
-  };
-  double value = 1.0;
-  for (const auto& [a, b] : {std::pair{0, 1}, {1, 2}, {2, ground_index}, {3, ground_index}, {0, 1}})
-    for (const auto& [row, column] : {std::pair{a, a}, {a, b}, {b, a}, {b, b}}) scatter(row, column, value *= 1.5);
-  EXPECT_EQ(Eigen::Matrix4d{matrix}, dense);
 }
 
 TEST(EntryPosition, OfALargeMatrixDoesNotMixRowsAndColumns) {

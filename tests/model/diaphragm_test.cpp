@@ -1,18 +1,11 @@
 // Diaphragms among the nodes of a model: inertia, kinematics, refusals.
-#include "model/diaphragm.hpp"
+#include "moat.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "elements/contact/gap.hpp"
-#include "elements/line/shear_spring.hpp"
-#include "elements/line/viscous_damper.hpp"
-#include "elements/plan/plan_spring.hpp"
-#include "materials/impact/hertz.hpp"
-#include "materials/linear.hpp"
 #include "message_of.hpp"
-#include "model/model.hpp"
 
 namespace moat {
 namespace {
@@ -28,18 +21,18 @@ TEST(Diaphragm, ScaledRotationHasTheMassAsInertia) {
                                                 .initial_displacement = {1 * cm, 2 * cm},
                                                 .initial_rotation = 0.01,
                                                 .initial_angular_velocity = 0.2 / s});
-  model.prepare();
+  const AnalysisState state{model};
   EXPECT_NEAR(model.diaphragm(slab).gyration, 6.733003292, 1e-9);
   for (const NodeId node : slab.degrees_of_freedom()) EXPECT_EQ(model.mass(node), 1.5e6);
-  EXPECT_DOUBLE_EQ(model.displacement(slab.y), 0.02);
-  EXPECT_DOUBLE_EQ(model.rotation(slab), 0.01);
-  EXPECT_DOUBLE_EQ(model.angular_velocity(slab), 0.2);
+  EXPECT_DOUBLE_EQ(state.displacement(slab.y), 0.02);
+  EXPECT_DOUBLE_EQ(state.rotation(slab), 0.01);
+  EXPECT_DOUBLE_EQ(state.angular_velocity(slab), 0.2);
   EXPECT_TRUE(model.is_plan());
   // The ground moves x by its first component, y by its second, and turns nothing.
-  const GroundShares shares = model.ground_shares();
-  EXPECT_EQ(shares.of({3.0, 5.0}, slab.x.index), 3.0);
-  EXPECT_EQ(shares.of({3.0, 5.0}, slab.y.index), 5.0);
-  EXPECT_EQ(shares.of({3.0, 5.0}, slab.r.index), 0.0);
+  const GroundColumns influence = model.ground_influence();
+  EXPECT_EQ(influence.times({3.0, 5.0}, slab.x.index), 3.0);
+  EXPECT_EQ(influence.times({3.0, 5.0}, slab.y.index), 5.0);
+  EXPECT_EQ(influence.times({3.0, 5.0}, slab.r.index), 0.0);
 }
 
 TEST(Diaphragm, RotaryInertiaIsGivenOrThatOfSizeOrOutline) {
@@ -67,13 +60,13 @@ TEST(Diaphragm, ForcesAtPointsHaveTheirMoments) {
                                 .upper = PlanPoint{slab, {4 * m, 7 * m}},
                                 .direction = {3.0, 4.0},
                                 .law = {.stiffness = 10 * N / m}});
-  model.prepare();
+  const AnalysisState state{model};
   // Arm (3, 5): u_P = (0.3 - 5 * 0.05, 0.1 + 3 * 0.05).
   const double d = 0.05 * n.x + 0.25 * n.y, force = 10.0 * d, moment = force * (3.0 * n.y - 5.0 * n.x);
-  EXPECT_NEAR(model.blocks()[0]->results().deformations[0], d, 1e-15);
-  EXPECT_NEAR(model.internal_forces()[slab.x.index], force * n.x, 1e-14);
-  EXPECT_NEAR(model.internal_forces()[slab.y.index], force * n.y, 1e-14);
-  EXPECT_NEAR(model.internal_forces()[slab.r.index], moment / 2.0, 1e-14);
+  EXPECT_NEAR(state.elements(0).results()[0].deformation, d, 1e-15);
+  EXPECT_NEAR(state.internal_forces()[slab.x.index], force * n.x, 1e-14);
+  EXPECT_NEAR(state.internal_forces()[slab.y.index], force * n.y, 1e-14);
+  EXPECT_NEAR(state.internal_forces()[slab.r.index], moment / 2.0, 1e-14);
 }
 
 TEST(Diaphragm, BadInertiaIsRefused) {

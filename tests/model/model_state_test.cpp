@@ -1,19 +1,15 @@
-// The state of a model: committed or dropped, copied, and continued after something was added.
+// The state of a model in an analysis: committed or dropped, copied, and of the model that it was made for.
 
 #include <gtest/gtest.h>
 
 #include <Eigen/Dense>
 #include <cmath>
+#include <string>
 #include <vector>
 
-#include "analyses/time_history/transient.hpp"
-#include "base/error.hpp"
-#include "elements/contact/gap.hpp"
-#include "elements/line/lead_rubber_bearing.hpp"
-#include "elements/line/shear_spring.hpp"
-#include "elements/line/viscous_damper.hpp"
-#include "materials/impact/hertz_damp.hpp"
-#include "model/model.hpp"
+#include "message_of.hpp"
+#include "moat.hpp"
+#include "moved_model.hpp"
 
 namespace moat {
 namespace {
@@ -58,206 +54,169 @@ struct Fingerprint {
   bool operator==(const Fingerprint&) const = default;
 };
 
-Fingerprint fingerprint(const Model& original) {
-  Model copy = original;
-  const MotionState state = copy.state();
-  copy.trial().displacement.head(2) << 0.031, 0.033;
-  copy.trial().velocity.head(2) << 0.2, -0.1;
-  copy.evaluate();
-  return {state.time, state.displacement, state.velocity, state.acceleration, copy.internal_forces()};
+Fingerprint fingerprint(const AnalysisState& original) {
+  AnalysisState copy = original;
+  const MotionState motion = copy.motion();
+  const Vector forces = testing::forces_at(copy, Vector{{0.031, 0.033}}, Vector{{0.2, -0.1}});
+  return {motion.time, motion.displacement, motion.velocity, motion.acceleration, forces};
 }
 
-TEST(ModelState, StartsFromInitialValues) {
+// Until the base leans on a wall.
+void advance_into_contact(Transient& analysis, NodeId base) {
+  while (std::abs(analysis.state().displacement(base)) < 0.041 && !analysis.finished()) analysis.advance();
+  ASSERT_FALSE(analysis.finished());
+}
+
+TEST(AnalysisState, StartsFromInitialValues) {
   Model model;
   add(model, Node{.name = "a", .mass = 2 * kg, .initial_displacement = 3 * cm, .initial_velocity = -4 * m / s});
   add(model, Node{.name = "b", .mass = 5 * kg});
-  model.prepare();
-  EXPECT_EQ(model.state().time, 0.0);
-  EXPECT_EQ(model.state().displacement, (Vector{{0.03, 0.0, 0.0}}));  // the last entry is the ground's
-  EXPECT_EQ(model.state().velocity, (Vector{{-4.0, 0.0, 0.0}}));
-  EXPECT_EQ(model.state().acceleration, Vector::Zero(3));
-  EXPECT_EQ(model.masses(), (Vector{{2.0, 5.0}}));
+  const AnalysisState state{model};
+  EXPECT_EQ(state.time(), 0.0);
+  EXPECT_EQ(state.motion().displacement, (Vector{{0.03, 0.0, 0.0}}));  // the last entry is the ground's
+  EXPECT_EQ(state.motion().velocity, (Vector{{-4.0, 0.0, 0.0}}));
+  EXPECT_EQ(state.motion().acceleration, Vector::Zero(3));
+  EXPECT_EQ(model.mass_matrix().diagonal(), (Vector{{2.0, 5.0}}));
   EXPECT_EQ(model.degrees_of_freedom(), 2);
 }
 
-TEST(ModelState, EvaluateWithoutCommitLeavesTheCommittedStateAlone) {
-  Isolated made = isolated_storey();
-  Model& model = made.model;
-  Transient analysis{model, shaking(), fixed_step};
+TEST(AnalysisState, EvaluateWithoutCommitLeavesTheCommittedStateAlone) {
+  const Isolated made = isolated_storey();
+  Transient analysis{made.model, shaking(), fixed_step};
   for (int i = 0; i < 120; ++i) analysis.advance();
-  const Fingerprint before = fingerprint(model);
+  AnalysisState state = analysis.state();
+  const Fingerprint before = fingerprint(state);
   // Far beyond yield and into the wall, then out on the other side.
-  for (const double displacement : {0.3, -0.3, 0.002}) {
-    model.trial().displacement.head(2).setConstant(displacement);
-    model.trial().velocity.head(2).setConstant(-displacement);
-    model.evaluate();
-  }
-  EXPECT_EQ(fingerprint(model), before);
-  model.commit();
-  EXPECT_NE(fingerprint(model), before);
+  for (const double displacement : {0.3, -0.3, 0.002})
+    testing::move_to(state, Vector::Constant(2, displacement), Vector::Constant(2, -displacement));
+  EXPECT_EQ(fingerprint(state), before);
+  state.commit();
+  EXPECT_NE(fingerprint(state), before);
 }
 
-TEST(ModelState, CommittedHistoryMatters) {
+TEST(AnalysisState, CommittedHistoryMatters) {
   // Loaded beyond yield and back: the bearing keeps a slip.
-  Isolated made = isolated_storey();
-  Model& model = made.model;
-  model.prepare();
-  struct Motion {
-    double displacement, velocity;
-  };
-  for (const Motion& motion : {Motion{0.03, 1.0}, {0.03, -1.0}, {0.0, -1.0}}) {
-    model.trial().displacement.head(2).setConstant(motion.displacement);
-    model.trial().velocity.head(2).setConstant(motion.velocity);
-    model.evaluate();
-    model.commit();
-    std::vector<RegimeChange> changes;
-    model.change_regimes(changes);
+  const Isolated made = isolated_storey();
+  AnalysisState state{made.model};
+  for (const auto& [displacement, velocity] : {std::pair{0.03, 1.0}, {0.03, -1.0}, {0.0, -1.0}}) {
+    testing::move_to(state, Vector::Constant(2, displacement), Vector::Constant(2, velocity));
+    testing::commit_with_regimes(state);
   }
-  const Vector& forces = model.internal_forces();
+  const Vector& forces = state.internal_forces();
   // k1 = 4 MN/m, k2 = 0.4 MN/m, d_y = 1 cm: slip 2 cm, of which unloading by 3 cm takes 1 cm back.
   EXPECT_NEAR(forces[made.base.index], -(4e6 - 0.4e6) * 0.01, 1e-6);
 }
 
-TEST(ModelState, ACopyInTheMiddleContinuesBitForBitTheSame) {
-  Isolated made = isolated_storey();
-  Model& model = made.model;
-  Transient analysis{model, shaking(), fixed_step};
-  int steps_until_contact = 0;
+TEST(AnalysisState, ACopyInTheMiddleContinuesBitForBitTheSame) {
+  const Isolated made = isolated_storey();
+  Transient analysis{made.model, shaking(), fixed_step};
   // Copy while the base leans on the wall: the approach speed of the touch is history too.
-  while (std::abs(model.state().displacement[made.base.index]) < 0.041 && !analysis.finished()) {
-    analysis.advance();
-    ++steps_until_contact;
-  }
-  ASSERT_FALSE(analysis.finished());
-  ASSERT_GT(steps_until_contact, 10);
+  advance_into_contact(analysis, made.base);
+  ASSERT_GT(analysis.statistics().accepted_steps, 10);
 
-  Model copy = model;
-  EXPECT_EQ(fingerprint(copy), fingerprint(model));
-  Transient of_original{model, shaking(), fixed_step};
-  Transient of_copy{copy, shaking(), fixed_step};
-  while (!of_original.finished()) {
-    of_original.advance();
-    of_copy.advance();
-    ASSERT_EQ(fingerprint(copy), fingerprint(model)) << "t = " << model.state().time << " s";
+  const AnalysisState middle = analysis.state();
+  EXPECT_EQ(fingerprint(middle), fingerprint(analysis.state()));
+  Transient one{made.model, shaking(), middle, fixed_step}, other{made.model, shaking(), middle, fixed_step};
+  while (!one.finished()) {
+    one.advance();
+    other.advance();
+    ASSERT_EQ(fingerprint(other.state()), fingerprint(one.state())) << "t = " << one.state().time() << " s";
   }
-  EXPECT_TRUE(of_copy.finished());
+  EXPECT_TRUE(other.finished());
 }
 
-TEST(ModelState, CopiesEvolveIndependently) {
-  Isolated made = isolated_storey();
+TEST(AnalysisState, CopiesEvolveIndependently) {
+  const Isolated made = isolated_storey();
   Transient analysis{made.model, shaking(), fixed_step};
   for (int i = 0; i < 100; ++i) analysis.advance();
-  const Fingerprint before = fingerprint(made.model);
-  Model copy = made.model;
-  Transient of_copy{copy, shaking(), fixed_step};
-  for (int i = 0; i < 300; ++i) of_copy.advance();
-  EXPECT_EQ(fingerprint(made.model), before);
-  EXPECT_NE(fingerprint(copy), before);
+  const Fingerprint before = fingerprint(analysis.state());
+  Transient going_on{made.model, shaking(), analysis.state(), fixed_step};
+  for (int i = 0; i < 300; ++i) going_on.advance();
+  EXPECT_EQ(fingerprint(analysis.state()), before);
+  EXPECT_NE(fingerprint(going_on.state()), before);
 
   // Assignment replaces everything; a copy outlives its original.
-  Model assigned;
+  AnalysisState assigned{made.model};
   {
-    const Model temporary = made.model;
+    const AnalysisState temporary = analysis.state();
     assigned = temporary;
   }
   EXPECT_EQ(fingerprint(assigned), before);
-  const Model moved = std::move(assigned);
+  const AnalysisState moved = std::move(assigned);
   EXPECT_EQ(fingerprint(moved), before);
 }
 
-TEST(ModelState, WhatIsAddedToACopyIsNotInTheOriginal) {
-  Isolated made = isolated_storey();
+TEST(AnalysisState, WhatIsAddedToACopyOfTheModelIsNotInTheOriginal) {
+  const Isolated made = isolated_storey();
   Model copy = made.model;
   const NodeId annex = add(copy, Node{.name = "annex", .mass = 1 * tonne});
   add(copy, ShearSpring{.name = "bridge", .lower = made.base, .upper = annex, .stiffness = 1 * MN / m});
-  copy.prepare();
-  made.model.prepare();
-  EXPECT_EQ(copy.degrees_of_freedom(), 3);
-  EXPECT_EQ(made.model.degrees_of_freedom(), 2);
-  EXPECT_THROW(static_cast<void>(made.model.node(annex)), InputError);
+  EXPECT_EQ(AnalysisState{copy}.motion().displacement.size(), 4);
+  EXPECT_EQ(AnalysisState{made.model}.motion().displacement.size(), 3);
+  EXPECT_THROW(static_cast<void>(made.model.body(annex)), InputError);
   EXPECT_EQ(made.model.blocks().front()->size(), 1u);
   EXPECT_EQ(copy.blocks().front()->size(), 2u);
 }
 
-TEST(ModelState, GoesOnFromWhereItIsWhenSomethingIsAdded) {
+TEST(AnalysisState, DoesNotFitAModelThatWasAddedTo) {
   Isolated made = isolated_storey();
-  Model& model = made.model;
-  {
-    Transient analysis{model, shaking(), fixed_step};
-    for (int i = 0; i < 100; ++i) analysis.advance();
-  }
-  const MotionState before = model.state();
-  ASSERT_NE(before.displacement[0], 0.0);
-  add(model, Node{.name = "annex", .mass = 1 * tonne, .initial_displacement = 2 * cm});
-  model.prepare();
-  EXPECT_EQ(model.state().time, before.time);
-  EXPECT_EQ(model.state().displacement.head(2), before.displacement.head(2));
-  EXPECT_EQ(model.state().velocity.head(2), before.velocity.head(2));
-  EXPECT_EQ(model.state().displacement[2], 0.02);
-  EXPECT_EQ(model.state().displacement[3], 0.0);
+  Transient analysis{made.model, shaking(), fixed_step};
+  analysis.advance();
+  EXPECT_TRUE(analysis.state().fits_model());
+  add(made.model, ViscousDamper{.name = "later", .lower = ground, .upper = made.base, .damping = 1 * kN * s / m});
+  EXPECT_FALSE(analysis.state().fits_model());
+  EXPECT_NE(testing::message_of([&] { analysis.advance(); }).find("the model was added to"), std::string::npos);
+  const std::string refusal =
+      "Transient \"synthetic shaking\": the state is that of another model, or of this one before something was added "
+      "to it. Give a state that an analysis of this model reached, or none.";
+  EXPECT_EQ(testing::message_of([&] { Transient(made.model, shaking(), analysis.state(), fixed_step); }), refusal);
+  const Model copy = made.model;
+  EXPECT_EQ(testing::message_of([&] { Transient(copy, shaking(), AnalysisState{made.model}, fixed_step); }), refusal);
 }
 
-TEST(ModelState, TangentIsTheDerivativeOfTheForces) {
-  Isolated made = isolated_storey();
-  Model& model = made.model;
-  Transient analysis{model, shaking(), fixed_step};
-  while (std::abs(model.state().displacement[made.base.index]) < 0.041 && !analysis.finished()) analysis.advance();
-  ASSERT_FALSE(analysis.finished());
+TEST(AnalysisState, TangentIsTheDerivativeOfTheForces) {
+  const Isolated made = isolated_storey();
+  Transient analysis{made.model, shaking(), fixed_step};
+  advance_into_contact(analysis, made.base);
 
-  const auto forces_at = [&](const Vector& displacement, const Vector& velocity) {
-    model.trial().displacement.head(2) = displacement;
-    model.trial().velocity.head(2) = velocity;
-    model.evaluate();
-    return Vector{model.internal_forces().head(2)};
-  };
   // A little deeper than the committed state, where the bearing stands at its corner.
-  const Vector u = model.state().displacement.head(2) * 1.02, v = model.state().velocity.head(2);
-  Eigen::Matrix2d stiffness, damping;
-  for (int i = 0; i < 2; ++i) {
-    const Vector du = 1e-7 * Vector::Unit(2, i), dv = 1e-5 * Vector::Unit(2, i);
-    stiffness.col(i) = (forces_at(u + du, v) - forces_at(u - du, v)) / 2e-7;
-    damping.col(i) = (forces_at(u, v + dv) - forces_at(u, v - dv)) / 2e-5;
-  }
-  forces_at(u, v);
-  SparseMatrix matrix = model.zero_matrix();
-  model.assemble_tangent(3.0, 0.0, 0.0, matrix);
-  EXPECT_EQ(Eigen::Matrix2d{matrix}, Eigen::Matrix2d{(3.0 * model.masses()).asDiagonal()});
-  model.assemble_tangent(0.0, 0.0, 2.0, matrix);
-  EXPECT_LT((Eigen::Matrix2d{matrix} - 2.0 * stiffness).norm(), 1e-5 * stiffness.norm());
-  model.assemble_tangent(0.0, 5.0, 0.0, matrix);
-  EXPECT_LT((Eigen::Matrix2d{matrix} - 5.0 * damping).norm(), 1e-5 * damping.norm());
+  AnalysisState state = analysis.state();
+  const Vector u = state.motion().displacement.head(2) * 1.02, v = state.motion().velocity.head(2);
+  const testing::Derivatives slopes = testing::derivatives_at(state, u, v, 1e-7, 1e-5);
+  const Eigen::Matrix2d stiffness = slopes.stiffness.topRows(2), damping = slopes.damping.topRows(2);
+  testing::move_to(state, u, v);
+  EXPECT_EQ(testing::tangent_of(state, 3.0, 0.0, 0.0),
+            Eigen::MatrixXd{(3.0 * made.model.mass_matrix().diagonal()).asDiagonal()});
+  EXPECT_LT((testing::tangent_of(state, 0.0, 0.0, 2.0) - 2.0 * stiffness).norm(), 1e-5 * stiffness.norm());
+  EXPECT_LT((testing::tangent_of(state, 0.0, 5.0, 0.0) - 5.0 * damping).norm(), 1e-5 * damping.norm());
 }
 
-TEST(ModelState, RefusesNodesThatHaveNone) {
+TEST(AnalysisState, RefusesNodesThatHaveNone) {
   Model model;
   const NodeId node = add(model, Node{.name = "base", .mass = 1 * tonne});
-  EXPECT_THROW(static_cast<void>(model.displacement(node)), InputError);  // not prepared
-  EXPECT_THROW(static_cast<void>(model.displacement(ground)), InputError);
-  model.prepare();
-  EXPECT_EQ(model.displacement(node), 0.0);
-  EXPECT_EQ(model.velocity(ground), 0.0);
+  const AnalysisState state{model};
+  EXPECT_EQ(state.displacement(node), 0.0);
+  EXPECT_EQ(state.velocity(ground), 0.0);
   EXPECT_EQ(model.mass(node), 1e3);
-  EXPECT_THROW(static_cast<void>(model.displacement(NodeId{7})), InputError);
-  EXPECT_THROW(static_cast<void>(model.acceleration(NodeId{})), InputError);
+  EXPECT_THROW(static_cast<void>(state.displacement(NodeId{7})), InputError);
+  EXPECT_THROW(static_cast<void>(state.acceleration(NodeId{})), InputError);
   EXPECT_THROW(static_cast<void>(model.mass(ground)), InputError);
   const NodeId later = add(model, Node{.name = "later", .mass = 1 * tonne});
-  EXPECT_THROW(static_cast<void>(model.velocity(later)), InputError);
-  EXPECT_EQ(model.velocity(ground), 0.0);
+  EXPECT_THROW(static_cast<void>(state.velocity(later)), InputError);
+  EXPECT_EQ(state.velocity(ground), 0.0);
 }
 
 // A message that names an element must not name its neighbour.
-TEST(ModelState, AScanOfABlockKnowsTheNearestElement) {
-  Model model = isolated_storey().model;
-  model.prepare();
+TEST(AnalysisState, AScanOfABlockKnowsTheNearestElement) {
+  const Model model = isolated_storey().model;
+  AnalysisState state{model};
   for (const double displacement : {0.03, -0.03}) {
-    model.trial().displacement[0] = displacement;
-    model.trial().time = 0.01;
-    model.evaluate();
-    for (const auto& block : model.blocks()) {
-      if (block->contacts() == nullptr) continue;
+    testing::move_to(state, Vector{{displacement}}, {}, 0.01);
+    for (std::size_t b = 0; b < model.blocks().size(); ++b) {
+      if (!model.blocks()[b]->kind().contacts) continue;
       RegimeScan scan;
-      block->regimes()->scan(0.01, -1e-13, scan);
-      EXPECT_EQ(block->info(scan.nearest).name, displacement > 0.0 ? "right" : "left");
+      state.elements(b).scan(0.01, -1e-13, scan);
+      EXPECT_EQ(model.blocks()[b]->info(scan.nearest).name, displacement > 0.0 ? "right" : "left");
     }
   }
 }

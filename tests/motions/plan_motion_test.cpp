@@ -45,7 +45,7 @@ TEST(PlanMotion, CoarserComponentIsResampledExactly) {
     EXPECT_EQ(motion.time_step(), 0.005);
     ASSERT_EQ(motion.samples().size(), 401U);
     for (double t = 0.0; t < 1.6; t += 0.0037) {
-      const PlanVector at = motion.components_at(t);
+      const GroundVector at = motion.components_at(t);
       ASSERT_NEAR(exchanged ? at.x : at.y, coarse.acceleration_at(t), 1e-13);
       ASSERT_NEAR(exchanged ? at.y : at.x, fine.acceleration_at(t), 1e-13);
     }

@@ -10,6 +10,7 @@
 #include "elements/line/shear_spring.hpp"
 #include "elements/line/viscous_damper.hpp"
 #include "materials/impact/hertz_damp.hpp"
+#include "output/recorders/channels.hpp"
 #include "output/recorders/step_observer.hpp"
 #include "structures/moat.hpp"
 #include "unlocated_bilinear.hpp"
@@ -31,26 +32,34 @@ struct HandMovedBuilding {
     add(model, Moat<HertzDamp>{
                    .around = base, .clearance = 10 * cm, .law = {.stiffness = 1000 * N / m_3_2, .restitution = 1.0}});
     add(model, Building{.base = base, .floors = {floor}});
-    model.prepare();
+    state.emplace(model);
   }
 
   /// Puts both nodes somewhere and commits.
   StepView move(double time, double base_displacement, double floor_displacement, double base_acceleration = 0.0,
                 double floor_acceleration = 0.0, double ground_acceleration = 0.0, bool on_grid = true,
                 std::optional<double> base_velocity = {}) {
-    MotionState& trial = model.trial();
+    MotionState& trial = state->trial();
     trial.time = time;
     trial.displacement.head(2) << base_displacement, floor_displacement;
     trial.velocity.head(2) << base_velocity.value_or(0.1 * base_displacement), 0.1 * floor_displacement;
     trial.acceleration.head(2) << base_acceleration, floor_acceleration;
-    model.evaluate();
-    model.evaluate_rates();
-    model.commit();
-    return {model, ground_acceleration, on_grid};
+    state->evaluate();
+    state->evaluate_rates();
+    state->commit();
+    return {model, *state, {ground_acceleration}, on_grid};
   }
 
   Model model;
+  std::optional<AnalysisState> state;
   NodeId base, floor;
 };
+
+/// The number of the channel of this quantity at this place; -1 if there is none.
+inline int find(const Channels& channels, std::string_view quantity, std::string_view where) {
+  for (std::size_t i = 0; i < channels.list().size(); ++i)
+    if (channels.list()[i].quantity == quantity && channels.list()[i].where == where) return static_cast<int>(i);
+  return -1;
+}
 
 }  // namespace moat::testing_output

@@ -56,6 +56,7 @@ constexpr std::string_view behind_page = R"js(<script>
     verdict.stopped_at = moatReport.time();
     verdict.moved = floor.getAttribute("points") !== rest;
     verdict.marked = document.querySelectorAll(".drawing .hit").length;
+    verdict.dots = document.querySelectorAll(".drawing circle").length;
     const histories = moatReport.graphs;
     verdict.zooming_charts = histories.length;
     if (histories.length > 1) {
@@ -152,6 +153,7 @@ class ReportInABrowser : public testing::InFolder {
       EXPECT_EQ(verdict["moved"], true);
       EXPECT_NEAR(verdict["stopped_at"].get<double>(), result.impacts.front().start, 1e-6);
       EXPECT_EQ(verdict["marked"], 1) << "the gap that closed";
+      EXPECT_EQ(verdict["dots"], result.model.diaphragms.empty() ? 0 : result.impacts.size()) << "on the orbits";
       EXPECT_NEAR(verdict["jumped_to"].get<double>(), result.impacts.front().start, 1e-6);
       if (!zooms) return;
       EXPECT_GE(verdict["zooming_charts"], 3);

@@ -1,4 +1,4 @@
-#include "report/charts/chart_grid.hpp"
+#include "report/html.hpp"
 
 #include <gtest/gtest.h>
 

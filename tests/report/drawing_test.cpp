@@ -1,4 +1,4 @@
-#include "report/charts/drawing.hpp"
+#include "report/sections.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "report/charts/floor_spectra.hpp"
+#include "report/charts/result_charts.hpp"
 
 #include <gtest/gtest.h>
 

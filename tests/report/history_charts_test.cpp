@@ -1,4 +1,4 @@
-#include "report/charts/history_charts.hpp"
+#include "report/charts/result_charts.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,8 @@
-#include "report/impact_section.hpp"
+#include "report/sections.hpp"
 
 #include <gtest/gtest.h>
 
-#include "report/charts/impact_loops.hpp"
+#include "report/charts/result_charts.hpp"
 #include "report_testing.hpp"
 
 namespace moat {

@@ -1,4 +1,4 @@
-#include "report/charts/isolator_loops.hpp"
+#include "report/charts/result_charts.hpp"
 
 #include <gtest/gtest.h>
 

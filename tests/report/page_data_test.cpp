@@ -4,7 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "report/charts/history_charts.hpp"
+#include "report/charts/result_charts.hpp"
 #include "report_testing.hpp"
 
 namespace moat {

@@ -1,4 +1,4 @@
-#include "report/peak_section.hpp"
+#include "report/sections.hpp"
 
 #include <gtest/gtest.h>
 

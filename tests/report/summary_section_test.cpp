@@ -1,4 +1,4 @@
-#include "report/summary_section.hpp"
+#include "report/sections.hpp"
 
 #include <gtest/gtest.h>
 

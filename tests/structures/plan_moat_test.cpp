@@ -1,5 +1,5 @@
 // Moats and neighbours in plan: which corners meet which walls, flexible walls, refusals.
-#include "structures/plan_moat.hpp"
+#include "moat.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,16 +9,15 @@
 #include <string>
 #include <vector>
 
-#include "analyses/case/case_run.hpp"
-#include "materials/impact/exact_hertz_damp.hpp"
+#include "ended_case.hpp"
 #include "message_of.hpp"
-#include "structures/moat.hpp"
 
 namespace moat {
 namespace {
 
 using namespace units;
 using testing::message_of;
+using testing::run_to_end;
 
 constexpr double restitution = 0.65;
 ExactHertzDamp law() { return {.stiffness = 1e9 * N / m_3_2, .restitution = restitution}; }
@@ -38,8 +37,7 @@ DiaphragmId add_slab(Model& model, const std::string& name, const PlanOutline& o
 std::set<std::string> contacts_of(const Model& model) {
   std::set<std::string> names;
   for (const auto& block : model.blocks())
-    for (std::size_t e = 0; block->plan_contacts() != nullptr && e < block->size(); ++e)
-      names.insert(block->info(e).name);
+    for (std::size_t e = 0; block->kind().contacts && e < block->size(); ++e) names.insert(block->info(e).name);
   return names;
 }
 
@@ -52,7 +50,7 @@ TEST(PlanMoat, CornersMeetTheWallsOfTheirSides) {
                                    "moat wall 2 corner 3", "moat wall 3 corner 3", "moat wall 3 corner 4",
                                    "moat wall 4 corner 4", "moat wall 4 corner 1"}));
   for (const auto& block : model.blocks())
-    for (std::size_t e = 0; block->plan_contacts() != nullptr && e < block->size(); ++e)
+    for (std::size_t e = 0; block->kind().contacts && e < block->size(); ++e)
       EXPECT_NEAR(block->info(e).offset, 0.25, 1e-12);
 }
 
@@ -85,10 +83,11 @@ TEST(PlanMoat, FaceLawAtManyPointsIsTheLawOnALine) {
     const NodeId body = add(line, Node{.name = "base", .mass = 800 * tonne, .initial_velocity = 0.5 * m / s});
     add(line, Moat{.around = body, .clearance = 1 * cm, .law = law()});
     const CaseOptions options{.transient = {.step = 1 * ms}, .error_bars = ErrorBarMode::never};
-    const CaseResult in_plan = run_case(plan, still(), options), on_line = run_case(line, still(), options);
+    const auto [in_plan, state] = run_to_end(plan, still(), options);
+    const auto [on_line, state_on_line] = run_to_end(line, still(), options);
     EXPECT_EQ(in_plan.impacts.size(), static_cast<std::size_t>(std::max(points, 2)) * on_line.impacts.size());
-    EXPECT_NEAR(plan.velocity(base.x) / line.velocity(body), 1.0, 1e-9) << points;
-    EXPECT_NEAR(plan.velocity(base.r), 0.0, 1e-12);
+    EXPECT_NEAR(state.velocity(base.x) / state_on_line.velocity(body), 1.0, 1e-9) << points;
+    EXPECT_NEAR(state.velocity(base.r), 0.0, 1e-12);
   }
 }
 
@@ -103,10 +102,11 @@ TEST(PlanMoat, FlexibleWallsAreThoseOfTheLine) {
   add(line, Moat{.around = body, .clearance = 1 * cm, .law = law(), .wall = wall});
   const CaseOptions options{.transient = {.step = 0.5 * ms, .force_tolerance = 1e-12},
                             .error_bars = ErrorBarMode::never};
-  const CaseResult in_plan = run_case(plan, still(), options), on_line = run_case(line, still(), options);
+  const auto [in_plan, state] = run_to_end(plan, still(), options);
+  const auto [on_line, state_on_line] = run_to_end(line, still(), options);
   EXPECT_EQ(in_plan.impacts.size(), 2 * on_line.impacts.size());
-  const double along = std::cos(angle) * plan.velocity(base.x) + std::sin(angle) * plan.velocity(base.y);
-  EXPECT_NEAR(along, line.velocity(body), 1e-9);
+  const double along = std::cos(angle) * state.velocity(base.x) + std::sin(angle) * state.velocity(base.y);
+  EXPECT_NEAR(along, state_on_line.velocity(body), 1e-9);
   const auto wall_peak = [](const CaseResult& result) {
     double largest = 0.0;
     for (const Peak& peak : result.peaks)
@@ -124,12 +124,12 @@ TEST(PlanMoat, WallCornerThatPointsInwardsHitsTheBase) {
   for (const PlanVector& p : {PlanVector{-6, -6}, {6, -6}, {6, -1}, {5.1, -1}, {5.1, 1}, {6, 1}, {6, 6}, {-6, 6}})
     walls.corners.push_back({p.x * m, p.y * m});
   add(model, PlanMoat{.around = base, .walls = walls, .law = law()});
-  const CaseResult result = run_case(model, still(), {.error_bars = ErrorBarMode::never});
+  const auto [result, state] = run_to_end(model, still(), {.error_bars = ErrorBarMode::never});
   ASSERT_EQ(result.impacts.size(), 2U);
   EXPECT_EQ(result.impacts[0].corner, "moat corner 4");
   EXPECT_EQ(result.impacts[0].edge, "base edge 2");
-  EXPECT_NEAR(model.velocity(base.x), -restitution * 0.5, 1e-3);
-  EXPECT_NEAR(model.velocity(base.r), 0.0, 1e-9);
+  EXPECT_NEAR(state.velocity(base.x), -restitution * 0.5, 1e-3);
+  EXPECT_NEAR(state.velocity(base.r), 0.0, 1e-9);
 }
 
 TEST(PlanNeighbours, EqualFacesCountOnce) {
@@ -139,12 +139,12 @@ TEST(PlanNeighbours, EqualFacesCountOnce) {
   add(model, PlanNeighbours{.first = a, .second = b, .law = law(), .friction = 0.3});
   EXPECT_EQ(contacts_of(model),
             (std::set<std::string>{"neighbours a corner 2 b edge 4", "neighbours a corner 3 b edge 4"}));
-  const CaseResult result = run_case(model, still(), {.error_bars = ErrorBarMode::never});
+  const auto [result, state] = run_to_end(model, still(), {.error_bars = ErrorBarMode::never});
   EXPECT_EQ(result.impacts.size(), 2U);
   // Equal masses: v' = v (1 -+ e)/2.
-  EXPECT_NEAR(model.velocity(a.x), 0.3 * (1.0 - restitution), 6e-4);
-  EXPECT_NEAR(model.velocity(b.x), 0.3 * (1.0 + restitution), 6e-4);
-  EXPECT_NEAR(model.velocity(a.r), 0.0, 1e-12);
+  EXPECT_NEAR(state.velocity(a.x), 0.3 * (1.0 - restitution), 6e-4);
+  EXPECT_NEAR(state.velocity(b.x), 0.3 * (1.0 + restitution), 6e-4);
+  EXPECT_NEAR(state.velocity(a.r), 0.0, 1e-12);
 }
 
 TEST(PlanNeighbours, CornersOfTheShorterFaceCount) {
@@ -167,16 +167,16 @@ TEST(PlanNeighbours, BodiesAtAnAngleExchangeTheImpulseOfTheirEffectiveMass) {
   const DiaphragmId a = add_slab(model, "a", turned(rectangle(side * m, side * m), pi / 4), 0.6 * m / s, 0.1 * m / s),
                     b = add_slab(model, "b", rectangle(10 * m, 12 * m, {13.05 * m, -2 * m}));
   add(model, PlanNeighbours{.first = a, .second = b, .law = law()});
-  const CaseResult result = run_case(
+  const auto [result, state] = run_to_end(
       model, still(), {.transient = {.tolerance = 1e-8, .steps_per_contact = 512}, .error_bars = ErrorBarMode::never});
   ASSERT_EQ(result.impacts.size(), 1U);
   const double mass = 8e5, inertia_b = mass * (100.0 + 144.0) / 12.0, arm_b = 2.0;
   const double normal_mass = 1.0 / (2.0 / mass + arm_b * arm_b / inertia_b);
   const double impulse = normal_mass * (1.0 + restitution) * 0.6;
-  EXPECT_NEAR(model.velocity(a.x), 0.6 - impulse / mass, 1e-5);
-  EXPECT_NEAR(model.velocity(b.x), impulse / mass, 1e-5);
-  EXPECT_NEAR(model.angular_velocity(a), 0.0, 1e-9);
-  EXPECT_NEAR(model.angular_velocity(b), -impulse * arm_b / inertia_b, 1e-6);
+  EXPECT_NEAR(state.velocity(a.x), 0.6 - impulse / mass, 1e-5);
+  EXPECT_NEAR(state.velocity(b.x), impulse / mass, 1e-5);
+  EXPECT_NEAR(state.angular_velocity(a), 0.0, 1e-9);
+  EXPECT_NEAR(state.angular_velocity(b), -impulse * arm_b / inertia_b, 1e-6);
   EXPECT_NEAR(result.impacts[0].rebound_ratio, restitution, 1e-4);
 }
 
@@ -276,7 +276,7 @@ TEST(PlanNeighbours, WallToWallMeetAsIfApart) {
                                 .second = add_slab(model, "b", turned(second, degrees * deg)),
                                 .law = law()});
       for (const auto& block : model.blocks())
-        for (std::size_t e = 0; block->plan_contacts() != nullptr && e < block->size(); ++e)
+        for (std::size_t e = 0; block->kind().contacts && e < block->size(); ++e)
           EXPECT_EQ(block->info(e).offset == 0.0, gap == 0 * m);
       return contacts_of(model);
     };

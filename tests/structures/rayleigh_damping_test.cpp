@@ -1,4 +1,4 @@
-#include "structures/rayleigh_damping.hpp"
+#include "moat.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,9 +7,7 @@
 #include <limits>
 #include <vector>
 
-#include "base/units.hpp"
 #include "message_of.hpp"
-#include "structures/shear_building.hpp"
 
 namespace moat {
 namespace {

@@ -78,10 +78,6 @@ class Checksums : public testing::InTemporaryFolder {
   void change(const std::string& statement) const {
     sqlite::Database{file, sqlite::Database::Access::write}.run(statement.c_str());
   }
-  /// Makes of the file one of a moat that had no checksums.
-  void remove_checksums() const {
-    change("ALTER TABLE cases DROP COLUMN checksum; UPDATE study SET value = '2' WHERE key = 'format'");
-  }
 };
 
 TEST_F(Checksums, AgreeWithEveryBitThatIsStored) {
@@ -89,7 +85,6 @@ TEST_F(Checksums, AgreeWithEveryBitThatIsStored) {
   const std::vector<CaseOutcome> outcomes = open().outcomes();
   for (std::size_t number = 0; number < 5; ++number) {
     const CaseOutcome written = outcome_of(number);
-    EXPECT_TRUE(outcomes[number].verified);
     ASSERT_EQ(outcomes[number].results.size(), written.results.size());
     for (std::size_t i = 0; i < written.results.size(); ++i)
       EXPECT_EQ(bits_of(outcomes[number].results[i].value), bits_of(written.results[i].value));
@@ -200,39 +195,6 @@ TEST_F(Checksums, RefuseFlippedBits) {
   EXPECT_GT(computed_again, 0);
 }
 
-TEST_F(Checksums, AreMissingInFilesOfBefore) {
-  compute(0, 5);
-  const std::string before = contents_of(file);
-  remove_checksums();
-  EXPECT_EQ(contents_of(file), before);
-  const StoredStudy shown = read_study(file);
-  EXPECT_FALSE(shown.result.outcomes()[0].verified);
-  EXPECT_EQ(unverified_message(shown.result).find("5 of 6 cases come from a moat that stored no checksums"), 0U);
-  // A merged study, and one that goes on, keep them unverified beside those that are new.
-  merge_studies(folder / "all.db", {file});
-  EXPECT_EQ(unverified_message(read_study(folder / "all.db").result), unverified_message(shown.result));
-  compute(5, 6);
-  const std::vector<CaseOutcome> outcomes = open().outcomes();
-  EXPECT_FALSE(outcomes[0].verified);
-  EXPECT_TRUE(outcomes[5].verified);
-  change("UPDATE results SET value = 7 WHERE number = 5 AND position = 0");
-  EXPECT_NE(message_of<FileError>([&] { read_study(file); }).find("case 5 are not"), std::string::npos);
-  change("DELETE FROM results WHERE number = 0");
-  EXPECT_NE(message_of<FileError>([&] { read_study(file); }).find("case 0, 5 are not"), std::string::npos)
-      << "\"done\" without results";
-}
-
-// A refused study stays one that the older moat reads.
-TEST_F(Checksums, ComeIntoAFileOfBeforeOnlyWhereItGoesOn) {
-  compute(0, 5);
-  remove_checksums();
-  EXPECT_THROW((StudyStore{file, cases, {{"script", std::string(64, 'b')}}, {}}), InputError);
-  const sqlite::Database database{file, sqlite::Database::Access::read};
-  sqlite::Statement format = database.prepare("SELECT value FROM study WHERE key = 'format'");
-  ASSERT_TRUE(format.step());
-  EXPECT_EQ(format.text(0), "2");
-}
-
 TEST_F(Checksums, CannotBeTurnedOff) {
   compute(0, 5);
   fs::copy(file, folder / "good.db");
@@ -241,7 +203,7 @@ TEST_F(Checksums, CannotBeTurnedOff) {
     fs::copy_file(folder / "good.db", file, fs::copy_options::overwrite_existing);
     change(statement);
     EXPECT_THROW(read_study(file), FileError) << statement;
-    EXPECT_THROW(open(), FileError) << statement;
+    EXPECT_THROW((void)open().outcomes(), FileError) << statement;
   }
 }
 
@@ -256,7 +218,6 @@ TEST_F(Checksums, StayRightInMergedParts) {
   compute(0, 6);  // undisturbed
   const std::vector<CaseOutcome> merged = read_study(all).result.outcomes(), whole = open().outcomes();
   for (std::size_t number = 0; number < 6; ++number) {
-    EXPECT_TRUE(merged[number].verified);
     ASSERT_EQ(merged[number].results.size(), whole[number].results.size());
     for (std::size_t i = 0; i < whole[number].results.size(); ++i)
       EXPECT_EQ(bits_of(merged[number].results[i].value), bits_of(whole[number].results[i].value));

@@ -12,7 +12,6 @@
 #include <cstddef>
 #include <cstdlib>
 #include <fstream>
-#include <latch>
 #include <numeric>
 #include <system_error>
 #include <thread>
@@ -62,31 +61,23 @@ TEST(Case, KnowsTheFilesThatItRead) {
   EXPECT_EQ(files_read_by_program(), std::vector<FileRead>{});
 }
 
-TEST(OpenCases, HandOutEveryNumberOnceToManyThreads) {
-  std::vector<std::size_t> numbers(2000);
+TEST(Threads, ComputeEveryCaseOnceAndAskOneAtATime) {
+  const StudyCases all{{.name = "gap", .unit = "cm", .values = linearly_spaced(1.0, 100.0, 2000)}};
+  std::vector<std::size_t> numbers(2000), computed;
   std::iota(numbers.begin(), numbers.end(), std::size_t{0});
   std::atomic<int> asking = 0;
   bool one_at_a_time = true;
-  OpenCases open{numbers, [&] {
-                   if (++asking > 1) one_at_a_time = false;
-                   std::this_thread::sleep_for(std::chrono::microseconds{1});
-                   --asking;
-                   return false;
-                 }};
-  std::vector<std::vector<std::size_t>> taken(4);
-  std::latch together{4};
-  {
-    std::vector<std::jthread> threads;
-    for (auto& mine : taken)
-      threads.emplace_back([&] {
-        together.arrive_and_wait();
-        for (std::size_t number = 0; open.next(number);) mine.push_back(number);
-      });
-  }
-  std::vector<std::size_t> all;
-  for (const auto& mine : taken) all.insert(all.end(), mine.begin(), mine.end());
-  std::ranges::sort(all);
-  EXPECT_EQ(all, numbers);
+  const auto stop = [&] {
+    if (++asking > 1) one_at_a_time = false;
+    std::this_thread::sleep_for(std::chrono::microseconds{1});
+    --asking;
+    return false;
+  };
+  const std::vector<ComputeCase> workers(4, [](const StudyCase&) { return CaseOutcome{.state = CaseState::done}; });
+  compute_cases(
+      all, numbers, workers, [&](std::size_t number, CaseOutcome&&) { computed.push_back(number); }, stop);
+  std::ranges::sort(computed);
+  EXPECT_EQ(computed, numbers);
   EXPECT_TRUE(one_at_a_time);
 }
 
@@ -111,13 +102,11 @@ TEST(Threads, ThatTheSystemDoesNotGiveAreNotNeeded) {
     std::vector<std::size_t> numbers(100);
     std::iota(numbers.begin(), numbers.end(), std::size_t{0});
     std::size_t finished = 0;
-    compute_on_threads(
-        all, numbers,
-        [](const StudyCase&) {
-          std::this_thread::sleep_for(std::chrono::milliseconds{1});
-          return CaseOutcome{.state = CaseState::done};
-        },
-        [&](std::size_t, CaseOutcome&&) { ++finished; }, {}, 64);
+    const std::vector<ComputeCase> workers(64, [](const StudyCase&) {
+      std::this_thread::sleep_for(std::chrono::milliseconds{1});
+      return CaseOutcome{.state = CaseState::done};
+    });
+    compute_cases(all, numbers, workers, [&](std::size_t, CaseOutcome&&) { ++finished; }, {});
     std::_Exit(!are_few ? 2 : finished == 100 ? 0 : 1);
   };
   EXPECT_EXIT(with_little_memory(), ::testing::ExitedWithCode(0), "");

@@ -8,11 +8,8 @@
 #include <utility>
 #include <vector>
 
-#include "base/error.hpp"
-#include "base/quantity.hpp"
 #include "expected_restitution.hpp"
-#include "materials/contact/any_contact.hpp"
-#include "materials/contact/impact_laws.hpp"
+#include "moat.hpp"
 
 namespace moat::testing {
 

@@ -1,68 +1,46 @@
 #include "moat_model.hpp"
 
-#include <stdexcept>
+#include <array>
 
-#include "elements/contact/gap.hpp"
-#include "elements/line/lead_rubber_bearing.hpp"
-#include "elements/line/shear_spring.hpp"
-#include "elements/line/storey.hpp"
-#include "elements/line/viscous_damper.hpp"
-#include "materials/contact/impact_laws.hpp"
-#include "materials/storeys/yielding_storey.hpp"
-#include "structures/moat.hpp"
+#include "impact_cases.hpp"
+#include "moat.hpp"
 
 namespace moat::testing {
 namespace {
 
 using namespace units;
 
+// The names of moat's laws in the order of PlainLawKind.
+constexpr std::array<std::string_view, plain_law_kinds> law_names{"LinearElastic",
+                                                                  "Kelvin",
+                                                                  "Anagnostopoulos",
+                                                                  "KelvinByDampingRatio",
+                                                                  "ModifiedLinearViscoelastic",
+                                                                  "ExactKelvin",
+                                                                  "Hertz",
+                                                                  "HertzDamp",
+                                                                  "LankaraniNikravesh",
+                                                                  "HuntCrossley",
+                                                                  "Gonthier",
+                                                                  "Ye2009",
+                                                                  "HuGuo",
+                                                                  "ModifiedHertzDamp",
+                                                                  "ExactHertzDamp",
+                                                                  "NonlinearViscoelastic",
+                                                                  "ModifiedHertzDampPrinted"};
+
 // Calls add_gap(law) with moat's law of that kind.
 template <class AddGap>
-void with_law(const PlainLaw& law, const AddGap& add_gap) {
-  const Stiffness linear = law.stiffness * (N / m);
-  const HertzStiffness hertz = law.stiffness * (N / m_3_2);
-  const double e = law.restitution;
-  const bool pulls = law.acts == PlainDamping::may_pull;
-  switch (law.kind) {
-    case PlainLawKind::linear_elastic:
-      return add_gap(LinearElastic{.stiffness = linear});
-    case PlainLawKind::kelvin:
-      return add_gap(Kelvin{.stiffness = linear, .restitution = e, .may_pull = pulls});
-    case PlainLawKind::anagnostopoulos:
-      return add_gap(Anagnostopoulos{.stiffness = linear, .restitution = e, .may_pull = pulls});
-    case PlainLawKind::kelvin_by_damping_ratio:
-      return add_gap(KelvinByDampingRatio{.stiffness = linear, .damping_ratio = law.damping_ratio, .may_pull = pulls});
-    case PlainLawKind::modified_linear_viscoelastic:
-      return add_gap(ModifiedLinearViscoelastic{.stiffness = linear, .restitution = e});
-    case PlainLawKind::exact_kelvin:
-      return add_gap(ExactKelvin{.stiffness = linear, .restitution = e, .may_pull = pulls});
-    case PlainLawKind::hertz:
-      return add_gap(Hertz{.stiffness = hertz});
-    case PlainLawKind::hertz_damp:
-      return add_gap(HertzDamp{.stiffness = hertz, .restitution = e, .may_pull = pulls});
-    case PlainLawKind::lankarani_nikravesh:
-      return add_gap(LankaraniNikravesh{.stiffness = hertz, .restitution = e, .may_pull = pulls});
-    case PlainLawKind::hunt_crossley:
-      return add_gap(HuntCrossley{.stiffness = hertz, .restitution = e, .may_pull = pulls});
-    case PlainLawKind::gonthier:
-      return add_gap(Gonthier{.stiffness = hertz, .restitution = e, .may_pull = pulls});
-    case PlainLawKind::ye_2009:
-      return add_gap(Ye2009{.stiffness = hertz, .restitution = e, .may_pull = pulls});
-    case PlainLawKind::hu_guo:
-      return add_gap(HuGuo{.stiffness = hertz, .restitution = e, .may_pull = pulls});
-    case PlainLawKind::modified_hertz_damp:
-      return add_gap(ModifiedHertzDamp{.stiffness = hertz, .restitution = e, .may_pull = pulls});
-    case PlainLawKind::exact_hertz_damp:
-      return add_gap(ExactHertzDamp{.stiffness = hertz, .restitution = e, .may_pull = pulls});
-    case PlainLawKind::nonlinear_viscoelastic:
-      return add_gap(NonlinearViscoelastic{.stiffness = hertz, .restitution = e});
-    case PlainLawKind::modified_hertz_damp_printed:
-      return add_gap(ModifiedHertzDampPrinted{.stiffness = hertz,
-                                              .restitution = e,
-                                              .approach_only = law.acts == PlainDamping::approach_only,
-                                              .may_pull = pulls});
-  }
-  throw std::logic_error{"moat_model: a law without a case"};
+void with_law(const PlainLaw& plain, const AddGap& add_gap) {
+  const std::string_view name = law_names.at(static_cast<std::size_t>(plain.kind));
+  AllImpactLaws::for_each([&]<class Law>() {
+    if (Law::name != name && alias_of<Law>() != name) return;
+    Law law = impact_law<Law>(plain.stiffness, plain.restitution);
+    if constexpr (requires { law.damping_ratio; }) law.damping_ratio = plain.damping_ratio;
+    if constexpr (requires { law.may_pull; }) law.may_pull = plain.acts == PlainDamping::may_pull;
+    if constexpr (requires { law.approach_only; }) law.approach_only = plain.acts == PlainDamping::approach_only;
+    add_gap(law);
+  });
 }
 
 NodeId node_id(int plain) { return plain == plain_ground ? ground : NodeId{plain}; }

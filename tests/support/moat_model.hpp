@@ -12,7 +12,7 @@ namespace moat::testing {
 /// Names of nodes and elements are those of the plain problem.
 Model moat_model(const PlainModel& plain);
 
-/// The name of moat's law of that kind. Throws std::logic_error for a kind that has none.
+/// The name of moat's law of that kind.
 std::string_view moat_law_name(PlainLawKind kind);
 
 GroundMotion moat_motion(const PlainMotion& plain);

@@ -10,12 +10,8 @@
 #include <string>
 #include <type_traits>
 
-#include "base/check.hpp"
-#include "base/error.hpp"
-#include "base/units.hpp"
 #include "fields.hpp"
-#include "materials/carried_weight.hpp"
-#include "materials/friction/friction_models.hpp"
+#include "moat.hpp"
 #include "random_draws.hpp"
 
 namespace moat::testing {

@@ -362,26 +362,7 @@ void expect_symmetry(const Law& law, const SpringTrial& trial) {
   }
 }
 
-/// No closed path gains energy: random ones, each from the state that the one before left. A law with an energy balance
-/// has this property; for those without.
-template <ForceLaw Law>
-void expect_no_gain(const Law& law, const SpringTrial& trial) {
-  LawPath<Law> path{law, trial.panels};
-  RandomMoves moves{trial, 7};
-  double scale = 0.0;
-  for (int i = 0; i < trial.moves; ++i) {
-    const double start = path.deformation(), work = path.work(), stored = path.stored(), speed = moves.speed();
-    for (const double target : {moves.target(start), moves.target(start), start}) {
-      const double before = path.work();
-      path.move(target, speed);
-      scale = std::max(scale, std::abs(path.work() - before));
-    }
-    EXPECT_GE(path.work() - work, path.stored() - stored - 1e-8 * scale) << "path " << i;
-    if (::testing::Test::HasFailure()) return;
-  }
-}
-
-/// All properties but the last, which the energy balance contains.
+/// All properties above but the energy balance in short steps and the rates of quantities.
 template <ForceLaw Law>
 void expect_sound_spring(const Law& law, const SpringTrial& trial) {
   expect_tangents(law, trial);

@@ -144,11 +144,11 @@ struct Script::Outcome {
   }
 };
 
-int Script::run(Model& model, const GroundMotion& motion, std::initializer_list<StepObserver*> observers) {
+int Script::run(const Model& model, const GroundMotion& motion, std::initializer_list<StepObserver*> observers) {
   return run(model, motion, TransientOptions{}, observers);
 }
 
-int Script::run(Model& model, const GroundMotion& motion, const TransientOptions& given,
+int Script::run(const Model& model, const GroundMotion& motion, const TransientOptions& given,
                 std::initializer_list<StepObserver*> observers) {
   if (std::ranges::find(observers, nullptr) != observers.end())
     throw InputError{"Script::run: an observer is null. Give the addresses of observers, such as {&drift}."};
@@ -263,8 +263,8 @@ Script::Outcome Script::compute(CaseRun& run, const RunOptions& options) {
   // Readers of the files must not take them for those of a whole run.
   if (!outcome.failure.empty())
     outcome.result.warnings.insert(outcome.result.warnings.begin(),
-                                   "The analysis stopped at " + to_text(run.transient().model().state().time) +
-                                       " s of " + to_text(run.transient().end_time()) + " s: " + outcome.failure);
+                                   "The analysis stopped at " + to_text(run.transient().state().time()) + " s of " +
+                                       to_text(run.transient().end_time()) + " s: " + outcome.failure);
   return outcome;
 }
 

@@ -90,11 +90,11 @@ class Script {
   /// code. Adds --out, --force, --step, --tolerance, --integrator, --end, --frame-interval, --check, --quiet, --json.
   /// With --json standard output holds summary.json alone, with the member "results_folder" in front, and all else goes
   /// to standard error. The observers are attached before. Throws InputError for one that is null.
-  int run(Model& model, const GroundMotion& motion, std::initializer_list<StepObserver*> observers = {});
+  int run(const Model& model, const GroundMotion& motion, std::initializer_list<StepObserver*> observers = {});
   /// Runs with options of the analysis that the command line lacks; those that it has are its defaults:
   ///
   ///     return script.run(model, motion, {.integrator = GeneralizedAlpha{.spectral_radius = 0.9}});
-  int run(Model& model, const GroundMotion& motion, const TransientOptions& options,
+  int run(const Model& model, const GroundMotion& motion, const TransientOptions& options,
           std::initializer_list<StepObserver*> observers = {});
 
   /// Computes a study on all cores, keeps it in the file NAME.db of the results folder, and writes NAME.csv and

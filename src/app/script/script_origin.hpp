@@ -1,10 +1,12 @@
-// Where the results of a script come from.
+// Where the results of a script come from, and the inputs on which the numbers of its studies depend.
 #pragma once
 
 #include <string>
 #include <vector>
 
+#include "app/command_line.hpp"
 #include "output/files/provenance.hpp"
+#include "study/file/study_version.hpp"
 
 namespace moat {
 
@@ -19,5 +21,10 @@ Provenance origin_of_script(const std::vector<std::string>& arguments);
 /// The launcher gives its own path in MOAT_LAUNCHER; without it the program itself is named. ranks: 0 for a process by
 /// itself. --retry and --accept-changes are left out: they have been done.
 std::string command_to_go_on(const std::vector<std::string>& arguments, int ranks);
+
+/// Hashes of script, program and library; the values of all options; hashes of the files that options name and of those
+/// that moat has read outside of cases. An option whose value is a file or folder that exists counts with its absolute
+/// path, however it was written.
+StudyIdentity identity_of_script(const CommandLine& line, const Provenance& origin);
 
 }  // namespace moat

@@ -4,15 +4,12 @@
 #include <cctype>
 #include <cstdlib>
 #include <iostream>
-#include <nlohmann/json.hpp>
 
 #include "analyses/questions/study_pictures.hpp"
 #include "app/progress_bar.hpp"
-#include "app/script/script_identity.hpp"
 #include "app/script/script_origin.hpp"
 #include "app/script/script_parts.hpp"
 #include "app/script/stop_signals.hpp"
-#include "app/study_json.hpp"
 #include "base/check.hpp"
 #include "base/text/terminal.hpp"
 #include "motions/readers/record_folder.hpp"
@@ -122,7 +119,8 @@ void ScriptStudy::choose_part(const StudyCases& cases) {
 
 StudySession ScriptStudy::session(const Provenance& origin, const std::string& title, int threads) const {
   std::string engine = threads > 0 ? std::to_string(threads) + " threads" : "all cores";
-  if (ranks_ != nullptr) engine = std::to_string(ranks_->count()) + " ranks" + (threads > 1 ? " of " + engine : "");
+  if (ranks_ != nullptr)
+    engine = std::to_string(ranks_->count()) + " ranks" + (threads > 1 ? ", the first with " + engine : "");
   return {.title = title,
           .command_line = origin.command_line,
           .moat_version = origin.moat_version,
@@ -169,8 +167,8 @@ void ScriptStudy::end_at_stop(const StudyStopped& stopped, const fs::path& file,
 }
 
 void ScriptStudy::print_warnings(const StudyResult& result, const std::string& name) {
-  for (const std::string& warning : {failure_message(result), unverified_message(result)})
-    if (!warning.empty()) print_text(std::cerr, "moat: warning: " + name + ": " + warning + "\n");
+  if (const std::string warning = failure_message(result); !warning.empty())
+    print_text(std::cerr, "moat: warning: " + name + ": " + warning + "\n");
 }
 
 void ScriptStudy::answer(const std::string& sentence) {
@@ -179,16 +177,7 @@ void ScriptStudy::answer(const std::string& sentence) {
 }
 
 void ScriptStudy::write_json() const {
-  if (json_ == nullptr || !speaks()) return;
-  using Json = nlohmann::ordered_json;
-  Json json{{"title", report_.title}, {"results_folder", options_.folder.string()}, {"studies", Json::array()}};
-  for (const NamedStudy& study : report_.studies) {
-    Json entry{{"name", study.name}, {"file", (options_.folder / (study.name + ".db")).string()}};
-    entry.update(counts_of(study.result));
-    json["studies"].push_back(std::move(entry));
-  }
-  json["answers"] = report_.answers;
-  json_->write(json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
+  if (json_ != nullptr && speaks()) json_->write(json_of(report_, options_.folder));
 }
 
 int ScriptStudy::finish() {

@@ -8,6 +8,8 @@
 #include <utility>
 #include <vector>
 
+#include "output/files/table.hpp"
+
 namespace moat {
 
 /// A curve of a chart.
@@ -41,6 +43,11 @@ struct Chart {
   /// First and last x of the axis; points outside are not drawn. Without it the axis holds everything.
   std::optional<std::pair<double, double>> x_range = {};
 };
+
+/// The numbers of a chart: a column of x and one of y for every series, of a band one for each edge; x once where all
+/// series share it. Shorter series end with values that are not a number. Quantity and unit come from the labels of the
+/// axes: "displacement [cm]".
+Table table_of(const Chart& chart);
 
 /// The chart as SVG text, `width` x `height` pixels; several charts fill `columns` columns, row by row, each
 /// `height` high, with their plot areas aligned. A legend that finds no room beside the title gets rows of its own,

@@ -32,4 +32,7 @@ ChartAxis axis_over(std::pair<double, double> range, bool logarithmic, AxisSide 
 /// Such an axis with ends at round values that hold the range. Low may equal high here.
 ChartAxis axis_around(std::pair<double, double> range, bool logarithmic, AxisSide side, double length);
 
+/// The largest of 1, 2, 5 times a power of ten that is at most value > 0.
+double round_number_below(double value);
+
 }  // namespace moat

@@ -5,9 +5,7 @@
 #include <limits>
 
 #include "base/check.hpp"
-#include "output/charts/chart_curve.hpp"
-#include "output/charts/chart_style.hpp"
-#include "output/charts/text_width.hpp"
+#include "output/charts/thinned_line.hpp"
 
 namespace moat {
 namespace {
@@ -16,10 +14,7 @@ using namespace chart_style;
 using Range = std::pair<double, double>;
 
 // Pixels.
-constexpr double tick_length = 5.0;
-constexpr double number_gap = 4.0;
-constexpr double y_label_middle = 18.0;
-constexpr double y_label_room = 32.0;
+constexpr double tick_length = 5.0, number_gap = 4.0, y_label_middle = 18.0, y_label_room = 32.0;
 
 void check_x_range(const Chart& chart) {
   if (!chart.x_range) return;
@@ -31,31 +26,57 @@ void check_x_range(const Chart& chart) {
   if (chart.logarithmic_x) check.positive("start of logarithmic x range", chart.x_range->first, "1");
 }
 
-Range range_of(const Chart& chart, const std::vector<Curve>& curves, std::vector<double> Curve::*values,
-               std::string_view axis) {
+/// Throws for the first value that cannot be drawn.
+void check_points(const Chart& chart, const Series& series) {
+  const Check check{"Series", series.name};
+  const std::string x = "x of chart \"" + chart.title + "\"", y = "y of chart \"" + chart.title + "\"";
+  for (std::size_t i = 0; i < series.x.size(); ++i) {
+    check.finite(x, series.x[i], "1");
+    check.finite(y, series.y[i], "1");
+    if (chart.logarithmic_x) check.positive(x, series.x[i], "1", "The x axis is logarithmic.");
+    if (chart.logarithmic_y) check.positive(y, series.y[i], "1", "The y axis is logarithmic.");
+    if (chart.y_from_zero) check.not_negative(y, series.y[i], "1", "The y axis starts from zero.");
+  }
+}
+
+/// The points inside the x range.
+Series visible_part(const Chart& chart, Series series) {
+  Check{"Series", series.name}.that(series.x.size() == series.y.size(), "x and y have different lengths.",
+                                    "Give one y for every x.");
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < series.x.size(); ++i) {
+    const double x = series.x[i];
+    if (chart.x_range && (x < chart.x_range->first || x > chart.x_range->second)) continue;
+    series.x[count] = x;
+    series.y[count++] = series.y[i];
+  }
+  series.x.resize(count);
+  series.y.resize(count);
+  check_points(chart, series);
+  return series;
+}
+
+Range range_of(const Chart& chart, std::vector<double> Series::*values) {
   Range range{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
-  for (const Curve& curve : curves)
-    for (const double value : curve.*values) {
-      range.first = std::min(range.first, value);
-      range.second = std::max(range.second, value);
-    }
+  for (const Series& series : chart.series)
+    for (const double value : series.*values) range = {std::min(range.first, value), std::max(range.second, value)};
   const Check check{"Chart", chart.title};
   check.that(range.first <= range.second, "there is no point to draw.",
              "Give at least one series with a point inside the x range.");
-  check.finite("range of " + std::string{axis}, range.second - range.first, "1");
+  check.finite("range of an axis", range.second - range.first, "1");
   return range;
 }
 
-ChartAxis y_axis_of(const Chart& chart, Range range, double height) {
+ChartAxis y_axis_of(const Chart& chart, double height) {
+  const Range range = range_of(chart, &Series::y);
   if (!chart.y_from_zero || chart.logarithmic_y) return axis_around(range, chart.logarithmic_y, AxisSide::left, height);
   constexpr double room_above = 1.05;
   return axis_over({0.0, range.second > 0.0 ? room_above * range.second : 1.0}, false, AxisSide::left, height);
 }
 
-double left_margin_of(const ChartAxis& y_axis) {
-  double widest = 0.0;
-  for (const AxisTick& tick : y_axis.ticks) widest = std::max(widest, text_width(tick.label, tick_size));
-  return std::ceil(y_label_room + widest + number_gap + tick_length);
+ChartAxis x_axis_of(const Chart& chart, double width) {
+  return chart.x_range ? axis_over(*chart.x_range, chart.logarithmic_x, AxisSide::bottom, width)
+                       : axis_around(range_of(chart, &Series::x), chart.logarithmic_x, AxisSide::bottom, width);
 }
 
 /// From values to pixels.
@@ -67,89 +88,69 @@ struct Scale {
   [[nodiscard]] double y(double value) const { return area.top + area.height * (1.0 - y_axis.share(value)); }
 };
 
-void draw_axes(SvgWriter& svg, const Chart& chart, const Scale& scale) {
+void draw_axes(SvgWriter& svg, const ChartPanel& panel, const Scale& scale) {
   const PlotArea& area = scale.area;
   const double right = area.left + area.width, bottom = area.top + area.height;
-  const Stroke grid{.colour = grid_line, .kind = grid_class}, axis{.colour = axis_line, .kind = axis_class};
-  for (const AxisTick& tick : scale.x_axis.ticks)
-    svg.line({scale.x(tick.value), area.top}, {scale.x(tick.value), bottom}, grid);
-  for (const AxisTick& tick : scale.y_axis.ticks)
-    svg.line({area.left, scale.y(tick.value)}, {right, scale.y(tick.value)}, grid);
-  const bool zero_inside = !scale.y_axis.logarithmic && scale.y_axis.low < 0.0 && scale.y_axis.high > 0.0;
-  if (zero_inside)
-    svg.line({area.left, scale.y(0.0)}, {right, scale.y(0.0)}, {.colour = axis_line, .width = 0.5, .kind = axis_class});
-
   for (const AxisTick& tick : scale.x_axis.ticks) {
     const double x = scale.x(tick.value);
-    svg.line({x, bottom}, {x, bottom + tick_length}, axis);
+    svg.line({{x, area.top}, {x, bottom}}, grid_line);
+    svg.line({{x, bottom}, {x, bottom + tick_length}}, axis_line);
     svg.text({x, bottom + tick_length + number_gap + 0.5 * tick_size}, tick.label,
-             {.size = tick_size, .anchor = Lettering::Anchor::middle});
+             {.size = tick_size, .anchor = "middle"});
   }
   for (const AxisTick& tick : scale.y_axis.ticks) {
     const double y = scale.y(tick.value);
-    svg.line({area.left - tick_length, y}, {area.left, y}, axis);
-    svg.text({area.left - tick_length - number_gap, y}, tick.label,
-             {.size = tick_size, .anchor = Lettering::Anchor::end});
+    svg.line({{area.left, y}, {right, y}}, grid_line);
+    svg.line({{area.left - tick_length, y}, {area.left, y}}, axis_line);
+    svg.text({area.left - tick_length - number_gap, y}, tick.label, {.size = tick_size, .anchor = "end"});
   }
-  svg.line({area.left, bottom}, {right, bottom}, axis);
-  svg.line({area.left, area.top}, {area.left, bottom}, axis);
-
-  const Lettering label{.size = label_size, .anchor = Lettering::Anchor::middle};
+  if (!scale.y_axis.logarithmic && scale.y_axis.low < 0.0 && scale.y_axis.high > 0.0)
+    svg.line({{area.left, scale.y(0.0)}, {right, scale.y(0.0)}}, axis_line, 0.5);
+  svg.line({{area.left, area.top}, {area.left, bottom}, {right, bottom}}, axis_line);
   svg.text({area.left + 0.5 * area.width, bottom + tick_length + number_gap + tick_size + 9.0},
-           shortened(chart.x_label, label_size, area.width), label);
-}
-
-void draw_y_label(SvgWriter& svg, const ChartPanel& panel, const PlotArea& area) {
-  // It may reach into the margin below, where nothing else is.
-  const double room = area.height + 0.5 * bottom_margin;
+           shortened(panel.chart.x_label, label_size, area.width), {.anchor = "middle"});
+  // The label may reach into the margin below, where nothing else is.
   svg.text({area.left - panel.left_margin + y_label_middle, area.top + 0.5 * area.height},
-           shortened(panel.chart->y_label, label_size, room),
-           {.size = label_size, .anchor = Lettering::Anchor::middle, .upwards = true});
+           shortened(panel.chart.y_label, label_size, area.height + 0.5 * bottom_margin),
+           {.anchor = "middle", .upwards = true});
 }
 
-void draw_curve(SvgWriter& svg, const Curve& curve, Series::Style style, const SeriesColour& colour,
-                const Scale& scale) {
+void draw_curve(SvgWriter& svg, const Series& series, Paint paint, const Scale& scale) {
   std::vector<Pixel> pixels;
-  pixels.reserve(curve.x.size());
-  for (std::size_t i = 0; i < curve.x.size(); ++i) pixels.push_back({scale.x(curve.x[i]), scale.y(curve.y[i])});
-  if (style == Series::Style::band) {
-    svg.area(pixels, colour.colour, band_opacity, colour.mark_class);
-    return;
-  }
-  if (style == Series::Style::markers || pixels.size() == 1) {
-    for (const Pixel& pixel : pixels) svg.disc(pixel, marker_radius, colour.colour, colour.mark_class);
-    return;
-  }
-  if (pixels.empty()) return;
-  svg.polyline(pixels, {.colour = colour.colour,
-                        .width = line_width,
-                        .dashed = style == Series::Style::dashed,
-                        .kind = colour.line_class});
+  pixels.reserve(series.x.size());
+  for (std::size_t i = 0; i < series.x.size(); ++i) pixels.push_back({scale.x(series.x[i]), scale.y(series.y[i])});
+  pixels = thinned_line(pixels, 2 * static_cast<std::size_t>(scale.area.width));
+  if (series.style == Series::Style::band)
+    svg.area(pixels, paint, band_opacity);
+  else if (series.style == Series::Style::markers || pixels.size() == 1)
+    for (const Pixel& pixel : pixels) svg.disc(pixel, marker_radius, paint);
+  else if (!pixels.empty())
+    svg.line(pixels, paint, line_width, series.style == Series::Style::dashed);
 }
 
 }  // namespace
 
-ChartPanel panel_of(const Chart& chart, int width, int height) {
+Paint paint_of(const Chart& chart, std::size_t series) {
+  return palette[chart.series[series].colour.value_or(series) % palette.size()];
+}
+
+ChartPanel panel_of(const Chart& chart, int height) {
   check_x_range(chart);
-  ChartPanel panel{.chart = &chart, .curves = {}, .x_range = {}, .y_range = {}, .y_axis = {}, .left_margin = 0.0};
-  for (const Series& series : chart.series) panel.curves.push_back(drawn_curve(chart, series, width, height));
-  panel.x_range = range_of(chart, panel.curves, &Curve::x, "x");
-  panel.y_range = range_of(chart, panel.curves, &Curve::y, "y");
-  panel.y_axis = y_axis_of(chart, panel.y_range, height);
-  panel.left_margin = left_margin_of(panel.y_axis);
+  ChartPanel panel{.chart = chart, .y_axis = {}, .left_margin = 0.0};
+  for (Series& series : panel.chart.series) series = visible_part(chart, std::move(series));
+  panel.y_axis = y_axis_of(panel.chart, height);
+  double widest = 0.0;
+  for (const AxisTick& tick : panel.y_axis.ticks) widest = std::max(widest, text_width(tick.label, tick_size));
+  panel.left_margin = std::ceil(y_label_room + widest + number_gap + tick_length);
   return panel;
 }
 
 void draw_panel(SvgWriter& svg, const ChartPanel& panel, const PlotArea& area) {
-  const Chart& chart = *panel.chart;
-  const ChartAxis x_axis = chart.x_range
-                               ? axis_over(*chart.x_range, chart.logarithmic_x, AxisSide::bottom, area.width)
-                               : axis_around(panel.x_range, chart.logarithmic_x, AxisSide::bottom, area.width);
+  const ChartAxis x_axis = x_axis_of(panel.chart, area.width);
   const Scale scale{area, x_axis, panel.y_axis};
-  draw_axes(svg, chart, scale);
-  draw_y_label(svg, panel, area);
-  for (std::size_t i = 0; i < panel.curves.size(); ++i)
-    draw_curve(svg, panel.curves[i], chart.series[i].style, colour_of(chart, i), scale);
+  draw_axes(svg, panel, scale);
+  for (std::size_t i = 0; i < panel.chart.series.size(); ++i)
+    draw_curve(svg, panel.chart.series[i], paint_of(panel.chart, i), scale);
 }
 
 }  // namespace moat

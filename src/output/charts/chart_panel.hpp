@@ -2,12 +2,9 @@
 #pragma once
 
 #include <utility>
-#include <vector>
 
 #include "output/charts/chart.hpp"
 #include "output/charts/chart_axis.hpp"
-#include "output/charts/chart_legend.hpp"
-#include "output/charts/envelope.hpp"
 #include "output/charts/svg_writer.hpp"
 
 namespace moat {
@@ -19,9 +16,7 @@ struct PlotArea {
 
 /// A chart ready to be drawn.
 struct ChartPanel {
-  const Chart* chart;
-  std::vector<Curve> curves;  ///< one per series
-  std::pair<double, double> x_range, y_range;
+  Chart chart;  ///< with the points inside its x range alone
   ChartAxis y_axis;
   double left_margin;  ///< pixels that label and numbers of the y axis need
 };
@@ -30,10 +25,13 @@ struct ChartPanel {
 inline constexpr int right_margin = 24;
 inline constexpr int bottom_margin = 58;
 
-/// The panel of a chart whose plot area is `height` pixels high and at most `width` wide. Throws as svg_text does.
-ChartPanel panel_of(const Chart& chart, int width, int height);
+/// The colour of a series.
+chart_style::Paint paint_of(const Chart& chart, std::size_t series);
 
-/// Draws everything but the heading.
+/// The panel of a chart whose plot area is `height` pixels high. Throws as svg_text does.
+ChartPanel panel_of(const Chart& chart, int height);
+
+/// Draws everything but title and legend.
 void draw_panel(SvgWriter& svg, const ChartPanel& panel, const PlotArea& area);
 
 }  // namespace moat

@@ -1,33 +1,24 @@
-#include "output/charts/chart_table.hpp"
-
 #include <algorithm>
 #include <limits>
 #include <string>
 
+#include "output/charts/chart.hpp"
+
 namespace moat {
 namespace {
 
-// Both edges of a band whose line goes forth and back over the same x.
-bool is_band(const Series& series) {
-  const std::size_t count = series.x.size();
-  if (series.style != Series::Style::band || count % 2 != 0) return false;
-  for (std::size_t i = 0; i < count / 2; ++i)
-    if (series.x[i] != series.x[count - 1 - i]) return false;
-  return true;
-}
-
-// The curves of a chart, of a band its two edges.
+// The curves of a chart, of a band that goes forth and back over the same x its two edges.
 std::vector<Series> curves_of(const Chart& chart) {
   std::vector<Series> curves;
   for (const Series& series : chart.series) {
-    if (!is_band(series)) {
+    const auto &x = series.x, &y = series.y;
+    const auto half = static_cast<std::ptrdiff_t>(x.size() / 2);
+    if (series.style != Series::Style::band || !std::equal(x.begin(), x.end(), x.rbegin())) {
       curves.push_back(series);
       continue;
     }
-    const auto half = static_cast<std::ptrdiff_t>(series.x.size() / 2);
-    const std::vector<double> x{series.x.begin(), series.x.begin() + half};
-    curves.push_back({series.name + ", first edge", x, {series.y.begin(), series.y.begin() + half}});
-    curves.push_back({series.name + ", second edge", x, {series.y.rbegin(), series.y.rbegin() + half}});
+    curves.push_back({series.name + ", first edge", {x.begin(), x.begin() + half}, {y.begin(), y.begin() + half}});
+    curves.push_back({series.name + ", second edge", {x.begin(), x.begin() + half}, {y.rbegin(), y.rbegin() + half}});
   }
   return curves;
 }
@@ -48,9 +39,9 @@ Table table_of(const Chart& chart) {
   std::size_t rows = 0;
   for (const Series& series : curves) rows = std::max(rows, series.x.size());
   const bool shared = std::ranges::all_of(curves, [&](const Series& series) { return series.x == curves.front().x; });
-  for (std::size_t i = 0; i < curves.size(); ++i) {
-    const Series& series = curves[i];
-    if (i == 0 || !shared) table.columns.push_back(column_of(chart.x_label, shared ? "" : series.name, series.x, rows));
+  for (const Series& series : curves) {
+    if (!shared || table.columns.empty())
+      table.columns.push_back(column_of(chart.x_label, shared ? "" : series.name, series.x, rows));
     table.columns.push_back(column_of(chart.y_label, series.name, series.y, rows));
   }
   return table;

@@ -10,9 +10,7 @@
 #include "base/check.hpp"
 #include "base/text/number_format.hpp"
 #include "output/charts/chart_axis.hpp"
-#include "output/charts/chart_style.hpp"
 #include "output/charts/svg_writer.hpp"
-#include "output/charts/text_width.hpp"
 #include "output/files/file_io.hpp"
 
 namespace moat {
@@ -34,33 +32,25 @@ std::string cell_number(double value) {
   return to_fixed(std::round(value / unit) * unit, 0);
 }
 
-struct Colour {
-  double red, green, blue;
-};
-// Colours of viridis at equal distances.
-constexpr std::array<Colour, 9> viridis{{{68, 1, 84},
-                                         {71, 44, 122},
-                                         {59, 81, 139},
-                                         {44, 113, 142},
-                                         {33, 144, 141},
-                                         {39, 173, 129},
-                                         {92, 200, 99},
-                                         {170, 220, 50},
-                                         {253, 231, 37}}};
-
-Colour colour_at(double share) {
+/// The colour of viridis at a share of its range from 0 to 1.
+std::string colour_at(double share) {
+  constexpr std::array<std::array<double, 3>, 9> viridis{{{68, 1, 84},
+                                                          {71, 44, 122},
+                                                          {59, 81, 139},
+                                                          {44, 113, 142},
+                                                          {33, 144, 141},
+                                                          {39, 173, 129},
+                                                          {92, 200, 99},
+                                                          {170, 220, 50},
+                                                          {253, 231, 37}}};
   const double place = std::clamp(share, 0.0, 1.0) * (viridis.size() - 1);
   const auto below = std::min(static_cast<std::size_t>(place), viridis.size() - 2);
-  const double part = place - static_cast<double>(below);
-  const Colour &a = viridis[below], &b = viridis[below + 1];
-  return {a.red + part * (b.red - a.red), a.green + part * (b.green - a.green), a.blue + part * (b.blue - a.blue)};
-}
-
-std::string text_of(const Colour& colour) {
-  std::array<char, 8> text{};
-  std::snprintf(text.data(), text.size(), "#%02x%02x%02x", static_cast<unsigned>(std::lround(colour.red)) & 255u,
-                static_cast<unsigned>(std::lround(colour.green)) & 255u,
-                static_cast<unsigned>(std::lround(colour.blue)) & 255u);
+  std::array<unsigned, 3> colour{};
+  for (std::size_t i = 0; i < colour.size(); ++i)
+    colour[i] = static_cast<unsigned>(
+        std::lround(std::lerp(viridis[below][i], viridis[below + 1][i], place - static_cast<double>(below))));
+  std::array<char, 16> text{};
+  std::snprintf(text.data(), text.size(), "#%02x%02x%02x", colour[0], colour[1], colour[2]);
   return text.data();
 }
 
@@ -80,87 +70,82 @@ Range checked_range(const HeatMap& map, int width, int height) {
   for (const std::vector<double>& row : map.values) {
     check.that(row.size() == map.x_values.size(), "the numbers of columns and of x_values differ.",
                "Give one name for every column.");
-    for (const double value : row) {
-      if (!std::isfinite(value)) continue;
-      range.low = std::min(range.low, value);
-      range.high = std::max(range.high, value);
-    }
+    for (const double value : row)
+      if (std::isfinite(value)) range = {std::min(range.low, value), std::max(range.high, value)};
   }
   check.that(range.low <= range.high, "there is no value to draw.", "Give at least one that is finite.");
   return range;
 }
 
-/// Every how many names fit without overlapping.
-std::size_t every(const std::vector<std::string>& names, double room_for_each, double most) {
-  const double steps = std::ceil(most / std::max(room_for_each, 1.0));
-  return std::clamp<std::size_t>(static_cast<std::size_t>(steps), 1, names.size());
+double widest(const std::vector<std::string>& names) {
+  double width = 0.0;
+  for (const std::string& name : names) width = std::max(width, text_width(name, tick_size));
+  return width;
+}
+
+/// Every how many of `count` names fit without overlapping.
+std::size_t every(std::size_t count, double room_for_each, double most) {
+  return std::clamp<std::size_t>(static_cast<std::size_t>(std::ceil(most / std::max(room_for_each, 1.0))), 1, count);
+}
+
+void draw_cell(SvgWriter& svg, double value, const Range& range, Pixel corner, double width, double height) {
+  const bool known = std::isfinite(value);
+  // Cells overlap by a little, so that no line shows between them.
+  svg.rectangle(corner, width + 0.3, height + 0.3, known ? colour_at(range.share(value)) : no_value);
+  const std::string number = known ? cell_number(value) : "";
+  constexpr double plate_margin = 3.0, plate_height = 16.0;
+  const double room = text_width(number, tick_size) + 4.0 * plate_margin;
+  if (!known || room > width || plate_height + plate_margin > height) return;
+  const Pixel middle{corner.x + 0.5 * width, corner.y + 0.5 * height};
+  svg.rectangle({middle.x - 0.5 * room + plate_margin, middle.y - 0.5 * plate_height}, room - 2.0 * plate_margin,
+                plate_height, paper.colour);
+  svg.text(middle, number, {.size = tick_size, .anchor = "middle", .on_paper = true});
 }
 
 void draw_scale(SvgWriter& svg, const HeatMap& map, const Range& range, Pixel corner, double height) {
   constexpr int bands = 64;
   for (int i = 0; i < bands; ++i)
     svg.rectangle({corner.x, corner.y + height * (bands - 1 - i) / bands}, scale_width, height / bands + 0.5,
-                  text_of(colour_at((i + 0.5) / bands)));
-  if (range.high > range.low) {
-    const ChartAxis axis = axis_over({range.low, range.high}, false, AxisSide::left, height);
-    for (const AxisTick& tick : axis.ticks)
-      svg.text({corner.x + scale_width + 5.0, corner.y + height * (1.0 - axis.share(tick.value))}, tick.label,
-               {.size = tick_size});
-  } else {
-    svg.text({corner.x + scale_width + 5.0, corner.y + 0.5 * height}, to_significant(range.low, digits),
+                  colour_at((i + 0.5) / bands));
+  const std::vector<AxisTick> ticks = range.high > range.low
+                                          ? axis_over({range.low, range.high}, false, AxisSide::left, height).ticks
+                                          : std::vector{AxisTick{range.low, to_significant(range.low, digits)}};
+  for (const AxisTick& tick : ticks)
+    svg.text({corner.x + scale_width + 5.0, corner.y + height * (1.0 - range.share(tick.value))}, tick.label,
              {.size = tick_size});
-  }
   svg.text({corner.x + right - scale_gap - 14.0, corner.y + 0.5 * height},
-           shortened(map.value_label, label_size, height),
-           {.size = label_size, .anchor = Lettering::Anchor::middle, .upwards = true});
+           shortened(map.value_label, label_size, height), {.anchor = "middle", .upwards = true});
 }
 
 }  // namespace
 
 std::string svg_text(const HeatMap& map, int width, int height) {
   const Range range = checked_range(map, width, height);
-  double widest_y = 0.0, widest_x = 0.0;
-  for (const std::string& name : map.y_values) widest_y = std::max(widest_y, text_width(name, tick_size));
-  for (const std::string& name : map.x_values) widest_x = std::max(widest_x, text_width(name, tick_size));
-  const double left = 44.0 + std::min(widest_y, 0.3 * width);
-  const double cell_width = (width - left - right) / static_cast<double>(map.x_values.size());
-  const double cell_height = (height - top - bottom) / static_cast<double>(map.y_values.size());
-  const double floor = height - bottom;
+  const std::size_t columns = map.x_values.size(), rows = map.y_values.size();
+  const double left = 44.0 + std::min(widest(map.y_values), 0.3 * width), floor = height - bottom;
+  const double cell_width = (width - left - right) / static_cast<double>(columns);
+  const double cell_height = (floor - top) / static_cast<double>(rows);
+  const auto x_of = [&](std::size_t column) { return left + cell_width * static_cast<double>(column); };
+  const auto y_of = [&](std::size_t row) { return floor - cell_height * static_cast<double>(row + 1); };
 
   SvgWriter svg{width, height, map.title,
                 map.value_label + " over " + map.x_label + " and " + map.y_label + ", from " +
                     to_significant(range.low, digits) + " to " + to_significant(range.high, digits) + "."};
   svg.text({left, 0.5 * top}, shortened(map.title, title_size, width - left), {.size = title_size, .bold = true});
-  for (std::size_t row = 0; row < map.values.size(); ++row)
-    for (std::size_t column = 0; column < map.x_values.size(); ++column) {
-      const double value = map.values[row][column];
-      const Pixel corner{left + cell_width * static_cast<double>(column),
-                         floor - cell_height * static_cast<double>(row + 1)};
-      // Cells overlap by a little, so that no line shows between them.
-      svg.rectangle(corner, cell_width + 0.3, cell_height + 0.3,
-                    std::isfinite(value) ? text_of(colour_at(range.share(value))) : no_value);
-      const std::string number = std::isfinite(value) ? cell_number(value) : "";
-      constexpr double plate_margin = 3.0, plate_height = 16.0;
-      const double room = text_width(number, tick_size) + 4.0 * plate_margin;
-      if (number.empty() || room > cell_width || plate_height + plate_margin > cell_height) continue;
-      const Pixel middle{corner.x + 0.5 * cell_width, corner.y + 0.5 * cell_height};
-      svg.rectangle({middle.x - 0.5 * room + plate_margin, middle.y - 0.5 * plate_height}, room - 2.0 * plate_margin,
-                    plate_height, paper);
-      svg.text(middle, number, {.size = tick_size, .anchor = Lettering::Anchor::middle, .on_paper = true});
-    }
-  const std::size_t x_step = every(map.x_values, cell_width, widest_x + 10.0);
-  for (std::size_t i = 0; i < map.x_values.size(); i += x_step)
-    svg.text({left + cell_width * (static_cast<double>(i) + 0.5), floor + 5.0 + 0.5 * tick_size},
+  for (std::size_t row = 0; row < rows; ++row)
+    for (std::size_t column = 0; column < columns; ++column)
+      draw_cell(svg, map.values[row][column], range, {x_of(column), y_of(row)}, cell_width, cell_height);
+  const std::size_t x_step = every(columns, cell_width, widest(map.x_values) + 10.0);
+  for (std::size_t i = 0; i < columns; i += x_step)
+    svg.text({x_of(i) + 0.5 * cell_width, floor + 5.0 + 0.5 * tick_size},
              shortened(map.x_values[i], tick_size, cell_width * static_cast<double>(x_step)),
-             {.size = tick_size, .anchor = Lettering::Anchor::middle});
-  const std::size_t y_step = every(map.y_values, cell_height, tick_size + 4.0);
-  for (std::size_t i = 0; i < map.y_values.size(); i += y_step)
-    svg.text({left - 6.0, floor - cell_height * (static_cast<double>(i) + 0.5)},
-             shortened(map.y_values[i], tick_size, 0.3 * width), {.size = tick_size, .anchor = Lettering::Anchor::end});
-  const Lettering label{.size = label_size, .anchor = Lettering::Anchor::middle};
-  svg.text({0.5 * (left + width - right), floor + 5.0 + tick_size + 14.0}, map.x_label, label);
+             {.size = tick_size, .anchor = "middle"});
+  for (std::size_t i = 0; i < rows; i += every(rows, cell_height, tick_size + 4.0))
+    svg.text({left - 6.0, y_of(i) + 0.5 * cell_height}, shortened(map.y_values[i], tick_size, 0.3 * width),
+             {.size = tick_size, .anchor = "end"});
+  svg.text({0.5 * (left + width - right), floor + 5.0 + tick_size + 14.0}, map.x_label, {.anchor = "middle"});
   svg.text({18.0, 0.5 * (top + floor)}, shortened(map.y_label, label_size, floor - top),
-           {.size = label_size, .anchor = Lettering::Anchor::middle, .upwards = true});
+           {.anchor = "middle", .upwards = true});
   draw_scale(svg, map, range, {width - right + scale_gap, top}, floor - top);
   return svg.finish();
 }

@@ -1,148 +1,102 @@
 #include "output/charts/svg_writer.hpp"
 
 #include <algorithm>
-#include <array>
-#include <charconv>
 #include <cmath>
 
-#include "output/charts/chart_style.hpp"
+#include "base/text/number_format.hpp"
 #include "output/files/xml_text.hpp"
 
 namespace moat {
 namespace {
 
-void append_integer(std::string& out, long value) {
-  std::array<char, 24> digits;
-  out.append(digits.data(), std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr);
+using namespace chart_style;
+
+bool begins_character(char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; }
+
+std::string number(double pixels) {
+  constexpr double steps_per_pixel = 20.0, far_outside = 1e6;
+  const double place = std::isfinite(pixels) ? std::clamp(pixels, -far_outside, far_outside) : 0.0;
+  return to_significant(std::round(steps_per_pixel * place) / steps_per_pixel + 0.0, 9);  // + 0: no -0
 }
 
-/// Rounded to a twentieth.
-void append_pixels(std::string& out, double pixels) {
-  constexpr double steps_per_pixel = 20.0;
-  constexpr long hundredths_per_step = 5, hundred = 100, ten = 10;
-  constexpr double far_outside = 1e6;
-  const double place = std::isfinite(pixels) ? std::clamp(pixels, -far_outside, far_outside) : 0.0;
-  long hundredths = std::lround(steps_per_pixel * place) * hundredths_per_step;
-  if (hundredths < 0) {
-    out += '-';
-    hundredths = -hundredths;
-  }
-  append_integer(out, hundredths / hundred);
-  const long rest = hundredths % hundred;
-  if (rest == 0) return;
-  out += '.';
-  out += static_cast<char>('0' + rest / ten);
-  if (rest % ten != 0) out += static_cast<char>('0' + rest % ten);
+std::string attribute(const char* name, std::string_view value) {
+  return std::string{" "}.append(name).append("=\"").append(value).append("\"");
+}
+
+std::string class_of(Paint paint) { return paint.kind.empty() ? "" : attribute("class", paint.kind); }
+
+std::string points_of(const std::vector<Pixel>& list) {
+  std::string text;
+  for (const Pixel& point : list) text += (text.empty() ? "" : " ") + number(point.x) + "," + number(point.y);
+  return attribute("points", text) + "/>\n";
 }
 
 }  // namespace
+
+double text_width(std::string_view text, double font_size) {
+  // Averages of DejaVu Sans, the widest usual face. Signs of the Far East are as wide as high.
+  constexpr double digit = 0.64, other = 0.54, wide = 1.0;
+  constexpr unsigned char first_wide_byte = 0xE3;  // U+3000 and above
+  double sizes = 0.0;
+  for (const char c : text)
+    if (begins_character(c))
+      sizes += c >= '0' && c <= '9' ? digit : static_cast<unsigned char>(c) >= first_wide_byte ? wide : other;
+  return font_size * sizes;
+}
+
+std::string shortened(std::string_view text, double font_size, double width) {
+  if (text_width(text, font_size) <= width) return std::string{text};
+  constexpr std::string_view dots = "...";
+  std::size_t length = text.size();
+  while (length > 0 && (text_width(text.substr(0, length), font_size) + text_width(dots, font_size) > width ||
+                        !begins_character(text[length])))
+    --length;
+  return std::string{text.substr(0, length)}.append(dots);
+}
 
 SvgWriter::SvgWriter(int width, int height, std::string_view title, std::string_view description) {
   const std::string w = std::to_string(width), h = std::to_string(height);
   text_ = "<svg xmlns=\"http://www.w3.org/2000/svg\" role=\"img\" width=\"" + w + "\" height=\"" + h +
           "\" viewBox=\"0 0 " + w + " " + h +
           "\" font-family=\"Arial, Helvetica, 'Liberation Sans', 'DejaVu Sans', sans-serif\">\n<title>" +
-          escaped_for_xml(title) + "</title>\n<desc>" + escaped_for_xml(description) + "</desc>\n<rect class=\"" +
-          chart_style::paper_class + "\" width=\"" + w + "\" height=\"" + h + "\" fill=\"" + chart_style::paper +
-          "\"/>\n<g fill=\"none\" stroke-linejoin=\"round\">\n";
+          escaped_for_xml(title) + "</title>\n<desc>" + escaped_for_xml(description) + "</desc>\n<rect" +
+          class_of(paper) + attribute("width", w) + attribute("height", h) + attribute("fill", paper.colour) +
+          "/>\n<g fill=\"none\" stroke-linejoin=\"round\">\n";
 }
 
-void SvgWriter::attribute(std::string_view name, std::string_view value) {
-  text_.append(" ").append(name).append("=\"").append(value).append("\"");
+void SvgWriter::line(const std::vector<Pixel>& points, Paint paint, double width, bool dashed) {
+  text_ += "<polyline" + class_of(paint) + attribute("stroke", paint.colour) +
+           (width == 1.0 ? "" : attribute("stroke-width", number(width))) +
+           (dashed ? attribute("stroke-dasharray", "7 4") : "") + points_of(points);
 }
 
-void SvgWriter::attribute(std::string_view name, double pixels) {
-  text_.append(" ").append(name).append("=\"");
-  append_pixels(text_, pixels);
-  text_ += '"';
-}
-
-void SvgWriter::stroke(const Stroke& stroke) {
-  if (!stroke.kind.empty()) attribute("class", stroke.kind);
-  attribute("stroke", stroke.colour);
-  if (stroke.width != 1.0) attribute("stroke-width", stroke.width);
-  if (stroke.dashed) attribute("stroke-dasharray", "7 4");
-}
-
-void SvgWriter::line(Pixel from, Pixel to, const Stroke& stroke_of_line) {
-  text_ += "<line";
-  attribute("x1", from.x);
-  attribute("y1", from.y);
-  attribute("x2", to.x);
-  attribute("y2", to.y);
-  stroke(stroke_of_line);
-  text_ += "/>\n";
-}
-
-void SvgWriter::points(const std::vector<Pixel>& list) {
-  text_ += " points=\"";
-  for (const Pixel& point : list) {
-    append_pixels(text_, point.x);
-    text_ += ',';
-    append_pixels(text_, point.y);
-    text_ += ' ';
-  }
-  if (!list.empty()) text_.pop_back();
-  text_ += "\"/>\n";
-}
-
-void SvgWriter::polyline(const std::vector<Pixel>& list, const Stroke& stroke_of_line) {
-  text_ += "<polyline";
-  stroke(stroke_of_line);
-  points(list);
-}
-
-void SvgWriter::area(const std::vector<Pixel>& list, std::string_view colour, double opacity, std::string_view kind) {
-  text_ += "<polygon";
-  if (!kind.empty()) attribute("class", kind);
-  attribute("fill", colour);
-  if (opacity != 1.0) attribute("fill-opacity", opacity);
-  points(list);
+void SvgWriter::area(const std::vector<Pixel>& points, Paint paint, double opacity) {
+  text_ += "<polygon" + class_of(paint) + attribute("fill", paint.colour) +
+           (opacity == 1.0 ? "" : attribute("fill-opacity", number(opacity))) + points_of(points);
 }
 
 void SvgWriter::rectangle(Pixel corner, double width, double height, std::string_view colour) {
-  text_ += "<rect";
-  attribute("x", corner.x);
-  attribute("y", corner.y);
-  attribute("width", width);
-  attribute("height", height);
-  attribute("fill", colour);
-  text_ += "/>\n";
+  text_ += "<rect" + attribute("x", number(corner.x)) + attribute("y", number(corner.y)) +
+           attribute("width", number(width)) + attribute("height", number(height)) + attribute("fill", colour) + "/>\n";
 }
 
-void SvgWriter::disc(Pixel centre, double radius, std::string_view colour, std::string_view kind) {
-  text_ += "<circle";
-  if (!kind.empty()) attribute("class", kind);
-  attribute("cx", centre.x);
-  attribute("cy", centre.y);
-  attribute("r", radius);
-  attribute("fill", colour);
-  text_ += "/>\n";
+void SvgWriter::disc(Pixel centre, double radius, Paint paint) {
+  text_ += "<circle" + class_of(paint) + attribute("cx", number(centre.x)) + attribute("cy", number(centre.y)) +
+           attribute("r", number(radius)) + attribute("fill", paint.colour) + "/>\n";
 }
 
 void SvgWriter::text(Pixel place, std::string_view text, const Lettering& lettering) {
   // From the middle of the letters to their baseline, for the usual proportions of a sans-serif face: viewers do not
   // agree on dominant-baseline.
   const double drop = 0.36 * lettering.size;
-  text_ += "<text";
-  if (!lettering.on_paper) attribute("class", chart_style::ink_class);
-  if (lettering.upwards) {
-    text_ += " transform=\"translate(";
-    append_pixels(text_, place.x);
-    text_ += ',';
-    append_pixels(text_, place.y);
-    text_ += ") rotate(-90)\"";
-    attribute("y", drop);
-  } else {
-    attribute("x", place.x);
-    attribute("y", place.y + drop);
-  }
-  attribute("font-size", lettering.size);
-  if (lettering.bold) attribute("font-weight", "bold");
-  if (lettering.anchor == Lettering::Anchor::middle) attribute("text-anchor", "middle");
-  if (lettering.anchor == Lettering::Anchor::end) attribute("text-anchor", "end");
-  attribute("fill", chart_style::ink);
-  text_.append(">").append(escaped_for_xml(text)).append("</text>\n");
+  text_ += "<text" + (lettering.on_paper ? "" : class_of(ink)) +
+           (lettering.upwards
+                ? attribute("transform", "translate(" + number(place.x) + "," + number(place.y) + ") rotate(-90)") +
+                      attribute("y", number(drop))
+                : attribute("x", number(place.x)) + attribute("y", number(place.y + drop))) +
+           attribute("font-size", number(lettering.size)) + (lettering.bold ? attribute("font-weight", "bold") : "") +
+           attribute("text-anchor", lettering.anchor) + attribute("fill", ink.colour) + ">" + escaped_for_xml(text) +
+           "</text>\n";
 }
 
 std::string SvgWriter::finish() { return std::move(text_) + "</g>\n</svg>\n"; }

@@ -5,6 +5,8 @@
 #include <string_view>
 #include <vector>
 
+#include "output/charts/chart_style.hpp"
+
 namespace moat {
 
 /// A place in a drawing, pixels from its upper left corner.
@@ -12,24 +14,19 @@ struct Pixel {
   double x = 0.0, y = 0.0;
 };
 
-/// How a line is drawn.
-struct Stroke {
-  std::string_view colour;  ///< "#0072b2"
-  double width = 1.0;       ///< pixels
-  bool dashed = false;
-  std::string_view kind = {};  ///< name for style sheets; may be empty
-};
-
 /// How a text is drawn.
 struct Lettering {
-  enum class Anchor { start, middle, end };
-
-  double size = 14.0;  ///< pixels
-  Anchor anchor = Anchor::start;
+  double size = chart_style::label_size;  ///< pixels
+  const char* anchor = "start";           ///< the part of the text that stands at its place: start, middle or end
   bool bold = false;
   bool upwards = false;   ///< read from bottom to top
   bool on_paper = false;  ///< on white ground also where a style sheet darkens the page
 };
+
+/// Room that UTF-8 text takes at most in the usual faces, pixels, for a font size in pixels.
+double text_width(std::string_view text, double font_size);
+/// The text if it fits into `width` pixels, else its beginning with "...".
+std::string shortened(std::string_view text, double font_size, double width);
 
 /// Writes an SVG document element by element. Coordinates are rounded to a twentieth of a pixel: finer is invisible and
 /// makes files longer. Texts are escaped; bytes that XML does not allow are replaced.
@@ -39,13 +36,11 @@ class SvgWriter {
   /// do not see it.
   SvgWriter(int width, int height, std::string_view title, std::string_view description);
 
-  void line(Pixel from, Pixel to, const Stroke& stroke);
-  void polyline(const std::vector<Pixel>& points, const Stroke& stroke);
+  void line(const std::vector<Pixel>& points, chart_style::Paint paint, double width = 1.0, bool dashed = false);
   /// The inside of a closed line. opacity: 0 to 1.
-  void area(const std::vector<Pixel>& points, std::string_view colour, double opacity = 1.0,
-            std::string_view kind = {});
+  void area(const std::vector<Pixel>& points, chart_style::Paint paint, double opacity = 1.0);
   void rectangle(Pixel corner, double width, double height, std::string_view colour);
-  void disc(Pixel centre, double radius, std::string_view colour, std::string_view kind = {});
+  void disc(Pixel centre, double radius, chart_style::Paint paint);
   /// The vertical middle of the letters is at the place.
   void text(Pixel place, std::string_view text, const Lettering& lettering);
 
@@ -53,11 +48,6 @@ class SvgWriter {
   [[nodiscard]] std::string finish();
 
  private:
-  void attribute(std::string_view name, double pixels);
-  void attribute(std::string_view name, std::string_view value);
-  void stroke(const Stroke& stroke);
-  void points(const std::vector<Pixel>& list);
-
   std::string text_;
 };
 

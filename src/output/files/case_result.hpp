@@ -13,7 +13,6 @@
 #include "output/files/model_facts.hpp"
 #include "output/files/provenance.hpp"
 #include "output/files/table.hpp"
-#include "output/recorders/offered_quantity.hpp"
 #include "output/vtk/scene.hpp"
 
 namespace moat {
@@ -164,6 +163,13 @@ struct BuildingParts {
 struct NamedPeriod {
   std::string name;    ///< Name of the part.
   double value = 0.0;  ///< s
+};
+
+/// A quantity that a recorder of the script offers. Quantity and place together are unique in a run.
+struct OfferedQuantity {
+  std::string quantity;  ///< "roof_tilt"; files write it as it is, the report with blanks
+  std::string where;     ///< "tower"
+  std::string unit;      ///< SI symbol; "1" without dimension
 };
 
 /// The method behind Peak::error, for reports.

@@ -2,11 +2,11 @@
 
 #include <array>
 #include <charconv>
+#include <ostream>
 #include <string>
 #include <string_view>
 
 #include "output/files/file_io.hpp"
-#include "output/files/table_columns.hpp"
 #include "output/recorders/impact_columns.hpp"
 
 namespace moat {
@@ -31,24 +31,24 @@ void append_number(std::string& out, double value) {
   out.append(digits.data(), end);
 }
 
+// In the place of the last comma.
+void end_line(std::string& out) {
+  if (out.ends_with(',')) out.pop_back();
+  out += '\n';
+}
+
 }  // namespace
 
 void write_csv(const Table& table, const std::filesystem::path& path) {
   require_equal_lengths(table);
-  std::string out, next;
-  const char* separator = "";
-  for (const Column& column : table.columns) {
-    next += separator;
-    append_text(next, column.labels.empty() ? column_name(column) : column.quantity);
-    separator = ",";
-  }
-  next += '\n';
-  std::size_t row = 0;
-  write_file(path, [&]() -> std::string_view {
-    constexpr std::size_t most = 1 << 20;  // of a long table, which may leave no memory for a second one as text
-    out.swap(next);
-    next.clear();
-    for (; row < table.rows() && out.size() < most; ++row) {
+  write_file(path, [&](std::ostream& file) {
+    std::string out;
+    for (const Column& column : table.columns) {
+      append_text(out, column.labels.empty() ? column_name(column) : column.quantity);
+      out += ',';
+    }
+    end_line(out);
+    for (std::size_t row = 0; row < table.rows(); ++row) {
       for (const Column& column : table.columns) {
         if (column.labels.empty())
           append_number(out, column.values[row]);
@@ -56,9 +56,13 @@ void write_csv(const Table& table, const std::filesystem::path& path) {
           append_text(out, column.labels[row]);
         out += ',';
       }
-      out.back() = '\n';
+      end_line(out);
+      constexpr std::size_t most = 1 << 20;  // of a long table, which may leave no memory for a second one as text
+      if (out.size() < most) continue;
+      file << out;
+      out.clear();
     }
-    return out;
+    file << out;
   });
 }
 

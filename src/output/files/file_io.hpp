@@ -1,8 +1,9 @@
-// Writing whole files, with an error that names the file and the reason.
+// Writing whole files, with an error that names the file and the reason, and names of files made of titles.
 #pragma once
 
 #include <filesystem>
 #include <functional>
+#include <iosfwd>
 #include <string>
 #include <string_view>
 
@@ -12,11 +13,14 @@ namespace moat {
 /// end: a write that fails leaves the old file, and a link is replaced, not followed. Throws FileError naming the file
 /// and the reason.
 void write_file(const std::filesystem::path& path, std::string_view contents);
-/// Writes in the same way, without all contents in memory; `more` gives one piece after another, and an empty one at
-/// the end.
-void write_file(const std::filesystem::path& path, const std::function<std::string_view()>& more);
+/// Writes in the same way, without all contents in memory.
+void write_file(const std::filesystem::path& path, const std::function<void(std::ostream&)>& write);
 /// Writes in the same way; `write` writes the file of the name that it is given, and returns the errno where it fails,
 /// else 0.
 void write_file(const std::filesystem::path& path, const std::function<int(const std::string& unfinished)>& write);
+
+/// A title with small letters, digits and underscores alone: "Impacts over gap" -> "impacts_over_gap". "chart" for a
+/// title without a letter or digit of ASCII.
+std::string file_name_of(std::string_view title);
 
 }  // namespace moat

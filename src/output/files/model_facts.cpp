@@ -5,20 +5,19 @@
 
 #include "model/building.hpp"
 #include "model/model.hpp"
-#include "output/recorders/gaps_of.hpp"
 
 namespace moat {
 namespace {
 
 std::string kind_of(const ElementBlock& block, const ElementInfo& info) {
   if (info.isolates) return "bearing";
-  if (block.contacts() != nullptr) return "gap";
+  if (block.kind().contacts) return "gap";
   return info.drawn_as == DrawnAs::storey ? "storey" : "other";
 }
 
 ElementFacts facts_of(const Model& model, const ElementBlock& block, std::size_t element) {
   const ElementInfo& info = block.info(element);
-  LawAsGiven law = law_of(block, element);
+  LawAsGiven law = block.law(element);
   ElementFacts facts{.name = info.name,
                      .kind = kind_of(block, info),
                      .law = std::move(law.name),
@@ -33,7 +32,7 @@ ElementFacts facts_of(const Model& model, const ElementBlock& block, std::size_t
     facts.first_share = first.share;
     facts.second_share = second.share;
   }
-  if (has_gaps(block)) facts.parameters.push_back({"clearance", info.offset, "m"});
+  if (block.kind().contacts) facts.parameters.push_back({"clearance", info.offset, "m"});
   for (const Parameter& each : law.parameters)
     facts.parameters.push_back({std::string{each.name}, each.value, std::string{each.unit}});
   return facts;
@@ -51,10 +50,10 @@ void add_plan(const Model& model, ModelFacts& facts) {
     facts.diaphragms.push_back(std::move(diaphragm));
   }
   for (const auto& block : model.blocks()) {
-    const PlanContacts* contacts = block->plan_contacts();
-    for (std::size_t e = 0; contacts != nullptr && e < block->size(); ++e) {
-      const CornerPair& pair = contacts->pair(e);
+    for (std::size_t e = 0; e < block->size(); ++e) {
       const ElementInfo& info = block->info(e);
+      if (info.corner_pair() == nullptr) continue;
+      const CornerPair& pair = *info.corner_pair();
       facts.corners.push_back({.element = info.name,
                                .body = std::string{model.body_name(info.second)},
                                .corner = pair.corner,
@@ -73,9 +72,12 @@ void add_plan(const Model& model, ModelFacts& facts) {
 
 ModelFacts facts_of(const Model& model) {
   ModelFacts facts;
-  for (const Node& node : model.nodes())
-    facts.nodes.push_back({node.name, node.mass.value().si(), node.x.si(), node.height.si(),
-                           node.initial_displacement.si(), node.initial_velocity.si()});
+  const MotionState initial = model.initial_motion();
+  for (int i = 0; i < model.degrees_of_freedom(); ++i) {
+    const Body& body = model.body(NodeId{i});
+    facts.nodes.push_back({std::string{model.node_name(NodeId{i})}, model.mass_matrix().diagonal()[i], body.x,
+                           body.height, initial.displacement[i], initial.velocity[i]});
+  }
   for (const auto& block : model.blocks())
     for (std::size_t e = 0; e < block->size(); ++e) facts.elements.push_back(facts_of(model, *block, e));
   if (model.is_plan()) add_plan(model, facts);

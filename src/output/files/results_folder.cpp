@@ -23,34 +23,13 @@
 #include <vector>
 
 #include "base/error.hpp"
+#include "output/files/file_io.hpp"
 #include "output/files/provenance.hpp"
 
 namespace moat {
 namespace {
 
 namespace fs = std::filesystem;
-
-bool is_frame_name(std::string name) {
-  name.resize(std::min(name.size(), name.find(".unfinished-")));  // of a run that was killed
-  const std::string front = "frame_";
-  const std::string back = ".vtu";
-  if (name.size() < front.size() + 6 + back.size() || !name.starts_with(front) || !name.ends_with(back)) return false;
-  return std::all_of(name.begin() + static_cast<std::ptrdiff_t>(front.size()),
-                     name.end() - static_cast<std::ptrdiff_t>(back.size()),
-                     [](char c) { return c >= '0' && c <= '9'; });
-}
-
-// A chart is a picture and its numbers; one without the other may be the user's own work.
-bool is_chart(const fs::path& path, const std::vector<fs::path>& beside) {
-  const std::string name = path.stem().string();
-  const bool plain =
-      std::ranges::all_of(name, [](char c) { return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '_'; });
-  const fs::path extension = path.extension();
-  if (!plain || (extension != ".svg" && extension != ".csv")) return false;
-  fs::path other = path;
-  other.replace_extension(extension == ".svg" ? ".csv" : ".svg");
-  return std::ranges::find(beside, other) != beside.end();
-}
 
 [[noreturn]] void fail(const fs::path& path, const std::string& what, const std::string& reason) {
   throw FileError{"results folder " + path.string() + ": " + what + " (" + reason +
@@ -66,34 +45,73 @@ bool create(const fs::path& path) {
   return is_new;
 }
 
-bool holds_nothing(const fs::path& path) {
+std::size_t entries_in(const fs::path& folder) {
   std::error_code error;
-  const bool empty = fs::is_empty(path, error);
-  if (error) fail(path, "cannot be read", error.message());
-  return empty;
+  const auto count = std::distance(fs::directory_iterator{folder, error}, {});
+  if (error) fail(folder, "cannot be read", error.message());
+  return static_cast<std::size_t>(count);
 }
 
-std::vector<fs::path> entries(const fs::path& folder) {
+/// Paths of the files that moat may have written there, relative to the folder. Links are not followed.
+std::vector<fs::path> files_in(const fs::path& folder) {
   std::error_code error;
   std::vector<fs::path> found;
-  for (fs::directory_iterator entry{folder, error}, end; !error && entry != end; entry.increment(error))
-    found.push_back(entry->path());
+  for (fs::recursive_directory_iterator entry{folder, error}, end; !error && entry != end; entry.increment(error)) {
+    const fs::path name = entry->path().lexically_relative(folder);
+    const auto begins = [&](const char* known) { return *name.begin() == known; };
+    if ((entry->is_symlink() || !entry->is_directory()) && name != results_file::unfinished &&
+        std::ranges::any_of(results_file::all_names, begins))
+      found.push_back(name);
+  }
   if (error) fail(folder, "cannot be read", error.message());
   return found;
 }
 
-bool holds(const fs::path& path, const char* text) {
-  std::ifstream file{path, std::ios::binary};
-  return std::string{std::istreambuf_iterator<char>{file}, {}}.find(text) != std::string::npos;
+bool is_link(const fs::path& path) {
+  std::error_code error;
+  return fs::is_symlink(fs::symlink_status(path, error));
 }
 
-constexpr const char* about_unfinished = "moat computes here, or was killed before its results were complete.\n";
+/// Removes one of these files (of a link not its target), and the folder above it where that is empty then.
+void remove_file(const fs::path& folder, const fs::path& name) {
+  std::error_code error, not_empty;
+  fs::remove(folder / name, error);
+  if (error) fail(folder / name, "cannot be removed", error.message());
+  if (name.has_parent_path()) fs::remove((folder / name).parent_path(), not_empty);
+}
+
+std::string text_in(const fs::path& path) {
+  std::ifstream file{path, std::ios::binary};
+  return {std::istreambuf_iterator<char>{file}, {}};
+}
+
+constexpr std::string_view about_unfinished = "moat computes here, or was killed before its results were complete.\n";
+constexpr std::string_view about_files =
+    "moat wrote these files. Overwriting the results replaces them and no others.\n";
+
+/// Whether moat computes in a folder, or was killed there. The mark is empty for a moment, and on a full disk.
+bool is_unfinished(const fs::path& folder) {
+  std::error_code error;
+  const fs::path mark = folder / results_file::unfinished;
+  return fs::is_regular_file(fs::symlink_status(mark, error)) &&
+         (fs::is_empty(mark, error) || text_in(mark).starts_with(about_unfinished));
+}
+
+/// The files that moat wrote into a folder: those that it listed, or after a run that was killed all that have their
+/// places. None where moat did not write there.
+std::optional<std::vector<fs::path>> files_of_moat(const fs::path& folder) {
+  const std::string list = text_in(folder / results_file::list);
+  if (!list.starts_with(about_files)) return is_unfinished(folder) ? std::optional{files_in(folder)} : std::nullopt;
+  std::vector<fs::path> files = files_in(folder);
+  std::erase_if(files, [&](const fs::path& name) { return list.find("\n" + name.string() + "\n") == list.npos; });
+  return files;
+}
 
 /// Makes or takes the file `unfinished`, and locks it until the returned descriptor is closed; -1 where another run has
 /// it. The kernel gives up the lock of a program that was killed.
 int mark(const fs::path& folder, const std::string& command, int flags = 0) {
   const fs::path path = folder / results_file::unfinished;
-  if (std::error_code error; fs::is_symlink(fs::symlink_status(path, error))) fs::remove(path, error);
+  if (std::error_code error; is_link(path)) fs::remove(path, error);
   const int file = open(path.c_str(), O_WRONLY | O_CREAT | O_NOFOLLOW | O_CLOEXEC | flags, 0666);
   if (file < 0 && errno != EEXIST && errno != ENOENT) fail(folder, "cannot be written to", std::strerror(errno));
   struct stat locked {
@@ -107,39 +125,20 @@ int mark(const fs::path& folder, const std::string& command, int flags = 0) {
   std::array<char, HOST_NAME_MAX + 1> host{};
   gethostname(host.data(), host.size() - 1);
   if (ftruncate(file, 0) == 0)
-    dprintf(file, "%scommand: %s\nhost: %s\nprocess: %d\nstart: %s\n", about_unfinished, command.c_str(), host.data(),
-            getpid(), provenance_of_library().date.c_str());
+    dprintf(file, "%scommand: %s\nhost: %s\nprocess: %d\nstart: %s\n", about_unfinished.data(), command.c_str(),
+            host.data(), getpid(), provenance_of_library().date.c_str());
   return file;
 }
 
 /// Takes an empty folder, as mark() does.
 int claim(const fs::path& folder, const std::string& command) {
-  const int file = holds_nothing(folder) ? mark(folder, command, O_EXCL) : -1;
+  const int file = entries_in(folder) == 0 ? mark(folder, command, O_EXCL) : -1;
   // A whole run may have come between.
-  if (file < 0 || entries(folder).size() == 1) return file;
+  if (file < 0 || entries_in(folder) == 1) return file;
   std::error_code error;
   fs::remove(folder / results_file::unfinished, error);
   close(file);
   return -1;
-}
-
-/// Throws InputError if files have the names of results and moat may not have written them. Frames do not count: they
-/// are written during a run, the summary at its end.
-void require_results_of_moat(const fs::path& folder) {
-  const auto is_file = [&](const char* name) {
-    std::error_code error;
-    return std::string_view{name} != results_file::frames &&
-           fs::is_regular_file(fs::symlink_status(folder / name, error));
-  };
-  if (std::ranges::none_of(results_file::all_at_top, is_file)) return;
-  if (is_file(results_file::summary) && holds(folder / results_file::summary, "\"moat_version\"")) return;
-  std::error_code error;
-  const fs::path mark = folder / results_file::unfinished;
-  // It is empty for a moment, and on a full disk.
-  if (is_file(results_file::unfinished) && (fs::is_empty(mark, error) || holds(mark, about_unfinished))) return;
-  throw InputError{"results folder " + folder.string() +
-                   " has files with the names of results, but no summary.json of moat beside them: they may not be "
-                   "results. Choose another folder, or remove them."};
 }
 
 /// `wanted` without a slash at its end, and with its own name where it ends in . or ..
@@ -168,29 +167,6 @@ fs::path next_number(const fs::path& results, const std::function<bool(const fs:
   }
 }
 
-/// All but the mark.
-void remove_results(const fs::path& folder) {
-  for (const fs::path& path : entries(folder)) {
-    std::error_code error;
-    const fs::path name = path.filename();
-    if (name == results_file::unfinished) continue;
-    const fs::file_status status = fs::symlink_status(path, error);
-    const bool is_folder = std::ranges::find(results_file::all_folders, name) != results_file::all_folders.end();
-    const bool is_file = std::ranges::find(results_file::all_at_top, name) != results_file::all_at_top.end();
-    // The target of a link is not in this folder and stays. The link goes: results would be written to its target.
-    if (fs::is_symlink(status) && (is_file || is_folder)) fs::remove(path, error);
-    if (fs::is_regular_file(status) && is_file) fs::remove(path, error);
-    if (fs::is_directory(status) && is_folder) {
-      const std::vector<fs::path> inside = entries(path);
-      for (const fs::path& each : inside)
-        if (name == results_file::frames_folder ? is_frame_name(each.filename().string()) : is_chart(each, inside))
-          if (!error && !fs::is_directory(fs::symlink_status(each, error))) fs::remove(each, error);
-      if (!error && holds_nothing(path)) fs::remove(path, error);
-    }
-    if (error) fail(path, "cannot be removed", error.message());
-  }
-}
-
 }  // namespace
 
 ResultsFolder::ResultsFolder(const fs::path& wanted, WhenFolderExists when_exists, const std::string& command)
@@ -199,14 +175,12 @@ ResultsFolder::ResultsFolder(const fs::path& wanted, WhenFolderExists when_exist
   mark_ = claim(final_, command);
   if (mark_ >= 0) return;
   if (when_exists == WhenFolderExists::overwrite) {
-    require_results_of_moat(final_);
+    if (!files_of_moat(final_))
+      throw InputError{"results folder " + final_.string() + " has no list of files that moat wrote (" +
+                       results_file::list + "), and is not replaced. Choose another folder, or remove this one."};
     make_folder_beside(command);
     return;
   }
-  if (when_exists == WhenFolderExists::refuse)
-    throw InputError{"results folder " + final_.string() +
-                     " exists and is not empty. Choose another folder, remove this one, or allow overwriting or a "
-                     "new number."};
   final_ = next_number(final_, [&](const fs::path& numbered) {
     if (create(numbered)) mark_ = claim(numbered, command);
     return mark_ >= 0;
@@ -217,14 +191,21 @@ void ResultsFolder::make_folder_beside(const std::string& command) {
   for (int number = 1; mark_ < 0; ++number) {
     beside_ = final_;
     *beside_ += number == 1 ? ".new" : ".new_" + std::to_string(number);
-    create(*beside_);
-    std::error_code error;
-    if (!fs::is_symlink(fs::symlink_status(*beside_, error))) mark_ = mark(*beside_, command);
+    // One that exists is that of a run that was killed, or of one that goes on.
+    if (create(*beside_) || (!is_link(*beside_) && is_unfinished(*beside_))) mark_ = mark(*beside_, command);
   }
-  remove_results(*beside_);  // of a run that was killed
+  for (const fs::path& name : files_in(*beside_)) remove_file(*beside_, name);
 }
 
 void ResultsFolder::finish() {
+  if (mark_ < 0) return;
+  std::string list{about_files};
+  for (const fs::path& name : files_in(path())) list += name.string() + "\n";
+  try {
+    write_file(path() / results_file::list, list + results_file::list + "\n");
+  } catch (const FileError&) {
+    // On a full disk the results have no list, and will not be replaced.
+  }
   if (beside_) {
     // Another run may put its results in their place, which takes milliseconds, or compute there, which may take hours.
     int old = -1;
@@ -237,7 +218,6 @@ void ResultsFolder::finish() {
     beside_.reset();
     close(std::exchange(mark_, old));
   }
-  if (mark_ < 0) return;
   std::error_code error;
   fs::remove(final_ / results_file::unfinished, error);
   if (error) fail(final_, "cannot be marked as finished", error.message());
@@ -245,27 +225,22 @@ void ResultsFolder::finish() {
 }
 
 void ResultsFolder::replace_old_results(const fs::path& from) {
-  std::error_code error;
-  // First the old results go, with the summary by which the folder is known; the new summary comes last.
-  remove_results(final_);
-  std::vector<fs::path> names;
-  for (const fs::path& path : entries(from)) {
-    const fs::path name = path.filename();
-    if (name == results_file::summary || name == results_file::unfinished) continue;
-    // As a whole, unless foreign files stayed in the old folder.
-    if (!fs::is_directory(path, error) || !fs::exists(fs::symlink_status(final_ / name, error)))
-      names.push_back(name);
-    else
-      for (const fs::path& each : entries(path)) names.push_back(name / each.filename());
-  }
-  if (fs::exists(from / results_file::summary, error)) names.emplace_back(results_file::summary);
+  const std::optional old = files_of_moat(final_);
+  for (const fs::path& name : *old) remove_file(final_, name);
+  std::vector<fs::path> names = files_in(from);
+  std::ranges::stable_partition(names, [](const fs::path& name) { return name != results_file::summary; });
   for (const fs::path& name : names) {
+    std::error_code error;
+    const fs::path above = (final_ / name).parent_path();
+    if (name.has_parent_path() && is_link(above)) fs::remove(above, error);
+    fs::create_directory(above, error);
     fs::rename(from / name, final_ / name, error);
     if (error) fail(final_ / name, "cannot be put in its place", error.message());
   }
-  for (const char* folder : results_file::all_folders) fs::remove(from / folder, error);
-  fs::remove(from / results_file::unfinished, error);
-  fs::remove(from, error);
+  for (const char* name : {results_file::frames_folder, results_file::charts_folder, results_file::unfinished, ""}) {
+    std::error_code foreign_files_stay;
+    fs::remove(from / name, foreign_files_stay);
+  }
 }
 
 bool ResultsFolder::finish_incomplete() {

@@ -24,22 +24,22 @@ inline constexpr const char* paraview_script = "moat.py";
 inline constexpr const char* frames_folder = "frames";
 /// Sub-folder of single charts: displacement.svg, displacement.csv ...
 inline constexpr const char* charts_folder = "charts";
-inline constexpr std::array all_folders{frames_folder,
-                                        charts_folder};  ///< Folders that overwriting empties of files of moat.
 /// Stands in a folder until its results are complete, and names command, host, process and start of the run.
 inline constexpr const char* unfinished = "unfinished";
-/// Overwriting replaces these, the frames and the single charts, and nothing else.
-inline constexpr std::array all_at_top{summary, histories_csv, histories_vtt,   impacts,   report,
-                                       charts,  frames,        paraview_script, unfinished};
+/// Lists the files of complete results. Overwriting replaces these, and nothing else.
+inline constexpr const char* list = ".moat";
+/// All files and sub-folders of results.
+inline constexpr std::array all_names{summary, histories_csv,   histories_vtt, impacts,       report,     charts,
+                                      frames,  paraview_script, frames_folder, charts_folder, unfinished, list};
 }  // namespace results_file
 
 /// How a folder is treated that already holds something.
 enum class WhenFolderExists {
   use_new_number,  ///< write to the next free of results_2, results_3 ...
-  /// Replace the files moat itself wrote there, and links that have their names; everything else stays. Throws
-  /// InputError where files have the names of results and there is neither summary.json nor `unfinished` of moat.
-  overwrite,
-  refuse  ///< throw InputError
+  /// Replace the files that `.moat` lists, or after a run that was killed all that have the names of results, or lie
+  /// in the folders frames and charts. Everything else stays; links are removed, not followed. Throws InputError where
+  /// there is neither `.moat` nor `unfinished` of moat.
+  overwrite
 };
 
 /// The folder of one run. It is taken at once: of runs that start together each gets a folder of its own, and a run
@@ -54,8 +54,9 @@ enum class WhenFolderExists {
 class ResultsFolder {
  public:
   /// Creates the folder and those above it. A folder that exists but is empty is taken as it is; one given as . or ..
-  /// has its own name. command: for `unfinished`. Throws InputError for an empty path, the root and for `refuse`,
-  /// FileError where a folder cannot be created (among others because a file of that name exists).
+  /// has its own name. command: for `unfinished`. Throws InputError for an empty path, the root, and a folder
+  /// that may not be overwritten, FileError where a folder cannot be created (among others because a file of that name
+  /// exists).
   ResultsFolder(const std::filesystem::path& wanted, WhenFolderExists when_exists,
                 const std::string& command = program_invocation_name);
   /// Without finish() before, "<name>.new" stays, and during an exception any folder stays unfinished.

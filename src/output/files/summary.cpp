@@ -3,8 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "output/files/file_io.hpp"
-#include "output/recorders/at_the_end.hpp"
-#include "output/recorders/constant_quantities.hpp"
+#include "output/peaks/peak_groups.hpp"
 #include "output/recorders/energy_columns.hpp"
 #include "output/recorders/impact_columns.hpp"
 
@@ -14,6 +13,14 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 Json text_or_null(const std::string& text) { return text.empty() ? Json{} : Json(text); }
+
+// [ json(item), ... ]
+template <class Items, class ToJson>
+Json list_of(const Items& items, const ToJson& json) {
+  Json list = Json::array();
+  for (const auto& each : items) list.push_back(json(each));
+  return list;
+}
 
 // { name: { "value", "unit" } }
 Json json_of_parameters(const auto& parameters) {
@@ -43,12 +50,12 @@ Json json_of(const Provenance& provenance) {
 
 Json json_of(const MotionFacts& motion) {
   const MotionComponent first = motion.components.empty() ? MotionComponent{} : motion.components.front();
-  Json components = Json::array();
-  for (const MotionComponent& component : motion.components)
-    components.push_back(Json{{"name", component.name},
-                              {"file", text_or_null(component.file.path)},
-                              {"sha256", text_or_null(component.file.sha256)},
-                              {"scale_factor", component.scale_factor}});
+  const auto component = [](const MotionComponent& each) {
+    return Json{{"name", each.name},
+                {"file", text_or_null(each.file.path)},
+                {"sha256", text_or_null(each.file.sha256)},
+                {"scale_factor", each.scale_factor}};
+  };
   return {{"name", motion.name},
           {"peak_acceleration", motion.peak_acceleration},
           {"peak_velocity", motion.peak_velocity},
@@ -57,7 +64,7 @@ Json json_of(const MotionFacts& motion) {
           {"file", text_or_null(first.file.path)},
           {"sha256", text_or_null(first.file.sha256)},
           {"scale_factor", first.scale_factor},
-          {"components", std::move(components)},
+          {"components", list_of(motion.components, component)},
           {"notes", motion.notes},
           {"units", {{"peak_acceleration", "m/s^2"}, {"peak_velocity", "m/s"}, {"time_step", "s"}, {"duration", "s"}}}};
 }
@@ -70,80 +77,73 @@ void add_plan(Json& json, const ModelFacts& model) {
                         {"first_position", "m"},     {"second_position", "m"}, {"direction", "1"},
                         {"position", "m"},           {"normal", "1"},          {"edge_begin", "m"},
                         {"edge_end", "m"},           {"clearance", "m"}};
-  json["diaphragms"] = Json::array();
-  for (const DiaphragmFacts& each : model.diaphragms) {
-    Json outline = Json::array();
-    for (const PlanVector corner : each.outline) outline.push_back(json_of(corner));
-    json["diaphragms"].push_back(Json{{"name", each.name},
-                                      {"radius_of_gyration", each.gyration},
-                                      {"centre_of_mass", json_of(each.centre_of_mass)},
-                                      {"outline", std::move(outline)}});
-  }
-  json["corners"] = Json::array();
-  for (const CornerFacts& each : model.corners)
-    json["corners"].push_back(Json{{"element", each.element},
-                                   {"corner", each.corner},
-                                   {"edge", each.edge},
-                                   {"position", json_of(each.position)},
-                                   {"normal", json_of(each.normal)},
-                                   {"edge_begin", json_of(each.edge_begin)},
-                                   {"edge_end", json_of(each.edge_end)},
-                                   {"clearance", each.clearance}});
+  json["diaphragms"] = list_of(model.diaphragms, [](const DiaphragmFacts& each) {
+    return Json{{"name", each.name},
+                {"radius_of_gyration", each.gyration},
+                {"centre_of_mass", json_of(each.centre_of_mass)},
+                {"outline", list_of(each.outline, [](PlanVector corner) { return json_of(corner); })}};
+  });
+  json["corners"] = list_of(model.corners, [](const CornerFacts& each) {
+    return Json{{"element", each.element},
+                {"corner", each.corner},
+                {"edge", each.edge},
+                {"position", json_of(each.position)},
+                {"normal", json_of(each.normal)},
+                {"edge_begin", json_of(each.edge_begin)},
+                {"edge_end", json_of(each.edge_end)},
+                {"clearance", each.clearance}};
+  });
+}
+
+Json json_of(const ElementFacts& element) {
+  Json json{
+      {"name", element.name},   {"kind", element.kind},     {"law", text_or_null(element.law)},
+      {"first", element.first}, {"second", element.second}, {"parameters", json_of_parameters(element.parameters)}};
+  // An end between two nodes: the share of the way from the node above to the other.
+  if (!element.first_other.empty())
+    json["first_point"] = {{"other", element.first_other}, {"share", element.first_share}};
+  if (!element.second_other.empty())
+    json["second_point"] = {{"other", element.second_other}, {"share", element.second_share}};
+  if (!element.plan_places) return json;
+  const auto& [first, second, direction] = *element.plan_places;
+  json["first_position"] = json_of(first);
+  json["second_position"] = json_of(second);
+  // An element without one direction acts in both.
+  if (dot(direction, direction) > 0.0) json["direction"] = json_of(direction);
+  return json;
 }
 
 Json json_of(const ModelFacts& model, const std::vector<BuildingParts>& buildings) {
-  Json json{{"nodes", Json::array()},
+  const auto node = [](const NodeFacts& each) {
+    return Json{{"name", each.name},
+                {"mass", each.mass},
+                {"x", each.x},
+                {"height", each.height},
+                {"initial_displacement", each.initial_displacement},
+                {"initial_velocity", each.initial_velocity}};
+  };
+  const auto building = [](const BuildingParts& each) {
+    return Json{
+        {"name", each.name}, {"base", text_or_null(each.base)}, {"floors", each.floors}, {"isolators", each.isolators}};
+  };
+  Json json{{"nodes", list_of(model.nodes, node)},
             {"node_units",
              {{"mass", "kg"}, {"x", "m"}, {"height", "m"}, {"initial_displacement", "m"}, {"initial_velocity", "m/s"}}},
-            {"elements", Json::array()},
-            {"buildings", Json::array()}};
-  for (const NodeFacts& node : model.nodes)
-    json["nodes"].push_back(Json{{"name", node.name},
-                                 {"mass", node.mass},
-                                 {"x", node.x},
-                                 {"height", node.height},
-                                 {"initial_displacement", node.initial_displacement},
-                                 {"initial_velocity", node.initial_velocity}});
-  for (const BuildingParts& building : buildings)
-    json["buildings"].push_back(Json{{"name", building.name},
-                                     {"base", text_or_null(building.base)},
-                                     {"floors", building.floors},
-                                     {"isolators", building.isolators}});
-  for (const ElementFacts& element : model.elements) {
-    Json entry{
-        {"name", element.name},   {"kind", element.kind},     {"law", text_or_null(element.law)},
-        {"first", element.first}, {"second", element.second}, {"parameters", json_of_parameters(element.parameters)}};
-    // An end between two nodes: the share of the way from the node above to the other.
-    if (!element.first_other.empty())
-      entry["first_point"] = {{"other", element.first_other}, {"share", element.first_share}};
-    if (!element.second_other.empty())
-      entry["second_point"] = {{"other", element.second_other}, {"share", element.second_share}};
-    if (element.plan_places) {
-      entry["first_position"] = json_of(element.plan_places->first);
-      entry["second_position"] = json_of(element.plan_places->second);
-      // An element without one direction acts in both.
-      if (dot(element.plan_places->direction, element.plan_places->direction) > 0.0)
-        entry["direction"] = json_of(element.plan_places->direction);
-    }
-    json["elements"].push_back(std::move(entry));
-  }
+            {"elements", list_of(model.elements, [](const ElementFacts& each) { return json_of(each); })},
+            {"buildings", list_of(buildings, building)}};
   if (!model.diaphragms.empty()) add_plan(json, model);
   return json;
 }
 
 Json json_of(const EnergyBalance& energy) {
-  const auto by_place = [](const std::vector<DissipatedEnergy>& list) {
-    Json entries = Json::array();
-    for (const DissipatedEnergy& entry : list) entries.push_back(Json{{"where", entry.where}, {"value", entry.value}});
-    return entries;
-  };
+  const auto by_place = [](const DissipatedEnergy& each) { return Json{{"where", each.where}, {"value", each.value}}; };
   Json json{{"unit", "J"}};
   for (const EnergyColumn& column : energy_columns(energy.in_plan)) json[column.name] = energy.*column.value;
   for (const EnergyColumn& column : energy_errors) json[column.name] = energy.*column.value;
   json["worst_element"] = energy.worst_element;
   json["worst_element_error"] = energy.worst_element_error;
-  json["bearings"] = by_place(energy.bearings);
-  json["gaps"] = by_place(energy.gaps);
+  json["bearings"] = list_of(energy.bearings, by_place);
+  json["gaps"] = list_of(energy.gaps, by_place);
   return json;
 }
 
@@ -168,9 +168,9 @@ Json json_of(const ErrorBars& bars) {
     json["companion_solver"] = json_of(bars.companion_solver);
     json["sensitive"] = bars.sensitive;
   }
-  json["unsettled"] = Json::array();
-  for (const Peak& peak : bars.unsettled)
-    json["unsettled"].push_back(Json{{"quantity", peak.quantity}, {"where", peak.where}});
+  json["unsettled"] = list_of(bars.unsettled, [](const Peak& peak) {
+    return Json{{"quantity", peak.quantity}, {"where", peak.where}};
+  });
   return json;
 }
 
@@ -184,54 +184,45 @@ void write_summary_json(const CaseResult& result, const std::filesystem::path& p
   json["motion"] = json_of(result.motion);
   json["model"] = json_of(result.model, result.buildings);
   json["analysis"] = json_of(result.analysis);
-  json["periods"] = Json::array();
-  for (const NamedPeriod& period : result.periods)
-    json["periods"].push_back(Json{{"name", period.name}, {"value", period.value}, {"unit", "s"}});
+  json["periods"] = list_of(result.periods, [](const NamedPeriod& period) {
+    return Json{{"name", period.name}, {"value", period.value}, {"unit", "s"}};
+  });
   json["assumptions"] = result.assumptions;
-  json["peaks"] = Json::array();
-  for (const Peak& peak : result.peaks)
-    json["peaks"].push_back(Json{{"quantity", peak.quantity},
-                                 {"where", peak.where},
-                                 {"value", peak.value},
-                                 {"unit", peak.unit},
-                                 {"time", peak.time},
-                                 {"error", peak.error},
-                                 {"side", peak.side}});
-  json["clearances"] = Json::array();
-  for (const GapClearance& gap : result.clearances)
-    json["clearances"].push_back(Json{{"where", gap.where},
-                                      {"clearance", gap.clearance},
-                                      {"clearance_left", gap.left},
-                                      {"unit", "m"},
-                                      {"time", gap.time},
-                                      {"error", gap.error}});
-  json["isolators_at_the_end"] = Json::array();
-  for (const Peak& isolator : isolators_at_the_end(result.histories))
-    json["isolators_at_the_end"].push_back(
-        Json{{"where", isolator.where}, {"deformation", isolator.value}, {"unit", "m"}, {"time", isolator.time}});
+  json["peaks"] = list_of(result.peaks, [](const Peak& peak) {
+    return Json{{"quantity", peak.quantity}, {"where", peak.where}, {"value", peak.value}, {"unit", peak.unit},
+                {"time", peak.time},         {"error", peak.error}, {"side", peak.side}};
+  });
+  json["clearances"] = list_of(result.clearances, [](const GapClearance& gap) {
+    return Json{{"where", gap.where}, {"clearance", gap.clearance}, {"clearance_left", gap.left},
+                {"unit", "m"},        {"time", gap.time},           {"error", gap.error}};
+  });
+  json["isolators_at_the_end"] = list_of(isolators_at_the_end(result.histories), [](const Peak& isolator) {
+    return Json{{"where", isolator.where}, {"deformation", isolator.value}, {"unit", "m"}, {"time", isolator.time}};
+  });
   json["constant_quantities"] = constant_quantities(result.histories);
   json["error_bars"] = json_of(result.error_bars);
   json["impacts"] = result.impacts.size();
+  const std::vector<ImpactColumn> columns = columns_of(result.impacts);
   json["impact_units"] = Json::object();
-  for (const ImpactColumn& column : columns_of(result.impacts)) json["impact_units"][column.name] = column.unit;
-  json["impact_table"] = Json::array();
-  for (const Impact& impact : result.impacts) {
+  for (const ImpactColumn& column : columns) json["impact_units"][column.name] = column.unit;
+  json["impact_table"] = list_of(result.impacts, [&](const Impact& impact) {
     Json row{{"where", impact.where}};
-    for (const ImpactColumn& column : columns_of(result.impacts)) row[column.name] = impact.*column.value;
+    for (const ImpactColumn& column : columns) row[column.name] = impact.*column.value;
     if (are_in_plan(result.impacts))
       for (const ImpactName& name : impact_names_in_plan) row[name.name] = impact.*name.value;
-    json["impact_table"].push_back(std::move(row));
-  }
-  if (!result.torsion.empty()) json["torsion"] = Json::array();
-  for (const BuildingTorsion& torsion : result.torsion)
-    json["torsion"].push_back(Json{{"where", torsion.where},
-                                   {"corner_displacement", torsion.corner},
-                                   {"displacement", torsion.centre},
-                                   {"amplification", torsion.amplification()},
-                                   {"eccentricity", torsion.eccentricity},
-                                   {"period_ratio", torsion.period_ratio},
-                                   {"of_formula", torsion.of_formula},
-                                   {"of_code", torsion.of_code}});
+    return row;
+  });
+  if (!result.torsion.empty())
+    json["torsion"] = list_of(result.torsion, [](const BuildingTorsion& torsion) {
+      return Json{{"where", torsion.where},
+                  {"corner_displacement", torsion.corner},
+                  {"displacement", torsion.centre},
+                  {"amplification", torsion.amplification()},
+                  {"eccentricity", torsion.eccentricity},
+                  {"period_ratio", torsion.period_ratio},
+                  {"of_formula", torsion.of_formula},
+                  {"of_code", torsion.of_code}};
+    });
   json["energy"] = json_of(result.energy);
   json["warnings"] = result.warnings;
   json["solver"] = json_of(result.solver);

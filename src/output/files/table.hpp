@@ -28,4 +28,11 @@ struct Table {
   [[nodiscard]] const std::vector<double>& values(std::string_view quantity, std::string_view where = "") const;
 };
 
+/// The name of a column in files: `quantity [unit] where`, for example `displacement [m] base`; `time [s]` where there
+/// is no place.
+std::string column_name(const Column& column);
+
+/// Throws InputError naming the first column whose length differs from that of the first one.
+void require_equal_lengths(const Table& table);
+
 }  // namespace moat

@@ -6,11 +6,8 @@
 
 namespace moat {
 
-/// With entities for &, <, > and the double quote, in UTF-8.
-std::string escaped_markup(std::string_view text);
-
-/// Text for an element or an attribute between double quotes, in UTF-8. Control characters that XML does not have
-/// become "?".
+/// Text for an element or an attribute between double quotes, with entities for &, <, > and the double quote, in UTF-8.
+/// Control characters that XML does not have become "?".
 std::string escaped_for_xml(std::string_view text);
 
 }  // namespace moat

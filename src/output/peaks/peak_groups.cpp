@@ -2,14 +2,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <string_view>
 
 #include "base/text/number_format.hpp"
 #include "output/files/engineering_unit.hpp"
-#include "output/files/rounded_error.hpp"
 
 namespace moat {
 namespace {
+
+constexpr const char* clearance_left = "clearance_left";
 
 // The decimals that a number as text has, with the point.
 std::string_view decimals_of(std::string_view number) {
@@ -51,7 +53,8 @@ std::vector<PeakGroup> group_peaks(const std::vector<Peak>& peaks) {
                             {},
                             error.text,
                             with_decimals(peak->time, 3),
-                            peak->side});
+                            peak->side,
+                            peak->quantity == clearance_left ? peak->value : peak->magnitude()});
     }
     align_points(group.rows);
     groups.push_back(std::move(group));
@@ -63,10 +66,51 @@ PeakGroup clearance_group(const std::vector<GapClearance>& clearances) {
   std::vector<Peak> peaks;
   for (const GapClearance& gap : clearances) {
     const EngineeringUnit unit = engineering_unit("m");
-    peaks.push_back({"clearance_left", gap.where, gap.left, "m", gap.time, gap.error,
+    peaks.push_back({clearance_left, gap.where, gap.left, "m", gap.time, gap.error,
                      "of " + to_significant(unit.per_si * gap.clearance, 4) + " " + unit.symbol});
   }
   return peaks.empty() ? PeakGroup{} : group_peaks(peaks).front();
+}
+
+std::vector<Peak> isolators_at_the_end(const Table& histories) {
+  std::vector<Peak> offsets;
+  if (histories.rows() == 0) return offsets;
+  const double time = histories.values("time").back();
+  for (const Column& column : histories.columns)
+    if (column.quantity == "isolator_deformation")
+      offsets.push_back({"isolator_deformation_at_the_end", column.where, column.values.back(), column.unit, time});
+  return offsets;
+}
+
+std::set<std::string> constant_quantities(const Table& histories) {
+  std::set<std::string> constant, changing;
+  for (const Column& column : histories.columns) {
+    const auto is_first = [&](double value) { return value == column.values.front(); };
+    const bool stays =
+        column.values.size() > 1 && column.values.front() != 0.0 && std::ranges::all_of(column.values, is_first);
+    (stays ? constant : changing).insert(column.quantity);
+  }
+  std::erase_if(constant, [&](const std::string& quantity) { return changing.contains(quantity); });
+  return constant;
+}
+
+RoundedError rounded_error(double error) {
+  constexpr int any_number = std::numeric_limits<int>::max(), most_decimals_as_number = 6;
+  if (!std::isfinite(error)) return {"", any_number};
+  if (error <= 0.0) return {"0", any_number};
+  constexpr double round_off = 1e-9, rounds_to_two = 1.9;  // 0.02 stays 0.02
+  int decimals = -static_cast<int>(std::floor(std::log10(error)));
+  if (error * std::pow(10.0, decimals) < rounds_to_two + round_off) ++decimals;
+  const double rounded = std::ceil(error * std::pow(10.0, decimals) - round_off) * std::pow(10.0, -decimals);
+  return {
+      decimals <= most_decimals_as_number ? with_decimals(rounded, std::max(decimals, 0)) : to_significant(rounded, 2),
+      decimals};
+}
+
+double rounded_to(double value, int decimals) {
+  if (decimals >= 0) return value;  // printing rounds
+  const double unit = std::pow(10.0, -decimals);
+  return unit * std::round(value / unit);
 }
 
 }  // namespace moat

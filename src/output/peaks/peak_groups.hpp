@@ -1,6 +1,7 @@
-// Peaks of one quantity together, ready to print.
+// Peaks as people read them.
 #pragma once
 
+#include <set>
 #include <string>
 #include <vector>
 
@@ -16,6 +17,7 @@ struct PeakRow {
   std::string error;    ///< in the group's unit; empty where it is not known
   std::string time;     ///< s
   std::string side;     ///< "left", "right", or the element that reached it
+  double size = 0.0;    ///< magnitude of the value in SI units; of a clearance itself
 };
 
 /// The places of one quantity.
@@ -31,5 +33,27 @@ std::vector<PeakGroup> group_peaks(const std::vector<Peak>& peaks);
 
 /// The clearances left, in the same way; the side of a row is the clearance at rest: "of 10 cm".
 PeakGroup clearance_group(const std::vector<GapClearance>& clearances);
+
+/// The deformation of every isolator in the last row of the histories, m, with the time of that row: its residual
+/// offset, if the building has come to rest. In plan its length. Empty without histories.
+std::vector<Peak> isolators_at_the_end(const Table& histories);
+
+/// The quantities of a table of histories that never change, at any place, and are not zero: the coefficient of a
+/// friction that depends on nothing. They have no peak to show.
+std::set<std::string> constant_quantities(const Table& histories);
+
+/// An error rounded up to one significant digit, to two if the first is 1: 0.0204 -> "0.03", 0.0113 -> "0.012".
+struct RoundedError {
+  std::string text;  ///< empty for an error that is not known
+  /// Decimal place of its last digit; negative where that is 10, 100 ... A value has no more digits than this. Very
+  /// many for an error of zero or one that is not known.
+  int decimals = 0;
+};
+
+/// `error` >= 0, in any unit; not finite if it is not known.
+RoundedError rounded_error(double error);
+
+/// `value` rounded to so many decimals: 2563 to -1 is 2560.
+double rounded_to(double value, int decimals);
 
 }  // namespace moat

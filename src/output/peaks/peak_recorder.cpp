@@ -15,23 +15,22 @@ void PeakRecorder::step(const StepView& view) {
   peaks_.add([&](std::size_t channel, double fraction, double turned) {
     return channels_.value_inside(view, channel, fraction, turned);
   });
-  if (model_->is_plan()) add_slide_begins();
+  if (model_->is_plan()) add_slide_begins(view.state);
 }
 
 void PeakRecorder::sample(const StepView& view) {
   CommonInstant& next = peaks_.next();
-  next.time = view.model.state().time;
+  next.time = view.state.time();
   channels_.sample(view, next.values, next.rates);
 }
 
 // Where a corner began to slide inside the step, the rates of its friction and of the accelerations jump.
-void PeakRecorder::add_slide_begins() {
+void PeakRecorder::add_slide_begins(const AnalysisState& state) {
   const double start = peaks_.start().time, end = peaks_.last().time;
   for (std::size_t b = 0; b < model_->blocks().size(); ++b) {
-    const PlanContacts* contacts = model_->blocks()[b]->plan_contacts();
-    if (contacts == nullptr || model_->blocks()[b]->contacts()->touching() == 0) continue;
+    if (!std::isfinite(state.elements(b).shortest_contact())) continue;
     for (std::size_t e = 0; e < model_->blocks()[b]->size(); ++e) {
-      const double fraction = contacts->slide_begin(e);
+      const double fraction = state.elements(b).contact(e).slide_begin;
       if (std::isnan(fraction)) continue;
       for (const std::size_t channel : channels_.bent_by(*model_, {.block = b, .element = e}))
         peaks_.add_bend(channel, start + fraction * (end - start));
@@ -69,7 +68,7 @@ std::vector<Peak> PeakRecorder::peaks() const {
     Peak sum{"sum_of_floor_inertia_maxima", building.base_name(), 0.0, "N", 0.0};
     for (const NodeId node : building.nodes()) {
       const std::size_t acceleration = Channels::of_node(node) + 2;
-      sum.value += model_->mass(node) * peaks_.magnitude(acceleration);
+      sum.value += model_->mass_matrix().diagonal()[node.index] * peaks_.magnitude(acceleration);
       // The maxima are not simultaneous; the last of them completes the sum.
       sum.time = std::max(sum.time, peaks_.time(acceleration));
     }

@@ -28,7 +28,7 @@ class PeakRecorder final : public StepObserver {
 
  private:
   void sample(const StepView& view);
-  void add_slide_begins();
+  void add_slide_begins(const AnalysisState& state);
   [[nodiscard]] std::string side_of(std::size_t channel, const Peak& peak) const;
 
   const Model* model_;

@@ -9,9 +9,34 @@
 #include <vector>
 
 #include "base/hermite.hpp"
-#include "output/peaks/peak_tracker.hpp"
 
 namespace moat {
+
+/// A quantity at an instant.
+struct Instant {
+  double time = 0.0;   ///< s
+  double value = 0.0;  ///< in the unit of the quantity
+  double rate = 0.0;   ///< per second
+};
+
+/// A bound of the magnitude of the cubic through two instants.
+inline double reach_of_cubic(const Instant& start, const Instant& end) {
+  return std::max(std::abs(start.value), std::abs(end.value)) +
+         cubic_beyond_ends * (end.time - start.time) * (std::abs(start.rate) + std::abs(end.rate));
+}
+
+/// Where the cubic through two instants turns: calls found(time, value) if a peak there may exceed `magnitude`.
+/// `inside(fraction, value)` returns the value of the quantity at a fraction of the step where the cubic has an
+/// extremum with the given value.
+template <class Inside, class Found>
+void find_turn(const Instant& start, const Instant& end, double magnitude, const Inside& inside, const Found& found) {
+  const double step = end.time - start.time;
+  if (step <= 0.0 || reach_of_cubic(start, end) <= magnitude) return;
+  const HermiteCubic cubic{start.value, start.rate, end.value, end.rate, step};
+  const double x = cubic.turn();
+  const double turned = cubic.value(x);
+  if (cubic.is_smooth() && std::abs(turned) > magnitude) found(start.time + x * step, inside(x, turned));
+}
 
 /// Many quantities at an instant.
 struct CommonInstant {
@@ -20,8 +45,10 @@ struct CommonInstant {
   std::vector<double> rates;   ///< per second
 };
 
-/// Follows many quantities through common instants, each of them as PeakTracker does. The caller fills next() and then
-/// calls add() or restart().
+/// Follows many quantities through common instants at unequal distances and keeps the largest magnitude of each over
+/// continuous time: between two instants whose rates have opposite signs the cubic through values and rates turns, and
+/// its value there counts. Quantities may jump at events; restart() keeps the cubic from reaching across. The caller
+/// fills next() and then calls add() or restart().
 class PeakTrackers {
  public:
   /// `count` quantities.

@@ -2,14 +2,12 @@
 
 #include <algorithm>
 
-#include "output/recorders/gaps_of.hpp"
-
 namespace moat {
 
 Channels::Channels(const Model& model) {
-  for (int i = 0; i < model.node_count(); ++i) add_node(model, NodeId{i});
+  for (int i = 0; i < model.degrees_of_freedom(); ++i) add_node(model, NodeId{i});
   for (std::size_t b = 0; b < model.blocks().size(); ++b) add_elements(model, b);
-  base_shear_of_node_.assign(model.nodes().size(), -1);
+  base_shear_of_node_.assign(static_cast<std::size_t>(model.degrees_of_freedom()), -1);
   first_in_plan_ = list_.size();
   if (model.is_plan()) {
     plan_ = PlanChannels{model, list_};
@@ -25,26 +23,24 @@ Channels::Channels(const Model& model) {
 
 void Channels::add_elements(const Model& model, std::size_t b) {
   const ElementBlock& block = *model.blocks()[b];
-  const ElementLaws* laws = block.laws();
   BlockChannels of_block{b, {}, {}, {}, {}};
   for (std::size_t e = 0; e < block.size(); ++e) {
     const ElementInfo& info = block.info(e);
     if (!info.deformation_quantity.empty()) {
-      const bool indentation = block.contacts() != nullptr;
+      const bool indentation = block.kind().contacts;
       (indentation ? of_block.indentations : of_block.deformations).push_back({e, list_.size()});
-      list_.push_back({info.deformation_quantity, info.name, info.listed_under(), "m", has_gaps(block)});
+      list_.push_back({info.deformation_quantity, info.name, info.listed_under(), "m", block.kind().contacts});
     }
     if (info.force_quantity.empty()) continue;
-    if (laws != nullptr && !block.constant_tangent()) of_laws_.push_back({list_.size(), b, e});
+    if (!block.kind().constant_tangent) of_laws_.push_back({list_.size(), b, e});
     of_block.forces.push_back({e, list_.size()});
-    list_.push_back({info.force_quantity, info.name, info.listed_under(), "N", has_gaps(block)});
-    if (laws == nullptr) continue;
-    const auto quantities = laws->law_quantities(e);
+    list_.push_back({info.force_quantity, info.name, info.listed_under(), "N", block.kind().contacts});
+    const auto quantities = block.quantities(e);
     for (std::size_t q = 0; q < quantities.size(); ++q) {
       const ReportedQuantity& quantity = quantities[q];
       of_block.law_quantities.push_back({e, list_.size(), q});
-      list_.push_back(
-          {std::string{quantity.name}, info.name, info.listed_under(), std::string{quantity.unit}, has_gaps(block)});
+      list_.push_back({std::string{quantity.name}, info.name, info.listed_under(), std::string{quantity.unit},
+                       block.kind().contacts});
     }
   }
   if (!of_block.deformations.empty() || !of_block.indentations.empty() || !of_block.forces.empty())
@@ -53,7 +49,7 @@ void Channels::add_elements(const Model& model, std::size_t b) {
 
 void Channels::add_node(const Model& model, NodeId id) {
   const PlacedDiaphragm* diaphragm = model.diaphragm_of(id);
-  const std::string& name = diaphragm != nullptr ? diaphragm->name : model.node(id).name;
+  const std::string name{diaphragm != nullptr ? std::string_view{diaphragm->name} : model.node_name(id)};
   const auto add = [&](const std::string& quantity, const char* unit) {
     list_.push_back({quantity, name, name, unit});
   };
@@ -85,28 +81,21 @@ std::vector<std::size_t> Channels::bent_by(const Model& model, const RegimeChang
   return bent;
 }
 
-int Channels::find(std::string_view quantity, std::string_view where) const {
-  for (std::size_t i = 0; i < list_.size(); ++i)
-    if (list_[i].quantity == quantity && list_[i].where == where) return static_cast<int>(i);
-  return -1;
-}
-
 void Channels::sample(const StepView& view, std::vector<double>& values, std::vector<double>& rates) const {
   values.resize(list_.size());
   rates.resize(list_.size());
   double *value = values.data(), *rate = rates.data();
-  const MotionState& state = view.model.state();
+  const MotionState& state = view.state.motion();
   const double *displacement = state.displacement.data(), *velocity = state.velocity.data(),
                *acceleration = state.acceleration.data(), *jerk = state.jerk.data();
-  const GroundShares shares = view.model.ground_shares();
-  const PlanVector ground_acceleration = view.ground();
-  const int count = view.model.node_count();
+  const GroundColumns influence = view.model.ground_influence();
+  const int count = view.model.degrees_of_freedom();
   for (int i = 0; i < count; ++i) {
     const std::size_t channel = of_node(NodeId{i});
     value[channel] = displacement[i];
     value[channel + 1] = rate[channel] = velocity[i];
     rate[channel + 1] = acceleration[i];
-    value[channel + 2] = acceleration[i] + shares.of(ground_acceleration, i);
+    value[channel + 2] = acceleration[i] + influence.times(view.ground_acceleration, i);
     rate[channel + 2] = jerk[i];
   }
   for (const Rotation& rotation : rotations_) {
@@ -115,11 +104,12 @@ void Channels::sample(const StepView& view, std::vector<double>& values, std::ve
       rate[k] *= rotation.per_metre;
     }
   }
-  for (const BlockChannels& channels : blocks_) sample(*view.model.blocks()[channels.block], channels, value, rate);
+  for (const BlockChannels& channels : blocks_) sample(view.state.elements(channels.block), channels, value, rate);
+  const auto masses = view.model.mass_matrix().diagonal();
   for (const BaseShear& shear : base_shears_) {
     double inertia = 0.0, inertia_rate = 0.0;
     for (const NodeId node : shear.nodes) {
-      const double mass = view.model.mass(node);
+      const double mass = masses[node.index];
       inertia += mass * value[of_node(node) + 2];
       inertia_rate += mass * rate[of_node(node) + 2];
     }
@@ -132,14 +122,25 @@ void Channels::sample(const StepView& view, std::vector<double>& values, std::ve
   plan_.sample(view, value, rate);
 }
 
-void Channels::sample(const ElementBlock& block, const BlockChannels& channels, double* values, double* rates) {
-  const ElementResults results = block.results();
-  const double *forces = results.forces.data(), *force_rates = results.force_rates.data();
+void Channels::sample(const ElementStates& elements, const BlockChannels& channels, double* values, double* rates) {
+  const ElementResults results = elements.results();
+  if (!results.plan.forces.empty()) {
+    for (const auto& [element, channel] : channels.forces) {
+      values[channel] = results[element].force;
+      rates[channel] = results[element].force_rate;
+    }
+    for (const auto& [element, channel] : channels.deformations) {
+      values[channel] = results[element].deformation;
+      rates[channel] = results[element].rate;
+    }
+    return;
+  }
+  const double *forces = results.line.forces.data(), *force_rates = results.line.force_rates.data();
   for (const auto& [element, channel] : channels.forces) {
     values[channel] = forces[element];
     rates[channel] = force_rates[element];
   }
-  const double *deformations = results.deformations.data(), *deformation_rates = results.rates.data();
+  const double *deformations = results.line.deformations.data(), *deformation_rates = results.line.rates.data();
   for (const auto& [element, channel] : channels.deformations) {
     values[channel] = deformations[element];
     rates[channel] = deformation_rates[element];
@@ -151,7 +152,7 @@ void Channels::sample(const ElementBlock& block, const BlockChannels& channels, 
     rates[channel] = closed ? deformation_rates[element] : 0.0;
   }
   for (const auto& [element, channel, quantity] : channels.law_quantities) {
-    const ReportedValue now = block.laws()->law_quantity(element, quantity);
+    const ReportedValue now = elements.law_quantity(element, quantity);
     values[channel] = now.value;
     rates[channel] = now.rate;
   }
@@ -160,7 +161,7 @@ void Channels::sample(const ElementBlock& block, const BlockChannels& channels, 
 double Channels::value_inside(const StepView& view, std::size_t channel, double fraction, double of_cubic) const {
   const auto found = std::ranges::lower_bound(of_laws_, channel, {}, &LawChannel::channel);
   if (found == of_laws_.end() || found->channel != channel) return of_cubic;
-  return view.model.blocks()[found->block]->laws()->force_inside(found->element, fraction);
+  return view.state.elements(found->block).force_inside(found->element, fraction);
 }
 
 }  // namespace moat

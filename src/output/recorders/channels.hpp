@@ -23,8 +23,6 @@ class Channels {
 
   /// In the order of values.
   [[nodiscard]] const std::vector<Channel>& list() const { return list_; }
-  /// The channel of this quantity at this node or element; -1 if there is none.
-  [[nodiscard]] int find(std::string_view quantity, std::string_view where) const;
   /// values := all channels at the committed state, rates := their rates, per second; as long as list().
   void sample(const StepView& view, std::vector<double>& values, std::vector<double>& rates) const;
   /// A channel at a fraction of the step that led to the committed state, where a cubic through its values and rates
@@ -54,7 +52,7 @@ class Channels {
     std::vector<LawSource> law_quantities;
   };
   void add_elements(const Model& model, std::size_t block);
-  static void sample(const ElementBlock& block, const BlockChannels& channels, double* values, double* rates);
+  static void sample(const ElementStates& elements, const BlockChannels& channels, double* values, double* rates);
 
   // A channel whose value inside a step comes from its law.
   struct LawChannel {

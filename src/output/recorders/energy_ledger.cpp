@@ -6,42 +6,29 @@
 #include <string>
 
 namespace moat {
-namespace {
-
-double kinetic_energy(const Model& model) {
-  const int count = model.degrees_of_freedom();
-  return 0.5 * model.masses().dot(model.state().velocity.head(count).cwiseAbs2());
-}
-
-}  // namespace
 
 void EnergyLedger::start(const StepView& view) {
-  const int count = view.model.degrees_of_freedom();
-  const GroundShares shares = view.model.ground_shares();
-  const bool all_along_x = std::all_of(shares.x, shares.x + count, [](double share) { return share == 1.0; });
-  mass_along_x_.resize(all_along_x ? 0 : count);
-  mass_along_y_.resize(view.model.is_plan() ? count : 0);
-  for (int i = 0; i < mass_along_x_.size(); ++i) mass_along_x_[i] = view.model.masses()[i] * shares.x[i];
-  for (int i = 0; i < mass_along_y_.size(); ++i) mass_along_y_[i] = view.model.masses()[i] * shares.y[i];
   remember(view);
   input_ = largest_input_ = 0.0;
-  kinetic_at_start_ = kinetic_energy(view.model);
-  largest_kinetic_ = kinetic_at_start_;
+  largest_kinetic_ = kinetic_at_start_ = view.state.kinetic_energy();
 }
 
 void EnergyLedger::step(const StepView& view) {
-  add_input(view, mass_along_x_.size() == 0 ? view.model.masses() : mass_along_x_, ground_acceleration_.x,
-            view.ground_acceleration);
-  if (view.model.is_plan()) add_input(view, mass_along_y_, ground_acceleration_.y, view.ground_acceleration_y);
+  const GroundColumns inertia = view.state.ground_inertia();
+  add_input(view, inertia.x, ground_acceleration_.x, view.ground_acceleration.x);
+  add_input(view, inertia.y, ground_acceleration_.y, view.ground_acceleration.y);
+  add_input(view, inertia.z, ground_acceleration_.z, view.ground_acceleration.z);
   largest_input_ = std::max(largest_input_, std::abs(input_));
-  largest_kinetic_ = std::max(largest_kinetic_, kinetic_energy(view.model));
+  largest_kinetic_ = std::max(largest_kinetic_, view.state.kinetic_energy());
   remember(view);
 }
 
-// Adds the input of one component of the ground, which acts on these masses.
-void EnergyLedger::add_input(const StepView& view, const Vector& masses, double ground_before, double ground_now) {
-  const MotionState& end = view.model.state();
+// Adds the input of one component of the ground, from the inertia of all degrees of freedom under 1 m/s^2 of it.
+void EnergyLedger::add_input(const StepView& view, const double* inertia, double ground_before, double ground_now) {
+  if (ground_before == 0.0 && ground_now == 0.0) return;
+  const MotionState& end = view.state.motion();
   const int count = view.model.degrees_of_freedom();
+  const Eigen::Map<const Vector> masses{inertia, count};
   const auto displacement = end.displacement.head(count);
   if (view.work_rule == WorkRule::mean_force) {
     // The rule is the one for the work of the elements, so that the residual is an identity.
@@ -63,23 +50,27 @@ void EnergyLedger::add_input(const StepView& view, const Vector& masses, double 
 void EnergyLedger::event(const StepView& view, std::span<const RegimeChange>) { remember(view); }
 
 void EnergyLedger::remember(const StepView& view) {
-  const MotionState& state = view.model.state();
+  const MotionState& state = view.state.motion();
   const int count = view.model.degrees_of_freedom();
   time_ = state.time;
   displacement_ = state.displacement.head(count);
   velocity_ = state.velocity.head(count);
   acceleration_ = state.acceleration.head(count);
-  ground_acceleration_ = view.ground();
+  ground_acceleration_ = view.ground_acceleration;
 }
 
-EnergyBalance EnergyLedger::totals(const Model& model) const {
+EnergyBalance EnergyLedger::totals(const AnalysisState& state) const {
   EnergyBalance balance;
   balance.input = input_;
   balance.largest_input = largest_input_;
   balance.largest_kinetic = largest_kinetic_;
-  balance.kinetic = kinetic_energy(model) - kinetic_at_start_;
+  balance.kinetic = state.kinetic_energy() - kinetic_at_start_;
+  const Model& model = state.model();
   EnergySums sums;
-  for (const auto& block : model.blocks()) block->add_energies(sums);
+  for (std::size_t b = 0; b < model.blocks().size(); ++b) {
+    const bool contacts = model.blocks()[b]->kind().contacts;
+    for (std::size_t e = 0; e < model.blocks()[b]->size(); ++e) sums.add(contacts, state.elements(b).energy(e));
+  }
   balance.strain = sums.stored;
   balance.integration_error = sums.error;
   balance.viscous = sums.viscous;
@@ -91,23 +82,25 @@ EnergyBalance EnergyLedger::totals(const Model& model) const {
   return balance;
 }
 
-EnergyBalance EnergyLedger::balance(const Model& model) const {
+EnergyBalance EnergyLedger::balance(const AnalysisState& state) const {
   constexpr double round_off = 1e-10;          // of force times deformation, in all steps
   constexpr double least_deformation = 1e-12;  // m: a law may have a force without one
-  EnergyBalance balance = totals(model);
+  EnergyBalance balance = totals(state);
   std::map<std::string, std::size_t> position_of_place;
-  for (const auto& block : model.blocks()) {
-    const ElementResults results = block->results();
-    for (std::size_t e = 0; e < block->size(); ++e) {
+  const Model& model = state.model();
+  for (std::size_t b = 0; b < model.blocks().size(); ++b) {
+    const ElementBlock& block = *model.blocks()[b];
+    const ElementResults results = state.elements(b).results();
+    for (std::size_t e = 0; e < block.size(); ++e) {
       balance.round_off +=
-          round_off * std::abs(results.forces[e]) * (std::abs(results.deformations[e]) + least_deformation);
-      const ElementInfo& info = block->info(e);
-      const ElementEnergy energy = block->energy(e);
+          round_off * std::abs(results[e].force) * (std::abs(results[e].deformation) + least_deformation);
+      const ElementInfo& info = block.info(e);
+      const ElementEnergy energy = state.elements(b).energy(e);
       if (std::abs(energy.error()) > std::abs(balance.worst_element_error)) {
         balance.worst_element_error = energy.error();
         balance.worst_element = info.name;
       }
-      if (block->contacts() != nullptr) {
+      if (block.kind().contacts) {
         balance.gaps.push_back({info.name, energy.dissipated});
       } else if (energy.hysteretic) {
         const auto [known, inserted] = position_of_place.try_emplace(info.listed_under(), balance.bearings.size());

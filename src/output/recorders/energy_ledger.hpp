@@ -21,19 +21,24 @@ class EnergyLedger final : public StepObserver {
   void step(const StepView& view) override;
   void event(const StepView& view, std::span<const RegimeChange> changes) override;
 
-  /// The sums at the model's committed state, without lists and the worst element. Walks over all elements.
-  [[nodiscard]] EnergyBalance totals(const Model& model) const;
-  /// The whole balance at the model's committed state.
-  [[nodiscard]] EnergyBalance balance(const Model& model) const;
+  /// Keeps balance() of the last state.
+  void finish(const StepView& view) override { at_end_ = balance(view.state); }
+  /// As finish() kept it.
+  [[nodiscard]] const EnergyBalance& at_end() const { return at_end_; }
+
+  /// The sums at the committed state, without lists and the worst element. Walks over all elements.
+  [[nodiscard]] EnergyBalance totals(const AnalysisState& state) const;
+  /// The whole balance at the committed state.
+  [[nodiscard]] EnergyBalance balance(const AnalysisState& state) const;
 
  private:
   void remember(const StepView& view);
-  void add_input(const StepView& view, const Vector& masses, double ground_before, double ground_now);
+  void add_input(const StepView& view, const double* inertia, double ground_before, double ground_now);
 
   double time_ = 0.0;  // of the last instant, s
   Vector displacement_, velocity_, acceleration_;
-  PlanVector ground_acceleration_{};
-  Vector mass_along_x_, mass_along_y_;  // masses times the ground's shares; y in plan, x where it is not the mass
+  GroundVector ground_acceleration_{};
+  EnergyBalance at_end_;
   double kinetic_at_start_ = 0.0;
   double input_ = 0.0, largest_input_ = 0.0, largest_kinetic_ = 0.0;
 };

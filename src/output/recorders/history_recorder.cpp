@@ -8,7 +8,6 @@
 #include "base/hermite.hpp"
 #include "model/building.hpp"
 #include "output/recorders/energy_columns.hpp"
-#include "output/recorders/gaps_of.hpp"
 
 namespace moat {
 namespace {
@@ -30,7 +29,7 @@ HistoryRecorder::HistoryRecorder(const Model& model, double interval, const Ener
   for (const Channel& channel : channels_.list())
     columns_.push_back({channel.quantity, channel.where, channel.unit, {}});
   for (std::size_t b = 0; b < model.blocks().size(); ++b) {
-    if (!has_gaps(*model.blocks()[b])) continue;
+    if (!model.blocks()[b]->kind().contacts) continue;
     for (std::size_t e = 0; e < model.blocks()[b]->size(); ++e) {
       gaps_.push_back({b, e});
       columns_.push_back({"opening", model.blocks()[b]->info(e).name, "m", {}});
@@ -83,7 +82,7 @@ void HistoryRecorder::add(const OfferedQuantities& quantities) {
 
 void HistoryRecorder::start(const StepView& view) {
   constexpr double coincident = 1e-9;  // of an interval
-  next_ = static_cast<long>(std::ceil(view.model.state().time / interval_ - coincident));
+  next_ = static_cast<long>(std::ceil(view.state.time() / interval_ - coincident));
   take(view, true);
   if (std::abs(now_.time - next_time()) > coincident * interval_) return;
   add_row(now_);
@@ -92,7 +91,7 @@ void HistoryRecorder::start(const StepView& view) {
 
 void HistoryRecorder::step(const StepView& view) {
   constexpr double coincident = 1e-9;  // of an interval
-  const double time = view.model.state().time;
+  const double time = view.state.time();
   const bool due = time >= next_time() - coincident * interval_;
   before_.values.swap(now_.values);
   before_.rates.swap(now_.rates);
@@ -109,8 +108,8 @@ void HistoryRecorder::step(const StepView& view) {
 void HistoryRecorder::event(const StepView& view, std::span<const RegimeChange>) { take(view, inside_steps_); }
 
 void HistoryRecorder::take(const StepView& view, bool with_energies) {
-  now_.time = view.model.state().time;
-  now_.ground_acceleration = view.ground();
+  now_.time = view.state.time();
+  now_.ground_acceleration = view.ground_acceleration.horizontal();
   if (sampled_ != nullptr) {
     now_.values = sampled_->last().values;
     now_.rates = sampled_->last().rates;
@@ -118,13 +117,13 @@ void HistoryRecorder::take(const StepView& view, bool with_energies) {
     channels_.sample(view, now_.values, now_.rates);
   }
   for (const auto& [b, e] : gaps_) {
-    const ElementResults results = view.model.blocks()[b]->results();
-    now_.values.push_back(0.0 - results.deformations[e]);  // not -0 where bodies touch at rest
-    now_.rates.push_back(-results.rates[e]);
+    const ElementResult result = view.state.elements(b).results()[e];
+    now_.values.push_back(0.0 - result.deformation);  // not -0 where bodies touch at rest
+    now_.rates.push_back(-result.rate);
   }
   if (offered_ != nullptr) offered_->sample(view, now_.offered);
   if (ledger_ == nullptr || !with_energies) return;
-  const EnergyBalance balance = ledger_->totals(view.model);
+  const EnergyBalance balance = ledger_->totals(view.state);
   now_.energies.clear();
   for (const EnergyColumn& column : energy_columns(in_plan_)) now_.energies.push_back(balance.*column.value);
 }

@@ -12,7 +12,6 @@ namespace moat {
 /// A corner or an edge that met, in plan.
 struct ImpactName {
   const char* name;            ///< of the column
-  const char* meaning;         ///< a sentence for readers
   std::string Impact::*value;  ///< its field
 };
 
@@ -42,8 +41,8 @@ inline constexpr std::array impact_columns{
 };
 
 /// The further ones in plan; a model on a line has none of them.
-inline constexpr std::array impact_names_in_plan{ImpactName{"corner", "The corner that struck.", &Impact::corner},
-                                                 ImpactName{"edge", "The wall or edge that it struck.", &Impact::edge}};
+inline constexpr std::array impact_names_in_plan{ImpactName{"corner", &Impact::corner},
+                                                 ImpactName{"edge", &Impact::edge}};
 /// The further numbers in plan.
 inline constexpr std::array impact_columns_in_plan{
     ImpactColumn{"tangential_speed", "m/s", "Speed of the corner along the edge at the first touch.",

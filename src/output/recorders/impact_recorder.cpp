@@ -11,41 +11,33 @@ bool same(RegimeChange a, RegimeChange b) { return a.block == b.block && a.eleme
 }  // namespace
 
 void ImpactRecorder::start(const StepView& view) {
-  for (std::size_t b = 0; b < view.model.blocks().size(); ++b) {
-    const Contacts* contacts = view.model.blocks()[b]->contacts();
-    if (contacts == nullptr || contacts->touching() == 0) continue;
+  for (std::size_t b = 0; b < view.model.blocks().size(); ++b)
     for (std::size_t e = 0; e < view.model.blocks()[b]->size(); ++e)
-      if (contacts->contact(e).touching)
+      if (view.state.elements(b).contact(e).touching)
         // Later than at time 0, the contact lasts from an earlier analysis.
-        open(view, {.block = b, .element = e, .time = view.model.state().time}, view.model.state().time == 0.0);
-  }
+        open(view, {.block = b, .element = e, .time = view.state.time()}, view.state.time() == 0.0);
 }
 
 void ImpactRecorder::follow(const StepView& view, bool after_event) {
-  const double time = view.model.state().time;
+  if (!with_energies_) return;
   for (Ongoing& contact : ongoing_) {
-    const ElementBlock& block = *view.model.blocks()[contact.gap.block];
+    const ElementStates& elements = view.state.elements(contact.gap.block);
     const std::size_t element = contact.gap.element;
-    const PlanContacts* sliding = block.plan_contacts();
-    const ElementResults results = block.results();
-    const double indentation = results.deformations[element], rate = results.rates[element];
-    const double force = results.forces[element], force_rate = results.force_rates[element];
+    CommonInstant& next = contact.peaks.next();
+    const ContactView now = elements.contact(element);
+    const ElementResult result = elements.results()[element];
+    next.time = view.state.time();
+    next.values = {result.deformation, result.force, now.friction_force};
+    next.rates = {result.rate, result.force_rate, now.friction_force_rate};
     ContactLoop& loop = impacts_[contact.impact].loop;
-    loop.indentation.push_back(indentation);
-    loop.force.push_back(force);
-    if (after_event) {
-      contact.indentation.restart(time, indentation, rate);
-      contact.force.restart(time, force, force_rate);
-      if (sliding != nullptr)
-        contact.friction.restart(time, sliding->friction_force(element), sliding->friction_force_rate(element));
-    } else {
-      contact.indentation.add(time, indentation, rate);
-      contact.force.add(time, force, force_rate, [&](double fraction, double of_cubic) {
-        return block.laws() != nullptr ? block.laws()->force_inside(element, fraction) : of_cubic;
+    loop.indentation.push_back(next.values[0]);
+    loop.force.push_back(next.values[1]);
+    if (after_event)
+      contact.peaks.restart();
+    else
+      contact.peaks.add([&](std::size_t quantity, double fraction, double of_cubic) {
+        return quantity == 1 ? elements.force_inside(element, fraction) : of_cubic;
       });
-      if (sliding != nullptr)
-        contact.friction.add(time, sliding->friction_force(element), sliding->friction_force_rate(element));
-    }
   }
 }
 
@@ -53,17 +45,14 @@ void ImpactRecorder::step(const StepView& view) { follow(view, false); }
 
 void ImpactRecorder::event(const StepView& view, std::span<const RegimeChange> changes) {
   for (const RegimeChange gap : changes) {
-    const Contacts* contacts = view.model.blocks()[gap.block]->contacts();
-    if (contacts == nullptr) continue;
-    const bool touching = contacts->contact(gap.element).touching;
+    if (!view.model.blocks()[gap.block]->kind().contacts) continue;
+    const ContactView now = view.state.elements(gap.block).contact(gap.element);
     const auto known =
         std::find_if(ongoing_.begin(), ongoing_.end(), [&](const Ongoing& o) { return same(o.gap, gap); });
-    if (touching && known == ongoing_.end()) {
+    if (now.touching && known == ongoing_.end()) {
       open(view, gap);
-    } else if (!touching && known != ongoing_.end()) {
-      const PlanContacts* sliding = view.model.blocks()[gap.block]->plan_contacts();
-      const bool left_edge = sliding != nullptr && sliding->times_left(gap.element) > known->left_before;
-      close(view, *known, gap.time, gap.rate, !left_edge);
+    } else if (!now.touching && known != ongoing_.end()) {
+      close(view, *known, gap.time, gap.rate, now.departures == known->departures_before);
       ongoing_.erase(known);
     }
   }
@@ -71,30 +60,31 @@ void ImpactRecorder::event(const StepView& view, std::span<const RegimeChange> c
 }
 
 void ImpactRecorder::open(const StepView& view, RegimeChange gap, bool closed_at_start) {
-  const ElementBlock& block = *view.model.blocks()[gap.block];
-  const double speed = block.contacts()->contact(gap.element).approach_speed;
-  const ElementEnergy energy = block.energy(gap.element);
-  ongoing_.push_back({gap, impacts_.size(), {}, {}, {}, energy.dissipated, energy.friction});
-  impacts_.push_back({.where = block.info(gap.element).name,
+  const ElementInfo& info = view.model.blocks()[gap.block]->info(gap.element);
+  const ElementStates& elements = view.state.elements(gap.block);
+  const ContactView now = elements.contact(gap.element);
+  const ElementEnergy energy = with_energies_ ? elements.energy(gap.element) : ElementEnergy{};
+  ongoing_.push_back({gap, impacts_.size(), PeakTrackers{3}, energy.dissipated, energy.friction, now.departures});
+  impacts_.push_back({.where = info.name,
                       .start = gap.time,
-                      .approach_speed = speed,
+                      .approach_speed = now.approach_speed,
                       .restitution = std::numeric_limits<double>::quiet_NaN()});
-  if (const PlanContacts* sliding = block.plan_contacts()) {
-    impacts_.back().corner = sliding->pair(gap.element).corner;
-    impacts_.back().edge = sliding->pair(gap.element).edge;
-    impacts_.back().tangential_speed = sliding->tangential_speed_at_touch(gap.element);
-    ongoing_.back().left_before = sliding->times_left(gap.element);
+  if (const CornerPair* pair = info.corner_pair()) {
+    impacts_.back().corner = pair->corner;
+    impacts_.back().edge = pair->edge;
+    impacts_.back().tangential_speed = now.tangential_speed_at_touch;
   }
-  listed_.push_back({gap, speed > 0.0 && !closed_at_start});
+  listed_.push_back({gap, now.approach_speed > 0.0 && !closed_at_start});
 }
 
 void ImpactRecorder::close(const StepView& view, const Ongoing& contact, double time, double rate, bool separated) {
+  if (!with_energies_) return;
   Impact& impact = impacts_[contact.impact];
   impact.duration = time - impact.start;
-  impact.largest_indentation = contact.indentation.magnitude();
-  impact.largest_force = contact.force.magnitude();
-  impact.largest_friction_force = contact.friction.magnitude();
-  const ElementEnergy energy = view.model.blocks()[contact.gap.block]->energy(contact.gap.element);
+  impact.largest_indentation = contact.peaks.magnitude(0);
+  impact.largest_force = contact.peaks.magnitude(1);
+  impact.largest_friction_force = contact.peaks.magnitude(2);
+  const ElementEnergy energy = view.state.elements(contact.gap.block).energy(contact.gap.element);
   impact.energy_lost = energy.dissipated - contact.dissipated_before;
   impact.friction_loss = energy.friction - contact.friction_before;
   const double ratio = -rate / impact.approach_speed;
@@ -103,13 +93,13 @@ void ImpactRecorder::close(const StepView& view, const Ongoing& contact, double 
 }
 
 void ImpactRecorder::finish(const StepView& view) {
-  for (const Ongoing& contact : ongoing_) close(view, contact, view.model.state().time, 0.0, false);
+  for (const Ongoing& contact : ongoing_) close(view, contact, view.state.time(), 0.0, false);
   ongoing_.clear();
   for (std::size_t i = 0; i < impacts_.size(); ++i) {
     const auto [gap, approached] = listed_[i];
-    if (approached)
+    if (approached && with_energies_)
       impacts_[i].restitution =
-          view.model.blocks()[gap.block]->contacts()->delivered_restitution(gap.element, impacts_[i].approach_speed);
+          view.model.blocks()[gap.block]->delivered_restitution(gap.element, impacts_[i].approach_speed);
   }
 }
 

@@ -30,7 +30,7 @@ void OfferedQuantities::sample(const StepView& view, std::vector<double>& values
 void OfferedPeaks::step(const StepView& view) {
   quantities_->sample(view, values_);
   largest_.resize(values_.size());
-  const double time = view.model.state().time;
+  const double time = view.state.time();
   for (std::size_t i = 0; i < values_.size(); ++i) {
     Largest& largest = largest_[i];
     if (!std::isfinite(values_[i])) {

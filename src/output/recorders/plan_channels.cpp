@@ -96,8 +96,9 @@ void PlanChannels::add_drifts(const Model& model, const Building& building, std:
 void PlanChannels::add_elements(const Model& model, std::vector<Channel>& list) {
   for (std::size_t b = 0; b < model.blocks().size(); ++b) {
     const ElementBlock& block = *model.blocks()[b];
-    for (std::size_t e = 0; block.planar() != nullptr && e < block.size(); ++e) {
+    for (std::size_t e = 0; e < block.size(); ++e) {
       const ElementInfo& info = block.info(e);
+      if (!info.acts_in_two_directions()) continue;
       planar_.push_back({b, e, !info.deformation_quantity.empty(), !info.force_quantity.empty()});
       for (const auto& [quantity, unit] :
            {std::pair{info.deformation_quantity, "m"}, std::pair{info.force_quantity, "N"}})
@@ -108,8 +109,9 @@ void PlanChannels::add_elements(const Model& model, std::vector<Channel>& list) 
   frictions_ = list.size();
   for (std::size_t b = 0; b < model.blocks().size(); ++b) {
     const ElementBlock& block = *model.blocks()[b];
-    for (std::size_t e = 0; block.plan_contacts() != nullptr && e < block.size(); ++e) {
+    for (std::size_t e = 0; e < block.size(); ++e) {
       const ElementInfo& info = block.info(e);
+      if (info.corner_pair() == nullptr) continue;
       sliding_.push_back({b, e, false, true});
       list.push_back({"friction_force", info.name, info.listed_under(), "N"});
     }
@@ -118,15 +120,15 @@ void PlanChannels::add_elements(const Model& model, std::vector<Channel>& list) 
 
 void PlanChannels::sample(const StepView& view, double*& value, double*& rate) const {
   const Model& model = view.model;
-  const PlanVector ground_acceleration = view.ground();
+  const AnalysisState& state = view.state;
   const auto motion_of = [&](const Point& point) {
     if (point.id.x == ground) return PointMotion{};
     const PlacedDiaphragm& floor = *model.diaphragm_of(point.id.x);
-    return PointMotion{
-        at(floor, point.arm, [&](NodeId node) { return model.displacement(node); }),
-        at(floor, point.arm, [&](NodeId node) { return model.velocity(node); }),
-        at(floor, point.arm, [&](NodeId node) { return model.acceleration(node); }) + ground_acceleration,
-        at(floor, point.arm, [&](NodeId node) { return model.jerk(node); })};
+    return PointMotion{at(floor, point.arm, [&](NodeId node) { return state.displacement(node); }),
+                       at(floor, point.arm, [&](NodeId node) { return state.velocity(node); }),
+                       at(floor, point.arm, [&](NodeId node) { return state.acceleration(node); }) +
+                           view.ground_acceleration.horizontal(),
+                       at(floor, point.arm, [&](NodeId node) { return state.jerk(node); })};
   };
   for (const Point& point : points_) {
     const PointMotion motion = motion_of(point);
@@ -143,23 +145,22 @@ void PlanChannels::sample(const StepView& view, double*& value, double*& rate) c
     write(difference.x, speed.x, value, rate);
     write(difference.y, speed.y, value, rate);
     const bool on_floor = drift.lower.id.x != ground;
-    write(model.rotation(drift.upper.id) - (on_floor ? model.rotation(drift.lower.id) : 0.0),
-          model.angular_velocity(drift.upper.id) - (on_floor ? model.angular_velocity(drift.lower.id) : 0.0), value,
+    write(state.rotation(drift.upper.id) - (on_floor ? state.rotation(drift.lower.id) : 0.0),
+          state.angular_velocity(drift.upper.id) - (on_floor ? state.angular_velocity(drift.lower.id) : 0.0), value,
           rate);
   }
   for (const ElementOfBlock& element : planar_) {
-    const PlanarElements& block = *model.blocks()[element.block]->planar();
+    const ResultsOf<PlanVector> results = state.elements(element.block).results().plan;
     const auto write_both = [&](PlanVector of_value, PlanVector of_rate) {
       write(of_value.x, of_rate.x, value, rate);
       write(of_value.y, of_rate.y, value, rate);
     };
-    if (element.has_deformation)
-      write_both(block.deformation(element.element), block.deformation_rate(element.element));
-    if (element.has_force) write_both(block.force(element.element), block.force_rate(element.element));
+    if (element.has_deformation) write_both(results.deformations[element.element], results.rates[element.element]);
+    if (element.has_force) write_both(results.forces[element.element], results.force_rates[element.element]);
   }
   for (const ElementOfBlock& element : sliding_) {
-    const PlanContacts& block = *model.blocks()[element.block]->plan_contacts();
-    write(block.friction_force(element.element), block.friction_force_rate(element.element), value, rate);
+    const ContactView contact = state.elements(element.block).contact(element.element);
+    write(contact.friction_force, contact.friction_force_rate, value, rate);
   }
   for (const std::vector<DiaphragmId>& floors : buildings_) {
     // The force from outside is the inertia of base and floors.
@@ -171,8 +172,8 @@ void PlanChannels::sample(const StepView& view, double*& value, double*& rate) c
       force += -floor.mass * centre.acceleration;
       force_rate += -floor.mass * centre.jerk;
       torque -=
-          floor.mass * (cross(floor.centre_of_mass, centre.acceleration) + floor.gyration * model.acceleration(id.r));
-      torque_rate -= floor.mass * (cross(floor.centre_of_mass, centre.jerk) + floor.gyration * model.jerk(id.r));
+          floor.mass * (cross(floor.centre_of_mass, centre.acceleration) + floor.gyration * state.acceleration(id.r));
+      torque_rate -= floor.mass * (cross(floor.centre_of_mass, centre.jerk) + floor.gyration * state.jerk(id.r));
     }
     write(force.x, force_rate.x, value, rate);
     write(force.y, force_rate.y, value, rate);

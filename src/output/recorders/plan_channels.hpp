@@ -25,7 +25,7 @@ struct Channel {
 /// - `corner_displacement`, `corner_acceleration`: the same at the corners of its outline;
 /// - `corner_drift` [m]: resultant displacement of a floor relative to the floor below, at the corners of its outline,
 ///   and `drift_x`, `drift_y` at its centre of mass, `drift_rotation` [rad], for the floors of every Building;
-/// - components "_x" and "_y" of the quantities of PlanarElements;
+/// - components "_x" and "_y" of the quantities of elements that deform in two directions at once;
 /// - `friction_force` [N] of contacts, along the edge;
 /// - `total_base_shear_x`, `total_base_shear_y` [N] and `total_base_torque` [N m] about the origin of every Building.
 ///

@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "output/recorders/offered_quantity.hpp"
+#include "output/files/case_result.hpp"
 #include "output/recorders/step_observer.hpp"
 
 namespace moat {

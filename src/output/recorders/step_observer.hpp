@@ -4,23 +4,22 @@
 #include <cstddef>
 #include <span>
 
-#include "model/model.hpp"
+#include "model/analysis_state.hpp"
 
 namespace moat {
 
 /// The committed state after an accepted step.
 struct StepView {
-  const Model& model;                ///< At the time of the step.
-  double ground_acceleration = 0.0;  ///< m/s^2, at the state's time; in plan its x component
-  bool on_grid = true;               ///< false where the step was cut or ended at a located event, between grid times
+  const Model& model;                  ///< As it was added.
+  const AnalysisState& state;          ///< At the time of the step.
+  GroundVector ground_acceleration{};  ///< m/s^2, at the state's time
+  bool on_grid = true;                 ///< false where the step was cut or ended at a located event, between grid times
   WorkRule work_rule = WorkRule::mean_force;  ///< of the step that led here
-  double ground_acceleration_y = 0.0;         ///< m/s^2; 0 on a line
 
-  [[nodiscard]] PlanVector ground() const { return {ground_acceleration, ground_acceleration_y}; }  ///< m/s^2.
   /// m/s^2; of a diaphragm's rotation times its gyration.
   [[nodiscard]] double absolute_acceleration(NodeId node) const {
-    if (node == moat::ground) return ground_acceleration;
-    return model.acceleration(node) + model.ground_shares().of(ground(), node.index);
+    if (node == ground) return ground_acceleration.x;
+    return state.acceleration(node) + model.ground_influence().times(ground_acceleration, node.index);
   }
 };
 
@@ -31,7 +30,7 @@ class StepObserver {
  public:
   virtual ~StepObserver() = default;
 
-  /// Whether the elements' energy accounts must be kept (ElementBlock::energy); steps cost less without them.
+  /// Whether the elements' energy accounts must be kept (ElementStates::energy); steps cost less without them.
   [[nodiscard]] virtual bool needs_energy_accounts() const { return false; }
 
   /// The state at the start, before the first step.

@@ -10,7 +10,7 @@ StoreyShears::StoreyShears(const Model& model, const std::vector<std::pair<NodeI
   for (const auto& [lower, upper] : storeys) numbers.emplace(std::pair{lower.index, upper.index}, numbers.size());
   for (std::size_t b = 0; b < model.blocks().size(); ++b) {
     const ElementBlock& block = *model.blocks()[b];
-    if (block.contacts() != nullptr) continue;
+    if (block.kind().contacts) continue;
     for (std::size_t e = 0; e < block.size(); ++e) {
       const ElementInfo& info = block.info(e);
       const auto storey = numbers.find({info.first.index, info.second.index});
@@ -20,13 +20,15 @@ StoreyShears::StoreyShears(const Model& model, const std::vector<std::pair<NodeI
   }
 }
 
-std::span<const double> StoreyShears::evaluate(const Model& model) {
+std::span<const double> StoreyShears::evaluate(const AnalysisState& state) {
+  const Model& model = state.model();
   for (PlanVector& sum : sums_) sum = {};
   for (const Part& part : parts_) {
-    const ElementBlock& block = *model.blocks()[part.block];
-    const PlanVector along = model.is_plan() ? block.info(part.element).plan_places()->direction : PlanVector{1.0, 0.0};
+    const ElementInfo& info = model.blocks()[part.block]->info(part.element);
+    const ElementResults results = state.elements(part.block).results();
+    const PlanVector along = model.is_plan() ? info.plan_places()->direction : PlanVector{1.0, 0.0};
     sums_[part.storey] +=
-        block.planar() != nullptr ? block.planar()->force(part.element) : block.results().forces[part.element] * along;
+        info.acts_in_two_directions() ? results.plan.forces[part.element] : results.line.forces[part.element] * along;
   }
   for (std::size_t i = 0; i < sums_.size(); ++i) shears_[i] = model.is_plan() ? length(sums_[i]) : sums_[i].x;
   return shears_;

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "base/plan_vector.hpp"
-#include "model/model.hpp"
+#include "model/analysis_state.hpp"
 
 namespace moat {
 
@@ -20,7 +20,7 @@ class StoreyShears {
 
   /// Returns the shears of the last evaluation of the model, N, one for each storey: on a line with its sign, in plan
   /// the length of the sum of vectors. Valid until the next call.
-  std::span<const double> evaluate(const Model& model);
+  std::span<const double> evaluate(const AnalysisState& state);
 
  private:
   struct Part {

@@ -25,7 +25,7 @@ class SceneBuilder {
 
   Scene build() {
     if (model_.is_plan()) return build_in_plan();
-    for (int i = 0; i < model_.node_count(); ++i) add_slab(NodeId{i});
+    for (int i = 0; i < model_.degrees_of_freedom(); ++i) add_slab(NodeId{i});
     int number = 0;
     for (const auto& block : model_.blocks())
       for (std::size_t e = 0; e < block->size(); ++e, ++number) add_element(block->info(e), number);
@@ -41,8 +41,8 @@ class SceneBuilder {
 
   // The ground has no position of its own: it is drawn below, or beside, the node on it.
   Place place(NodeId id, NodeId other) const {
-    const Node& node = model_.node(id == ground ? other : id);
-    return {node.x.si(), id == ground ? node.height.si() - bearing_height : node.height.si(), node.half_width.si(),
+    const Body& body = model_.body(id == ground ? other : id);
+    return {body.x, id == ground ? body.height - bearing_height : body.height, body.half_width,
             id == ground ? -1 : id.index, spread_of(id == ground ? other : id)};
   }
 
@@ -61,7 +61,7 @@ class SceneBuilder {
     const double top = p.z, bottom = p.z - slab_thickness;
     scene_.cells.push_back(
         {CellKind::floor,
-         model_.node(id).name,
+         std::string{model_.node_name(id)},
          {point(p.x - p.half_width, bottom, p.node, p.spread), point(p.x + p.half_width, bottom, p.node, p.spread),
           point(p.x + p.half_width, top, p.node, p.spread), point(p.x - p.half_width, top, p.node, p.spread)},
          -1});
@@ -137,10 +137,11 @@ class SceneBuilder {
     int number = 0;
     for (const auto& block : model_.blocks())
       for (std::size_t e = 0; e < block->size(); ++e, ++number) {
-        if (const PlanContacts* contacts = block->plan_contacts())
-          add_corner(block->info(e), contacts->pair(e), number);
-        else if (const PlanarElements* planar = block->planar())
-          add_bearing(block->info(e), planar->position(e), number);
+        const ElementInfo& info = block->info(e);
+        if (info.corner_pair() != nullptr)
+          add_corner(info, *info.corner_pair(), number);
+        else if (info.acts_in_two_directions())
+          add_bearing(info, info.plan_places()->second, number);
       }
     return std::move(scene_);
   }
@@ -155,7 +156,7 @@ class SceneBuilder {
       point.node = diaphragm->id.x.index;
       point.arm = (at - diaphragm->centre_of_mass) / diaphragm->gyration;
     } else {
-      point.direction = *model_.node(body).direction;
+      point.direction = *model_.body(body).direction;
     }
     scene_.points.push_back(point);
     return static_cast<int>(scene_.points.size()) - 1;

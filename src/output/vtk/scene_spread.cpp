@@ -19,11 +19,10 @@ std::vector<std::vector<Neighbour>> neighbours_of(const Model& model, const std:
   };
   std::vector<std::vector<Neighbour>> neighbours(part.size());
   for (const auto& block : model.blocks()) {
-    const PlanContacts* corners = block->plan_contacts();
-    for (std::size_t e = 0; block->contacts() != nullptr && e < block->size(); ++e) {
+    for (std::size_t e = 0; block->kind().contacts && e < block->size(); ++e) {
       const ElementInfo& info = block->info(e);
       if (info.first == ground || info.second == ground) continue;
-      const PlanVector direction = corners != nullptr ? corners->pair(e).normal : PlanVector{1.0, 0.0};
+      const PlanVector direction = info.corner_pair() != nullptr ? info.corner_pair()->normal : PlanVector{1.0, 0.0};
       const auto from = body_of(info.second), to = body_of(info.first);
       neighbours[from].push_back({to, info.offset * direction});
       neighbours[to].push_back({from, -info.offset * direction});

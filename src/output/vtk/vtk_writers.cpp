@@ -26,7 +26,6 @@
 
 #include "base/error.hpp"
 #include "output/files/file_io.hpp"
-#include "output/files/table_columns.hpp"
 #include "output/files/xml_text.hpp"
 #include "output/vtk/vtk_files.hpp"
 

@@ -1,4 +1,4 @@
-// Columns of histories as series of charts.
+// Columns of histories as series of charts and motions of drawings.
 #pragma once
 
 #include <string>
@@ -12,8 +12,8 @@ namespace moat {
 /// The columns of a quantity that hold values.
 std::vector<const Column*> columns_of(const Table& table, std::string_view quantity);
 
-/// That of a place; null if there is none.
-const Column* column_of(const std::vector<const Column*>& columns, const std::string& where);
+/// The column of a quantity at a place; null if there is none that holds values.
+const Column* column_of(const Table& table, std::string_view quantity, std::string_view where);
 
 /// Base and top of up to three buildings, each once, in a table of the result. The last column if the model has no
 /// building.
@@ -24,5 +24,15 @@ std::vector<double> in_engineering_unit(const Column& column);
 
 /// "displacement [cm]".
 std::string axis_label(std::string_view quantity, std::string_view si_unit);
+
+/// The displacement of a node is `factor` times the column.
+struct NodeMotion {
+  const Column* column = nullptr;  ///< null: the histories lack it
+  double factor = 1.0;             ///< m for a rotation, the gyration; else 1
+};
+
+/// One for every node of `result.model`, in its order. The third degree of freedom of a diaphragm is its rotation times
+/// its gyration, m.
+std::vector<NodeMotion> motions_of_nodes(const CaseResult& result);
 
 }  // namespace moat

@@ -1,15 +1,14 @@
-#include "report/charts/drawing.hpp"
+#include "report/sections.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <map>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "base/text/number_format.hpp"
-#include "report/charts/motions_of_nodes.hpp"
-#include "report/charts/round_factor.hpp"
+#include "output/charts/chart_axis.hpp"
+#include "report/charts/chart_columns.hpp"
 #include "report/html.hpp"
 
 namespace moat::html {
@@ -32,103 +31,89 @@ std::string text_of(const Terms& terms) {
   return text;
 }
 
-std::string_view class_of(CellKind kind) {
-  switch (kind) {
-    case CellKind::floor:
-      return "floor";
-    case CellKind::storey:
-      return "storey";
-    case CellKind::bearing:
-      return "bearing";
-    case CellKind::gap:
-      return "gap";
-    case CellKind::wall:
-      return "wall";
-    case CellKind::other:
-      return "other";
-  }
-  return "other";
-}
-
 struct Shape {
   std::string kind;  // of the style sheet
   std::string name;
-  std::vector<const ScenePoint*> points;
+  std::vector<ScenePoint> points;
 };
 
 // How a scene is projected: seen from the side, or from above.
-class View {
- public:
-  explicit View(bool from_above) : from_above_{from_above} {}
+struct View {
+  bool from_above;
 
-  [[nodiscard]] PagePoint at_rest(const ScenePoint& point) const {
-    return {point.x, from_above_ ? -point.y : -point.z};
-  }
+  [[nodiscard]] PagePoint at_rest(const ScenePoint& point) const { return {point.x, from_above ? -point.y : -point.z}; }
   [[nodiscard]] PagePoint spread(const ScenePoint& point) const {
-    return {point.spread.x, from_above_ ? -point.spread.y : 0.0};
+    return {point.spread.x, from_above ? -point.spread.y : 0.0};
   }
   [[nodiscard]] Terms motion(const ScenePoint& point) const {
     if (point.node < 0 || point.weight == 0.0) return {};
     if (!point.on_diaphragm)
-      return {{point.node, {point.weight * point.direction.x, from_above_ ? -point.weight * point.direction.y : 0.0}}};
+      return {{point.node, {point.weight * point.direction.x, from_above ? -point.weight * point.direction.y : 0.0}}};
     return {{point.node, {1.0, 0.0}}, {point.node + 1, {0.0, -1.0}}, {point.node + 2, {-point.arm.y, -point.arm.x}}};
   }
-
- private:
-  bool from_above_;
 };
 
-// Seen from the side, all cells: those behind first.
-std::vector<Shape> elevation_shapes(const Scene& scene) {
+// All cells, those behind first. From above walls, bases as areas, outlines of the floors above them, and gaps.
+std::vector<Shape> shapes_of(const CaseResult& result, bool from_above) {
   std::vector<Shape> shapes;
-  for (const CellKind kind :
-       {CellKind::wall, CellKind::storey, CellKind::other, CellKind::bearing, CellKind::floor, CellKind::gap})
-    for (const SceneCell& cell : scene.cells) {
+  for (const auto& [kind, name] : {std::pair{CellKind::wall, "wall"},
+                                   {CellKind::storey, "storey"},
+                                   {CellKind::other, "other"},
+                                   {CellKind::bearing, "bearing"},
+                                   {CellKind::floor, "floor"},
+                                   {CellKind::gap, "gap"}})
+    for (const SceneCell& cell : result.scene.cells) {
       if (cell.kind != kind) continue;
-      Shape shape{std::string{class_of(kind)}, cell.name, {}};
-      for (const int point : cell.points) shape.points.push_back(&scene.points[static_cast<std::size_t>(point)]);
+      Shape shape{name, cell.name, {}};
+      for (const int point : cell.points) shape.points.push_back(result.scene.points[static_cast<std::size_t>(point)]);
+      const ScenePoint& first = shape.points.front();
+      if (from_above && kind != CellKind::gap) {
+        // Floors and walls are prisms, whose lower and upper face lie above each other; another wall may have the same
+        // name.
+        const auto same = [&](const ScenePoint& other) { return other.x == first.x && other.y == first.y; };
+        const bool flat = std::ranges::all_of(shape.points, [&](const ScenePoint& each) { return each.z == first.z; });
+        const bool is_known = !shapes.empty() && shapes.back().name == cell.name && same(shapes.back().points[0]);
+        if ((kind != CellKind::floor && kind != CellKind::wall) || !flat || is_known) continue;
+        const auto is_base = [&](const DiaphragmFacts& each) { return each.is_base && each.name == cell.name; };
+        if (kind == CellKind::floor && std::ranges::none_of(result.model.diaphragms, is_base)) shape.kind = "upper";
+      }
       shapes.push_back(std::move(shape));
     }
   return shapes;
 }
 
-// Seen from above: walls, the bases as areas, the outlines of the floors above them, gaps.
-std::vector<Shape> plan_shapes(const CaseResult& result) {
-  std::vector<Shape> walls, bases, floors, gaps;
-  for (const SceneCell& cell : result.scene.cells) {
-    std::vector<const ScenePoint*> points;
-    for (const int point : cell.points) points.push_back(&result.scene.points[static_cast<std::size_t>(point)]);
-    if (cell.kind == CellKind::gap) gaps.push_back({"gap", cell.name, points});
-    if (cell.kind != CellKind::floor && cell.kind != CellKind::wall) continue;
-    const bool flat = std::ranges::all_of(points, [&](const ScenePoint* each) { return each->z == points[0]->z; });
-    if (!flat) continue;
-    const auto is_base = [&](const DiaphragmFacts& each) { return each.is_base && each.name == cell.name; };
-    std::vector<Shape>& list = cell.kind == CellKind::wall                             ? walls
-                               : std::ranges::any_of(result.model.diaphragms, is_base) ? bases
-                                                                                       : floors;
-    // Lower and upper face of a prism lie above each other; another wall may have the same name.
-    const auto lies_above = [&](const ScenePoint& other) { return other.x == points[0]->x && other.y == points[0]->y; };
-    if (!list.empty() && list.back().name == cell.name && lies_above(*list.back().points[0])) continue;
-    list.push_back({&list == &floors ? "upper" : std::string{class_of(cell.kind)}, cell.name, points});
+// The corners of the bases and their centres of mass, whose ways the page's script draws.
+void add_orbits(const CaseResult& result, std::vector<Shape>& shapes) {
+  for (const DiaphragmFacts& base : result.model.diaphragms) {
+    const auto of_base =
+        std::ranges::find_if(shapes, [&](const Shape& each) { return each.kind == "floor" && each.name == base.name; });
+    if (!base.is_base || of_base == shapes.end()) continue;
+    ScenePoint point = of_base->points.front();
+    std::vector<PlanVector> places = base.outline;
+    places.push_back(base.centre_of_mass);
+    for (const PlanVector& place : places) {
+      point.x = place.x;
+      point.y = place.y;
+      point.arm = (place - base.centre_of_mass) / base.gyration;
+      shapes.push_back({"orbit", base.name, {point}});
+    }
   }
-  for (std::vector<Shape>* list : {&bases, &floors, &gaps}) walls.insert(walls.end(), list->begin(), list->end());
-  return walls;
 }
 
 std::string svg_of(const Shape& shape, const View& view) {
   std::string points, spreads, motions;
   bool spreads_out = false, moves = false;
-  for (const ScenePoint* each : shape.points) {
+  for (const ScenePoint& each : shape.points) {
     const char* between = points.empty() ? "" : " ";
-    const PagePoint spread = view.spread(*each);
-    const Terms motion = view.motion(*each);
+    const PagePoint spread = view.spread(each);
+    const Terms motion = view.motion(each);
     spreads_out = spreads_out || spread.x != 0.0 || spread.y != 0.0;
     moves = moves || !motion.empty();
-    points += between + text_of(view.at_rest(*each));
+    points += between + text_of(view.at_rest(each));
     spreads += between + text_of(spread);
     motions += between + text_of(motion);
   }
-  const std::string element = shape.points.size() == 2 ? "polyline" : "polygon";
+  const std::string element = shape.points.size() <= 2 ? "polyline" : "polygon";
   std::string svg = "<" + element + " class=\"" + shape.kind + "\" data-name=\"" + escaped(shape.name) +
                     "\" points=\"" + points + "\"";
   if (spreads_out) svg += " data-spread=\"" + spreads + "\"";
@@ -136,55 +121,26 @@ std::string svg_of(const Shape& shape, const View& view) {
   return svg + "><title>" + escaped(shape.name) + "</title></" + element + ">\n";
 }
 
-// The ways of the corners of the bases, and of their centres of mass.
-std::string orbits(const CaseResult& result, const View& view) {
-  std::string svg;
-  for (const DiaphragmFacts& base : result.model.diaphragms) {
-    const auto of_base = std::ranges::find_if(result.scene.cells, [&](const SceneCell& cell) {
-      return cell.kind == CellKind::floor && cell.name == base.name;
-    });
-    if (!base.is_base || of_base == result.scene.cells.end()) continue;
-    ScenePoint centre = result.scene.points[static_cast<std::size_t>(of_base->points.front())];
-    std::vector<PlanVector> places = base.outline;
-    places.push_back(base.centre_of_mass);
-    for (const PlanVector& place : places) {
-      centre.x = place.x;
-      centre.y = place.y;
-      centre.arm = (place - base.centre_of_mass) / base.gyration;
-      svg += "<polyline class=\"orbit\" data-at=\"" + text_of(view.at_rest(centre)) + "\" data-spread=\"" +
-             text_of(view.spread(centre)) + "\" data-move=\"" + text_of(view.motion(centre)) + "\"/>\n";
-    }
-  }
-  return svg;
-}
-
-std::string view_box(const std::vector<Shape>& shapes, const View& view) {
-  constexpr double infinite = std::numeric_limits<double>::infinity();
-  PagePoint low{infinite, infinite}, high{-infinite, -infinite};
+// Upper left and lower right corner at rest.
+std::pair<PagePoint, PagePoint> bounds_of(const std::vector<Shape>& shapes, const View& view) {
+  PagePoint low = view.at_rest(shapes.front().points.front()), high = low;
   for (const Shape& shape : shapes)
-    for (const ScenePoint* each : shape.points) {
-      const PagePoint at = view.at_rest(*each);
+    for (const ScenePoint& each : shape.points) {
+      const PagePoint at = view.at_rest(each);
       low = {std::min(low.x, at.x), std::min(low.y, at.y)};
       high = {std::max(high.x, at.x), std::max(high.y, at.y)};
     }
-  const double border = 0.03 * std::max(high.x - low.x, high.y - low.y);
-  return text_of({low.x - border, low.y - border}) + "," +
-         text_of({high.x - low.x + 2.0 * border, high.y - low.y + 2.0 * border});
+  return {low, high};
 }
 
-// So that the largest displacement is a visible part of the drawing.
-double exaggeration(const CaseResult& result, const std::vector<Shape>& shapes, const View& view) {
+// So that the largest displacement is a visible part of a drawing of this width.
+double exaggeration(const CaseResult& result, double width) {
   constexpr double visible = 0.06;
-  double left = std::numeric_limits<double>::infinity(), right = -left, largest = 0.0;
-  for (const Shape& shape : shapes)
-    for (const ScenePoint* each : shape.points) {
-      left = std::min(left, view.at_rest(*each).x);
-      right = std::max(right, view.at_rest(*each).x);
-    }
+  double largest = 0.0;
   for (const NodeMotion& motion : motions_of_nodes(result))
     if (motion.column != nullptr)
       for (const double value : motion.column->values) largest = std::max(largest, std::abs(motion.factor * value));
-  return largest > 0.0 ? round_factor(visible * (right - left) / largest) : 1.0;
+  return largest > 0.0 && width > 0.0 ? std::max(1.0, round_number_below(visible * width / largest)) : 1.0;
 }
 
 std::string controls(double factor) {
@@ -212,14 +168,18 @@ std::string drawing_section(const CaseResult& result) {
   if (result.scene.cells.empty() || result.histories.rows() < 2) return "";
   const bool in_plan = !result.model.diaphragms.empty();
   const View view{in_plan};
-  const std::vector<Shape> shapes = in_plan ? plan_shapes(result) : elevation_shapes(result.scene);
+  std::vector<Shape> shapes = shapes_of(result, in_plan);
   if (shapes.empty()) return "";
+  add_orbits(result, shapes);
+  const auto [low, high] = bounds_of(shapes, view);
+  const double border = 0.03 * std::max(high.x - low.x, high.y - low.y);
   const std::string kind = in_plan ? "Plan" : "Elevation";
-  std::string html = "<h2>Motion</h2>\n<figure class=\"drawing\">\n<svg viewBox=\"" + view_box(shapes, view) +
+  std::string html = "<h2>Motion</h2>\n<figure class=\"drawing\">\n<svg viewBox=\"" +
+                     text_of({low.x - border, low.y - border}) + "," +
+                     text_of({high.x - low.x + 2.0 * border, high.y - low.y + 2.0 * border}) +
                      "\" role=\"img\" aria-label=\"" + kind + " of the model\">\n";
   for (const Shape& shape : shapes) html += svg_of(shape, view);
-  if (in_plan) html += orbits(result, view);
-  return html + "</svg>\n" + controls(exaggeration(result, shapes, view)) + "<figcaption data-true-scale=\"" + kind +
+  return html + "</svg>\n" + controls(exaggeration(result, high.x - low.x)) + "<figcaption data-true-scale=\"" + kind +
          ", to scale.\" data-exaggerated=\"" + kind +
          ", displacements and gaps drawn {} times larger: bodies touch here when they touch in the model.\">" + kind +
          " at rest, to scale.</figcaption>\n</figure>\n";

@@ -2,17 +2,9 @@
 
 #include <set>
 
-#include "output/charts/chart_table.hpp"
 #include "output/files/csv_writer.hpp"
-#include "output/files/file_name.hpp"
+#include "output/files/file_io.hpp"
 #include "output/files/results_folder.hpp"
-#include "report/charts/energy_chart.hpp"
-#include "report/charts/floor_profiles.hpp"
-#include "report/charts/floor_spectra.hpp"
-#include "report/charts/history_charts.hpp"
-#include "report/charts/impact_loops.hpp"
-#include "report/charts/isolator_loops.hpp"
-#include "report/charts/orbit_charts.hpp"
 
 namespace moat {
 ResultCharts result_charts(const CaseResult& result) {

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
+#include <string>
 #include <vector>
 
 #include "output/charts/chart.hpp"
@@ -9,15 +11,49 @@
 
 namespace moat {
 
+/// Buildings of a chart at most, so that it stays legible.
+inline constexpr std::size_t most_charted_buildings = 3;
+/// Impacts with a chart at most.
+inline constexpr std::size_t most_impact_loops = 12;
+
+/// Displacement and absolute acceleration of base and top of up to three buildings, and the forces of all gaps that
+/// closed, over time: those of them whose columns `result.histories` holds. The last node where the model has no
+/// building. Then a chart for every quantity that recorders offered. Throws InputError where columns differ in length.
+std::vector<Chart> history_charts(const CaseResult& result);
+
+/// A chart for each quantity that the floors or storeys of a building have peaks of: displacement, drift, absolute
+/// acceleration and storey shear; in plan their resultants, the drift at the corners. A curve for each of up to three
+/// buildings of at least two levels, over the height of the floors; values of storeys stand at their middle. Where the
+/// nodes have no heights, levels count from 0.
+std::vector<Chart> floor_profiles(const CaseResult& result);
+
+/// On a line a chart for each of up to three isolated buildings, with a loop for every isolator. In plan one for the
+/// bearing with the largest deformation, with a loop for each component. Isolators without columns for force and
+/// deformation are left out. Throws InputError where columns differ in length.
+std::vector<Chart> isolator_loops(const CaseResult& result);
+
+/// A chart for every impact, in order of time; of more than `most_impact_loops` those with the largest forces.
+std::vector<Chart> impact_loops(const std::vector<Impact>& impacts);
+/// The name of an impact: "2.659 s, moat left". The time comes first, so that a shortened title keeps it.
+std::string title_of(const Impact& impact);
+
+/// Dissipated energies, strain and kinetic energy on top of each other, and the input as a line: the stack reaches it
+/// but for errors. None where the histories have no energies.
+std::optional<Chart> energy_chart(const CaseResult& result);
+
+/// Pseudo-acceleration spectra, with 5 % damping, of the absolute acceleration of base and top of up to three
+/// buildings: the demand on equipment and contents that stand there. In plan one chart for each component. After
+/// impacts from rows of at most 1 ms (CaseResult::floor_accelerations), else from the histories. Periods from 0.05 s,
+/// but at least two intervals of these rows, to 5 s. Left out for less than a hundred rows.
+std::vector<Chart> floor_spectra(const CaseResult& result);
+
+/// For every base of a model in plan its displacement along y over that along x, at the centre of mass and at every
+/// corner of the outline. None on a line and without histories.
+std::vector<Chart> orbit_charts(const CaseResult& result);
+
 /// All charts of a run.
 struct ResultCharts {
-  std::vector<Chart> histories;       ///< report/charts/history_charts.hpp
-  std::vector<Chart> floor_profiles;  ///< report/charts/floor_profiles.hpp
-  std::vector<Chart> isolator_loops;  ///< report/charts/isolator_loops.hpp
-  std::vector<Chart> impact_loops;    ///< report/charts/impact_loops.hpp
-  std::vector<Chart> energy;          ///< report/charts/energy_chart.hpp, at most one
-  std::vector<Chart> floor_spectra;   ///< report/charts/floor_spectra.hpp
-  std::vector<Chart> orbits;  ///< report/charts/orbit_charts.hpp; the report has report/charts/plan_view.hpp instead
+  std::vector<Chart> histories, floor_profiles, isolator_loops, impact_loops, energy, floor_spectra, orbits;
 
   /// All of them, in this order.
   [[nodiscard]] std::vector<const Chart*> all() const;

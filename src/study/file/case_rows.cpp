@@ -3,12 +3,11 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 #include <optional>
-#include <string_view>
+#include <tuple>
 
 #include "base/error.hpp"
 #include "base/sha256.hpp"
-#include "study/ranks/outcome_bytes.hpp"
-#include "study/study_tables.hpp"
+#include "study/outcome_bytes.hpp"
 
 namespace moat {
 namespace {
@@ -31,8 +30,6 @@ std::string parameters_of(const StudyCases& cases, std::size_t number) {
   return parameters.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
 }
 
-constexpr std::string_view unverified = "unverified";
-
 /// It covers everything that the rows of a case hold.
 std::string checksum_of(std::size_t number, const std::string& parameters, CaseOutcome outcome, std::int64_t session) {
   // They are read in this order.
@@ -52,7 +49,6 @@ bool is_as_written(std::size_t number, const StudyCases& cases, const StoredCase
   const CaseOutcome& outcome = stored.outcomes[number];
   if (!row) return outcome.results.empty() && outcome.files.empty();
   if (outcome.state == CaseState::open) return false;
-  if (!outcome.verified) return outcome.state != CaseState::done || !outcome.results.empty();
   return row->parameters == parameters_of(cases, number) &&
          row->checksum == checksum_of(number, row->parameters, outcome, stored.sessions[number]);
 }
@@ -69,8 +65,7 @@ StoredCases read_rows(const Database& database, const StudyCases& cases) {
     return of_no_case;
   };
   Statement rows = database.prepare(
-      std::string{"SELECT number, state, reason, steps, energy_error, seconds, session, parameters, "} +
-      (study_tables::have_checksums(database) ? "checksum" : "'unverified'") + " FROM cases");
+      "SELECT number, state, reason, steps, energy_error, seconds, session, parameters, checksum FROM cases");
   while (rows.step()) {
     CaseOutcome& outcome = outcome_of_number(rows.integer(0));
     for (const CaseState state : {CaseState::done, CaseState::failed, CaseState::not_converged})
@@ -79,7 +74,6 @@ StoredCases read_rows(const Database& database, const StudyCases& cases) {
     outcome.steps = rows.integer(3);
     outcome.energy_error = rows.real(4);
     outcome.seconds = rows.real(5);
-    outcome.verified = rows.text(8) != unverified;
     if (&outcome == &of_no_case) continue;
     const auto number = static_cast<std::size_t>(rows.integer(0));
     stored.sessions[number] = rows.integer(6);
@@ -108,48 +102,29 @@ CaseRows::CaseRows(const Database& database, const StudyCases& cases)
     : database_{&database},
       cases_{&cases},
       row_{database.prepare("INSERT INTO cases VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?)")},
-      value_{database.prepare("INSERT INTO results VALUES (?, ?, ?, ?)")},
-      name_{database.prepare("INSERT INTO result_names VALUES (?, ?, ?, ?)")},
-      file_{database.prepare("INSERT INTO files VALUES (?, ?, ?)")},
-      case_file_{database.prepare("INSERT INTO case_files VALUES (?, ?) ON CONFLICT DO NOTHING")} {
-  read_known();
-}
-
-void CaseRows::read_known() {
-  names_.clear();
-  files_.clear();
-  Statement names = database_->prepare("SELECT result, quantity, place, unit FROM result_names");
-  while (names.step()) names_[{names.text(1), names.text(2), names.text(3)}] = names.integer(0);
-  Statement files = database_->prepare("SELECT file, path, sha256 FROM files ORDER BY file");
-  while (files.step()) files_[files.text(1)] = {files.integer(0), files.text(2)};
-}
+      name_{database.prepare("INSERT INTO result_names SELECT ifnull(max(result) + 1, 0), ?, ?, ? FROM result_names "
+                             "WHERE true ON CONFLICT DO NOTHING")},
+      value_{database.prepare("INSERT INTO results SELECT ?, ?, result, ? FROM result_names "
+                              "WHERE quantity = ? AND place = ? AND unit = ?")},
+      file_{database.prepare("INSERT INTO files (path, sha256) VALUES (?, ?)")},
+      known_file_{database.prepare("SELECT file, sha256 FROM files WHERE path = ? ORDER BY file DESC LIMIT 1")},
+      case_file_{database.prepare("INSERT INTO case_files VALUES (?, ?) ON CONFLICT DO NOTHING")} {}
 
 void CaseRows::write(std::size_t number, const CaseOutcome& outcome, std::int64_t session) {
   Transaction transaction{*database_};
-  const std::size_t names = names_.size(), files = files_.size();
-  try {
-    put(number, outcome, session);
-    for (const FileRead& file : outcome.files)
-      case_file_.bind(1, static_cast<std::int64_t>(number)).bind(2, number_of(file)).run();
-    transaction.commit();
-  } catch (...) {
-    transaction.undo();
-    // Names and files of a transaction that was undone are not in the file.
-    if (names_.size() > names || files_.size() > files) read_known();
-    throw;
-  }
+  put(number, outcome, session);
+  for (const FileRead& file : outcome.files) case_file_.run(number, number_of(file));
+  transaction.commit();
 }
 
 void CaseRows::put(std::size_t number, const CaseOutcome& outcome, std::int64_t session) {
-  const auto id = static_cast<std::int64_t>(number);
   const std::string parameters = parameters_of(*cases_, number);
-  row_.bind(1, id).bind(2, parameters).bind(3, name_of(outcome.state)).bind(4, outcome.reason);
-  row_.bind(5, static_cast<std::int64_t>(outcome.steps)).bind(6, outcome.energy_error).bind(7, outcome.seconds);
-  row_.bind(8, session);
-  row_.bind(9, outcome.verified ? checksum_of(number, parameters, outcome, session) : std::string{unverified}).run();
+  row_.run(number, parameters, name_of(outcome.state), outcome.reason, outcome.steps, outcome.energy_error,
+           outcome.seconds, session, checksum_of(number, parameters, outcome, session));
   for (std::size_t i = 0; i < outcome.results.size(); ++i) {
     const NamedNumber& result = outcome.results[i];
-    value_.bind(1, id).bind(2, static_cast<std::int64_t>(i)).bind(3, number_of(result)).bind(4, result.value).run();
+    name_.run(result.quantity, result.where, result.unit);
+    value_.run(number, i, result.value, result.quantity, result.where, result.unit);
   }
 }
 
@@ -161,7 +136,6 @@ void CaseRows::forget_failures() {
   } else {
     // A key that was damaged is not found by its number: the tables are written again with the cases that stay.
     database_->run("DELETE FROM results; DELETE FROM cases; DELETE FROM result_names");
-    read_known();
     for (std::size_t number = 0; number < stored.outcomes.size(); ++number)
       if (stored.outcomes[number].state == CaseState::done &&
           !stored.changed.contains(static_cast<std::int64_t>(number)))
@@ -171,28 +145,20 @@ void CaseRows::forget_failures() {
   transaction.commit();
 }
 
-std::int64_t CaseRows::number_of(const NamedNumber& result) {
-  const auto next = static_cast<std::int64_t>(names_.size());
-  const auto [found, added] = names_.try_emplace({result.quantity, result.where, result.unit}, next);
-  if (added) name_.bind(1, next).bind(2, result.quantity).bind(3, result.where).bind(4, result.unit).run();
-  return found->second;
-}
-
 std::int64_t CaseRows::number_of(const FileRead& file) {
-  const auto known = files_.find(file.path);
-  if (known == files_.end()) {
-    Statement last = database_->prepare("SELECT ifnull(max(file), 0) FROM files");
-    last.step();
-    const std::int64_t number = last.integer(0) + 1;
-    file_.bind(1, number).bind(2, file.path).bind(3, file.sha256).run();
-    files_[file.path] = {number, file.sha256};
-    return number;
+  known_file_.bind(file.path);
+  if (!known_file_.step()) {
+    file_.run(file.path, file.sha256);
+    known_file_.step();
   }
-  if (known->second.sha256 != file.sha256)
+  const std::int64_t number = known_file_.integer(0);
+  const std::string known = known_file_.text(1);
+  known_file_.step();  // to its end
+  if (known != file.sha256)
     throw InputError{"study " + database_->file().string() + ": " + file.path +
                      " changed while the study ran, and results are not mixed. Restore the file and run the same "
                      "command again, or start again in another file."};
-  return known->second.number;
+  return number;
 }
 
 namespace case_rows {
@@ -221,7 +187,7 @@ std::vector<FileRead> files_of(const Database& database) {
 void accept_files(const Database& database, const std::vector<FileRead>& files) {
   // The row with the largest number is the one that the study goes on with.
   Statement row = database.prepare("INSERT INTO files (path, sha256) VALUES (?, ?)");
-  for (const FileRead& file : files) row.bind(1, file.path).bind(2, file.sha256).run();
+  for (const FileRead& file : files) row.run(file.path, file.sha256);
 }
 
 }  // namespace case_rows

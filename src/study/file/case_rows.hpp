@@ -3,10 +3,8 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <map>
 #include <set>
 #include <string>
-#include <tuple>
 #include <vector>
 
 #include "study/cases.hpp"
@@ -28,21 +26,12 @@ class CaseRows {
   void forget_failures();
 
  private:
-  using Name = std::tuple<std::string, std::string, std::string>;  // quantity, place, unit
   void put(std::size_t number, const CaseOutcome& outcome, std::int64_t session);
-  std::int64_t number_of(const NamedNumber& result);
   std::int64_t number_of(const FileRead& file);
-  void read_known();
 
   const sqlite::Database* database_;
   const StudyCases* cases_;
-  sqlite::Statement row_, value_, name_, file_, case_file_;
-  std::map<Name, std::int64_t> names_;
-  struct KnownFile {
-    std::int64_t number;
-    std::string sha256;
-  };
-  std::map<std::string, KnownFile> files_;  // by path, with the content that the study goes on with
+  sqlite::Statement row_, name_, value_, file_, known_file_, case_file_;
 };
 
 /// The rows of all cases.

@@ -1,47 +1,16 @@
 #include <cstdint>
 #include <optional>
-#include <utility>
 
 #include "base/check.hpp"
 #include "base/error.hpp"
 #include "study/file/store.hpp"
 #include "study/file/study_file.hpp"
-#include "study/ranks/outcome_bytes.hpp"
-#include "study/study_tables.hpp"
+#include "study/outcome_bytes.hpp"
 
 namespace moat {
 namespace {
 
 namespace fs = std::filesystem;
-using sqlite::Database;
-
-/// A file to merge, without the table of its results: there may be one file for every case.
-struct Part {
-  std::string title;
-  StudyCases cases;
-  std::vector<StudyIdentity> versions;
-  std::size_t version;  ///< current one
-  std::vector<StoredSession> sessions;
-  std::vector<std::int64_t> session_of_case;  ///< from 1
-  std::vector<CaseOutcome> outcomes;
-};
-
-Part read_part(const fs::path& file) {
-  if (!fs::is_regular_file(file)) throw FileError{"study " + file.string() + ": there is no such file."};
-  const Database database{file, Database::Access::read};
-  database.run("BEGIN");
-  if (!study_tables::exist_in(database))
-    throw FileError{"study " + file.string() + ": the file is empty. Give another file."};
-  StudyCases cases = study_tables::cases_of(database);
-  StoredCases stored = case_rows::read(database, cases);
-  return {.title = study_tables::property(database, "title"),
-          .cases = std::move(cases),
-          .versions = study_sessions::versions_of(database),
-          .version = study_sessions::current_version(database),
-          .sessions = study_sessions::all_of(database),
-          .session_of_case = std::move(stored.sessions),
-          .outcomes = std::move(stored.outcomes)};
-}
 
 /// In every bit but those of the computation itself: its steps, their error and its time.
 bool equal(CaseOutcome a, const CaseOutcome& b) {
@@ -51,61 +20,48 @@ bool equal(CaseOutcome a, const CaseOutcome& b) {
   return to_bytes(0, a) == to_bytes(0, b);
 }
 
-/// Which file gives each case. Refuses files of another study, and a case that differs from file to file.
-class Agreement {
- public:
-  void include(const Part& part, const fs::path& file) {
-    if (files_.empty()) {
-      cases_ = part.cases;
-      identity_ = part.versions[part.version];
-      outcomes_.resize(part.outcomes.size());
-      file_of_case_.resize(part.outcomes.size());
-    }
-    const std::string others = differences(*cases_, part.cases) + differences(identity_, part.versions[part.version]);
+const StudyIdentity& identity_of(const StoredStudy& study) { return study.versions[study.current_version]; }
+
+/// The file that gives each case: its index, or nothing for open cases. Refuses files of another study, and a case that
+/// differs from file to file.
+std::vector<std::optional<std::size_t>> file_of_every_case(const std::vector<fs::path>& files) {
+  const StoredStudy first = read_study(files.front());
+  std::vector<CaseOutcome> outcomes(first.result.cases().count());
+  std::vector<std::optional<std::size_t>> file_of_case(outcomes.size());
+  for (std::size_t i = 0; i < files.size(); ++i) {
+    const StoredStudy part = read_study(files[i]);
+    const std::string others =
+        differences(first.result.cases(), part.result.cases()) + differences(identity_of(first), identity_of(part));
     if (!others.empty())
-      throw InputError{"merge: " + file.string() + " is not of the same study as " + files_.front().string() + ":" +
+      throw InputError{"merge: " + files[i].string() + " is not of the same study as " + files.front().string() + ":" +
                        others + "\nGive parts of one study."};
-    for (std::size_t number = 0; number < outcomes_.size(); ++number) {
-      const CaseOutcome& outcome = part.outcomes[number];
+    for (std::size_t number = 0; number < outcomes.size(); ++number) {
+      const CaseOutcome& outcome = part.result.outcomes()[number];
       if (outcome.state == CaseState::open) continue;
-      if (outcomes_[number].state == CaseState::open) {
-        outcomes_[number] = outcome;
-        file_of_case_[number] = files_.size();
-      } else if (!equal(outcomes_[number], outcome)) {
-        throw InputError{"merge: case " + std::to_string(number) + " of " + file.string() +
-                         " differs from the one in " + files_[file_of_case_[number]].string() +
+      if (!file_of_case[number]) {
+        outcomes[number] = outcome;
+        file_of_case[number] = i;
+      } else if (!equal(outcomes[number], outcome)) {
+        throw InputError{"merge: case " + std::to_string(number) + " of " + files[i].string() +
+                         " differs from the one in " + files[*file_of_case[number]].string() +
                          ". Equal cases have equal results: find out which file is wrong."};
       }
     }
-    files_.push_back(file);
   }
+  return file_of_case;
+}
 
-  /// Numbers of the cases that a file gives, by its place in the order of include().
-  [[nodiscard]] std::vector<std::size_t> cases_of(std::size_t file) const {
-    std::vector<std::size_t> numbers;
-    for (std::size_t number = 0; number < outcomes_.size(); ++number)
-      if (outcomes_[number].state != CaseState::open && file_of_case_[number] == file) numbers.push_back(number);
-    return numbers;
-  }
-
- private:
-  std::vector<fs::path> files_;
-  std::optional<StudyCases> cases_;
-  StudyIdentity identity_;
-  std::vector<CaseOutcome> outcomes_;
-  std::vector<std::size_t> file_of_case_;
-};
-
-void write(StudyFile& file, const Part& part, const std::vector<std::size_t>& numbers) {
-  std::vector<std::optional<std::int64_t>> sessions(part.sessions.size() + 1);
+/// Writes those cases of a part that it gives, with the sessions that computed them.
+void write(StudyFile& file, const StoredStudy& part, const std::vector<std::size_t>& numbers) {
+  std::vector<std::optional<std::int64_t>> sessions(part.sessions.size());
   for (const std::size_t number : numbers) {
-    const auto from = static_cast<std::size_t>(part.session_of_case[number]);
+    const std::size_t from = part.session_of_case[number];
     if (!sessions.at(from)) {
-      StoredSession session = part.sessions.at(from - 1);
+      StoredSession session = part.sessions[from];
       session.version = study_sessions::version_with(file.database(), part.versions[session.version]);
       sessions[from] = study_sessions::add(file.database(), session);
     }
-    file.rows().write(number, part.outcomes[number], *sessions[from]);
+    file.rows().write(number, part.result.outcomes()[number], *sessions[from]);
   }
 }
 
@@ -113,20 +69,21 @@ void write(StudyFile& file, const Part& part, const std::vector<std::size_t>& nu
 
 void merge_studies(const fs::path& into, const std::vector<fs::path>& parts) {
   Check{"merge", ""}.that(!parts.empty(), "there is nothing to merge.", "Give the files of the parts.");
-  Agreement agreement;
   std::error_code missing;
   const bool goes_on = fs::file_size(into, missing) > 0 && !missing;
-  if (goes_on) agreement.include(read_part(into), into);
-  for (const fs::path& part : parts) agreement.include(read_part(part), part);
-  const Part first = read_part(parts.front());
-  StudyFile file{into, first.cases, first.title};
-  file.prepare_rows();
+  std::vector<fs::path> files = parts;
+  if (goes_on) files.insert(files.begin(), into);
+  const std::vector<std::optional<std::size_t>> file_of_case = file_of_every_case(files);
+  const StoredStudy first = read_study(parts.front());
+  StudyFile file{into, first.result.cases(), first.title};
   if (file.is_new())
     study_sessions::set_current_version(file.database(),
-                                        study_sessions::version_with(file.database(), first.versions[first.version]));
-  for (std::size_t i = 0; i < parts.size(); ++i) {
-    const std::vector<std::size_t> numbers = agreement.cases_of(i + (goes_on ? 1 : 0));
-    if (!numbers.empty()) write(file, read_part(parts[i]), numbers);
+                                        study_sessions::version_with(file.database(), identity_of(first)));
+  for (std::size_t i = goes_on ? 1 : 0; i < files.size(); ++i) {
+    std::vector<std::size_t> numbers;
+    for (std::size_t number = 0; number < file_of_case.size(); ++number)
+      if (file_of_case[number] == i) numbers.push_back(number);
+    if (!numbers.empty()) write(file, read_study(files[i]), numbers);
   }
 }
 

@@ -35,7 +35,6 @@ struct StudyStore::Parts {
     case_rows::accept_files(database, changed);
     session = study_sessions::add(database, stored);
     transaction.commit();
-    file.prepare_rows();
   }
 
  private:

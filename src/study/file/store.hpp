@@ -37,7 +37,7 @@ enum class StudyChanges {
 ///     case_versions  view: number, version, session, date, moat_version, git_commit
 ///
 /// The checksum of a case is of all that its rows hold, and is compared whenever they are read: FileError names the
-/// cases that were changed or damaged. Cases of a moat that wrote none have the checksum "unverified".
+/// cases that were changed or damaged.
 class StudyStore {
  public:
   /// Creates the file, or goes on with it. Throws InputError

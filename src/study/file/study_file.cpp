@@ -51,11 +51,7 @@ StudyFile::StudyFile(const fs::path& file, StudyCases cases, const std::string& 
   axis_differences_ = differences(study_tables::cases_of(database_), cases_);
   place_ = fs::absolute(file);
   inode_ = inode_at(place_);
-}
-
-void StudyFile::prepare_rows() {
-  study_tables::add_checksums(database_);
-  rows_ = std::make_unique<CaseRows>(database_, cases_);
+  rows_.emplace(database_, cases_);
 }
 
 void StudyFile::require_in_its_place() const {
@@ -63,7 +59,7 @@ void StudyFile::require_in_its_place() const {
   fs::path kept = fs::path{place_}.replace_extension(".kept.db");
   for (int number = 2; fs::exists(fs::symlink_status(kept)); ++number)
     kept = fs::path{place_}.replace_extension(".kept_" + std::to_string(number) + ".db");
-  database_.prepare("VACUUM INTO ?").bind(1, with_folder(kept).native()).run();
+  database_.prepare("VACUUM INTO ?").run(with_folder(kept).native());
   throw FileError{"study " + database_.file().string() +
                   ": the file was removed or replaced while the study ran. All finished cases are in " + kept.string() +
                   ". Put it in the place of the former and run the same command again."};

@@ -3,7 +3,7 @@
 
 #include <cstdint>
 #include <filesystem>
-#include <memory>
+#include <optional>
 #include <string>
 
 #include "study/cases.hpp"
@@ -29,11 +29,7 @@ class StudyFile {
   [[nodiscard]] bool is_new() const { return is_new_; }
   /// Differences of the axes in the file from those of the cases; nothing may be written if there are any.
   [[nodiscard]] const std::string& axis_differences() const { return axis_differences_; }
-  /// After prepare_rows().
   CaseRows& rows() { return *rows_; }
-  /// Before cases are written, and after a change of the files that cases read. Gives a file of an older moat the
-  /// column of the checksums.
-  void prepare_rows();
   /// Throws FileError where another file or none has taken the place of this one, which has no name then: its cases are
   /// written to FILE.kept.db before.
   void require_in_its_place() const;
@@ -49,7 +45,7 @@ class StudyFile {
   std::filesystem::path place_;  // absolute
   std::uintmax_t inode_ = 0;     // of the file
   std::string axis_differences_;
-  std::unique_ptr<CaseRows> rows_;
+  std::optional<CaseRows> rows_;
 };
 
 /// Returns the name of this machine.

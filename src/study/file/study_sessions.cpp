@@ -33,8 +33,7 @@ std::size_t version_with(const Database& database, const StudyIdentity& identity
   Statement sessions = database.prepare("SELECT count(*) FROM sessions");
   sessions.step();
   const std::size_t version = sessions.integer(0) == 0 ? 0 : versions.size();
-  for (const auto& [name, value] : identity)
-    row.bind(1, static_cast<std::int64_t>(version)).bind(2, name).bind(3, value).run();
+  for (const auto& [name, value] : identity) row.run(version, name, value);
   return version;
 }
 
@@ -57,19 +56,16 @@ std::int64_t add(const Database& database, const StoredSession& session) {
   Statement row = database.prepare(
       "INSERT INTO sessions (date, command, moat_version, git_commit, engine, host, version, ending) "
       "VALUES (?, ?, ?, ?, ?, ?, ?, ?) RETURNING session");
-  row.bind(1, session.date).bind(2, session.command_line).bind(3, session.moat_version).bind(4, session.git_commit);
-  row.bind(5, session.engine).bind(6, session.host).bind(7, static_cast<std::int64_t>(session.version));
-  row.bind(8, session.ending);
+  row.bind(session.date, session.command_line, session.moat_version, session.git_commit, session.engine, session.host,
+           session.version, session.ending);
   row.step();
   const std::int64_t number = row.integer(0);
-  while (row.step()) {
-  }
+  row.step();  // to its end
   return number;
 }
 
 void set_ending(const Database& database, std::int64_t session, const std::string& ending) {
-  Statement row = database.prepare("UPDATE sessions SET ending = ? WHERE session = ?");
-  row.bind(1, ending).bind(2, session).run();
+  database.prepare("UPDATE sessions SET ending = ? WHERE session = ?").run(ending, session);
 }
 
 std::vector<StoredSession> all_of(const Database& database) {
@@ -78,7 +74,7 @@ std::vector<StoredSession> all_of(const Database& database) {
       "SELECT date, command, moat_version, git_commit, engine, host, version, ending, ifnull(cases, 0) FROM sessions "
       "LEFT JOIN (SELECT session, count(*) AS cases FROM cases GROUP BY session) USING (session) ORDER BY session");
   while (rows.step()) {
-    StoredSession session;
+    StoredSession& session = list.emplace_back();
     session.date = rows.text(0);
     session.command_line = rows.text(1);
     session.moat_version = rows.text(2);
@@ -88,7 +84,6 @@ std::vector<StoredSession> all_of(const Database& database) {
     session.version = static_cast<std::size_t>(rows.integer(6));
     session.ending = rows.text(7);
     session.cases = static_cast<std::size_t>(rows.integer(8));
-    list.push_back(std::move(session));
   }
   return list;
 }

@@ -3,6 +3,7 @@
 #include <cstdlib>
 
 #include "base/loaded_library.hpp"
+#include "study/outcome_bytes.hpp"
 
 namespace moat {
 namespace {
@@ -20,6 +21,9 @@ Ranks* load() {
                                                 "-DMOAT_MPI=ON; or start the program without mpirun."))();
 }
 
+// Rank 0 sends the number of a case as text; this word stands before the outcomes of all cases.
+const std::string end = "end";
+
 }  // namespace
 
 Ranks* ranks_of_this_job() {
@@ -28,6 +32,31 @@ Ranks* ranks_of_this_job() {
   if (!has_ranks) return nullptr;
   static Ranks* const ranks = load();
   return ranks;
+}
+
+ComputeCase computed_on(Ranks& ranks, int rank) {
+  return [&ranks, rank](const StudyCase& each) {
+    ranks.send(rank, std::to_string(each.number()));
+    std::size_t at = 0;
+    return from_bytes(ranks.receive(rank), at);
+  };
+}
+
+void end_work(Ranks& ranks, const std::vector<CaseOutcome>& outcomes) {
+  std::string message = end;
+  for (const CaseOutcome& outcome : outcomes) message += to_bytes(0, outcome);
+  for (int rank = 1; rank < ranks.count(); ++rank) ranks.send(rank, message);
+}
+
+std::vector<CaseOutcome> compute_for_first_rank(Ranks& ranks, const StudyCases& cases, const ComputeCase& compute) {
+  std::string message;
+  while (!(message = ranks.receive(0)).starts_with(end)) {
+    const std::size_t number = std::stoul(message);
+    ranks.send(0, to_bytes(number, outcome_of(StudyCase{cases, number}, compute)));
+  }
+  std::vector<CaseOutcome> outcomes;
+  for (std::size_t at = end.size(); at < message.size();) outcomes.push_back(from_bytes(message, at));
+  return outcomes;
 }
 
 }  // namespace moat

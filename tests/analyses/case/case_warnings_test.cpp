@@ -6,15 +6,8 @@
 
 #include <limits>
 
-#include "analyses/case/case_run.hpp"
 #include "analysis_testing.hpp"
-#include "elements/contact/gap.hpp"
-#include "elements/line/isolator.hpp"
-#include "elements/line/shear_spring.hpp"
-#include "materials/impact/hertz.hpp"
-#include "materials/impact/linear_elastic.hpp"
-#include "materials/isolation/kikuchi_aiken_rubber.hpp"
-#include "motions/near_fault_pulse.hpp"
+#include "moat.hpp"
 
 namespace moat {
 namespace {
@@ -138,14 +131,8 @@ TEST(EnergyWarnings, AdviceFitsTheKindOfSteps) {
 
 TEST(ContactWarnings, AdviseMoreHalvingsWhereThereAreMore) {
   for (const bool most : {false, true}) {
-    Model model;
-    const NodeId body = add(model, Node{.name = "body", .mass = 1 * kg, .initial_velocity = 1 * m / s});
-    add(model, Gap{.name = "wall",
-                   .left = body,
-                   .right = ground,
-                   .clearance = 1 * cm,
-                   .law = LinearElastic{.stiffness = (most ? 1e30 : 1e20) * N / m}});
-    const int halvings = most ? TransientOptions::most_halvings : 16;
+    Model model = testing::body_before_wall(LinearElastic{.stiffness = (most ? 1e30 : 1e20) * N / m}, 1.0, 1.0, 0.01);
+    const int halvings = most ? StepSettings::most_halvings : 16;
     const CaseResult result = run_case(model, GroundMotion{"still", 0.01, std::vector<double>(3, 0.0)},
                                        {.transient = {.max_halvings = halvings}, .error_bars = ErrorBarMode::never});
     std::string all;
@@ -168,6 +155,34 @@ TEST(SensitivityWarning, SaysWhyAndWhatToDo) {
   EXPECT_NE(pounding.find("known to their error bars only"), std::string::npos);
   bars.companion_impacts = 0;
   EXPECT_EQ(sensitivity_warning(bars, 0, fixed).find("Impacts"), std::string::npos);
+}
+
+TEST(PlanWarnings, NameBearingsOutsideAndLargeRotations) {
+  Model model;
+  const DiaphragmId slab = add(
+      model,
+      Diaphragm{.name = "slab", .mass = 800 * tonne, .outline = rectangle(20 * m, 12 * m), .initial_rotation = 0.02});
+  for (const double x : {-10.0, 10.5})
+    for (const double y : {-6.0, 6.0})
+      add(model,
+          PlanBearing<BiaxialBilinear>{
+              .name = "bearing " + std::to_string(x) + " " + std::to_string(y),
+              .under = slab,
+              .at = {x * m, y * m},
+              .law = {.yield_force = 200 * kN, .yield_displacement = 1 * cm, .post_yield_stiffness = 1.6 * MN / m}});
+  const CaseResult result = run_case(model, testing::still_ground(0.1 * s));
+  int outside = 0, rotations = 0;
+  for (const std::string& warning : result.warnings) {
+    const std::string y = outside == 0 ? "-6" : "6";
+    outside += warning == "Bearing \"bearing 10.500000 " + y + ".000000\" at (10.5, " + y +
+                              ") m is outside the outline of \"slab\". Correct its position or the outline."
+                   ? 1
+                   : 0;
+    // r theta^2/2 with r = 11.66 m.
+    rotations += warning.find("at its corners they neglect 2.33") != std::string::npos ? 1 : 0;
+  }
+  EXPECT_EQ(outside, 2);
+  EXPECT_EQ(rotations, 1);
 }
 
 }  // namespace

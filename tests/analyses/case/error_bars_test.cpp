@@ -1,22 +1,16 @@
 // Errors of peaks: closed forms lie within them, and a case that finer steps change is called sensitive.
 
-#include "analyses/case/error_bars.hpp"
+#include "moat.hpp"
+#include "peak_in.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <optional>
 
-#include "analyses/case/case_run.hpp"
 #include "analysis_testing.hpp"
-#include "elements/contact/gap.hpp"
-#include "elements/line/isolator.hpp"
-#include "elements/line/lead_rubber_bearing.hpp"
-#include "elements/line/shear_spring.hpp"
-#include "elements/line/spring.hpp"
-#include "elements/line/viscous_damper.hpp"
-#include "materials/contact/impact_laws.hpp"
 #include "unlocated_bilinear.hpp"
 
 namespace moat {
@@ -55,20 +49,18 @@ TEST(CompanionOptions, ATighterToleranceThanIsAllowedIsNotAskedFor) {
 }
 
 TEST(LongestStep, IsTheIntervalDividedByAPowerOfTwo) {
-  const auto longest = [](double largest) { return longest_step({.largest_step = largest * s}, 0.01); };
-  EXPECT_EQ(longest(0.0), 0.01);
-  EXPECT_EQ(longest(1.0), 0.01);
-  EXPECT_EQ(longest(0.01), 0.01);
-  EXPECT_EQ(longest(0.009), 0.005);
-  EXPECT_EQ(longest(0.01 / 3.0), 0.0025);
-  EXPECT_EQ(longest(1e-300), std::ldexp(0.01, -40));
+  for (const auto& [largest, longest] : {std::pair{0.0, 0.01},
+                                         {1.0, 0.01},
+                                         {0.01, 0.01},
+                                         {0.009, 0.005},
+                                         {0.01 / 3.0, 0.0025},
+                                         {1e-300, 0x1p-40 * 0.01}})
+    EXPECT_EQ(longest_step({.largest_step = largest * s}, 0.01), longest) << largest;
 }
 
 TEST(LongestStep, IsNotExceeded) {
   for (const Integrator& integrator : {Integrator{Newmark{}}, Integrator{ExactBetweenEvents{}}}) {
-    Model model;
-    add(model, Node{.name = "slow", .mass = 1 * kg});
-    add(model, ShearSpring{.name = "spring", .lower = ground, .upper = NodeId{0}, .stiffness = 1 * N / m});
+    Model model = testing::oscillator({.frequency = 1.0});
     Transient analysis{model, constant_acceleration(1.0, 1 * s), {.integrator = integrator, .largest_step = 3 * ms}};
     analysis.run();
     EXPECT_EQ(analysis.statistics().longest_step, 0.0025);
@@ -89,17 +81,7 @@ struct Oscillator {
     const double root = std::sqrt(1.0 - ratio * ratio);
     return pull / frequency * std::exp(-ratio / root * std::acos(ratio));
   }
-  static Model model() {
-    Model model;
-    const NodeId body = add(model, Node{.name = "body", .mass = mass * kg});
-    add(model,
-        ShearSpring{
-            .name = "spring", .lower = ground, .upper = body, .stiffness = mass * frequency * frequency * N / m});
-    add(model,
-        ViscousDamper{
-            .name = "damper", .lower = ground, .upper = body, .damping = 2.0 * ratio * frequency * mass * N * s / m});
-    return model;
-  }
+  static Model model() { return testing::oscillator({.mass = mass, .frequency = frequency, .damping_ratio = ratio}); }
   static CaseResult run(const TransientOptions& options) {
     Model oscillator = model();
     return run_case(oscillator, constant_acceleration(pull, 4 * s, 20 * ms),
@@ -107,14 +89,8 @@ struct Oscillator {
   }
 };
 
-const Peak& peak_of(const CaseResult& result, std::string_view quantity) {
-  for (const Peak& peak : result.peaks)
-    if (peak.quantity == quantity) return peak;
-  throw InputError{"no such peak"};
-}
-
 void expect_within_bar(const CaseResult& result, std::string_view quantity, double exact, double largest_share) {
-  const Peak& peak = peak_of(result, quantity);
+  const Peak peak = testing::peak_in(result, quantity);
   EXPECT_LE(std::abs(peak.magnitude() - exact), peak.error)
       << quantity << ": " << peak.value << " instead of " << exact;
   EXPECT_LE(peak.error, largest_share * exact) << quantity << ": a bar this wide says nothing";
@@ -150,13 +126,7 @@ TEST(ErrorBars, HoldTheForceAndIndentationOfAnElasticImpact) {
   constexpr double mass = 1000.0, stiffness = 4e7, speed = 0.5;  // the contact lasts pi sqrt(m/k) = 16 ms
   for (const int steps : {8, 32, 128}) {
     SCOPED_TRACE(steps);
-    Model model;
-    const NodeId body = add(model, Node{.name = "body", .mass = mass * kg, .initial_velocity = speed * m / s});
-    add(model, Gap<LinearElastic>{.name = "wall",
-                                  .left = body,
-                                  .right = ground,
-                                  .clearance = 1.23 * cm,
-                                  .law = {.stiffness = stiffness * N / m}});
+    Model model = testing::body_before_wall(LinearElastic{.stiffness = stiffness * N / m}, mass, speed, 0.0123);
     const CaseResult result = run_case(model, still_ground(0.1 * s),
                                        {.transient = {.steps_per_contact = steps}, .error_bars = ErrorBarMode::always});
     expect_within_bar(result, "impact_force", speed * std::sqrt(stiffness * mass), 0.1);
@@ -216,19 +186,38 @@ TEST(ErrorBars, AGrazingContactIsSensitive) {
 
 // --- The estimate alone
 
-Peak peak(std::string quantity, double value) { return {std::move(quantity), "here", value, "m", 1.0}; }
-
 // So many impacts, one a second, each with 1 m/s.
-std::vector<Touch> touches(int count) {
-  std::vector<Touch> list;
-  for (int i = 0; i < count; ++i) list.push_back({"wall", 1.0 * i, 1.0});
+std::vector<Impact> touches(int count) {
+  std::vector<Impact> list;
+  for (int i = 0; i < count; ++i) list.push_back({.where = "wall", .start = 1.0 * i, .approach_speed = 1.0});
   return list;
 }
 
+// A peak, and the same of the companion; none for a quantity that the companion lacks.
+struct Pair {
+  std::string quantity;
+  double value;
+  std::optional<double> finer;
+};
+struct Estimate {
+  ErrorBars bars;
+  std::vector<Peak> peaks;
+};
+Estimate estimate(const std::vector<Pair>& pairs, const std::vector<Impact>& impacts = {},
+                  const std::vector<Impact>& finer_impacts = {}, double least_share = 0.0) {
+  Estimate made;
+  PeaksAndImpacts companion{{}, finer_impacts, {}};
+  for (const auto& [quantity, value, finer] : pairs) {
+    made.peaks.push_back({quantity, "here", value, "m", 1.0});
+    if (finer) companion.peaks.push_back({quantity, "here", *finer, "m", 1.0});
+  }
+  made.bars = estimate_errors(made.peaks, impacts, companion, least_share);
+  return made;
+}
+
 TEST(EstimateErrors, IsAtLeastRichardsons) {
-  std::vector<Peak> peaks{peak("displacement", 100.0), peak("drift", 10.0)};
-  const ErrorBars bars =
-      estimate_errors(peaks, touches(3), {{peak("displacement", 100.03), peak("drift", 9.997)}, touches(3), {}});
+  const auto [bars, peaks] =
+      estimate({{"displacement", 100.0, 100.03}, {"drift", 10.0, 9.997}}, touches(3), touches(3));
   EXPECT_GE(peaks[0].error, 4.0 / 3.0 * 0.03);
   EXPECT_LE(peaks[0].error, 10.0 * 0.03);
   EXPECT_NEAR(peaks[1].error, 0.1 * peaks[0].error, 1e-4 * peaks[1].error);
@@ -238,15 +227,13 @@ TEST(EstimateErrors, IsAtLeastRichardsons) {
 }
 
 TEST(EstimateErrors, DoesNotTrustAgreementByAccident) {
-  std::vector<Peak> peaks{peak("a", 100.0), peak("b", 100.0), peak("c", 100.0)};
-  estimate_errors(peaks, touches(0), {{peak("a", 100.0), peak("b", 100.2), peak("c", 100.3)}, touches(0), {}});
+  const std::vector<Peak> peaks = estimate({{"a", 100.0, 100.0}, {"b", 100.0, 100.2}, {"c", 100.0, 100.3}}).peaks;
   EXPECT_GT(peaks[0].error, 0.02);
   EXPECT_LT(peaks[0].error, peaks[1].error);
 }
 
 TEST(EstimateErrors, IsAtLeastTheShareThatTheRunPromises) {
-  std::vector<Peak> peaks{peak("displacement", 100.0), peak("drift", 0.0)};
-  estimate_errors(peaks, touches(0), {{peak("displacement", 100.0), peak("drift", 0.0)}, touches(0), {}}, 1e-4);
+  const std::vector<Peak> peaks = estimate({{"displacement", 100.0, 100.0}, {"drift", 0.0, 0.0}}, {}, {}, 1e-4).peaks;
   EXPECT_NEAR(peaks[0].error, 0.01, 1e-5);
   EXPECT_EQ(peaks[1].error, 0.0);
 }
@@ -270,64 +257,49 @@ TEST(EstimateErrors, PromisesNoMoreThanTheToleranceWhereBendsAreNotLocated) {
 }
 
 TEST(EstimateErrors, LeavesNoErrorToAForceThatNeitherRunHas) {
-  std::vector<Peak> peaks{peak("displacement", 1.0), peak("indentation", 0.0)};
-  const ErrorBars bars =
-      estimate_errors(peaks, touches(0), {{peak("displacement", 1.001), peak("indentation", 0.0)}, touches(0), {}});
+  const auto [bars, peaks] = estimate({{"displacement", 1.0, 1.001}, {"indentation", 0.0, 0.0}});
   EXPECT_EQ(peaks[1].error, 0.0);
   EXPECT_FALSE(bars.sensitive);
 }
 
+// A body that does not move but for round-off, and surfaces of a pendulum that never slide. A slip of a micrometre is a
+// motion.
 TEST(EstimateErrors, DoesNotCallRoundOffSensitive) {
-  // The second does not move but for round-off, which differs altogether between the runs.
-  std::vector<Peak> peaks{peak("displacement", 1.0), peak("displacement", 3e-17)};
-  EXPECT_FALSE(
-      estimate_errors(peaks, touches(0), {{peak("displacement", 1.0001), peak("displacement", 7e-17)}, touches(0), {}})
-          .sensitive);
-}
-
-// Surfaces of a pendulum that never slide: all there is of this quantity is round-off.
-TEST(EstimateErrors, DoesNotCallAQuantityOfRoundOffAloneSensitive) {
-  std::vector<Peak> peaks{peak("displacement", 0.2), peak("third_surface_slip", 1.6e-19)};
-  EXPECT_FALSE(estimate_errors(peaks, touches(0),
-                               {{peak("displacement", 0.2001), peak("third_surface_slip", -7e-20)}, touches(0), {}})
-                   .sensitive);
-  // A slip of a micrometre is a motion.
-  peaks[1].value = 1e-6;
-  EXPECT_TRUE(estimate_errors(peaks, touches(0),
-                              {{peak("displacement", 0.2001), peak("third_surface_slip", 1.1e-6)}, touches(0), {}})
-                  .sensitive);
+  EXPECT_FALSE(estimate({{"displacement", 1.0, 1.0001}, {"displacement", 3e-17, 7e-17}}).bars.sensitive);
+  EXPECT_FALSE(estimate({{"displacement", 0.2, 0.2001}, {"third_surface_slip", 1.6e-19, -7e-20}}).bars.sensitive);
+  EXPECT_TRUE(estimate({{"displacement", 0.2, 0.2001}, {"third_surface_slip", 1e-6, 1.1e-6}}).bars.sensitive);
 }
 
 TEST(EstimateErrors, OtherImpactsAreSensitiveEvenIfThePeaksAgree) {
-  std::vector<Peak> same{peak("displacement", 1.0)}, other = same;
-  const std::vector<Peak> companion{peak("displacement", 1.0001)};
-  EXPECT_FALSE(estimate_errors(same, touches(7), {companion, touches(7), {}}).sensitive);
-  const ErrorBars bars = estimate_errors(other, touches(7), {companion, touches(8), {}});
-  EXPECT_TRUE(bars.sensitive);
-  EXPECT_EQ(bars.reason, "with finer steps it has 8 impacts instead of 7; all peaks are known to 1 % nevertheless");
-  EXPECT_GT(other[0].error, same[0].error) << "the difference of two motions is no measure of an error";
+  const Estimate same = estimate({{"displacement", 1.0, 1.0001}}, touches(7), touches(7)),
+                 other = estimate({{"displacement", 1.0, 1.0001}}, touches(7), touches(8));
+  EXPECT_FALSE(same.bars.sensitive);
+  EXPECT_TRUE(other.bars.sensitive);
+  EXPECT_EQ(other.bars.reason,
+            "with finer steps it has 8 impacts instead of 7; all peaks are known to 1 % nevertheless");
+  EXPECT_GT(other.peaks[0].error, same.peaks[0].error) << "the difference of two motions is no measure of an error";
 }
 
 // Two runs of a chaotic case have equally many impacts and, by chance, the same peaks, but their impacts part.
 TEST(EstimateErrors, ImpactsThatPartAreSensitiveEvenIfThePeaksAgree) {
-  std::vector<Peak> close{peak("displacement", 1.0)}, far = close;
-  PeaksAndImpacts companion{{peak("displacement", 1.0001)}, touches(7), {}};
-  companion.touches[5].approach_speed = 0.991;
-  EXPECT_FALSE(estimate_errors(close, touches(7), companion).sensitive);
-  companion.touches[5].approach_speed = 0.989;
-  const ErrorBars bars = estimate_errors(far, touches(7), companion);
-  EXPECT_TRUE(bars.sensitive);
-  EXPECT_EQ(bars.reason,
+  std::vector<Impact> finer = touches(7);
+  finer[5].approach_speed = 0.991;
+  const Estimate close = estimate({{"displacement", 1.0, 1.0001}}, touches(7), finer);
+  EXPECT_FALSE(close.bars.sensitive);
+  finer[5].approach_speed = 0.989;
+  const Estimate far = estimate({{"displacement", 1.0, 1.0001}}, touches(7), finer);
+  EXPECT_TRUE(far.bars.sensitive);
+  EXPECT_EQ(far.bars.reason,
             "from t = 5.00 s on, impacts with finer steps have other speeds, by more than 1 % of the fastest, so that "
             "bars of later peaks may be too small");
-  EXPECT_GT(far[0].error, close[0].error);
+  EXPECT_GT(far.peaks[0].error, close.peaks[0].error);
 }
 
+// The same impacts, but those of two gaps at one instant are listed in the other order.
 TEST(EstimateErrors, ComparesImpactsGapByGap) {
-  // The same impacts, but those of two gaps at one instant are listed in the other order.
-  const std::vector<Touch> list{{"left", 1.0, 0.5}, {"right", 1.0, 0.9}};
-  std::vector<Peak> peaks{peak("displacement", 1.0)};
-  EXPECT_FALSE(estimate_errors(peaks, list, {{peak("displacement", 1.0001)}, {list[1], list[0]}, {}}).sensitive);
+  const Impact left{.where = "left", .start = 1.0, .approach_speed = 0.5},
+      right{.where = "right", .start = 1.0, .approach_speed = 0.9};
+  EXPECT_FALSE(estimate({{"displacement", 1.0, 1.0001}}, {left, right}, {right, left}).bars.sensitive);
 }
 
 TEST(EstimateErrors, NamesTheWorstPeaksFirst) {
@@ -350,9 +322,7 @@ TEST(EstimateErrors, NamesTheWorstPeaksFirst) {
 
 TEST(EstimateErrors, DoesNotKnowTheErrorOfAPeakThatIsMissingOrNotANumber) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
-  std::vector<Peak> peaks{peak("a", 1.0), peak("b", 1.0), peak("c", nan), peak("d", 1.0)};
-  const ErrorBars bars =
-      estimate_errors(peaks, touches(0), {{peak("a", 1.0), peak("b", nan), peak("c", 1.0)}, touches(0), {}});
+  const auto [bars, peaks] = estimate({{"a", 1.0, 1.0}, {"b", 1.0, nan}, {"c", nan, 1.0}, {"d", 1.0, {}}});
   EXPECT_TRUE(std::isfinite(peaks[0].error));
   for (const std::size_t i : {1u, 2u, 3u}) EXPECT_TRUE(std::isnan(peaks[i].error)) << i;
   EXPECT_EQ(bars.unsettled.size(), 3u);

@@ -4,15 +4,10 @@
 
 #include <cmath>
 
-#include "analyses/case/case_run.hpp"
-#include "analysis_testing.hpp"
-#include "elements/contact/gap.hpp"
-#include "motions/near_fault_pulse.hpp"
-#include "motions/plan_motion.hpp"
+#include "moat.hpp"
 #include "paper_building.hpp"
-#include "report/charts/floor_spectra.hpp"
+#include "report/charts/result_charts.hpp"
 #include "small_plan_building.hpp"
-#include "structures/plan_moat.hpp"
 
 namespace moat {
 namespace {
@@ -22,13 +17,6 @@ using namespace testing;
 
 GroundMotion pulse(Time interval, Acceleration pga) {
   return near_fault_pulse({.pulse_period = 1.3 * s, .time_step = interval, .quiet_after = 6 * s}).scaled_to_pga(pga);
-}
-
-Model isolated(Length clearance) {
-  Model model;
-  const auto building = add(model, paper_building());
-  add(model, Moat{.around = building.base, .clearance = clearance, .law = paper_hertz_damp()});
-  return model;
 }
 
 // An isolated building and its neighbour on a fixed base; their second floors touch.
@@ -55,7 +43,7 @@ Model in_plan() {
   return model;
 }
 
-CaseResult run(Model model, const GroundMotion& motion, Time rows = {}) {
+CaseResult run(const Model& model, const GroundMotion& motion, Time rows = {}) {
   return run_case(model, motion, {.history_interval = rows, .error_bars = ErrorBarMode::never});
 }
 
@@ -66,8 +54,8 @@ struct Case {
 };
 
 std::vector<Case> cases() {
-  return {{"isolated", isolated(20 * cm), pulse(20 * ms, 0.5 * g)},
-          {"isolated, a close wall", isolated(5 * cm), pulse(12.7 * ms, 0.3 * g)},
+  return {{"isolated", pounding_building(20 * cm), pulse(20 * ms, 0.5 * g)},
+          {"isolated, a close wall", pounding_building(5 * cm), pulse(12.7 * ms, 0.3 * g)},
           {"neighbours", neighbours(), pulse(20 * ms, 0.4 * g)},
           {"in plan", in_plan(), PlanMotion{pulse(20 * ms, 0.4 * g), pulse(20 * ms, 0.2 * g), 20 * deg}}};
 }
@@ -117,7 +105,7 @@ TEST(FloorAccelerations, AreLeftOutWithoutImpacts) {
   const GroundMotion motion = pulse(20 * ms, 0.3 * g);
   Model without_gaps;
   add(without_gaps, paper_building());
-  for (const Model& model : {isolated(2 * m), without_gaps}) {
+  for (const Model& model : {pounding_building(2 * m), without_gaps}) {
     CaseResult result = run(model, motion);
     EXPECT_TRUE(result.floor_accelerations.columns.empty());
     EXPECT_EQ(floor_spectra(result).size(), 1u);

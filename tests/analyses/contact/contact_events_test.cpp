@@ -7,29 +7,15 @@
 #include <string>
 #include <vector>
 
-#include "analyses/case/case_run.hpp"
 #include "analysis_testing.hpp"
-#include "elements/contact/gap.hpp"
-#include "elements/line/link_block.hpp"
-#include "elements/line/spring.hpp"
-#include "elements/line/viscous_damper.hpp"
-#include "materials/contact/contact_state.hpp"
-#include "materials/contact/restitution_formulas.hpp"
-#include "materials/impact/exact_hertz_damp.hpp"
-#include "materials/impact/hertz_damp.hpp"
-#include "materials/linear.hpp"
-#include "message_of.hpp"
-#include "motions/near_fault_pulse.hpp"
+#include "moat.hpp"
 #include "paper_building.hpp"
 
 namespace moat {
 namespace {
 
 using namespace units;
-using testing::constant_acceleration;
-using testing::message_of;
-using testing::still_ground;
-using testing::Watch;
+using namespace testing;
 
 constexpr HertzStiffness concrete = 2.95e9 * N / m_3_2;
 
@@ -40,6 +26,11 @@ void add_wall(Model& model, const std::string& name, NodeId body, Length clearan
                             .right = ground,
                             .clearance = clearance,
                             .law = {.stiffness = stiffness, .restitution = restitution}});
+}
+
+// A free body of 550 t that moves with a speed, m/s, to a wall a clearance of so many m away.
+Model body_before(double speed, double clearance, double restitution = 1.0) {
+  return body_before_wall(HertzDamp{.stiffness = concrete, .restitution = restitution}, 550e3, speed, clearance);
 }
 
 // Keeps the opening of every gap and the time at the instants just before an event.
@@ -56,10 +47,9 @@ struct EventLog final : StepObserver {
   void step(const StepView&) override {}
   void event(const StepView& view, std::span<const RegimeChange> changes) override {
     for (const RegimeChange& change : changes) {
-      const ElementBlock& block = *view.model.blocks()[change.block];
-      entries.push_back({view.model.state().time, block.info(change.element).name,
-                         -block.results().deformations[change.element],
-                         block.contacts()->contact(change.element).touching});
+      const ElementStates& gaps = view.state.elements(change.block);
+      entries.push_back({view.state.time(), view.model.blocks()[change.block]->info(change.element).name,
+                         -gaps.results()[change.element].deformation, gaps.contact(change.element).touching});
     }
   }
   void finish(const StepView&) override {}
@@ -67,9 +57,7 @@ struct EventLog final : StepObserver {
 
 TEST(ContactEvents, TouchAndSeparationAreLocatedToTheTolerance) {
   for (const double tolerance : {1e-12, 1e-9, 1e-6}) {
-    Model model;
-    const NodeId body = add(model, Node{.name = "body", .mass = 550 * tonne, .initial_velocity = 0.4 * m / s});
-    add_wall(model, "wall", body, 1.234 * cm, 0.65);
+    Model model = body_before(0.4, 0.01234, 0.65);
     EventLog log;
     Transient analysis{model, still_ground(0.4 * s), {.step = 5 * ms, .location_tolerance = tolerance * m}};
     analysis.attach(log);
@@ -132,27 +120,11 @@ Model body_before_dashpot() {
 TEST(ContactEvents, AreLocatedInFewSolvesInLongSteps) {
   for (const double length : {2.5e-3, 5e-3}) {
     SCOPED_TRACE(length);
-    Model model;
-    const Building building = add(model, testing::paper_building());
-    add(model, Moat{.around = building.base, .clearance = 10 * cm, .law = testing::paper_hertz_damp()});
+    Model model = pounding_building();
     const PeaksAndImpacts run = compute_peaks(model, near_fault_pulse().scaled_to_pga(0.4 * g), {.step = length * s});
     ASSERT_GT(run.touches.size(), 5u);
     EXPECT_LT(run.solver.event_solves, 4 * run.solver.events);
   }
-}
-
-TEST(ContactEvents, AccelerationIsRecomputedWhereTheForceJumps) {
-  Model model = body_before_dashpot();
-  std::vector<double> at_touch;  // just before the touch and just after it
-  Watch watch{[&](const StepView& view) {
-    if (!view.on_grid) at_touch.push_back(view.model.state().acceleration[0]);
-  }};
-  Transient analysis{model, still_ground(0.1 * s), {.step = 1 * ms}};
-  analysis.attach(watch);
-  analysis.run();
-  ASSERT_EQ(at_touch.size(), 2u);
-  EXPECT_NEAR(at_touch[0], 0.0, 1e-9);
-  EXPECT_NEAR(at_touch[1], -dashpot_damping * dashpot_speed / dashpot_mass, 1e-6);
 }
 
 TEST(ContactEvents, AForceThatJumpsKeepsSecondOrder) {
@@ -161,19 +133,17 @@ TEST(ContactEvents, AForceThatJumpsKeepsSecondOrder) {
     Transient analysis{model, still_ground(0.4 * s), {.step = step * s}};
     analysis.run();
     const double since_touch = 0.4 - 0.0103 / dashpot_speed;
-    return std::abs(model.state().velocity[0] -
+    return std::abs(analysis.state().velocity(NodeId{0}) -
                     dashpot_speed * std::exp(-dashpot_damping / dashpot_mass * since_touch));
   };
-  EXPECT_NEAR(testing::order(error(0.004), error(0.002)), 2.0, 0.1);
+  EXPECT_NEAR(order(error(0.004), error(0.002)), 2.0, 0.1);
 }
 
 TEST(ContactEvents, GridTimesAreKeptAfterAnEvent) {
-  Model model;
-  const NodeId body = add(model, Node{.name = "body", .mass = 550 * tonne, .initial_velocity = 0.4 * m / s});
-  add_wall(model, "wall", body, 1.234 * cm);
+  Model model = body_before(0.4, 0.01234);
   std::vector<double> grid;
   Watch watch{[&](const StepView& view) {
-    if (view.on_grid) grid.push_back(view.model.state().time);
+    if (view.on_grid) grid.push_back(view.state.time());
   }};
   Transient analysis{model, still_ground(0.4 * s), {.step = 5 * ms}};
   analysis.attach(watch);
@@ -201,26 +171,11 @@ TEST(ContactEvents, TwoGapsThatCloseInOneStepDoSoInOrder) {
   EXPECT_TRUE(log.entries[0].touching && log.entries[1].touching);
 }
 
-TEST(ContactEvents, GapsThatCloseAtTheSameInstantBothCount) {
-  Model model;
-  for (const char* name : {"a", "b"}) {
-    const NodeId body = add(model, Node{.name = name, .mass = 550 * tonne, .initial_velocity = 0.4 * m / s});
-    add_wall(model, std::string{"wall of "} + name, body, 1.2 * cm);
-  }
-  const CaseResult result = run_case(model, still_ground(0.4 * s), {.transient = {.step = 1 * ms}});
-  ASSERT_EQ(result.impacts.size(), 2u);
-  EXPECT_NEAR(result.impacts[0].start, result.impacts[1].start, 1e-11);
-  EXPECT_NEAR(model.state().velocity[0], -0.4, 1e-3);
-  EXPECT_NEAR(model.state().velocity[1], -0.4, 1e-3);
-}
-
 TEST(ContactEvents, ACrossingThatReversesWithinOneStepIsFound) {
   // A ball thrown against a constant acceleration turns 2 mm behind where the wall stands, all within a step of
   // 0.2 s: free flight u = v t - g t^2 / 2 has its top v^2 / (2 g) at t = v / g.
   const double speed = 0.5, pull = 5.0, top = speed * speed / (2.0 * pull);
-  Model model;
-  const NodeId body = add(model, Node{.name = "body", .mass = 550 * tonne, .initial_velocity = speed * m / s});
-  add_wall(model, "wall", body, (top - 0.002) * m);
+  Model model = body_before(speed, top - 0.002);
   EventLog log;
   Transient analysis{model, constant_acceleration(pull, 0.2 * s, 0.2 * s), {.step = 200 * ms}};
   analysis.attach(log);
@@ -229,7 +184,7 @@ TEST(ContactEvents, ACrossingThatReversesWithinOneStepIsFound) {
   EXPECT_TRUE(log.entries[0].touching);
   const double touch = (speed - std::sqrt(2.0 * pull * 0.002)) / pull;
   EXPECT_NEAR(log.entries[0].time, touch, 1e-10);
-  EXPECT_NEAR(model.state().velocity[0], speed - pull * touch, 1e-9);
+  EXPECT_NEAR(analysis.state().velocity(NodeId{0}), speed - pull * touch, 1e-9);
 }
 
 TEST(ContactEvents, ACrossingThatReversesIsFoundBesideOneThatEndsInTheBand) {
@@ -255,9 +210,7 @@ TEST(ContactEvents, ACrossingThatReversesIsFoundBesideOneThatEndsInTheBand) {
 
 TEST(ContactEvents, AnAlmostCrossingWithinOneStepIsNone) {
   const double speed = 0.5, pull = 5.0, top = speed * speed / (2.0 * pull);
-  Model model;
-  const NodeId body = add(model, Node{.name = "body", .mass = 550 * tonne, .initial_velocity = speed * m / s});
-  add_wall(model, "wall", body, (top + 1e-6) * m);
+  Model model = body_before(speed, top + 1e-6);
   const CaseResult result =
       run_case(model, constant_acceleration(pull, 0.2 * s, 0.2 * s), {.transient = {.step = 200 * ms}});
   EXPECT_TRUE(result.impacts.empty());
@@ -269,48 +222,27 @@ TEST(ContactEvents, AGrazingTouchDoesNotStall) {
   const double speed = 0.5, pull = 5.0, top = speed * speed / (2.0 * pull);
   for (const double beyond : {-1e-9, -1e-12, 0.0, 1e-15, 1e-13, 1e-12, 1e-11, 1e-9, 1e-7})
     for (const double step : {0.001, 0.0073, 0.1, 0.2}) {
-      Model model;
-      const NodeId body = add(model, Node{.name = "body", .mass = 550 * tonne, .initial_velocity = speed * m / s});
-      add_wall(model, "wall", body, (top - beyond) * m, 0.65);
-      CaseResult result;
-      ASSERT_NO_THROW(
-          result = run_case(model, constant_acceleration(pull, 0.2 * s, 0.2 * s), {.transient = {.step = step * s}}))
-          << beyond << " m beyond, step " << step << " s";
-      EXPECT_LE(result.impacts.size(), 1u) << beyond << " m beyond, step " << step << " s";
-      EXPECT_LT(result.solver.accepted_steps, 0.2 / step + 20.0) << beyond << " m beyond, step " << step << " s";
+      Model model = body_before(speed, top - beyond, 0.65);
+      SCOPED_TRACE(::testing::Message() << beyond << " m beyond, step " << step << " s");
+      const auto [result, state] =
+          run_to_end(model, constant_acceleration(pull, 0.2 * s, 0.2 * s), {.transient = {.step = step * s}});
+      EXPECT_LE(result.impacts.size(), 1u);
+      EXPECT_LT(result.solver.accepted_steps, 0.2 / step + 20.0);
       // Whether it counts as a touch or not, the body flies back as it came.
-      EXPECT_NEAR(model.state().velocity[0], speed - pull * 0.2, 2e-3) << beyond << " m beyond, step " << step << " s";
-      EXPECT_TRUE(model.state().displacement.allFinite());
+      EXPECT_NEAR(state.velocity(NodeId{0}), speed - pull * 0.2, 2e-3);
+      EXPECT_TRUE(state.motion().displacement.allFinite());
     }
-}
-
-TEST(ContactEvents, ABodyPressedAgainstItsWallComesToRestThere) {
-  // Dashpot and damped contact dissipate its energy; the equilibrium is k d^1.5 = m a.
-  const double pull = -3.0, mass = 550e3;
-  Model model;
-  const NodeId body = add(model, Node{.name = "body", .mass = mass * kg});
-  add(model, ViscousDamper{.name = "dashpot", .lower = ground, .upper = body, .damping = 20e6 * N * s / m});
-  add_wall(model, "wall", body, 1 * cm, 0.3);
-  const CaseResult result = run_case(model, constant_acceleration(pull, 20 * s), {.transient = {.step = 2.5 * ms}});
-  const double expected = std::pow(mass * 3.0 / concrete.si(), 2.0 / 3.0);
-  EXPECT_NEAR(model.state().displacement[0] - 0.01, expected, 1e-9);
-  EXPECT_NEAR(model.state().velocity[0], 0.0, 1e-9);
-  EXPECT_LT(result.impacts.size(), 20u);
-  EXPECT_LT(result.solver.accepted_steps, 8200);
 }
 
 TEST(ContactEvents, ABodyThatBouncesOnItsWallDoesNotChatter) {
   // No dashpot: every bounce returns a part of the speed until the contact is not left any more.
   for (const double restitution : {0.9, 0.65, 0.3, 0.05}) {
-    Model model;
-    const NodeId body = add(model, Node{.name = "body", .mass = 550 * tonne, .free = true});
-    add_wall(model, "wall", body, 1 * cm, restitution);
-    CaseResult result;
-    ASSERT_NO_THROW(result = run_case(model, constant_acceleration(-3.0, 10 * s), {.transient = {.step = 2.5 * ms}}))
-        << restitution;
-    EXPECT_TRUE(model.state().displacement.allFinite());
-    EXPECT_GT(model.state().displacement[0], -1.0) << restitution;
-    EXPECT_LT(model.state().displacement[0], 0.03) << restitution;
+    Model model = body_before(0.0, 0.01, restitution);
+    const auto [result, state] =
+        run_to_end(model, constant_acceleration(-3.0, 10 * s), {.transient = {.step = 2.5 * ms}});
+    EXPECT_TRUE(state.motion().displacement.allFinite());
+    EXPECT_GT(state.displacement(NodeId{0}), -1.0) << restitution;
+    EXPECT_LT(state.displacement(NodeId{0}), 0.03) << restitution;
     // Bounces lose energy: no later one is faster than the first.
     for (const Impact& impact : result.impacts)
       EXPECT_LT(impact.approach_speed, 1.001 * result.impacts.front().approach_speed);
@@ -320,32 +252,16 @@ TEST(ContactEvents, ABodyThatBouncesOnItsWallDoesNotChatter) {
 TEST(ContactEvents, ATouchWithoutSpeedDoesNotDivideByZero) {
   // At rest a hair from the wall, then pressed: approach speed is (almost) nothing.
   for (const double clearance : {1e-15, 1e-9, 1e-6}) {
-    Model model;
-    const NodeId body = add(model, Node{.name = "body", .mass = 550 * tonne, .free = true});
-    add_wall(model, "wall", body, clearance * m, 0.65);
-    CaseResult result;
-    ASSERT_NO_THROW(result = run_case(model, constant_acceleration(-0.1, 1 * s), {.transient = {.step = 1 * ms}}))
-        << clearance;
+    Model model = body_before(0.0, clearance, 0.65);
+    const auto [result, state] = run_to_end(model, constant_acceleration(-0.1, 1 * s), {.transient = {.step = 1 * ms}});
     ASSERT_GE(result.impacts.size(), 1u) << clearance;
     // The touch is located within a picometre beyond the face.
     EXPECT_GE(result.impacts.front().approach_speed, 0.999 * std::sqrt(2.0 * 0.1 * clearance));
     EXPECT_LE(result.impacts.front().approach_speed, 1.001 * std::sqrt(2.0 * 0.1 * (clearance + 1e-12)));
-    EXPECT_TRUE(model.state().displacement.allFinite());
-    EXPECT_TRUE(model.state().velocity.allFinite());
-    EXPECT_LT(model.state().displacement[0], 0.01);
+    EXPECT_TRUE(state.motion().displacement.allFinite());
+    EXPECT_TRUE(state.motion().velocity.allFinite());
+    EXPECT_LT(state.displacement(NodeId{0}), 0.01);
   }
-}
-
-TEST(ContactEvents, ABodyThatStartsBeyondItsWallTouchesAtOnce) {
-  Model model;
-  const NodeId body =
-      add(model, Node{.name = "body", .mass = 550 * tonne, .initial_displacement = 2 * cm, .free = true});
-  add_wall(model, "wall", body, 1 * cm, 1.0);
-  const CaseResult result = run_case(model, still_ground(1 * s), {.transient = {.step = 0.5 * ms}});
-  ASSERT_EQ(result.impacts.size(), 1u);
-  EXPECT_EQ(result.impacts.front().start, 0.0);
-  // Elastic energy 2/5 k d^2.5 becomes speed.
-  EXPECT_NEAR(model.state().velocity[0], -std::sqrt(0.8 * concrete.si() * std::pow(0.01, 2.5) / 550e3), 1e-3);
 }
 
 TEST(ContactEvents, ADampedContactThatStartsClosedAtRestIsTheWayBackOfAnImpact) {
@@ -372,8 +288,8 @@ TEST(ContactEvents, ADampedContactThatStartsClosedAtRestIsTheWayBackOfAnImpact) 
                                      .right = ground,
                                      .clearance = 1 * cm,
                                      .law = {.stiffness = stiffness * N / m_3_2, .restitution = restitution}});
-      const CaseResult result = run_case(model, still_ground(0.5 * s));
-      EXPECT_NEAR(-model.state().velocity[0], speed, 1e-3 * speed);  // default steps in contact
+      const auto [result, state] = run_to_end(model, still_ground(0.5 * s));
+      EXPECT_NEAR(-state.velocity(NodeId{0}), speed, 1e-3 * speed);  // default steps in contact
       EXPECT_NEAR(result.energy.impact, stored - 0.5 * mass * speed * speed, 2e-3 * stored);
       EXPECT_TRUE(result.warnings.empty()) << result.warnings.front();
       ASSERT_EQ(result.impacts.size(), 1u);
@@ -381,33 +297,12 @@ TEST(ContactEvents, ADampedContactThatStartsClosedAtRestIsTheWayBackOfAnImpact) 
     }
 }
 
-TEST(ContactEvents, StopsWhereAContactChatters) {
-  Model model;
-  const NodeId body = add(model, Node{.name = "body", .mass = 550 * tonne, .initial_velocity = 1 * m / s});
-  add_wall(model, "right wall", body, 1 * mm);
-  add(model, Gap<HertzDamp>{.name = "left wall",
-                            .left = ground,
-                            .right = body,
-                            .clearance = 1 * mm,
-                            .law = {.stiffness = 1e5 * concrete, .restitution = 1.0}});
-  Transient analysis{model, still_ground(2 * s), {.step = 1 * ms, .max_events_per_second = 5}};
-  const std::string message = message_of<Error>([&] { analysis.run(); });
-  EXPECT_TRUE(message.starts_with("\"left wall\" changed more than 5 times within one second before t = ") ||
-              message.starts_with("\"right wall\" changed more than 5 times within one second before t = "))
-      << message;
-  EXPECT_TRUE(
-      message.ends_with(" s: it chatters. Check its stiffness and damping, or raise "
-                        "TransientOptions::max_events_per_second."))
-      << message;
-}
-
 // The interpolant of a step may see a touch and return where the shorter solved step sees none.
 TEST(ContactEvents, AWallAtThePeakOfAVibrationNeverStopsTheAnalysis) {
   for (const double closeness : {1e-4, 1e-6, 1e-8}) {
     for (int i = -20; i <= 20; ++i) {
       Model model;
-      const NodeId body = add(model, Node{.name = "body", .mass = 1000 * kg, .initial_velocity = 1 * m / s});
-      add(model, Spring<Linear>{.name = "spring", .lower = ground, .upper = body, .law = {.stiffness = 1e5 * N / m}});
+      const NodeId body = add(model, Oscillator{.mass = 1000.0, .frequency = 10.0, .velocity = 1.0});
       add(model, Gap<HertzDamp>{.name = "gap",
                                 .left = body,
                                 .right = ground,

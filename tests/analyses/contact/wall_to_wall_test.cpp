@@ -6,22 +6,10 @@
 #include <numbers>
 #include <string>
 
-#include "analyses/case/case_run.hpp"
 #include "analysis_testing.hpp"
-#include "elements/contact/gap.hpp"
-#include "elements/line/shear_spring.hpp"
-#include "elements/plan/plan_spring.hpp"
-#include "materials/impact/exact_hertz_damp.hpp"
-#include "materials/impact/linear_elastic.hpp"
-#include "materials/linear.hpp"
-#include "moat_model.hpp"
-#include "motions/near_fault_pulse.hpp"
+#include "moat.hpp"
 #include "peak_in.hpp"
 #include "reference_history.hpp"
-#include "small_plan_building.hpp"
-#include "structures/moat.hpp"
-#include "structures/plan_moat.hpp"
-#include "structures/shear_building.hpp"
 
 namespace moat {
 namespace {
@@ -32,10 +20,8 @@ using namespace testing;
 constexpr double mass = 500e3, spring = 20e6, contact = 1e9;  // kg, N/m, N/m
 const LinearElastic elastic{.stiffness = contact * N / m};
 
-NodeId add_body(Model& model, const std::string& name, double its_mass, double stiffness, Speed speed = {}) {
-  const NodeId node = add(model, Node{.name = name, .mass = its_mass * kg, .initial_velocity = speed});
-  add(model, ShearSpring{.name = name + " spring", .lower = ground, .upper = node, .stiffness = stiffness * N / m});
-  return node;
+NodeId add_body(Model& model, const std::string& name, double its_mass, double stiffness, double speed = 0.0) {
+  return add(model, Oscillator{name, its_mass, std::sqrt(stiffness / its_mass), 0.0, 0.0, speed});
 }
 
 // Two oscillators under a pulse, and the same of the independent program with a clearance of 1e-12 m.
@@ -71,7 +57,7 @@ TEST(WallToWall, IsTheLimitOfSmallClearances) {
 TEST(WallToWall, BothWallsMakeOneOscillator) {
   const double w = std::sqrt((spring + contact) / mass), v = 0.3;
   Model model;
-  const NodeId body = add_body(model, "body", mass, spring, v * m / s);
+  const NodeId body = add_body(model, "body", mass, spring, v);
   add(model, Moat{.around = body, .clearance = 0 * m, .law = elastic});
   const CaseResult result = run_case(model, still_ground(4.5 * std::numbers::pi / w * s, 1 * ms));
   ASSERT_EQ(result.impacts.size(), 5U);
@@ -163,17 +149,6 @@ TEST(WallToWall, InPlanBothWallsMakeOneOscillator) {
     EXPECT_NEAR(peak(result, "impact_force", "moat"), contact * v / w, 1e-3 * contact * v / w);
     EXPECT_NEAR(peak(result, "displacement_y", "slab"), 0.0, 1e-12);
   }
-}
-
-// Equal slabs: their distance is an oscillator.
-TEST(WallToWall, InPlanNeighboursPushEachOther) {
-  const double w = std::sqrt((spring + 4.0 * contact) / mass), v = 0.3;
-  Model model;
-  const DiaphragmId a = add_slab(model, "a", {0 * m, 0 * m}, v * m / s), b = add_slab(model, "b", {20 * m, 0 * m}, {});
-  add(model, PlanNeighbours{.first = a, .second = b, .law = elastic});
-  const CaseResult result = run_case(model, still_ground(1.2 * std::numbers::pi / w * s, 0.2 * ms));
-  EXPECT_EQ(result.impacts.size(), 2U);
-  EXPECT_NEAR(peak(result, "impact_force", "neighbours"), contact * v / w, 1e-3 * contact * v / w);
 }
 
 }  // namespace

@@ -21,22 +21,22 @@ class AccelerationCurvatureTest : public ::testing::Test {
   AccelerationCurvatureTest() {
     const NodeId node = add(model, Node{.name = "mass", .mass = 1 * tonne});
     add(model, Spring<Linear>{.name = "spring", .lower = ground, .upper = node, .law = {.stiffness = 1 * kN / m}});
-    model.prepare();
+    state.emplace(model);
   }
 
   // The committed state becomes that of time t.
   void commit(double t) {
-    MotionState& trial = model.trial();
-    trial = model.state();
+    MotionState& trial = state->trial();
+    trial = state->motion();
     trial.time = t;
     trial.acceleration[0] = acceleration(t) - of_ground(t);
     trial.jerk[0] = jerk(t);
-    model.evaluate();
-    model.commit();
+    state->evaluate();
+    state->commit();
   }
   // The addition to the guess of a step from the committed state; `end` need not be reached.
   double added(AccelerationCurvature& curvature, double end) {
-    const double start = model.state().time;
+    const double start = state->time();
     Vector guess = Vector::Zero(1);
     curvature.add_to(guess, {.length = end - start,
                              .end_time = end,
@@ -47,15 +47,16 @@ class AccelerationCurvatureTest : public ::testing::Test {
   }
   // The cubic above its tangent at the committed state.
   [[nodiscard]] double above_tangent(double end) const {
-    const double start = model.state().time;
+    const double start = state->time();
     return acceleration(end) - acceleration(start) - (end - start) * jerk(start);
   }
 
   Model model;
+  std::optional<AnalysisState> state;
 };
 
 TEST_F(AccelerationCurvatureTest, ContinuesTheCubicThroughTwoSteps) {
-  AccelerationCurvature curvature{model};
+  AccelerationCurvature curvature{*state};
   commit(0.1);
   EXPECT_EQ(added(curvature, 0.4), 0.0);
   commit(0.4);
@@ -66,7 +67,7 @@ TEST_F(AccelerationCurvatureTest, ContinuesTheCubicThroughTwoSteps) {
 }
 
 TEST_F(AccelerationCurvatureTest, AddsNothingFarBeyondTheStepBefore) {
-  AccelerationCurvature curvature{model};
+  AccelerationCurvature curvature{*state};
   commit(0.1);
   added(curvature, 0.4);
   commit(0.4);
@@ -75,7 +76,7 @@ TEST_F(AccelerationCurvatureTest, AddsNothingFarBeyondTheStepBefore) {
 }
 
 TEST_F(AccelerationCurvatureTest, AddsNothingWithoutAStepBefore) {
-  AccelerationCurvature curvature{model};
+  AccelerationCurvature curvature{*state};
   commit(0.1);
   added(curvature, 0.4);
   // The step to 0.3 s was not given.

@@ -6,12 +6,9 @@
 #include <array>
 #include <cmath>
 #include <complex>
-#include <numbers>
 
-#include "analyses/time_history/transient.hpp"
 #include "analysis_testing.hpp"
-#include "elements/line/shear_spring.hpp"
-#include "elements/line/viscous_damper.hpp"
+#include "moat.hpp"
 
 namespace moat {
 namespace {
@@ -72,9 +69,7 @@ std::array<Motion, 2> exact(double t) {
 }
 
 GroundMotion ramped(double duration, double interval) {
-  std::vector<double> samples(static_cast<std::size_t>(std::lround(duration / interval)) + 1);
-  for (std::size_t i = 0; i < samples.size(); ++i) samples[i] = ramp * interval * static_cast<double>(i);
-  return {"ramp", interval, samples};
+  return sampled("ramp", duration * s, interval * s, [](double t) { return ramp * t; });
 }
 
 // Largest errors over all steps, and the lengths of the steps.
@@ -89,7 +84,7 @@ Errors errors(double interval, const TransientOptions& options) {
   Errors largest;
   double before = 0.0;
   Watch watch{[&](const StepView& view) {
-    const MotionState& state = view.model.state();
+    const MotionState& state = view.state.motion();
     const std::array<Motion, 2> right = exact(state.time);
     for (int i = 0; i < 2; ++i) {
       const Motion& each = right[static_cast<std::size_t>(i)];
@@ -144,13 +139,11 @@ TEST(FourthOrder, AdaptedStepsKeepIt) {
 // Largest displacement over so many steps of an undamped vibration, at this h w, in amplitudes.
 double largest_displacement(double phase, int steps) {
   constexpr double amplitude = 1e-3;  // m
-  Model model;
-  const double step = 0.01, frequency = phase / step;
-  const NodeId body = add(model, Node{.name = "body", .mass = 1e3 * kg, .initial_displacement = amplitude * m});
-  add(model,
-      ShearSpring{.name = "spring", .lower = ground, .upper = body, .stiffness = 1e3 * frequency * frequency * N / m});
+  constexpr double step = 0.01;
+  Model model = oscillator({.frequency = phase / step, .displacement = amplitude});
   double largest = 0.0;
-  Watch watch{[&](const StepView& view) { largest = std::max(largest, std::abs(view.model.state().displacement[0])); }};
+  Watch watch{
+      [&](const StepView& view) { largest = std::max(largest, std::abs(view.state.motion().displacement[0])); }};
   Transient analysis{
       model, still_ground(steps * step * s, step * s), {.integrator = Newmark::fourth_order(), .step = step * s}};
   analysis.attach(watch);

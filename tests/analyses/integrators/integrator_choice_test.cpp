@@ -4,13 +4,8 @@
 
 #include <string>
 
-#include "analyses/case/case_run.hpp"
-#include "elements/line/isolator.hpp"
-#include "materials/dampers/nonlinear_viscous.hpp"
-#include "motions/near_fault_pulse.hpp"
+#include "moat.hpp"
 #include "paper_building.hpp"
-#include "structures/moat.hpp"
-#include "structures/shear_building.hpp"
 
 namespace moat {
 namespace {
@@ -21,14 +16,10 @@ using namespace testing;
 Model tower(int storeys) {
   ShearBuilding building = paper_building();
   building.storeys = storeys;
-  building.isolation = paper_bearings();
-  Model model;
-  const NodeId base = add(model, building).base;
-  add(model, Moat{.around = base, .clearance = 10 * cm, .law = paper_hertz_damp()});
-  return model;
+  return pounding_building(10 * cm, building);
 }
 
-CaseResult run(Model model, const TransientOptions& options) {
+CaseResult run(const Model& model, const TransientOptions& options) {
   return run_case(model, near_fault_pulse().scaled_to_pga(0.4 * g),
                   {.transient = options, .error_bars = ErrorBarMode::never});
 }

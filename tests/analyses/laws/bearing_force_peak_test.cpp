@@ -5,13 +5,9 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <string>
-#include <vector>
 
-#include "analyses/case/case_run.hpp"
-#include "elements/line/isolator.hpp"
-#include "elements/line/lead_rubber_bearing.hpp"
-#include "materials/bilinear.hpp"
+#include "analysis_testing.hpp"
+#include "moat.hpp"
 #include "peak_in.hpp"
 #include "unlocated_bilinear.hpp"
 
@@ -44,10 +40,7 @@ CaseResult run(const Bearing& bearing, double period, const TransientOptions& op
   else
     add(model, Isolator<testing::UnlocatedBilinear>{
                    .upper = body, .law = {yield_force, yield_displacement, bearing.post_yield_stiffness}});
-  std::vector<double> samples(801);
-  for (std::size_t i = 0; i < samples.size(); ++i)
-    samples[i] = 5.0 * std::sin(2.0 * std::numbers::pi / period * 0.01 * static_cast<double>(i));
-  return run_case(model, GroundMotion{"sine", 0.01, samples},
+  return run_case(model, testing::sine_motion(5.0, 2.0 * std::numbers::pi / period, 8 * s),
                   {.transient = options, .error_bars = ErrorBarMode::never});
 }
 

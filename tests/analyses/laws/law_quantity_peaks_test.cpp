@@ -2,20 +2,10 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cmath>
 #include <string>
 
-#include "analyses/case/case_run.hpp"
-#include "analyses/integrators/exact_between_events.hpp"
-#include "elements/line/spring.hpp"
-#include "elements/line/storey.hpp"
-#include "materials/friction/friction_models.hpp"
-#include "materials/isolation/friction_pendulum.hpp"
-#include "materials/isolation/kikuchi_aiken_rubber.hpp"
-#include "materials/storeys/baber_noori.hpp"
-#include "materials/storeys/imk_bilinear.hpp"
-#include "materials/storeys/yielding_storey.hpp"
+#include "moat.hpp"
 #include "moat_model.hpp"
 #include "peak_in.hpp"
 #include "random_draws.hpp"

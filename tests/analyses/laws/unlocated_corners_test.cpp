@@ -8,12 +8,7 @@
 #include <random>
 #include <vector>
 
-#include "analyses/case/case_run.hpp"
-#include "elements/line/isolator.hpp"
-#include "elements/line/lead_rubber_bearing.hpp"
-#include "elements/plan/planar_spring.hpp"
-#include "materials/plan/biaxial_bilinear.hpp"
-#include "motions/plan_motion.hpp"
+#include "moat.hpp"
 #include "peak_in.hpp"
 #include "unlocated_bilinear.hpp"
 

@@ -1,14 +1,10 @@
 // Modes in plan.
-#include "analyses/modes/plan_modes.hpp"
+#include "moat.hpp"
 
 #include <gtest/gtest.h>
 
-#include <cmath>
 #include <string>
 
-#include "base/units.hpp"
-#include "elements/plan/plan_spring.hpp"
-#include "materials/linear.hpp"
 #include "message_of.hpp"
 
 namespace moat {

@@ -1,15 +1,11 @@
 // Torsion of isolated buildings, beside the formula of the code.
-#include "analyses/modes/torsion.hpp"
+#include "moat.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <string>
 
-#include "analyses/case/case_run.hpp"
 #include "message_of.hpp"
-#include "motions/near_fault_pulse.hpp"
-#include "motions/plan_motion.hpp"
 #include "small_plan_building.hpp"
 
 namespace moat {

@@ -1,15 +1,10 @@
 // Fragilities of studies.
 
-#include "analyses/questions/fragility.hpp"
+#include "moat.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <random>
-
-#include "analyses/questions/study.hpp"
-#include "base/error.hpp"
-#include "message_of.hpp"
 
 namespace moat {
 namespace {
@@ -98,41 +93,6 @@ TEST(Fragility, ApproachesThatOfTheCapacitiesAsLevelsGetCloser) {
   const LognormalFit limit{exact}, fit = fit_fragility(study_of(linearly_spaced(0.3, 0.8, 501)), "Sa", collapse);
   EXPECT_NEAR(fit.median(), limit.median(), 1e-3);
   EXPECT_NEAR(fit.dispersion(), limit.dispersion(), 1e-3);
-}
-
-TEST(Fragility, OfAnEventThatShrinksIsThatOfItsEnd) {
-  const StudyEvent pounding = [](const CaseOutcome& outcome) {
-    return value_of(outcome.results, "drift", "storey 1") < 1;
-  };
-  const StudyResult study = study_of({0.3, 0.4, 0.5, 0.6, 0.7});
-  const LognormalFit shrinks = fit_fragility(study, "Sa", pounding, Trend::shrinks);
-  const LognormalFit grows = fit_fragility(study, "Sa", collapse);
-  EXPECT_NEAR(shrinks.median(), grows.median(), 1e-9);
-}
-
-// The lines of the issue, through studies: a population with a known median and dispersion.
-TEST(Fragility, BoundsHoldTheTruthOfAPopulation) {
-  std::mt19937_64 random{2026};
-  std::normal_distribution<double> normal;
-  int median = 0, dispersion = 0;
-  for (int repetition = 0; repetition < 100; ++repetition) {
-    std::vector<double> population;
-    for (int i = 0; i < 30; ++i) population.push_back(0.6 * std::exp(0.35 * normal(random)));
-    const StudyResult study =
-        run_study({{.name = "Sa", .unit = "g", .values = linearly_spaced(0.2, 1.2, 11)},
-                   {.name = "specimen", .unit = "", .values = linearly_spaced(0, 29, 30)}},
-                  [&](const StudyCase& each) {
-                    return StudyRecord{{"drift", "", "m", each.value("Sa") / population[each.position("specimen")]}};
-                  },
-                  {.threads = 1});
-    const LognormalFit fit = fit_fragility(study, "Sa", exceeds("drift", "", 1.0));
-    median += fit.median_bounds().low <= 0.6 && 0.6 <= fit.median_bounds().high ? 1 : 0;
-    dispersion += fit.dispersion_bounds().low <= 0.35 && 0.35 <= fit.dispersion_bounds().high ? 1 : 0;
-  }
-  for (const int held : {median, dispersion}) {
-    EXPECT_GE(held, 90);
-    EXPECT_LE(held, 99);
-  }
 }
 
 TEST(Fragility, RefusesUnknownResults) {

@@ -1,20 +1,13 @@
 // Incremental dynamic analysis.
 
-#include "analyses/questions/incremental_dynamic_analysis.hpp"
+#include "moat.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "analyses/questions/answer_charts.hpp"
-#include "analyses/questions/study.hpp"
 #include "analysis_testing.hpp"
-#include "base/error.hpp"
-#include "elements/line/spring.hpp"
-#include "elements/line/storey.hpp"
-#include "materials/storeys/p_delta.hpp"
-#include "materials/storeys/yielding_storey.hpp"
 
 namespace moat {
 namespace {

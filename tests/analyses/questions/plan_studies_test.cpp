@@ -1,17 +1,13 @@
 // Studies over angles of incidence and accidental eccentricities.
-#include "analyses/questions/plan_studies.hpp"
+#include "moat.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <string>
 
-#include "base/units.hpp"
-#include "materials/impact/hertz_damp.hpp"
 #include "message_of.hpp"
-#include "motions/near_fault_pulse.hpp"
 #include "small_plan_building.hpp"
-#include "structures/plan_moat.hpp"
 
 namespace moat {
 namespace {

@@ -1,22 +1,13 @@
-#include "analyses/questions/property_bounds.hpp"
+#include "moat.hpp"
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <cmath>
 #include <set>
 #include <string>
 #include <vector>
 
-#include "analyses/questions/effective_properties.hpp"
-#include "base/units.hpp"
-#include "lead_bilinear.hpp"
-#include "materials/bilinear.hpp"
-#include "materials/contact/impact_laws.hpp"
 #include "message_of.hpp"
-#include "motions/near_fault_pulse.hpp"
-#include "structures/moat.hpp"
-#include "structures/shear_building.hpp"
+#include "spring_battery.hpp"
 
 namespace moat::testing {
 namespace {
@@ -94,15 +85,13 @@ TEST(PropertyBounds, FollowsAsce7) {
 TEST(EffectiveProperties, AreThoseOfABilinearLoop) {
   const Bilinear law{.yield_force = 1.93 * MN, .yield_displacement = 1 * cm, .post_yield_stiffness = 19.3 * MN / m};
   std::vector<double> deformations, forces;
-  Bilinear::State state;
-  lead(law, state, 0.0, 0.3);
-  double before = 0.3;
+  LawPath<Bilinear> path{law, 0};
+  path.move(0.3, 1.0);
   constexpr int steps = 20000;
-  for (int i = 0; i < 2 * steps; ++i) {
-    const double d = 0.3 * (i < steps ? 1.0 - 2.0 * i / steps : -3.0 + 2.0 * i / steps);
-    deformations.push_back(d);
-    forces.push_back(lead(law, state, before, d).force);
-    before = d;
+  for (int i = 1; i <= 2 * steps; ++i) {
+    deformations.push_back(path.deformation());
+    forces.push_back(path.force());
+    path.move(0.3 * (i < steps ? 1.0 - 2.0 * i / steps : -3.0 + 2.0 * i / steps), 1.0);
   }
   const EffectiveProperties effective = effective_properties(deformations, forces);
   EXPECT_NEAR(effective.stiffness, 25.09e6, 1.0);

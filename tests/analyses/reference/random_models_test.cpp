@@ -9,9 +9,9 @@
 #include <vector>
 
 #include "analyses/case/case_run.hpp"
-#include "checked_reference.hpp"
 #include "moat_model.hpp"
 #include "random_model.hpp"
+#include "reference_history.hpp"
 
 namespace moat {
 namespace {

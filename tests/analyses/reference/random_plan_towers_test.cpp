@@ -6,18 +6,9 @@
 #include <cmath>
 #include <numbers>
 #include <random>
-#include <string>
 #include <vector>
 
-#include "analyses/time_history/transient.hpp"
-#include "elements/line/lead_rubber_bearing.hpp"
-#include "materials/contact/impact_laws.hpp"
-#include "materials/plan/biaxial_bouc_wen.hpp"
-#include "motions/near_fault_pulse.hpp"
-#include "motions/plan_motion.hpp"
-#include "output/peaks/peak_recorder.hpp"
-#include "structures/plan_building.hpp"
-#include "structures/plan_moat.hpp"
+#include "moat.hpp"
 
 namespace moat::testing {
 namespace {

@@ -2,12 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include "analyses/time_history/transient.hpp"
-#include "analysis_testing.hpp"
 #include "counted_allocations.hpp"
-#include "motions/near_fault_pulse.hpp"
-#include "output/peaks/peak_recorder.hpp"
-#include "output/recorders/energy_ledger.hpp"
+#include "moat.hpp"
 #include "paper_building.hpp"
 
 namespace moat {
@@ -20,11 +16,9 @@ class Allocation : public ::testing::TestWithParam<TransientOptions> {};
 
 // The whole path: model, NOX, KLU, event checks, ledger and peaks, through impacts and yielding.
 TEST_P(Allocation, NoStepAsksForMemoryOnceEverythingHasHappened) {
-  Model model;
   ShearBuilding building = paper_building();
   if (!is_exact(GetParam().integrator)) building.isolation = unlocated_paper_bearings();
-  const NodeId base = add(model, building).base;
-  add(model, Moat<HertzDamp>{.around = base, .clearance = 10 * cm, .law = paper_hertz_damp()});
+  Model model = pounding_building(10 * cm, building);
   Transient analysis{model, near_fault_pulse({.pulse_period = 1.3 * s}).scaled_to_pga(0.4 * g), GetParam()};
   EnergyLedger ledger;
   PeakRecorder peaks{model};

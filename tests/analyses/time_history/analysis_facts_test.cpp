@@ -4,11 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "analyses/case/case_run.hpp"
-#include "analyses/integrators/integrators.hpp"
-#include "analyses/time_history/transient_options.hpp"
-#include "elements/line/shear_spring.hpp"
-#include "motions/ground_motion.hpp"
+#include "moat.hpp"
+#include "small_models.hpp"
 
 namespace moat {
 namespace {
@@ -55,9 +52,7 @@ TEST(AnalysisFacts, DifferWhereAnyOptionOfTheCaseDiffers) {
                                      {.error_bars = ErrorBarMode::always},
                                      {.error_bars = ErrorBarMode::never}};
   const auto facts_of_case = [](const CaseOptions& options) {
-    Model model;
-    const NodeId body = add(model, Node{.name = "body", .mass = 1 * tonne});
-    add(model, ShearSpring{.name = "spring", .lower = ground, .upper = body, .stiffness = 1 * MN / m});
+    Model model = testing::oscillator({});
     return text_of(run_case(model, GroundMotion{"short", 0.01, {0.0, 1.0, 0.0}}, options).analysis);
   };
   for (std::size_t i = 0; i < all.size(); ++i)

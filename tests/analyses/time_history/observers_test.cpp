@@ -1,4 +1,4 @@
-#include "analyses/time_history/observers.hpp"
+#include "moat.hpp"
 
 #include <gtest/gtest.h>
 
@@ -6,9 +6,6 @@
 #include <span>
 #include <string>
 #include <vector>
-
-#include "base/error.hpp"
-#include "output/recorders/step_observer.hpp"
 
 namespace moat {
 namespace {
@@ -48,8 +45,8 @@ struct Inviting final : StepObserver {
 TEST(Observers, MayBeAddedInsideAStep) {
   Model model;
   add(model, Node{.name = "base", .mass = 1 * tonne});
-  model.prepare();
-  const StepView view{model, 0.0, true};
+  const AnalysisState state{model};
+  const StepView view{model, state};
   Observers observers;
   Inviting first, last;
   first.observers = &observers;
@@ -70,13 +67,13 @@ TEST(Observers, MayBeAddedInsideAStep) {
 TEST(Observers, AreAllFinishedAlsoIfOneFails) {
   Model model;
   add(model, Node{.name = "base", .mass = 1 * tonne});
-  model.prepare();
+  const AnalysisState state{model};
   Failing failing;
   Counting before, after;
   Observers observers;
   for (StepObserver* observer : std::initializer_list<StepObserver*>{&before, &failing, &after})
     observers.add(*observer);
-  EXPECT_THROW(observers.finish({model, 0.0, true}), FileError);
+  EXPECT_THROW(observers.finish({model, state}), FileError);
   EXPECT_EQ(before.finished, 1);
   EXPECT_EQ(after.finished, 1);
 }

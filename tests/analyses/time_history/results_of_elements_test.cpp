@@ -41,16 +41,16 @@ class Reader final : public StepObserver {
   void step(const StepView& view) override {
     ++steps;
     for (const std::size_t block : {storeys, dampers, bearings})
-      EXPECT_TRUE(is_up_to_date(view.model, block)) << "block " << block;
+      EXPECT_TRUE(is_up_to_date(view.state, block)) << "block " << block;
   }
   void finish(const StepView& view) override { step(view); }
 
   int steps = 0;
 
  private:
-  static bool is_up_to_date(const Model& model, std::size_t block) {
-    const Vector &u = model.state().displacement, &v = model.state().velocity, &a = model.state().acceleration;
-    const ElementResults results = model.blocks()[block]->results();
+  static bool is_up_to_date(const AnalysisState& state, std::size_t block) {
+    const Vector &u = state.motion().displacement, &v = state.motion().velocity, &a = state.motion().acceleration;
+    const ResultsOf<double> results = state.elements(block).results().line;
     const int upper = block == bearings ? 0 : 1, lower = block == bearings ? 2 : 0;  // 2: the ground
     const double rate = v[upper] - v[lower];
     if (results.deformations[0] != u[upper] - u[lower]) return false;
@@ -71,11 +71,11 @@ TEST(ResultsOfElements, FollowTheCommittedMotion) {
     Transient analysis{model, push(), {.integrator = integrator}};
     Reader reader;
     analysis.attach(reader);
-    analysis.run([&] { return model.state().time > 0.5; });
+    analysis.run([&] { return analysis.state().time() > 0.5; });
     // By hand, results may be read between the steps.
     while (!analysis.finished()) {
       analysis.advance();
-      reader.step({model});
+      reader.step({model, analysis.state()});
     }
     EXPECT_GT(reader.steps, 20);
   }

@@ -1,18 +1,16 @@
-// A model that stands at t > 0 goes on under its own motion, and is refused under another.
+// An analysis starts at rest, or goes on from a state: under the motion that led there, and under no other.
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
-#include <numbers>
+#include <initializer_list>
+#include <utility>
 #include <vector>
 
-#include "analyses/case/case_run.hpp"
-#include "analyses/questions/study.hpp"
 #include "analysis_testing.hpp"
-#include "elements/line/shear_spring.hpp"
 #include "message_of.hpp"
-#include "motions/near_fault_pulse.hpp"
-#include "motions/plan_motion.hpp"
+#include "moat.hpp"
 #include "paper_building.hpp"
 #include "peak_in.hpp"
 #include "small_plan_building.hpp"
@@ -22,13 +20,6 @@ namespace {
 
 using namespace units;
 using namespace testing;
-
-Model pounding() {
-  Model model;
-  const auto building = add(model, paper_building());
-  add(model, Moat{.around = building.base, .clearance = 10 * cm, .law = paper_hertz_damp()});
-  return model;
-}
 
 Model in_plan() {
   Model model;
@@ -68,8 +59,41 @@ GroundMotion resampled(const GroundMotion& motion, int parts) {
 }
 
 const char* const remedy =
-    "Copy the model before its first analysis, and give every motion a copy. For shocks one after the other give one "
-    "motion, joined({first, second}, 20 * s).";
+    "Make a Transient without a state, which starts at rest. For shocks one after the other give one motion, "
+    "joined({first, second}, 20 * s).";
+
+AnalysisState state_after(const Model& model, const GroundMotion& motion, const TransientOptions& options = {}) {
+  Transient analysis{model, motion, options};
+  analysis.run();
+  return analysis.state();
+}
+
+EndedCase run_from(AnalysisState start, const GroundMotion& motion, const TransientOptions& options) {
+  const Model& model = start.model();
+  Transient analysis{model, motion, std::move(start), options};
+  EnergyLedger energy;
+  PeakRecorder peaks{model};
+  HistoryRecorder histories{model, motion.time_step()};
+  for (StepObserver* observer : std::initializer_list<StepObserver*>{&energy, &peaks, &histories})
+    analysis.attach(*observer);
+  analysis.run();
+  EndedCase ended{{}, analysis.state()};
+  ended.result.peaks = peaks.peaks();
+  ended.result.energy = energy.at_end();
+  ended.result.histories = histories.take_table();
+  ended.result.warnings = analysis.warnings();
+  return ended;
+}
+
+// Runs do not change their model.
+TEST(SecondAnalysis, OfAModelStartsAtRest) {
+  const Model model = pounding_building();
+  const CaseResult at_first = run_case(model, pulse());
+  (void)run_case(model, pulse().scaled_by(2.0));
+  const CaseResult again = run_case(model, pulse());
+  ASSERT_EQ(again.peaks.size(), at_first.peaks.size());
+  for (std::size_t i = 0; i < again.peaks.size(); ++i) EXPECT_EQ(again.peaks[i].value, at_first.peaks[i].value) << i;
+}
 
 TEST(SecondAnalysis, UnderAnotherMotionIsRefused) {
   const GroundMotion first = pulse(), longer = pulse(3.0);
@@ -82,28 +106,25 @@ TEST(SecondAnalysis, UnderAnotherMotionIsRefused) {
       of_samples("one sample differs", longer.time_step(), one_other),
       of_samples("same samples at another interval", 1.01 * longer.time_step(), samples_of(longer)),
       still_ground(20 * s)};
-  Model moved = pounding();
-  (void)run_case(moved, first);
+  const Model model = pounding_building();
+  const AnalysisState moved = state_after(model, first);
   for (const GroundMotion& other : others) {
     SCOPED_TRACE(other.name());
     const std::string message =
-        "Transient \"" + other.name() + "\": the model stands at t = " + to_text(first.duration()) +
+        "Transient \"" + other.name() + "\": the state stands at t = " + to_text(first.duration()) +
         " s under other accelerations of the ground, those of \"" + first.name() + "\". " + remedy;
-    EXPECT_EQ(message_of([&] { Transient{moved, other}; }), message);
-    EXPECT_EQ(message_of([&] { (void)run_case(moved, other); }), message);
-    EXPECT_EQ(message_of([&] { (void)peaks_of(moved, other); }), message);
-    // So is a copy of the moved model, and a run that would end before.
-    Model copy = moved;
-    EXPECT_EQ(message_of([&] { (void)run_case(copy, other, {.transient = {.end = 1 * s}}); }), message);
+    EXPECT_EQ(message_of([&] { Transient{model, other, moved}; }), message);
+    // So is a run that would end before.
+    EXPECT_EQ(message_of([&] { Transient{model, other, moved, {.end = 1 * s}}; }), message);
   }
 }
 
 TEST(SecondAnalysis, OfASecondComponentOrAnotherIncidenceIsRefused) {
   const PlanMotion pair{pulse(), pulse().scaled_by(0.4), 20 * deg};
+  const Model model = in_plan();
+  const AnalysisState moved = state_after(model, pair, {.end = 2 * s});
   const auto refused = [&](const GroundMotion& other) {
-    Model model = in_plan();
-    (void)run_case(model, pair, {.transient = {.end = 2 * s}});
-    return message_of([&] { (void)run_case(model, other); }).find(remedy) != std::string::npos;
+    return message_of([&] { Transient{model, other, moved}; }).find(remedy) != std::string::npos;
   };
   EXPECT_TRUE(refused(pair.rotated(1 * deg)));
   EXPECT_TRUE(refused(PlanMotion{pair.second, pair.first, pair.incidence}));
@@ -115,21 +136,20 @@ TEST(SecondAnalysis, OfASecondComponentOrAnotherIncidenceIsRefused) {
 // In two parts: by the same motion, under another name, with more zeros, with more samples.
 TEST(SecondAnalysis, UnderTheSameMotionGoesOn) {
   const GroundMotion motion = pulse(1.0);
-  Model whole_model = pounding();
+  const Model model = pounding_building();
   const TransientOptions options{.tolerance = 1e-8, .largest_step = 2.5 * ms};
-  const CaseResult whole = run_case(whole_model, motion, {.transient = options});
+  const CaseResult whole = run_case(model, motion, {.transient = options});
   ASSERT_GT(whole.impacts.size(), 1u);
   for (const double middle : {1.8, 2.3037, motion.duration()})
     for (const GroundMotion& same :
          {motion, extended(motion, 2.0), resampled(motion, 2), resampled(extended(motion, 4.0), 4)}) {
       SCOPED_TRACE(::testing::Message() << same.name() << " from " << middle);
-      Model model = pounding();
       TransientOptions first_part = options, second_part = options;
       first_part.end = middle * s;
       second_part.end = same.duration() > motion.duration() ? same.duration() * s : motion.duration() * s;
-      const CaseResult first = run_case(model, motion, {.transient = first_part});
+      const auto [first, state] = run_from(AnalysisState{model}, motion, first_part);
       if (second_part.end.si() <= middle) continue;
-      const CaseResult second = run_case(model, same, {.transient = second_part});
+      const CaseResult second = run_from(state, same, second_part).result;
       for (const CaseResult* part : {&first, &second}) {
         EXPECT_TRUE(part->warnings.empty()) << part->warnings.front();
         EXPECT_LT(part->energy.error_share(), 1e-5);
@@ -148,49 +168,44 @@ TEST(SecondAnalysis, UnderTheSameMotionGoesOn) {
 TEST(SecondAnalysis, GoesOnUnderAMotionJoinedToItsOwn) {
   const GroundMotion first = pulse(), both = joined({first, first.scaled_by(-0.8)}, 2 * s);
   const TransientOptions options{.tolerance = 1e-8, .largest_step = 2.5 * ms};
-  Model at_once = pounding(), in_parts = pounding();
-  const CaseResult whole = run_case(at_once, both, {.transient = options});
-  (void)run_case(in_parts, first, {.transient = options});
-  const CaseResult second = run_case(in_parts, both, {.transient = options});
+  const Model model = pounding_building();
+  const auto [whole, at_once] = run_to_end(model, both, {.transient = options});
+  const auto [second, in_parts] = run_from(state_after(model, first, options), both, options);
   EXPECT_TRUE(second.warnings.empty());
-  const Model &one = at_once, &other = in_parts;
-  EXPECT_NEAR(one.displacement(NodeId{0}), other.displacement(NodeId{0}), 1e-5 * peak(whole, "displacement", "base"));
+  EXPECT_NEAR(at_once.displacement(NodeId{0}), in_parts.displacement(NodeId{0}),
+              1e-5 * peak(whole, "displacement", "base"));
 }
 
 TEST(SecondAnalysis, OfInitialVelocitiesIsNoSecondOne) {
-  Model model;
-  const NodeId body = add(model, Node{.name = "body", .mass = 1 * kg, .initial_velocity = 1 * m / s});
-  add(model, ShearSpring{.name = "spring", .lower = ground, .upper = body, .stiffness = 40 * N / m});
-  EXPECT_NO_THROW((Transient{model, still_ground(1 * s)}));
-  EXPECT_NO_THROW((void)run_case(model, pulse())) << "nothing has moved yet";
+  const Model model = oscillator({.velocity = 1.0});
+  const Transient first{model, still_ground(1 * s)};
+  EXPECT_NO_THROW((Transient{model, pulse(), first.state()})) << "nothing has moved yet";
 }
 
-// The energies of the elements are kept by the model, the input by the ledger.
+TEST(SecondAnalysis, EndsBehindItsStart) {
+  const Model model = oscillator({.velocity = 1.0});
+  const AnalysisState moved = state_after(model, still_ground(2 * s));
+  EXPECT_EQ(message_of([&] {
+              Transient{model, still_ground(2 * s), moved};
+            }),
+            "Transient \"still ground\": the state stands at t = 2 s, and the analysis ends at 2 s. Make a Transient "
+            "without a state, which starts at rest, or give a later TransientOptions::end.");
+}
+
+// The energies of the elements are kept by the state, the input by the ledger.
 TEST(SecondAnalysis, CountsAllEnergiesFromItsStart) {
   const GroundMotion motion = pulse(2.0);
-  Model model = pounding();
-  EnergyLedger ledger;
+  const Model model = pounding_building();
+  AnalysisState state{model};
   for (const double end : {1.9, 2.6, 3.3, 5.5}) {
     SCOPED_TRACE(end);
-    Transient analysis{model, motion, {.end = end * s}};
-    analysis.attach(ledger);
-    analysis.run();
-    const EnergyBalance energy = ledger.balance(model);
+    EndedCase part = run_from(std::move(state), motion, {.end = end * s});
+    const EnergyBalance& energy = part.result.energy;
     EXPECT_LT(energy.error_share(), 1e-3);
     const double sum = energy.kinetic + energy.strain + energy.viscous + energy.hysteretic + energy.impact;
     EXPECT_NEAR(sum, energy.input, 2e-3 * std::max(energy.largest_input, energy.largest_kinetic));
+    state = std::move(part.state);
   }
-}
-
-TEST(SecondAnalysis, EndsTheFirst) {
-  const GroundMotion motion = pulse();
-  Model model = pounding();
-  Transient first{model, motion};
-  first.advance();
-  Transient second{model, motion};
-  second.advance();
-  EXPECT_NE(message_of([&] { first.advance(); }).find("after another analysis of it."), std::string::npos);
-  second.advance();
 }
 
 }  // namespace

@@ -5,11 +5,8 @@
 #include <gtest/gtest.h>
 #include <suitesparse/klu.h>
 
-#include "analyses/time_history/transient.hpp"
-#include "materials/impact/hertz_damp.hpp"
-#include "motions/near_fault_pulse.hpp"
-#include "structures/moat.hpp"
-#include "structures/shear_building.hpp"
+#include "moat.hpp"
+#include "paper_building.hpp"
 
 namespace {
 
@@ -69,19 +66,7 @@ namespace {
 using namespace units;
 
 TEST(SolverLibraries, SolveEveryStepOfABuildingThatPounds) {
-  Model model;
-  const auto building =
-      add(model, ShearBuilding{.storeys = 5,
-                               .floor_mass = 500 * tonne,
-                               .storey_stiffness = 1 * GN / m,
-                               .damping = RayleighDamping{.ratio = 0.05},
-                               .base_mass = 550 * tonne,
-                               .isolation = LeadRubberBearing{.yield_force = 1.93 * MN,
-                                                              .yield_displacement = 1 * cm,
-                                                              .post_yield_stiffness = 19.3 * MN / m}});
-  add(model, Moat{.around = building.base,
-                  .clearance = 10 * cm,
-                  .law = HertzDamp{.stiffness = 2.95e9 * N / m_3_2, .restitution = 0.65}});
+  Model model = testing::pounding_building();
   const GroundMotion motion = near_fault_pulse({.pulse_period = 1.3 * s}).scaled_to_pga(0.4 * g);
   Transient transient{model, motion, {}};
   calls = {};

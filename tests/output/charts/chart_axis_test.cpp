@@ -6,8 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "output/charts/chart_style.hpp"
-#include "output/charts/text_width.hpp"
+#include "output/charts/svg_writer.hpp"
 
 namespace moat {
 namespace {
@@ -57,7 +56,7 @@ TEST(ChartAxis, HasDecadesAndTheirPartsWhereThereIsRoom) {
   EXPECT_DOUBLE_EQ(wide.share(0.1), std::log(10.0) / std::log(200.0));
   EXPECT_EQ(labels_of(axis_around({0.013, 1.7}, true, AxisSide::bottom, 200.0)), (Labels{"0.01", "0.1", "1"}));
   const ChartAxis many = axis_around({1e-9, 1e9}, true, AxisSide::left, 100.0);
-  EXPECT_EQ(labels_of(many), (Labels{"1e-8", "1e-4", "1", "10000", "1e8"}));
+  EXPECT_EQ(labels_of(many), (Labels{"1e-8", "0.0001", "1", "10000", "1e8"}));
   // No decade and none of its parts is inside.
   EXPECT_GE(axis_over({0.31, 0.42}, true, AxisSide::bottom, 400.0).ticks.size(), 2u);
 }
@@ -79,6 +78,12 @@ TEST(ChartAxis, LabelsNeverOverlap) {
           end = start + width;
         }
       }
+}
+
+TEST(ChartAxis, HasRoundNumbers) {
+  for (const auto& [value, expected] :
+       {std::pair{0.0199, 0.01}, {1.0, 1.0}, {2.0, 2.0}, {4.9, 2.0}, {7.0, 5.0}, {1000.0, 1000.0}, {499.0, 200.0}})
+    EXPECT_DOUBLE_EQ(round_number_below(value), expected) << value;
 }
 
 TEST(ChartAxis, HoldsARangeOfOneValue) {

@@ -1,4 +1,4 @@
-#include "output/charts/chart_table.hpp"
+#include "output/charts/chart.hpp"
 
 #include <gtest/gtest.h>
 

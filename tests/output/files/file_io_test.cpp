@@ -46,14 +46,13 @@ TEST_F(WriteFile, LeavesTheOldFileWhereTheNewOneFails) {
 }
 
 TEST_F(WriteFile, PutsPiecesOneAfterAnother) {
-  std::string expected, piece;
-  int count = 0;
-  write_file(folder / "a.txt", [&]() -> std::string_view {
-    piece =
-        count < 5000 ? std::string(static_cast<std::size_t>(count % 7 + 1), static_cast<char>('a' + count % 26)) : "";
-    ++count;
-    expected += piece;
-    return piece;
+  std::string expected;
+  write_file(folder / "a.txt", [&](std::ostream& file) {
+    for (int i = 0; i < 5000; ++i) {
+      const std::string piece(static_cast<std::size_t>(i % 7 + 1), static_cast<char>('a' + i % 26));
+      file << piece;
+      expected += piece;
+    }
   });
   EXPECT_EQ(read_file(folder / "a.txt"), expected);
   EXPECT_EQ(files(), 1u);
@@ -75,6 +74,17 @@ TEST_F(WriteFile, LeavesTheOldFileWhereAnotherLibraryFailsToWrite) {
   EXPECT_EQ(files(), 1u) << "nothing unfinished is left";
   write_half(0);
   EXPECT_EQ(read_file(folder / "a.txt"), "half");
+}
+
+TEST(FileName, HasSmallLettersDigitsAndUnderscores) {
+  EXPECT_EQ(file_name_of("Impacts over gap"), "impacts_over_gap");
+  EXPECT_EQ(file_name_of("2.659 s, moat left (A)"), "2_659_s_moat_left_a");
+  EXPECT_EQ(file_name_of("../etc/passwd"), "etc_passwd");
+  EXPECT_EQ(file_name_of("H\u00f6he"), "h_he");
+}
+
+TEST(FileName, IsNeverEmpty) {
+  for (const char* title : {"", "  ", "\u00e4\u00f6"}) EXPECT_EQ(file_name_of(title), "chart") << title;
 }
 
 }  // namespace

@@ -9,7 +9,6 @@
 #include <set>
 #include <thread>
 
-#include "output/files/summary.hpp"
 #include "output_testing.hpp"
 
 namespace moat {
@@ -24,10 +23,11 @@ class ResultsFolderTest : public testing_output::InFolder {
     fs::create_directories(path.parent_path());
     std::ofstream{path} << "something";
   }
-  // The file by which a folder of moat's is known.
-  static void put_summary(const fs::path& results) {
-    put(results / "summary.json");
-    write_summary_json({}, results / "summary.json");
+  // Complete results, which moat knows by the list of their files.
+  static void put_results(const fs::path& results, const std::vector<std::string>& names = {"summary.json"}) {
+    ResultsFolder run{results, WhenFolderExists::use_new_number};
+    for (const std::string& name : names) put(run.path() / name);
+    run.finish();
   }
   static std::set<std::string> names_in(const fs::path& path) {
     std::set<std::string> names;
@@ -51,7 +51,7 @@ class ResultsFolderTest : public testing_output::InFolder {
 
 TEST_F(ResultsFolderTest, IsCreatedWithTheFoldersAbove) {
   const fs::path wanted = folder / "results" / "suite" / "x";
-  for (const auto when : {WhenFolderExists::use_new_number, WhenFolderExists::overwrite, WhenFolderExists::refuse}) {
+  for (const auto when : {WhenFolderExists::use_new_number, WhenFolderExists::overwrite}) {
     fs::remove_all(folder / "results");
     EXPECT_EQ(ResultsFolder(wanted, when).path(), wanted);
     EXPECT_TRUE(fs::is_directory(wanted));
@@ -72,18 +72,14 @@ TEST_F(ResultsFolderTest, TakesTheNextFreeNumber) {
 
 TEST_F(ResultsFolderTest, OldResultsStayUntilNewOnesAreComplete) {
   const fs::path x = folder / "x";
-  put(x / "report.html");
-  put(x / "charts.svg");
-  put(x / "frames" / "frame_000000.vtu");
-  put_summary(x);
-  const std::string old = testing_output::read_file(x / "summary.json");
+  put_results(x, {"report.html", "charts.svg", "frames/frame_000000.vtu", "summary.json"});
   {
     const ResultsFolder stopped{x, WhenFolderExists::overwrite};
     put(stopped.path() / "frames" / "frame_000000.vtu");
     put(stopped.path() / "report.html");
   }
-  EXPECT_EQ(testing_output::read_file(x / "summary.json"), old);
-  for (const char* name : {"report.html", "charts.svg", "frames/frame_000000.vtu"}) EXPECT_TRUE(fs::exists(x / name));
+  for (const char* name : {"summary.json", "report.html", "charts.svg", "frames/frame_000000.vtu"})
+    EXPECT_EQ(testing_output::read_file(x / name), "something") << name;
 
   ResultsFolder complete{x, WhenFolderExists::overwrite};
   EXPECT_EQ(complete.path(), folder / "x.new") << "the folder of the stopped run is taken over";
@@ -103,8 +99,7 @@ TEST_F(ResultsFolderTest, OldResultsStayUntilNewOnesAreComplete) {
 
 TEST_F(ResultsFolderTest, IncompleteResultsGetTheNextNumber) {
   const fs::path x = folder / "x";
-  put(x / "report.html");
-  put_summary(x);
+  put_results(x, {"report.html", "summary.json"});
   put(folder / "x_2");
   ResultsFolder stopped{x, WhenFolderExists::overwrite};
   put(stopped.path() / "charts.svg");
@@ -129,7 +124,7 @@ TEST_F(ResultsFolderTest, IncompleteResultsStayWhereNoneWere) {
 }
 
 TEST_F(ResultsFolderTest, TwoRunsThatOverwriteHaveFoldersOfTheirOwn) {
-  put_summary(folder / "x");
+  put_results(folder / "x");
   const ResultsFolder first{folder / "x", WhenFolderExists::overwrite};
   const ResultsFolder second{folder / "x", WhenFolderExists::overwrite};
   EXPECT_EQ(first.path(), folder / "x.new");
@@ -139,7 +134,7 @@ TEST_F(ResultsFolderTest, TwoRunsThatOverwriteHaveFoldersOfTheirOwn) {
 // Runs that start at one moment, as of a shell's loop or of an array of jobs.
 TEST_F(ResultsFolderTest, RunsThatStartTogetherHaveFoldersOfTheirOwn) {
   constexpr int runs = 8;
-  for (const auto when : {WhenFolderExists::use_new_number, WhenFolderExists::overwrite, WhenFolderExists::refuse})
+  for (const auto when : {WhenFolderExists::use_new_number, WhenFolderExists::overwrite})
     for (const bool exists : {false, true})
       for (int round = 0; round < 25; ++round) {
         fs::remove_all(folder / "x");
@@ -151,35 +146,26 @@ TEST_F(ResultsFolderTest, RunsThatStartTogetherHaveFoldersOfTheirOwn) {
         for (int run = 0; run < runs; ++run)
           threads.emplace_back([&, run] {
             start.arrive_and_wait();
-            try {
-              folders[run] = std::make_unique<ResultsFolder>(folder / "x", when);
-            } catch (const InputError&) {
-              EXPECT_EQ(when, WhenFolderExists::refuse);
-            }
+            folders[run] = std::make_unique<ResultsFolder>(folder / "x", when);
           });
         for (std::thread& thread : threads) thread.join();
         std::set<fs::path> paths;
-        for (const auto& each : folders) {
-          if (!each) continue;
-          EXPECT_TRUE(paths.insert(each->path()).second) << each->path();
-        }
+        for (const auto& each : folders) EXPECT_TRUE(paths.insert(each->path()).second) << each->path();
         EXPECT_TRUE(paths.contains(folder / "x"));
-        EXPECT_EQ(paths.size(), when == WhenFolderExists::refuse ? 1u : runs);
       }
 }
 
 TEST_F(ResultsFolderTest, IsTakenFromItsFirstMomentToItsEnd) {
   ResultsFolder first{folder / "x", WhenFolderExists::use_new_number};
   EXPECT_EQ(ResultsFolder(folder / "x", WhenFolderExists::use_new_number).path(), folder / "x_2");
-  EXPECT_THROW(ResultsFolder(folder / "x", WhenFolderExists::refuse), InputError);
-  put_summary(first.path());
+  put(first.path() / "summary.json");
   first.finish();
   EXPECT_EQ(ResultsFolder(folder / "x", WhenFolderExists::use_new_number).path(), folder / "x_3");
-  EXPECT_EQ(names_in(folder / "x"), std::set<std::string>{"summary.json"});
+  EXPECT_EQ(names_in(folder / "x"), (std::set<std::string>{"summary.json", ".moat"}));
 }
 
 TEST_F(ResultsFolderTest, NamesItsRunUntilItIsFinished) {
-  put_summary(folder / "old");
+  put_results(folder / "old");
   for (const char* name : {"x", "old"}) {
     ResultsFolder results{folder / name, WhenFolderExists::overwrite, "moat run tower.cpp --out 'x y'"};
     std::array<char, 256> host{};
@@ -191,7 +177,7 @@ TEST_F(ResultsFolderTest, NamesItsRunUntilItIsFinished) {
       EXPECT_NE(text.find(part), std::string::npos) << part << " in " << text;
     put(results.path() / "report.html");
     results.finish();
-    EXPECT_EQ(names_in(folder / name), std::set<std::string>{"report.html"});
+    EXPECT_EQ(names_in(folder / name), (std::set<std::string>{"report.html", ".moat"}));
   }
 }
 
@@ -205,13 +191,13 @@ TEST_F(ResultsFolderTest, OfAKilledRunStaysUnfinished) {
   put(folder / "x" / "report.html");
   put(folder / "x" / "mine.txt");
   ResultsFolder forced{folder / "x", WhenFolderExists::overwrite};
-  put_summary(forced.path());
+  put(forced.path() / "summary.json");
   forced.finish();
-  EXPECT_EQ(names_in(folder / "x"), (std::set<std::string>{"summary.json", "mine.txt"}));
+  EXPECT_EQ(names_in(folder / "x"), (std::set<std::string>{"summary.json", "mine.txt", ".moat"}));
 }
 
 TEST_F(ResultsFolderTest, OfAKilledRunBesideIsTakenOver) {
-  put_summary(folder / "x");
+  put_results(folder / "x");
   killed([&] {
     const auto* run = new ResultsFolder{folder / "x", WhenFolderExists::overwrite};
     put(run->path() / "report.html");
@@ -241,10 +227,10 @@ TEST_F(ResultsFolderTest, ResultsOfARunThatGoesOnAreNotReplaced) {
   put(second.path() / "report.html");
   second.finish();
   EXPECT_EQ(second.final_path(), folder / "x_2");
-  put_summary(first.path());
+  put(first.path() / "summary.json");
   first.finish();
-  EXPECT_EQ(names_in(folder / "x"), (std::set<std::string>{"summary.json", "impacts.csv"}));
-  EXPECT_EQ(names_in(folder / "x_2"), std::set<std::string>{"report.html"});
+  EXPECT_EQ(names_in(folder / "x"), (std::set<std::string>{"summary.json", "impacts.csv", ".moat"}));
+  EXPECT_EQ(names_in(folder / "x_2"), (std::set<std::string>{"report.html", ".moat"}));
   EXPECT_FALSE(fs::exists(folder / "x.new"));
 }
 
@@ -253,7 +239,7 @@ TEST_F(ResultsFolderTest, RunsThatEndTogetherReplaceEachOther) {
   constexpr int runs = 4;
   for (int round = 0; round < 25; ++round) {
     fs::remove_all(folder / "x");
-    put_summary(folder / "x");
+    put_results(folder / "x");
     std::barrier end{runs};
     std::vector<std::thread> threads;
     for (int run = 0; run < runs; ++run)
@@ -262,7 +248,7 @@ TEST_F(ResultsFolderTest, RunsThatEndTogetherReplaceEachOther) {
         for (const char* name :
              {"summary.json", "report.html", "frames/frame_000000.vtu", "charts/a.svg", "charts/a.csv"}) {
           put(results.path() / name);
-          std::ofstream{results.path() / name} << "\"moat_version\" of run " << run;
+          std::ofstream{results.path() / name} << "of run " << run;
         }
         end.arrive_and_wait();
         results.finish();
@@ -274,113 +260,93 @@ TEST_F(ResultsFolderTest, RunsThatEndTogetherReplaceEachOther) {
       texts.insert(testing_output::read_file(folder / "x" / name));
     EXPECT_EQ(texts.size(), 1u);
     EXPECT_EQ(names_in(folder), std::set<std::string>{"x"});
-    EXPECT_EQ(names_in(folder / "x"), (std::set<std::string>{"summary.json", "report.html", "frames", "charts"}));
+    EXPECT_EQ(names_in(folder / "x"),
+              (std::set<std::string>{"summary.json", "report.html", "frames", "charts", ".moat"}));
   }
 }
 
-TEST_F(ResultsFolderTest, ALinkBesideIsNotFollowed) {
-  put_summary(folder / "x");
+TEST_F(ResultsFolderTest, WhatStandsBesideIsNotTaken) {
+  put_results(folder / "x");
   put(folder / "victim" / "report.html");
+  put(folder / "x.new_2" / "report.html");
   fs::create_directory_symlink("victim", folder / "x.new");
   ResultsFolder results{folder / "x", WhenFolderExists::overwrite};
-  EXPECT_EQ(results.path(), folder / "x.new_2");
+  EXPECT_EQ(results.path(), folder / "x.new_3");
   results.finish();
-  EXPECT_EQ(names_in(folder / "victim"), std::set<std::string>{"report.html"});
+  for (const char* name : {"victim", "x.new_2"})
+    EXPECT_EQ(names_in(folder / name), std::set<std::string>{"report.html"}) << name;
 }
 
 TEST_F(ResultsFolderTest, AFileOfTheUserIsNoMark) {
-  put(folder / "x" / "unfinished");
-  EXPECT_THROW(overwrite(folder / "x"), InputError);
-  EXPECT_EQ(testing_output::read_file(folder / "x" / "unfinished"), "something");
+  for (const char* name : {"unfinished", ".moat"}) {
+    put(folder / name / name);
+    EXPECT_THROW(overwrite(folder / name), InputError);
+    EXPECT_EQ(testing_output::read_file(folder / name / name), "something");
+  }
 }
 
 TEST_F(ResultsFolderTest, OverwritingKeepsWhatMoatDidNotWrite) {
   const fs::path x = folder / "x";
-  for (const char* name : {"summary.json", "histories.csv", "histories.vtt", "impacts.csv", "frames.pvd", "report.html",
-                           "frames/frame_000000.vtu", "frames/frame_1234567.vtu",
-                           "frames/frame_000001.vtu.unfinished-77", "charts/drift.svg", "charts/drift.csv"})
-    put(x / name);
-  put_summary(x);
-  const std::vector<fs::path> foreign{"notes.txt",
-                                      "frame_000000.vtu",
-                                      "frames/mine.vtu",
-                                      "frames/a.csv",
-                                      "frames/frame_00000.vtu",
-                                      "frames/frame_00000a.vtu",
-                                      "old/summary.json",
-                                      "frames/deep/frame_000000.vtu",
-                                      "charts/drift_edited.svg",
-                                      "charts/Drift.svg",
-                                      "charts/Drift.csv",
-                                      "charts/frame_000000.vtu"};
+  put_results(x, {"summary.json", "histories.csv", "frames.pvd", "report.html", "frames/frame_000000.vtu",
+                  "charts/drift.svg", "charts/drift.csv"});
+  const std::vector<fs::path> foreign{"notes.txt",       "impacts.csv",      "frame_000000.vtu",
+                                      "frames/mine.vtu", "old/summary.json", "charts/drift_2020.svg",
+                                      "charts/notes.txt"};
   for (const fs::path& name : foreign) put(x / name);
-  overwrite(x);
-  std::size_t left = 0;
-  for (const auto& entry : fs::recursive_directory_iterator{x}) left += entry.is_regular_file() ? 1 : 0;
-  EXPECT_EQ(left, foreign.size());
-  for (const fs::path& name : foreign) EXPECT_TRUE(fs::exists(x / name)) << name;
-}
-
-TEST_F(ResultsFolderTest, PutsNewFramesBesideForeignFiles) {
-  const fs::path x = folder / "x";
-  put(x / "frames" / "frame_000000.vtu");
-  put(x / "frames" / "mine.vtu");
-  put_summary(x);
-  ResultsFolder results{x, WhenFolderExists::overwrite};
-  for (const char* name : {"frame_000000.vtu", "frame_000001.vtu"}) put(results.path() / "frames" / name);
-  results.finish();
-  for (const char* name : {"frame_000000.vtu", "frame_000001.vtu", "mine.vtu"})
-    EXPECT_TRUE(fs::exists(x / "frames" / name)) << name;
-  EXPECT_FALSE(fs::exists(folder / "x.new"));
+  // Twice: they are no files of moat's after the first time either.
+  for (const char* frame : {"frames/frame_000000.vtu", "frames/frame_000001.vtu"}) {
+    ResultsFolder results{x, WhenFolderExists::overwrite};
+    put(results.path() / frame);
+    results.finish();
+    std::size_t left = 0;
+    for (const auto& entry : fs::recursive_directory_iterator{x}) left += entry.is_regular_file() ? 1 : 0;
+    EXPECT_EQ(left, foreign.size() + 2) << "the frame and the list";
+    for (const fs::path& name : foreign) EXPECT_TRUE(fs::exists(x / name)) << name;
+    EXPECT_TRUE(fs::exists(x / frame));
+    EXPECT_FALSE(fs::exists(folder / "x.new"));
+  }
 }
 
 TEST_F(ResultsFolderTest, OverwritingRemovesTheEmptyFramesFolder) {
-  put(folder / "x" / "frames" / "frame_000000.vtu");
+  put_results(folder / "x", {"frames/frame_000000.vtu"});
   overwrite(folder / "x");
-  EXPECT_TRUE(fs::is_empty(folder / "x"));
-}
-
-TEST_F(ResultsFolderTest, OverwritingDoesNotFollowLinks) {
-  put(folder / "elsewhere" / "frame_000000.vtu");
-  put(folder / "x" / "notes.txt");
-  fs::create_directory_symlink(folder / "elsewhere", folder / "x" / "frames");
-  overwrite(folder / "x");
-  EXPECT_TRUE(fs::exists(folder / "elsewhere" / "frame_000000.vtu"));
+  EXPECT_EQ(names_in(folder / "x"), std::set<std::string>{".moat"});
 }
 
 TEST_F(ResultsFolderTest, OverwritingUnlinksTheNamesOfItsFiles) {
   // A write to a link changes a file outside the folder.
   const fs::path x = folder / "x";
-  put_summary(x);
+  put_results(x, {"report.html", "charts.svg", "frames/frame_000000.vtu"});
   put(folder / "victim.txt");
-  put(folder / "elsewhere" / "mine.txt");
+  put(folder / "elsewhere" / "frame_000000.vtu");
+  fs::remove_all(x / "frames");
+  for (const char* name : {"report.html", "charts.svg"}) fs::remove(x / name);
   fs::create_symlink("../victim.txt", x / "report.html");
   fs::create_symlink("../nothing", x / "charts.svg");
   fs::create_symlink("../victim.txt", x / "unfinished");
   fs::create_symlink("../victim.txt", x / "notes.txt");
   fs::create_directory_symlink("../elsewhere", x / "frames");
-  overwrite(x);
-  for (const char* name : {"report.html", "charts.svg", "frames", "unfinished"})
+  fs::create_directory_symlink("../elsewhere", x / "charts");
+  ResultsFolder results{x, WhenFolderExists::overwrite};
+  put(results.path() / "frames" / "frame_000000.vtu");
+  put(results.path() / "charts" / "frame_000000.vtu");
+  results.finish();
+  for (const char* name : {"report.html", "charts.svg", "unfinished"})
     EXPECT_EQ(fs::symlink_status(x / name).type(), fs::file_type::not_found) << name;
+  for (const char* name : {"frames", "charts"}) EXPECT_FALSE(fs::is_symlink(x / name)) << name;
   EXPECT_TRUE(fs::is_symlink(x / "notes.txt"));
   EXPECT_EQ(testing_output::read_file(folder / "victim.txt"), "something");
-  EXPECT_TRUE(fs::exists(folder / "elsewhere" / "mine.txt"));
+  EXPECT_EQ(names_in(folder / "elsewhere"), std::set<std::string>{"frame_000000.vtu"});
 }
 
-TEST_F(ResultsFolderTest, OverwritingRefusesFilesThatMoatDidNotWrite) {
+TEST_F(ResultsFolderTest, OverwritingRefusesAFolderWithoutTheListOfItsFiles) {
   const fs::path x = folder / "x";
-  put(x / "report.html");
-  put(x / "histories.csv");
-  const std::string refusal = "results folder " + x.string() +
-                              " has files with the names of results, but no summary.json of moat beside them: they may "
-                              "not be results. Choose another folder, or remove them.";
-  EXPECT_EQ(message_of<InputError>([&] { overwrite(x); }), refusal);
-  put(x / "summary.json");
-  EXPECT_EQ(message_of<InputError>([&] { overwrite(x); }), refusal) << "of another program";
+  for (const char* name : {"report.html", "histories.csv", "summary.json"}) put(x / name);
+  EXPECT_EQ(message_of<InputError>([&] { overwrite(x); }),
+            "results folder " + x.string() +
+                " has no list of files that moat wrote (.moat), and is not replaced. Choose another folder, or remove "
+                "this one.");
   EXPECT_EQ(testing_output::read_file(x / "report.html"), "something");
-  put_summary(x);
-  overwrite(x);
-  EXPECT_FALSE(fs::exists(x / "report.html"));
 }
 
 TEST_F(ResultsFolderTest, GivesDotsTheNameOfTheirFolder) {
@@ -393,25 +359,15 @@ TEST_F(ResultsFolderTest, GivesDotsTheNameOfTheirFolder) {
   EXPECT_EQ(numbered(folder / "x" / "."), real / "x_2");
   EXPECT_EQ(numbered(folder / "x" / "./"), real / "x_3");
   EXPECT_EQ(numbered(folder / "x" / "empty" / ".."), real / "x_4");
-  EXPECT_EQ(ResultsFolder(folder / "x" / ".", WhenFolderExists::overwrite).final_path(), real / "x");
   EXPECT_FALSE(fs::exists(folder / "x" / "._2"));
   EXPECT_EQ(message_of<InputError>([&] { (void)numbered("/"); }),
             "results folder /: this is the root of all folders. Give a folder in it, for example results/run.");
-}
-
-TEST_F(ResultsFolderTest, RefusesAndSaysTheRemedy) {
-  put(folder / "x" / "notes.txt");
-  EXPECT_EQ(message_of<InputError>([&] { ResultsFolder(folder / "x", WhenFolderExists::refuse); }),
-            "results folder " + (folder / "x").string() +
-                " exists and is not empty. Choose another folder, remove this one, or allow overwriting or a new "
-                "number.");
-  EXPECT_TRUE(fs::exists(folder / "x" / "notes.txt"));
   EXPECT_THROW(ResultsFolder("", WhenFolderExists::overwrite), InputError);
 }
 
 TEST_F(ResultsFolderTest, ReportsAFileInTheWay) {
   put(folder / "x");
-  for (const auto when : {WhenFolderExists::use_new_number, WhenFolderExists::overwrite, WhenFolderExists::refuse}) {
+  for (const auto when : {WhenFolderExists::use_new_number, WhenFolderExists::overwrite}) {
     EXPECT_NE(message_of<FileError>([&] { ResultsFolder(folder / "x", when); }).find((folder / "x").string()),
               std::string::npos);
     EXPECT_THROW(ResultsFolder(folder / "x" / "inside", when), FileError);

@@ -10,6 +10,7 @@
 namespace moat {
 namespace {
 
+using testing_output::find;
 using testing_output::HandMovedBuilding;
 
 TEST(Channels, NameEveryQuantityWithPlaceAndUnit) {
@@ -36,7 +37,7 @@ TEST(Channels, NameEveryQuantityWithPlaceAndUnit) {
   ASSERT_EQ(channels.list().size(), std::size(expected));
   std::set<std::pair<std::string, std::string>> seen;
   for (const Expected& wanted : expected) {
-    const int at = channels.find(wanted.quantity, wanted.where);
+    const int at = find(channels, wanted.quantity, wanted.where);
     ASSERT_GE(at, 0) << wanted.quantity << " " << wanted.where;
     const Channel& channel = channels.list()[static_cast<std::size_t>(at)];
     EXPECT_EQ(channel.quantity, wanted.quantity);
@@ -45,8 +46,8 @@ TEST(Channels, NameEveryQuantityWithPlaceAndUnit) {
     EXPECT_EQ(channel.unit, wanted.unit);
     EXPECT_TRUE(seen.emplace(channel.quantity, channel.where).second);
   }
-  EXPECT_EQ(channels.find("displacement", "storey 1"), -1);
-  EXPECT_EQ(channels.find("force", "damper"), -1);
+  EXPECT_EQ(find(channels, "displacement", "storey 1"), -1);
+  EXPECT_EQ(find(channels, "force", "damper"), -1);
 }
 
 TEST(Channels, SampleTheCommittedState) {
@@ -56,9 +57,9 @@ TEST(Channels, SampleTheCommittedState) {
   // Base 12 cm to the right: 2 cm into the right wall, bearing yielded.
   channels.sample(building.move(1.0, 0.12, 0.15, 4.0, -2.0, 0.5), values, rates);
   // Later trial states have no effect.
-  building.model.trial().displacement.setConstant(9.0);
+  building.state->trial().displacement.setConstant(9.0);
   const auto value = [&](const char* quantity, const char* where) {
-    return values.at(static_cast<std::size_t>(channels.find(quantity, where)));
+    return values.at(static_cast<std::size_t>(find(channels, quantity, where)));
   };
   EXPECT_EQ(values.size(), channels.list().size());
   EXPECT_DOUBLE_EQ(value("displacement", "base"), 0.12);
@@ -74,7 +75,7 @@ TEST(Channels, SampleTheCommittedState) {
   EXPECT_EQ(value("indentation", "moat left"), 0.0);
   EXPECT_DOUBLE_EQ(value("total_base_shear", "base"), -(2.0 * 4.5 + 3.0 * -1.5));
   const auto rate = [&](const char* quantity, const char* where) {
-    return rates.at(static_cast<std::size_t>(channels.find(quantity, where)));
+    return rates.at(static_cast<std::size_t>(find(channels, quantity, where)));
   };
   EXPECT_EQ(rates.size(), channels.list().size());
   EXPECT_DOUBLE_EQ(rate("displacement", "base"), value("velocity", "base"));
@@ -87,7 +88,7 @@ TEST(Channels, SampleTheCommittedState) {
   EXPECT_NEAR(rate("absolute_acceleration", "floor 1"), -(0.3 - 6.0) / 3.0, 1e-12);
   EXPECT_DOUBLE_EQ(rate("total_base_shear", "base"),
                    -(2.0 * rate("absolute_acceleration", "base") + 3.0 * rate("absolute_acceleration", "floor 1")));
-  EXPECT_EQ(Channels::of_node(building.floor), static_cast<std::size_t>(channels.find("displacement", "floor 1")));
+  EXPECT_EQ(Channels::of_node(building.floor), static_cast<std::size_t>(find(channels, "displacement", "floor 1")));
 }
 
 }  // namespace

@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "message_of.hpp"
-#include "output/files/table_columns.hpp"
 #include "recorders_testing.hpp"
 
 namespace moat {
@@ -43,7 +42,8 @@ TEST(HistoryRecorder, InterpolatesByValueAndRate) {
   recorder.step(building.move(1.0, end, end, 0.01 * end, 0.01 * end, 2.0));
   const Table table = recorder.table();
   ASSERT_EQ(table.rows(), 5u);
-  const auto displacement = static_cast<std::size_t>(Channels{building.model}.find("displacement", "base")) + 2;
+  const auto displacement =
+      static_cast<std::size_t>(testing_output::find(Channels{building.model}, "displacement", "base")) + 2;
   for (std::size_t i = 0; i < 5; ++i) {
     const double time = 0.25 * static_cast<double>(i);
     EXPECT_DOUBLE_EQ(table.columns[0].values[i], time);
@@ -133,7 +133,7 @@ TEST(HistoryRecorder, HasAColumnForTimeGroundAndEveryChannel) {
   EXPECT_EQ(column_name(table.columns[1]), "ground_acceleration [m/s^2] ground");
   EXPECT_EQ(table.columns[1].values, std::vector<double>{1.5});
   std::vector<double> values, rates;
-  channels.sample({building.model, 1.5, true}, values, rates);
+  channels.sample({building.model, *building.state, {1.5}}, values, rates);
   for (std::size_t i = 0; i < values.size(); ++i) {
     EXPECT_EQ(table.columns[i + 2].quantity, channels.list()[i].quantity);
     EXPECT_EQ(table.columns[i + 2].where, channels.list()[i].where);

@@ -20,7 +20,7 @@ class Drift final : public QuantityRecorder {
   std::vector<OfferedQuantity> quantities() const override { return {{name_, "tower", "m"}, {"steps", "tower", "1"}}; }
   void step(const StepView&) override { ++steps_; }
   void sample(const StepView& view, std::span<double> values) const override {
-    values[0] = view.model.state().displacement[1] - view.model.state().displacement[0];
+    values[0] = view.state.motion().displacement[1] - view.state.motion().displacement[0];
     values[1] = steps_;
   }
 

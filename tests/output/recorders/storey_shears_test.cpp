@@ -7,6 +7,7 @@
 
 #include "elements/line/shear_spring.hpp"
 #include "elements/line/viscous_damper.hpp"
+#include "moved_model.hpp"
 #include "output/vtk/model_scene.hpp"
 #include "structures/plan_building.hpp"
 
@@ -23,13 +24,11 @@ TEST(StoreyShears, AddUpTheSpringsBetweenTheSameFloors) {
   add(model, ShearSpring{.name = "frame", .lower = low, .upper = high, .stiffness = 100 * N / m});
   add(model, ShearSpring{.name = "wall", .lower = low, .upper = high, .stiffness = 20 * N / m});
   add(model, ViscousDamper{.name = "damper", .lower = low, .upper = high, .damping = 5 * N * s / m});
-  model.prepare();
-  model.trial().displacement.head(2) << 0.01, -0.04;
-  model.trial().velocity.head(2) << 1.0, 2.0;
-  model.evaluate();
-  model.commit();
+  AnalysisState state{model};
+  testing::move_to(state, Vector{{0.01, -0.04}}, Vector{{1.0, 2.0}});
+  state.commit();
   StoreyShears shears{model, {{ground, low}, {low, high}}};
-  const std::span<const double> values = shears.evaluate(model);
+  const std::span<const double> values = shears.evaluate(state);
   ASSERT_EQ(values.size(), 2u);
   EXPECT_NEAR(values[0], 10.0, 1e-12);
   EXPECT_NEAR(values[1], -6.0, 1e-12);
@@ -43,20 +42,20 @@ TEST(StoreyShears, InPlanAreTheLengthOfTheSumOfAllColumns) {
                                                           .storeys = 2,
                                                           .floor_mass = 500 * tonne,
                                                           .columns = grid(3, 2, {.stiffness = 2 * kN / m})});
-  model.prepare();
+  AnalysisState state{model};
   const auto move = [&](const DiaphragmId& floor, double x, double y, double r) {
-    model.trial().displacement[floor.x.index] = x;
-    model.trial().displacement[floor.y.index] = y;
-    model.trial().displacement[floor.r.index] = r;
+    state.trial().displacement[floor.x.index] = x;
+    state.trial().displacement[floor.y.index] = y;
+    state.trial().displacement[floor.r.index] = r;
   };
   move(tower.floors[0], 0.04, 0.03, 0.002);
   move(tower.floors[1], 0.04, 0.03, 0.001);
-  model.evaluate();
-  model.commit();
+  state.evaluate();
+  state.commit();
   const Scene scene = scene_of(model);
   ASSERT_EQ(scene.storeys.size(), 2u);
   StoreyShears shears{model, scene.storeys};
-  const std::span<const double> values = shears.evaluate(model);
+  const std::span<const double> values = shears.evaluate(state);
   EXPECT_NEAR(values[0], 6.0 * 2000.0 * 0.05, 1e-9);
   EXPECT_NEAR(values[1], 0.0, 1e-9);
   // Every storey is drawn at the four corners of its floor.

@@ -20,7 +20,7 @@ TEST_F(FrameRecorderTest, WritesAFrameAtTheStartAndThenAtItsInterval) {
     FrameRecorder recorder{building.model, folder, 0.1};
     recorder.start(building.move(0.0, 0.0, 0.0));
     for (int i = 1; i <= 10; ++i) recorder.step(building.move(0.04 * i, 0.0, 0.0));
-    recorder.finish({building.model, 0.0, true});
+    recorder.finish({building.model, *building.state});
   }
   const std::string pvd = testing_output::read_file(folder / "frames.pvd");
   // 0, then the first steps at or after 0.1, 0.2, 0.3 and 0.4 s.

@@ -31,7 +31,6 @@ struct ReferenceResult {
   std::vector<ReferencePeak> peaks;
   std::vector<ReferenceTouch> touches;
   std::vector<double> displacement, velocity;  ///< of the nodes at the end
-  long steps = 0;
 };
 
 /// Dormand and Prince's fifth-order method in steps that end on the samples of the motion and on every event: touch,
@@ -40,5 +39,22 @@ struct ReferenceResult {
 /// short, because forces may rise with infinite slope. Peaks are those of the cubics through value and rate at both
 /// ends of every step.
 ReferenceResult reference_history(const PlainModel& model, const ReferenceOptions& options = {});
+
+/// The reference with the estimate of its own error.
+struct CheckedReference {
+  ReferenceResult result;            ///< of the finer run
+  std::vector<double> peak_changes;  ///< relative, from a run with twice the steps and 32 times the tolerance
+  bool same_touches = true;          ///< both runs saw the same gaps touch in the same order
+  double largest_change = 0.0;       ///< of the peaks that count; see `counting_peaks`
+
+  [[nodiscard]] bool settled(double relative) const { return same_touches && largest_change <= relative; }
+};
+
+/// Runs the reference twice.
+CheckedReference checked_reference(const PlainModel& model, const ReferenceOptions& options = {});
+
+/// For each peak, whether it counts in comparisons: those of at least a thousandth of the largest peak of their
+/// quantity in the model.
+std::vector<bool> counting_peaks(const std::vector<ReferencePeak>& peaks);
 
 }  // namespace moat::testing

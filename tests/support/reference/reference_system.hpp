@@ -27,7 +27,6 @@ class ReferenceSystem {
   explicit ReferenceSystem(const PlainModel& model);
 
   [[nodiscard]] std::size_t size() const { return masses_.size(); }
-  [[nodiscard]] double mass(std::size_t node) const { return masses_[node]; }
 
   /// a = -f(u, v)/M - a_g.
   void accelerations(const double* displacement, const double* velocity, double ground, double* acceleration) const;

@@ -1,0 +1,161 @@
+// The bodies of a model.
+#include <cmath>
+#include <string>
+
+#include "base/error.hpp"
+#include "model/checked_name.hpp"
+#include "model/model.hpp"
+
+namespace moat {
+
+void Model::check_new_name(const Check& check, const std::string& name) const {
+  check_name(check, name);
+  check.that(name != "ground", "this name is taken.", "`ground` is always there; choose another name.");
+  check.that(!body_names_.contains(name), "a node or diaphragm of this name exists.", "Give every one its own name.");
+}
+
+void Model::begin_body(Body body) {
+  body.first = NodeId{degrees_of_freedom()};
+  body_names_.insert(body.name);
+  bodies_.push_back(std::move(body));
+  ++additions_;
+}
+
+NodeId Model::append(std::string name, double mass, GroundVector influence, double displacement, double velocity) {
+  body_names_.insert(name);
+  names_.push_back(std::move(name));
+  ids_.push_back(NodeId{degrees_of_freedom()});
+  body_of_.push_back(bodies_.size() - 1);
+  mass_.append(mass);
+  influence_x_.push_back(influence.x);
+  influence_y_.push_back(influence.y);
+  influence_z_.push_back(influence.z);
+  moves_along_x_ = moves_along_x_ && influence == GroundVector{1.0, 0.0, 0.0};
+  initial_displacement_.push_back(displacement);
+  initial_velocity_.push_back(velocity);
+  return ids_.back();
+}
+
+NodeId Model::add_node(const Node& node) {
+  const Check check{"Node", node.name};
+  check.that(!node.name.empty(), "a node has no name.", "Give .name: results are listed under it.");
+  check_new_name(check, node.name);
+  check.positive("mass", node.mass, "Every degree of freedom needs mass.");
+  check.finite("initial_displacement", node.initial_displacement);
+  check.finite("initial_velocity", node.initial_velocity);
+  check.positive("half_width", node.half_width);
+  if (node.direction) {
+    constexpr double round_off = 1e-9;
+    const double its_length = length(*node.direction);
+    check.that(std::abs(its_length - 1.0) <= round_off, "length of direction", its_length, "1", "1",
+               "Give the unit vector along which the node moves.");
+  }
+  check.that(node.direction || !is_plan(), "a node without direction in a model with diaphragms.",
+             "Give .direction, or a Diaphragm in place of the node: a model moves on a line or in plan.");
+  Body body{.name = node.name,
+            .x = node.x.si(),
+            .height = node.height.si(),
+            .half_width = node.half_width.si(),
+            .free = node.free};
+  if (node.direction) body.direction = *node.direction;
+  const PlanVector along = body.direction.value_or(PlanVector{1.0, 0.0});
+  begin_body(std::move(body));
+  return append(node.name, node.mass.value().si(), {along.x, along.y, 0.0}, node.initial_displacement.si(),
+                node.initial_velocity.si());
+}
+
+DiaphragmId Model::add_diaphragm(const Diaphragm& diaphragm) {
+  const double inertia = checked_rotary_inertia(diaphragm);
+  const Check check{"Diaphragm", diaphragm.name};
+  check_new_name(check, diaphragm.name);
+  for (const Body& body : bodies_)
+    if (body.degrees_of_freedom == 1 && !body.direction)
+      check.that(false, "the model has the node \"" + body.name + "\", which moves on a line.",
+                 "Give that node a .direction, or make it a Diaphragm: a model moves on a line or in plan.");
+  for (const char* suffix : {":x", ":y", ":r"})
+    check.that(!body_names_.contains(diaphragm.name + suffix), "a node \"" + diaphragm.name + suffix + "\" exists.",
+               "Give every node and diaphragm its own name.");
+  const double mass = diaphragm.mass.si(), gyration = std::sqrt(inertia / mass);
+  const Length arc = gyration * diaphragm.initial_rotation * units::m;
+  const Speed arc_speed = gyration * units::m * diaphragm.initial_angular_velocity;
+  for (const Length displacement : {diaphragm.initial_displacement.x, diaphragm.initial_displacement.y, arc})
+    check.finite("initial_displacement", displacement);
+  for (const Speed velocity : {diaphragm.initial_velocity_x, diaphragm.initial_velocity_y, arc_speed})
+    check.finite("initial_velocity", velocity);
+  PlacedDiaphragm placed{.name = diaphragm.name,
+                         .id = {},
+                         .mass = mass,
+                         .gyration = gyration,
+                         .centre_of_mass = diaphragm.centre_of_mass.si(),
+                         .outline = diaphragm.outline,
+                         .height = diaphragm.height.si()};
+  begin_body({.name = diaphragm.name,
+              .x = placed.centre_of_mass.x,
+              .y = placed.centre_of_mass.y,
+              .height = placed.height,
+              .degrees_of_freedom = 3,
+              .free = diaphragm.free,
+              .diaphragm = diaphragms_.size()});
+  placed.id.x = append(diaphragm.name + ":x", mass, {1.0, 0.0, 0.0}, diaphragm.initial_displacement.x.si(),
+                       diaphragm.initial_velocity_x.si());
+  placed.id.y = append(diaphragm.name + ":y", mass, {0.0, 1.0, 0.0}, diaphragm.initial_displacement.y.si(),
+                       diaphragm.initial_velocity_y.si());
+  // The ground does not turn.
+  placed.id.r = append(diaphragm.name + ":r", mass, {}, arc.si(), arc_speed.si());
+  diaphragms_.push_back(std::move(placed));
+  return diaphragms_.back().id;
+}
+
+std::vector<NodeId> Model::add_body(const GeneralisedBody& body) {
+  const Check check{"GeneralisedBody", body.name};
+  check.that(!body.name.empty(), "a body has no name.", "Give .name: results are listed under it.");
+  check_new_name(check, body.name);
+  const auto count = static_cast<Eigen::Index>(body.coordinates.size());
+  check.that(count > 0, "no coordinates are given.", "Give .coordinates, at least one.");
+  check.that(body.mass.rows() == count && body.mass.cols() == count, "the mass matrix has another size.",
+             "Give one row and one column for each of the coordinates.");
+  check.that(body.mass.allFinite() && body.mass == body.mass.transpose() &&
+                 Eigen::LLT<Eigen::MatrixXd>{body.mass}.info() == Eigen::Success,
+             "the mass matrix is not symmetric and positive definite.",
+             "Every coordinate needs mass, and masses couple both ways alike.");
+  for (std::size_t i = 0; i < body.coordinates.size(); ++i) {
+    const GeneralisedCoordinate& coordinate = body.coordinates[i];
+    check_name(check, coordinate.name);
+    check.that(!body_names_.contains(body.name + ":" + coordinate.name) &&
+                   std::ranges::count(body.coordinates, coordinate.name, &GeneralisedCoordinate::name) == 1,
+               "a node \"" + body.name + ":" + coordinate.name + "\" exists.", "Give every coordinate its own name.");
+    check.finite("initial_displacement", Length{coordinate.initial_displacement});
+    check.finite("initial_velocity", Speed{coordinate.initial_velocity});
+  }
+  begin_body({.name = body.name,
+              .x = body.x.si(),
+              .y = body.y.si(),
+              .height = body.height.si(),
+              .degrees_of_freedom = static_cast<int>(count),
+              .free = body.free});
+  std::vector<NodeId> nodes;
+  for (const GeneralisedCoordinate& coordinate : body.coordinates)
+    nodes.push_back(append(body.name + ":" + coordinate.name, 0.0, coordinate.ground_influence,
+                           coordinate.initial_displacement, coordinate.initial_velocity));
+  add_mass(nodes, body.mass);
+  return nodes;
+}
+
+void Model::add_mass(const std::vector<NodeId>& nodes, const Eigen::MatrixXd& mass) {
+  const Check check{"Model", ""};
+  std::vector<int> rows;
+  for (const NodeId node : nodes) {
+    require_node(node, check, "a node of added mass");
+    check.that(node != ground && std::ranges::count(nodes, node) == 1,
+               "a node of added mass is the ground or repeated.", "Give different nodes.");
+    rows.push_back(node.index);
+  }
+  const auto count = static_cast<Eigen::Index>(rows.size());
+  check.that(mass.rows() == count && mass.cols() == count && mass.allFinite() && mass == mass.transpose(),
+             "the added mass is not a symmetric matrix with one row per node.", "Give such a matrix, in kg.");
+  check.that(mass_.add(rows, mass), "the mass matrix is not positive definite with the added mass.",
+             "Couple degrees of freedom by less than the mass that they have.");
+  ++additions_;
+}
+
+}  // namespace moat

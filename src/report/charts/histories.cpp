@@ -1,0 +1,94 @@
+#include "report/charts/result_charts.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <string>
+
+#include "output/files/engineering_unit.hpp"
+#include "report/charts/chart_columns.hpp"
+
+namespace moat {
+namespace {
+
+Chart history_chart(const Column& time, const std::vector<const Column*>& columns) {
+  const Column& first = *columns.front();
+  Chart chart{.title = capitalised(in_words(first.quantity)),
+              .x_label = "time [s]",
+              .y_label = axis_label(first.quantity, first.unit),
+              .series = {},
+              .x_range = std::pair{time.values.front(), time.values.back()}};
+  for (const Column* column : columns)
+    chart.series.push_back({column->where, time.values, in_engineering_unit(*column)});
+  return chart;
+}
+
+// A curve with a value that is not finite, or whose range may not be, cannot be drawn.
+bool can_be_drawn(const Column& column) {
+  constexpr double largest = 1e300;
+  return std::ranges::all_of(column.values, [](double value) { return std::abs(value) <= largest; });
+}
+
+bool is_zero(const Column* column) {
+  return std::ranges::all_of(column->values, [](double value) { return value == 0.0; });
+}
+
+// Those of the gaps that closed; of all where none did.
+std::vector<const Column*> impact_forces(const Table& table) {
+  std::vector<const Column*> forces = columns_of(table, "impact_force");
+  if (!std::ranges::all_of(forces, is_zero)) std::erase_if(forces, is_zero);
+  return forces;
+}
+
+}  // namespace
+
+std::vector<Chart> history_charts(const CaseResult& result) {
+  const Table& table = result.histories;
+  require_equal_lengths(table);
+  const Column* time = column_of(table, "time", "");
+  std::vector<Chart> charts;
+  if (time == nullptr || time->values.back() <= time->values.front()) return charts;
+  std::vector<std::vector<const Column*>> groups;
+  if (result.model.diaphragms.empty()) {
+    groups = {bases_and_tops(result, result.histories, "displacement"),
+              bases_and_tops(result, result.histories, "absolute_acceleration")};
+  } else {
+    for (const char* quantity :
+         {"displacement_x", "displacement_y", "rotation", "absolute_acceleration_x", "absolute_acceleration_y"})
+      groups.push_back(bases_and_tops(result, result.histories, quantity));
+  }
+  groups.push_back(impact_forces(table));
+  std::set<std::string> offered;
+  for (const OfferedQuantity& each : result.offered)
+    if (offered.insert(each.quantity).second) groups.push_back(columns_of(table, each.quantity));
+  for (std::vector<const Column*>& columns : groups) {
+    std::erase_if(columns, [](const Column* column) { return !can_be_drawn(*column); });
+    if (!columns.empty()) charts.push_back(history_chart(*time, columns));
+  }
+  return charts;
+}
+
+std::optional<Chart> energy_chart(const CaseResult& result) {
+  const auto energy = [&](const std::string& name) {
+    return column_of(result.histories, name + "_energy", "structure");
+  };
+  const Column *time = column_of(result.histories, "time", ""), *input = energy("input");
+  if (time == nullptr || time->values.size() < 2 || input == nullptr) return std::nullopt;
+  Chart chart{.title = "Energy", .x_label = "time [s]", .y_label = axis_label("energy", "J"), .series = {}};
+  std::vector<double> below(time->values.size(), 0.0);
+  // Energies that only grow lie at the bottom, those that come and go on top.
+  for (const char* name : {"hysteretic", "viscous", "impact", "friction", "strain", "kinetic"}) {
+    const Column* part = energy(name);
+    if (part == nullptr) continue;
+    const std::vector<double> values = in_engineering_unit(*part);
+    Series band{.name = name, .x = time->values, .y = below, .style = Series::Style::band};
+    for (std::size_t i = 0; i < below.size(); ++i) below[i] += values[i];
+    band.x.insert(band.x.end(), time->values.rbegin(), time->values.rend());
+    band.y.insert(band.y.end(), below.rbegin(), below.rend());
+    chart.series.push_back(std::move(band));
+  }
+  chart.series.push_back({.name = "input", .x = time->values, .y = in_engineering_unit(*input), .colour = 6});
+  return chart;
+}
+
+}  // namespace moat

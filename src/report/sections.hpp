@@ -1,0 +1,44 @@
+// The sections of a report that results fill.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "output/charts/chart.hpp"
+#include "output/files/case_result.hpp"
+
+namespace moat::html {
+
+/// Rows of impacts that are shown; impacts.csv has all.
+inline constexpr std::size_t most_impacts = 100;
+/// Rows of peaks of one quantity that are shown; of more places those with the largest values.
+inline constexpr std::size_t most_places = 40;
+
+/// Motion and size of the model in one line, then a card for each of the largest displacement, drift, acceleration,
+/// isolator deformation and impact force, the smallest clearance left, the number of impacts and the error of the
+/// energy balance. Values carry their error bars; those that are not settled are shaded.
+std::string summary_section(const CaseResult& result);
+
+/// The verdict of the error bars and all warnings; empty without any.
+std::string warning_section(const CaseResult& result);
+
+/// The model to scale: the elevation of a model on a line, the plan of one in plan with the orbits of the corners and
+/// the centre of mass of every base. The page's script moves it by the histories, with displacements and gaps drawn
+/// larger by the same factor, so that bodies touch in the drawing when they touch in the model. Without script it shows
+/// the model at rest. Empty without scene (CaseResult::scene) and for less than two rows of histories.
+std::string drawing_section(const CaseResult& result);
+
+/// The table of impacts, a sentence on each of its columns, and the loops (impact_loops()), each with the restitution
+/// that its law asks for and the one that it delivered.
+std::string impact_section(const CaseResult& result, const std::vector<Chart>& loops);
+
+/// A table of peaks for each quantity, side by side where there is room, with errors and the method behind them.
+std::string peak_section(const CaseResult& result);
+
+/// The smallest opening of every gap; empty without gaps.
+std::string clearance_section(const CaseResult& result);
+
+/// The deformation of every isolator at the end; empty without isolators.
+std::string section_at_the_end(const CaseResult& result);
+
+}  // namespace moat::html
