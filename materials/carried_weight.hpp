@@ -3,8 +3,6 @@
 
 #include <concepts>
 
-#include "base/check.hpp"
-#include "base/quantity.hpp"
 #include "materials/response.hpp"
 
 namespace moat {

@@ -6,7 +6,6 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
-#include <string_view>
 
 #include "materials/friction/pressure_temperature_velocity.hpp"
 #include "materials/response.hpp"

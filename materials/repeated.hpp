@@ -1,21 +1,29 @@
-// Equal elements side by side.
+// Equal laws side by side, or a share of a law.
 #pragma once
 
 #include <span>
-#include <vector>
 
 #include "materials/response.hpp"
 
 namespace moat {
 
 /// `count` equal laws side by side: the same deformation, `count` times the force, stiffness and energies. States,
-/// regimes and reported quantities are those of one of them.
+/// regimes and reported quantities are those of one of them. A count below 1 is a share: several points of a face
+/// divide the law of the face among them.
 template <ForceLaw Law>
 struct Repeated {
   Law law;             ///< one of them
   double count = 1.0;  ///< > 0
 
   using State = typename Law::State;
+
+  /// Returns the name of the law.
+  [[nodiscard]] std::string_view name() const { return name_of(law); }
+  [[nodiscard]] std::vector<Parameter> parameters() const {
+    std::vector<Parameter> list = parameters_of(law);
+    list.push_back({"count", count, "1"});
+    return list;
+  }
 
   Response evaluate(const State& committed, double deformation, double rate, State& trial) const
       requires(!TimeDependentLaw<Law> && !AxialForceLaw<Law>) {
@@ -61,6 +69,11 @@ struct Repeated {
   State next_regime(const State& committed, double deformation, double rate) const requires LawWithRegimes<Law> {
     return law.next_regime(committed, deformation, rate);
   }
+  /// Returns the duration of a contact under the mass that one of them carries, s.
+  double contact_duration(double effective_mass, double approach_speed) const requires requires {
+    law.contact_duration(effective_mass, approach_speed);
+  }
+  { return law.contact_duration(effective_mass / count, approach_speed); }
   ReportedValue quantity(std::size_t index, const State& state, double deformation, double rate,
                          double second_rate) const requires requires {
     Law::quantities;

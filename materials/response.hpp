@@ -1,4 +1,5 @@
-// The interface of force-deformation laws, and their force with its tangents.
+// The interface of force-deformation laws, and their force with its tangents. Brings the types and checks of which laws
+// make their parameters.
 #pragma once
 
 #include <concepts>
@@ -8,10 +9,11 @@
 #include <type_traits>
 #include <vector>
 
+#include "base/check.hpp"
 #include "base/parameter.hpp"
-#include "base/reported_quantity.hpp"
 #include "base/stiffness_stage.hpp"
 #include "base/text/type_name.hpp"
+#include "base/units.hpp"
 
 namespace moat {
 

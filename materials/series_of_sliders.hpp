@@ -6,7 +6,6 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
-#include <string_view>
 
 #include "materials/course.hpp"
 #include "materials/response.hpp"

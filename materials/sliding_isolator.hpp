@@ -4,8 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <string_view>
-#include <vector>
 
 #include "materials/friction/friction_models.hpp"
 #include "materials/response.hpp"

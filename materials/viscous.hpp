@@ -1,13 +1,6 @@
 // Linear dashpot.
 #pragma once
 
-#include <string_view>
-#include <vector>
-
-#include "base/check.hpp"
-#include "base/parameter.hpp"
-#include "base/quantity.hpp"
-#include "base/required.hpp"
 #include "materials/response.hpp"
 
 namespace moat {

@@ -1,13 +1,10 @@
 #include "structures/isolation.hpp"
 
+#include <algorithm>
+
 namespace moat {
 
 Isolation::Isolation(LeadRubberBearing bearing) { take(std::move(bearing)); }
-Isolation::Isolation(const Isolation& other) = default;
-Isolation::Isolation(Isolation&& other) noexcept = default;
-Isolation& Isolation::operator=(const Isolation& other) = default;
-Isolation& Isolation::operator=(Isolation&& other) noexcept = default;
-Isolation::~Isolation() = default;
 
 void Isolation::add_to(Model& model, const std::string& prefix, NodeId base, Force weight) const {
   for (const Part& part : parts_) part.add(model, prefix + part.name, base, weight);
@@ -24,15 +21,10 @@ void Isolation::join(Isolation other) {
   has_upper_ = has_upper_ || other.has_upper_;
   for (Part& part : other.parts_) {
     const std::string name = part.name;
-    for (int number = 2; is_taken(part.name); ++number) part.name = name + " " + std::to_string(number);
+    for (int number = 2; std::ranges::count(parts_, part.name, &Part::name) > 0; ++number)
+      part.name = name + " " + std::to_string(number);
     parts_.push_back(std::move(part));
   }
-}
-
-bool Isolation::is_taken(const std::string& name) const {
-  for (const Part& part : parts_)
-    if (part.name == name) return true;
-  return false;
 }
 
 }  // namespace moat

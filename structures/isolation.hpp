@@ -31,12 +31,6 @@ concept DamperLaw = ForceLaw<Law> && Law::is_damper;
 class Isolation {
  public:
   Isolation(LeadRubberBearing bearing);  ///< Lead-rubber bearings.
-  // All of these are defaults; compiled in the library, they cost no time in scripts.
-  Isolation(const Isolation& other);                 ///< A copy.
-  Isolation(Isolation&& other) noexcept;             ///< Takes all of it.
-  Isolation& operator=(const Isolation& other);      ///< A copy.
-  Isolation& operator=(Isolation&& other) noexcept;  ///< Takes all of it.
-  ~Isolation();
   /// An isolator of any law.
   template <IsolatorLaw Law>
   Isolation(Isolator<Law> isolator) {
@@ -92,7 +86,6 @@ class Isolation {
   }
   void take(const std::string& name, NodeId lower, NodeId upper, Add add);
   void join(Isolation other);
-  [[nodiscard]] bool is_taken(const std::string& name) const;
 
   std::vector<Part> parts_;
   bool has_lower_ = false, has_upper_ = false;

@@ -1,6 +1,5 @@
 #include "structures/moat.hpp"
 
-#include "elements/line/link_block.hpp"
 #include "elements/line/viscous_damper.hpp"
 #include "materials/bilinear.hpp"
 #include "materials/linear.hpp"
@@ -10,15 +9,13 @@ namespace {
 
 // Soil resists where the wall moves away from the building. Its deformation counts towards the soil.
 void add_backfill(Model& model, const HyperbolicBackfill& soil, const std::string& wall, NodeId node, bool on_left) {
-  const std::string name = wall + " backfill";
-  soil.check(Check{"HyperbolicBackfill", name});
-  model.register_element("HyperbolicBackfill", name);
-  model.block<LinkBlock<HyperbolicBackfill>>().add({.name = name,
-                                                    .first = on_left ? node : ground,
-                                                    .second = on_left ? ground : node,
-                                                    .deformation_quantity = "backfill_deformation",
-                                                    .force_quantity = "backfill_force"},
-                                                   soil);
+  add_link(model, "HyperbolicBackfill",
+           {.name = wall + " backfill",
+            .first = on_left ? node : ground,
+            .second = on_left ? ground : node,
+            .deformation_quantity = "backfill_deformation",
+            .force_quantity = "backfill_force"},
+           soil);
 }
 
 }  // namespace

@@ -2,7 +2,6 @@
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 #include "base/check.hpp"
@@ -10,7 +9,6 @@
 #include "elements/plan/rotation_link.hpp"
 #include "materials/linear.hpp"
 #include "materials/viscous.hpp"
-#include "structures/plan_stiffness.hpp"
 
 namespace moat {
 namespace {
@@ -31,7 +29,7 @@ void check_parameters(const PlanBuilding& building) {
   check.that(building.storeys >= 1, "storeys", building.storeys, "", ">= 1");
   building.floor_mass.check(check, "floor_mass", building.storeys);
   building.storey_height.check(check, "storey_height", building.storeys);
-  building.columns.check(check, building.storeys);
+  building.columns.check_count(check, "columns", building.storeys);
   check.that(building.damping.ratio >= 0.0 && building.damping.ratio < 1.0, "damping.ratio", building.damping.ratio,
              "1", ">= 0 and < 1", "5 % of critical is 0.05.");
   if (building.bearings)
@@ -41,13 +39,6 @@ void check_parameters(const PlanBuilding& building) {
                "left out without bearings: the ground is the base", "Give .bearings, or leave out .base_mass.");
 }
 
-void require_new_name(const Model& model, const PlanBuilding& building) {
-  const std::string floor = building.name.empty() ? "floor 1" : building.name + " floor 1";
-  if (!model.has_node(floor + ":x")) return;
-  Check{"PlanBuilding", building.name}.that(false, "the model has a diaphragm \"" + floor + "\" already.",
-                                            "Give every building its own .name.");
-}
-
 std::vector<StoreySpring> springs_of_storey(const Check& check, const PlanColumns& columns, const PlanOutline& outline,
                                             const std::string& storey) {
   std::vector<StoreySpring> springs;
@@ -55,13 +46,12 @@ std::vector<StoreySpring> springs_of_storey(const Check& check, const PlanColumn
     if (x.si() > 0.0) springs.push_back({name + " x", x.si(), at, {1.0, 0.0}});
     if (y.si() > 0.0) springs.push_back({name + " y", y.si(), at, {0.0, 1.0}});
   };
-  if (columns.whole()) {
-    const StoreyStiffness& whole = *columns.whole();
-    check.positive(storey + " columns.x", whole.x);
-    check.positive(storey + " columns.y", whole.y);
-    check.positive(storey + " columns.rotation", whole.rotation.si(), "N m/rad");
-    add_both(whole.centre_of_rigidity, whole.x, whole.y, storey);
-    springs.push_back({storey + " rotation", whole.rotation.si()});
+  if (const StoreyStiffness* whole = columns.whole()) {
+    check.positive(storey + " columns.x", whole->x);
+    check.positive(storey + " columns.y", whole->y);
+    check.positive(storey + " columns.rotation", whole->rotation.si(), "N m/rad");
+    add_both(whole->centre_of_rigidity, whole->x, whole->y, storey);
+    springs.push_back({storey + " rotation", whole->rotation.si()});
     return springs;
   }
   int number = 0;
@@ -148,31 +138,24 @@ class Builder {
     }
   }
 
+  [[nodiscard]] NodeId below(std::size_t floor) const { return floor == 0 ? base_ : parts_.floors[floor - 1].x; }
+
   void add_storeys() {
     std::vector<std::vector<StoreySpring>> storeys;
-    NodeId below = base_;
     for (std::size_t i = 0; i < parts_.floors.size(); ++i) {
-      const NodeId above = parts_.floors[i];
       const std::string storey = "storey " + std::to_string(i + 1);
       storeys.push_back(springs_of_storey(check_, building_.columns.of(static_cast<int>(i) + 1), building_.outline,
                                           prefix_ + storey));
-      for (const StoreySpring& spring : storeys.back()) add_spring(model_, spring, below, above);
+      for (const StoreySpring& spring : storeys.back()) add_spring(model_, spring, below(i), parts_.floors[i]);
       // No storey above is there yet.
       require_stiffness(storey, stiffness_of_floors(model_, {parts_.floors[i]}));
-      below = above;
     }
-    if (building_.damping.ratio > 0.0)
-      add_damping(storeys, rayleigh_factors_in_plan(building_.damping.ratio, model_, parts_.floors));
-  }
-
-  void add_damping(const std::vector<std::vector<StoreySpring>>& storeys, const RayleighFactors& rayleigh) {
-    NodeId below = base_;
+    if (building_.damping.ratio == 0.0) return;
+    const RayleighFactors rayleigh = rayleigh_factors_in_plan(building_.damping.ratio, model_, parts_.floors);
     for (std::size_t i = 0; i < storeys.size(); ++i) {
-      const NodeId above = parts_.floors[i];
       for (const StoreySpring& spring : storeys[i])
-        add_dashpot(model_, spring, rayleigh.stiffness_factor, below, above);
+        add_dashpot(model_, spring, rayleigh.stiffness_factor, below(i), parts_.floors[i]);
       if (rayleigh.mass_factor > 0.0) add_mass_damping(i, rayleigh.mass_factor);
-      below = above;
     }
   }
 
@@ -208,7 +191,7 @@ class Builder {
     int number = 0;
     for (const PlanBearings::Placed& bearing : bearings)
       bearing.add_to(model_, {prefix_ + "bearing " + std::to_string(++number), prefix_ + "bearings"}, parts_.base,
-                     share);
+                     bearing.at, share);
   }
 
   Model& model_;
@@ -230,8 +213,34 @@ std::vector<DiaphragmId> PlanBuildingParts::diaphragms() const {
 
 PlanBuildingParts add(Model& model, const PlanBuilding& building) {
   check_parameters(building);
-  require_new_name(model, building);
+  const std::string floor = building.name.empty() ? "floor 1" : building.name + " floor 1";
+  Check{"PlanBuilding", building.name}.that(!model.has_node(floor + ":x"),
+                                            "the model has a diaphragm \"" + floor + "\" already.",
+                                            "Give every building its own .name.");
   return Builder{model, building}.build();
+}
+
+PlanBuilding with_eccentricity(PlanBuilding building, double share_of_x, double share_of_y) {
+  const Check check{"with_eccentricity", building.name};
+  check.between("share_of_x", share_of_x, -0.5, 0.5, "1", "5 % is 0.05.");
+  check.between("share_of_y", share_of_y, -0.5, 0.5, "1", "5 % is 0.05.");
+  const PlanOutline& outline = building.outline;
+  outline.check(check, "outline");
+  const auto extent = [&](Length PlanPosition::*component) {
+    const auto [low, high] = std::ranges::minmax(outline.corners, {}, component);
+    return high.*component - low.*component;
+  };
+  const Length x = share_of_x * extent(&PlanPosition::x), y = share_of_y * extent(&PlanPosition::y);
+  for (PlanPosition* offset : {&building.mass_offset, &building.base_mass_offset}) {
+    offset->x += x;
+    offset->y += y;
+  }
+  return building;
+}
+
+std::array<PlanBuilding, 4> accidental_eccentricities(const PlanBuilding& building, double share) {
+  return {with_eccentricity(building, share, 0.0), with_eccentricity(building, -share, 0.0),
+          with_eccentricity(building, 0.0, share), with_eccentricity(building, 0.0, -share)};
 }
 
 }  // namespace moat

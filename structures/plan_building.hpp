@@ -1,6 +1,7 @@
 // A building in plan: rigid floors with eccentric masses on columns and bearings.
 #pragma once
 
+#include <Eigen/Core>
 #include <array>
 #include <optional>
 #include <string>
@@ -42,9 +43,8 @@ struct PlanBuilding {
   PlanPosition mass_offset{};
   /// Offset of the base's centre of mass from the outline's centroid.
   PlanPosition base_mass_offset{};
-  /// One for all storeys, or a list from the lowest up.
-  StoreyColumns columns;
-  RayleighDamping damping{};  ///< Damping of the superstructure.
+  PerStorey<PlanColumns> columns;  ///< Lateral stiffness of each storey.
+  RayleighDamping damping{};       ///< Damping of the superstructure.
   /// > 0 kg; give it together with bearings.
   Mass base_mass{};
   /// Under the base; fixed to the ground if left out.
@@ -78,6 +78,10 @@ PlanBuildingParts add(Model& model, const PlanBuilding& building);
 /// mode get the stiffness part only. They are those of rayleigh_factors_of_chain() for a symmetric building. Throws
 /// InputError for a ratio outside [0, 1) or no floors.
 RayleighFactors rayleigh_factors_in_plan(double ratio, const Model& model, const std::vector<DiaphragmId>& floors);
+
+/// Returns the stiffness of these floors for small motions, all others held: a row and a column for each of their
+/// degrees of freedom, N/m.
+Eigen::MatrixXd stiffness_of_floors(const Model& model, const std::vector<DiaphragmId>& floors);
 
 /// All centres of mass moved along x and y by these shares of the outline's extent there, from where they are:
 /// accidental eccentricity. ASCE 7 takes 5 % of the plan dimension across the motion.

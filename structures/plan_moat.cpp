@@ -34,7 +34,7 @@ NodeId add_plan_wall(Model& model, const FlexibleWall& wall, const std::string& 
 
 }  // namespace
 
-std::vector<MeetingPair> moat_pairs(Model& model, const std::string& name, DiaphragmId around,
+std::vector<CornerPlace> moat_pairs(Model& model, const std::string& name, DiaphragmId around,
                                     std::optional<Length> clearance, const PlanOutline& walls, const Facing& facing,
                                     const std::optional<FlexibleWall>& wall) {
   const Check check{"PlanMoat", name};
@@ -55,7 +55,7 @@ std::vector<MeetingPair> moat_pairs(Model& model, const std::string& name, Diaph
   const bool of_face = facing.share == Share::per_face || facing.points_per_face > 0;
   const Mass effective_mass = of_face ? base.mass * units::kg : Mass{};
 
-  std::vector<MeetingPair> pairs;
+  std::vector<CornerPlace> pairs;
   std::vector<NodeId> wall_nodes(edges.size(), ground);
   for (const FacingCorner& each : corners_facing_walls(check, base.outline, edges, facing, "\"" + base_name + "\"")) {
     const std::string number = std::to_string(each.edge + 1), wall_name = name + " wall " + number,
@@ -77,12 +77,12 @@ std::vector<MeetingPair> moat_pairs(Model& model, const std::string& name, Diaph
   return pairs;
 }
 
-std::vector<MeetingPair> neighbour_pairs(const Model& model, const std::string& name, DiaphragmId first,
+std::vector<CornerPlace> neighbour_pairs(const Model& model, const std::string& name, DiaphragmId first,
                                          DiaphragmId second, Length reach) {
   const Check check{"PlanNeighbours", name};
   check.that(!name.empty(), "neighbours have no name.", "Give .name, or leave it out: \"neighbours\".");
   const PlacedDiaphragm &a = with_outline(model, check, first), &b = with_outline(model, check, second);
-  std::vector<MeetingPair> pairs;
+  std::vector<CornerPlace> pairs;
   for (const FacingCorner& each :
        corners_facing_each_other(check, a.outline, b.outline, reach, "\"" + a.name + "\" and \"" + b.name + "\"")) {
     const std::string &own = each.of_first ? a.name : b.name, &other = each.of_first ? b.name : a.name;

@@ -59,45 +59,22 @@ struct PlanNeighbours {
   Length reach = 1.0 * units::m;
 };
 
-/// A corner and an edge that may meet: a CornerGap but for its law and friction.
-struct MeetingPair {
-  std::string name;         ///< Name of the gap.
-  std::string place;        ///< Name of the whole moat.
-  PlanPoint corner;         ///< At rest.
-  NodeId edge_of;           ///< The body of the edge.
-  PlanPosition edge_begin;  ///< The corner is on the left of the way to edge_end.
-  PlanPosition edge_end;    ///< At rest, too.
-  double share = 1.0;       ///< Share of the law's force.
-  Mass effective_mass{};    ///< For the law; 0 kg stands for that of the corner.
-  std::string corner_name;  ///< For tables.
-  std::string edge_name;    ///< For tables.
-};
-
 /// The pairs of a moat; adds its walls where they are flexible. Throws InputError for a clearance that is < 0 m or
 /// above the reach, both or neither of clearance and walls, a diaphragm without outline, and as corners_facing_walls().
-std::vector<MeetingPair> moat_pairs(Model& model, const std::string& name, DiaphragmId around,
+std::vector<CornerPlace> moat_pairs(Model& model, const std::string& name, DiaphragmId around,
                                     std::optional<Length> clearance, const PlanOutline& walls, const Facing& facing,
                                     const std::optional<FlexibleWall>& wall);
 /// The pairs of neighbours. Throws InputError for a diaphragm without outline, and as corners_facing_each_other() does.
-std::vector<MeetingPair> neighbour_pairs(const Model& model, const std::string& name, DiaphragmId first,
+std::vector<CornerPlace> neighbour_pairs(const Model& model, const std::string& name, DiaphragmId first,
                                          DiaphragmId second, Length reach);
 
 /// Throws InputError as add(Model&, CornerGap) does.
 template <ImpactLaw Law>
-void add_pairs(Model& model, const std::vector<MeetingPair>& pairs, const Law& law, const CornerFriction& friction) {
-  for (const MeetingPair& pair : pairs)
-    add(model, CornerGap<Law>{.name = pair.name,
-                              .place = pair.place,
-                              .corner = pair.corner,
-                              .edge_of = pair.edge_of,
-                              .edge_begin = pair.edge_begin,
-                              .edge_end = pair.edge_end,
-                              .law = law,
-                              .friction = friction,
-                              .share = pair.share,
-                              .effective_mass = pair.effective_mass,
-                              .corner_name = pair.corner_name,
-                              .edge_name = pair.edge_name});
+void add_pairs(Model& model, std::vector<CornerPlace> pairs, const Law& law, const CornerFriction& friction) {
+  for (CornerPlace& pair : pairs) {
+    pair.friction = friction;
+    add(model, pair, law);
+  }
 }
 
 /// Throws InputError as moat_pairs(), the contacts and the walls do.

@@ -1,12 +1,11 @@
 // Columns and bearings of a building in plan: where they stand.
 #pragma once
 
-#include <concepts>
 #include <functional>
-#include <optional>
 #include <string>
 #include <type_traits>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include "elements/line/lead_rubber_bearing.hpp"
@@ -67,10 +66,6 @@ Grid<Bearing> grid(int along_x, int along_y, Bearing bearing) {
   return {along_x, along_y, std::move(bearing)};
 }
 
-/// The points of a grid over an outline, row by row. Throws InputError, naming `field`, for counts below 1.
-std::vector<PlanPosition> grid_points(const Check& check, const std::string& field, int along_x, int along_y,
-                                      const PlanOutline& outline);
-
 /// A column line at a position.
 struct ColumnLine {
   PlanPosition at{};    ///< on the floor
@@ -92,48 +87,17 @@ struct StoreyStiffness {
 /// The lateral stiffness of a storey: column lines on a grid or anywhere, or the storey as a whole.
 class PlanColumns {
  public:
-  /// Equal columns on a grid.
-  PlanColumns(Grid<StoreyColumn> columns) : grid_{columns}, is_grid_{true} {}
-  /// Column lines anywhere.
-  PlanColumns(std::vector<ColumnLine> lines) : lines_{std::move(lines)} {}
-  /// The storey as a whole.
-  PlanColumns(StoreyStiffness whole) : whole_{whole} {}
+  PlanColumns(Grid<StoreyColumn> columns) : form_{columns} {}              ///< Equal columns on a grid.
+  PlanColumns(std::vector<ColumnLine> lines) : form_{std::move(lines)} {}  ///< Column lines anywhere.
+  PlanColumns(StoreyStiffness whole) : form_{whole} {}                     ///< The storey as a whole.
 
-  /// Column lines; none where the storey is given as a whole.
+  /// Column lines, for a storey that is not given as a whole. Throws InputError for a grid of less than 1 x 1.
   [[nodiscard]] std::vector<ColumnLine> lines(const Check& check, const PlanOutline& outline) const;
-  /// Empty where column lines are given.
-  [[nodiscard]] const std::optional<StoreyStiffness>& whole() const { return whole_; }
+  /// The storey as a whole; null where column lines are given.
+  [[nodiscard]] const StoreyStiffness* whole() const { return std::get_if<StoreyStiffness>(&form_); }
 
  private:
-  Grid<StoreyColumn> grid_{1, 1, {}};
-  bool is_grid_ = false;
-  std::vector<ColumnLine> lines_{};
-  std::optional<StoreyStiffness> whole_{};
-};
-
-/// The columns of all storeys: one PlanColumns for all, or a list from the lowest up.
-class StoreyColumns {
- public:
-  /// One PlanColumns for every storey.
-  template <std::convertible_to<PlanColumns> Every>
-  StoreyColumns(Every every) : list_{PlanColumns{std::move(every)}} {}
-  /// One per storey, from the lowest up.
-  StoreyColumns(std::vector<PlanColumns> list) : list_{std::move(list)}, is_list_{true} {}
-
-  /// Columns of storey 1, 2, ...
-  [[nodiscard]] const PlanColumns& of(int storey) const {
-    return list_[is_list_ ? static_cast<std::size_t>(storey - 1) : 0];
-  }
-  /// Throws InputError unless a list has one for each storey.
-  void check(const Check& check, int storeys) const {
-    check.that(!is_list_ || list_.size() == static_cast<std::size_t>(storeys),
-               "columns has " + std::to_string(list_.size()) + " entries for " + std::to_string(storeys) + " storeys.",
-               "Give one for all storeys, or one for each from the lowest up.");
-  }
-
- private:
-  std::vector<PlanColumns> list_;
-  bool is_list_ = false;
+  std::variant<Grid<StoreyColumn>, std::vector<ColumnLine>, StoreyStiffness> form_;
 };
 
 /// The bearings under a building: any law of two components, or LeadRubberBearing, FrictionPendulum or GrantRubber,
@@ -145,16 +109,19 @@ class StoreyColumns {
 ///     .bearings = {{at_1, BiaxialBilinear{...}}, {at_2, LeadRubberBearing{...}}}
 class PlanBearings {
  public:
+  /// Names of an element and of the place that its peaks are listed under.
+  struct Names {
+    std::string name, place;  ///< unique, and common to all bearings of a building
+  };
   /// One bearing, of any such law.
-  class Placed {
-   public:
+  struct Placed {
     /// A bearing at a position on the floor.
     template <BearingInPlan Bearing>
-    Placed(PlanPosition at, Bearing bearing) : at_{at} {
-      add_ = [bearing](Model& model, const Names& names, DiaphragmId under, PlanPosition at_place, Force weight) {
+    Placed(PlanPosition position, Bearing bearing) : at{position} {
+      add_to = [bearing](Model& model, const Names& names, DiaphragmId under, PlanPosition place_at, Force weight) {
         const auto place = [&](const auto& law) {
           add(model, PlanBearing<std::remove_cvref_t<decltype(law)>>{
-                         .name = names.name, .under = under, .at = at_place, .law = law, .place = names.place});
+                         .name = names.name, .under = under, .at = place_at, .law = law, .place = names.place});
         };
         if constexpr (PlanarLaw<Bearing>)
           place(bearing);
@@ -165,42 +132,17 @@ class PlanBearings {
       };
     }
 
-    /// On the floor, as given.
-    [[nodiscard]] PlanPosition at() const { return at_; }
-    /// Returns the same bearing at another position.
-    [[nodiscard]] Placed moved_to(PlanPosition at) const {
-      Placed copy = *this;
-      copy.at_ = at;
-      return copy;
-    }
-    /// Names of the element and of the place that its peaks are listed under.
-    struct Names {
-      std::string name, place;  ///< unique, and common to all bearings of a building
-    };
-    /// `weight` is that on this bearing.
-    void add_to(Model& model, const Names& names, DiaphragmId under, Force weight) const {
-      add_(model, names, under, at_, weight);
-    }
-
-   private:
-    PlanPosition at_;
-    std::function<void(Model&, const Names&, DiaphragmId, PlanPosition, Force)> add_;
+    PlanPosition at;  ///< On the floor.
+    /// Adds it to a model at a position, under this weight.
+    std::function<void(Model&, const Names&, DiaphragmId under, PlanPosition at, Force weight)> add_to;
   };
 
   /// Equal bearings on a grid.
   template <class Law>
   PlanBearings(Grid<Law> bearings)
       : along_x_{bearings.along_x}, along_y_{bearings.along_y}, list_{Placed{PlanPosition{}, bearings.item}} {}
-  /// Bearings anywhere.
-  PlanBearings(std::vector<Placed> list);
-  /// Bearings anywhere.
-  PlanBearings(std::initializer_list<Placed> list);
-  // All of these are defaults; compiled in the library, they cost no time in scripts.
-  PlanBearings(const PlanBearings& other);                 ///< A copy.
-  PlanBearings(PlanBearings&& other) noexcept;             ///< Takes all of it.
-  PlanBearings& operator=(const PlanBearings& other);      ///< A copy.
-  PlanBearings& operator=(PlanBearings&& other) noexcept;  ///< Takes all of it.
-  ~PlanBearings();
+  PlanBearings(std::vector<Placed> list) : list_{std::move(list)} {}  ///< Bearings anywhere.
+  PlanBearings(std::initializer_list<Placed> list) : list_{list} {}   ///< Bearings anywhere.
 
   /// At their positions on the outline. Throws InputError for a grid of less than 1 x 1.
   [[nodiscard]] std::vector<Placed> placed(const Check& check, const PlanOutline& outline) const;

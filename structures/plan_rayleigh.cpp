@@ -5,22 +5,18 @@
 
 #include "base/check.hpp"
 #include "structures/plan_building.hpp"
-#include "structures/plan_stiffness.hpp"
 
 namespace moat {
 namespace {
 
-using Matrix = Eigen::MatrixXd;
-
 RayleighFactors factors_of_stiffness(double ratio, const Model& model, const std::vector<DiaphragmId>& floors,
-                                     Matrix stiffness) {
+                                     Eigen::MatrixXd stiffness) {
   Eigen::VectorXd root_of_mass{stiffness.rows()};
   for (std::size_t i = 0; i < floors.size(); ++i)
     root_of_mass.segment<3>(static_cast<Eigen::Index>(3 * i)).setConstant(std::sqrt(model.diaphragm(floors[i]).mass));
-  for (Eigen::Index i = 0; i < stiffness.rows(); ++i)
-    for (Eigen::Index j = 0; j < stiffness.cols(); ++j) stiffness(i, j) /= root_of_mass[i] * root_of_mass[j];
-  const Eigen::SelfAdjointEigenSolver<Matrix> solver{stiffness};
-  // The share of a mode, of unit length, in translation along a direction, and altogether.
+  stiffness.array() /= (root_of_mass * root_of_mass.transpose()).array();
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver{stiffness};
+  // The share of a mode, of unit length, in translation along a direction.
   const auto share_along = [&](Eigen::Index mode, PlanVector direction) {
     double sum = 0.0;
     for (Eigen::Index i = 0; i < stiffness.rows(); i += 3) {
@@ -29,14 +25,11 @@ RayleighFactors factors_of_stiffness(double ratio, const Model& model, const std
     }
     return sum;
   };
-  const auto translation = [&](Eigen::Index mode) {
-    return share_along(mode, {1.0, 0.0}) + share_along(mode, {0.0, 1.0});
-  };
   constexpr double half = 0.5 - 1e-9;
   std::vector<double> frequencies;
   PlanVector direction;
   for (Eigen::Index mode = 0; mode < stiffness.rows() && frequencies.size() < 2; ++mode) {
-    const double all = translation(mode);
+    const double all = share_along(mode, {1.0, 0.0}) + share_along(mode, {0.0, 1.0});
     if (all < half) continue;
     if (frequencies.empty()) {
       PlanVector participation;
@@ -55,6 +48,14 @@ RayleighFactors factors_of_stiffness(double ratio, const Model& model, const std
 }
 
 }  // namespace
+
+Eigen::MatrixXd stiffness_of_floors(const Model& model, const std::vector<DiaphragmId>& floors) {
+  std::vector<int> rows;
+  for (const DiaphragmId& id : floors)
+    for (const NodeId node : id.degrees_of_freedom()) rows.push_back(node.index);
+  const Eigen::MatrixXd whole{model.linear_stiffness(StiffnessStage::initial)};
+  return whole(rows, rows);
+}
 
 RayleighFactors rayleigh_factors_in_plan(double ratio, const Model& model, const std::vector<DiaphragmId>& floors) {
   const Check check{"RayleighDamping", ""};

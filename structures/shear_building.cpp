@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "base/check.hpp"
-#include "elements/line/link_block.hpp"
+#include "elements/block/link_checks.hpp"
 #include "elements/line/shear_spring.hpp"
 #include "elements/line/viscous_damper.hpp"
 #include "materials/storeys/p_delta.hpp"
@@ -34,15 +34,6 @@ void check_parameters(const ShearBuilding& building) {
     check.that(building.base_mass == Mass{}, "base_mass", building.base_mass.si(), "kg",
                "left out without isolation: the ground is the base", "Give .isolation, or leave out .base_mass.");
   }
-}
-
-// Two buildings without names are a likely mistake. A message about a repeated node alone would not help: the script
-// did not add the node itself.
-void require_new_name(const Model& model, const ShearBuilding& building) {
-  const std::string floor = building.name.empty() ? "floor 1" : building.name + " floor 1";
-  if (!model.has_node(floor)) return;
-  Check{"ShearBuilding", building.name}.that(false, "the model has a node \"" + floor + "\" already.",
-                                             "Give every building its own .name.");
 }
 
 Building add_nodes(Model& model, const ShearBuilding& building, const std::string& prefix) {
@@ -82,9 +73,7 @@ void add_p_delta(Model& model, const ShearBuilding& building, const std::string&
   check.that(-law.stiffness() < stiffness.si(),
              "p_delta: weight above / storey_height of storey " + std::to_string(storey), -law.stiffness(), "N/m",
              "below its stiffness, " + to_text(stiffness.si()) + " N/m", "The storey would fall over.");
-  model.register_element("PDelta", name);
-  model.block<LinkBlock<PDelta>>().add({.name = name, .first = lower, .second = upper, .drawn_as = DrawnAs::nothing},
-                                       law);
+  add_link(model, "PDelta", {.name = name, .first = lower, .second = upper, .drawn_as = DrawnAs::nothing}, law);
 }
 
 void add_storeys(Model& model, const ShearBuilding& building, const std::string& prefix, const Building& nodes) {
@@ -92,7 +81,6 @@ void add_storeys(Model& model, const ShearBuilding& building, const std::string&
   const std::vector<Stiffness> stiffnesses = initial_stiffnesses(building);
   const RayleighFactors rayleigh = rayleigh_factors_of_chain(building.damping.ratio, masses, stiffnesses);
   NodeId below = nodes.base;
-  std::string of_damper;  // copied from here, names take no more memory than they need
   for (std::size_t i = 0; i < nodes.floors.size(); ++i) {
     const NodeId above = nodes.floors[i];
     const std::string number = std::to_string(i + 1);
@@ -104,12 +92,12 @@ void add_storeys(Model& model, const ShearBuilding& building, const std::string&
     if (building.p_delta)
       add_p_delta(model, building, name + " P-delta", static_cast<int>(i) + 1, below, above, stiffnesses[i]);
     if (rayleigh.stiffness_factor > 0.0)
-      add(model, ViscousDamper{.name = of_damper.assign(name).append(" damping"),
+      add(model, ViscousDamper{.name = name + " damping",
                                .lower = below,
                                .upper = above,
                                .damping = rayleigh.stiffness_factor * units::s * stiffnesses[i]});
     if (rayleigh.mass_factor > 0.0)
-      add(model, ViscousDamper{.name = of_damper.assign(prefix).append("floor ").append(number).append(" damping"),
+      add(model, ViscousDamper{.name = prefix + "floor " + number + " damping",
                                .lower = nodes.base,
                                .upper = above,
                                .damping = rayleigh.mass_factor / units::s * masses[i]});
@@ -121,8 +109,12 @@ void add_storeys(Model& model, const ShearBuilding& building, const std::string&
 
 Building add(Model& model, const ShearBuilding& building) {
   check_parameters(building);
-  require_new_name(model, building);
   const std::string prefix = building.name.empty() ? "" : building.name + " ";
+  // Two buildings without names are a likely mistake. A message about a repeated node alone would not help: the script
+  // did not add the node itself.
+  Check{"ShearBuilding", building.name}.that(!model.has_node(prefix + "floor 1"),
+                                             "the model has a node \"" + prefix + "floor 1\" already.",
+                                             "Give every building its own .name.");
   Building added = add_nodes(model, building, prefix);
   add_storeys(model, building, prefix, added);
   if (building.isolation)

@@ -44,8 +44,7 @@ struct CaseOptions {
 ///     run.run();                                  // may throw ConvergenceError ...
 ///     const CaseResult result = run.result();     // ... and this still has all up to then
 ///
-/// The companion (analyses/case/error_bars.hpp) moves a copy of the model, taken before the first step. If it fails,
-/// the result has no error bars and a warning with the reason.
+/// If the companion (analyses/case/error_bars.hpp) fails, the result has no error bars and a warning with the reason.
 class CaseRun {
  public:
   /// The model must outlive the run. Throws InputError for an option outside its range.

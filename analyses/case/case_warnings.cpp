@@ -4,7 +4,7 @@
 #include <cmath>
 #include <iterator>
 
-#include "analyses/events/collapse_guard.hpp"
+#include "analyses/events/guards.hpp"
 #include "base/check.hpp"
 #include "base/units.hpp"
 #include "output/files/engineering_unit.hpp"

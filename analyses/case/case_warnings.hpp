@@ -22,7 +22,7 @@ std::vector<std::string> plan_warnings(const AnalysisState& state, const std::ve
                                        const std::vector<Impact>& impacts);
 
 /// A storey or an isolator that was deformed by more than 3 m, although not so far that the analysis ended
-/// (analyses/events/collapse_guard.hpp).
+/// (analyses/events/guards.hpp).
 std::vector<std::string> collapse_warnings(const std::vector<Peak>& peaks);
 
 /// High-damping rubber beyond the strain for which its parameters were fitted: a `fitted_strain_share` above 1.

@@ -77,7 +77,7 @@ void estimate_clearance_errors(PeaksAndImpacts& main, const PeaksAndImpacts& com
 double least_share_of_errors(const Model& model, const TransientOptions& options);
 
 /// Whether a run of this model that takes `solves` steps or Newton iterations, whichever are more, evaluates few enough
-/// elements for a companion by default: 2e5, with 13 more per solve for the equations themselves.
+/// elements for a companion by default: 2e5.
 bool companion_is_cheap(const Model& model, double solves);
 
 }  // namespace moat

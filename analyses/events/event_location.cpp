@@ -2,7 +2,6 @@
 
 #include <limits>
 #include <string>
-#include <vector>
 
 #include "base/check.hpp"
 #include "base/error.hpp"

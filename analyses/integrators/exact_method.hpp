@@ -23,7 +23,7 @@ class ExactMethod final : public StepMethod {
   static constexpr int most_degrees_of_freedom = 50;
   static constexpr double cubics_within = 16.0;  ///< Tolerances by which the cubic of a step may miss a vibration.
 
-  /// The model must be prepared and outlive this object. Steps are at most `longest_step` s. Throws InputError for a
+  /// The state must outlive this object. Steps are at most `longest_step` s. Throws InputError for a
   /// model with too many degrees of freedom, an element that is not linear between events, or an eigenvalue that needs
   /// thousands of steps from sample to sample.
   ExactMethod(AnalysisState& state, double longest_step, double tolerance);

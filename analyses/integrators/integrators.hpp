@@ -6,12 +6,12 @@
 #include <string_view>
 #include <variant>
 
-#include "analyses/integrators/automatic.hpp"
 #include "analyses/integrators/exact_between_events.hpp"
 #include "analyses/integrators/generalized_alpha.hpp"
 #include "analyses/integrators/hilber_hughes_taylor.hpp"
 #include "analyses/integrators/newmark.hpp"
 #include "analyses/integrators/step_scheme.hpp"
+#include "analyses/time_history/step_method.hpp"
 
 namespace moat {
 
@@ -34,5 +34,9 @@ std::optional<StepScheme> scheme_of(const Integrator& integrator);
 std::string_view name_of(const Integrator& integrator);
 /// Whether it is ExactBetweenEvents.
 inline bool is_exact(const Integrator& integrator) { return std::holds_alternative<ExactBetweenEvents>(integrator); }
+
+/// Makes the methods that take its steps. The state must outlive them. Throws InputError for a model that it cannot
+/// integrate.
+StepMethods methods_of(const Integrator& integrator, AnalysisState& state, const StepSettings& settings);
 
 }  // namespace moat

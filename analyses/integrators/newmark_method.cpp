@@ -84,7 +84,7 @@ std::vector<std::string> NewmarkMethod::warnings() const {
 }
 
 std::vector<std::string> NewmarkMethod::warnings_of_fixed_step() const {
-  constexpr double enough = 32.0;
+  constexpr int enough = StepSettings{}.steps_per_contact;
   const double step = settings_.fixed_step, interval = settings_.sample_interval, per_interval = interval / step;
   std::vector<std::string> list;
   if (std::abs(per_interval - std::round(per_interval)) > 1e-6 * per_interval || per_interval < 1.0 - 1e-6)

@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
+#include "analyses/integrators/step_control.hpp"
 #include "analyses/integrators/step_equations.hpp"
 #include "analyses/integrators/step_scheme.hpp"
-#include "analyses/time_history/step_control.hpp"
 #include "analyses/time_history/step_method.hpp"
 #include "solvers/newton.hpp"
 
@@ -16,8 +16,8 @@ namespace moat {
 /// Steps whose length StepControl chooses, solved by NOX.
 class NewmarkMethod final : public StepMethod {
  public:
-  /// `scheme`: of every step, with its description; none: StepControl chooses one for each step. The model must be
-  /// prepared and outlive this object.
+  /// `scheme`: of every step, with its description; none: StepControl chooses one for each step. The state must
+  /// outlive this object.
   NewmarkMethod(AnalysisState& state, const StepSettings& settings, std::optional<StepScheme> scheme = {},
                 std::string description = {});
 

@@ -5,11 +5,11 @@
 #include <limits>
 #include <utility>
 
-#include "analyses/time_history/equation_of_motion.hpp"
+#include "model/equation_of_motion.hpp"
 
 namespace moat {
 
-StepEquations::StepEquations(AnalysisState& state) : state_{&state}, resultants_{state.model()}, curvature_{state} {
+StepEquations::StepEquations(AnalysisState& state) : state_{&state}, resultants_{state.model()} {
   tangent_ = state.zero_matrix();
   predicted_displacement_.setZero(size());
   predicted_velocity_.setZero(size());
@@ -61,7 +61,6 @@ void StepEquations::begin(const StepTask& task, StepScheme scheme, Vector& guess
   }
   if (!scheme.balances_at_end()) average_start(a);
   state_->trial().time = task.end_time;
-  if (scheme.order() == 4) curvature_.add_to(guess, task);
 }
 
 // Whether the state of a step that was completed has been committed, or its start is tried again.
@@ -151,11 +150,6 @@ void StepEquations::filter_corrections_at_end() {
     }
   });
   filter(filtered_curve_, 1);
-}
-
-void StepEquations::forget() {
-  averaged_at_start_ = averaged_at_end_ = jerks_at_start_ = jerks_at_end_ = {};
-  curvature_.forget();
 }
 
 // The trial state with these accelerations at its end.

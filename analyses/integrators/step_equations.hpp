@@ -3,9 +3,8 @@
 
 #include <limits>
 
-#include "analyses/integrators/acceleration_curvature.hpp"
+#include "analyses/integrators/acceleration_scales.hpp"
 #include "analyses/integrators/step_scheme.hpp"
-#include "analyses/time_history/resultants.hpp"
 #include "analyses/time_history/step_method.hpp"
 #include "model/analysis_state.hpp"
 #include "solvers/factorisation.hpp"
@@ -20,17 +19,17 @@ namespace moat {
 /// step, and steps that end at a located event can be very short.
 class StepEquations final : public NonlinearSystem {
  public:
-  /// The model must be prepared and outlive the equations.
+  /// The state must outlive the equations.
   explicit StepEquations(AnalysisState& state);
 
   /// Sets up a step from the model's committed state. `guess` := accelerations to start from: those at its start, or
-  /// where the scheme knows jerks their continuation from the last step.
+  /// where the scheme knows jerks their tangent there.
   void begin(const StepTask& task, StepScheme scheme, Vector& guess);
   /// After the last compute_residual(): jerks of the trial state, and its velocities where the scheme corrects them.
   void complete();
 
   /// Accelerations of the committed state may have jumped: the next step follows no other.
-  void forget();
+  void forget() { averaged_at_start_ = averaged_at_end_ = jerks_at_start_ = jerks_at_end_ = {}; }
 
   int size() const override { return state_->model().degrees_of_freedom(); }
   bool compute_residual(const Vector& acceleration, Vector& residual) override;
@@ -87,7 +86,6 @@ class StepEquations final : public NonlinearSystem {
   Vector start_correction_, end_correction_, filtered_curve_;
   // The accelerations of averaged equations, which the next step needs. Those of the state balance its forces.
   AtInstant averaged_at_start_, averaged_at_end_;
-  AccelerationCurvature curvature_;
 };
 
 }  // namespace moat

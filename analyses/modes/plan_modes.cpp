@@ -1,7 +1,6 @@
 #include "analyses/modes/plan_modes.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 #include "base/check.hpp"
 #include "solvers/modes.hpp"

@@ -1,4 +1,4 @@
-// Pictures of the answers of studies.
+// Answers of studies, and their pictures.
 #pragma once
 
 #include <string>
@@ -6,8 +6,8 @@
 
 #include "analyses/questions/fragility.hpp"
 #include "analyses/questions/incremental_dynamic_analysis.hpp"
-#include "analyses/questions/smallest_gap.hpp"
 #include "output/charts/chart.hpp"
+#include "study/study_report.hpp"
 
 namespace moat {
 
@@ -23,5 +23,17 @@ Chart ida_chart(const std::vector<IdaCurve>& curves, const std::string& title, c
 /// The probability of pounding against the gap, in cm, with its confidence band, and the share of the records that
 /// need more, as far as it is known. The legend says how many need more than the largest gap.
 Chart pounding_chart(const GapDemand& demand, const std::string& title);
+
+/// Sentences and pictures for the report.
+struct StudyAnswers {
+  std::vector<std::string> sentences{};  ///< one answer each
+  std::vector<StudyPicture> pictures{};  ///< one question each
+};
+
+/// Where all axes are of names (records, laws): of smallest gaps "Probability of pounding" against the gap, with the
+/// fit and its band; of hunts "Incremental dynamic analysis", and "Fragility" for the limit of the hunt. Where one axis
+/// is of numbers and cases have `impacts`: the share of the cases that pounds against this axis, with the bounds of the
+/// share. Where a fit does not exist, a sentence says why.
+StudyAnswers answers_of(const StudyResult& study);
 
 }  // namespace moat

@@ -2,14 +2,43 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <string>
 #include <utility>
 
 #include "base/check.hpp"
-#include "base/error.hpp"
+#include "base/text/number_format.hpp"
 
 namespace moat {
+namespace {
+
+/// One result of all cases that are done and have a finite one, ascending.
+std::vector<double> finite_results(const StudyResult& study, std::string_view quantity) {
+  std::vector<double> values;
+  for (const CaseOutcome& outcome : study.outcomes())
+    for (const NamedNumber& result : outcome.results)
+      if (result.quantity == quantity && result.where.empty() && std::isfinite(result.value))
+        values.push_back(result.value);
+  std::ranges::sort(values);
+  return values;
+}
+
+std::vector<KnownInterval> known_intervals(const std::vector<double>& gaps, const std::vector<double>& beyond) {
+  const auto records = static_cast<double>(gaps.size() + beyond.size());
+  Check{"GapDemand", ""}.that(records >= 2.0 && !gaps.empty(), "records with a smallest gap", records, "1", ">= 2",
+                              gaps.empty() && records > 0.0
+                                  ? "All records need more than the largest gap: give a larger GapSearch::largest."
+                                  : "A distribution needs several records with the result smallest_gap.");
+  std::vector<KnownInterval> intervals;
+  for (const double gap : gaps) intervals.push_back({gap, gap, 1.0});
+  for (const double gap : beyond) intervals.push_back({.above = gap});
+  return intervals;
+}
+
+std::string in_cm(double gap) { return to_significant(100.0 * gap, 4); }
+
+}  // namespace
 
 StudyEvent exceeds(std::string quantity, std::string where, double threshold) {
   return [quantity = std::move(quantity), where = std::move(where), threshold](const CaseOutcome& outcome) {
@@ -81,6 +110,44 @@ std::vector<KnownInterval> event_limits(const StudyResult& study, std::string_vi
 LognormalFit fit_fragility(const StudyResult& study, std::string_view axis, const StudyEvent& event, Trend trend,
                            double confidence) {
   return LognormalFit{event_limits(study, axis, event, trend), confidence, "limits on axis " + std::string{axis}};
+}
+
+GapDemand::GapDemand(const StudyResult& study, double confidence)
+    : gaps_{finite_results(study, "smallest_gap")},
+      beyond_{finite_results(study, "smallest_gap_above")},
+      without_solution_{study.count(CaseState::failed) + study.count(CaseState::not_converged)},
+      fit_{known_intervals(gaps_, beyond_), confidence, "smallest gaps"} {}
+
+std::string GapDemand::description() const {
+  std::string text = std::to_string(gaps_.size()) + " records with a smallest gap from " + in_cm(gaps_.front()) +
+                     " to " + in_cm(gaps_.back()) + " cm, ";
+  if (!beyond_.empty())
+    text += std::to_string(beyond_.size()) + " that need more than " + in_cm(beyond_.front()) + " cm, ";
+  return text + std::to_string(without_solution_) + " without solution.";
+}
+
+Length GapDemand::gap(double probability_of_pounding) const {
+  return Length{fit_.quantile(1.0 - probability_of_pounding)};
+}
+
+Bounds GapDemand::gap_bounds(double probability_of_pounding) const {
+  return fit_.quantile_bounds(1.0 - probability_of_pounding);
+}
+
+Length GapDemand::empirical_gap(double share_that_pounds) const {
+  Check{"GapDemand", ""}.that(share_that_pounds >= 0.0 && share_that_pounds < 1.0, "share_that_pounds",
+                              share_that_pounds, "1", ">= 0 and < 1");
+  const auto may_pound =
+      std::min(static_cast<std::size_t>(share_that_pounds * static_cast<double>(records()) + 1e-9), records() - 1);
+  const std::size_t open = records() - 1 - may_pound;
+  return Length{open < gaps_.size() ? gaps_[open] : std::numeric_limits<double>::infinity()};
+}
+
+double GapDemand::probability(Length gap) const { return 1.0 - fit_.probability(gap.si()); }
+
+Bounds GapDemand::probability_bounds(Length gap) const {
+  const Bounds open = fit_.probability_bounds(gap.si());
+  return {1.0 - open.high, 1.0 - open.low};
 }
 
 }  // namespace moat

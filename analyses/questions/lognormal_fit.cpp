@@ -18,6 +18,8 @@ namespace moat {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
+/// The largest likelihood along a line is looked for so far around the middle, in widths of the data.
+constexpr double range = 12.0;
 
 double density(double z) { return std::isinf(z) ? 0.0 : std::exp(-0.5 * z * z) / std::sqrt(2.0 * std::numbers::pi); }
 
@@ -32,23 +34,22 @@ double normal_between(double low, double high) {
 
 /// The largest value of a function of one maximum.
 double largest_value(const std::function<double(double)>& function, double low, double high) {
-  constexpr int digits = 40;
-  constexpr double nothing = 1e300;
+  // No likelihood is as small, and differences of this number do not overflow.
+  constexpr double nothing = std::numeric_limits<float>::max();
   const auto upside_down = [&](double x) {
     const double value = function(x);
     return std::isfinite(value) ? -value : nothing;
   };
-  return -boost::math::tools::brent_find_minima(upside_down, low, high, digits).second;
+  return -boost::math::tools::brent_find_minima(upside_down, low, high, std::numeric_limits<double>::digits).second;
 }
 
 /// The place in one direction from `inside` where an excess grows beyond zero; infinite where it does not.
 double end_of(const std::function<double(double)>& excess, double inside, double step) {
-  constexpr int most_doublings = 40;
-  double near = inside, far = inside + step;
-  for (int i = 0; i < most_doublings; ++i) {
+  double near = inside;
+  for (; std::abs(step) * std::numeric_limits<double>::epsilon() < 1.0; step *= 2.0) {
+    const double far = inside + step;
     if (excess(far) > 0.0) return root_between(excess, std::min(near, far), std::max(near, far));
     near = far;
-    far = inside + (step *= 2.0);
   }
   return step > 0.0 ? infinity : -infinity;
 }
@@ -112,56 +113,45 @@ double LognormalFit::log_likelihood(Line line) const {
 }
 
 LognormalFit::Line LognormalFit::best_line() const {
-  constexpr int most_iterations = 200;
-  constexpr double flat = 1e-10, smallest_slope = 1e-3;
   Line line{1.0, 0.0};
   double value = log_likelihood(line);
-  for (int iteration = 0; iteration < most_iterations; ++iteration) {
+  for (bool grows = true; grows;) {
     Eigen::Vector2d gradient = Eigen::Vector2d::Zero();
     Eigen::Matrix2d hessian = Eigen::Matrix2d::Zero();
     for (const KnownInterval& each : intervals_) {
+      const auto z = [&](double y) { return std::isinf(y) ? y : line.slope * y - line.shift; };
       const double y_low = y_of(each.above), y_high = y_of(each.up_to);
       if (each.above == each.up_to) {
         const Eigen::Vector2d dz{y_low, -1.0};
-        const double z = line.slope * y_low - line.shift;
-        gradient += each.count * (Eigen::Vector2d{1.0 / line.slope, 0.0} - z * dz);
+        gradient += each.count * (Eigen::Vector2d{1.0 / line.slope, 0.0} - z(y_low) * dz);
         hessian -= each.count * dz * dz.transpose();
         hessian(0, 0) -= each.count / (line.slope * line.slope);
         continue;
       }
       Eigen::Vector2d first = Eigen::Vector2d::Zero();
       Eigen::Matrix2d second = Eigen::Matrix2d::Zero();
-      double z_low = -infinity, z_high = infinity;
-      if (std::isfinite(y_high)) {
-        const Eigen::Vector2d dz{y_high, -1.0};
-        z_high = line.slope * y_high - line.shift;
-        first += density(z_high) * dz;
-        second -= z_high * density(z_high) * dz * dz.transpose();
+      for (const auto& [y, sign] : {std::pair{y_high, 1.0}, std::pair{y_low, -1.0}}) {
+        if (!std::isfinite(y)) continue;
+        const Eigen::Vector2d dz{y, -1.0};
+        first += sign * density(z(y)) * dz;
+        second -= sign * z(y) * density(z(y)) * dz * dz.transpose();
       }
-      if (std::isfinite(y_low)) {
-        const Eigen::Vector2d dz{y_low, -1.0};
-        z_low = line.slope * y_low - line.shift;
-        first -= density(z_low) * dz;
-        second += z_low * density(z_low) * dz * dz.transpose();
-      }
-      const double probability = normal_between(z_low, z_high);
+      const double probability = normal_between(z(y_low), z(y_high));
       gradient += each.count * first / probability;
       hessian += each.count * (second / probability - first * first.transpose() / (probability * probability));
     }
     const Eigen::Vector2d step = -hessian.ldlt().solve(gradient);
-    if (gradient.dot(step) < flat * flat * std::max(1.0, std::abs(value))) break;
-    double share = 1.0;
-    Line next = line;
-    double next_value = -infinity;
-    for (; share > 1e-12; share *= 0.5) {
-      next = {line.slope + share * step[0], line.shift + share * step[1]};
-      next_value = log_likelihood(next);
-      if (next_value >= value + 1e-4 * share * gradient.dot(step)) break;
+    // The function is concave: a part of Newton's step increases it, until the rest is round-off.
+    grows = false;
+    for (double share = 1.0; !grows && share > std::numeric_limits<double>::epsilon(); share *= 0.5) {
+      const Line next{line.slope + share * step[0], line.shift + share * step[1]};
+      const double next_value = log_likelihood(next);
+      if (!(grows = next_value > value)) continue;
+      line = next;
+      value = next_value;
     }
-    if (!(next_value > value)) break;
-    line = next;
-    value = next_value;
   }
+  constexpr double smallest_slope = 1e-3;
   Check{"LognormalFit", what_}.that(line.slope > smallest_slope && std::isfinite(value),
                                     "the probability does not grow with the level.",
                                     "Check the data: the event happens at low levels and not at high ones.");
@@ -169,7 +159,6 @@ LognormalFit::Line LognormalFit::best_line() const {
 }
 
 double LognormalFit::profile_through(double y, double z) const {
-  constexpr double range = 12.0;
   const double middle = std::log(best_.slope);
   return largest_value(
       [&](double log_slope) {
@@ -180,8 +169,6 @@ double LognormalFit::profile_through(double y, double z) const {
 }
 
 double LognormalFit::profile_of_slope(double slope) const {
-  // The median lies within the data, or not far from them.
-  constexpr double range = 20.0;
   return largest_value([&](double middle) { return log_likelihood({slope, slope * middle}); }, -range, range);
 }
 
@@ -194,7 +181,7 @@ Bounds LognormalFit::quantile_bounds(double share) const {
   Check{"LognormalFit", what_}.that(share > 0.0 && share < 1.0, "share", share, "1", "> 0 and < 1");
   const double z = normal_quantile(share), at = (z + best_.shift) / best_.slope;
   const auto outside = [&](double y) { return excess(profile_through(y, z)); };
-  const double step = 0.2 / best_.slope;
+  const double step = 1.0 / best_.slope;
   return {std::exp(centre_ + scale_ * end_of(outside, at, -step)),
           std::exp(centre_ + scale_ * end_of(outside, at, step))};
 }
@@ -206,7 +193,7 @@ Bounds LognormalFit::dispersion_bounds() const {
     return excess(profile_of_slope(scale_ * std::exp(-log_dispersion)));
   };
   const double at = std::log(dispersion_);
-  return {std::exp(end_of(outside, at, -0.1)), std::exp(end_of(outside, at, 0.1))};
+  return {std::exp(end_of(outside, at, -1.0)), std::exp(end_of(outside, at, 1.0))};
 }
 
 double LognormalFit::probability(double x) const { return normal(best_.slope * y_of(x) - best_.shift); }
@@ -215,7 +202,7 @@ Bounds LognormalFit::probability_bounds(double x) const {
   Check{"LognormalFit", what_}.positive("x", x, "the values' unit");
   const double y = y_of(x), at = best_.slope * y - best_.shift;
   const auto outside = [&](double z) { return excess(profile_through(y, z)); };
-  return {normal(end_of(outside, at, -0.2)), normal(end_of(outside, at, 0.2))};
+  return {normal(end_of(outside, at, -1.0)), normal(end_of(outside, at, 1.0))};
 }
 
 double LognormalFit::quantile(double share) const {

@@ -57,8 +57,6 @@ class LognormalFit {
   [[nodiscard]] double quantile(double share) const;
   /// Confidence bounds of quantile(share), 0 < share < 1.
   [[nodiscard]] Bounds quantile_bounds(double share) const;
-  /// The data, as given.
-  [[nodiscard]] const std::vector<KnownInterval>& intervals() const { return intervals_; }
   /// The sum of their counts.
   [[nodiscard]] double count() const;
 

@@ -10,12 +10,7 @@ namespace moat {
 namespace {
 
 EnvelopeStudy with_envelope(StudyResult result) {
-  const StudyAxis& axis = result.axes().front();
   std::vector<EnvelopeEntry> envelope;
-  const auto case_name = [&](std::size_t row) {
-    const std::string value = axis.labels.empty() ? to_text(axis.values[row]) : axis.labels[row];
-    return axis.name + " = " + value + (axis.unit.empty() ? "" : " " + axis.unit);
-  };
   // Behind the column of the axis.
   for (std::size_t i = 1; i < result.table().columns.size(); ++i) {
     const Column& column = result.table().columns[i];
@@ -26,7 +21,7 @@ EnvelopeStudy with_envelope(StudyResult result) {
       const bool worse = column.quantity == "clearance_left" ? value < entry.value : value > entry.value;
       if (!std::isfinite(value) || (!entry.at.empty() && !worse)) continue;
       entry.value = value;
-      entry.at = case_name(row);
+      entry.at = StudyCase{result.cases(), row}.description();
     }
     envelope.push_back(std::move(entry));
   }

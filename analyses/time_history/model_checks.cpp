@@ -142,6 +142,11 @@ void check_start(const Model& model, const AnalysisState& state, const GroundMot
   check.that(model.is_plan() || !motion.has_two_components(),
              "the motion has two components, and the model moves on a line.",
              "Give one component, or make the model of diaphragms.");
+  const double* lifted = model.ground_influence().z;
+  check.that(motion.samples_z().empty() ||
+                 std::any_of(lifted, lifted + model.degrees_of_freedom(), [](double share) { return share != 0.0; }),
+             "the motion has a vertical component, and the ground lifts nothing of the model.",
+             "Give a motion without one, or coordinates with a GeneralisedCoordinate::ground_influence along z.");
 }
 
 }  // namespace moat

@@ -1,6 +1,5 @@
 #include "analyses/time_history/observers.hpp"
 
-#include <algorithm>
 #include <exception>
 #include <utility>
 

@@ -39,10 +39,9 @@ struct StepSettings {
 };
 
 /// A method of integration. An analysis (Transient) has one or several, in order of preference. The first that applies
-/// takes the step: propose(), solve(), and judge(), from propose() again where judge() returns false. The step is then
-/// looked through for events, which may call solve() with shorter parts of it, and committed. Every method hears of
-/// every step, also of those that another one took. A method does not depend on observers, files or the location of
-/// events.
+/// takes the step: propose(), solve(), and judge(), from propose() again where judge() returns false. The analysis then
+/// looks for events in the step, which may call solve() with shorter parts of it, and commits it. It calls accepted()
+/// and restart() of all methods. A method does not depend on observers, files or the location of events.
 class StepMethod {
  public:
   virtual ~StepMethod() = default;
@@ -51,7 +50,7 @@ class StepMethod {
   [[nodiscard]] virtual bool applies() const { return true; }
   /// Returns the length of the step to try next from the committed state, s.
   virtual double propose() = 0;
-  /// Solves a step into the trial state of the model: its motion with accelerations and jerks, and all forces with
+  /// Solves a step into the trial state: the motion with accelerations and jerks, and all forces with
   /// their rates. After propose() the whole step comes first, then shorter parts of it. False if it did not converge.
   virtual bool solve(const StepTask& task) = 0;
   /// Judges the trial state of the last solve(). False: it must be tried again with propose(), which is then shorter.

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "analyses/events/event_location.hpp"
-#include "analyses/integrators/methods_of.hpp"
+#include "analyses/integrators/integrators.hpp"
 #include "analyses/time_history/model_checks.hpp"
 #include "base/check.hpp"
 #include "base/error.hpp"
@@ -34,8 +34,6 @@ Transient::Transient(const Model& model, GroundMotion motion, AnalysisState stat
   method_ = methods_.by_preference.front().get();
   check_held(state_);
   check_gap_directions(model);
-  constexpr std::size_t most_at_one_instant = 64;  // more is rare
-  changes_.reserve(most_at_one_instant);
   state_.begin_motion(motion_);
   restart(false);
   change_regimes_at_end();

@@ -6,8 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "analyses/events/chatter_guard.hpp"
-#include "analyses/events/collapse_guard.hpp"
+#include "analyses/events/guards.hpp"
 #include "analyses/time_history/observers.hpp"
 #include "analyses/time_history/step_grid.hpp"
 #include "analyses/time_history/step_method.hpp"
@@ -32,7 +31,7 @@ namespace moat {
 ///
 /// A step that does not converge is cut in half; if that does not help, advance() throws ConvergenceError
 /// naming time, step, residual and the worst place. It is never accepted. The analysis ends, with a warning, where the
-/// model has collapsed (analyses/events/collapse_guard.hpp).
+/// model has collapsed (analyses/events/guards.hpp).
 ///
 ///     Transient analysis{model, motion, {.step = 2.5 * ms}};
 ///     while (!analysis.finished()) analysis.advance();
@@ -85,7 +84,7 @@ class Transient {
   [[nodiscard]] StepView view(bool on_grid) const;
 
   AnalysisState state_;
-  std::shared_ptr<const GroundMotion> motion_;  // shared with the state of the model
+  std::shared_ptr<const GroundMotion> motion_;  // shared with the state
   TransientOptions options_;
   StepSettings settings_;
   SolverStatistics statistics_;  // without the costs of methods

@@ -1,7 +1,6 @@
 #include "analyses/time_history/transient_options.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 #include "base/check.hpp"
 

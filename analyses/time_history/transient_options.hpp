@@ -6,7 +6,7 @@
 #include "base/quantity.hpp"
 #include "base/units.hpp"
 #include "motions/ground_motion.hpp"
-#include "output/files/analysis_facts.hpp"
+#include "output/files/case_result.hpp"
 #include "solvers/newton.hpp"
 
 namespace moat {
@@ -35,7 +35,7 @@ struct TransientOptions {
   Time step{};
 
   /// >= 1e-12, < 1. Adaptive step: the error of acceleration that one step should add at any node, relative to the
-  /// scale of the absolute acceleration there (analyses/time_history/acceleration_scales.hpp); above twice that a step
+  /// scale of the absolute acceleration there (analyses/integrators/acceleration_scales.hpp); above twice that a step
   /// is repeated. Steps are the longest step divided by powers of two. Exact steps: sixteen times this is the error of
   /// the cubic between the ends of a step, relative to the amplitude of the fastest vibration; Newmark's steps between
   /// them, in contact, have a third of it.

@@ -14,9 +14,10 @@
 #include <filesystem>
 #include <optional>
 
-#include "app/usage_errors.hpp"
+#include "app/command_line.hpp"
 #include "base/text/number_format.hpp"
 #include "documentation_section.hpp"
+#include "measuring/five_peaks.hpp"
 #include "output/charts/chart.hpp"
 #include "paper/paper_building.hpp"
 #include "paper/printed_table.hpp"
@@ -59,26 +60,15 @@ CaseResult run(const GroundMotion& motion, const TransientOptions& options) {
 }
 
 Peaks peaks_of(const CaseResult& result) {
-  constexpr std::array<std::array<const char*, 2>, 6> wanted{{{"displacement", "base"},
-                                                              {"displacement", "floor 5"},
-                                                              {"absolute_acceleration", "base"},
-                                                              {"absolute_acceleration", "floor 5"},
-                                                              {"impact_force", "moat"},
-                                                              {"storey_shear", "storey 1"}}};
-  Peaks peaks{};
-  for (std::size_t i = 0; i < wanted.size(); ++i)
-    for (const Peak& peak : result.peaks)
-      if (peak.quantity == wanted[i][0] && peak.where == wanted[i][1]) peaks[i] = peak.magnitude();
-  return peaks;
+  const auto peak = [&](const char* quantity, const char* where) {
+    return performance::peak_of(result, quantity, where);
+  };
+  return {peak("displacement", "base"),          peak("displacement", "floor 5"),
+          peak("absolute_acceleration", "base"), peak("absolute_acceleration", "floor 5"),
+          peak("impact_force", "moat"),          peak("storey_shear", "storey 1")};
 }
 
-double largest_error(const Peaks& peaks, const Peaks& reference) {
-  double worst = 0.0;
-  for (std::size_t i = 0; i < peaks.size(); ++i) worst = std::max(worst, std::abs(peaks[i] / reference[i] - 1.0));
-  return worst;
-}
-
-/// Nothing for KBU000, for which there is no reference.
+/// Returns the peaks of the reference; there is none for KBU000.
 std::optional<Peaks> reference_of(const std::string& record) {
   for (const paper::PrintedRow& row : paper::printed_table("reference_peaks.csv")) {
     if (row.at("record") != record || row.at("case") != "hertz_damp") continue;
@@ -106,7 +96,8 @@ std::vector<Motion> motions() {
 
 Point measure(const Motion& motion, const std::string& setting, const TransientOptions& options) {
   const CaseResult result = run(motion.motion, options);
-  return {setting, static_cast<double>(result.solver.accepted_steps), largest_error(peaks_of(result), motion.reference),
+  return {setting, static_cast<double>(result.solver.accepted_steps),
+          performance::largest_error(peaks_of(result), motion.reference),
           std::abs(result.energy.integration_error) / result.energy.largest_input};
 }
 

@@ -18,7 +18,7 @@ struct ErrorBarCheck {
   double width = 0.0;     ///< median of bar over true error, where that is more than the change of the reference
 };
 
-/// Of the models of one setting, by their worst peak.
+/// The errors of the models of one setting, by their worst peak.
 struct ErrorDistribution {
   std::vector<double> errors;      ///< relative, of the worst peak that counts, ascending
   std::vector<double> all_errors;  ///< of the worst of all peaks, ascending
@@ -30,7 +30,7 @@ struct ErrorDistribution {
   ErrorBarCheck bars;
 };
 
-/// Of setting number `setting` of all models.
+/// Returns the errors of all models with setting number `setting`.
 ErrorDistribution error_distribution(const std::vector<const TrialModel*>& models, std::size_t setting);
 
 /// The smallest value that is not below the share of the sorted values; NaN without any.

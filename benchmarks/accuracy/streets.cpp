@@ -66,7 +66,7 @@ ImpactsOfGaps by_gap(const Run& run) {
 
 double separation_speed(const Impact& impact) { return impact.rebound_ratio * impact.approach_speed; }
 
-// Of separation speeds, over the largest approach speed of the gap; for gaps with as many impacts in both runs.
+// Returns errors of separation speeds over the gap's largest approach speed, where impacts are as many in both runs.
 std::vector<double> errors_of_rebounds(const Run& run, const Run& truth) {
   std::vector<double> errors;
   const ImpactsOfGaps found = by_gap(run);
@@ -100,7 +100,7 @@ Street measure(int buildings, const std::string& law, Time end) {
 
 std::string whole(std::size_t number) { return std::to_string(number); }
 
-// Of every law that a name chooses.
+// Returns the errors of every law that a name chooses.
 std::string table_of_laws() {
   std::string table =
       "| law | impacts, located | at the end | error of a peak: 99th percentile | largest | of a rebound |\n"

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "app/usage_errors.hpp"
+#include "app/command_line.hpp"
 #include "base/text/number_format.hpp"
 #include "base/units.hpp"
 #include "documentation_section.hpp"

@@ -22,7 +22,7 @@ struct ReadOff {
   double share = 0.0;
   bool always_better = false;  ///< no setting is that bad: the cheapest counts, and both settings are it
 
-  /// Of the times of both.
+  /// Returns the time between those of both settings, s.
   [[nodiscard]] double time(double of_looser, double of_tighter) const {
     return std::exp(std::lerp(std::log(of_looser), std::log(of_tighter), share));
   }

@@ -4,14 +4,26 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <string_view>
+
+#include "base/error.hpp"
+#include "output/files/case_result.hpp"
 
 namespace moat::performance {
 
 /// Base and top displacement (m), base and top absolute acceleration (m/s^2), impact force (N).
 using Peaks = std::array<double, 5>;
 
+/// The magnitude of a peak. Throws InputError where the result has none of this quantity and place.
+inline double peak_of(const CaseResult& result, std::string_view quantity, std::string_view where) {
+  for (const Peak& peak : result.peaks)
+    if (peak.quantity == quantity && peak.where == where) return peak.magnitude();
+  throw InputError{"There is no peak " + std::string{quantity} + " of " + std::string{where} + "."};
+}
+
 /// The largest relative error; very large where a peak is no number.
-inline double largest_error(const Peaks& peaks, const Peaks& reference) {
+template <std::size_t count>
+double largest_error(const std::array<double, count>& peaks, const std::array<double, count>& reference) {
   constexpr double useless = 1e9;
   double worst = 0.0;
   for (std::size_t i = 0; i < peaks.size(); ++i) {

@@ -8,13 +8,13 @@
 
 namespace moat::performance {
 
-/// Of repeated measurements; low and high are quartiles.
+/// The spread of repeated measurements; low and high are quartiles.
 struct Spread {
   double median = 0.0, low = 0.0, high = 0.0;
   int count = 1;
 };
 
-/// Of something that was measured or counted once.
+/// Returns the spread of a value that was measured or counted once.
 inline Spread single(double value) { return {value, value, value, 1}; }
 
 inline Spread scaled(Spread value, double factor) {

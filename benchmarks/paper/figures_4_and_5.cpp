@@ -4,6 +4,7 @@
 #include <functional>
 #include <tuple>
 
+#include "measuring/five_peaks.hpp"
 #include "paper/exhibit.hpp"
 #include "paper/paper_building.hpp"
 #include "paper/records.hpp"
@@ -12,23 +13,13 @@ namespace moat::paper {
 namespace {
 
 using namespace units;
+using performance::peak_of;
 
 Series history(const CaseResult& result, const std::string& quantity, const std::string& where, double unit,
                const std::string& name) {
-  for (const Column& column : result.histories.columns) {
-    if (column.quantity != quantity || column.where != where) continue;
-    Series series{.name = name, .x = result.histories.columns.front().values, .y = column.values};
-    for (double& value : series.y) value /= unit;
-    return series;
-  }
-  throw InputError{"There is no history of " + quantity + " at " + where + "."};
-}
-
-double peak(const CaseResult& result, const std::string& quantity, const std::string& where) {
-  const auto found = std::ranges::find_if(
-      result.peaks, [&](const Peak& each) { return each.quantity == quantity && each.where == where; });
-  if (found == result.peaks.end()) throw InputError{"There is no peak of " + quantity + " at " + where + "."};
-  return found->magnitude();
+  Series series{.name = name, .x = result.histories.values("time"), .y = result.histories.values(quantity, where)};
+  for (double& value : series.y) value /= unit;
+  return series;
 }
 
 CaseResult run(const std::string& title, const GroundMotion& motion, const std::function<void(Model&)>& build) {
@@ -129,9 +120,9 @@ void show_fig4(Exhibit& exhibit) {
   ShownTable table{"Peaks", {"", fixed_base.title, isolated.title, pounding.title}, {}};
   const auto row = [&](const std::string& label, const std::string& quantity, const std::string& where, double unit,
                        bool of_superstructure) {
-    table.rows.push_back({label, of_superstructure ? to_fixed(peak(fixed_base, quantity, where) / unit, 2) : "",
-                          to_fixed(peak(isolated, quantity, where) / unit, 2),
-                          to_fixed(peak(pounding, quantity, where) / unit, 2)});
+    table.rows.push_back({label, of_superstructure ? to_fixed(peak_of(fixed_base, quantity, where) / unit, 2) : "",
+                          to_fixed(peak_of(isolated, quantity, where) / unit, 2),
+                          to_fixed(peak_of(pounding, quantity, where) / unit, 2)});
   };
   row("top acceleration [m/s²]", "absolute_acceleration", "floor 5", 1.0, true);
   row("base acceleration [m/s²]", "absolute_acceleration", "base", 1.0, false);
@@ -141,8 +132,8 @@ void show_fig4(Exhibit& exhibit) {
   row("sum of floor inertia maxima [MN]", "sum_of_floor_inertia_maxima", "base", 1e6, true);
   exhibit.table(table);
 
-  const double top_fixed = peak(fixed_base, "absolute_acceleration", "floor 5");
-  const double top_pounding = peak(pounding, "absolute_acceleration", "floor 5");
+  const double top_fixed = peak_of(fixed_base, "absolute_acceleration", "floor 5");
+  const double top_pounding = peak_of(pounding, "absolute_acceleration", "floor 5");
   const double similar = top_pounding / top_fixed;
   exhibit.finding(
       {"4.2, Fig. 4", "The top acceleration at pounding is almost that of the fixed-base structure",
@@ -150,7 +141,7 @@ void show_fig4(Exhibit& exhibit) {
        to_fixed(top_pounding, 1) + " against " + to_fixed(top_fixed, 1) + " m/s², ratio " + to_fixed(similar, 2),
        similar >= 0.8 && similar <= 1.25 ? Verdict::holds : Verdict::fails});
   const auto growth = [&](const char* where) {
-    return peak(pounding, "absolute_acceleration", where) / peak(isolated, "absolute_acceleration", where);
+    return peak_of(pounding, "absolute_acceleration", where) / peak_of(isolated, "absolute_acceleration", where);
   };
   exhibit.finding({"4.2, Fig. 4", "Pounding raises accelerations remarkably",
                    "top floor, with walls over without, >= 1.5",

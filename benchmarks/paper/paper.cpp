@@ -5,7 +5,7 @@
 #include <cstdio>
 #include <filesystem>
 
-#include "app/usage_errors.hpp"
+#include "app/command_line.hpp"
 #include "base/error.hpp"
 #include "documentation_section.hpp"
 #include "paper/exhibit.hpp"

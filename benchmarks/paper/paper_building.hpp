@@ -25,7 +25,7 @@ struct PaperBuilding {
   Force yield_force = 1.93 * MN;
   Length yield_displacement = 1 * cm;
   Stiffness post_yield_stiffness = 19.3 * MN / m;
-  /// Of a dashpot beside the bearings, which the paper does not have: N s/m.
+  /// A dashpot beside the bearings, which the paper does not have: N s/m.
   DampingCoefficient isolator_damping{};
   bool isolated = true;
 };

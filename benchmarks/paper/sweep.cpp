@@ -1,8 +1,8 @@
 #include "paper/sweep.hpp"
 
 #include <algorithm>
+#include <boost/math/statistics/bivariate_statistics.hpp>
 #include <cmath>
-#include <numeric>
 
 #include "output/charts/chart.hpp"
 
@@ -93,15 +93,8 @@ SweepResult run_sweep(Exhibit& exhibit, const Sweep& sweep, const std::vector<Gr
 int points(const Exhibit& exhibit, int count) { return exhibit.coarse ? 5 : count; }
 
 double rank_correlation(const std::vector<double>& x, const std::vector<double>& y) {
-  const std::vector<double> a = ranks(x), b = ranks(y);
-  const double mean = 0.5 * static_cast<double>(x.size() - 1);
-  double ab = 0.0, aa = 0.0, bb = 0.0;
-  for (std::size_t i = 0; i < x.size(); ++i) {
-    ab += (a[i] - mean) * (b[i] - mean);
-    aa += (a[i] - mean) * (a[i] - mean);
-    bb += (b[i] - mean) * (b[i] - mean);
-  }
-  return aa > 0.0 && bb > 0.0 ? ab / std::sqrt(aa * bb) : 0.0;
+  const double correlation = boost::math::statistics::correlation_coefficient(ranks(x), ranks(y));
+  return std::isnan(correlation) ? 0.0 : correlation;  // equal values alone
 }
 
 double spread(const std::vector<double>& y) {

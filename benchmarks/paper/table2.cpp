@@ -6,7 +6,6 @@
 #include <moat.hpp>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <functional>
 
@@ -176,6 +175,8 @@ struct PrintedResponse {
   std::string name, label, quantity, where;
   double unit;
   int decimals;
+
+  [[nodiscard]] double in(const StudyRecord& peaks) const { return value_of(peaks, quantity, where) / unit; }
 };
 
 const std::vector<PrintedResponse> printed_responses{
@@ -183,15 +184,16 @@ const std::vector<PrintedResponse> printed_responses{
     {"top_floor_displacement", "top displacement [cm]", "displacement", "floor 5", 0.01, 2},
     {"base_floor_acceleration", "base acceleration [m/s²]", "absolute_acceleration", "base", 1.0, 2},
     {"top_floor_acceleration", "top acceleration [m/s²]", "absolute_acceleration", "floor 5", 1.0, 2}};
-const PrintedResponse printed_shear{"base_shear_force", "", "", "", 1e3, 0};
 
-struct Shear {
-  std::string label, quantity, where;
-};
-const std::vector<Shear> shears{{"isolator force", "isolator_force", "bearings"},
-                                {"total base shear (isolator + impact)", "total_base_shear", "base"},
-                                {"first-storey shear", "storey_shear", "storey 1"},
-                                {"sum of floor inertia maxima", "sum_of_floor_inertia_maxima", "base"}};
+PrintedResponse shear(const std::string& label, const std::string& quantity, const std::string& where) {
+  return {"base_shear_force", label + " / paper's base shear [kN]", quantity, where, 1e3, 0};
+}
+/// The paper does not say which force its base shear is.
+const std::vector<PrintedResponse> printed_shears{
+    shear("isolator force", "isolator_force", "bearings"),
+    shear("total base shear (isolator + impact)", "total_base_shear", "base"),
+    shear("first-storey shear", "storey_shear", "storey 1"),
+    shear("sum of floor inertia maxima", "sum_of_floor_inertia_maxima", "base")};
 
 std::map<std::string, PrintedRow> printed_rows() {
   std::map<std::string, PrintedRow> rows;
@@ -204,30 +206,24 @@ void show_reading(Exhibit& exhibit, const std::string& caption, const std::vecto
   const std::map<std::string, PrintedRow> printed = printed_rows();
   ShownTable shown{caption, {"moat / paper = ratio"}, {}};
   for (std::size_t law = 0; law < printed_laws; ++law) shown.header.push_back(laws[law].label);
-  const auto add_row = [&](const std::string& label, const std::string& quantity, const std::string& where, double unit,
-                           int decimals, const PrintedRow& theirs) {
-    std::vector<std::string> cells{label};
-    for (std::size_t law = 0; law < printed_laws; ++law) {
-      const double computed = value_of(peaks[law], quantity, where) / unit;
-      const double paper = number(theirs, laws[law].printed);
-      cells.push_back(to_fixed(computed, decimals) + " / " + to_fixed(paper, decimals) + " = " +
-                      ratio(computed, paper));
+  for (const auto* responses : {&printed_responses, &printed_shears})
+    for (const PrintedResponse& each : *responses) {
+      std::vector<std::string> cells{each.label};
+      for (std::size_t law = 0; law < printed_laws; ++law) {
+        const double computed = each.in(peaks[law]), paper = number(printed.at(each.name), laws[law].printed);
+        cells.push_back(to_fixed(computed, each.decimals) + " / " + to_fixed(paper, each.decimals) + " = " +
+                        ratio(computed, paper));
+      }
+      exhibit.report(printed_laws);
+      shown.rows.push_back(cells);
     }
-    exhibit.report(printed_laws);
-    shown.rows.push_back(cells);
-  };
-  for (const PrintedResponse& each : printed_responses)
-    add_row(each.label, each.quantity, each.where, each.unit, each.decimals, printed.at(each.name));
-  for (const Shear& shear : shears)
-    add_row(shear.label + " / paper's base shear [kN]", shear.quantity, shear.where, 1e3, 0,
-            printed.at(printed_shear.name));
   std::vector<std::string> impacts{"impacts"};
   for (const StudyRecord& each : peaks) impacts.push_back(to_fixed(value_of(each, "impacts", ""), 0));
   shown.rows.push_back(impacts);
   exhibit.table(shown);
 }
 
-/// Of the 25 printed numbers, with the base shear read as the sum of floor inertia maxima.
+/// How many of the 25 printed numbers agree, with the base shear read as the sum of floor inertia maxima.
 struct Agreement {
   int within_five_percent = 0;
   double root_mean_square = 0.0;
@@ -235,22 +231,17 @@ struct Agreement {
 
 Agreement agreement_of(const std::vector<StudyRecord>& peaks) {
   const std::map<std::string, PrintedRow> printed = printed_rows();
+  std::vector<PrintedResponse> responses = printed_responses;
+  responses.push_back(printed_shears.back());
   Agreement agreement;
-  int count = 0;
-  const auto compare = [&](double computed, double paper) {
-    const double difference = computed / paper - 1.0;
-    agreement.within_five_percent += std::abs(difference) <= 0.05 ? 1 : 0;
-    agreement.root_mean_square += difference * difference;
-    ++count;
-  };
-  for (std::size_t law = 0; law < printed_laws; ++law) {
-    for (const PrintedResponse& each : printed_responses)
-      compare(value_of(peaks[law], each.quantity, each.where) / each.unit,
-              number(printed.at(each.name), laws[law].printed));
-    compare(value_of(peaks[law], "sum_of_floor_inertia_maxima", "base") / 1e3,
-            number(printed.at(printed_shear.name), laws[law].printed));
-  }
-  agreement.root_mean_square = std::sqrt(agreement.root_mean_square / count);
+  for (std::size_t law = 0; law < printed_laws; ++law)
+    for (const PrintedResponse& each : responses) {
+      const double difference = each.in(peaks[law]) / number(printed.at(each.name), laws[law].printed) - 1.0;
+      agreement.within_five_percent += std::abs(difference) <= 0.05 ? 1 : 0;
+      agreement.root_mean_square += difference * difference;
+    }
+  agreement.root_mean_square =
+      std::sqrt(agreement.root_mean_square / static_cast<double>(printed_laws * responses.size()));
   return agreement;
 }
 
@@ -269,8 +260,7 @@ void assert_what_holds(Exhibit& exhibit, const std::vector<StudyRecord>& peaks) 
     exhibit.assert_that(value_of(peaks[law], "impacts", "") == 1.0, laws[law].label + ", Gebze: one impact");
     for (const PrintedResponse& each : printed_responses) {
       if (each.quantity != "displacement") continue;
-      const double computed = value_of(peaks[law], each.quantity, each.where) / each.unit;
-      const double paper = number(printed.at(each.name), laws[law].printed);
+      const double computed = each.in(peaks[law]), paper = number(printed.at(each.name), laws[law].printed);
       exhibit.assert_that(std::abs(computed / paper - 1.0) <= 0.08,
                           laws[law].label + ", " + each.label + ": " + to_fixed(computed, 2) +
                               " within 8 % of the paper's " + to_fixed(paper, 2));
@@ -304,10 +294,8 @@ void find_claims(Exhibit& exhibit, const std::vector<StudyRecord>& peaks) {
                    "largest over smallest peak below 1.10 for every response", spreads,
                    largest <= 0.10 ? Verdict::holds : Verdict::fails});
   const auto base = [&](std::size_t law) { return value_of(peaks[law], "displacement", "base"); };
-  const std::array<std::size_t, 5> order{0, 1, 2, 3, 4};
-  bool descending = true;
-  for (std::size_t i = 1; i < order.size(); ++i) descending = descending && base(order[i]) < base(order[i - 1]);
-  std::vector<std::size_t> sorted{order.begin(), order.end()};
+  std::vector<std::size_t> sorted{0, 1, 2, 3, 4};
+  const bool descending = std::ranges::is_sorted(sorted, std::greater{}, base);
   std::ranges::sort(sorted, std::greater{}, base);
   std::string found;
   for (const std::size_t law : sorted) found += (found.empty() ? "" : " > ") + laws[law].label;

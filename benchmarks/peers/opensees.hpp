@@ -25,7 +25,7 @@ struct OpenSeesSetting {
   std::string description;  ///< "Newmark, Newton, test on displacements"
 };
 
-/// All of them.
+/// Returns all settings.
 const std::vector<OpenSeesSetting>& opensees_settings();
 
 struct OpenSeesRun {

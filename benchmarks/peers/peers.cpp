@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "app/usage_errors.hpp"
+#include "app/command_line.hpp"
 #include "measuring/measure.hpp"
 #include "measuring/record.hpp"
 #include "measuring/street.hpp"

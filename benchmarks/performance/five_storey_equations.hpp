@@ -40,7 +40,7 @@ struct FiveStoreys {
     stiffness_factor = 2.0 * damping_ratio / (first + second);
   }
 
-  /// Of a uniform chain of five held at its foot: w_j = 2 sqrt(k/m) sin((2j - 1) pi / (2 (2 n + 1))).
+  /// Returns that of a uniform chain of five held at its foot: w_j = 2 sqrt(k/m) sin((2j - 1) pi / (2 (2 n + 1))).
   [[nodiscard]] double angular_frequency(int mode) const {
     return 2.0 * std::sqrt(square_frequency) *
            std::sin((2 * mode - 1) * std::numbers::pi / (2.0 * (2.0 * floors + 1.0)));
@@ -94,8 +94,8 @@ inline Values accelerations(const FiveStoreys& building, const Regimes& regimes,
   return a;
 }
 
-/// Of the bearing's corner (m or m/s), of the gap (m), and of the force of a contact (1): an event where one falls
-/// below zero.
+/// The margins of the bearing's corner (m or m/s), of the gap (m), and of the force of a contact (1). An event is
+/// where one falls below zero.
 enum Event { bearing_corner, gap_end, force_end, event_count };
 using Margins = std::array<double, event_count>;
 

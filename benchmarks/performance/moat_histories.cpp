@@ -1,27 +1,12 @@
 #include "performance/moat_histories.hpp"
 
 #include <algorithm>
-#include <string>
-#include <string_view>
 #include <vector>
 
-#include "base/error.hpp"
 #include "output/peaks/peak_trackers.hpp"
 
 namespace moat::performance {
 namespace {
-
-double peak_of(const std::vector<Peak>& peaks, std::string_view quantity, std::string_view where) {
-  for (const Peak& peak : peaks)
-    if (peak.quantity == quantity && peak.where == where) return peak.magnitude();
-  throw InputError{"There is no peak " + std::string{quantity} + " of " + std::string{where} + "."};
-}
-
-Peaks five_of(const std::vector<Peak>& peaks) {
-  return {peak_of(peaks, "displacement", "base"), peak_of(peaks, "displacement", "floor 5"),
-          peak_of(peaks, "absolute_acceleration", "base"), peak_of(peaks, "absolute_acceleration", "floor 5"),
-          peak_of(peaks, "impact_force", "moat")};
-}
 
 // The five peaks alone, as the program around SUNDIALS follows them.
 class FivePeakObserver final : public StepObserver {
@@ -79,7 +64,10 @@ Peaks moat_peaks(const Model& model, const GroundMotion& motion, const Transient
 
 Peaks moat_case(const Model& model, const GroundMotion& motion, const TransientOptions& options,
                 ErrorBarMode error_bars) {
-  return five_of(run_case(model, motion, {.transient = options, .error_bars = error_bars}).peaks);
+  const CaseResult result = run_case(model, motion, {.transient = options, .error_bars = error_bars});
+  return {peak_of(result, "displacement", "base"), peak_of(result, "displacement", "floor 5"),
+          peak_of(result, "absolute_acceleration", "base"), peak_of(result, "absolute_acceleration", "floor 5"),
+          peak_of(result, "impact_force", "moat")};
 }
 
 }  // namespace moat::performance

@@ -9,7 +9,7 @@ namespace moat::performance {
 /// Analyses the model, followed by an observer of the five peaks alone, like those of other programs.
 Peaks moat_peaks(const Model& model, const GroundMotion& motion, const TransientOptions& options);
 
-/// The same as a script does it, up to its results in memory: CaseRun with peaks, energy ledger, impacts, histories,
+/// Runs a case as a script does, up to its results in memory: CaseRun with peaks, energy ledger, impacts, histories,
 /// periods and, as an option, the second run for error bars.
 Peaks moat_case(const Model& model, const GroundMotion& motion, const TransientOptions& options,
                 ErrorBarMode error_bars);

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "app/usage_errors.hpp"
+#include "app/command_line.hpp"
 #include "base/error.hpp"
 #include "measuring/measure.hpp"
 #include "measuring/record.hpp"

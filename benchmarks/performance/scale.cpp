@@ -15,14 +15,14 @@ std::string count_text(double value) {
   return std::to_string(std::lround(value / std::pow(10.0, exponent))) + "e" + std::to_string(exponent);
 }
 
-/// Of log y over log x.
+/// Returns the slope of log y over log x.
 double slope(std::vector<double> x, std::vector<double> y) {
   for (auto* values : {&x, &y})
     for (double& value : *values) value = std::log(value);
   return boost::math::statistics::simple_ordinary_least_squares(x, y).second;
 }
 
-// Of all runs of one size.
+// The measurements of all runs of one size.
 struct Size {
   double degrees_of_freedom = 0.0, peak_bytes = 0.0;
   std::vector<double> per_step, per_iteration, iterations, build_seconds;

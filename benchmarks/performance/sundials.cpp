@@ -89,7 +89,7 @@ class Integrator {
   bool step(double end, double& t) {
     return checked(ERKStepEvolve(memory_, end, y_, &t, ARK_ONE_STEP), "ERKStepEvolve") == ARK_ROOT_RETURN;
   }
-  // Not zero where a margin fell below zero.
+  // Returns numbers that are not zero where a margin fell below zero.
   [[nodiscard]] std::array<int, event_count> crossed() {
     std::array<int, event_count> result{};
     checked(ERKStepGetRootInfo(memory_, result.data()), "ERKStepGetRootInfo");

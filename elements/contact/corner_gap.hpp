@@ -8,11 +8,9 @@
 #include <utility>
 #include <vector>
 
-#include "elements/contact/corner_and_edge.hpp"
+#include "elements/block/corner_and_edge.hpp"
 #include "elements/contact/gap.hpp"
-#include "elements/plan/plan_point.hpp"
-#include "materials/contact/shared_contact.hpp"
-#include "model/model.hpp"
+#include "materials/repeated.hpp"
 
 namespace moat {
 
@@ -63,40 +61,32 @@ struct CornerGap {
   std::string corner_name = "corner", edge_name = "edge";
 };
 
-/// Where a corner and an edge are, and how they move.
-struct CornerGeometry {
-  double clearance = 0.0;  ///< at rest, m
-  PlanEnds ends;           ///< Motion of the corner relative to the edge, along normal and tangent.
-  PlanVector normal{};     ///< Unit vector from the body of the corner to that of the edge.
-  /// Along the tangent from the corner at rest, m.
-  double edge_begin = 0.0, edge_end = 0.0;
-  /// Effective masses, kg.
-  double normal_mass = 0.0, tangential_mass = 0.0;
-  /// Mobility of one direction under a force along the other, 1/kg.
-  double cross_mobility = 0.0;
-};
-
 /// A corner gap without its law. CornerGap describes the fields.
 struct CornerPlace {
-  const std::string& name;             ///< Unique in its model.
-  const std::string& place;            ///< Where its peak is listed.
+  std::string name, place;             ///< Unique in its model; where its peak is listed.
   PlanPoint corner;                    ///< That hits the edge.
   NodeId edge_of;                      ///< The body of the edge.
   PlanPosition edge_begin, edge_end;   ///< The corner is on the left of the way between them.
-  const CornerFriction& friction;      ///< Along the wall.
-  double share;                        ///< > 0, <= 1: of the law's force.
-  Mass effective_mass;                 ///< >= 0 kg; 0: that of the corner.
+  CornerFriction friction{};           ///< Along the wall.
+  double share = 1.0;                  ///< > 0, <= 1: of the law's force.
+  Mass effective_mass{};               ///< >= 0 kg; 0: that of the corner.
   std::string corner_name, edge_name;  ///< For tables.
+};
+
+/// Where a corner and an edge are, and how they move.
+struct CornerGeometry {
+  double clearance = 0.0;       ///< at rest, m
+  PlanVector normal{};          ///< Unit vector from the body of the corner to that of the edge.
+  double cross_mobility = 0.0;  ///< Mobility of one direction under a force along the other, 1/kg.
+  CornerAndEdge motion{};       ///< The stiffness of its friction is 0 where it follows from the law.
 };
 
 /// Throws InputError unless both bodies are of this model and different, the edge has a length and the corner a
 /// clearance >= 0, the coefficient of friction is from 0 to 1, and no other number is outside its range.
 CornerGeometry check_corner(const Model& model, const CornerPlace& gap);
-/// The gap as its block keeps it; `tangent` N/m is that of the law from which the stiffness along the wall follows.
-CornerAndEdge corner_and_edge(const CornerPlace& gap, const CornerGeometry& geometry, double tangent);
 /// Registers the gap, and describes its element. Without parameters of the law reports show the contact's own.
-ElementInfo register_corner(Model& model, const CornerPlace& gap, const CornerGeometry& geometry,
-                            const CornerAndEdge& corner, std::string_view law, std::vector<Parameter> parameters);
+ElementInfo register_corner(Model& model, const CornerPlace& gap, const CornerGeometry& geometry, std::string_view law,
+                            std::vector<Parameter> parameters);
 
 /// Adds the element to the block of its law.
 template <ContactLaw Contact>
@@ -106,30 +96,30 @@ void add_corner(Model& model, ElementInfo info, const Contact& law, const Corner
 
 /// Throws InputError for a bad parameter of gap, friction or law, unknown bodies, or a name that is taken.
 template <ImpactLaw Law>
-void add(Model& model, const CornerGap<Law>& gap) {
-  const CornerPlace place{gap.name,     gap.place, gap.corner,         gap.edge_of,     gap.edge_begin, gap.edge_end,
-                          gap.friction, gap.share, gap.effective_mass, gap.corner_name, gap.edge_name};
-  const CornerGeometry geometry = check_corner(model, place);
-  gap.law.check(Check{"CornerGap", gap.name});
-  const double mass = gap.effective_mass.si() > 0.0 ? gap.effective_mass.si() : geometry.normal_mass;
-  const SharedContact law{gap.law.between(mass), gap.share};
-
-  constexpr double at_indentation = 0.01;  // m
-  ContactState after;
-  const double tangent = law.evaluate({ContactPhase::loaded, 1.0}, at_indentation, 0.0, after).stiffness;
-  const CornerAndEdge corner = corner_and_edge(place, geometry, tangent);
-  std::vector<Parameter> parameters;
-  if constexpr (requires { gap.law.parameters(); }) parameters = gap.law.parameters();
-  add_corner(model, register_corner(model, place, geometry, corner, name_of(gap.law), std::move(parameters)), law,
-             corner);
+void add(Model& model, const CornerPlace& gap, const Law& law) {
+  CornerGeometry geometry = check_corner(model, gap);
+  law.check(Check{"CornerGap", gap.name});
+  const double mass = gap.effective_mass.si() > 0.0 ? gap.effective_mass.si() : geometry.motion.normal_mass;
+  const Repeated contact{as_any_contact(law.between(mass)), gap.share};
+  if (!gap.friction.tangential_stiffness) {
+    constexpr double of_tangent = 0.85, at_indentation = 0.01;  // m
+    ContactState after;
+    const Response response = contact.evaluate({ContactPhase::loaded, 1.0}, at_indentation, 0.0, after);
+    geometry.motion.friction.tangential_stiffness = of_tangent * response.stiffness;
+  }
+  add_corner(model, register_corner(model, gap, geometry, name_of(law), parameters_of(law)), contact, geometry.motion);
 }
 
-// For moat's impact laws compiled in the library, so that a script compiles faster.
-extern template void add_corner(Model&, ElementInfo, const SharedContact<AnyContact>&, const CornerAndEdge&);
-extern template void add_corner(Model&, ElementInfo, const SharedContact<BilinearContact>&, const CornerAndEdge&);
-extern template void add_corner(Model&, ElementInfo, const SharedContact<RootDampedHertzContact>&,
-                                const CornerAndEdge&);
-extern template void add_corner(Model&, ElementInfo, const SharedContact<ViscousHertzContact>&, const CornerAndEdge&);
-extern template void add_corner(Model&, ElementInfo, const SharedContact<ViscousLinearContact>&, const CornerAndEdge&);
+/// As above.
+template <ImpactLaw Law>
+void add(Model& model, const CornerGap<Law>& gap) {
+  add(model,
+      CornerPlace{gap.name, gap.place, gap.corner, gap.edge_of, gap.edge_begin, gap.edge_end, gap.friction, gap.share,
+                  gap.effective_mass, gap.corner_name, gap.edge_name},
+      gap.law);
+}
+
+// Compiled in the library for moat's contacts, so that a script compiles faster.
+extern template void add_corner(Model&, ElementInfo, const Repeated<AnyContact>&, const CornerAndEdge&);
 
 }  // namespace moat

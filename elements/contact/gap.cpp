@@ -61,12 +61,5 @@ ElementInfo register_gap(Model& model, const GapPlace& gap, std::optional<LawAsG
 }
 
 template void add_contact(Model&, ElementInfo, const AnyContact&, double, const MemberPoint&, const MemberPoint&);
-template void add_contact(Model&, ElementInfo, const BilinearContact&, double, const MemberPoint&, const MemberPoint&);
-template void add_contact(Model&, ElementInfo, const RootDampedHertzContact&, double, const MemberPoint&,
-                          const MemberPoint&);
-template void add_contact(Model&, ElementInfo, const ViscousHertzContact&, double, const MemberPoint&,
-                          const MemberPoint&);
-template void add_contact(Model&, ElementInfo, const ViscousLinearContact&, double, const MemberPoint&,
-                          const MemberPoint&);
 
 }  // namespace moat

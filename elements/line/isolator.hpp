@@ -6,8 +6,7 @@
 #include <type_traits>
 #include <vector>
 
-#include "elements/line/link_block.hpp"
-#include "elements/line/link_checks.hpp"
+#include "elements/block/link_checks.hpp"
 #include "materials/carried_weight.hpp"
 #include "materials/repeated.hpp"
 #include "model/model.hpp"
@@ -40,7 +39,15 @@ struct Isolator {
 };
 
 /// The quantities that every isolator reports.
-ElementInfo isolator_info(const std::string& name, NodeId lower, NodeId upper);
+inline ElementInfo isolator_info(const std::string& name, NodeId lower, NodeId upper) {
+  return {.name = name,
+          .first = lower,
+          .second = upper,
+          .deformation_quantity = "isolator_deformation",
+          .force_quantity = "isolator_force",
+          .isolates = true,
+          .drawn_as = DrawnAs::bearing};
+}
 
 /// Throws InputError for unknown, missing or equal nodes, a name that is taken, or a parameter that the law refuses.
 template <IsolatorLaw Law>

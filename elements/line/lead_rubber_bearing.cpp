@@ -1,6 +1,5 @@
 #include "elements/line/lead_rubber_bearing.hpp"
 
-#include <cmath>
 #include <numbers>
 
 #include "elements/line/isolator.hpp"
@@ -22,14 +21,10 @@ LeadRubberBearing LeadRubberBearing::from_design(const BearingDesign& design) {
 }
 
 void add(Model& model, const LeadRubberBearing& bearing) {
-  const Check check =
-      check_link(model, "LeadRubberBearing", bearing.name, {"lower", bearing.lower}, {"upper", bearing.upper});
-  const Bilinear law{.yield_force = bearing.yield_force,
-                     .yield_displacement = bearing.yield_displacement,
-                     .post_yield_stiffness = bearing.post_yield_stiffness};
-  law.check(check);
-  model.register_element("LeadRubberBearing", bearing.name);
-  model.block<LinkBlock<Bilinear>>().add(isolator_info(bearing.name, bearing.lower, bearing.upper), law);
+  add_link(model, "LeadRubberBearing", isolator_info(bearing.name, bearing.lower, bearing.upper),
+           Bilinear{.yield_force = bearing.yield_force,
+                    .yield_displacement = bearing.yield_displacement,
+                    .post_yield_stiffness = bearing.post_yield_stiffness});
 }
 
 }  // namespace moat

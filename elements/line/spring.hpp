@@ -1,8 +1,7 @@
 // Any force-deformation law between two nodes.
 #pragma once
 
-#include "elements/line/link_block.hpp"
-#include "elements/line/link_checks.hpp"
+#include "elements/block/link_checks.hpp"
 #include "model/model.hpp"
 
 namespace moat {
@@ -24,15 +23,13 @@ struct Spring {
 /// Throws InputError for unknown or equal nodes, a name that is taken, or a parameter that the law refuses.
 template <ForceLaw Law>
 void add(Model& model, const Spring<Law>& spring) {
-  const Check check = check_link(model, "Spring", spring.name, {"lower", spring.lower}, {"upper", spring.upper});
-  if constexpr (requires { spring.law.check(check); }) spring.law.check(check);
-  model.register_element("Spring", spring.name);
-  model.block<LinkBlock<Law>>().add({.name = spring.name,
-                                     .first = spring.lower,
-                                     .second = spring.upper,
-                                     .deformation_quantity = spring.deformation_quantity,
-                                     .force_quantity = spring.force_quantity},
-                                    spring.law);
+  add_link(model, "Spring",
+           {.name = spring.name,
+            .first = spring.lower,
+            .second = spring.upper,
+            .deformation_quantity = spring.deformation_quantity,
+            .force_quantity = spring.force_quantity},
+           spring.law);
 }
 
 }  // namespace moat

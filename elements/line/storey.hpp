@@ -1,10 +1,7 @@
 // One storey with any law.
 #pragma once
 
-#include <string>
-
-#include "elements/line/link_block.hpp"
-#include "elements/line/link_checks.hpp"
+#include "elements/block/link_checks.hpp"
 #include "model/model.hpp"
 
 namespace moat {
@@ -24,16 +21,14 @@ struct Storey {
 /// Throws InputError for unknown or equal nodes, a name that is taken, or a parameter that the law refuses.
 template <ForceLaw Law>
 void add(Model& model, const Storey<Law>& storey) {
-  const Check check = check_link(model, "Storey", storey.name, {"lower", storey.lower}, {"upper", storey.upper});
-  if constexpr (requires { storey.law.check(check); }) storey.law.check(check);
-  model.register_element("Storey", storey.name);
-  model.block<LinkBlock<Law>>().add({.name = storey.name,
-                                     .first = storey.lower,
-                                     .second = storey.upper,
-                                     .deformation_quantity = "drift",
-                                     .force_quantity = "storey_shear",
-                                     .drawn_as = DrawnAs::storey},
-                                    storey.law);
+  add_link(model, "Storey",
+           {.name = storey.name,
+            .first = storey.lower,
+            .second = storey.upper,
+            .deformation_quantity = "drift",
+            .force_quantity = "storey_shear",
+            .drawn_as = DrawnAs::storey},
+           storey.law);
 }
 
 }  // namespace moat

@@ -1,9 +1,8 @@
 // Any force-deformation law along a direction in plan.
 #pragma once
 
-#include "elements/line/link_block.hpp"
-#include "elements/plan/plan_ends.hpp"
-#include "model/model.hpp"
+#include "elements/block/link_block.hpp"
+#include "elements/block/plan_ends.hpp"
 
 namespace moat {
 
@@ -28,6 +27,26 @@ struct PlanSpring {
   bool isolates = false;  ///< Whether it separates a building from the ground.
 };
 
+/// Adds the law of a PlanSpring or a PlanarSpring, whose points were checked. The direction is zero for a law that acts
+/// in both.
+template <class Spring, class Ends>
+void add_in_plan(Model& model, const Check& check, std::string_view kind, const Spring& spring, PlanVector direction,
+                 const Ends& ends) {
+  if constexpr (requires { spring.law.check(check); }) spring.law.check(check);
+  model.register_element(kind, spring.name);
+  const PlanPoint &lower = spring.lower, &upper = spring.upper;
+  model.block<LinkBlock<decltype(spring.law), Ends>>().add({.name = spring.name,
+                                                            .place = spring.place,
+                                                            .first = lower.of,
+                                                            .second = upper.of,
+                                                            .deformation_quantity = spring.deformation_quantity,
+                                                            .force_quantity = spring.force_quantity,
+                                                            .isolates = spring.isolates,
+                                                            .drawn_as = DrawnAs::nothing,
+                                                            .details = plan_details(lower, upper, direction)},
+                                                           spring.law, ends);
+}
+
 /// Throws InputError for points that are not of this model or on the same body, a direction without length, a name
 /// that is taken, or a parameter that the law refuses.
 template <ForceLaw Law>
@@ -35,18 +54,7 @@ void add(Model& model, const PlanSpring<Law>& spring) {
   const PlanPoint &lower = spring.lower, &upper = spring.upper;
   const Check check = check_points(model, "PlanSpring", spring.name, "lower", lower, "upper", upper);
   const PlanVector direction = unit_direction(check, "direction", spring.direction);
-  if constexpr (requires { spring.law.check(check); }) spring.law.check(check);
-  model.register_element("PlanSpring", spring.name);
-  model.block<LinkBlock<Law, WeightedEnds>>().add({.name = spring.name,
-                                                   .place = spring.place,
-                                                   .first = lower.of,
-                                                   .second = upper.of,
-                                                   .deformation_quantity = spring.deformation_quantity,
-                                                   .force_quantity = spring.force_quantity,
-                                                   .isolates = spring.isolates,
-                                                   .drawn_as = DrawnAs::nothing,
-                                                   .details = plan_details(lower, upper, direction)},
-                                                  spring.law, PlanEnds{model, lower, upper, direction}.along());
+  add_in_plan(model, check, "PlanSpring", spring, direction, PlanEnds{model, lower, upper, direction}.along());
 }
 
 }  // namespace moat

@@ -1,9 +1,7 @@
 // A force-deformation law of two components between two points in plan.
 #pragma once
 
-#include "elements/line/link_block.hpp"
-#include "elements/plan/plan_ends.hpp"
-#include "model/model.hpp"
+#include "elements/plan/plan_spring.hpp"
 
 namespace moat {
 
@@ -43,18 +41,7 @@ template <PlanarLaw Law>
 void add(Model& model, const PlanarSpring<Law>& spring) {
   const PlanPoint &lower = spring.lower, &upper = spring.upper;
   const Check check = check_points(model, "PlanarSpring", spring.name, "lower", lower, "upper", upper);
-  if constexpr (requires { spring.law.check(check); }) spring.law.check(check);
-  model.register_element("PlanarSpring", spring.name);
-  model.block<LinkBlock<Law, PlanEnds>>().add({.name = spring.name,
-                                               .place = spring.place,
-                                               .first = lower.of,
-                                               .second = upper.of,
-                                               .deformation_quantity = spring.deformation_quantity,
-                                               .force_quantity = spring.force_quantity,
-                                               .isolates = spring.isolates,
-                                               .drawn_as = DrawnAs::nothing,
-                                               .details = plan_details(lower, upper, {})},
-                                              spring.law, PlanEnds{model, lower, upper, {1.0, 0.0}});
+  add_in_plan(model, check, "PlanarSpring", spring, {}, PlanEnds{model, lower, upper, {1.0, 0.0}});
 }
 
 /// Adds a bearing as a spring on the ground. Throws InputError as for a PlanarSpring.

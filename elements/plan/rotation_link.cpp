@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "elements/line/link_block.hpp"
+#include "elements/block/link_block.hpp"
 #include "materials/linear.hpp"
 #include "materials/viscous.hpp"
 

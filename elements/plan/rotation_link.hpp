@@ -1,7 +1,7 @@
 // Springs and dashpots against the rotation of floors.
 #pragma once
 
-#include "elements/plan/plan_point.hpp"
+#include "elements/block/plan_point.hpp"
 #include "model/model.hpp"
 
 namespace moat {

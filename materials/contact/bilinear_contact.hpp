@@ -5,10 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
-#include <string_view>
-#include <vector>
 
-#include "base/parameter.hpp"
 #include "materials/contact/contact_state.hpp"
 #include "materials/response.hpp"
 

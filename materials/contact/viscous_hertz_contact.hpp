@@ -4,10 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <string_view>
-#include <vector>
 
-#include "base/parameter.hpp"
 #include "materials/contact/contact_state.hpp"
 #include "materials/contact/restitution_formulas.hpp"
 #include "materials/response.hpp"

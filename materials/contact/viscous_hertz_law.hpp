@@ -2,13 +2,7 @@
 #pragma once
 
 #include <concepts>
-#include <string_view>
-#include <vector>
 
-#include "base/check.hpp"
-#include "base/parameter.hpp"
-#include "base/quantity.hpp"
-#include "base/required.hpp"
 #include "materials/contact/impact_checks.hpp"
 #include "materials/contact/viscous_hertz_contact.hpp"
 #include "materials/law_list.hpp"

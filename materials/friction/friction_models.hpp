@@ -9,8 +9,6 @@
 
 #include "base/check.hpp"
 #include "base/parameter.hpp"
-#include "base/quantity.hpp"
-#include "base/required.hpp"
 #include "base/units.hpp"
 
 namespace moat {
@@ -163,8 +161,12 @@ class Friction {
     return at(very_fast, normal_force).value;
   }
 
-  void check(const Check& check) const;
-  [[nodiscard]] std::vector<Parameter> parameters() const;
+  void check(const Check& check) const {
+    std::visit([&](const auto& model) { model.check(check); }, model_);
+  }
+  [[nodiscard]] std::vector<Parameter> parameters() const {
+    return std::visit([](const auto& model) { return model.parameters(); }, model_);
+  }
 
  private:
   Model model_;

@@ -8,8 +8,6 @@
 
 #include "base/check.hpp"
 #include "base/parameter.hpp"
-#include "base/quantity.hpp"
-#include "base/required.hpp"
 #include "base/units.hpp"
 
 namespace moat {

@@ -1,8 +1,6 @@
 // Hertz-damp impact law that delivers the intended restitution exactly.
 #pragma once
 
-#include <string_view>
-
 #include "materials/contact/restitution_formulas.hpp"
 #include "materials/contact/viscous_hertz_law.hpp"
 

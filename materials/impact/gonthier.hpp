@@ -1,8 +1,6 @@
 // Impact law of Gonthier et al.
 #pragma once
 
-#include <string_view>
-
 #include "materials/contact/viscous_hertz_law.hpp"
 
 namespace moat {

@@ -1,8 +1,6 @@
 // Hertz-damp impact law, due to Lankarani and Nikravesh.
 #pragma once
 
-#include <string_view>
-
 #include "materials/contact/viscous_hertz_law.hpp"
 
 namespace moat {

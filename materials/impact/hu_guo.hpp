@@ -1,8 +1,6 @@
 // Impact law of Hu and Guo, also called the modified Hertz-damp law.
 #pragma once
 
-#include <string_view>
-
 #include "materials/contact/viscous_hertz_law.hpp"
 
 namespace moat {

@@ -2,13 +2,7 @@
 #pragma once
 
 #include <cmath>
-#include <string_view>
-#include <vector>
 
-#include "base/check.hpp"
-#include "base/parameter.hpp"
-#include "base/quantity.hpp"
-#include "base/required.hpp"
 #include "materials/contact/impact_checks.hpp"
 #include "materials/contact/restitution_formulas.hpp"
 #include "materials/contact/viscous_linear_contact.hpp"

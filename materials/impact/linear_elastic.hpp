@@ -1,13 +1,6 @@
 // Linear elastic impact law.
 #pragma once
 
-#include <string_view>
-#include <vector>
-
-#include "base/check.hpp"
-#include "base/parameter.hpp"
-#include "base/quantity.hpp"
-#include "base/required.hpp"
 #include "materials/contact/viscous_linear_contact.hpp"
 
 namespace moat {

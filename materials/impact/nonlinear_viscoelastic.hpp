@@ -3,13 +3,7 @@
 
 #include <cmath>
 #include <numbers>
-#include <string_view>
-#include <vector>
 
-#include "base/check.hpp"
-#include "base/parameter.hpp"
-#include "base/quantity.hpp"
-#include "base/required.hpp"
 #include "materials/contact/impact_checks.hpp"
 #include "materials/contact/root_damped_hertz_contact.hpp"
 

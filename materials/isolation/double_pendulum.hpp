@@ -1,14 +1,6 @@
 // Friction pendulum with two sliding surfaces.
 #pragma once
 
-#include <string_view>
-#include <vector>
-
-#include "base/check.hpp"
-#include "base/parameter.hpp"
-#include "base/quantity.hpp"
-#include "base/required.hpp"
-#include "base/units.hpp"
 #include "materials/carried_weight.hpp"
 #include "materials/series_of_sliders.hpp"
 

@@ -1,14 +1,6 @@
 // Flat slider with a restoring spring.
 #pragma once
 
-#include <string_view>
-#include <vector>
-
-#include "base/check.hpp"
-#include "base/parameter.hpp"
-#include "base/quantity.hpp"
-#include "base/required.hpp"
-#include "base/units.hpp"
 #include "materials/carried_weight.hpp"
 #include "materials/sliding_isolator.hpp"
 

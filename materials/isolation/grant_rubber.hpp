@@ -5,16 +5,9 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <string_view>
 #include <utility>
-#include <vector>
 
-#include "base/check.hpp"
 #include "base/gauss.hpp"
-#include "base/parameter.hpp"
-#include "base/quantity.hpp"
-#include "base/required.hpp"
-#include "base/units.hpp"
 #include "materials/course.hpp"
 #include "materials/response.hpp"
 

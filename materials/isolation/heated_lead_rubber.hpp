@@ -5,14 +5,7 @@
 #include <array>
 #include <cmath>
 #include <numbers>
-#include <string_view>
-#include <vector>
 
-#include "base/check.hpp"
-#include "base/parameter.hpp"
-#include "base/quantity.hpp"
-#include "base/required.hpp"
-#include "base/units.hpp"
 #include "materials/response.hpp"
 #include "materials/steel_around_lead.hpp"
 

@@ -6,14 +6,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
-#include <string_view>
-#include <vector>
 
-#include "base/check.hpp"
-#include "base/parameter.hpp"
-#include "base/quantity.hpp"
-#include "base/required.hpp"
-#include "base/units.hpp"
 #include "materials/course.hpp"
 #include "materials/response.hpp"
 #include "materials/rubber_compound.hpp"

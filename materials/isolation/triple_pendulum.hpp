@@ -2,14 +2,7 @@
 #pragma once
 
 #include <algorithm>
-#include <string_view>
-#include <vector>
 
-#include "base/check.hpp"
-#include "base/parameter.hpp"
-#include "base/quantity.hpp"
-#include "base/required.hpp"
-#include "base/units.hpp"
 #include "materials/carried_weight.hpp"
 #include "materials/series_of_sliders.hpp"
 

@@ -1,13 +1,6 @@
 // Bouc-Wen hysteresis of two components.
 #pragma once
 
-#include <string_view>
-#include <vector>
-
-#include "base/check.hpp"
-#include "base/parameter.hpp"
-#include "base/quantity.hpp"
-#include "base/required.hpp"
 #include "materials/plan/planar_response.hpp"
 #include "materials/saturating_slip.hpp"
 

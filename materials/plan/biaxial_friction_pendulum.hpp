@@ -3,11 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <string_view>
-#include <vector>
 
-#include "base/check.hpp"
-#include "base/parameter.hpp"
 #include "materials/isolation/friction_pendulum.hpp"
 #include "materials/plan/planar_response.hpp"
 #include "materials/saturating_slip.hpp"

@@ -3,13 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <string_view>
 #include <utility>
-#include <vector>
 
-#include "base/check.hpp"
-#include "base/parameter.hpp"
-#include "base/quantity.hpp"
 #include "materials/isolation/grant_rubber.hpp"
 #include "materials/plan/planar_response.hpp"
 

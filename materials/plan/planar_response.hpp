@@ -5,7 +5,7 @@
 #include <type_traits>
 
 #include "base/plan_vector.hpp"
-#include "base/stiffness_stage.hpp"
+#include "materials/response.hpp"
 
 namespace moat {
 
@@ -22,6 +22,16 @@ struct PlanarResponse {
   PlanMatrix viscosity{};
 };
 
+/// A law of two components that depends on the axial force as well: an AxialForceLaw on vectors.
+///
+///     PlanarResponse evaluate(State const& committed, PlanVector deformation, PlanVector rate, double interval,
+///                             AxialForce axial, State& trial) const
+template <class Law>
+concept PlanarAxialForceLaw = requires(const Law& law, const typename Law::State& committed, typename Law::State& trial,
+                                       AxialForce axial, PlanVector d) {
+  { law.evaluate(committed, d, d, 0.0, axial, trial) } -> std::same_as<PlanarResponse>;
+};
+
 /// A force-deformation law of two components, x and y: the same functions as of a ForceLaw (materials/response.hpp), on
 /// vectors. The state keeps the committed deformation and its rate; evaluate() takes the path from there for the cubic
 /// through both ends and their rates, `interval` s long; 0 is the committed instant again, or a straight path. The
@@ -31,7 +41,9 @@ template <class Law>
 concept PlanarLaw = std::is_trivially_copyable_v<typename Law::State> &&
     std::default_initializable<typename Law::State> &&
     requires(const Law& law, const typename Law::State& committed, typename Law::State& trial, PlanVector d) {
-  { law.evaluate(committed, d, d, 0.0, trial) } -> std::same_as<PlanarResponse>;
+  requires PlanarAxialForceLaw<Law> || requires {
+    { law.evaluate(committed, d, d, 0.0, trial) } -> std::same_as<PlanarResponse>;
+  };
   { law.stored_energy(committed, d) } -> std::same_as<double>;
   { law.dissipated_energy(committed, committed) } -> std::same_as<double>;
   { law.linear_stiffness(StiffnessStage::initial) } -> std::same_as<double>;

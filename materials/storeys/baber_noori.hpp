@@ -4,14 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <string_view>
-#include <vector>
 
-#include "base/check.hpp"
-#include "base/parameter.hpp"
-#include "base/quantity.hpp"
-#include "base/required.hpp"
-#include "base/units.hpp"
 #include "materials/course.hpp"
 #include "materials/integrate.hpp"
 #include "materials/response.hpp"

@@ -1,14 +1,6 @@
 // The weight above a storey that leans.
 #pragma once
 
-#include <string_view>
-#include <vector>
-
-#include "base/check.hpp"
-#include "base/parameter.hpp"
-#include "base/quantity.hpp"
-#include "base/required.hpp"
-#include "base/units.hpp"
 #include "materials/response.hpp"
 
 namespace moat {

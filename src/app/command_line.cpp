@@ -7,7 +7,6 @@
 #include <filesystem>
 #include <iostream>
 
-#include "app/usage_errors.hpp"
 #include "base/error.hpp"
 #include "base/text/nearest_name.hpp"
 #include "base/text/terminal.hpp"

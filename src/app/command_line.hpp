@@ -1,6 +1,7 @@
 // The options of a script and the line that sets them.
 #pragma once
 
+#include <functional>
 #include <list>
 #include <memory>
 #include <optional>
@@ -10,7 +11,8 @@
 
 namespace CLI {
 class App;
-}
+class ParseError;
+}  // namespace CLI
 
 namespace moat {
 
@@ -57,5 +59,13 @@ class CommandLine {
   bool help_wanted_ = false, json_wanted_ = false;
   bool json_ = false;  // of the flag, for the parser
 };
+
+/// Lines for standard error that name the mistake in a line that this parser refused. An unknown option is answered
+/// with the one that it resembles; `program` names the owner of the options.
+std::string usage_error(const CLI::App& parser, const std::string& program, const CLI::ParseError& error);
+
+/// The main() of the program behind `name`, such as "moat report": reads the line, and returns the exit code of `work`,
+/// or 1 with its error printed.
+int run_command(CLI::App& parser, const std::string& name, int argc, char** argv, const std::function<int()>& work);
 
 }  // namespace moat

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "app/usage_errors.hpp"
+#include "app/command_line.hpp"
 #include "base/error.hpp"
 #include "base/parse_quantity.hpp"
 #include "base/text/number_format.hpp"
@@ -31,25 +31,18 @@ constexpr int period_count = 120;
 // Periods of the table on the terminal, s.
 constexpr std::array shown_periods{0.0, 0.05, 0.1, 0.2, 0.3, 0.5, 0.75, 1.0, 1.5, 2.0, 2.5, 3.0, 4.0, 5.0, 7.0, 10.0};
 
-/// A motion with its measures and its spectrum, SI units.
+/// A motion with its spectrum.
 struct MotionSheet {
   GroundMotion motion;
-  double arias_intensity = 0.0;  ///< m/s
-  MotionInterval significant_duration{};
-  double pulse_period = 0.0;  ///< s
   ResponseSpectrum spectrum{};
 };
 
 // Periods of the spectrum from 0.02 to 10 s.
 MotionSheet sheet_of(const GroundMotion& motion, double damping_ratio) {
   const Time first{std::max(first_period, 0.01 * motion.time_step())};
-  return {
-      .motion = motion,
-      .arias_intensity = arias_intensity(motion).si(),
-      .significant_duration = significant_duration(motion),
-      .pulse_period = pulse_period(motion).si(),
-      .spectrum = response_spectrum(
-          motion, spaced_periods(first, Time{std::max(last_period, 2.0 * first.si())}, period_count), damping_ratio)};
+  return {motion,
+          response_spectrum(motion, spaced_periods(first, Time{std::max(last_period, 2.0 * first.si())}, period_count),
+                            damping_ratio)};
 }
 
 /// A row of the text, and a member of the JSON.
@@ -60,24 +53,24 @@ struct Measure {
   std::string text, remark{};
 };
 
-std::vector<Measure> measures_of(const MotionSheet& sheet) {
-  const GroundMotion& motion = sheet.motion;
+std::vector<Measure> measures_of(const GroundMotion& motion) {
   const double pga = motion.peak_acceleration().si(), pgv = motion.peak_velocity().si(),
-               pgd = motion.peak_displacement().si();
+               pgd = motion.peak_displacement().si(), intensity = arias_intensity(motion).si(),
+               period_of_pulse = pulse_period(motion).si();
   const auto number = [](double value) { return to_significant(value, 4); };
   const auto seconds = [](double value) { return to_fixed(value, 2) + " s"; };
-  const MotionInterval& strong = sheet.significant_duration;
+  const MotionInterval strong = significant_duration(motion);
   return {
       {"peak_acceleration", "PGA", pga, "m/s^2", number(pga / standard_gravity) + " g", number(pga) + " m/s^2"},
       {"peak_velocity", "PGV", pgv, "m/s", number(100.0 * pgv) + " cm/s"},
       {"peak_displacement", "PGD", pgd, "m", number(100.0 * pgd) + " cm", "integrated without baseline correction"},
       {"pgv_over_pga", "PGV/PGA", pgv / pga, "s", number(pgv / pga) + " s"},
-      {"arias_intensity", "Arias intensity", sheet.arias_intensity, "m/s", number(sheet.arias_intensity) + " m/s"},
+      {"arias_intensity", "Arias intensity", intensity, "m/s", number(intensity) + " m/s"},
       {"significant_duration", "significant duration",
        Json{{"from", 0.05}, {"to", 0.95}, {"start", strong.start}, {"end", strong.end}, {"length", strong.length()}},
        "s", seconds(strong.length()),
        "5 to 95 % of the Arias intensity, from " + seconds(strong.start) + " to " + seconds(strong.end)},
-      {"pulse_period", "pulse period", sheet.pulse_period, "s", seconds(sheet.pulse_period),
+      {"pulse_period", "pulse period", period_of_pulse, "s", seconds(period_of_pulse),
        "largest pseudo-velocity with 5 % damping (Alavi & Krawinkler 2001)"},
       {"samples", "samples", motion.samples().size(), "1", std::to_string(motion.samples().size()),
        "every " + number(motion.time_step()) + " s, " + number(motion.duration()) + " s in all"}};
@@ -127,7 +120,7 @@ std::string text_of(const std::vector<MotionSheet>& sheets) {
   std::string text;
   for (const MotionSheet& sheet : sheets) {
     text += sheet.motion.name() + "\n";
-    for (const Measure& each : measures_of(sheet))
+    for (const Measure& each : measures_of(sheet.motion))
       text += "  " + padded(each.name, name_width) +
               (each.remark.empty() ? each.text : padded(each.text, value_width) + each.remark) + "\n";
     text += "\n";
@@ -146,7 +139,7 @@ std::string json_of(const std::vector<MotionSheet>& sheets) {
                {"time_step", motion.time_step()},
                {"duration", motion.duration()}};
     Json units{{"time_step", "s"}, {"duration", "s"}};
-    for (const Measure& each : measures_of(sheet)) {
+    for (const Measure& each : measures_of(sheet.motion)) {
       entry[each.key] = each.value;
       units[each.key] = each.unit;
     }

@@ -14,8 +14,8 @@
 #include <set>
 #include <string>
 
+#include "app/command_line.hpp"
 #include "app/study_json.hpp"
-#include "app/usage_errors.hpp"
 #include "base/error.hpp"
 #include "base/text/number_format.hpp"
 #include "base/text/terminal.hpp"

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "app/usage_errors.hpp"
+#include "app/command_line.hpp"
 #include "base/text/terminal.hpp"
 #include "output/files/csv_writer.hpp"
 #include "study/file/store.hpp"

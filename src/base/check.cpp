@@ -4,6 +4,7 @@
 
 #include "base/error.hpp"
 #include "base/text/number_format.hpp"
+#include "base/text/utf8_text.hpp"
 
 namespace moat {
 namespace {
@@ -33,6 +34,13 @@ void Check::that(bool allowed, std::string_view parameter, double value, std::st
   message.append(range).append(".");
   if (!advice.empty()) message.append(" ").append(advice);
   throw InputError{message};
+}
+
+void Check::fits_tables(std::string_view name) const {
+  that(is_utf8(name), "the name is not UTF-8.", "Save the script in UTF-8.");
+  that(name.empty() || std::string_view{"=+-@"}.find(name.front()) == std::string_view::npos,
+       "the name begins with = + - or @.",
+       "Spreadsheets take that for a formula; let the name begin with a letter or a digit.");
 }
 
 void Check::refuse(std::string_view problem, std::string_view advice) const {

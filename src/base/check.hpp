@@ -48,6 +48,9 @@ class Check {
   void that(bool allowed, std::string_view problem, std::string_view advice = {}) const {
     if (!allowed) refuse(problem, advice);
   }
+  /// Throws InputError for a name that tables cannot hold: one that is not UTF-8, or that a spreadsheet takes for a
+  /// formula.
+  void fits_tables(std::string_view name) const;
 
   /// Throws InputError unless the value is > 0 and finite.
   template <int m, int l, int t>

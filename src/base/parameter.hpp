@@ -1,4 +1,4 @@
-// A named number of a model, as reports print it.
+// Named numbers and quantities of a model, as reports print them.
 #pragma once
 
 #include <string_view>
@@ -12,6 +12,19 @@ struct Parameter {
   std::string_view unit;  ///< SI: "N/m^1.5"; "1" without dimension
 
   friend bool operator==(const Parameter&, const Parameter&) = default;
+};
+
+/// A quantity that an element reports besides its deformation and force. The texts are literals, as those of a
+/// parameter.
+struct ReportedQuantity {
+  std::string_view name;  ///< "friction_coefficient"; files write it as it is, the report with blanks
+  std::string_view unit;  ///< SI; "1" without dimension
+};
+
+/// Such a quantity at an instant.
+struct ReportedValue {
+  double value = 0.0;  ///< in its unit
+  double rate = 0.0;   ///< per second
 };
 
 }  // namespace moat

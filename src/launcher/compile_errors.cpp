@@ -6,7 +6,6 @@
 #include <set>
 
 #include "launcher/dimension_words.hpp"
-#include "launcher/named_fields.hpp"
 #include "launcher/text.hpp"
 
 namespace moat::launcher {

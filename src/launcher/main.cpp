@@ -2,7 +2,6 @@
 // the user's words.
 
 #include <CLI/CLI.hpp>
-#include <algorithm>
 #include <cstdio>
 #include <string_view>
 

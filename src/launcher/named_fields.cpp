@@ -1,4 +1,4 @@
-#include "launcher/named_fields.hpp"
+#include "launcher/compile_errors.hpp"
 
 #include <algorithm>
 #include <regex>

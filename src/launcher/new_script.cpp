@@ -2,6 +2,7 @@
 #include <cctype>
 #include <system_error>
 
+#include "base/text/terminal.hpp"
 #include "launcher/commands.hpp"
 #include "launcher/stop.hpp"
 #include "launcher/text.hpp"
@@ -32,7 +33,7 @@ void new_script(const Places& places, const fs::path& typed) {
   check_place(file);
   const std::string stem = replaced(replaced(file.stem().string(), "\\", "\\\\"), "\"", "\\\"");
   write_text(file, replaced(text_of(places.root / "examples" / "starter.cpp"), "\"starter\"", "\"" + stem + "\""));
-  say("Wrote " + name + ". Run it with: " + places.adapted("./moat run ") + shell_quoted(name));
+  say("Wrote " + name + ". Run it with: " + places.adapted("./moat run ") + shell_word(name));
 }
 
 void new_project(const Places& places, const fs::path& folder) {

@@ -71,11 +71,4 @@ std::string with_short_lines(std::string text) {
   return text;
 }
 
-std::string shell_quoted(const std::string& word) {
-  const bool plain = !word.empty() && word.find_first_not_of(
-                                          "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ"
-                                          "0123456789_-+=.,/:@%") == std::string::npos;
-  return plain ? word : "'" + replaced(word, "'", "'\\''") + "'";
-}
-
 }  // namespace moat::launcher

@@ -34,7 +34,4 @@ inline constexpr std::size_t longest_line = 1000;
 /// Lines above longest_line without their middle, which " ... " replaces.
 std::string with_short_lines(std::string text);
 
-/// As a word of a shell command: in quotes where it needs some.
-std::string shell_quoted(const std::string& word);
-
 }  // namespace moat::launcher

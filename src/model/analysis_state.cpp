@@ -116,12 +116,11 @@ void AnalysisState::commit(WorkRule rule) {
 
 double AnalysisState::kinetic_energy() const {
   const Eigen::Index count = model_->degrees_of_freedom();
-  const auto velocity = motion_.velocity.head(count);
   const MassMatrix& mass = model_->mass_matrix();
-  if (mass.is_diagonal()) return 0.5 * mass.diagonal().dot(velocity.cwiseAbs2());
+  if (mass.is_diagonal()) return 0.5 * mass.diagonal().dot(motion_.velocity.head(count).cwiseAbs2());
   Vector momentum{count};
   mass.multiply(motion_.velocity.data(), momentum.data());
-  return 0.5 * momentum.dot(velocity);
+  return 0.5 * momentum.dot(motion_.velocity.head(count));
 }
 
 void AnalysisState::start_energy_accounts() {

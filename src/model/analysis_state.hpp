@@ -46,7 +46,7 @@ class AnalysisState {
   }
   /// The states of the elements of a block, by its index in Model::blocks().
   [[nodiscard]] const ElementStates& elements(std::size_t block) const { return *elements_[block]; }
-  /// The same, to give axial forces.
+  /// Returns them to set axial forces.
   [[nodiscard]] ElementStates& elements(std::size_t block) { return *elements_[block]; }
 
   /// The motion of the ground under which it came to this instant; null before the first analysis.

@@ -15,8 +15,8 @@ namespace moat {
 /// The degrees of freedom of a diaphragm: displacements ux and uy of its centre of mass, and w = gyration * theta of
 /// its rotation theta. Made by add(model, Diaphragm{...}).
 ///
-/// All three are nodes, so that model.displacement(base.x) and every recorder know them. w is in m, its inertia is the
-/// mass, and its force is moment / gyration; model.rotation(base) is theta.
+/// All three are nodes, so that state.displacement(base.x) and every recorder know them. w is in m, its inertia is the
+/// mass, and its force is moment / gyration; state.rotation(base) is theta.
 struct DiaphragmId {
   /// Nodes of ux, uy and w.
   NodeId x{}, y{}, r{};

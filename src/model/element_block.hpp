@@ -9,32 +9,17 @@
 #include <span>
 #include <string>
 
-#include "base/reported_quantity.hpp"
+#include "base/parameter.hpp"
 #include "base/stiffness_stage.hpp"
-#include "model/corner_pair.hpp"
 #include "model/couplings.hpp"
+#include "model/element_details.hpp"
 #include "model/element_states.hpp"
-#include "model/law_as_given.hpp"
-#include "model/member_point.hpp"
 #include "model/node.hpp"
-#include "model/plan_places.hpp"
 
 namespace moat {
 
 /// How an element is drawn.
 enum class DrawnAs : std::uint8_t { nothing, storey, bearing, gap, other };
-
-/// Facts that few elements have, and that many may have in common.
-struct ElementDetails {
-  /// The law as the script gave it; none where it is the block's law.
-  std::optional<LawAsGiven> law_as_given{};
-  /// None for an element between two nodes; else its nodes are those where the shares of its ends are 0.
-  std::optional<MemberEnds> member_ends{};
-  /// None on a line, and for an element that has no such ends.
-  std::optional<PlanPlaces> plan_places{};
-  /// None but for contacts of corners with edges.
-  std::optional<CornerPair> corner_pair{};
-};
 
 /// The name of an element, the nodes it joins and the quantities it reports.
 struct ElementInfo {
@@ -85,7 +70,7 @@ struct BlockKind {
 };
 
 /// All elements of one type in a model, as they were added. Analyses know elements only through this class and
-/// ElementStates; one virtual call serves a whole block. `LinkBlock` (elements/line/link_block.hpp) makes a block of
+/// ElementStates; one virtual call serves a whole block. `LinkBlock` (elements/block/link_block.hpp) makes a block of
 /// any law.
 class ElementBlock {
  public:

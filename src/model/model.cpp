@@ -4,7 +4,6 @@
 #include <utility>
 
 #include "base/error.hpp"
-#include "model/checked_name.hpp"
 
 namespace moat {
 
@@ -28,7 +27,7 @@ ElementBlock& Model::block_of(std::type_index type, std::unique_ptr<ElementBlock
 void Model::register_element(std::string_view kind, const std::string& name) {
   const Check check{kind, name};
   check.that(!name.empty(), "an element has no name.", "Give .name: results are listed under it.");
-  check_name(check, name);
+  check.fits_tables(name);
   check.that(element_names_.insert(name).second, "an element of this name exists.", "Give every element its own name.");
 }
 
@@ -36,7 +35,7 @@ void Model::add_building(Building building) {
   const Check check{"Building", building.name};
   const std::vector<NodeId> nodes = building.nodes();
   check.that(!nodes.empty(), "no floors are given.", "Give .base and .floors, from the lowest up.");
-  check_name(check, building.name);
+  check.fits_tables(building.name);
   check.that(!building_names_.contains(building.name), "a building of this name exists.",
              "Give every building its own .name.");
   in_building_.resize(ids_.size(), false);

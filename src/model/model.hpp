@@ -13,14 +13,24 @@
 
 #include "base/check.hpp"
 #include "base/copyable_pointer.hpp"
+#include "base/vector.hpp"
 #include "model/body.hpp"
 #include "model/building.hpp"
 #include "model/diaphragm.hpp"
 #include "model/element_block.hpp"
 #include "model/mass_matrix.hpp"
-#include "model/motion_state.hpp"
 
 namespace moat {
+
+/// The motion of all degrees of freedom at one instant, relative to the ground. Every vector has one entry more than
+/// there are degrees of freedom: the last belongs to the ground and stays zero.
+struct MotionState {
+  double time = 0.0;    ///< s
+  Vector displacement;  ///< m
+  Vector velocity;      ///< m/s
+  Vector acceleration;  ///< m/s^2
+  Vector jerk;          ///< m/s^3, rate of the absolute acceleration: jumps with force rates, not with the ground
+};
 
 /// A structure: bodies, elements and buildings, as the free functions add(model, ...) added them. Analyses do not
 /// change it; each has an AnalysisState of its own (model/analysis_state.hpp), so that one model serves many motions

@@ -3,13 +3,12 @@
 #include <string>
 
 #include "base/error.hpp"
-#include "model/checked_name.hpp"
 #include "model/model.hpp"
 
 namespace moat {
 
 void Model::check_new_name(const Check& check, const std::string& name) const {
-  check_name(check, name);
+  check.fits_tables(name);
   check.that(name != "ground", "this name is taken.", "`ground` is always there; choose another name.");
   check.that(!body_names_.contains(name), "a node or diaphragm of this name exists.", "Give every one its own name.");
 }
@@ -112,15 +111,13 @@ std::vector<NodeId> Model::add_body(const GeneralisedBody& body) {
   check_new_name(check, body.name);
   const auto count = static_cast<Eigen::Index>(body.coordinates.size());
   check.that(count > 0, "no coordinates are given.", "Give .coordinates, at least one.");
-  check.that(body.mass.rows() == count && body.mass.cols() == count, "the mass matrix has another size.",
-             "Give one row and one column for each of the coordinates.");
-  check.that(body.mass.allFinite() && body.mass == body.mass.transpose() &&
-                 Eigen::LLT<Eigen::MatrixXd>{body.mass}.info() == Eigen::Success,
-             "the mass matrix is not symmetric and positive definite.",
+  check.that(body.mass.rows() == count && body.mass.cols() == count && body.mass.allFinite() &&
+                 body.mass == body.mass.transpose() && Eigen::LLT<Eigen::MatrixXd>{body.mass}.info() == Eigen::Success,
+             "the mass matrix is not symmetric and positive definite with one row for each of the coordinates.",
              "Every coordinate needs mass, and masses couple both ways alike.");
   for (std::size_t i = 0; i < body.coordinates.size(); ++i) {
     const GeneralisedCoordinate& coordinate = body.coordinates[i];
-    check_name(check, coordinate.name);
+    check.fits_tables(coordinate.name);
     check.that(!body_names_.contains(body.name + ":" + coordinate.name) &&
                    std::ranges::count(body.coordinates, coordinate.name, &GeneralisedCoordinate::name) == 1,
                "a node \"" + body.name + ":" + coordinate.name + "\" exists.", "Give every coordinate its own name.");

@@ -1,4 +1,4 @@
-// A point with mass that moves along the direction of shaking.
+// A point with mass that moves along the direction of shaking, and points between two.
 #pragma once
 
 #include <compare>
@@ -49,6 +49,28 @@ struct Node {
   /// For models in plan only, where it must be given: the direction of its motion, of length 1. A node on a line moves
   /// along the shaking.
   CopyablePointer<const PlanVector> direction{};
+};
+
+/// A point on the straight line between two nodes, usually on a column between two floors:
+///
+///     u(point) = (1 - share) u(node) + share u(other)
+///
+/// A node alone is such a point with share 0. NodeId converts to a point, so that either can be given.
+struct MemberPoint {
+  NodeId node{};       ///< where share is 0
+  NodeId other{};      ///< where share is 1
+  double share = 0.0;  ///< 0 <= share < 1
+
+  MemberPoint() = default;
+  /// A node alone.
+  MemberPoint(NodeId at) : node{at}, other{at} {}
+  /// 0 <= share_of_upper < 1.
+  MemberPoint(NodeId lower, NodeId upper, double share_of_upper) : node{lower}, other{upper}, share{share_of_upper} {}
+
+  /// Whether the point is a node.
+  [[nodiscard]] bool is_node() const { return share == 0.0; }
+
+  friend bool operator==(const MemberPoint&, const MemberPoint&) = default;
 };
 
 }  // namespace moat

@@ -23,13 +23,13 @@ struct MotionComponent {
   double scale_factor = 1.0;  ///< Factor of all its accelerations, since then.
 };
 
-/// The horizontal acceleration of the ground, sampled at a constant time step.
+/// The acceleration of the ground along x, and along y and z if given, sampled at a constant time step.
 ///
 /// The acceleration is linear between samples. The ground is at rest before the first sample, which stands at
 /// t = 0; after the last one, at t = duration(), the acceleration is zero. Positive acceleration points in the
-/// direction of positive displacement of the model. In plan it acts along x; a PlanMotion makes a motion of two
-/// components, of which this class then is the one along x, with samples_y() beside it. Velocity and displacement of
-/// the ground are the exact integrals of this piecewise-linear function from rest, without any baseline correction.
+/// direction of positive displacement of the model. A PlanMotion makes a motion of two horizontal components, and
+/// with_component_z() adds the vertical one. Velocity and displacement of the ground are the exact integrals of the
+/// piecewise-linear component along x from rest, without any baseline correction.
 ///
 ///     const GroundMotion motion = read_peer_at2("RSN1108_KOBE_KBU000.AT2").scaled_to_pga(0.4 * g);
 class GroundMotion {
@@ -80,8 +80,9 @@ class GroundMotion {
   /// Ground displacement at the samples, m.
   [[nodiscard]] std::vector<double> displacement() const;
 
-  /// Largest absolute value over continuous time from 0 to duration(), not only at the samples. Of two components the
-  /// largest resultant; of velocity and displacement then that at the samples.
+  /// Largest absolute value over continuous time from 0 to duration(), not only at the samples. Of two horizontal
+  /// components the largest resultant; of velocity and displacement then that at the samples. The vertical one does not
+  /// count.
   [[nodiscard]] Acceleration peak_acceleration() const;
   [[nodiscard]] Speed peak_velocity() const;       ///< Peak velocity of the ground.
   [[nodiscard]] Length peak_displacement() const;  ///< Peak displacement of the ground.
@@ -91,7 +92,7 @@ class GroundMotion {
   /// Returns the motion with its peak acceleration scaled to target > 0. Throws InputError if the motion is zero.
   [[nodiscard]] GroundMotion scaled_to_pga(Acceleration target) const;
   /// Returns the motion with other samples, for example filtered ones; `note` says how they were made. Throws
-  /// InputError for two components.
+  /// InputError for several components.
   [[nodiscard]] GroundMotion with_samples(std::vector<double> samples, std::string note) const;
 
   /// Returns the motion with a second component, along y, m/s^2. `first` and `second` are the motions from which both

@@ -8,7 +8,6 @@
 #include "base/text/number_format.hpp"
 #include "base/units.hpp"
 #include "motions/response_spectrum.hpp"
-#include "motions/scaling.hpp"
 
 namespace moat {
 namespace {
@@ -94,16 +93,6 @@ PlanMotion PlanMotion::scaled_to_larger_pga(Acceleration target) const {
   const double larger = std::max(first.peak_acceleration().si(), second.peak_acceleration().si());
   check.that(larger > 0.0, "a motion that is zero everywhere cannot be scaled to a peak acceleration.");
   return scaled_by(target.si() / larger);
-}
-
-PlanMotion PlanMotion::scaled_to_mean_pga(Acceleration target) const {
-  const std::string names = names_of(*this);
-  const Check check{"PlanMotion", names};
-  check.positive("target PGA", target, "Give it as, for example, 0.4 * g.");
-  const double mean = std::sqrt(first.peak_acceleration().si() * second.peak_acceleration().si());
-  check.that(mean > 0.0, "one of its components is zero, so that their geometric mean cannot be scaled.",
-             "Use scaled_to_larger_pga().");
-  return scaled_to_pga(*this, target);
 }
 
 std::vector<double> maximum_direction_spectrum(const PlanMotion& motion, const std::vector<Time>& periods,

@@ -40,8 +40,6 @@ struct PlanMotion {
   [[nodiscard]] PlanMotion scaled_by(double factor) const;
   /// Both components times one factor: the larger of their peak accelerations becomes `target` > 0.
   [[nodiscard]] PlanMotion scaled_to_larger_pga(Acceleration target) const;
-  /// Both components times one factor: the geometric mean of their peak accelerations becomes `target` > 0.
-  [[nodiscard]] PlanMotion scaled_to_mean_pga(Acceleration target) const;
 };
 
 /// Spectral accelerations of a pair of components in the direction that makes each of them largest (RotD100): the

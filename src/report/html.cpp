@@ -1,8 +1,13 @@
 #include "report/html.hpp"
 
 #include <cmath>
+#include <embedded/page_css.hpp>
+#include <embedded/page_js.hpp>
+#include <fstream>
+#include <iterator>
 
 #include "base/text/number_format.hpp"
+#include "output/charts/chart_style.hpp"
 #include "output/files/engineering_unit.hpp"
 
 namespace moat::html {
@@ -10,6 +15,44 @@ namespace {
 
 std::string row(std::string_view name, std::string_view value, std::string_view kind) {
   return "<tr><td>" + escaped(name) + "</td><td class=\"" + std::string{kind} + "\">" + escaped(value) + "</td></tr>\n";
+}
+
+/// JSON inside a script element, which a "<" of a name could end.
+std::string inside_script(std::string_view json) {
+  std::string safe;
+  for (const char c : json) {
+    if (c == '<')
+      safe += "\\u003c";
+    else
+      safe += c;
+  }
+  return safe;
+}
+
+/// The library that zooms the histories, of the package libjs-dygraphs; empty where that is not installed: the page
+/// then keeps its static charts.
+std::string chart_library() {
+  const std::string folder = "/usr/share/javascript/dygraphs/";
+  std::string text;
+  for (const char* name : {"dygraph.min.css", "dygraph.min.js"}) {
+    std::ifstream file{folder + name, std::ios::binary};
+    if (!file) return "";
+    const std::string content{std::istreambuf_iterator<char>{file}, {}};
+    const std::string element = std::string_view{name}.ends_with(".css") ? "style" : "script";
+    text += "<" + element + ">" + content + "</" + element + ">\n";
+  }
+  return text;
+}
+
+std::string framed(std::string_view title, std::string_view body, const std::string& scripts) {
+  const std::string heading = escaped(title);
+  // Dark where the reader's system is, and light on paper.
+  const std::string dark_charts =
+      "@media screen and (prefers-color-scheme: dark) {\n" + std::string{chart_style::dark_rules} + "}\n";
+  return "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
+         "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>" +
+         heading + "</title>\n<style>\n" + std::string{embedded::page_css} + dark_charts +
+         "</style>\n</head>\n<body>\n<h1>" + heading + "</h1>\n" + std::string{body} + scripts + "</body>\n</html>\n";
 }
 
 }  // namespace
@@ -34,5 +77,13 @@ std::string chart_grid(const std::vector<Chart>& charts, int width, int height) 
 }
 
 std::string wide_picture(const std::string& svg) { return "<div class=\"wide-picture\">\n" + svg + "</div>\n"; }
+
+std::string page(std::string_view title, std::string_view body) { return framed(title, body, ""); }
+
+std::string page_with_script(std::string_view title, std::string_view body, std::string_view data) {
+  return framed(title, body,
+                chart_library() + "<script type=\"application/json\" id=\"run-data\">" + inside_script(data) +
+                    "</script>\n<script>\n" + std::string{embedded::page_js} + "</script>\n");
+}
 
 }  // namespace moat::html

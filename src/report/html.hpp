@@ -1,12 +1,12 @@
-// Pieces of HTML for the report.
+// A report as HTML: its pieces, and the page around them.
 #pragma once
 
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "base/text/utf8_text.hpp"
 #include "output/charts/chart.hpp"
-#include "output/files/xml_text.hpp"
 
 namespace moat::html {
 
@@ -27,5 +27,12 @@ std::string chart_grid(const std::vector<Chart>& charts, int width, int height);
 
 /// A picture as wide as the page; on a phone it keeps a readable size and scrolls sideways.
 std::string wide_picture(const std::string& svg);
+
+/// A whole page that needs nothing else, no network and no other file. title: plain text; body: HTML.
+std::string page(std::string_view title, std::string_view body);
+
+/// Such a page with the script that moves the drawing and zooms the histories of a run. data: JSON
+/// (report/page_data.hpp).
+std::string page_with_script(std::string_view title, std::string_view body, std::string_view data);
 
 }  // namespace moat::html

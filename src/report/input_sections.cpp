@@ -1,4 +1,4 @@
-#include "report/input_sections.hpp"
+#include "report/sections.hpp"
 
 #include <algorithm>
 

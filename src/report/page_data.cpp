@@ -1,6 +1,5 @@
 #include "report/page_data.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <span>
 

@@ -7,8 +7,6 @@
 #include "output/files/results_folder.hpp"
 #include "output/recorders/energy_columns.hpp"
 #include "report/html.hpp"
-#include "report/input_sections.hpp"
-#include "report/page.hpp"
 #include "report/page_data.hpp"
 #include "report/sections.hpp"
 

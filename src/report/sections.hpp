@@ -1,4 +1,4 @@
-// The sections of a report that results fill.
+// The sections of a report.
 #pragma once
 
 #include <string>
@@ -40,5 +40,14 @@ std::string clearance_section(const CaseResult& result);
 
 /// The deformation of every isolator at the end; empty without isolators.
 std::string section_at_the_end(const CaseResult& result);
+
+/// Command line, script, version, commit and date.
+std::string provenance_section(const Provenance& provenance);
+/// All options of the analysis.
+std::string analysis_section(const AnalysisFacts& analysis);
+/// The motion with its file, scale factor and notes.
+std::string motion_section(const MotionFacts& motion);
+/// Nodes and elements with their parameters; of a long list the beginning.
+std::string model_section(const ModelFacts& model);
 
 }  // namespace moat::html

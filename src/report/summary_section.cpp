@@ -1,7 +1,6 @@
 #include "report/sections.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <string_view>
 
 #include "base/text/number_format.hpp"

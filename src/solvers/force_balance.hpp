@@ -2,7 +2,7 @@
 #pragma once
 
 #include "base/vector.hpp"
-#include "solvers/nonlinear_system.hpp"
+#include "solvers/newton.hpp"
 
 namespace moat {
 

@@ -1,18 +1,19 @@
 // Outcomes as bytes, for messages between processes and checksums.
 #pragma once
 
-#include <cstddef>
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include "study/outcome.hpp"
 
 namespace moat {
 
-/// Every bit of an outcome, its number in front. Checksums in files of studies are made of these bytes: another layout
-/// needs another format of the file.
-std::string to_bytes(std::size_t number, CaseOutcome outcome);
+/// Every bit of the outcomes, as CBOR; NaN has one form. Checksums in files of studies are made of these bytes: another
+/// layout needs another format of the file.
+std::string to_bytes(const std::vector<CaseOutcome>& outcomes);
 
-/// The outcome whose bytes begin at the position `at`, which moves behind them.
-CaseOutcome from_bytes(const std::string& bytes, std::size_t& at);
+/// The outcomes with these bytes.
+std::vector<CaseOutcome> from_bytes(std::string_view bytes);
 
 }  // namespace moat

@@ -30,7 +30,7 @@ class StudyResult {
   StudyResult& operator=(StudyResult&& other) noexcept;  ///< Takes all of it.
   ~StudyResult();
 
-  /// All of them, computed or not.
+  /// All cases, computed or not.
   [[nodiscard]] const StudyCases& cases() const { return cases_; }
   /// The axes of the cases.
   [[nodiscard]] const std::vector<StudyAxis>& axes() const { return cases_.axes(); }

@@ -9,8 +9,7 @@
 #include "base/text/number_format.hpp"
 #include "output/files/file_io.hpp"
 #include "report/html.hpp"
-#include "report/input_sections.hpp"
-#include "report/page.hpp"
+#include "report/sections.hpp"
 #include "study/study_charts.hpp"
 
 namespace moat {

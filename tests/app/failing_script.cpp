@@ -3,7 +3,7 @@
 
 #include <limits>
 
-#include "elements/line/link_block.hpp"
+#include "elements/block/link_block.hpp"
 
 using namespace moat;
 using namespace moat::units;

@@ -39,14 +39,6 @@ TEST_F(JsonRun, QuietLeavesStandardErrorEmpty) {
   EXPECT_TRUE(json::accept(result.output)) << result.output;
 }
 
-TEST_F(JsonRun, AStepThatDoesNotConvergeStillGivesItsResults) {
-  const ProgramResult result = run(FAILING_SCRIPT, {"--frame-interval", "0 s"});
-  EXPECT_EQ(result.exit_code, 3) << result.errors;
-  ASSERT_TRUE(json::accept(result.output)) << result.output;
-  const std::string first = json::parse(result.output).at("warnings").at(0).get<std::string>();
-  EXPECT_TRUE(first.starts_with("The analysis stopped at")) << first;
-}
-
 TEST_F(JsonRun, WrongInputLeavesStandardOutputEmpty) {
   for (const auto& [arguments, code] :
        {std::pair{std::vector<std::string>{"--frobnicate"}, 2}, {std::vector<std::string>{"--gap", "-1 m"}, 1}}) {

@@ -87,16 +87,6 @@ TEST_F(KeptResults, OfAFullDiskAreTheMostImportantFiles) {
   EXPECT_GT(incomplete, 4);
 }
 
-TEST_F(KeptResults, OfAFullDiskLeaveOldResults) {
-  ASSERT_EQ(with_files_up_to(1 << 20, "").exit_code, 0);
-  const std::string old = text_of(out() / "summary.json");
-  const ProgramResult result = with_files_up_to(100, "--force --json");
-  EXPECT_EQ(result.exit_code, 1);
-  EXPECT_NE(result.errors.find("The old results in results/01_moat_wall stay"), std::string::npos) << result.errors;
-  EXPECT_EQ(text_of(out() / "summary.json"), old);
-  EXPECT_TRUE(fs::exists(folder / "results/01_moat_wall_2/impacts.csv"));
-}
-
 // Any file may be the one that cannot be written.
 TEST_F(KeptResults, AreAllButTheFileInTheWay) {
   CaseResult result;

@@ -2,11 +2,9 @@
 
 #include <gtest/gtest.h>
 
-#include <chrono>
 #include <functional>
 #include <limits>
 #include <string>
-#include <thread>
 
 namespace moat {
 namespace {
@@ -56,16 +54,6 @@ TEST(ProgressBar, WritesNothingToALogInItsQuietTime) {
               bar.clear();
             }),
             "");
-}
-
-TEST(ProgressBar, WritesTheTenthsThatPassAfterTheFirstSecond) {
-  EXPECT_EQ(log_of([] {
-              ProgressBar bar;
-              std::this_thread::sleep_for(std::chrono::seconds{1});
-              bar(9, 10);
-              bar(10, 10);
-            }),
-            "moat:  90 % of 10 cases\nmoat: 100 % of 10 cases\n");
 }
 
 }  // namespace

@@ -53,11 +53,5 @@ TEST_F(WriteResults, ReportsItsProgress) {
     EXPECT_TRUE(std::filesystem::exists(folder / name)) << name;
 }
 
-TEST(TerminalSummary, SaysWhyThereAreNoErrorBars) {
-  CaseResult result;
-  result.error_bars.companion = "No error bars: a reason.";
-  EXPECT_NE(terminal_summary(result).find("\nNo error bars: a reason.\n"), std::string::npos);
-}
-
 }  // namespace
 }  // namespace moat

@@ -2,11 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <chrono>
-#include <list>
 #include <nlohmann/json.hpp>
-#include <set>
 #include <thread>
 #include <tuple>
 
@@ -111,28 +108,6 @@ TEST_F(StoppedRun, KeepsItsResultsWhereNobodyReadsItsOutput) {
   EXPECT_NE(result.errors.find("standard output cannot be written"), std::string::npos) << result.errors;
   EXPECT_TRUE(std::filesystem::exists(folder / "results/01_moat_wall/summary.json"));
   EXPECT_FALSE(std::filesystem::exists(folder / "results/01_moat_wall/unfinished"));
-}
-
-TEST_F(StoppedRun, RunsThatStartTogetherHaveResultsOfTheirOwn) {
-  const std::vector<std::string> gaps{"11 cm", "14 cm", "17 cm", "20 cm"};
-  std::list<testing::RunningProgram> runs;
-  for (const std::string& gap : gaps) {
-    std::filesystem::create_directory(folder / gap);
-    runs.emplace_back(FIRST_TOUR,
-                      std::vector<std::string>{"--quiet", "--frame-interval", "0 s", "--gap", gap, "--out", "../out"},
-                      folder / gap);
-  }
-  for (const testing::RunningProgram& run : runs) EXPECT_EQ(run.wait().exit_code, 0);
-  std::set<std::string> found;
-  for (const char* name : {"out", "out_2", "out_3", "out_4"}) {
-    const json summary = json::parse(testing::text_of(folder / name / "summary.json"));
-    const std::string gap = summary.at("provenance").at("options").at("gap");
-    EXPECT_TRUE(found.insert(gap).second) << gap;
-    EXPECT_NE(testing::text_of(folder / name / "report.html").find("'" + gap + "'"), std::string::npos) << name;
-    const std::string impacts = testing::text_of(folder / name / "impacts.csv");
-    EXPECT_EQ(std::count(impacts.begin(), impacts.end(), '\n'), summary.at("impacts").get<int>() + 1) << name;
-  }
-  EXPECT_EQ(found.size(), gaps.size());
 }
 
 }  // namespace

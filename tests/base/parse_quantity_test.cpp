@@ -71,19 +71,15 @@ TEST(ParseQuantity, ReadsUnitsThatAreMadeOfOthers) {
   EXPECT_DOUBLE_EQ(si<Frequency>("5 1/s"), 5.0);
   EXPECT_DOUBLE_EQ(si<Frequency>("5/s"), 5.0);
   EXPECT_DOUBLE_EQ(si<Length>("10*cm"), 0.1);
-}
-
-TEST(ParseQuantity, DividesByAllThatFollowsASlash) {
+  // A slash divides by all that follows.
   EXPECT_DOUBLE_EQ(si<Acceleration>("981 cm/s s"), 9.81);
   EXPECT_DOUBLE_EQ(si<Acceleration>("981 cm/s*s"), 9.81);
 }
 
-TEST(ParseQuantity, WithoutDimensionAPlainNumber) {
+TEST(ParseQuantity, WithoutDimensionTakesNoUnit) {
   EXPECT_DOUBLE_EQ(si<Dimensionless>("0.65"), 0.65);
   EXPECT_DOUBLE_EQ(si<Dimensionless>(" -1e-3 "), -1e-3);
-}
-
-TEST(ParseQuantity, WithoutDimensionTakesNoUnit) {
+  EXPECT_EQ(refusal<Dimensionless>("nan"), "--value: \"nan\" is not a number. Write a plain number, 0.5 for example.");
   for (const char* text : {"5 cm", "30deg"})
     EXPECT_EQ(refusal<Dimensionless>(text),
               "--value: \"" + std::string{text} + "\" has a unit, but it must be a plain number.");
@@ -173,10 +169,6 @@ TEST(ParseQuantity, RefusesPowersThatAreNotHalves) {
 
 TEST(ParseQuantity, SaysHowDecimalsAreWritten) {
   EXPECT_EQ(refusal<Length>("1,5 cm"), "--value: \"1,5 cm\" has a decimal comma. Write decimals with a point: 1.5.");
-}
-
-TEST(ParseQuantity, AsksForPlainNumbersWithoutAUnit) {
-  EXPECT_EQ(refusal<Dimensionless>("nan"), "--value: \"nan\" is not a number. Write a plain number, 0.5 for example.");
 }
 
 TEST(ParseQuantity, RefusesSignsThatJoinNothing) {

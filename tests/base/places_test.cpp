@@ -19,12 +19,7 @@ TEST(Places, AreAVector) {
   floors.push_back(30);
   EXPECT_EQ(floors, (std::vector<int>{10, 20, 30}));
   EXPECT_EQ(std::accumulate(floors.begin(), floors.end(), 0), 60);
-  int sum = 0;
-  for (const int floor : floors) sum += floor;
-  EXPECT_EQ(sum, 60);
-  const std::span<const int> all{floors};
-  EXPECT_EQ(all[2], 30);
-  EXPECT_EQ(floors[2], 30);
+  EXPECT_EQ(std::span<const int>{floors}[2], 30);
   EXPECT_EQ(floors.at(0), floors.front());
   EXPECT_EQ(floors.back(), 30);
   floors[1] = 21;

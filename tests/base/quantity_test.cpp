@@ -48,11 +48,6 @@ TEST(Quantity, KeepsSi) {
   EXPECT_DOUBLE_EQ((1.93 * MN / cm).si(), 1.93e8);
 }
 
-TEST(Quantity, ReadsBackByDivision) {
-  const double gap_in_cm = 0.25 * m / cm;
-  EXPECT_DOUBLE_EQ(gap_in_cm, 25.0);
-}
-
 TEST(Quantity, HasARootWhereTheDimensionAllows) {
   const Mass mass = 4 * tonne;
   const Stiffness k = 1 * MN / m;
@@ -93,12 +88,6 @@ TEST(Dimensionless, AddsAndSubtractsPlainNumbers) {
   sum += 0.5;
   EXPECT_EQ(sum, 1.5);
   EXPECT_DOUBLE_EQ(std::sqrt(gap / (3 * cm)), 2.0);
-}
-
-TEST(Dimensionless, QuantitiesWithDimensionStillCompareAndAdd) {
-  static_assert(gap > 1 * cm && gap == 120 * mm && gap != 1 * m);
-  static_assert(gap + 8 * cm == 20 * cm || gap + 8 * cm > 19.999 * cm);
-  static_assert(gap - gap == 0 * m);
 }
 
 }  // namespace

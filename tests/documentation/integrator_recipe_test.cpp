@@ -6,8 +6,8 @@
 
 #include "analyses/integrators/step_equations.hpp"
 #include "analyses/integrators/wood_bossak_zienkiewicz.hpp"
-#include "analyses/time_history/equation_of_motion.hpp"
 #include "elements/line/shear_spring.hpp"
+#include "model/equation_of_motion.hpp"
 
 namespace moat::testing {
 namespace {

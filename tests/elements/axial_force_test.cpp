@@ -4,9 +4,12 @@
 
 #include "elements/line/isolator.hpp"
 #include "elements/line/spring.hpp"
+#include "elements/plan/planar_spring.hpp"
 #include "materials/linear.hpp"
+#include "materials/plan/biaxial_friction_pendulum.hpp"
 #include "materials/repeated.hpp"
 #include "model/analysis_state.hpp"
+#include "moved_model.hpp"
 
 namespace moat {
 namespace {
@@ -48,6 +51,53 @@ TEST(AxialForces, ReachTheLaw) {
   SparseMatrix tangent = state.zero_matrix();
   state.assemble_tangent(0.0, 0.0, 1.0, tangent);
   EXPECT_DOUBLE_EQ(tangent.coeff(0, 0), 130e3 / 2.0 + 1e3);
+}
+
+// A pendulum in plan under a weight that changes.
+struct PendulumInPlan {
+  FrictionPendulum pendulum;
+
+  struct State {
+    BiaxialFrictionPendulum::State of_the_slider;
+    AxialForce axial;
+  };
+  [[nodiscard]] BiaxialFrictionPendulum under(AxialForce axial) const {
+    return in_plan(pendulum, axial.compression * N);
+  }
+  PlanarResponse evaluate(const State& committed, PlanVector d, PlanVector rate, double interval, AxialForce axial,
+                          State& trial) const {
+    trial = {{.deformation = d, .rate = rate, .heat = committed.of_the_slider.heat}, axial};
+    if (axial.compression <= 0.0) return {};  // it lifts
+    return under(axial).evaluate(committed.of_the_slider, d, rate, interval, trial.of_the_slider);
+  }
+  double stored_energy(const State& committed, PlanVector d) const {
+    return committed.axial.compression > 0.0 ? under(committed.axial).stored_energy(committed.of_the_slider, d) : 0.0;
+  }
+  double dissipated_energy(const State& from, const State& to) const {
+    return to.of_the_slider.heat - from.of_the_slider.heat;
+  }
+  double linear_stiffness(StiffnessStage) const { return 1.0; }
+};
+static_assert(PlanarAxialForceLaw<PendulumInPlan> && PlanarLaw<PendulumInPlan>);
+static_assert(PlanarLaw<BiaxialFrictionPendulum> && !PlanarAxialForceLaw<BiaxialFrictionPendulum>);
+
+// On a straight way it slides: F = N (d/R + mu t) along the direction t, with the N of the instant.
+TEST(AxialForces, ReachTheLawOfABearingInPlan) {
+  Model model;
+  const DiaphragmId slab = add(model, Diaphragm{.name = "slab", .mass = 1 * tonne, .size = {4 * m, 4 * m}});
+  add(model,
+      PlanBearing<PendulumInPlan>{.name = "bearing", .under = slab, .law = {{.radius = 2 * m, .friction = 0.05}}});
+  AnalysisState state{model};
+  ASSERT_EQ(state.elements(0).axial_forces().size(), 1U);
+  for (const double weight : {80e3, 50e3, 90e3}) {
+    state.elements(0).axial_forces()[0] = weight;
+    const double d = state.motion().displacement.norm() + 0.1;
+    const Vector forces = testing::forces_at(state, Vector{{0.6 * d, 0.8 * d, 0.0}}, Vector{{0.6, 0.8, 0.0}}, 0.1);
+    const double expected = weight * (d / 2.0 + 0.05);
+    EXPECT_NEAR(forces[0], 0.6 * expected, 1e-9 * expected) << weight;
+    EXPECT_NEAR(forces[1], 0.8 * expected, 1e-9 * expected) << weight;
+    state.commit();
+  }
 }
 
 }  // namespace

@@ -73,10 +73,10 @@ TEST(CornerGap, EffectiveMassIsThatOfTheImpulse) {
       check_corner(slabs.model, {gap.name, gap.place, gap.corner, gap.edge_of, gap.edge_begin, gap.edge_end,
                                  gap.friction, gap.share, gap.effective_mass, gap.corner_name, gap.edge_name});
   // n = +x: 1/m_n = 1/m_a + y_a^2/J_a + 1/m_b + y_b^2/J_b with the arms' y components 1 and 0.
-  EXPECT_NEAR(geometry.normal_mass, 1.0 / (1.0 / 8.0 + 1.0 / 20.0 + 1.0 / 5.0), 1e-12);
-  EXPECT_NEAR(geometry.tangential_mass, 1.0 / (1.0 / 8.0 + 4.0 / 20.0 + 1.0 / 5.0 + 36.0 / 30.0), 1e-12);
-  EXPECT_NEAR(geometry.edge_begin, -3.0, 1e-15);
-  EXPECT_NEAR(geometry.edge_end, 2.0, 1e-15);
+  EXPECT_NEAR(geometry.motion.normal_mass, 1.0 / (1.0 / 8.0 + 1.0 / 20.0 + 1.0 / 5.0), 1e-12);
+  EXPECT_NEAR(geometry.motion.tangential_mass, 1.0 / (1.0 / 8.0 + 4.0 / 20.0 + 1.0 / 5.0 + 36.0 / 30.0), 1e-12);
+  EXPECT_NEAR(geometry.motion.edge_begin, -3.0, 1e-15);
+  EXPECT_NEAR(geometry.motion.edge_end, 2.0, 1e-15);
 }
 
 // The whole tangent, sticking and sliding, is the derivative of the forces.

@@ -1,5 +1,5 @@
 // Coulomb friction of a corner over steps of any length: against fine steps, and its tangents.
-#include "elements/contact/corner_grip.hpp"
+#include "elements/block/corner_grip.hpp"
 
 #include <gtest/gtest.h>
 

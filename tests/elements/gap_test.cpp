@@ -55,7 +55,7 @@ TEST(Gap, ReportsTheTrueApproachSpeedWhereTheLawCountsMore) {
     add(nodes.model, gap_between(nodes.a, nodes.b, hertz_damp));
     nodes.start();
     commit_at(nodes, 0.1 + 1e-9, 0.0, speed, 0.0);
-    const auto& block = nodes.model.block<LinkBlock<ViscousHertzContact>>();
+    const auto& block = nodes.model.block<LinkBlock<AnyContact>>();
     const ContactView contact = nodes.state->elements(0).contact(0);
     EXPECT_TRUE(contact.touching);
     EXPECT_EQ(contact.approach_speed, speed);
@@ -96,8 +96,6 @@ TEST(Gap, NamesTheMistake) {
             "Give the free distance at rest, 0 m for wall to wall; a preload is an initial_displacement.");
   EXPECT_EQ(message_of([&] { add(nodes.model, gap_between(nodes.a, nodes.a, hertz_damp)); }),
             "Gap \"gap\": left and right are the same node, \"a\". An element joins two different nodes.");
-  EXPECT_EQ(message_of([&] { add(nodes.model, gap_between(nodes.a, NodeId{9}, hertz_damp)); }),
-            "Gap \"gap\": right is not a node of this model. Use the NodeId that add(model, Node{...}) returned.");
   EXPECT_EQ(
       message_of([&] {
         add(nodes.model, gap_between(nodes.a, ground, HertzDamp{.stiffness = 1e9 * N / m_3_2, .restitution = 65.0}));

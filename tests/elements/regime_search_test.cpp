@@ -1,6 +1,6 @@
 // Where functions fall.
 
-#include "elements/line/regime_search.hpp"
+#include "elements/block/regime_search.hpp"
 
 #include <gtest/gtest.h>
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <sstream>
 
+#include "base/text/terminal.hpp"
 #include "launcher/text.hpp"
 #include "run_program.hpp"
 
@@ -22,7 +23,7 @@ class Completion : public moat::testing::InTemporaryFolder {
   // The words that bash, which asks the launcher for its help, offers behind these; the last one is not complete.
   std::vector<std::string> offered(const std::vector<std::string>& words) const {
     std::string quoted;
-    for (const std::string& word : words) quoted += " " + shell_quoted(word);
+    for (const std::string& word : words) quoted += " " + shell_word(word);
     const std::string moat = "moat() { '" LAUNCHER "' '" MOAT_SOURCE_DIR "' '" BUILD_FOLDER "' cache \"$@\"; }\n";
     write_text(folder / "ask.sh", moat + "source completion.bash\nCOMP_WORDS=(moat" + quoted +
                                       ")\nCOMP_CWORD=" + std::to_string(words.size()) +

@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <chrono>
-#include <thread>
 
 #include "launcher/stop.hpp"
 #include "launcher_testing.hpp"
@@ -76,9 +75,10 @@ TEST_F(ScriptBuildTest, NoticesChangedOptionsOfTheCompiler) {
 }
 
 TEST_F(ScriptBuildTest, TakesStrangeNames) {
-  for (const char* name :
-       {"a tower.cpp", "my $study #1/it's.cpp", "semi;colon & more/t:w*r.cpp", "back\\slash.cpp",
-        "[x] \"quoted\" `tick` %d.cpp", "Wände.cpp", "(a) <b> |c| ~d^.cpp", "new\nline.cpp", "tab\tulator.cpp"}) {
+  for (const std::string& name :
+       std::vector<std::string>{std::string(251, 'a') + ".cpp", "a tower.cpp", "my $study #1/it's.cpp",
+                                "semi;colon & more/t:w*r.cpp", "back\\slash.cpp", "[x] \"quoted\" `tick` %d.cpp",
+                                "Wände.cpp", "(a) <b> |c| ~d^.cpp", "new\nline.cpp", "tab\tulator.cpp"}) {
     const Script script{places, write_script(name, "hello")};
     EXPECT_EQ(output_of_program(built(script)), "hello\n") << name;
     EXPECT_EQ(output_of_program(built(script)), "hello\n") << name;
@@ -111,11 +111,6 @@ TEST_F(ScriptBuildTest, CompilesAgainWhereTheListOfFilesWasCut) {
     write_text(list, whole.substr(0, length));
     EXPECT_NE(identity(built(script)), before) << length;
   }
-}
-
-TEST_F(ScriptBuildTest, TakesTheLongestNames) {
-  const Script script{places, write_script(std::string(251, 'a') + ".cpp", "hello")};
-  EXPECT_EQ(output_of_program(built(script)), "hello\n");
 }
 
 // As a compilation leaves it that was killed behind its last write.
@@ -163,30 +158,6 @@ TEST_F(ScriptBuildTest, RemovesProgramsThatWereNotRunForTwoWeeks) {
   EXPECT_FALSE(fs::exists(program.parent_path()));
   EXPECT_TRUE(fs::exists(used.program()));
   EXPECT_TRUE(fs::exists(script.program()));
-}
-
-// As a new version of the package would be, with an old date.
-void install(const Places& package) {
-  std::this_thread::sleep_for(std::chrono::milliseconds{20});  // longer than the clock of the file system ticks
-  write_text(package.build / "bin" / "moat", "");
-  fs::last_write_time(package.build / "bin" / "moat", fs::file_time_type::clock::now() - std::chrono::hours{1000});
-}
-
-TEST_F(ScriptBuildTest, PrecompilesTheHeaderOfAPackageOnceAndAgainAfterAnInstallation) {
-  Places package = places;
-  package.work = folder / "the cache";
-  fs::create_directories(package.build / "bin");
-  install(package);
-  const fs::path script = write_script("tower.cpp", "hello"), header = package.work / "script_header" / "moat.hpp.gch";
-  program_of_script(package, script);
-  EXPECT_FALSE(fs::exists(header)) << "a checkout whose compiler makes none";
-  become_a_package();
-  EXPECT_EQ(output_of_program(program_of_script(package, script)), "hello\n");
-  const auto before = identity(header), program = identity(program_of_script(package, script));
-  EXPECT_EQ(identity(header), before);
-  install(package);
-  EXPECT_NE(identity(program_of_script(package, script)), program);
-  EXPECT_NE(identity(header), before);
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <chrono>
 #include <thread>
 
+#include "base/text/terminal.hpp"
 #include "launcher_testing.hpp"
 
 namespace moat::launcher {
@@ -14,8 +15,8 @@ using ShellQuoted = moat::testing::InTemporaryFolder;
 
 TEST_F(ShellQuoted, IsReadBackByAShell) {
   for (const char* word : {"plain", "two words", "it's", "$(touch x)", "`a`", "\\", "\"", "*", "#1", "", "~", "a;b&c"})
-    EXPECT_EQ(moat::testing::run_program("/bin/sh", {"-c", "printf %s " + shell_quoted(word)}, folder).output, word);
-  EXPECT_EQ(shell_quoted("plain/name.cpp"), "plain/name.cpp");
+    EXPECT_EQ(moat::testing::run_program("/bin/sh", {"-c", "printf %s " + shell_word(word)}, folder).output, word);
+  EXPECT_EQ(shell_word("plain/name.cpp"), "plain/name.cpp");
 }
 
 TEST(Replaced, DoesNotReadItsOwnWords) { EXPECT_EQ(replaced("a$b$", "$", "$$"), "a$$b$$"); }

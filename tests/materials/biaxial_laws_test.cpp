@@ -2,7 +2,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <numbers>
 #include <vector>
 
 #include "moat.hpp"
@@ -56,28 +55,6 @@ TYPED_TEST(BiaxialLaw, CornerOfAPathAtFullSlipHasTheClosedForm) {
   EXPECT_NEAR(state.z.y, std::tanh(1.0), 1e-9);
   EXPECT_NEAR(state.z.x, 0.648054274, 1e-9);
   EXPECT_NEAR(state.z.y, 0.761594156, 1e-9);
-}
-
-TYPED_TEST(BiaxialLaw, SteadyCircleHasItsForceAndEnergy) {
-  // |z| = 1 with z = sqrt(1 - k^2) forward + k outward, k = d_y/R; 2 pi R Q sqrt(1 - k^2) per turn.
-  constexpr double radius = 5.0 * reach;
-  constexpr int steps = 20000;
-  typename TypeParam::State state, start;
-  const auto on_circle = [&](int i) {
-    const double angle = 2.0 * std::numbers::pi * i / steps;
-    return PlanVector{radius * std::cos(angle), radius * std::sin(angle)};
-  };
-  follow(this->law, state, on_circle(0));
-  for (int i = 1; i <= 2 * steps; ++i) {
-    if (i == steps) start = state;
-    follow(this->law, state, on_circle(i));
-  }
-  EXPECT_NEAR(length(state.z), 1.0, 1e-6);
-  // At angle 0 forward is y and outward is x.
-  EXPECT_NEAR(state.z.y, 0.979795897, 2e-4);
-  EXPECT_NEAR(state.z.x, 0.2, 2e-4);
-  const double per_turn = 2.0 * std::numbers::pi * radius * strength * std::sqrt(1.0 - 0.04);
-  EXPECT_NEAR(this->law.dissipated_energy(start, state) / per_turn, 1.0, 1e-3);
 }
 
 // z' = w - z (z.w) by Runge and Kutta's method, along an ellipse on which z never stops being pulled.

@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <numbers>
 
 #include "spring_battery.hpp"
 
@@ -16,13 +15,6 @@ TEST(FlatSlider, PassesTheBattery) {
   FlatSlider bare = FlatSlider::typical();
   bare.restoring_stiffness = {};
   expect_sound_spring(bare.carrying(1 * MN), {});
-}
-
-TEST(FrictionPendulum, HasThePeriodOfItsRadius) {
-  const SlidingIsolator law = FrictionPendulum{.radius = 2.2352 * m, .friction = 0.05}.carrying(7 * MN);
-  const double mass = 7e6 / standard_gravity;
-  EXPECT_NEAR(2.0 * std::numbers::pi * std::sqrt(mass / law.linear_stiffness(StiffnessStage::post_yield)), 2.999699,
-              1e-6);
 }
 
 TEST(FrictionPendulum, HasTheLoopOfFriction) {

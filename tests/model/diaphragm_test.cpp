@@ -110,20 +110,6 @@ TEST(Diaphragm, LineAndPlanDoNotMix) {
             "ShearSpring \"storey\": upper is the diaphragm \"slab\", and this element has no direction in plan. Use a "
             "PlanSpring with the same law, two points and a direction.");
   EXPECT_EQ(message_of([&] {
-              add(plan, ViscousDamper{.name = "damper", .lower = ground, .upper = slab, .damping = 1 * N * s / m});
-            }),
-            "ViscousDamper \"damper\": upper is the diaphragm \"slab\", and this element has no direction in plan. Use "
-            "a PlanSpring with the same law, two points and a direction.");
-  EXPECT_EQ(message_of([&] {
-              add(plan, Gap<Hertz>{.name = "gap",
-                                   .left = slab.x,
-                                   .right = ground,
-                                   .clearance = 1 * cm,
-                                   .law = {.stiffness = 1 * N / m_3_2}});
-            }),
-            "Gap \"gap\": left is the diaphragm \"slab\", and this element has no direction in plan. Use a PlanSpring "
-            "with the same law, two points and a direction.");
-  EXPECT_EQ(message_of([&] {
               add(plan, PlanSpring<Linear>{.name = "spring",
                                            .lower = PlanPoint{slab, {}},
                                            .upper = PlanPoint{slab, {1 * m, {}}},

@@ -1,6 +1,6 @@
 // Synthetic files in the layout of the COSMOS format, version 1.20.
 
-#include "motions/readers/cosmos_v2.hpp"
+#include "motions/readers/record_formats.hpp"
 
 #include <gtest/gtest.h>
 
@@ -98,7 +98,7 @@ TEST_F(Cosmos, ReadsColumnsThatTouchAndEveryKindOfFormat) {
   file.end = "-100.000-200.000 300.000-400.125\nEnd-of-data\n";
   file.reals[62] = -999.0;
   EXPECT_DOUBLE_EQ(read(file).samples()[3], -4.00125);
-  file.data_line = "       4 acceleration pts, approx    0 secs, units=cm/sec2(04), Format=(2E14.6)";
+  file.data_line = "       4 acceleration pts, approx    0 secs, units=cm/sec2(04), Format=(8F, Format=(2E14.6)";
   file.end = " -1.000000E+02  2.000000D+02\n  3.000000E-01 -4.000000E+00\nEnd-of-data\n";
   EXPECT_DOUBLE_EQ(read(file).samples()[1], 2.0);
   EXPECT_DOUBLE_EQ(read(file).samples()[2], 0.003);

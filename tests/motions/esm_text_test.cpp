@@ -1,6 +1,6 @@
 // Synthetic files in the layout of the Engineering Strong Motion database, header format DYNA 1.2.
 
-#include "motions/readers/esm_text.hpp"
+#include "motions/readers/record_formats.hpp"
 
 #include <gtest/gtest.h>
 

@@ -6,13 +6,9 @@
 #include "base/error.hpp"
 #include "base/units.hpp"
 #include "motion_files.hpp"
-#include "motions/readers/cosmos_v2.hpp"
-#include "motions/readers/esm_text.hpp"
-#include "motions/readers/fortran_format.hpp"
-#include "motions/readers/peer_at2.hpp"
 #include "motions/readers/read_motion.hpp"
+#include "motions/readers/record_formats.hpp"
 #include "motions/readers/text_file.hpp"
-#include "motions/readers/two_column_text.hpp"
 
 namespace moat {
 namespace {
@@ -118,16 +114,6 @@ TEST_F(LongLinesOfFiles, AreReadOrRefusedWhenTheContentDecides) {
         EXPECT_LT(std::string{error.what()}.size(), 1000u + file.string().size());
       }
     }
-}
-
-TEST(LongLines, MayHoldAFortranFormat) {
-  for (const std::string& piece : pieces) {
-    const auto found = find_fortran_format(repeated(piece) + ", Format= (10I8)");
-    ASSERT_TRUE(found) << piece;
-    EXPECT_EQ(found->per_line, 10u) << piece;
-    EXPECT_EQ(found->width, 8u) << piece;
-    EXPECT_TRUE(found->whole) << piece;
-  }
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-#include "motions/readers/peer_at2.hpp"
+#include "motions/readers/record_formats.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "motions/readers/two_column_text.hpp"
+#include "motions/readers/record_formats.hpp"
 
 #include <gtest/gtest.h>
 

@@ -2,8 +2,6 @@
 #pragma once
 
 #include <optional>
-#include <string>
-#include <vector>
 
 #include "elements/contact/gap.hpp"
 #include "elements/line/isolator.hpp"

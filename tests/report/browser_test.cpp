@@ -1,7 +1,6 @@
 // Opens reports in a browser, as their readers do.
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cstdlib>
 #include <fstream>
 #include <nlohmann/json.hpp>

@@ -1,7 +1,6 @@
 // Results for the tests of the report.
 #pragma once
 
-#include <cmath>
 #include <string>
 #include <utility>
 #include <vector>

@@ -117,8 +117,6 @@ TEST(Moat, RefusesBadInput) {
             "Moat: a moat has no name. Give .name, or leave it out: \"moat\".");
   EXPECT_EQ(refusal([](auto& moat) { moat.around = NodeId{}; }),
             "Moat \"moat\": around is not given. Set it to a node of this model or to `ground`.");
-  EXPECT_EQ(refusal([](auto& moat) { moat.around = NodeId{4}; }),
-            "Moat \"moat\": around is not a node of this model. Use the NodeId that add(model, Node{...}) returned.");
   EXPECT_EQ(refusal([](auto& moat) { moat.clearance = -10 * cm; }),
             "Gap \"moat left\": clearance = -0.1 m is not allowed; it must be >= 0 m and finite. "
             "Give the free distance at rest, 0 m for wall to wall; a preload is an initial_displacement.");

@@ -86,7 +86,7 @@ TEST(PlanBuilding, StoreyAsAWholeEqualsItsColumns) {
     rotation += line.column.along_y().si() * std::pow(line.at.x.si() - x, 2) +
                 line.column.along_x().si() * std::pow(line.at.y.si() - y, 2);
   PlanBuilding by_lines = tower(2), whole = tower(2);
-  by_lines.columns = StoreyColumns{lines};
+  by_lines.columns = lines;
   whole.columns = StoreyStiffness{kx * N / m, ky * N / m, rotation * J, {x * m, y * m}};
   const GroundMotion first = near_fault_pulse({.quiet_after = 3 * s}).scaled_to_pga(0.3 * g);
   const CaseOptions options{.transient = {.step = 2.5 * ms}, .error_bars = ErrorBarMode::never};
@@ -174,8 +174,8 @@ TEST(PlanBuilding, BadInputIsRefused) {
       "N/m. Give column lines at two places at least, with stiffness along x and along y, or a StoreyStiffness.");
   EXPECT_EQ(
       message([](PlanBuilding& b) { b.columns = std::vector<PlanColumns>(3, grid(2, 2, StoreyColumn{1 * MN / m})); }),
-      "PlanBuilding: columns has 3 entries for 2 storeys. Give one for all storeys, or one for each from the "
-      "lowest up.");
+      "PlanBuilding: columns has 3 values for 2 storeys. Give one value for all storeys, or one for each from "
+      "the lowest up.");
   EXPECT_NE(message([](PlanBuilding& b) { b.base_mass = {}; }).find("needs the mass of its base floor"),
             std::string::npos);
   EXPECT_NE(message([](PlanBuilding& b) { b.bearings.reset(); }).find("base_mass"), std::string::npos);

@@ -31,13 +31,6 @@ TEST(StudyCases, AreEveryCombinationWithTheLastAxisFastest) {
   EXPECT_TRUE(seen.contains("gap = 20 cm, record = south, law = Hertz"));
 }
 
-TEST(StudyCases, OfAListStepTogether) {
-  const StudyAxis mass{.name = "mass", .unit = "t", .values = {1.0, 2.0, 3.0}};
-  const StudyCases cases = StudyCases::list({gap, mass});
-  ASSERT_EQ(cases.count(), 3u);
-  EXPECT_EQ((StudyCase{cases, 1}.description()), "gap = 20 cm, mass = 2 t");
-}
-
 TEST(StudyCases, OfAListTimesAnAxisAreEachWithEach) {
   const StudyAxis mass{.name = "mass", .unit = "t", .values = {1.0, 2.0, 3.0}};
   const StudyCases cases = StudyCases{law}.times(StudyCases::list({gap, mass})).times({record});

@@ -95,13 +95,13 @@ TEST_F(Store, KeepsListsAndTheirProducts) {
 TEST_F(Store, NamesEveryChange) {
   open();
   StudyIdentity other = identity;
-  other[0].second = std::string(64, 'b');
-  other.emplace_back("option gap", "3 cm");
+  other["script"] = std::string(64, 'b');
+  other["option gap"] = "3 cm";
   const std::string message = refusal(cases, other);
   EXPECT_NE(message.find("script: aaaaaaaaaaaa... -> bbbbbbbbbbbb..."), std::string::npos) << message;
   EXPECT_NE(message.find("option gap: none -> 3 cm"), std::string::npos) << message;
   EXPECT_EQ(message.find("pga"), std::string::npos) << message;
-  EXPECT_NE(refusal(cases, {identity[0]}).find("option pga: 0.4g -> none"), std::string::npos);
+  EXPECT_NE(refusal(cases, {*identity.rbegin()}).find("option pga: 0.4g -> none"), std::string::npos);
 
   StudyAxis gap = cases.axes()[0];
   gap.values.push_back(3.0);
@@ -118,17 +118,6 @@ CaseOutcome that_read(const std::filesystem::path& path, const std::string& sha2
   CaseOutcome outcome = done({});
   outcome.files = {{path.string(), sha256}};
   return outcome;
-}
-
-TEST_F(Store, SeesAFileThatChangedOrIsMissing) {
-  const std::filesystem::path record = folder / "north.AT2";
-  std::ofstream{record} << "before";
-  open().write(0, that_read(record, sha256_of("before")));
-  EXPECT_NO_THROW(open());
-  std::ofstream{record} << "after";
-  EXPECT_NE(refusal(cases, identity).find("file " + record.string() + ": "), std::string::npos);
-  std::filesystem::remove(record);
-  EXPECT_NE(refusal(cases, identity).find(" -> none"), std::string::npos);
 }
 
 TEST_F(Store, RefusesAFileThatChangesMeanwhile) {
@@ -199,7 +188,21 @@ TEST_F(Store, RefusesOtherFiles) {
   EXPECT_THROW(open(), FileError);
   EXPECT_THROW(read_study(file), FileError);
   EXPECT_THROW(read_study(folder / "none.db"), FileError);
+  EXPECT_FALSE(std::filesystem::exists(folder / "none.db"));
   EXPECT_THROW((StudyStore{"/proc/study.db", cases, identity, {}}), FileError);
+}
+
+TEST_F(Store, RefusesADamagedVersion) {
+  open();
+  for (const std::string text : {"b", "-1", "0x", "1 ", "99999999999999999999999", "4000000000"}) {
+    sqlite::Database{file, sqlite::Database::Access::write}
+        .prepare("UPDATE study SET value = ? WHERE key = 'version'")
+        .run(text);
+    EXPECT_EQ(
+        message_of<FileError>([&] { (void)read_study(file); }),
+        "study " + file.string() + ": its version is \"" + text +
+            "\"; it must be a whole number. The file is damaged: restore a copy, or start again in another file.");
+  }
 }
 
 TEST_F(Store, WritesNoCaseTwice) {
@@ -207,15 +210,6 @@ TEST_F(Store, WritesNoCaseTwice) {
   store.write(0, done({{"x", "", "1", 1.0}}));
   EXPECT_THROW(store.write(0, done({{"x", "", "1", 2.0}})), FileError);
   EXPECT_EQ(value_of(store.outcomes()[0].results, "x", ""), 1.0);
-}
-
-TEST_F(Store, ForgetsFailuresIfAsked) {
-  StudyStore store = open();
-  store.write(0, done({{"x", "", "1", 1.0}}));
-  store.write(1, {.state = CaseState::failed, .reason = "no"});
-  store.forget_failures();
-  EXPECT_EQ(store.outcomes()[0].state, CaseState::done);
-  EXPECT_EQ(store.outcomes()[1].state, CaseState::open);
 }
 
 }  // namespace

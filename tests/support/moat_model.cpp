@@ -11,23 +11,24 @@ namespace {
 using namespace units;
 
 // The names of moat's laws in the order of PlainLawKind.
-constexpr std::array<std::string_view, plain_law_kinds> law_names{"LinearElastic",
-                                                                  "Kelvin",
-                                                                  "Anagnostopoulos",
-                                                                  "KelvinByDampingRatio",
-                                                                  "ModifiedLinearViscoelastic",
-                                                                  "ExactKelvin",
-                                                                  "Hertz",
-                                                                  "HertzDamp",
-                                                                  "LankaraniNikravesh",
-                                                                  "HuntCrossley",
-                                                                  "Gonthier",
-                                                                  "Ye2009",
-                                                                  "HuGuo",
-                                                                  "ModifiedHertzDamp",
-                                                                  "ExactHertzDamp",
-                                                                  "NonlinearViscoelastic",
-                                                                  "ModifiedHertzDampPrinted"};
+using LawNames = std::array<std::string_view, plain_law_kinds>;
+constexpr LawNames law_names{"LinearElastic",
+                             "Kelvin",
+                             "Anagnostopoulos",
+                             "KelvinByDampingRatio",
+                             "ModifiedLinearViscoelastic",
+                             "ExactKelvin",
+                             "Hertz",
+                             "HertzDamp",
+                             "LankaraniNikravesh",
+                             "HuntCrossley",
+                             "Gonthier",
+                             "Ye2009",
+                             "HuGuo",
+                             "ModifiedHertzDamp",
+                             "ExactHertzDamp",
+                             "NonlinearViscoelastic",
+                             "ModifiedHertzDampPrinted"};
 
 // Calls add_gap(law) with moat's law of that kind.
 template <class AddGap>

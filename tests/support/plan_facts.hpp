@@ -24,14 +24,15 @@ inline ModelFacts plan_facts() {
                      .parameters = {},
                      .plan_places = PlanPlaces{{3.0, 4.0}, {3.0, 4.0}, {}}}};
   facts.diaphragms = {{"floor", 2.5, {0.5, 0.25}, {{0.0, 0.0}, {4.0, 0.0}, {4.0, 3.0}}}};
-  facts.corners = {{.element = "contact",
-                    .corner = "floor corner 1",
-                    .edge = "wall 2",
-                    .position = {4.0, 0.0},
-                    .normal = {1.0, 0.0},
-                    .edge_begin = {4.5, -1.0},
-                    .edge_end = {4.5, 4.0},
-                    .clearance = 0.5}};
+  CornerFacts& contact = facts.corners.emplace_back();
+  static_cast<CornerPair&>(contact) = {.corner = "floor corner 1",
+                                       .edge = "wall 2",
+                                       .position = {4.0, 0.0},
+                                       .edge_begin = {4.5, -1.0},
+                                       .edge_end = {4.5, 4.0},
+                                       .normal = {1.0, 0.0}};
+  contact.element = "contact";
+  contact.clearance = 0.5;
   return facts;
 }
 

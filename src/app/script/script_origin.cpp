@@ -4,26 +4,16 @@
 
 #include <cstdlib>
 #include <filesystem>
-#include <map>
-#include <string_view>
 
 #include "app/script/script_study_options.hpp"
 #include "base/files_read.hpp"
 #include "base/sha256.hpp"
+#include "base/text/terminal.hpp"
 
 namespace moat {
 namespace {
 
 namespace fs = std::filesystem;
-
-// So that a shell reads it as one word.
-std::string shell_word(const std::string& word) {
-  constexpr std::string_view plain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-+=.,:/@%";
-  if (!word.empty() && word.find_first_not_of(plain) == std::string::npos) return word;
-  std::string text = "'";
-  for (const char c : word) text += c == '\'' ? std::string{"'\\''"} : std::string{c};
-  return text + "'";
-}
 
 std::string variable(const char* name) {
   const char* value = std::getenv(name);
@@ -74,9 +64,9 @@ std::string command_to_go_on(const std::vector<std::string>& arguments, int rank
 }
 
 StudyIdentity identity_of_script(const CommandLine& line, const Provenance& origin) {
-  std::map<std::string, std::string> identity{{"script", origin.script_sha256},
-                                              {"program", sha256_of_file("/proc/self/exe").value_or("")},
-                                              {"library", hash_of_library()}};
+  StudyIdentity identity{{"script", origin.script_sha256},
+                         {"program", sha256_of_file("/proc/self/exe").value_or("")},
+                         {"library", hash_of_library()}};
   for (const auto& [name, value] : line.values()) {
     if (!ScriptStudyOptions::has_influence(name)) continue;
     std::error_code none;
@@ -86,7 +76,7 @@ StudyIdentity identity_of_script(const CommandLine& line, const Provenance& orig
     if (const auto hash = sha256_of_file(path)) identity["file " + path] = *hash;
   }
   for (const FileRead& file : files_read_by_program()) identity["file " + file.path] = file.sha256;
-  return {identity.begin(), identity.end()};
+  return identity;
 }
 
 }  // namespace moat

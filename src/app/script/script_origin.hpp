@@ -6,7 +6,7 @@
 
 #include "app/command_line.hpp"
 #include "output/files/provenance.hpp"
-#include "study/file/study_version.hpp"
+#include "study/file/store.hpp"
 
 namespace moat {
 

@@ -5,7 +5,7 @@
 #include <cstdlib>
 #include <iostream>
 
-#include "analyses/questions/study_pictures.hpp"
+#include "analyses/questions/answer_charts.hpp"
 #include "app/progress_bar.hpp"
 #include "app/script/script_origin.hpp"
 #include "app/script/script_parts.hpp"
@@ -79,7 +79,8 @@ StudyResult ScriptStudy::run(const StudyCases& cases, const std::function<StudyR
   try {
     StudyResult result = compute(options);
     close("finished");
-    if (speaks()) print_warnings(result, name);
+    if (const std::string warning = failure_message(result); speaks() && !warning.empty())
+      print_text(std::cerr, "moat: warning: " + name + ": " + warning + "\n");
     if (options_.part) {
       report_.studies.push_back({file.stem().string(), result});
       write_json();
@@ -164,11 +165,6 @@ void ScriptStudy::end_at_stop(const StudyStopped& stopped, const fs::path& file,
   print_text(std::cerr,
              "moat: to go on: " + command_to_go_on(line_->arguments(), ranks_ != nullptr ? ranks_->count() : 0) + "\n");
   end_program(StopSignals::exit_code());
-}
-
-void ScriptStudy::print_warnings(const StudyResult& result, const std::string& name) {
-  if (const std::string warning = failure_message(result); !warning.empty())
-    print_text(std::cerr, "moat: warning: " + name + ": " + warning + "\n");
 }
 
 void ScriptStudy::answer(const std::string& sentence) {

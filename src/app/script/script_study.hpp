@@ -40,7 +40,6 @@ class ScriptStudy {
   void choose_part(const StudyCases& cases);
   [[nodiscard]] StudySession session(const Provenance& origin, const std::string& title, int threads) const;
   void keep(const StudyResult& result, const std::string& name);
-  static void print_warnings(const StudyResult& result, const std::string& name);
   void write_json() const;
   [[noreturn]] void end_of_part(const StudyResult& result, const std::filesystem::path& file,
                                 const std::string& name) const;

@@ -37,6 +37,14 @@ std::string printable(std::string_view text) {
 
 std::ostream& print_text(std::ostream& to, std::string_view text) { return to << printable(text) << std::flush; }
 
+std::string shell_word(const std::string& word) {
+  constexpr std::string_view plain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-+=.,:/@%";
+  if (!word.empty() && word.find_first_not_of(plain) == std::string::npos) return word;
+  std::string text = "'";
+  for (const char c : word) text += c == '\'' ? std::string{"'\\''"} : std::string{c};
+  return text + "'";
+}
+
 const char* reason_of(const std::exception& error) {
   if (dynamic_cast<const std::bad_alloc*>(&error) == nullptr) return error.what();
   return "There is not enough memory. Free some, or compute a smaller model or a shorter time.";

@@ -15,6 +15,9 @@ std::string printable(std::string_view text);
 /// Prints printable(text) at once. Every text of moat that holds words of users goes through here.
 std::ostream& print_text(std::ostream& to, std::string_view text);
 
+/// A text as one word of a shell command: in quotes where it needs some.
+std::string shell_word(const std::string& text);
+
 /// The message of an error, for people.
 const char* reason_of(const std::exception& error);
 

@@ -1,5 +1,4 @@
-#include "motions/readers/cosmos_v2.hpp"
-
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <optional>
@@ -10,8 +9,7 @@
 
 #include "base/check.hpp"
 #include "base/units.hpp"
-#include "motions/readers/fortran_format.hpp"
-#include "motions/readers/number_text.hpp"
+#include "motions/readers/record_formats.hpp"
 #include "motions/readers/text_file.hpp"
 
 namespace moat {
@@ -31,10 +29,52 @@ constexpr std::array units_of_acceleration{Unit{2, standard_gravity}, Unit{4, 0.
                                            Unit{11, 1e-3 * standard_gravity}};
 constexpr const char* known_units = "02 (g), 04 (cm/s^2), 10 (gal) and 11 (mg)";
 
+/// A format of equal fields, such as (8F10.5) or (10I8).
+struct FortranFormat {
+  std::size_t per_line = 1;
+  std::size_t width = 0;  ///< of one field, characters
+  bool whole = false;     ///< I: whole numbers
+};
+
+/// The format in "... Format= (8F10.5)", in capitals or small letters; nothing where there is none that is known. Known
+/// are F, E, D, G and I with a width of 1 to 40 and 1 to 200 fields on a line.
+std::optional<FortranFormat> find_fortran_format(std::string_view line) {
+  const std::string capitals = upper_case(line);
+  std::string_view rest = capitals;
+  rest.remove_prefix(std::min(rest.rfind("FORMAT"), rest.size()));
+  if (!take(rest, "FORMAT") || !take(rest, "=") || !take(rest, "(")) return std::nullopt;
+  FortranFormat found{.per_line = take_whole_number(rest).value_or(1)};
+  rest = without_leading_blanks(rest);
+  const std::string_view kind = rest.substr(0, 1);
+  rest.remove_prefix(kind.size());
+  // A blank inside is a digit that was lost.
+  if (!rest.starts_with(' ')) found.width = take_whole_number(rest).value_or(0);
+  const bool has_decimals = rest.starts_with('.');
+  if (has_decimals) rest.remove_prefix(1);
+  if ((has_decimals && !take_whole_number(rest)) || !take(rest, ")")) return std::nullopt;
+  found.whole = kind == "I";
+  constexpr std::size_t most_fields = 200, widest = 40;
+  // A number with a fraction needs its decimals in the format: (8F10) is none.
+  if (found.whole == has_decimals || std::string_view{"FEDGI"}.find(kind) == std::string_view::npos)
+    return std::nullopt;
+  if (found.per_line < 1 || found.per_line > most_fields || found.width < 1 || found.width > widest)
+    return std::nullopt;
+  return found;
+}
+
+/// The fields of a line, without blanks around them: as many as the line has columns for, up to `most`.
+std::vector<std::string_view> fields_of(std::string_view line, const FortranFormat& format, std::size_t most) {
+  line = line.substr(0, line.find_last_not_of(" \t\r") + 1);
+  std::vector<std::string_view> fields;
+  for (std::size_t begin = 0; begin < line.size() && fields.size() < most; begin += format.width)
+    fields.push_back(trimmed(line.substr(begin, format.width)));
+  return fields;
+}
+
 /// The lines of the file one after the other; each part of the format takes its own.
 class CosmosFile {
  public:
-  explicit CosmosFile(const TextFile& file) : file_{&file}, lines_{file.text} {}
+  explicit CosmosFile(const TextFile& file) : file_{&file}, lines_{file} {}
 
   /// Throws FileError at the end of the file, where `expected` is missing.
   std::string_view line(const std::string& expected) {
@@ -44,9 +84,7 @@ class CosmosFile {
     return text;
   }
   bool next(std::string_view& text) { return lines_.next(text); }
-  [[noreturn]] void refuse(const std::string& problem) const {
-    refuse_line(file_->path, lines_.line_number(), problem);
-  }
+  [[noreturn]] void refuse(const std::string& problem) const { lines_.refuse(problem); }
 
   /// `count` numbers in the columns of a format.
   std::vector<double> numbers(std::size_t count, const FortranFormat& format, const std::string& what) {
@@ -187,7 +225,7 @@ void check_end(CosmosFile& file) {
 }  // namespace
 
 bool is_cosmos(const TextFile& file) {
-  LineReader lines{file.text};
+  LineReader lines{file};
   std::string_view first;
   return lines.next(first) && upper_case(first).find(first_words) != std::string::npos;
 }

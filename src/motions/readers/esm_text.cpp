@@ -1,5 +1,3 @@
-#include "motions/readers/esm_text.hpp"
-
 #include <algorithm>
 #include <map>
 #include <optional>
@@ -8,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "motions/readers/number_text.hpp"
+#include "motions/readers/record_formats.hpp"
 #include "motions/readers/text_file.hpp"
 
 namespace moat {
@@ -93,15 +91,14 @@ bool is_esm(const TextFile& file) { return file.text.starts_with("EVENT_NAME:");
 GroundMotion parse_esm(const TextFile& file) {
   Header header{file};
   std::vector<double> samples;
-  LineReader lines{file.text};
+  LineReader lines{file};
   for (std::string_view line; lines.next(line);) {
     line = trimmed(line);
     if (samples.empty() && header.take(line)) continue;
     if (line.empty()) continue;
     const ScannedNumber number = parse_number(line);
     if (number.problem)
-      refuse_line(file.path, lines.line_number(),
-                  quoted(line) + " " + number.problem + ". Behind the header every line holds one acceleration.");
+      lines.refuse(quoted(line) + " " + number.problem + ". Behind the header every line holds one acceleration.");
     samples.push_back(centimetre * number.value);
   }
   header.check();

@@ -1,9 +1,6 @@
-#include "motions/readers/peer_at2.hpp"
-
 #include <algorithm>
 #include <array>
 #include <cctype>
-#include <cmath>
 #include <optional>
 #include <string>
 #include <utility>
@@ -11,7 +8,7 @@
 
 #include "base/check.hpp"
 #include "base/units.hpp"
-#include "motions/readers/number_text.hpp"
+#include "motions/readers/record_formats.hpp"
 #include "motions/readers/text_file.hpp"
 
 namespace moat {
@@ -78,50 +75,46 @@ bool says_units_of_g(std::string_view line) {
   return unit.empty() || std::string_view{".,;)"}.find(unit[0]) != std::string_view::npos;
 }
 
-void require_units_of_g(const std::filesystem::path& path, std::string_view line) {
+void require_units_of_g(const LineReader& lines, std::string_view line) {
   if (says_units_of_g(line)) return;
-  refuse_line(path, units_line,
-              "this line of a PEER AT2 file must say \"ACCELERATION TIME SERIES IN UNITS OF G\", but it says " +
-                  quoted(trimmed(line)) +
-                  ". Only accelerations in g are read; convert the file, or read other text with read_two_columns.");
+  lines.refuse("this line of a PEER AT2 file must say \"ACCELERATION TIME SERIES IN UNITS OF G\", but it says " +
+               quoted(trimmed(line)) +
+               ". Only accelerations in g are read; convert the file, or read other text with read_two_columns.");
 }
 
-Sampling parse_sampling(const std::filesystem::path& path, std::string_view line) {
+Sampling parse_sampling(const LineReader& lines, std::string_view line) {
   const std::string capitals = upper_case(line);
   std::optional<Sampling> sampling = sampling_from_keys(capitals);
   if (!sampling) sampling = sampling_before_words(capitals);
   if (!sampling) {
-    refuse_line(path, count_line,
-                "expected the number of values and the time step in s, as \"NPTS= 5600, DT= .0050 SEC\" or "
-                "\"5600 0.0050 NPTS, DT\", but found " +
-                    quoted(trimmed(line)) + ".");
+    lines.refuse(
+        "expected the number of values and the time step in s, as \"NPTS= 5600, DT= .0050 SEC\" or "
+        "\"5600 0.0050 NPTS, DT\", but found " +
+        quoted(trimmed(line)) + ".");
   }
   if (sampling->count < 2)
-    refuse_line(path, count_line, "NPTS = " + std::to_string(sampling->count) + " is not allowed; it must be >= 2.");
+    lines.refuse("NPTS = " + std::to_string(sampling->count) + " is not allowed; it must be >= 2.");
   if (!(sampling->time_step > 0.0))
-    refuse_line(path, count_line, "DT = " + to_text(sampling->time_step) + " s is not allowed; it must be > 0 s.");
+    lines.refuse("DT = " + to_text(sampling->time_step) + " s is not allowed; it must be > 0 s.");
   return *sampling;
 }
 
 /// Appends the values of one line, in m/s^2.
-void append_values(const std::filesystem::path& path, std::size_t line_number, std::string_view line,
-                   std::vector<double>& values) {
+void append_values(const LineReader& lines, std::string_view line, std::vector<double>& values) {
   for (line = trimmed(line); !line.empty(); line = without_leading_blanks(line)) {
     const ScannedNumber number = scan_number(line);
     // Looked for where it is shown alone: without blanks it is the whole line.
     const auto word = [&] { return quoted(line.substr(0, line.find_first_of(" \t"))); };
     if (number.problem) {
-      refuse_line(path, line_number,
-                  word() + " " + number.problem + ". Only accelerations in g may follow the header.");
+      lines.refuse(word() + " " + number.problem + ". Only accelerations in g may follow the header.");
     }
     const bool ends_here = number.length == line.size() || line[number.length] == ' ' || line[number.length] == '\t';
     const bool sign_after_exponent =
         !ends_here && number.has_exponent && (line[number.length] == '-' || line[number.length] == '+');
     if (!ends_here && !sign_after_exponent) {
-      refuse_line(path, line_number,
-                  word() +
-                      " is not one number, and where one ends and the next begins is not certain. Separate the values "
-                      "with blanks.");
+      lines.refuse(word() +
+                   " is not one number, and where one ends and the next begins is not certain. Separate the values "
+                   "with blanks.");
     }
     values.push_back(number.value * standard_gravity);
     line.remove_prefix(number.length);
@@ -130,8 +123,8 @@ void append_values(const std::filesystem::path& path, std::size_t line_number, s
 
 }  // namespace
 
-bool has_peer_at2_header(std::string_view text) {
-  LineReader lines{text};
+bool has_peer_at2_header(const TextFile& file) {
+  LineReader lines{file};
   std::string_view line;
   while (lines.line_number() < header_lines && lines.next(line)) {
     // A comment of a two-column file may mention units.
@@ -147,21 +140,22 @@ GroundMotion read_peer_at2(const std::filesystem::path& path) { return parse_pee
 
 GroundMotion parse_peer_at2(const TextFile& file) {
   const std::filesystem::path& path = file.path;
-  LineReader lines{file.text};
+  LineReader lines{file};
   std::string_view line;
   std::vector<std::string> header;
-  while (header.size() < header_lines && lines.next(line)) header.emplace_back(trimmed(line));
-  if (header.size() < header_lines) {
+  while (header.size() < header_lines && lines.next(line)) {
+    header.emplace_back(trimmed(line));
+    if (header.size() == units_line) require_units_of_g(lines, line);
+  }
+  if (header.size() < header_lines)
     refuse_file(path, "a PEER AT2 file begins with " + std::to_string(header_lines) +
                           " header lines, but this file has only " + std::to_string(header.size()) + ".");
-  }
-  require_units_of_g(path, header[units_line - 1]);
-  const Sampling sampling = parse_sampling(path, header[count_line - 1]);
+  const Sampling sampling = parse_sampling(lines, line);
 
   std::vector<double> values;
   // A wrong count in the header must not reserve more than the file can hold.
   values.reserve(std::min(sampling.count, file.text.size() / 2));
-  while (lines.next(line)) append_values(path, lines.line_number(), line, values);
+  while (lines.next(line)) append_values(lines, line, values);
   if (values.size() != sampling.count) {
     refuse_file(path, "the header announces NPTS = " + std::to_string(sampling.count) + " values, but the file holds " +
                           std::to_string(values.size()) + ". The file is damaged or was cut; fetch it again.");

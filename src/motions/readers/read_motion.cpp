@@ -8,11 +8,8 @@
 
 #include "base/check.hpp"
 #include "base/units.hpp"
-#include "motions/readers/cosmos_v2.hpp"
-#include "motions/readers/esm_text.hpp"
-#include "motions/readers/peer_at2.hpp"
+#include "motions/readers/record_formats.hpp"
 #include "motions/readers/text_file.hpp"
-#include "motions/readers/two_column_text.hpp"
 
 namespace moat {
 namespace {
@@ -28,8 +25,8 @@ struct Format {
 };
 
 bool is_peer_at2(const TextFile& file) {
-  if (has_peer_at2_header(file.text)) return true;
-  return upper_case(file.path.extension().string()) == ".AT2" && !begins_with_two_columns(file.text);
+  if (has_peer_at2_header(file)) return true;
+  return upper_case(file.path.extension().string()) == ".AT2" && !begins_with_two_columns(file);
 }
 
 constexpr std::array formats{Format{"PEER AT2", is_peer_at2, parse_peer_at2, standard_gravity, "g"},

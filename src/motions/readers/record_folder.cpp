@@ -12,8 +12,8 @@
 
 #include "base/error.hpp"
 #include "base/units.hpp"
-#include "motions/readers/peer_at2.hpp"
 #include "motions/readers/read_motion.hpp"
+#include "motions/readers/record_formats.hpp"
 #include "motions/readers/text_file.hpp"
 
 namespace moat {
@@ -75,7 +75,7 @@ void look_at_header(Record& record) {
   // A remark may follow: "230 (USGS STATION 5028)".
   const std::string_view field = std::string_view{second}.substr(comma, second.find('(', comma) - comma);
   const std::string word{trimmed(field.substr(std::min<std::size_t>(1, field.size())))};
-  if (is_component(word) && has_peer_at2_header(text))
+  if (is_component(word) && has_peer_at2_header({record.path, text, {}}))
     record = {record.path, second.substr(0, comma), word, "its header"};
 }
 
@@ -101,7 +101,7 @@ std::map<std::string, Record> read_table(const fs::path& folder, const std::set<
   std::map<std::string, Record> rows;
   if (!fs::exists(folder / table_name)) return rows;
   const TextFile table = read_text_file(folder / table_name);
-  LineReader lines{table.text};
+  LineReader lines{table};
   for (std::string_view line; lines.next(line);) {
     const std::size_t one = line.find(','), two = line.rfind(',');
     if (lines.line_number() == 1 ? trimmed(line) == table_head : trimmed(line).empty()) continue;

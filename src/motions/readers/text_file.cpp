@@ -11,6 +11,23 @@
 #include "base/sha256.hpp"
 
 namespace moat {
+namespace {
+
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
+bool is_sign(char c) { return c == '+' || c == '-'; }
+
+std::size_t skip_digits(std::string_view text, std::size_t position) {
+  while (position < text.size() && is_digit(text[position])) ++position;
+  return position;
+}
+
+ScannedNumber refused(const char* problem) {
+  ScannedNumber result;
+  result.problem = problem;
+  return result;
+}
+
+}  // namespace
 
 TextFile read_text_file(const std::filesystem::path& path) {
   constexpr std::uintmax_t most_bytes = 1'000'000'000;
@@ -64,6 +81,8 @@ bool LineReader::next(std::string_view& line) {
   return true;
 }
 
+void LineReader::refuse(const std::string& problem) const { refuse_line(file_->path, line_number_, problem); }
+
 std::string_view trimmed(std::string_view text) {
   constexpr std::string_view blanks = " \t\r";
   const std::size_t first = text.find_first_not_of(blanks);
@@ -109,6 +128,47 @@ std::string quoted(std::string_view text) {
   std::string result{"\""};
   for (const char letter : text.substr(0, longest)) result += letter >= ' ' && letter != '\x7F' ? letter : '?';
   return result + (text.size() > longest ? "...\"" : "\"");
+}
+
+ScannedNumber scan_number(std::string_view text) {
+  std::size_t position = !text.empty() && is_sign(text[0]) ? 1 : 0;
+  const std::size_t mantissa = position;
+  position = skip_digits(text, position);
+  std::size_t digits = position - mantissa;
+  if (position < text.size() && text[position] == '.') {
+    const std::size_t decimals = ++position;
+    position = skip_digits(text, decimals);
+    digits += position - decimals;
+  }
+  if (digits == 0) return refused("is not a number");
+
+  std::size_t exponent_mark = std::string_view::npos;
+  if (position < text.size() && std::string_view{"EeDd"}.find(text[position]) != std::string_view::npos) {
+    exponent_mark = position++;
+    if (position < text.size() && is_sign(text[position])) ++position;
+    const std::size_t exponent = position;
+    position = skip_digits(text, exponent);
+    if (position == exponent) return refused("has no digits in its exponent");
+    if (position - exponent > 3) return refused("has more than three digits in its exponent");
+  }
+
+  // std::from_chars reads neither a leading plus nor the exponent D of Fortran's double precision.
+  std::string plain{text.substr(mantissa, position - mantissa)};
+  if (exponent_mark != std::string_view::npos) plain[exponent_mark - mantissa] = 'e';
+  ScannedNumber result;
+  const auto [end, failure] = std::from_chars(plain.data(), plain.data() + plain.size(), result.value);
+  if (failure == std::errc::result_out_of_range) return refused("is too large or too small for a double");
+  if (failure != std::errc{} || end != plain.data() + plain.size()) return refused("is not a number");
+  if (text[0] == '-') result.value = -result.value;
+  result.length = position;
+  result.has_exponent = exponent_mark != std::string_view::npos;
+  return result;
+}
+
+ScannedNumber parse_number(std::string_view text) {
+  const ScannedNumber result = scan_number(text);
+  if (!result.problem && result.length != text.size()) return refused("is not a number");
+  return result;
 }
 
 void refuse_file(const std::filesystem::path& path, const std::string& problem) {

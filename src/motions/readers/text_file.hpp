@@ -1,4 +1,4 @@
-// Text files: their content and their lines. Shared by the readers of ground motions.
+// Text files: their content, lines, words and numbers. Shared by the readers of ground motions.
 #pragma once
 
 #include <cstddef>
@@ -22,20 +22,24 @@ struct TextFile {
 /// 1 GB, or is compressed or otherwise no text.
 TextFile read_text_file(const std::filesystem::path& path);
 
-/// As a GroundMotion remembers it.
+/// Returns the file as a GroundMotion remembers it.
 MotionFile file_of(const TextFile& file);
 
-/// Walks through the lines of a text. A line ends with \n or \r\n; neither is part of it.
+/// Walks through the lines of a file. A line ends with \n or \r\n; neither is part of it.
 class LineReader {
  public:
-  explicit LineReader(std::string_view text) : rest_{text} {}
+  /// The file must outlive it.
+  explicit LineReader(const TextFile& file) : file_{&file}, rest_{file.text} {}
 
   /// Puts the next line into `line`; false at the end of the text.
   bool next(std::string_view& line);
   /// Number of the line read last, counted from 1.
   [[nodiscard]] std::size_t line_number() const { return line_number_; }
+  /// Throws as refuse_line(), for the line read last.
+  [[noreturn]] void refuse(const std::string& problem) const;
 
  private:
+  const TextFile* file_;
   std::string_view rest_;
   std::size_t line_number_ = 0;
 };
@@ -54,6 +58,22 @@ std::optional<std::size_t> take_whole_number(std::string_view& text);
 std::string upper_case(std::string_view text);
 /// In quotes for a message, cut to a readable length.
 std::string quoted(std::string_view text);
+
+/// A number at the beginning of a text.
+struct ScannedNumber {
+  double value = 0.0;
+  std::size_t length = 0;         ///< characters read
+  bool has_exponent = false;      ///< it ended with an exponent
+  const char* problem = nullptr;  ///< why there is no number; null if there is one
+};
+
+/// Reads one decimal number from the beginning of `text`: optional sign, digits with an optional point, optional
+/// exponent of up to three digits after E or D ("-.1234E-03", "0.1D-02", "12", "+5."). Never skips blanks. "nan",
+/// "inf" and numbers too large or too small for a double are problems.
+ScannedNumber scan_number(std::string_view text);
+
+/// Like scan_number, but the number must be all of `text`.
+ScannedNumber parse_number(std::string_view text);
 
 /// Throws FileError with the message "path: problem".
 [[noreturn]] void refuse_file(const std::filesystem::path& path, const std::string& problem);

@@ -1,5 +1,3 @@
-#include "motions/readers/two_column_text.hpp"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -8,7 +6,7 @@
 #include <vector>
 
 #include "base/check.hpp"
-#include "motions/readers/number_text.hpp"
+#include "motions/readers/record_formats.hpp"
 #include "motions/readers/text_file.hpp"
 
 namespace moat {
@@ -52,19 +50,17 @@ struct Columns {
   std::string heading;
 };
 
-double number_in(const std::filesystem::path& path, std::size_t line_number, std::string_view field) {
+double number_in(const LineReader& lines, std::string_view field) {
   const ScannedNumber number = parse_number(field);
-  if (number.problem) {
-    refuse_line(path, line_number,
-                quoted(field) + " " + number.problem +
-                    ". Each line must hold a time in s and an acceleration; begin remarks with '#'.");
-  }
+  if (number.problem)
+    lines.refuse(quoted(field) + " " + number.problem +
+                 ". Each line must hold a time in s and an acceleration; begin remarks with '#'.");
   return number.value;
 }
 
-Columns parse_columns(const std::filesystem::path& path, std::string_view content) {
+Columns parse_columns(const TextFile& file) {
   Columns columns;
-  LineReader lines{content};
+  LineReader lines{file};
   std::string_view line;
   bool heading_allowed = true;
   while (lines.next(line)) {
@@ -76,14 +72,13 @@ Columns parse_columns(const std::filesystem::path& path, std::string_view conten
       continue;
     }
     if (fields.size() != 2) {
-      refuse_line(path, lines.line_number(),
-                  "expected two columns, time in s and acceleration, but found " + std::to_string(fields.size()) +
-                      " in " + quoted(line) +
-                      ". Separate the columns with blanks, a tab, a comma or a semicolon, and write decimals with a "
-                      "point.");
+      lines.refuse("expected two columns, time in s and acceleration, but found " + std::to_string(fields.size()) +
+                   " in " + quoted(line) +
+                   ". Separate the columns with blanks, a tab, a comma or a semicolon, and write decimals with a "
+                   "point.");
     }
-    columns.times.push_back(number_in(path, lines.line_number(), fields[0]));
-    columns.values.push_back(number_in(path, lines.line_number(), fields[1]));
+    columns.times.push_back(number_in(lines, fields[0]));
+    columns.values.push_back(number_in(lines, fields[1]));
     columns.line_numbers.push_back(lines.line_number());
   }
   return columns;
@@ -128,8 +123,8 @@ std::vector<std::string> notes_of(const Columns& columns, Acceleration unit, dou
 
 }  // namespace
 
-bool begins_with_two_columns(std::string_view text) {
-  LineReader lines{text};
+bool begins_with_two_columns(const TextFile& file) {
+  LineReader lines{file};
   std::string_view line;
   while (lines.next(line)) {
     line = without_comment(line);
@@ -148,7 +143,7 @@ GroundMotion parse_two_columns(const TextFile& file, Acceleration unit) {
   const std::filesystem::path& path = file.path;
   Check{"read_two_columns", path.native()}.positive(
       "unit", unit, "Give the unit of the acceleration column: 1 * g, or 1 * m / s / s.");
-  Columns columns = parse_columns(path, file.text);
+  Columns columns = parse_columns(file);
   if (columns.times.size() < 2) {
     refuse_file(path, "expected at least two lines with a time in s and an acceleration, but found " +
                           std::to_string(columns.times.size()) + ".");

@@ -11,7 +11,6 @@
 #include "base/text/number_format.hpp"
 #include "output/charts/chart_axis.hpp"
 #include "output/charts/svg_writer.hpp"
-#include "output/files/file_io.hpp"
 
 namespace moat {
 namespace {
@@ -148,10 +147,6 @@ std::string svg_text(const HeatMap& map, int width, int height) {
            {.anchor = "middle", .upwards = true});
   draw_scale(svg, map, range, {width - right + scale_gap, top}, floor - top);
   return svg.finish();
-}
-
-void write_svg(const HeatMap& map, const std::filesystem::path& path, int width, int height) {
-  write_file(path, "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n" + svg_text(map, width, height));
 }
 
 }  // namespace moat

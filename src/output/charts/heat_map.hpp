@@ -1,7 +1,6 @@
 // A value over two parameters, as coloured cells.
 #pragma once
 
-#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -23,8 +22,5 @@ struct HeatMap {
 /// brightness and stay apart for colour-blind readers (viridis). Throws InputError where rows or columns do not fit
 /// their names, where no value is finite, and for a size below 300 x 200 pixels.
 std::string svg_text(const HeatMap& map, int width = 800, int height = 480);
-
-/// Writes it. Throws as svg_text does, and FileError.
-void write_svg(const HeatMap& map, const std::filesystem::path& path, int width = 800, int height = 480);
 
 }  // namespace moat

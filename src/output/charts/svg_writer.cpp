@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "base/text/number_format.hpp"
-#include "output/files/xml_text.hpp"
+#include "base/text/utf8_text.hpp"
 
 namespace moat {
 namespace {

@@ -22,21 +22,23 @@ std::vector<Pixel> thinned_history(const std::vector<Pixel>& points) {
 }
 
 /// From a point to a segment, not to its line: a loop returns to where it started.
-double distance(const Pixel& point, const Pixel& begin, const Pixel& end) {
+double squared_distance(const Pixel& point, const Pixel& begin, const Pixel& end) {
   const double dx = end.x - begin.x, dy = end.y - begin.y, px = point.x - begin.x, py = point.y - begin.y;
   const double length_squared = dx * dx + dy * dy;
   const double along = length_squared > 0.0 ? std::clamp((px * dx + py * dy) / length_squared, 0.0, 1.0) : 0.0;
-  return std::hypot(px - along * dx, py - along * dy);
+  const double x = px - along * dx, y = py - along * dy;
+  return x * x + y * y;
 }
 
 std::vector<Pixel> thinned_loop(const std::vector<Pixel>& points) {
   constexpr double tolerance = 0.25;  // pixels
-  constexpr int longest = 512;        // points left out at once, because each of them is tried again and again
+  constexpr int longest = 128;        // points left out at once, because each of them is tried again and again
   std::vector<Pixel> kept{points.front()};
   auto start = points.begin();
   for (auto end = start + 1; end != points.end(); ++end) {
-    const bool straight =
-        std::all_of(start + 1, end, [&](const Pixel& each) { return distance(each, *start, *end) <= tolerance; });
+    const bool straight = std::all_of(start + 1, end, [&](const Pixel& each) {
+      return squared_distance(each, *start, *end) <= tolerance * tolerance;
+    });
     if (straight && end - start < longest) continue;
     start = end - 1;
     kept.push_back(*start);

@@ -8,14 +8,22 @@
 #include <string>
 #include <vector>
 
+#include "base/parameter.hpp"
 #include "motions/ground_motion.hpp"
-#include "output/files/analysis_facts.hpp"
 #include "output/files/model_facts.hpp"
 #include "output/files/provenance.hpp"
 #include "output/files/table.hpp"
 #include "output/vtk/scene.hpp"
 
 namespace moat {
+
+/// The options of an analysis, as they were given in code and on the command line.
+struct AnalysisFacts {
+  std::string integrator{};          ///< its name, or its description where it has parameters
+  std::string events{};              ///< "located" or "at_end_of_step"
+  std::string error_bars{};          ///< "automatic", "always" or "never"
+  std::vector<Parameter> options{};  ///< all numbers of TransientOptions, CaseOptions and the scheme, by their names
+};
 
 /// The value of largest magnitude that a quantity reached over continuous time.
 struct Peak {

@@ -53,17 +53,8 @@ void add_plan(const Model& model, ModelFacts& facts) {
     for (std::size_t e = 0; e < block->size(); ++e) {
       const ElementInfo& info = block->info(e);
       if (info.corner_pair() == nullptr) continue;
-      const CornerPair& pair = *info.corner_pair();
-      facts.corners.push_back({.element = info.name,
-                               .body = std::string{model.body_name(info.second)},
-                               .corner = pair.corner,
-                               .edge = pair.edge,
-                               .position = pair.position,
-                               .normal = pair.normal,
-                               .edge_begin = pair.edge_begin,
-                               .edge_end = pair.edge_end,
-                               .clearance = info.offset,
-                               .edge_is_wall = model.diaphragm_of(info.first) == nullptr});
+      facts.corners.push_back({*info.corner_pair(), info.name, std::string{model.body_name(info.second)}, info.offset,
+                               model.diaphragm_of(info.first) == nullptr});
     }
   }
 }

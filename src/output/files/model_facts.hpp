@@ -5,8 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "base/plan_vector.hpp"
-#include "model/plan_places.hpp"
+#include "model/element_details.hpp"
 
 namespace moat {
 
@@ -54,15 +53,11 @@ struct DiaphragmFacts {
 };
 
 /// A corner that can hit an edge.
-struct CornerFacts {
-  std::string element;                  ///< the contact
-  std::string body{};                   ///< the diaphragm of the corner
-  std::string corner, edge;             ///< names
-  PlanVector position{};                ///< of the corner at rest, m
-  PlanVector normal{};                  ///< from the corner's body to the edge's
-  PlanVector edge_begin{}, edge_end{};  ///< at rest, m
-  double clearance = 0.0;               ///< m
-  bool edge_is_wall = false;            ///< of the ground, or of a wall; else of another floor
+struct CornerFacts : CornerPair {
+  std::string element{};      ///< the contact
+  std::string body{};         ///< the diaphragm of the corner
+  double clearance = 0.0;     ///< m
+  bool edge_is_wall = false;  ///< of the ground, or of a wall; else of another floor
 };
 
 /// The whole model, for files and pictures.

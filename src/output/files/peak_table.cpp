@@ -27,7 +27,7 @@ std::string remark(const PeakRow& row) {
 // Beyond this number of places only the largest and the smallest are shown.
 constexpr std::size_t most_places = 12;
 
-// Of too many places the one with the largest size and the one with the smallest.
+// Keeps of too many places the one with the largest size and the one with the smallest.
 void shorten(PeakGroup& group) {
   if (group.rows.size() <= most_places) return;
   const std::string count = std::to_string(group.rows.size());

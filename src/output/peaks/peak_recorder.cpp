@@ -62,8 +62,8 @@ std::vector<Peak> PeakRecorder::peaks() const {
     }
   }
   for (std::size_t i = 0; i < peaks.size(); ++i) peaks[i].side = side_of(channel_of_peak[i], peaks[i]);
-  // In plan the maxima of two directions make no sum.
-  if (model_->is_plan()) return peaks;
+  // In plan the maxima of two directions make no sum, and coupled masses have no inertia of a floor alone.
+  if (model_->is_plan() || !model_->mass_matrix().is_diagonal()) return peaks;
   for (const Building& building : model_->buildings()) {
     Peak sum{"sum_of_floor_inertia_maxima", building.base_name(), 0.0, "N", 0.0};
     for (const NodeId node : building.nodes()) {

@@ -107,19 +107,29 @@ void Channels::sample(const StepView& view, std::vector<double>& values, std::ve
   for (const BlockChannels& channels : blocks_) sample(view.state.elements(channels.block), channels, value, rate);
   const auto masses = view.model.mass_matrix().diagonal();
   for (const BaseShear& shear : base_shears_) {
-    double inertia = 0.0, inertia_rate = 0.0;
+    value[shear.channel] = rate[shear.channel] = 0.0;
     for (const NodeId node : shear.nodes) {
-      const double mass = masses[node.index];
-      inertia += mass * value[of_node(node) + 2];
-      inertia_rate += mass * rate[of_node(node) + 2];
+      value[shear.channel] -= masses[node.index] * value[of_node(node) + 2];
+      rate[shear.channel] -= masses[node.index] * rate[of_node(node) + 2];
     }
-    value[shear.channel] = -inertia;
-    rate[shear.channel] = -inertia_rate;
   }
+  if (!base_shears_.empty() && !view.model.mass_matrix().is_diagonal())
+    for (double* each : {value, rate}) add_coupled_inertia(view.model.mass_matrix(), each);
   if (!view.model.is_plan()) return;
   value += first_in_plan_;
   rate += first_in_plan_;
   plan_.sample(view, value, rate);
+}
+
+// Masses that couple a node of a building with others add to its inertia.
+void Channels::add_coupled_inertia(const MassMatrix& mass, double* values) const {
+  const Eigen::Map<const Vector, 0, Eigen::InnerStride<3>> every_third{values + 2, mass.diagonal().size()};
+  const Vector accelerations = every_third;
+  Vector inertia = accelerations;
+  mass.multiply(accelerations.data(), inertia.data());
+  inertia -= mass.diagonal().cwiseProduct(accelerations);
+  for (const BaseShear& shear : base_shears_)
+    for (const NodeId node : shear.nodes) values[shear.channel] -= inertia[node.index];
 }
 
 void Channels::sample(const ElementStates& elements, const BlockChannels& channels, double* values, double* rates) {

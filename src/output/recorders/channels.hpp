@@ -38,6 +38,7 @@ class Channels {
 
  private:
   void add_node(const Model& model, NodeId id);
+  void add_coupled_inertia(const MassMatrix& mass, double* values) const;
 
   // An element and its channel.
   struct Source {

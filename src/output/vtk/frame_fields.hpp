@@ -1,9 +1,10 @@
-// The fields of a frame, computed from the state of the model.
+// The fields of a frame, computed from the state of an analysis.
 #pragma once
 
+#include <span>
 #include <vector>
 
-#include "output/vtk/frames.hpp"
+#include "output/recorders/step_observer.hpp"
 #include "output/vtk/scene.hpp"
 
 namespace moat {
@@ -14,14 +15,14 @@ struct FrameField {
   std::vector<double> values;  ///< three for each point, or one for each cell
 };
 
-/// The fields that change from frame to frame, as FrameWriter describes them.
+/// The fields that change from frame to frame, as FrameRecorder describes them.
 struct FrameFields {
   double time;                        ///< s
   std::vector<FrameField> of_points;  ///< vectors
   std::vector<FrameField> of_cells;   ///< numbers
 };
 
-/// The scene must be valid, and the spans of `data` as long as it needs.
-FrameFields fields_of(const Scene& scene, double time, const FrameData& data);
+/// Returns the fields of a scene of the model. storey_shears: N, one for each of its storeys.
+FrameFields fields_of(const Scene& scene, const StepView& view, std::span<const double> storey_shears);
 
 }  // namespace moat

@@ -1,6 +1,5 @@
 #include "output/vtk/model_scene.hpp"
 
-#include <cmath>
 #include <map>
 #include <set>
 #include <string>
@@ -52,7 +51,7 @@ class SceneBuilder {
 
   // `spread` is that of the node, or for a point of the ground that of the body beside it.
   int point(double x, double z, int node, PlanVector spread) {
-    scene_.points.push_back({.x = x, .y = 0.0, .z = z, .node = node, .weight = node < 0 ? 0.0 : 1.0, .spread = spread});
+    scene_.points.push_back({.x = x, .y = 0.0, .z = z, .node = node, .spread = spread});
     return static_cast<int>(scene_.points.size()) - 1;
   }
 
@@ -149,13 +148,12 @@ class SceneBuilder {
   // A point of the body of a node, of the ground for another.
   int plan_point(PlanVector at, double z, NodeId body, PlanVector spread) {
     ScenePoint point{.x = at.x, .y = at.y, .z = z, .node = body == ground ? -1 : body.index, .spread = spread};
-    if (body == ground) {
-      point.weight = 0.0;
-    } else if (const PlacedDiaphragm* diaphragm = model_.diaphragm_of(body)) {
+    const PlacedDiaphragm* diaphragm = body == ground ? nullptr : model_.diaphragm_of(body);
+    if (diaphragm != nullptr) {
       point.on_diaphragm = true;
       point.node = diaphragm->id.x.index;
       point.arm = (at - diaphragm->centre_of_mass) / diaphragm->gyration;
-    } else {
+    } else if (body != ground) {
       point.direction = *model_.body(body).direction;
     }
     scene_.points.push_back(point);

@@ -10,13 +10,12 @@
 
 namespace moat {
 
-/// A corner of a drawn cell; z is up. On a line it is displaced by weight * u of its node along x, the direction of
-/// shaking. In plan a wall moves along its direction, and a point of a diaphragm by u_x - arm_y theta along x and
-/// u_y + arm_x theta along y: `node` is then the first of the three of the diaphragm.
+/// A corner of a drawn cell; z is up. On a line it moves with its node along x, the direction of shaking. In plan a
+/// wall moves along its direction, and a point of a diaphragm by u_x - arm_y theta along x and u_y + arm_x theta along
+/// y: `node` is then the first of the three of the diaphragm.
 struct ScenePoint {
   double x = 0.0, y = 0.0, z = 0.0;  ///< m, undeformed
-  int node = -1;                     ///< index into the spans of FrameData; -1: fixed to the ground
-  double weight = 1.0;               ///< share of the node's motion, 0 (ground) to 1
+  int node = -1;                     ///< index; -1: fixed to the ground
   PlanVector direction{1.0, 0.0};    ///< of the node's motion
   bool on_diaphragm = false;         ///< moves with all three of a diaphragm
   PlanVector arm{};                  ///< from the centre of mass, over the diaphragm's gyration: theta times this is w
@@ -33,8 +32,8 @@ struct SceneCell {
   std::string name;                 ///< of the element or floor
   /// Indices of 2 (line), 4 (quad, in order around it) or more (polygon) points.
   std::vector<int> points;
-  int element = -1;  ///< index into the per-element spans of FrameData; -1: none
-  int storey = -1;   ///< index into Scene::storeys and FrameData::storey_shear; -1: none
+  int element = -1;  ///< index through all blocks; -1: none
+  int storey = -1;   ///< index into Scene::storeys; -1: none
 };
 
 /// The model, drawn.

@@ -25,8 +25,8 @@
 #include <vector>
 
 #include "base/error.hpp"
+#include "base/text/utf8_text.hpp"
 #include "output/files/file_io.hpp"
-#include "output/files/xml_text.hpp"
 #include "output/vtk/vtk_files.hpp"
 
 namespace moat {

@@ -46,9 +46,8 @@ struct View {
     return {point.spread.x, from_above ? -point.spread.y : 0.0};
   }
   [[nodiscard]] Terms motion(const ScenePoint& point) const {
-    if (point.node < 0 || point.weight == 0.0) return {};
-    if (!point.on_diaphragm)
-      return {{point.node, {point.weight * point.direction.x, from_above ? -point.weight * point.direction.y : 0.0}}};
+    if (point.node < 0) return {};
+    if (!point.on_diaphragm) return {{point.node, {point.direction.x, from_above ? -point.direction.y : 0.0}}};
     return {{point.node, {1.0, 0.0}}, {point.node + 1, {0.0, -1.0}}, {point.node + 2, {-point.arm.y, -point.arm.x}}};
   }
 };

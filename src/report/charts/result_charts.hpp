@@ -55,7 +55,7 @@ std::vector<Chart> orbit_charts(const CaseResult& result);
 struct ResultCharts {
   std::vector<Chart> histories, floor_profiles, isolator_loops, impact_loops, energy, floor_spectra, orbits;
 
-  /// All of them, in this order.
+  /// Returns all charts, in this order.
   [[nodiscard]] std::vector<const Chart*> all() const;
 };
 

@@ -36,7 +36,8 @@ std::string checksum_of(std::size_t number, const std::string& parameters, CaseO
   std::ranges::sort(outcome.files, {}, [](const FileRead& file) { return std::tie(file.path, file.sha256); });
   const auto twice = std::ranges::unique(outcome.files);
   outcome.files.erase(twice.begin(), twice.end());
-  return sha256_of(parameters + "\n" + std::to_string(session) + "\n" + to_bytes(number, outcome));
+  return sha256_of(parameters + "\n" + std::to_string(session) + "\n" + std::to_string(number) + "\n" +
+                   to_bytes({outcome}));
 }
 
 /// The fields of a row of `cases` that are not in its outcome.

@@ -5,6 +5,7 @@
 #include "base/error.hpp"
 #include "study/file/store.hpp"
 #include "study/file/study_file.hpp"
+#include "study/file/study_tables.hpp"
 #include "study/outcome_bytes.hpp"
 
 namespace moat {
@@ -17,7 +18,7 @@ bool equal(CaseOutcome a, const CaseOutcome& b) {
   a.steps = b.steps;
   a.energy_error = b.energy_error;
   a.seconds = b.seconds;
-  return to_bytes(0, a) == to_bytes(0, b);
+  return to_bytes({a}) == to_bytes({b});
 }
 
 const StudyIdentity& identity_of(const StoredStudy& study) { return study.versions[study.current_version]; }
@@ -58,8 +59,8 @@ void write(StudyFile& file, const StoredStudy& part, const std::vector<std::size
     const std::size_t from = part.session_of_case[number];
     if (!sessions.at(from)) {
       StoredSession session = part.sessions[from];
-      session.version = study_sessions::version_with(file.database(), part.versions[session.version]);
-      sessions[from] = study_sessions::add(file.database(), session);
+      session.version = study_tables::version_with(file.database(), part.versions[session.version]);
+      sessions[from] = study_tables::add_session(file.database(), session);
     }
     file.rows().write(number, part.result.outcomes()[number], *sessions[from]);
   }
@@ -77,8 +78,7 @@ void merge_studies(const fs::path& into, const std::vector<fs::path>& parts) {
   const StoredStudy first = read_study(parts.front());
   StudyFile file{into, first.result.cases(), first.title};
   if (file.is_new())
-    study_sessions::set_current_version(file.database(),
-                                        study_sessions::version_with(file.database(), identity_of(first)));
+    study_tables::set_current_version(file.database(), study_tables::version_with(file.database(), identity_of(first)));
   for (std::size_t i = goes_on ? 1 : 0; i < files.size(); ++i) {
     std::vector<std::size_t> numbers;
     for (std::size_t number = 0; number < file_of_case.size(); ++number)

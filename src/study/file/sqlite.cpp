@@ -11,33 +11,33 @@ namespace moat::sqlite {
 Statement::Statement(const Database& database, std::string_view text)
     : database_{&database}, statement_{nullptr, sqlite3_finalize} {
   sqlite3_stmt* prepared = nullptr;
-  check(sqlite3_prepare_v2(database.database_.get(), text.data(), static_cast<int>(text.size()), &prepared, nullptr));
+  database_->check(
+      sqlite3_prepare_v2(database.database_.get(), text.data(), static_cast<int>(text.size()), &prepared, nullptr));
   statement_.reset(prepared);
 }
 
-void Statement::check(int code) const { database_->check(code); }
-
 void Statement::set_integer(int parameter, std::int64_t value) {
-  check(sqlite3_bind_int64(statement_.get(), parameter, value));
+  database_->check(sqlite3_bind_int64(statement_.get(), parameter, value));
 }
 
 void Statement::set(int parameter, double value) {
   // SQLite drops the sign of a number that is zero, and keeps that of bytes.
   const bool negative_zero = value == 0.0 && std::signbit(value);
-  check(std::isnan(value) ? sqlite3_bind_null(statement_.get(), parameter)
-        : negative_zero   ? sqlite3_bind_blob(statement_.get(), parameter, "-0.0", 4, SQLITE_STATIC)
-                          : sqlite3_bind_double(statement_.get(), parameter, value));
+  database_->check(std::isnan(value) ? sqlite3_bind_null(statement_.get(), parameter)
+                   : negative_zero   ? sqlite3_bind_blob(statement_.get(), parameter, "-0.0", 4, SQLITE_STATIC)
+                                     : sqlite3_bind_double(statement_.get(), parameter, value));
 }
 
 void Statement::set(int parameter, std::string_view value) {
-  check(sqlite3_bind_text(statement_.get(), parameter, value.data(), static_cast<int>(value.size()), SQLITE_TRANSIENT));
+  database_->check(
+      sqlite3_bind_text(statement_.get(), parameter, value.data(), static_cast<int>(value.size()), SQLITE_TRANSIENT));
 }
 
 bool Statement::step() {
   const int code = sqlite3_step(statement_.get());
   if (code == SQLITE_ROW) return true;
   sqlite3_reset(statement_.get());
-  if (code != SQLITE_DONE) check(code);
+  if (code != SQLITE_DONE) database_->check(code);
   return false;
 }
 

@@ -49,7 +49,6 @@ class Statement {
   /// NaN becomes NULL, -0 the bytes "-0.0"; real() reads all.
   void set(int parameter, double value);
   void set(int parameter, std::string_view value);
-  void check(int code) const;
 
   const Database* database_;
   std::unique_ptr<sqlite3_stmt, int (*)(sqlite3_stmt*)> statement_;

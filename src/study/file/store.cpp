@@ -1,12 +1,14 @@
 #include "study/file/store.hpp"
 
-#include <algorithm>
+#include <unistd.h>
+
+#include <array>
 #include <utility>
 
 #include "base/error.hpp"
 #include "base/sha256.hpp"
 #include "study/file/study_file.hpp"
-#include "study/study_tables.hpp"
+#include "study/file/study_tables.hpp"
 
 namespace moat {
 namespace {
@@ -14,6 +16,12 @@ namespace {
 namespace fs = std::filesystem;
 using sqlite::Database;
 using sqlite::Transaction;
+
+/// Returns the name of this machine.
+std::string host_name() {
+  std::array<char, 256> name{};
+  return ::gethostname(name.data(), name.size() - 1) == 0 ? name.data() : "";
+}
 
 }  // namespace
 
@@ -30,10 +38,10 @@ struct StudyStore::Parts {
     StoredSession stored;
     static_cast<StudySession&>(stored) = from;
     stored.host = host_name();
-    stored.version = study_sessions::version_with(database, identity);
-    study_sessions::set_current_version(database, stored.version);
+    stored.version = study_tables::version_with(database, identity);
+    study_tables::set_current_version(database, stored.version);
     case_rows::accept_files(database, changed);
-    session = study_sessions::add(database, stored);
+    session = study_tables::add_session(database, stored);
     transaction.commit();
   }
 
@@ -42,7 +50,7 @@ struct StudyStore::Parts {
   std::vector<FileRead> changed_files(const StudyIdentity& identity, StudyChanges changes) const {
     if (file.is_new()) return {};
     const Database& database = file.database();
-    StudyIdentity before = study_sessions::versions_of(database)[study_sessions::current_version(database)];
+    StudyIdentity before = study_tables::versions_of(database)[study_tables::current_version(database)];
     StudyIdentity now = identity;
     std::vector<FileRead> changed;
     for (const FileRead& known : case_rows::files_of(database)) {
@@ -50,9 +58,9 @@ struct StudyStore::Parts {
       if (on_disk != known) changed.push_back(on_disk);
       // A file that was read outside of cases too is a part of the identity.
       const std::string name = "file " + known.path;
-      if (std::ranges::find(identity, name, &StudyIdentity::value_type::first) != identity.end()) continue;
-      before.emplace_back(name, known.sha256);
-      now.emplace_back(name, on_disk.sha256);
+      if (identity.contains(name)) continue;
+      before[name] = known.sha256;
+      now[name] = on_disk.sha256;
     }
     const std::string all = differences(before, now);
     if (!file.axis_differences().empty() || (!all.empty() && changes == StudyChanges::refuse))
@@ -81,7 +89,7 @@ void StudyStore::write(std::size_t number, const CaseOutcome& outcome) {
 void StudyStore::forget_failures() { parts_->file.rows().forget_failures(); }
 
 void StudyStore::end_session(const std::string& ending) {
-  study_sessions::set_ending(parts_->file.database(), parts_->session, ending);
+  study_tables::set_ending(parts_->file.database(), parts_->session, ending);
   parts_->file.require_in_its_place();
 }
 
@@ -95,9 +103,9 @@ StoredStudy read_study(const fs::path& file) {
   const StudyCases cases = study_tables::cases_of(database);
   StoredCases stored = case_rows::read(database, cases);
   StoredStudy study{.title = study_tables::property(database, "title"),
-                    .versions = study_sessions::versions_of(database),
-                    .current_version = study_sessions::current_version(database),
-                    .sessions = study_sessions::all_of(database),
+                    .versions = study_tables::versions_of(database),
+                    .current_version = study_tables::current_version(database),
+                    .sessions = study_tables::sessions_of(database),
                     .session_of_case = {},
                     .result = StudyResult{cases, std::move(stored.outcomes)}};
   // Sessions count from 1 in the file.

@@ -3,17 +3,50 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <map>
 #include <memory>
 #include <string>
 #include <vector>
 
 #include "study/cases.hpp"
-#include "study/file/study_sessions.hpp"
-#include "study/file/study_version.hpp"
 #include "study/outcome.hpp"
 #include "study/result.hpp"
 
 namespace moat {
+
+/// The inputs of the numbers of a study besides its axes, by their names: hashes of script, program, library and
+/// files, options of the script.
+using StudyIdentity = std::map<std::string, std::string>;
+
+/// The identity with the hashes behind the values of axes: "record KBU000".
+StudyIdentity with_hashes_of_axes(StudyIdentity identity, const StudyCases& cases);
+
+/// One line for each difference, empty if there is none:
+///
+///     script: 3f2a... -> 77b1...
+std::string differences(const StudyIdentity& before, const StudyIdentity& now);
+
+/// Differences of names, units, values and labels.
+std::string differences(const StudyCases& before, const StudyCases& now);
+
+/// Where and by whom cases are computed.
+struct StudySession {
+  std::string title{};         ///< of the study
+  std::string command_line{};  ///< that started it
+  std::string moat_version{};  ///< that computes
+  std::string git_commit{};    ///< of the library
+  std::string date{};          ///< UTC
+  std::string engine{};        ///< "2 threads", "4 ranks"
+};
+
+/// A session as it is in the file of a study.
+struct StoredSession : StudySession {
+  std::string host{};  ///< name of the machine
+  /// "finished", "stopped by SIGINT", "part 0:100 finished"; empty while it runs, and where it was killed.
+  std::string ending{};
+  std::size_t version = 0;  ///< index of its StudyIdentity
+  std::size_t cases = 0;    ///< that it computed, and no later session again
+};
 
 /// Whether a study goes on although something changed on which its numbers depend.
 enum class StudyChanges {

@@ -1,14 +1,15 @@
 #include "study/file/study_file.hpp"
 
+#include <fcntl.h>
+#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include <array>
 #include <string>
 #include <utility>
 
 #include "base/error.hpp"
-#include "study/study_tables.hpp"
+#include "study/file/study_tables.hpp"
 
 namespace moat {
 namespace {
@@ -34,7 +35,36 @@ std::uintmax_t inode_at(const fs::path& file) {
   return ::stat(file.c_str(), &found) == 0 ? found.st_ino : 0;
 }
 
+// Another process may have removed the file between its opening and its locking.
+bool is_file_at(int descriptor, const std::filesystem::path& path) {
+  struct stat locked {
+  }, there{};
+  return ::fstat(descriptor, &locked) == 0 && ::stat(path.c_str(), &there) == 0 && locked.st_ino == there.st_ino &&
+         locked.st_dev == there.st_dev;
+}
+
 }  // namespace
+
+FileLock::FileLock(const std::filesystem::path& file) : path_{file} {
+  path_ += ".lock";
+  while (true) {
+    descriptor_ = ::open(path_.c_str(), O_RDWR | O_CREAT | O_NOFOLLOW | O_CLOEXEC, 0666);
+    if (descriptor_ < 0)
+      throw FileError{"study " + file.string() + ": " + path_.string() +
+                      " cannot be made. Give a file in a folder that exists and can be written."};
+    const bool locked = ::flock(descriptor_, LOCK_EX | LOCK_NB) == 0;
+    if (locked && is_file_at(descriptor_, path_)) return;
+    ::close(descriptor_);
+    if (!locked)
+      throw InputError{"study " + file.string() +
+                       ": another process computes it now. Wait for its end, or give another file."};
+  }
+}
+
+FileLock::~FileLock() {
+  ::unlink(path_.c_str());
+  ::close(descriptor_);
+}
 
 StudyFile::StudyFile(const fs::path& file, StudyCases cases, const std::string& title)
     : lock_{with_folder(file)}, cases_{std::move(cases)}, database_{no_link(file), sqlite::Database::Access::write} {
@@ -47,7 +77,7 @@ StudyFile::StudyFile(const fs::path& file, StudyCases cases, const std::string& 
     transaction.commit();
   }
   // One that was killed before its second left a file without session.
-  is_new_ = study_sessions::all_of(database_).empty();
+  is_new_ = study_tables::sessions_of(database_).empty();
   axis_differences_ = differences(study_tables::cases_of(database_), cases_);
   place_ = fs::absolute(file);
   inode_ = inode_at(place_);
@@ -74,11 +104,6 @@ void StudyFile::refuse(const std::string& differences) const {
   throw InputError{"study " + database_.file().string() +
                    " was begun with something else, and results are not mixed:" + differences +
                    "\nGive another file or folder, restore the former state, or remove the file and start again."};
-}
-
-std::string host_name() {
-  std::array<char, 256> name{};
-  return ::gethostname(name.data(), name.size() - 1) == 0 ? name.data() : "";
 }
 
 }  // namespace moat

@@ -8,11 +8,23 @@
 
 #include "study/cases.hpp"
 #include "study/file/case_rows.hpp"
-#include "study/file/file_lock.hpp"
 #include "study/file/sqlite.hpp"
-#include "study/file/study_sessions.hpp"
 
 namespace moat {
+
+/// The file FILE.lock, locked until this object or its process ends, however it ends. Removed at its orderly end.
+class FileLock {
+ public:
+  /// Throws InputError where another process holds the lock, FileError where the file cannot be made.
+  explicit FileLock(const std::filesystem::path& file);
+  ~FileLock();
+  FileLock(const FileLock&) = delete;
+  FileLock& operator=(const FileLock&) = delete;
+
+ private:
+  std::filesystem::path path_;
+  int descriptor_ = -1;
+};
 
 /// A database in WAL mode, locked against other processes. At its orderly end one file remains.
 class StudyFile {
@@ -47,8 +59,5 @@ class StudyFile {
   std::string axis_differences_;
   std::optional<CaseRows> rows_;
 };
-
-/// Returns the name of this machine.
-std::string host_name();
 
 }  // namespace moat

@@ -1,7 +1,6 @@
-#include "study/file/study_version.hpp"
+#include "study/file/store.hpp"
 
 #include <algorithm>
-#include <map>
 
 #include "base/check.hpp"
 
@@ -44,12 +43,11 @@ std::string value_differences(const StudyAxis& before, const StudyAxis& now) {
 
 }  // namespace
 
-StudyIdentity with_hashes_of_axes(const StudyIdentity& identity, const StudyCases& cases) {
-  std::map<std::string, std::string> all{identity.begin(), identity.end()};
+StudyIdentity with_hashes_of_axes(StudyIdentity identity, const StudyCases& cases) {
   for (const StudyAxis& axis : cases.axes())
     for (std::size_t i = 0; i < axis.hashes.size(); ++i)
-      all[axis.name + " " + (axis.labels.empty() ? to_text(axis.values[i]) : axis.labels[i])] = axis.hashes[i];
-  return {all.begin(), all.end()};
+      identity[axis.name + " " + (axis.labels.empty() ? to_text(axis.values[i]) : axis.labels[i])] = axis.hashes[i];
+  return identity;
 }
 
 std::string differences(const StudyIdentity& before, const StudyIdentity& now) {

@@ -37,14 +37,12 @@ Ranks* ranks_of_this_job() {
 ComputeCase computed_on(Ranks& ranks, int rank) {
   return [&ranks, rank](const StudyCase& each) {
     ranks.send(rank, std::to_string(each.number()));
-    std::size_t at = 0;
-    return from_bytes(ranks.receive(rank), at);
+    return from_bytes(ranks.receive(rank)).front();
   };
 }
 
 void end_work(Ranks& ranks, const std::vector<CaseOutcome>& outcomes) {
-  std::string message = end;
-  for (const CaseOutcome& outcome : outcomes) message += to_bytes(0, outcome);
+  const std::string message = end + to_bytes(outcomes);
   for (int rank = 1; rank < ranks.count(); ++rank) ranks.send(rank, message);
 }
 
@@ -52,11 +50,9 @@ std::vector<CaseOutcome> compute_for_first_rank(Ranks& ranks, const StudyCases& 
   std::string message;
   while (!(message = ranks.receive(0)).starts_with(end)) {
     const std::size_t number = std::stoul(message);
-    ranks.send(0, to_bytes(number, outcome_of(StudyCase{cases, number}, compute)));
+    ranks.send(0, to_bytes({outcome_of(StudyCase{cases, number}, compute)}));
   }
-  std::vector<CaseOutcome> outcomes;
-  for (std::size_t at = end.size(); at < message.size();) outcomes.push_back(from_bytes(message, at));
-  return outcomes;
+  return from_bytes(std::string_view{message}.substr(end.size()));
 }
 
 }  // namespace moat

@@ -167,14 +167,6 @@ TEST(ExactBetweenEvents, ListsTheExactPartsAmongTheAssumptions) {
       << analysis.assumptions().front();
 }
 
-TEST(ExactBetweenEvents, RefusesAFixedStep) {
-  Model model = oscillator({});
-  const TransientOptions options{.integrator = ExactBetweenEvents{}, .step = 1 * ms};
-  EXPECT_EQ(message_of([&] { Transient(model, still_ground(1 * s), options); }),
-            "TransientOptions: step = 0.001 s is not allowed; it must be 0 s with ExactBetweenEvents{}. "
-            "Its steps adapt themselves.");
-}
-
 TEST(ExactBetweenEvents, AsksForNoMemoryOnceItsMatricesAreKnown) {
   Model model = paper_model(no_gap);
   Transient analysis{model, pieced_sine(2.0, 0, 20.0), exact_options()};

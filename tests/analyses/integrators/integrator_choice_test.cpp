@@ -1,4 +1,4 @@
-#include "analyses/integrators/automatic.hpp"
+#include "analyses/integrators/exact_between_events.hpp"
 
 #include <gtest/gtest.h>
 

@@ -154,18 +154,5 @@ TEST(Integrators, AreFoundByName) {
             "exact-between-events, automatic.");
 }
 
-TEST(Integrators, RefuseParametersOutsideTheirRange) {
-  const auto refusal = [](const Integrator& integrator) {
-    return message_of([&] { checked(TransientOptions{.integrator = integrator}, still_ground(1 * s)); });
-  };
-  EXPECT_EQ(
-      refusal(HilberHughesTaylor{.alpha = 0.1}),
-      "TransientOptions: integrator.alpha = 0.1 is not allowed; it must be >= -1/3 and <= 0. -0.1 damps a little; "
-      "0 is average acceleration.");
-  EXPECT_EQ(refusal(GeneralizedAlpha{.spectral_radius = 1.5}),
-            "TransientOptions: integrator.spectral_radius = 1.5 is not allowed; it must be >= 0 and <= 1. 0.8 damps a "
-            "little; 1 damps nothing.");
-}
-
 }  // namespace
 }  // namespace moat

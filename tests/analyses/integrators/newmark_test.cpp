@@ -118,31 +118,5 @@ TEST(Newmark, ALinearModelNeedsOneFactorisation) {
   EXPECT_EQ(analysis.statistics().newton_iterations, 100);
 }
 
-// F = k d (1 + (d/d0)^2), which stiffens smoothly.
-struct Duffing {
-  using State = NoState;
-  static constexpr double mass = 2000.0, stiffness = mass * angular_frequency * angular_frequency, d0 = 0.05;
-  static double square(double d) { return d * d / (d0 * d0); }
-  Response evaluate(const State&, double d, double, State&) const {
-    return {stiffness * d * (1.0 + square(d)), stiffness * (1.0 + 3.0 * square(d)), 0.0};
-  }
-  double stored_energy(const State&, double d) const { return stiffness * d * d * (0.5 + 0.25 * square(d)); }
-  double dissipation_rate(const State&, double, double) const { return 0.0; }
-  double linear_stiffness(StiffnessStage) const { return stiffness; }
-};
-
-// The iteration starts from the cubic through the accelerations and jerks of the last two states. From the tangent at
-// the last one 30 of these steps take two iterations.
-TEST(Newmark, ASmoothForceNeedsOneIteration) {
-  Model model;
-  const NodeId node = add(model, Node{.name = "mass", .mass = Duffing::mass * kg, .initial_displacement = 3 * cm});
-  add(model, Spring<Duffing>{.name = "spring", .lower = ground, .upper = node, .law = {}});
-  const GroundMotion waves = sampled("waves", 2 * s, 20 * ms, [](double t) { return 2.0 * std::sin(6.5 * t); });
-  Transient analysis{model, waves, {.integrator = Newmark::fourth_order(), .step = 20 * ms}};
-  while (!analysis.finished()) analysis.advance();
-  EXPECT_EQ(analysis.statistics().accepted_steps, 100);
-  EXPECT_LE(analysis.statistics().newton_iterations, 102);
-}
-
 }  // namespace
 }  // namespace moat

@@ -9,7 +9,6 @@
 
 #include "analyses/questions/incremental_dynamic_analysis.hpp"
 #include "analyses/questions/study.hpp"
-#include "analyses/questions/study_pictures.hpp"
 
 namespace moat {
 namespace {

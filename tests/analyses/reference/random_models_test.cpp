@@ -47,6 +47,9 @@ double worst_error(const CaseResult& result, const ReferenceResult& reference) {
   return worst;
 }
 
+// Its errors stay above the tolerance down to the shortest step, which must be accepted all the same.
+TEST(RandomModels, GoOnWithTheShortestStep) { EXPECT_LT(run(random_model(95), {}).solver.accepted_steps, 20000); }
+
 TEST(RandomModels, PeaksAndImpactsAreThoseOfTheReference) {
   std::vector<double> default_errors;
   for (std::uint64_t seed = first_seed; seed < first_seed + models; ++seed) {

@@ -40,19 +40,28 @@ struct Comma : std::numpunct<char> {
   char do_decimal_point() const override { return ','; }
 };
 
-/// The pixels of the curve drawn with a stroke colour, the one with most points if there are several.
-std::vector<std::pair<double, double>> curve_of(vtkXMLDataElement* root, const std::string& colour) {
-  std::vector<std::pair<double, double>> longest;
+using Curve = std::vector<std::pair<double, double>>;
+
+/// The pixels of the curves drawn with a stroke colour.
+std::vector<Curve> curves_of(vtkXMLDataElement* root, const std::string& colour) {
+  std::vector<Curve> curves;
   visit(root, [&](vtkXMLDataElement* element) {
     const char* stroke = element->GetAttribute("stroke");
     const char* points = element->GetAttribute("points");
     if (stroke == nullptr || points == nullptr || stroke != colour) return;
-    std::vector<std::pair<double, double>> curve;
     std::istringstream stream{points};
     char comma = ' ';
-    for (double x = 0.0, y = 0.0; stream >> x >> comma >> y;) curve.emplace_back(x, y);
-    if (curve.size() > longest.size()) longest = curve;
+    curves.emplace_back();
+    for (double x = 0.0, y = 0.0; stream >> x >> comma >> y;) curves.back().emplace_back(x, y);
   });
+  return curves;
+}
+
+/// The one with most points.
+Curve curve_of(vtkXMLDataElement* root, const std::string& colour) {
+  Curve longest;
+  for (const Curve& curve : curves_of(root, colour))
+    if (curve.size() > longest.size()) longest = curve;
   return longest;
 }
 
@@ -111,16 +120,7 @@ TEST_F(ChartToSvg, PlacesChartsInColumnsWithAlignedPlotAreas) {
   ASSERT_NE(root, nullptr);
   EXPECT_STREQ(root->GetAttribute("width"), "1000");
   // The line of every panel rises from its lower left to its upper right corner.
-  std::vector<std::vector<std::pair<double, double>>> lines;
-  visit(root, [&](vtkXMLDataElement* element) {
-    const char* stroke = element->GetAttribute("stroke");
-    const char* points = element->GetAttribute("points");
-    if (stroke == nullptr || points == nullptr || std::string{stroke} != "#0072b2") return;
-    std::istringstream stream{points};
-    char comma = ' ';
-    lines.emplace_back();
-    for (double x = 0.0, y = 0.0; stream >> x >> comma >> y;) lines.back().emplace_back(x, y);
-  });
+  std::vector<Curve> lines = curves_of(root, "#0072b2");
   std::erase_if(lines, [](const auto& each) { return each.size() < 2 || each[0].second == each[1].second; });
   ASSERT_EQ(lines.size(), 3u);
   EXPECT_LT(lines[0][1].first, 500.0);

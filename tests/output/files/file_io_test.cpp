@@ -3,7 +3,6 @@
 #include <cerrno>
 #include <fstream>
 #include <string>
-#include <string_view>
 
 #include "output_testing.hpp"
 

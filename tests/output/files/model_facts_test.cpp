@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <map>
 #include <string>
 
@@ -72,19 +73,16 @@ TEST(ModelFacts, HaveTheKindOfEveryElement) {
 
 TEST(ModelFacts, HaveTheClearanceOfEveryGap) {
   const testing_output::HandMovedBuilding building;
-  for (const ElementFacts& element : facts_of(building.model).elements) {
-    if (element.name != "moat left") continue;
-    EXPECT_EQ(element.law, "HertzDamp");
-    ASSERT_EQ(element.parameters.size(), 4u);
-    EXPECT_EQ(element.parameters[2].name, "restitution");
-    EXPECT_EQ(element.parameters[2].value, 1.0);
-    EXPECT_EQ(element.parameters.front().name, "clearance");
-    EXPECT_EQ(element.parameters.front().value, 0.1);
-    EXPECT_EQ(element.parameters.front().unit, "m");
-    EXPECT_EQ(element.second, "ground");
-    return;
-  }
-  FAIL() << "there is no moat left";
+  const ModelFacts facts = facts_of(building.model);
+  const auto gap = std::ranges::find(facts.elements, "moat left", &ElementFacts::name);
+  ASSERT_NE(gap, facts.elements.end());
+  EXPECT_EQ(gap->law, "HertzDamp");
+  EXPECT_EQ(gap->second, "ground");
+  ASSERT_EQ(gap->parameters.size(), 4u);
+  EXPECT_EQ(gap->parameters[0].name, "clearance");
+  EXPECT_EQ(gap->parameters[0].value, 0.1);
+  EXPECT_EQ(gap->parameters[2].name, "restitution");
+  EXPECT_EQ(gap->parameters[2].value, 1.0);
 }
 
 TEST(ModelFacts, HavePlacesAndDirectionsInPlan) {

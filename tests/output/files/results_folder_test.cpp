@@ -123,14 +123,6 @@ TEST_F(ResultsFolderTest, IncompleteResultsStayWhereNoneWere) {
   }
 }
 
-TEST_F(ResultsFolderTest, TwoRunsThatOverwriteHaveFoldersOfTheirOwn) {
-  put_results(folder / "x");
-  const ResultsFolder first{folder / "x", WhenFolderExists::overwrite};
-  const ResultsFolder second{folder / "x", WhenFolderExists::overwrite};
-  EXPECT_EQ(first.path(), folder / "x.new");
-  EXPECT_EQ(second.path(), folder / "x.new_2");
-}
-
 // Runs that start at one moment, as of a shell's loop or of an array of jobs.
 TEST_F(ResultsFolderTest, RunsThatStartTogetherHaveFoldersOfTheirOwn) {
   constexpr int runs = 8;
@@ -153,15 +145,6 @@ TEST_F(ResultsFolderTest, RunsThatStartTogetherHaveFoldersOfTheirOwn) {
         for (const auto& each : folders) EXPECT_TRUE(paths.insert(each->path()).second) << each->path();
         EXPECT_TRUE(paths.contains(folder / "x"));
       }
-}
-
-TEST_F(ResultsFolderTest, IsTakenFromItsFirstMomentToItsEnd) {
-  ResultsFolder first{folder / "x", WhenFolderExists::use_new_number};
-  EXPECT_EQ(ResultsFolder(folder / "x", WhenFolderExists::use_new_number).path(), folder / "x_2");
-  put(first.path() / "summary.json");
-  first.finish();
-  EXPECT_EQ(ResultsFolder(folder / "x", WhenFolderExists::use_new_number).path(), folder / "x_3");
-  EXPECT_EQ(names_in(folder / "x"), (std::set<std::string>{"summary.json", ".moat"}));
 }
 
 TEST_F(ResultsFolderTest, NamesItsRunUntilItIsFinished) {

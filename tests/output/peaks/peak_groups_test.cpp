@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
 #include <limits>
+#include <tuple>
 
 namespace moat {
 namespace {
@@ -38,32 +38,24 @@ TEST(ConstantQuantities, AreNotSeenInOneRow) {
   EXPECT_TRUE(constant_quantities({}).empty());
 }
 
-TEST(RoundedError, HasOneDigitOrTwoIfTheFirstIsOne) {
-  EXPECT_EQ(rounded_error(0.0204).text, "0.03");
-  EXPECT_EQ(rounded_error(0.04).text, "0.04");
-  EXPECT_EQ(rounded_error(0.0113).text, "0.012");
-  EXPECT_EQ(rounded_error(0.1).text, "0.10");
-  EXPECT_EQ(rounded_error(1.5).text, "1.5");
-  EXPECT_EQ(rounded_error(7.2).text, "8");
-  EXPECT_EQ(rounded_error(23.0).text, "30");
-  EXPECT_EQ(rounded_error(123.0).text, "130");
-  EXPECT_EQ(rounded_error(4001.0).text, "5000");
-}
-
-TEST(RoundedError, GoesUpAcrossADigit) {
-  EXPECT_EQ(rounded_error(0.0191).text, "0.02");
-  EXPECT_EQ(rounded_error(0.0092).text, "0.010");
-  EXPECT_EQ(rounded_error(9.9).text, "10");
-  EXPECT_EQ(rounded_error(99.0).text, "100");
-}
-
-TEST(RoundedError, GivesTheDecimalsOfItsLastDigit) {
-  EXPECT_EQ(rounded_error(0.0204).decimals, 2);
-  EXPECT_EQ(rounded_error(0.0113).decimals, 3);
-  EXPECT_EQ(rounded_error(1.5).decimals, 1);
-  EXPECT_EQ(rounded_error(7.2).decimals, 0);
-  EXPECT_EQ(rounded_error(123.0).decimals, -1);
-  EXPECT_EQ(rounded_error(4001.0).decimals, -3);
+// One digit, or two if the first is one; rounded up, across a digit where needed.
+TEST(RoundedError, HasTheDigitsThatMatter) {
+  for (const auto& [error, text, decimals] : {std::tuple{0.0204, "0.03", 2},
+                                              {0.04, "0.04", 2},
+                                              {0.0113, "0.012", 3},
+                                              {0.1, "0.10", 2},
+                                              {1.5, "1.5", 1},
+                                              {7.2, "8", 0},
+                                              {23.0, "30", -1},
+                                              {123.0, "130", -1},
+                                              {4001.0, "5000", -3},
+                                              {0.0191, "0.02", 2},
+                                              {0.0092, "0.010", 3},
+                                              {9.9, "10", 0},
+                                              {99.0, "100", -1}}) {
+    EXPECT_EQ(rounded_error(error).text, text);
+    EXPECT_EQ(rounded_error(error).decimals, decimals) << text;
+  }
 }
 
 TEST(RoundedError, IsNeverBelowTheError) {

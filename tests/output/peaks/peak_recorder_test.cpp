@@ -2,8 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
-
 #include "recorders_testing.hpp"
 
 namespace moat {

@@ -7,11 +7,7 @@
 #include <cmath>
 
 #include "analyses/time_history/transient.hpp"
-#include "elements/contact/gap.hpp"
-#include "materials/impact/exact_hertz_damp.hpp"
-#include "materials/impact/exact_kelvin.hpp"
-#include "materials/impact/hertz_damp.hpp"
-#include "materials/impact/linear_elastic.hpp"
+#include "small_models.hpp"
 
 namespace moat {
 namespace {
@@ -22,13 +18,16 @@ GroundMotion still_ground(double end) { return GroundMotion{"still ground", end,
 
 constexpr double mass = 550e3, stiffness = 2.95e9;
 
+HertzDamp law_of(double restitution) { return {.stiffness = stiffness * N / m_3_2, .restitution = restitution}; }
+
 Gap<HertzDamp> wall(const std::string& name, NodeId left, NodeId right, double restitution) {
-  return {.name = name,
-          .place = "walls",
-          .left = left,
-          .right = right,
-          .clearance = 2 * cm,
-          .law = {.stiffness = stiffness * N / m_3_2, .restitution = restitution}};
+  return {
+      .name = name, .place = "walls", .left = left, .right = right, .clearance = 2 * cm, .law = law_of(restitution)};
+}
+
+// With the wall on its right.
+Model body_at_speed(double speed, double restitution) {
+  return testing::body_before_wall(law_of(restitution), mass, speed, 0.02);
 }
 
 std::vector<Impact> impacts(const Model& model, double end, double step = 1e-3) {
@@ -63,10 +62,7 @@ TEST(ImpactRecorder, ListsTouchesOfAnElasticBodyBetweenTwoWalls) {
 }
 
 TEST(ImpactRecorder, AContactThatLastsAtTheEndHasNoReboundRatio) {
-  Model model;
-  const NodeId body = add(model, Node{.name = "body", .mass = mass * kg, .initial_velocity = 0.4 * m / s});
-  add(model, wall("right wall", body, ground, 0.65));
-  const std::vector<Impact> found = impacts(model, 0.1);
+  const std::vector<Impact> found = impacts(body_at_speed(0.4, 0.65), 0.1);
   ASSERT_EQ(found.size(), 1u);
   EXPECT_NEAR(found[0].duration, 0.05, 1e-9);
   EXPECT_GT(found[0].largest_indentation, 0.01);
@@ -75,9 +71,7 @@ TEST(ImpactRecorder, AContactThatLastsAtTheEndHasNoReboundRatio) {
 }
 
 TEST(ImpactRecorder, AContactThatLastsFromTheStartIsListed) {
-  Model model;
-  const NodeId body = add(model, Node{.name = "body", .mass = mass * kg, .initial_velocity = 0.4 * m / s});
-  add(model, wall("right wall", body, ground, 0.65));
+  const Model model = body_at_speed(0.4, 0.65);
   Transient first{model, still_ground(0.1), {.step = 1 * ms}};
   first.run();
   ImpactRecorder recorder;
@@ -175,24 +169,15 @@ TEST(ImpactRecorder, ListsOverlappingContactsInOrderOfTouch) {
 
   // Each has the peaks it has alone: the events of the other do not make it forget.
   for (const Impact& together : found) {
-    Model alone;
     const bool is_early = together.where == "of early";
-    const NodeId body =
-        add(alone, Node{.name = "body", .mass = mass * kg, .initial_velocity = (is_early ? 0.41 : 0.40) * m / s});
-    add(alone, wall(together.where, body, ground, is_early ? 0.65 : 1.0));
-    const std::vector<Impact> expected = impacts(alone, 1.0);
+    const std::vector<Impact> expected = impacts(is_early ? body_at_speed(0.41, 0.65) : body_at_speed(0.40, 1.0), 1.0);
     ASSERT_EQ(expected.size(), 1u);
     EXPECT_NEAR(together.largest_force, expected[0].largest_force, 1e-4 * expected[0].largest_force);
     EXPECT_NEAR(together.largest_indentation, expected[0].largest_indentation, 1e-4 * expected[0].largest_indentation);
   }
 }
 
-TEST(ImpactRecorder, NothingTouchesNothingIsListed) {
-  Model model;
-  const NodeId body = add(model, Node{.name = "body", .mass = mass * kg, .initial_velocity = 0.01 * m / s});
-  add(model, wall("right wall", body, ground, 0.65));
-  EXPECT_TRUE(impacts(model, 1.0).empty());
-}
+TEST(ImpactRecorder, NothingTouchesNothingIsListed) { EXPECT_TRUE(impacts(body_at_speed(0.01, 0.65), 1.0).empty()); }
 
 }  // namespace
 }  // namespace moat

@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cmath>
 
 #include "elements/line/shear_spring.hpp"
 #include "elements/line/viscous_damper.hpp"

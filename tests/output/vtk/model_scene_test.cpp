@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
 #include "analyses/time_history/transient.hpp"
@@ -59,7 +58,6 @@ TEST(ModelScene, AFloorIsAsWideAndHighAsItsNodeSaysAndMovesWithIt) {
     const ScenePoint& point = scene.points[static_cast<std::size_t>(p)];
     top = std::max(top, point.z);
     EXPECT_EQ(point.node, building.floor.index);
-    EXPECT_EQ(point.weight, 1.0);
   }
   EXPECT_EQ(top, 3.5);
 }
@@ -70,10 +68,8 @@ TEST(ModelScene, WallsStandExactlyTheClearanceAway) {
   EXPECT_DOUBLE_EQ(x_range(scene, cell(scene, CellKind::wall, "moat left wall")).second, -6.1);
   EXPECT_DOUBLE_EQ(x_range(scene, cell(scene, CellKind::wall, "moat right wall")).first, 6.1);
   for (const char* name : {"moat left wall", "moat right wall"})
-    for (const int p : cell(scene, CellKind::wall, name).points) {
+    for (const int p : cell(scene, CellKind::wall, name).points)
       EXPECT_EQ(scene.points[static_cast<std::size_t>(p)].node, -1);
-      EXPECT_EQ(scene.points[static_cast<std::size_t>(p)].weight, 0.0);
-    }
   for (const char* name : {"moat left", "moat right"}) {
     const auto [low, high] = x_range(scene, cell(scene, CellKind::gap, name));
     EXPECT_NEAR(high - low, 0.1, 1e-12) << name;

@@ -17,7 +17,16 @@
 namespace moat {
 namespace {
 
-class VtkTables : public testing_output::InFolder {};
+class VtkTables : public testing_output::InFolder {
+ protected:
+  // The table in a file of the folder, as VTK reads it.
+  vtkSmartPointer<vtkTable> table_in(const std::string& name) const {
+    vtkNew<vtkXMLTableReader> reader;
+    reader->SetFileName((folder / name).c_str());
+    reader->Update();
+    return reader->GetOutput();
+  }
+};
 
 TEST_F(VtkTables, ReadsBackUnchanged) {
   Table table{{{"time", "", "s", {}}, {"absolute_acceleration", "floor 5", "m/s^2", {}}}};
@@ -27,10 +36,7 @@ TEST_F(VtkTables, ReadsBackUnchanged) {
   }
   vtk_files().write_table(table, folder / "histories.vtt");
 
-  vtkNew<vtkXMLTableReader> reader;
-  reader->SetFileName((folder / "histories.vtt").c_str());
-  reader->Update();
-  vtkTable* read = reader->GetOutput();
+  const auto read = table_in("histories.vtt");
   ASSERT_EQ(read->GetNumberOfColumns(), 2);
   ASSERT_EQ(read->GetNumberOfRows(), 5000);
   EXPECT_STREQ(read->GetColumnName(0), "time [s]");
@@ -47,24 +53,16 @@ TEST_F(VtkTables, ReadsBackUnchanged) {
 TEST_F(VtkTables, KeepsNamesMissingValuesAndEmptyTables) {
   const std::string name = "a \"<&>\" ü";
   vtk_files().write_table(Table{{{"drift", name, "m", {-0.0, NAN, INFINITY}}}}, folder / "a.vtt");
-  vtkNew<vtkXMLTableReader> reader;
-  reader->SetFileName((folder / "a.vtt").c_str());
-  reader->Update();
-  EXPECT_EQ(reader->GetOutput()->GetColumnName(0), "drift [m] " + name);
-  EXPECT_TRUE(std::isnan(reader->GetOutput()->GetValue(1, 0).ToDouble()));
-  EXPECT_EQ(reader->GetOutput()->GetValue(2, 0).ToDouble(), INFINITY);
+  const auto read = table_in("a.vtt");
+  EXPECT_EQ(read->GetColumnName(0), "drift [m] " + name);
+  EXPECT_TRUE(std::isnan(read->GetValue(1, 0).ToDouble()));
+  EXPECT_EQ(read->GetValue(2, 0).ToDouble(), INFINITY);
 
   vtk_files().write_table(Table{{{"drift", "bell\a", "m", {1.0}}}}, folder / "c.vtt");
-  vtkNew<vtkXMLTableReader> clean;
-  clean->SetFileName((folder / "c.vtt").c_str());
-  clean->Update();
-  EXPECT_STREQ(clean->GetOutput()->GetColumnName(0), "drift [m] bell?");
+  EXPECT_STREQ(table_in("c.vtt")->GetColumnName(0), "drift [m] bell?");
 
   vtk_files().write_table(Table{{{"time", "", "s", {}}}}, folder / "b.vtt");
-  vtkNew<vtkXMLTableReader> empty;
-  empty->SetFileName((folder / "b.vtt").c_str());
-  empty->Update();
-  EXPECT_EQ(empty->GetOutput()->GetNumberOfRows(), 0);
+  EXPECT_EQ(table_in("b.vtt")->GetNumberOfRows(), 0);
 }
 
 TEST_F(VtkTables, RefusesTwoColumnsOfOneName) {

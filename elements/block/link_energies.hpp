@@ -1,0 +1,142 @@
+// The energy accounts of a block of links.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+#include "elements/block/law_response.hpp"
+#include "elements/block/link_motion.hpp"
+#include "model/element_states.hpp"
+
+namespace moat {
+
+/// Work and dissipation of every link of a block, added up step by step.
+///
+///     work = integral of F d' dt        dissipated = integral of dissipation_rate dt
+///
+/// By WorkRule::mean_force the work of a step is the mean of the forces at its ends times the change of deformation,
+/// and the dissipation follows Simpson's rule. By WorkRule::quadrature both follow Lobatto's rule with four points:
+///
+///     integral over h = h/12 (f(0) + 5 f(x1) + 5 f(1 - x1) + f(h)),   x1 = (1 - 1/sqrt(5))/2
+///
+/// with the law evaluated on the interpolated deformation. A law with dissipated_energy(from, to) gives its dissipation
+/// exactly instead.
+template <class Law>
+class LinkEnergies {
+ public:
+  using State = typename Law::State;  ///< History of one element.
+  using Vector = VectorOf<Law>;       ///< Of deformations and forces.
+
+  /// Whether the law computes its dissipation from its states: it slides, independent of the rate.
+  static constexpr bool hysteretic = requires(const Law& law, const State& state) {
+    law.dissipated_energy(state, state);
+  };
+
+  /// Laws, states and motion at both ends of a step of `length` s; the states at its end are the trial ones.
+  struct Step {
+    const std::vector<Law>& laws;             ///< of all elements
+    const std::vector<State>& committed;      ///< at the start
+    const std::vector<State>& trial;          ///< at the end
+    const LinkMotion<Vector>& start;          ///< at the start
+    const LinkMotion<Vector>& end;            ///< at the end
+    const std::vector<Vector>& forces;        ///< at the end, N
+    const std::vector<double>& axial_forces;  ///< at the end, N; empty for laws without
+    double length;                            ///< s, >= 0
+  };
+
+  /// Whether start() was called.
+  [[nodiscard]] bool kept() const { return kept_; }
+
+  /// Starts all accounts at zero, in the state and motion of the committed instant.
+  void start(const std::vector<Law>& laws, const std::vector<State>& committed, const LinkMotion<Vector>& now,
+             const std::vector<Vector>& forces) {
+    kept_ = true;
+    accounts_.resize(laws.size());
+    loads_.resize(laws.size());
+    for (std::size_t i = 0; i < laws.size(); ++i) {
+      accounts_[i] = {.stored_at_start = laws[i].stored_energy(committed[i], now.deformations[i])};
+      loads_[i] = {forces[i], power(laws[i], committed[i], now.deformations[i], now.rates[i])};
+    }
+  }
+
+  /// Adds work and dissipation of a step to every account.
+  void add_step(const Step& step, WorkRule rule) {
+    const std::array places{HermiteQuinticsAt{inside[0], step.length}, HermiteQuinticsAt{inside[1], step.length}};
+    for (std::size_t i = 0; i < accounts_.size(); ++i) {
+      const Load end{step.forces[i], power(step.laws[i], step.trial[i], step.end.deformations[i], step.end.rates[i])};
+      if (step.length > 0.0) {
+        if (rule == WorkRule::mean_force)
+          add_by_mean_force(i, step, end);
+        else
+          add_by_quadrature(i, step, end, places);
+        if constexpr (hysteretic)
+          accounts_[i].dissipated += step.laws[i].dissipated_energy(step.committed[i], step.trial[i]);
+      }
+      loads_[i] = end;
+    }
+  }
+
+  /// A change of regime released stored energy, J.
+  void release(std::size_t link, double energy) {
+    if (kept_) accounts_[link].dissipated += energy;
+  }
+  /// `stored` J is the link's energy now.
+  [[nodiscard]] ElementEnergy energy(std::size_t link, double stored) const {
+    const Account& account = accounts_[link];
+    return {account.work, stored - account.stored_at_start, account.dissipated, hysteretic};
+  }
+
+ private:
+  static constexpr std::array inside{0.27639320225002103, 0.72360679774997897};  // (1 -+ 1/sqrt(5))/2
+
+  struct Account {
+    double work = 0.0, dissipated = 0.0, stored_at_start = 0.0;
+  };
+  struct Load {
+    Vector force{};      // N
+    double power = 0.0;  // W
+  };
+
+  static double power(const Law& law, const State& state, Vector deformation, Vector rate) {
+    if constexpr (hysteretic)
+      return 0.0;
+    else
+      return law.dissipation_rate(state, deformation, rate);
+  }
+
+  void add_by_mean_force(std::size_t i, const Step& step, const Load& end) {
+    accounts_[i].work +=
+        dot(0.5 * (loads_[i].force + end.force), step.end.deformations[i] - step.start.deformations[i]);
+    if constexpr (!hysteretic) {
+      const HermiteCubic path = cubic_between(step.start, step.end, i, step.length);
+      const double middle = power(step.laws[i], step.committed[i], path.value(0.5), path.rate(0.5));
+      accounts_[i].dissipated += step.length / 6.0 * (loads_[i].power + 4.0 * middle + end.power);
+    }
+  }
+
+  void add_by_quadrature(std::size_t i, const Step& step, const Load& end,
+                         const std::array<HermiteQuinticsAt, 2>& places) {
+    const double h = step.length;
+    const Vector d0 = step.start.deformations[i], v0 = step.start.rates[i], a0 = step.start.second_rates[i],
+                 d1 = step.end.deformations[i], v1 = step.end.rates[i], a1 = step.end.second_rates[i];
+    double work = dot(loads_[i].force, v0) + dot(end.force, v1), dissipated = loads_[i].power + end.power;
+    for (std::size_t k = 0; k < places.size(); ++k) {
+      const Vector deformation = places[k].value(d0, v0, a0, d1, v1, a1), rate = places[k].rate(d0, v0, a0, d1, v1, a1);
+      State after;
+      const ResponseOf<Law> response =
+          respond_over(step.laws[i], step.committed[i], {deformation, rate}, {d0, v0}, inside[k] * h,
+                       step.axial_forces.empty() ? 0.0 : step.axial_forces[i], after);
+      work += 5.0 * dot(response.force, rate);
+      dissipated += 5.0 * power(step.laws[i], step.committed[i], deformation, rate);
+    }
+    accounts_[i].work += h / 12.0 * work;
+    if constexpr (!hysteretic) accounts_[i].dissipated += h / 12.0 * dissipated;
+  }
+
+  bool kept_ = false;
+  std::vector<Account> accounts_;
+  std::vector<Load> loads_;  // at the last commit
+};
+
+}  // namespace moat

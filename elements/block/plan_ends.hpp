@@ -1,0 +1,46 @@
+// Both ends of an element at points in plan.
+#pragma once
+
+#include <array>
+#include <utility>
+
+#include "elements/block/ends.hpp"
+#include "elements/block/plan_point.hpp"
+
+namespace moat {
+
+/// Displacements of one point relative to another along two directions at right angles, x and y or normal and tangent;
+/// those of `second` have the sign plus.
+class PlanEnds : public EndsOf<PlanVector> {
+ public:
+  PlanEnds() = default;
+  /// Points of different bodies, along a direction of length 1 and across, turned by +90 degrees.
+  PlanEnds(const Model& model, const PlanPoint& first, const PlanPoint& second, PlanVector direction) {
+    for (const auto& [point, sign] : {std::pair{&first, -1.0}, {&second, 1.0}}) {
+      const PlanRow along = row_of(model, *point, direction), across = row_of(model, *point, turned_left(direction));
+      for (std::size_t i = 0; i < along.node.size(); ++i) {
+        add(along.node[i], sign * PlanVector{along.weight[i], across.weight[i]});
+        along_.add(along.node[i], sign * along.weight[i]);
+        across_.add(along.node[i], sign * across.weight[i]);
+      }
+    }
+  }
+
+  [[nodiscard]] const WeightedEnds& along() const { return along_; }    ///< The difference along the direction.
+  [[nodiscard]] const WeightedEnds& across() const { return across_; }  ///< The difference across it.
+  /// The change of either difference under a unit impulse along the other, 1/kg.
+  [[nodiscard]] double cross_mobility(const MassMatrix& mass) const {
+    std::array<double, most> along{}, across{};
+    const std::size_t count = nodes().size();
+    for (std::size_t i = 0; i < count; ++i) {
+      along[i] = weights()[i].x;
+      across[i] = weights()[i].y;
+    }
+    return mass.mobility(nodes(), {along.data(), count}, {across.data(), count});
+  }
+
+ private:
+  WeightedEnds along_, across_;
+};
+
+}  // namespace moat

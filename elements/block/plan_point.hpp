@@ -1,0 +1,44 @@
+// A point in plan, fixed to a body.
+#pragma once
+
+#include <array>
+#include <memory>
+#include <string>
+#include <string_view>
+
+#include "model/model.hpp"
+
+namespace moat {
+
+/// A point of a diaphragm, of a wall that moves along its own direction, or of the ground; `at` is its position at
+/// rest, in coordinates of the whole model.
+///
+///     PlanPoint{base, {10 * m, 6 * m}}    PlanPoint{ground, {10 * m, 6 * m}}
+struct PlanPoint {
+  /// A diaphragm stands for itself; a node is a wall (Node::direction), or `ground`.
+  Required<NodeId> of;
+  PlanPosition at{};  ///< m, at rest
+};
+
+/// The shares of up to three degrees of freedom in the displacement of a point along a direction.
+struct PlanRow {
+  std::array<NodeId, 3> node{ground, ground, ground};  ///< `ground` where there is none
+  std::array<double, 3> weight{};                      ///< of each
+};
+
+/// `direction` has length 1, or any other: displacements scale with it. Zero weights for the ground.
+PlanRow row_of(const Model& model, const PlanPoint& point, PlanVector direction);
+
+/// Throws InputError unless the point is on a diaphragm or a wall of this model, or on the ground, and finite.
+void check_point(const Model& model, std::string_view kind, const std::string& name, std::string_view field,
+                 const PlanPoint& point);
+/// check_point() of both, and that they are on different bodies.
+Check check_points(const Model& model, std::string_view kind, const std::string& name, std::string_view first_field,
+                   const PlanPoint& first, std::string_view second_field, const PlanPoint& second);
+/// The direction with length 1. Throws InputError for a vector without length.
+PlanVector unit_direction(const Check& check, std::string_view field, PlanVector direction);
+/// For ElementInfo; `direction` has length 1, or is zero for an element that acts in both directions.
+std::shared_ptr<const ElementDetails> plan_details(const PlanPoint& first, const PlanPoint& second,
+                                                   PlanVector direction);
+
+}  // namespace moat
