@@ -38,6 +38,13 @@ std::array<double, 2> standstill_times(double velocity, double acceleration, dou
   return times;
 }
 
+void check_as_many(const GroundMotion& motion, const std::vector<double>& samples, const std::string& component) {
+  const std::size_t count = motion.samples().size();
+  Check{"GroundMotion", motion.name()}.that(samples.size() == count, "number of samples of the " + component,
+                                            static_cast<double>(samples.size()), "1",
+                                            "that of the component along x, " + std::to_string(count));
+}
+
 }  // namespace
 
 GroundMotion::GroundMotion(const GroundMotion& other) = default;
@@ -81,9 +88,7 @@ std::vector<MotionComponent> GroundMotion::components() const {
 
 GroundMotion GroundMotion::with_component_y(std::vector<double> samples, const GroundMotion& first,
                                             const GroundMotion& second) const {
-  Check{"GroundMotion", name_}.that(samples.size() == samples_.size(), "number of samples of the component along y",
-                                    static_cast<double>(samples.size()), "1",
-                                    "that of the component along x, " + std::to_string(samples_.size()));
+  check_as_many(*this, samples, "component along y");
   check_samples(samples, "component along y, ");
   GroundMotion motion = *this;
   motion.samples_y_ = std::move(samples);
@@ -95,9 +100,7 @@ GroundMotion GroundMotion::with_component_y(std::vector<double> samples, const G
 }
 
 GroundMotion GroundMotion::with_component_z(std::vector<double> samples) const {
-  Check{"GroundMotion", name_}.that(samples.size() == samples_.size(), "number of samples of the vertical component",
-                                    static_cast<double>(samples.size()), "1",
-                                    "that of the component along x, " + std::to_string(samples_.size()));
+  check_as_many(*this, samples, "vertical component");
   check_samples(samples, "vertical component, ");
   GroundMotion motion = *this;
   motion.samples_z_ = std::move(samples);
