@@ -53,6 +53,8 @@ StepView Transient::view(bool on_grid) const {
 }
 
 void Transient::advance() {
+  if (!state_.fits_model())
+    throw InputError{"Transient: the model was added to while it is being analysed. Make a new Transient after that."};
   try {
     take_and_report_step();
   } catch (...) {
@@ -62,8 +64,6 @@ void Transient::advance() {
 }
 
 void Transient::take_and_report_step() {
-  if (!state_.fits_model())
-    throw InputError{"Transient: the model was added to while it is being analysed. Make a new Transient after that."};
   observers_.start(view(true));
   if (grid_.reaches_end_of_motion(state_.time())) end_motion();
   method_ = std::ranges::find_if(methods_.by_preference, [](const auto& each) { return each->applies(); })->get();
@@ -107,7 +107,10 @@ void Transient::end_motion() {
   observers_.event(view(false), {});
 }
 
-void Transient::finish() { observers_.finish(view(true)); }
+void Transient::finish() {
+  // Observers would ask the state for elements that only the model has by now.
+  if (state_.fits_model()) observers_.finish(view(true));
+}
 
 void Transient::run(const std::function<bool()>& stop) {
   const double started = process_seconds();

@@ -161,11 +161,15 @@ TEST(AnalysisState, WhatIsAddedToACopyOfTheModelIsNotInTheOriginal) {
 TEST(AnalysisState, DoesNotFitAModelThatWasAddedTo) {
   Isolated made = isolated_storey();
   Transient analysis{made.model, shaking(), fixed_step};
+  EnergyLedger ledger;
+  analysis.attach(ledger);
   analysis.advance();
   EXPECT_TRUE(analysis.state().fits_model());
   add(made.model, ViscousDamper{.name = "later", .lower = ground, .upper = made.base, .damping = 1 * kN * s / m});
   EXPECT_FALSE(analysis.state().fits_model());
   EXPECT_NE(testing::message_of([&] { analysis.advance(); }).find("the model was added to"), std::string::npos);
+  analysis.finish();
+  EXPECT_EQ(ledger.at_end().input, 0.0) << "the ledger would walk over elements without a state";
   const std::string refusal =
       "Transient \"synthetic shaking\": the state is that of another model, or of this one before something was added "
       "to it. Give a state that an analysis of this model reached, or none.";
