@@ -17,6 +17,7 @@ template void add(Model&, const PlanarSpring<BiaxialBilinear>&);
 template void add(Model&, const PlanarSpring<BiaxialBoucWen>&);
 template void add(Model&, const PlanarSpring<BiaxialFrictionPendulum>&);
 template void add(Model&, const PlanarSpring<BiaxialGrantRubber>&);
+template void add(Model&, const PlanarSpring<BiaxialLinear>&);
 template void add(Model&, const PlanSpring<Linear>&);
 template void add(Model&, const PlanSpring<Viscous>&);
 

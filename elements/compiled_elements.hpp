@@ -27,6 +27,7 @@ extern template void add(Model&, const PlanarSpring<BiaxialBilinear>&);
 extern template void add(Model&, const PlanarSpring<BiaxialBoucWen>&);
 extern template void add(Model&, const PlanarSpring<BiaxialFrictionPendulum>&);
 extern template void add(Model&, const PlanarSpring<BiaxialGrantRubber>&);
+extern template void add(Model&, const PlanarSpring<BiaxialLinear>&);
 extern template void add(Model&, const PlanSpring<Linear>&);
 extern template void add(Model&, const PlanSpring<Viscous>&);
 

@@ -38,6 +38,7 @@ Resultants::Resultants(const Model& model) {
   if (!model.is_plan()) return;
   for (int i = 0; i < model.degrees_of_freedom(); ++i) partners_.push_back(i);
   for (const PlacedDiaphragm& diaphragm : model.diaphragms()) {
+    if (diaphragm.id.x.is_follower()) continue;
     partners_[static_cast<std::size_t>(diaphragm.id.x.index)] = diaphragm.id.y.index;
     partners_[static_cast<std::size_t>(diaphragm.id.y.index)] = diaphragm.id.x.index;
   }
@@ -80,7 +81,7 @@ AccelerationScales::AccelerationScales(const AnalysisState& state, double peak_g
   own_ = values_;
   outside_contact_ = values_;
   of_building_.setZero(static_cast<Eigen::Index>(touching_.size()));
-  for (int i = 0; i < static_cast<int>(building_.size()); ++i) {
+  for (int i = 0; i < state.model().degrees_of_freedom(); ++i) {
     const int building = building_[static_cast<std::size_t>(i)];
     if (runs_.empty() || runs_.back().building != building) runs_.push_back({i, i, building});
     runs_.back().end = i + 1;
@@ -105,7 +106,8 @@ void AccelerationScales::regimes_changed(const AnalysisState& state) {
       const ContactView contact = state.elements(b).contact(e);
       if (!contact.touching) continue;
       for (const NodeId end : {block.info(e).first, block.info(e).second})
-        for (const NodeId node : state.model().body_of(end)) {
+        for (const NodeId node : state.model().struck_with(end)) {
+          if (node.is_follower()) continue;
           touching_[static_cast<std::size_t>(building_[static_cast<std::size_t>(node.index)])] = 1;
           raised_.push_back({node.index, lenience_in_contact * contact.expected_force / masses[node.index]});
         }

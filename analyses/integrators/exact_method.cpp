@@ -23,9 +23,12 @@ ExactMethod::ExactMethod(AnalysisState& state, double longest_step, double toler
       stiffness_{state.zero_matrix()},
       damping_{stiffness_} {
   const Check check{"TransientOptions", ""};
-  check.that(state.model().moves_along_x(),
-             "integrator: ExactBetweenEvents{} takes models on a line; this one moves in plan or in generalised "
-             "coordinates.",
+  const GroundColumns influence = state.model().ground_influence();
+  const auto moved = [&](const double* values) {
+    return std::any_of(values, values + state.model().degrees_of_freedom(), [](double share) { return share != 0.0; });
+  };
+  check.that(!moved(influence.y) && !moved(influence.z),
+             "integrator: ExactBetweenEvents{} takes models on a line; the ground moves this one along y or z too.",
              "Use Newmark{}, the default.");
   check.that(state.model().degrees_of_freedom() <= most_degrees_of_freedom,
              "integrator = ExactBetweenEvents{} is for at most " + std::to_string(most_degrees_of_freedom) +
@@ -53,7 +56,8 @@ void ExactMethod::linearise() {
     if (systems_.size() == most_systems) systems_.clear();
     // The cubic through the ends of a vibration misses it by phase^4/384 of its amplitude.
     const double phase = std::pow(384.0 * cubics_within * tolerance_, 0.25);
-    known = systems_.emplace(systems_.end(), stiffness_, damping_, mass, Vector::Ones(size), longest_step_,
+    known = systems_.emplace(systems_.end(), stiffness_, damping_, mass,
+                             Eigen::Map<const Vector>{state_->model().ground_influence().x, size}, longest_step_,
                              std::min(0.5, phase));
   }
   system_ = &*known;

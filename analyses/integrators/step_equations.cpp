@@ -199,6 +199,7 @@ bool StepEquations::compute_residual(const Vector& acceleration, Vector& residua
   });
   // A floor in plan is one place: forces that cancel in one of its directions leave round-off of those in another.
   for (const PlacedDiaphragm& diaphragm : state_->model().diaphragms()) {
+    if (diaphragm.id.x.is_follower()) continue;
     const int first = diaphragm.id.x.index;
     const double largest = std::max(scales[first], scales[first + 2]);
     for (int i = first; i < first + 3; ++i) scales[i] = largest;

@@ -28,6 +28,7 @@ std::vector<int> indices_of(const Model& model, const std::vector<NodeId>& nodes
   for (const NodeId first : nodes)
     for (const NodeId node : model.body_of(first)) indices.push_back(node.index);
   std::ranges::sort(indices);
+  indices.erase(std::ranges::unique(indices).begin(), indices.end());
   return indices;
 }
 
@@ -97,12 +98,10 @@ std::vector<NamedPeriod> characteristic_periods(const Model& model, std::size_t 
     }
     std::vector<int> superstructure;
     std::ranges::set_difference(nodes, held, std::back_inserter(superstructure));
-    // With the building rigid only its isolators deform: the sum of all entries of its stiffness.
-    double mass = 0.0, isolation_stiffness = 0.0;
-    for (const int node : nodes) {
-      mass += masses.col(node).sum();
-      isolation_stiffness += post_yield.col(node).sum();
-    }
+    // With the building rigid only its isolators deform: it moves by 1, as on the moving ground.
+    Vector rigid = Vector::Zero(masses.rows());
+    for (const int node : nodes) rigid[node] = model.ground_influence().x[node];
+    const double mass = rigid.dot(masses * rigid), isolation_stiffness = rigid.dot(post_yield * rigid);
     report("fixed base", first_period(initial, masses, superstructure));
     if (isolation_stiffness > 0.0)
       report("isolation, rigid building", 2.0 * std::numbers::pi * std::sqrt(mass / isolation_stiffness));

@@ -34,7 +34,7 @@ std::string subject(const Model& model, const std::vector<int>& part, int number
   constexpr std::size_t most = 4;
   std::vector<std::string> names;
   for (int i = 0; i < model.degrees_of_freedom(); ++i)
-    if (part[static_cast<std::size_t>(i)] == number && model.body_of(NodeId{i}).front() == NodeId{i})
+    if (part[static_cast<std::size_t>(i)] == number && model.body(NodeId{i}).first == NodeId{i})
       names.emplace_back(model.body_name(NodeId{i}));
   if (names.size() > most) names = {names[0], names[1], names[2], std::to_string(names.size() - 3) + " more"};
   std::string text = names[0];
@@ -100,18 +100,18 @@ void check_held(const AnalysisState& state) {
 }
 
 void check_gap_directions(const Model& model) {
-  std::vector<int> body(static_cast<std::size_t>(model.degrees_of_freedom()));
-  for (int i = 0; i < model.degrees_of_freedom(); ++i) body[static_cast<std::size_t>(i)] = -1 - i;
+  std::vector<int> body(static_cast<std::size_t>(model.nodes()));
+  for (int i = 0; i < model.nodes(); ++i) body[static_cast<std::size_t>(i)] = -1 - i;
   for (std::size_t b = 0; b < model.buildings().size(); ++b)
     for (const NodeId node : model.buildings()[b].nodes())
-      body[static_cast<std::size_t>(node.index)] = static_cast<int>(b);
+      body[static_cast<std::size_t>(model.place(node))] = static_cast<int>(b);
   std::map<std::pair<int, int>, const ElementInfo*> known;  // by the bodies on the left and on the right
   for (const auto& block : model.blocks())
     for (std::size_t e = 0; block->kind().contacts && !model.is_plan() && e < block->size(); ++e) {
       const ElementInfo& gap = block->info(e);
       if (gap.first == ground || gap.second == ground) continue;
-      const int right = body[static_cast<std::size_t>(gap.first.index)],
-                left = body[static_cast<std::size_t>(gap.second.index)];
+      const int right = body[static_cast<std::size_t>(model.place(gap.first))],
+                left = body[static_cast<std::size_t>(model.place(gap.second))];
       known.try_emplace({left, right}, &gap);
       const auto other = known.find({right, left});
       if (left == right || other == known.end() || (encloses(model, gap) && encloses(model, *other->second))) continue;

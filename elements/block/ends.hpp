@@ -1,15 +1,15 @@
 // Where the two ends of an element are attached, and how it scatters from there.
 #pragma once
 
-#include <array>
+#include <algorithm>
 #include <concepts>
-#include <cstddef>
-#include <span>
 #include <type_traits>
+#include <vector>
 
 #include "base/plan_vector.hpp"
 #include "model/element_block.hpp"
 #include "model/mass_matrix.hpp"
+#include "model/model.hpp"
 #include "model/node.hpp"
 
 namespace moat {
@@ -73,72 +73,71 @@ class EndsOf {
  public:
   using Vector = Weight;                                                                  ///< As NodePair.
   using Matrix = std::conditional_t<std::is_same_v<Weight, double>, double, PlanMatrix>;  ///< As NodePair.
-  static constexpr std::size_t most = 6;                                                  ///< degrees of freedom
+
+  /// A degree of freedom, by its index, and its weight.
+  struct Term {
+    int index;      ///< in global arrays
+    Weight weight;  ///< 1, or of two directions
+  };
 
   EndsOf() = default;
   /// At points between nodes, the second with the sign plus. A node on both sides has the sum of its weights, and is
   /// left out where that vanishes because it moves both sides alike.
-  EndsOf(const MemberPoint& first, const MemberPoint& second) requires std::same_as<Weight, double> {
-    add(first.node, first.share - 1.0);
-    add(first.other, -first.share);
-    add(second.node, 1.0 - second.share);
-    add(second.other, second.share);
+  EndsOf(const Model& model, const MemberPoint& first,
+         const MemberPoint& second) requires std::same_as<Weight, double> {
+    add(model, first.node, first.share - 1.0);
+    add(model, first.other, -first.share);
+    add(model, second.node, 1.0 - second.share);
+    add(model, second.other, second.share);
   }
-  /// Adds a degree of freedom, unless it is the ground or the weight is zero.
-  void add(NodeId node, Weight weight) {
-    if (node == ground || weight == Weight{}) return;
-    std::size_t i = 0;
-    while (i < count_ && nodes_[i] != node.index) ++i;
-    if (i == count_) weights_[count_++] = Weight{};
-    nodes_[i] = node.index;
-    weights_[i] += weight;
-    constexpr double round_off = 1e-12;
-    if (dot(weights_[i], weights_[i]) >= round_off * round_off) return;
-    --count_;
-    nodes_[i] = nodes_[count_];
-    weights_[i] = weights_[count_];
+  /// Adds a node, unless it is the ground or the weight is zero.
+  void add(const Model& model, NodeId node, Weight weight) {
+    for (const MotionShare& share : model.shares(node)) add(share.node.index, share.weight * weight);
   }
 
-  /// The indices of all degrees of freedom.
-  [[nodiscard]] std::span<const int> nodes() const { return {nodes_.data(), count_}; }
-  /// Their weights.
-  [[nodiscard]] std::span<const Weight> weights() const { return {weights_.data(), count_}; }
+  /// All degrees of freedom.
+  [[nodiscard]] const std::vector<Term>& terms() const { return terms_; }
   /// The change of the difference under a unit impulse, 1/kg.
   [[nodiscard]] double mobility(const MassMatrix& mass) const requires std::same_as<Weight, double> {
-    return mass.mobility(nodes(), weights(), weights());
+    std::vector<int> indices;
+    std::vector<double> weights;
+    for (const Term& term : terms_) {
+      indices.push_back(term.index);
+      weights.push_back(term.weight);
+    }
+    return mass.mobility(indices, weights, weights);
   }
 
   /// As NodePair.
   void add_couplings(Couplings& couplings) const {
-    for (const int a : nodes())
-      for (const int b : nodes()) couplings.couple(a, b);
+    for (const Term& a : terms_)
+      for (const Term& b : terms_) couplings.couple(a.index, b.index);
   }
   /// Nothing to do: the ground is never among the degrees of freedom.
   void put_ground_at(int) {}
   /// As NodePair.
   [[nodiscard]] Weight difference(const double* values) const {
     Weight sum{};
-    for (std::size_t i = 0; i < count_; ++i) sum += values[nodes_[i]] * weights_[i];
+    for (const Term& term : terms_) sum += values[term.index] * term.weight;
     return sum;
   }
   /// As NodePair.
   void add_force(Weight force, double* forces) const {
-    for (std::size_t i = 0; i < count_; ++i) forces[nodes_[i]] += dot(weights_[i], force);
+    for (const Term& term : terms_) forces[term.index] += dot(term.weight, force);
   }
 
   /// As NodePair::Slots.
   class Slots {
    public:
     Slots(const EndsOf& ends, const SparseMatrix& matrix) {
-      for (std::size_t i = 0; i < ends.count_; ++i)
-        for (std::size_t j = 0; j < ends.count_; ++j)
-          slot_[i][j] = entry_position(matrix, ends.nodes_[i], ends.nodes_[j]);
+      for (const Term& row : ends.terms_)
+        for (const Term& column : ends.terms_) positions_.push_back(entry_position(matrix, row.index, column.index));
     }
     /// Adds a stiffness between both ends, N/m.
     void add_stiffness(const EndsOf& ends, Matrix stiffness, double* values) const {
-      for (std::size_t i = 0; i < ends.count_; ++i)
-        for (std::size_t j = 0; j < ends.count_; ++j)
-          values[slot_[i][j]] += product(ends.weights_[i], ends.weights_[j], stiffness);
+      const int* position = positions_.data();
+      for (const Term& row : ends.terms_)
+        for (const Term& column : ends.terms_) values[*position++] += product(row.weight, column.weight, stiffness);
     }
 
    private:
@@ -146,13 +145,19 @@ class EndsOf {
     static double product(PlanVector a, PlanVector b, PlanMatrix stiffness) {
       return dot({a.x * stiffness.xx + a.y * stiffness.yx, a.x * stiffness.xy + a.y * stiffness.yy}, b);
     }
-    std::array<std::array<int, most>, most> slot_{};
+    std::vector<int> positions_;  // row by row
   };
 
  private:
-  std::size_t count_ = 0;
-  std::array<int, most> nodes_{};
-  std::array<Weight, most> weights_{};
+  void add(int index, Weight weight) {
+    auto known = std::ranges::find(terms_, index, &Term::index);
+    if (known == terms_.end()) known = terms_.insert(known, {index, Weight{}});
+    known->weight += weight;
+    constexpr double round_off = 1e-12;
+    if (dot(known->weight, known->weight) < round_off * round_off) terms_.erase(known);
+  }
+
+  std::vector<Term> terms_;
 };
 
 /// Between points on columns, and between points in plan along one direction.

@@ -11,6 +11,9 @@
 
 namespace moat {
 
+/// The places inside a step of Lobatto's rule with four points: (1 -+ 1/sqrt(5))/2.
+inline constexpr std::array lobatto_inside{0.27639320225002103, 0.72360679774997897};
+
 /// Work and dissipation of every link of a block, added up step by step.
 ///
 ///     work = integral of F d' dt        dissipated = integral of dissipation_rate dt
@@ -62,7 +65,7 @@ class LinkEnergies {
 
   /// Adds work and dissipation of a step to every account.
   void add_step(const Step& step, WorkRule rule) {
-    const std::array places{HermiteQuinticsAt{inside[0], step.length}, HermiteQuinticsAt{inside[1], step.length}};
+    const std::array places{HermiteQuinticsAt{lobatto_inside[0], step.length}, HermiteQuinticsAt{lobatto_inside[1], step.length}};
     for (std::size_t i = 0; i < accounts_.size(); ++i) {
       const Load end{step.forces[i], power(step.laws[i], step.trial[i], step.end.deformations[i], step.end.rates[i])};
       if (step.length > 0.0) {
@@ -88,8 +91,6 @@ class LinkEnergies {
   }
 
  private:
-  static constexpr std::array inside{0.27639320225002103, 0.72360679774997897};  // (1 -+ 1/sqrt(5))/2
-
   struct Account {
     double work = 0.0, dissipated = 0.0, stored_at_start = 0.0;
   };
@@ -125,7 +126,7 @@ class LinkEnergies {
       const Vector deformation = places[k].value(d0, v0, a0, d1, v1, a1), rate = places[k].rate(d0, v0, a0, d1, v1, a1);
       State after;
       const ResponseOf<Law> response =
-          respond_over(step.laws[i], step.committed[i], {deformation, rate}, {d0, v0}, inside[k] * h,
+          respond_over(step.laws[i], step.committed[i], {deformation, rate}, {d0, v0}, lobatto_inside[k] * h,
                        step.axial_forces.empty() ? 0.0 : step.axial_forces[i], after);
       work += 5.0 * dot(response.force, rate);
       dissipated += 5.0 * power(step.laws[i], step.committed[i], deformation, rate);

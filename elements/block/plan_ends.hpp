@@ -1,8 +1,8 @@
 // Both ends of an element at points in plan.
 #pragma once
 
-#include <array>
 #include <utility>
+#include <vector>
 
 #include "elements/block/ends.hpp"
 #include "elements/block/plan_point.hpp"
@@ -19,9 +19,9 @@ class PlanEnds : public EndsOf<PlanVector> {
     for (const auto& [point, sign] : {std::pair{&first, -1.0}, {&second, 1.0}}) {
       const PlanRow along = row_of(model, *point, direction), across = row_of(model, *point, turned_left(direction));
       for (std::size_t i = 0; i < along.node.size(); ++i) {
-        add(along.node[i], sign * PlanVector{along.weight[i], across.weight[i]});
-        along_.add(along.node[i], sign * along.weight[i]);
-        across_.add(along.node[i], sign * across.weight[i]);
+        add(model, along.node[i], sign * PlanVector{along.weight[i], across.weight[i]});
+        along_.add(model, along.node[i], sign * along.weight[i]);
+        across_.add(model, along.node[i], sign * across.weight[i]);
       }
     }
   }
@@ -30,13 +30,14 @@ class PlanEnds : public EndsOf<PlanVector> {
   [[nodiscard]] const WeightedEnds& across() const { return across_; }  ///< The difference across it.
   /// The change of either difference under a unit impulse along the other, 1/kg.
   [[nodiscard]] double cross_mobility(const MassMatrix& mass) const {
-    std::array<double, most> along{}, across{};
-    const std::size_t count = nodes().size();
-    for (std::size_t i = 0; i < count; ++i) {
-      along[i] = weights()[i].x;
-      across[i] = weights()[i].y;
+    std::vector<int> indices;
+    std::vector<double> along, across;
+    for (const Term& term : terms()) {
+      indices.push_back(term.index);
+      along.push_back(term.weight.x);
+      across.push_back(term.weight.y);
     }
-    return mass.mobility(nodes(), {along.data(), count}, {across.data(), count});
+    return mass.mobility(indices, along, across);
   }
 
  private:

@@ -41,7 +41,7 @@ Check check_gap(const Model& model, const GapPlace& gap) {
 }
 
 double effective_mass(const Model& model, const Check& check, const MemberPoint& first, const MemberPoint& second) {
-  const double mobility = WeightedEnds{first, second}.mobility(model.mass_matrix());
+  const double mobility = WeightedEnds{model, first, second}.mobility(model.mass_matrix());
   check.that(mobility > 0.0, "left and right are the same point, so that the gap never changes.",
              "Give two points that move towards each other.");
   return 1.0 / mobility;

@@ -64,10 +64,10 @@ ElementInfo register_gap(Model& model, const GapPlace& gap, std::optional<LawAsG
 template <ContactLaw Contact>
 void add_contact(Model& model, ElementInfo info, const Contact& law, double effective_mass, const MemberPoint& left,
                  const MemberPoint& right) {
-  if (left.is_node() && right.is_node())
+  if (left.is_node() && right.is_node() && !left.node.is_follower() && !right.node.is_follower())
     model.block<LinkBlock<Contact>>().add(std::move(info), law, effective_mass);
   else
-    model.block<LinkBlock<Contact, WeightedEnds>>().add(std::move(info), law, WeightedEnds{right, left},
+    model.block<LinkBlock<Contact, WeightedEnds>>().add(std::move(info), law, WeightedEnds{model, right, left},
                                                         effective_mass);
 }
 

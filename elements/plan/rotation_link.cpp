@@ -15,7 +15,7 @@ WeightedEnds rotation_of(const Model& model, NodeId lower, NodeId upper) {
   WeightedEnds ends;
   for (const auto& [body, sign] : {std::pair{lower, -1.0}, {upper, 1.0}})
     if (const PlacedDiaphragm* diaphragm = model.diaphragm_of(body))
-      ends.add(diaphragm->id.r, sign / diaphragm->gyration);
+      ends.add(model, diaphragm->id.r, sign / diaphragm->gyration);
   return ends;
 }
 

@@ -6,11 +6,13 @@
 #include "materials/plan/biaxial_bouc_wen.hpp"
 #include "materials/plan/biaxial_friction_pendulum.hpp"
 #include "materials/plan/biaxial_grant_rubber.hpp"
+#include "materials/plan/biaxial_linear.hpp"
 
 namespace moat {
 
 /// Every law of two components. A law in this list passes the tests of all of them. CONTRIBUTING.md shows how to add
 /// one.
-using AllPlanarLaws = LawList<BiaxialBilinear, BiaxialBoucWen, BiaxialFrictionPendulum, BiaxialGrantRubber>;
+using AllPlanarLaws =
+    LawList<BiaxialBilinear, BiaxialBoucWen, BiaxialFrictionPendulum, BiaxialGrantRubber, BiaxialLinear>;
 
 }  // namespace moat

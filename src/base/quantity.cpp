@@ -12,11 +12,11 @@ struct NamedUnit {
 };
 
 constexpr std::array named_units{
-    NamedUnit{0, 0, 0, "1"},        NamedUnit{1, 0, 0, "kg"},   NamedUnit{0, 2, 0, "m"},
-    NamedUnit{0, 0, 1, "s"},        NamedUnit{0, 0, -1, "1/s"}, NamedUnit{0, 2, -1, "m/s"},
-    NamedUnit{0, 2, -2, "m/s^2"},   NamedUnit{1, 2, -2, "N"},   NamedUnit{1, 4, -2, "J"},
-    NamedUnit{1, 4, -3, "W"},       NamedUnit{1, 0, -2, "N/m"}, NamedUnit{1, 0, -1, "N s/m"},
-    NamedUnit{1, -1, -2, "N/m^1.5"}};
+    NamedUnit{0, 0, 0, "1"},         NamedUnit{1, 0, 0, "kg"},   NamedUnit{0, 2, 0, "m"},
+    NamedUnit{0, 0, 1, "s"},         NamedUnit{0, 0, -1, "1/s"}, NamedUnit{0, 2, -1, "m/s"},
+    NamedUnit{0, 2, -2, "m/s^2"},    NamedUnit{1, 2, -2, "N"},   NamedUnit{1, 4, -2, "J"},
+    NamedUnit{1, 4, -3, "W"},        NamedUnit{1, 0, -2, "N/m"}, NamedUnit{1, 0, -1, "N s/m"},
+    NamedUnit{1, -1, -2, "N/m^1.5"}, NamedUnit{1, -2, -2, "Pa"}, NamedUnit{1, -6, 0, "kg/m^3"}};
 
 void append_power(std::string& text, const char* base, int halves) {
   if (halves == 0) return;

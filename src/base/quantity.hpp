@@ -131,6 +131,14 @@ using RotaryInertia = Quantity<1, 4, 0>;
 using Angle = Dimensionless;
 /// N/m^1.5, the stiffness of a Hertz contact
 using HertzStiffness = Quantity<1, -1, -2>;
+/// m^2
+using Area = Quantity<0, 4, 0>;
+/// m^4, the second moment of an area
+using SecondMoment = Quantity<0, 8, 0>;
+/// kg/m^3
+using Density = Quantity<1, -6, 0>;
+/// Pa, a modulus of elasticity
+using Modulus = Quantity<1, -2, -2>;
 
 /// The SI unit of a dimension as it is written in output and messages: "m", "N/m^1.5", "1".
 std::string unit_symbol(int mass, int half_length, int time);

@@ -31,6 +31,10 @@ inline constexpr std::array dimensions{
     Dimension{known_unit("Stiffness", Stiffness{}), "a stiffness [N/m]", "N / m"},
     Dimension{known_unit("DampingCoefficient", DampingCoefficient{}), "a damping coefficient [N s/m]", "N * s / m"},
     Dimension{known_unit("HertzStiffness", HertzStiffness{}), "a Hertz stiffness [N/m^1.5]", "N / m_3_2"},
+    Dimension{known_unit("Area", Area{}), "an area [m^2]", "m_2"},
+    Dimension{known_unit("SecondMoment", SecondMoment{}), "a second moment of area [m^4]", "m_4"},
+    Dimension{known_unit("Density", Density{}), "a density [kg/m^3]", "kg / m_3"},
+    Dimension{known_unit("Modulus", Modulus{}), "a modulus [Pa]", "Pa"},
 };
 
 inline std::string words_of(const KnownUnit& unit) {
@@ -58,7 +62,11 @@ inline std::string dimension_of_type(const std::string& type) {
 /// and for a unit that the script, `code`, declares itself.
 inline std::string dimension_of_value(const std::string& value, const std::string& code) {
   static const std::regex number_of_script{R"([-+]?(\d+\.?\d*|\.\d+)([eE][-+]?\d+)?)"};
-  static constexpr auto units = common_units_and(std::array{known_unit("m_3_2", units::m_3_2)});
+  static constexpr auto units = common_units_and(
+      std::array{known_unit("m_3_2", units::m_3_2), known_unit("m_2", units::m_2), known_unit("cm_2", units::cm_2),
+                 known_unit("mm_2", units::mm_2), known_unit("m_3", units::m_3), known_unit("m_4", units::m_4),
+                 known_unit("cm_4", units::cm_4), known_unit("mm_4", units::mm_4), known_unit("Pa", units::Pa),
+                 known_unit("kPa", units::kPa), known_unit("MPa", units::MPa), known_unit("GPa", units::GPa)});
   KnownUnit product;
   int sign = 1;
   if (value.size() > longest_line) return "";

@@ -34,8 +34,14 @@ AnalysisState::AnalysisState(const Model& model)
   }
 }
 
-void AnalysisState::refuse(NodeId node) const {
-  model_->require_node(node, Check{"AnalysisState", ""}, "node");
+double AnalysisState::value_of_other(const Vector& values, NodeId node) const {
+  if (node == ground) return 0.0;
+  const std::span<const MotionShare> shares = model_->shares(node);
+  if (node.is_follower()) {
+    double sum = 0.0;
+    for (const MotionShare& share : shares) sum += share.weight * values[share.node.index];
+    return sum;
+  }
   throw InputError{"AnalysisState: the node \"" + std::string{model_->node_name(node)} +
                    "\" was added after this state was made. Make a new analysis of the model."};
 }

@@ -33,11 +33,11 @@ class AnalysisState {
   [[nodiscard]] const MotionState& motion() const { return motion_; }  ///< The committed motion.
   /// Committed motion of a node relative to the ground: m, m/s, m/s^2. Zero for the ground. Throws InputError for a
   /// node that is not of this model.
-  [[nodiscard]] double displacement(NodeId node) const { return motion_.displacement[entry(node)]; }
-  [[nodiscard]] double velocity(NodeId node) const { return motion_.velocity[entry(node)]; }  ///< m/s, relative.
-  [[nodiscard]] double acceleration(NodeId node) const { return motion_.acceleration[entry(node)]; }  ///< m/s^2.
+  [[nodiscard]] double displacement(NodeId node) const { return value(motion_.displacement, node); }
+  [[nodiscard]] double velocity(NodeId node) const { return value(motion_.velocity, node); }  ///< m/s, relative.
+  [[nodiscard]] double acceleration(NodeId node) const { return value(motion_.acceleration, node); }  ///< m/s^2.
   /// Rate of the node's absolute acceleration, m/s^3.
-  [[nodiscard]] double jerk(NodeId node) const { return motion_.jerk[entry(node)]; }
+  [[nodiscard]] double jerk(NodeId node) const { return value(motion_.jerk, node); }
   /// rad, counter-clockwise, of a diaphragm.
   [[nodiscard]] double rotation(DiaphragmId id) const { return displacement(id.r) / model_->diaphragm(id).gyration; }
   /// rad/s
@@ -112,14 +112,13 @@ class AnalysisState {
   [[nodiscard]] double shortest_contact() const;
 
  private:
-  // Returns the entry of a node in vectors of the motion, whose last entry is that of the ground.
-  [[nodiscard]] Eigen::Index entry(NodeId node) const {
-    const Eigen::Index of_ground = motion_.displacement.size() - 1;
-    if (node == ground) return of_ground;
-    if (node.index < 0 || node.index >= of_ground) refuse(node);
-    return node.index;
+  // Returns the value of a node in a vector of the motion.
+  [[nodiscard]] double value(const Vector& values, NodeId node) const {
+    const bool is_entry = node.index >= 0 && node.index < values.size() - 1;
+    return is_entry ? values[node.index] : value_of_other(values, node);
   }
-  [[noreturn]] void refuse(NodeId node) const;
+  // Of the ground, and of a follower.
+  [[nodiscard]] double value_of_other(const Vector& values, NodeId node) const;
 
   const Model* model_;
   long additions_;

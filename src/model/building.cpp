@@ -74,26 +74,30 @@ std::vector<NodeId> Building::nodes() const {
 
 std::vector<std::vector<ElementId>> isolators_of(const Model& model, std::span<const Building> buildings) {
   constexpr int none = -1;
-  std::vector<int> building_of_node(static_cast<std::size_t>(model.degrees_of_freedom()), none);
+  std::vector<int> building_of_node(static_cast<std::size_t>(model.nodes()), none);
   for (std::size_t b = 0; b < buildings.size(); ++b)
     for (const NodeId node : buildings[b].nodes())
-      building_of_node[static_cast<std::size_t>(node.index)] = static_cast<int>(b);
+      building_of_node[static_cast<std::size_t>(model.place(node))] = static_cast<int>(b);
   std::vector<std::vector<ElementId>> found(buildings.size());
   for_each_element(model, [&](ElementId id, const ElementInfo& info) {
     const NodeId node = isolated_node(info);
     if (node == ground) return;
-    const int building = building_of_node[static_cast<std::size_t>(node.index)];
+    const int building = building_of_node[static_cast<std::size_t>(model.place(node))];
     if (building != none) found[static_cast<std::size_t>(building)].push_back(id);
   });
   return found;
 }
 
 std::vector<int> connected_parts(const Model& model) {
-  NodeSets parts{model.degrees_of_freedom()};
+  NodeSets parts{model.nodes()};
   for (const Body& body : model.bodies())
-    for (const NodeId node : model.body_of(body.first)) parts.join(body.first.index, node.index);
+    for (const NodeId node : model.nodes_of_body(body.first))
+      for (const NodeId moving : model.body_of(body.first)) parts.join(moving.index, model.place(node));
   for_each_element(model, [&](ElementId id, const ElementInfo& info) {
-    if (!model.blocks()[id.block]->kind().contacts) parts.join(info.first.index, info.second.index);
+    if (model.blocks()[id.block]->kind().contacts) return;
+    parts.join(model.place(info.first), model.place(info.second));
+    if (const std::vector<NodeId>* joined = info.joined())
+      for (const NodeId node : *joined) parts.join(joined->front().index, node.index);
   });
   return parts.numbers();
 }
@@ -105,14 +109,14 @@ std::vector<Building> all_buildings(const Model& model) {
   std::vector<int> building_of_part(part.size(), none);
   for (const Building& building : buildings)
     for (const NodeId node : building.nodes())
-      building_of_part[static_cast<std::size_t>(part[static_cast<std::size_t>(node.index)])] = known;
+      building_of_part[static_cast<std::size_t>(part[static_cast<std::size_t>(model.place(node))])] = known;
   std::vector<bool> isolated(part.size(), false);
   for_each_element(model, [&](ElementId, const ElementInfo& info) {
-    if (const NodeId node = isolated_node(info); node != ground) isolated[static_cast<std::size_t>(node.index)] = true;
+    if (const NodeId node = isolated_node(info); node != ground) isolated[static_cast<std::size_t>(model.place(node))] = true;
   });
   for (int node = 0; node < model.degrees_of_freedom(); ++node) {
     // A diaphragm counts once.
-    if (model.body_of(NodeId{node}).front() != NodeId{node}) continue;
+    if (model.body(NodeId{node}).first != NodeId{node}) continue;
     int& building = building_of_part[static_cast<std::size_t>(part[static_cast<std::size_t>(node)])];
     if (building == known) continue;
     if (building == none) {

@@ -8,11 +8,33 @@
 
 #include "base/check.hpp"
 #include "base/places.hpp"
+#include "model/body.hpp"
 #include "model/node.hpp"
 
 namespace moat {
 
 class Model;
+
+/// An element, by its place in a model.
+struct ElementId {
+  std::size_t block = 0;    ///< index into Model::blocks()
+  std::size_t element = 0;  ///< index in that block
+};
+
+/// A share of the force of an element.
+struct ForceShare {
+  ElementId element;    ///< with one component
+  double weight = 0.0;  ///< 1, or the arm of a moment in m
+};
+
+/// A result of a storey that is a sum over displacements of nodes and forces of elements: a drift, a shear, a moment.
+struct StoreyResult {
+  std::string quantity;                      ///< "storey_shear"
+  std::string place;                         ///< "storey 1"
+  std::string unit;                          ///< "N"
+  std::vector<MotionShare> displacements{};  ///< Weights in the unit of the result per m.
+  std::vector<ForceShare> forces{};          ///< Weights in the unit of the result per N.
+};
 
 /// A building: floors above each other, on a base or on the ground. Periods, charts and reports use it; it has no
 /// effect on forces. A ShearBuilding adds one itself; add one when you build from nodes and elements:
@@ -29,6 +51,10 @@ struct Building {
   NodeId base = ground;
   /// From the lowest up.
   Places<NodeId, floors_remedy> floors{};
+  /// Results besides those that every building has.
+  std::vector<StoreyResult> storey_results{};
+  /// Sentences about its input, which results repeat.
+  std::vector<std::string> notes{};
 
   /// By its number in names: floor(1) is the lowest. Throws InputError outside 1 to the number of floors.
   [[nodiscard]] NodeId floor(int number) const { return floors.numbered(number, Check{"Building", name}, "floor"); }
@@ -39,17 +65,11 @@ struct Building {
   [[nodiscard]] std::string base_name() const { return name.empty() ? "base" : name + " base"; }
 };
 
-/// An element, by its place in a model.
-struct ElementId {
-  std::size_t block = 0;    ///< index into Model::blocks()
-  std::size_t element = 0;  ///< index in that block
-};
-
 /// The isolators of every building: elements that separate one of its nodes from the ground (ElementInfo::isolates).
 std::vector<std::vector<ElementId>> isolators_of(const Model& model, std::span<const Building> buildings);
 
-/// The number of a part, 0, 1, ..., for every node: two nodes have the same one if elements other than contacts lead
-/// from one to the other, without passing the ground.
+/// The number of a part, 0, 1, ..., for every node by its Model::place(): two nodes have the same one if elements other
+/// than contacts lead from one to the other, without passing the ground.
 std::vector<int> connected_parts(const Model& model);
 
 /// The buildings of a model, and every connected part in which there is none, as a building with the name of its first

@@ -46,6 +46,9 @@ struct ElementInfo {
   [[nodiscard]] const PlanPlaces* plan_places() const { return detail(&ElementDetails::plan_places); }  ///< As the law.
   [[nodiscard]] const CornerPair* corner_pair() const { return detail(&ElementDetails::corner_pair); }  ///< As the law.
 
+  /// As the law.
+  [[nodiscard]] const std::vector<NodeId>* joined() const { return detail(&ElementDetails::joined); }
+
   /// Whether its deformation and force have two components: a bearing in plan.
   [[nodiscard]] bool acts_in_two_directions() const {
     return plan_places() != nullptr && plan_places()->direction == PlanVector{};

@@ -60,6 +60,8 @@ struct ElementDetails {
   std::optional<PlanPlaces> plan_places{};
   /// None but for contacts of corners with edges.
   std::optional<CornerPair> corner_pair{};
+  /// All degrees of freedom of an element that joins more than two; without the ground.
+  std::optional<std::vector<NodeId>> joined{};
 };
 
 }  // namespace moat

@@ -45,6 +45,12 @@ bool MassMatrix::add(std::span<const int> degrees_of_freedom, const Eigen::Matri
   return true;
 }
 
+std::span<const int> MassMatrix::coupled_with(int row) const {
+  for (const Block& block : blocks_)
+    if (std::ranges::binary_search(block.rows, row)) return block.rows;
+  return {};
+}
+
 double MassMatrix::at(int row, int column) const {
   if (row == column) return diagonal_[static_cast<std::size_t>(row)];
   for (const Block& block : blocks_) {
@@ -65,13 +71,15 @@ void MassMatrix::multiply(const double* values, double* __restrict result) const
 }
 
 void MassMatrix::solve(double* values) const {
-  std::vector<Vector> solutions;
-  for (const Block& block : blocks_) solutions.push_back(block.factors.solve(block.gathered(values)));
   const double* diagonal = diagonal_.data();
   for (std::size_t i = 0; i < diagonal_.size(); ++i) values[i] /= diagonal[i];
-  for (std::size_t b = 0; b < blocks_.size(); ++b)
-    for (std::size_t k = 0; k < blocks_[b].rows.size(); ++k)
-      values[blocks_[b].rows[k]] = solutions[b][static_cast<Eigen::Index>(k)];
+  for (const Block& block : blocks_) {
+    Vector solution = block.gathered(values);
+    for (std::size_t k = 0; k < block.rows.size(); ++k)
+      solution[static_cast<Eigen::Index>(k)] *= diagonal[static_cast<std::size_t>(block.rows[k])];
+    block.factors.solveInPlace(solution);
+    for (std::size_t k = 0; k < block.rows.size(); ++k) values[block.rows[k]] = solution[static_cast<Eigen::Index>(k)];
+  }
 }
 
 double MassMatrix::mobility(std::span<const int> degrees_of_freedom, std::span<const double> a,

@@ -28,6 +28,8 @@ class MassMatrix {
   }
   /// Whether no degrees of freedom are coupled.
   [[nodiscard]] bool is_diagonal() const { return blocks_.empty(); }
+  /// The rows of the block of a row, ascending; empty where it is coupled with no other.
+  [[nodiscard]] std::span<const int> coupled_with(int row) const;
   /// The entry of a row and a column, kg.
   [[nodiscard]] double at(int row, int column) const;
   /// result := M values; two arrays of the size of the matrix.

@@ -38,16 +38,14 @@ void Model::add_building(Building building) {
   check.fits_tables(building.name);
   check.that(!building_names_.contains(building.name), "a building of this name exists.",
              "Give every building its own .name.");
-  in_building_.resize(ids_.size(), false);
   for (std::size_t i = 0; i < nodes.size(); ++i) {
     require_node(nodes[i], check, i == 0 && building.base != ground ? "base" : "a floor");
     check.that(nodes[i] != ground, "the ground is among the floors.", "List only nodes with mass.");
-    const auto index = static_cast<std::size_t>(nodes[i].index);
-    if (in_building_[index] || std::ranges::count(nodes, nodes[i]) > 1)
-      check.that(false, "the node \"" + names_[index] + "\" is in a building already.",
-                 "Its inertia would count twice.");
+    check.that(!in_building_.contains(nodes[i].index) && std::ranges::count(nodes, nodes[i]) == 1,
+               "the node \"" + std::string{node_name(nodes[i])} + "\" is in a building already.",
+               "Its inertia would count twice.");
   }
-  for (const NodeId node : nodes) in_building_[static_cast<std::size_t>(node.index)] = true;
+  for (const NodeId node : nodes) in_building_.insert(node.index);
   building_names_.insert(building.name);
   buildings_.push_back(std::move(building));
   ++additions_;
@@ -56,19 +54,52 @@ void Model::add_building(Building building) {
 const Body& Model::body(NodeId node) const {
   require_node(node, Check{"Model", ""}, "node");
   if (node == ground) throw InputError{"Model: the ground has no mass and no degree of freedom."};
-  return bodies_[body_of_[static_cast<std::size_t>(node.index)]];
+  return bodies_[node.is_follower() ? follower(node).body : body_of_[static_cast<std::size_t>(node.index)]];
 }
 
 double Model::mass(NodeId node) const {
   static_cast<void>(body(node));
-  return mass_.diagonal()[node.index];
+  return node.is_follower() ? follower(node).mass : given_masses_[static_cast<std::size_t>(node.index)];
 }
 
-std::span<const NodeId> Model::body_of(NodeId node) const {
+double Model::moved_by_ground(NodeId node, GroundVector a) const {
+  static_cast<void>(body(node));
+  if (!node.is_follower()) return ground_influence().times(a, node.index);
+  const GroundVector& influence = follower(node).influence;
+  return influence.x * a.x + influence.y * a.y + influence.z * a.z;
+}
+
+std::vector<NodeId> Model::nodes_of_body(NodeId node) const {
+  std::vector<NodeId> list;
+  for (int i = 0; node != ground && i < body(node).nodes; ++i) list.push_back(NodeId{body(node).first.index + i});
+  return list;
+}
+
+std::vector<NodeId> Model::body_of(NodeId node) const {
+  std::vector<NodeId> list;
+  for (const NodeId each : nodes_of_body(node))
+    for (const MotionShare& share : shares(each))
+      if (std::ranges::find(list, share.node) == list.end()) list.push_back(share.node);
+  return list;
+}
+
+std::vector<NodeId> Model::struck_with(NodeId node) const {
+  std::vector<NodeId> list = body_of(node);
+  const auto is_struck = [&](NodeId each) { return std::ranges::find(list, each) != list.end(); };
+  for (const NodeId own : body_of(node))
+    for (const int index : mass_.coupled_with(own.index))
+      if (!is_struck(NodeId{index})) list.push_back(NodeId{index});
+  for (int place = degrees_of_freedom(); place < nodes(); ++place)
+    if (std::ranges::any_of(shares(this->node(place)), is_struck, &MotionShare::node))
+      list.push_back(this->node(place));
+  return list;
+}
+
+std::span<const MotionShare> Model::shares(NodeId node) const {
   if (node == ground) return {};
-  const Body& its = body(node);
-  return std::span{ids_}.subspan(static_cast<std::size_t>(its.first.index),
-                                 static_cast<std::size_t>(its.degrees_of_freedom));
+  require_node(node, Check{"Model", ""}, "node");
+  if (node.is_follower()) return follower(node).shares;
+  return std::span{own_shares_}.subspan(static_cast<std::size_t>(node.index), 1);
 }
 
 const PlacedDiaphragm& Model::diaphragm(DiaphragmId id) const {
@@ -81,21 +112,21 @@ const PlacedDiaphragm& Model::diaphragm(DiaphragmId id) const {
 }
 
 const PlacedDiaphragm* Model::diaphragm_of(NodeId node) const {
-  if (node.index < 0 || node.index >= degrees_of_freedom()) return nullptr;
-  const std::optional<std::size_t> index = bodies_[body_of_[static_cast<std::size_t>(node.index)]].diaphragm;
+  if (!is_known(node)) return nullptr;
+  const std::optional<std::size_t> index = body(node).diaphragm;
   return index ? &diaphragms_[*index] : nullptr;
 }
 
 std::string_view Model::node_name(NodeId id) const {
   if (id == ground) return "ground";
   require_node(id, Check{"Model", ""}, "node");
-  return names_[static_cast<std::size_t>(id.index)];
+  return id.is_follower() ? follower(id).name : names_[static_cast<std::size_t>(id.index)];
 }
 
 std::string_view Model::body_name(NodeId id) const { return id == ground ? "ground" : std::string_view{body(id).name}; }
 
 void Model::require_node(NodeId id, const Check& check, std::string_view field) const {
-  if (id == ground || (id.index >= 0 && id.index < degrees_of_freedom())) return;
+  if (id == ground || is_known(id)) return;
   if (id.specified())
     check.that(false, std::string{field} + " is not a node of this model.",
                "Use the NodeId that add(model, Node{...}) returned.");
@@ -113,7 +144,7 @@ MotionState Model::initial_motion() const {
 }
 
 SparseMatrix Model::zero_matrix() const {
-  if (ids_.empty()) throw InputError{"Model: there is no node. Add nodes with add(model, Node{...}) first."};
+  if (names_.empty()) throw InputError{"Model: there is no node. Add nodes with add(model, Node{...}) first."};
   Couplings couplings{degrees_of_freedom()};
   mass_.add_couplings(couplings);
   for (const auto& block : blocks_) block->add_couplings(couplings);

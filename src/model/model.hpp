@@ -52,6 +52,11 @@ class Model {
   DiaphragmId add_diaphragm(const Diaphragm& diaphragm);
   /// Returns its degrees of freedom. Throws InputError for a bad parameter and a name that exists.
   std::vector<NodeId> add_body(const GeneralisedBody& body);
+  /// Adds a node that follows others; its mass, > 0 kg, is for results alone. Throws InputError as the other does, and
+  /// for an unknown node or a weight that is not finite.
+  NodeId add_follower(const Node& node, Follower motion);
+  /// Adds a diaphragm that follows others.
+  DiaphragmId add_follower(const Diaphragm& diaphragm, Follower motion);
   /// Adds a symmetric matrix, kg, to the mass matrix in the rows and columns of these degrees of freedom. Throws
   /// InputError for unknown or repeated ones, and where the mass matrix is not positive definite then.
   void add_mass(const std::vector<NodeId>& nodes, const Eigen::MatrixXd& mass);
@@ -67,8 +72,15 @@ class Model {
   [[nodiscard]] const std::deque<Body>& bodies() const { return bodies_; }  ///< In the order in which they were added.
   /// The body of a degree of freedom. Throws InputError for the ground and for one that is not of this model.
   [[nodiscard]] const Body& body(NodeId node) const;
-  /// The degrees of freedom that move as one body with this one. Empty for the ground.
-  [[nodiscard]] std::span<const NodeId> body_of(NodeId node) const;
+  /// The nodes of the body of a node: one, or three of a diaphragm. Empty for the ground.
+  [[nodiscard]] std::vector<NodeId> nodes_of_body(NodeId node) const;
+  /// The degrees of freedom that move the body of a node: its own, or those that it follows. Empty for the ground.
+  [[nodiscard]] std::vector<NodeId> body_of(NodeId node) const;
+  /// The nodes whose accelerations jump with a force on a node: the degrees of freedom of its body, those that masses
+  /// couple with them, and their followers. Empty for the ground.
+  [[nodiscard]] std::vector<NodeId> struck_with(NodeId node) const;
+  /// The displacement of a node as a sum over degrees of freedom. Empty for the ground.
+  [[nodiscard]] std::span<const MotionShare> shares(NodeId node) const;
   [[nodiscard]] const std::vector<PlacedDiaphragm>& diaphragms() const { return diaphragms_; }  ///< All, as added.
   /// Throws InputError for one that is not of this model.
   [[nodiscard]] const PlacedDiaphragm& diaphragm(DiaphragmId id) const;
@@ -89,12 +101,25 @@ class Model {
   /// Throws InputError unless id is the ground or a node of this model; the object of `check` and the field are named.
   void require_node(NodeId id, const Check& check, std::string_view field) const;
 
-  /// One per node, three per diaphragm.
-  [[nodiscard]] int degrees_of_freedom() const { return static_cast<int>(ids_.size()); }
+  /// One per node, three per diaphragm, none of a follower.
+  [[nodiscard]] int degrees_of_freedom() const { return static_cast<int>(names_.size()); }
+  /// The number of degrees of freedom and of nodes that follow them.
+  [[nodiscard]] int nodes() const { return degrees_of_freedom() + static_cast<int>(followers_.size()); }
+  /// The place of a node, not the ground, among all of them: degrees of freedom first.
+  [[nodiscard]] int place(NodeId node) const {
+    return node.is_follower() ? degrees_of_freedom() + node.index - NodeId::first_follower : node.index;
+  }
+  /// The node at a place.
+  [[nodiscard]] NodeId node(int place) const {
+    const int beyond = place - degrees_of_freedom();
+    return NodeId{beyond < 0 ? place : NodeId::first_follower + beyond};
+  }
   [[nodiscard]] const MassMatrix& mass_matrix() const { return mass_; }  ///< kg
-  /// The mass of a node, that on the diagonal of the mass matrix, kg. Throws InputError for one that is not of this
+  /// The mass of a node as it was added, kg, without that of add_mass(). Throws InputError for one that is not of this
   /// model.
   [[nodiscard]] double mass(NodeId node) const;
+  /// The acceleration of a node, m/s^2, under this one of the ground, m/s^2, where nothing deforms.
+  [[nodiscard]] double moved_by_ground(NodeId node, GroundVector ground_acceleration) const;
   /// The displacement of every degree of freedom when the ground moves by 1 along each of its components and nothing
   /// deforms: iota. Valid until something is added.
   [[nodiscard]] GroundColumns ground_influence() const {
@@ -113,12 +138,31 @@ class Model {
   [[nodiscard]] long additions() const { return additions_; }
 
  private:
+  [[nodiscard]] bool is_known(NodeId node) const {
+    return node.index >= 0 && place(node) < (node.is_follower() ? nodes() : degrees_of_freedom());
+  }
   // The block of a type; `make` makes it if there is none.
   ElementBlock& block_of(std::type_index type, std::unique_ptr<ElementBlock> (*make)());
   void check_new_name(const Check& check, const std::string& name) const;
   // Appends a degree of freedom of the last body.
   NodeId append(std::string name, double mass, GroundVector influence, double displacement, double velocity);
   void begin_body(Body body);
+  [[nodiscard]] Body checked(const Node& node) const;
+  [[nodiscard]] PlacedDiaphragm checked(const Diaphragm& diaphragm) const;
+  [[nodiscard]] Body body_of_diaphragm(const PlacedDiaphragm& placed, bool free, bool follows) const;
+  void check_follower(const Check& check, const Follower& motion, std::size_t rows) const;
+  NodeId append_follower(std::string name, double mass, const Follower& motion, std::size_t row);
+
+  struct FollowingNode {
+    std::string name;
+    double mass;  // kg
+    GroundVector influence;
+    std::vector<MotionShare> shares;
+    std::size_t body;
+  };
+  [[nodiscard]] const FollowingNode& follower(NodeId node) const {
+    return followers_[static_cast<std::size_t>(node.index - NodeId::first_follower)];
+  }
 
   std::deque<Body> bodies_;
   std::vector<PlacedDiaphragm> diaphragms_;
@@ -128,11 +172,12 @@ class Model {
   std::unordered_set<std::string> body_names_, element_names_, building_names_;
   // One entry per degree of freedom.
   std::deque<std::string> names_;
-  std::vector<NodeId> ids_;  // 0, 1, 2, ...
+  std::vector<MotionShare> own_shares_;  // of every degree of freedom: itself
   std::vector<std::size_t> body_of_;
-  std::vector<double> influence_x_, influence_y_, influence_z_, initial_displacement_, initial_velocity_;
-  std::vector<bool> in_building_;
+  std::vector<double> given_masses_, influence_x_, influence_y_, influence_z_, initial_displacement_, initial_velocity_;
+  std::unordered_set<int> in_building_;  // indices of nodes
   MassMatrix mass_;
+  std::deque<FollowingNode> followers_;
   bool moves_along_x_ = true;
   long additions_ = 0;
 };
@@ -151,6 +196,16 @@ inline DiaphragmId add(Model& model, const Diaphragm& diaphragm) { return model.
 
 /// Adds a body in generalised coordinates; throws as Model::add_body does.
 inline std::vector<NodeId> add(Model& model, const GeneralisedBody& body) { return model.add_body(body); }
+
+/// Adds a node that follows others; throws as Model::add_follower does.
+inline NodeId add(Model& model, const Node& node, Follower motion) {
+  return model.add_follower(node, std::move(motion));
+}
+
+/// Adds a diaphragm that follows others; throws as Model::add_follower does.
+inline DiaphragmId add(Model& model, const Diaphragm& diaphragm, Follower motion) {
+  return model.add_follower(diaphragm, std::move(motion));
+}
 
 /// Adds a building; throws as Model::add_building does.
 inline void add(Model& model, Building building) { model.add_building(std::move(building)); }

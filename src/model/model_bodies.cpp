@@ -14,7 +14,8 @@ void Model::check_new_name(const Check& check, const std::string& name) const {
 }
 
 void Model::begin_body(Body body) {
-  body.first = NodeId{degrees_of_freedom()};
+  body.first = body.follows ? NodeId{NodeId::first_follower + static_cast<int>(followers_.size())}
+                            : NodeId{degrees_of_freedom()};
   body_names_.insert(body.name);
   bodies_.push_back(std::move(body));
   ++additions_;
@@ -22,20 +23,27 @@ void Model::begin_body(Body body) {
 
 NodeId Model::append(std::string name, double mass, GroundVector influence, double displacement, double velocity) {
   body_names_.insert(name);
+  own_shares_.push_back({NodeId{degrees_of_freedom()}, 1.0});
   names_.push_back(std::move(name));
-  ids_.push_back(NodeId{degrees_of_freedom()});
   body_of_.push_back(bodies_.size() - 1);
   mass_.append(mass);
+  given_masses_.push_back(mass);
   influence_x_.push_back(influence.x);
   influence_y_.push_back(influence.y);
   influence_z_.push_back(influence.z);
   moves_along_x_ = moves_along_x_ && influence == GroundVector{1.0, 0.0, 0.0};
   initial_displacement_.push_back(displacement);
   initial_velocity_.push_back(velocity);
-  return ids_.back();
+  return NodeId{degrees_of_freedom() - 1};
 }
 
-NodeId Model::add_node(const Node& node) {
+NodeId Model::append_follower(std::string name, double mass, const Follower& motion, std::size_t row) {
+  body_names_.insert(name);
+  followers_.push_back({std::move(name), mass, motion.ground_influence[row], motion.shares[row], bodies_.size() - 1});
+  return NodeId{NodeId::first_follower + static_cast<int>(followers_.size()) - 1};
+}
+
+Body Model::checked(const Node& node) const {
   const Check check{"Node", node.name};
   check.that(!node.name.empty(), "a node has no name.", "Give .name: results are listed under it.");
   check_new_name(check, node.name);
@@ -57,18 +65,57 @@ NodeId Model::add_node(const Node& node) {
             .half_width = node.half_width.si(),
             .free = node.free};
   if (node.direction) body.direction = *node.direction;
+  return body;
+}
+
+NodeId Model::add_node(const Node& node) {
+  Body body = checked(node);
   const PlanVector along = body.direction.value_or(PlanVector{1.0, 0.0});
   begin_body(std::move(body));
   return append(node.name, node.mass.value().si(), {along.x, along.y, 0.0}, node.initial_displacement.si(),
                 node.initial_velocity.si());
 }
 
-DiaphragmId Model::add_diaphragm(const Diaphragm& diaphragm) {
+void Model::check_follower(const Check& check, const Follower& motion, std::size_t rows) const {
+  check.that(motion.shares.size() == rows && motion.ground_influence.size() == rows,
+             "shares and ground_influence have not one entry for each degree of freedom.",
+             "Give one for a node, three for a diaphragm.");
+  for (const std::vector<MotionShare>& row : motion.shares) {
+    check.that(!row.empty(), "a node follows nothing.", "Give the degrees of freedom that move it.");
+    for (const MotionShare& share : row) {
+      require_node(share.node, check, "a node that it follows");
+      check.that(share.node != ground && !share.node.is_follower(), "it follows the ground or another follower.",
+                 "Give degrees of freedom with mass.");
+      check.finite("weight", share.weight, "1");
+    }
+  }
+}
+
+NodeId Model::add_follower(const Node& node, Follower motion) {
+  Body body = checked(node);
+  check_follower(Check{"Node", node.name}, motion, 1);
+  body.follows = true;
+  begin_body(std::move(body));
+  return append_follower(node.name, node.mass.value().si(), motion, 0);
+}
+
+DiaphragmId Model::add_follower(const Diaphragm& diaphragm, Follower motion) {
+  PlacedDiaphragm placed = checked(diaphragm);
+  check_follower(Check{"Diaphragm", diaphragm.name}, motion, 3);
+  begin_body(body_of_diaphragm(placed, diaphragm.free, true));
+  placed.id.x = append_follower(diaphragm.name + ":x", placed.mass, motion, 0);
+  placed.id.y = append_follower(diaphragm.name + ":y", placed.mass, motion, 1);
+  placed.id.r = append_follower(diaphragm.name + ":r", placed.mass, motion, 2);
+  diaphragms_.push_back(std::move(placed));
+  return diaphragms_.back().id;
+}
+
+PlacedDiaphragm Model::checked(const Diaphragm& diaphragm) const {
   const double inertia = checked_rotary_inertia(diaphragm);
   const Check check{"Diaphragm", diaphragm.name};
   check_new_name(check, diaphragm.name);
   for (const Body& body : bodies_)
-    if (body.degrees_of_freedom == 1 && !body.direction)
+    if (body.nodes == 1 && !body.direction)
       check.that(false, "the model has the node \"" + body.name + "\", which moves on a line.",
                  "Give that node a .direction, or make it a Diaphragm: a model moves on a line or in plan.");
   for (const char* suffix : {":x", ":y", ":r"})
@@ -81,26 +128,37 @@ DiaphragmId Model::add_diaphragm(const Diaphragm& diaphragm) {
     check.finite("initial_displacement", displacement);
   for (const Speed velocity : {diaphragm.initial_velocity_x, diaphragm.initial_velocity_y, arc_speed})
     check.finite("initial_velocity", velocity);
-  PlacedDiaphragm placed{.name = diaphragm.name,
-                         .id = {},
-                         .mass = mass,
-                         .gyration = gyration,
-                         .centre_of_mass = diaphragm.centre_of_mass.si(),
-                         .outline = diaphragm.outline,
-                         .height = diaphragm.height.si()};
-  begin_body({.name = diaphragm.name,
-              .x = placed.centre_of_mass.x,
-              .y = placed.centre_of_mass.y,
-              .height = placed.height,
-              .degrees_of_freedom = 3,
-              .free = diaphragm.free,
-              .diaphragm = diaphragms_.size()});
+  return {.name = diaphragm.name,
+          .id = {},
+          .mass = mass,
+          .gyration = gyration,
+          .centre_of_mass = diaphragm.centre_of_mass.si(),
+          .outline = diaphragm.outline,
+          .height = diaphragm.height.si()};
+}
+
+Body Model::body_of_diaphragm(const PlacedDiaphragm& placed, bool free, bool follows) const {
+  return {.name = placed.name,
+          .x = placed.centre_of_mass.x,
+          .y = placed.centre_of_mass.y,
+          .height = placed.height,
+          .nodes = 3,
+          .free = free,
+          .follows = follows,
+          .diaphragm = diaphragms_.size()};
+}
+
+DiaphragmId Model::add_diaphragm(const Diaphragm& diaphragm) {
+  PlacedDiaphragm placed = checked(diaphragm);
+  const double mass = placed.mass, arc = placed.gyration * diaphragm.initial_rotation.si(),
+               arc_speed = placed.gyration * diaphragm.initial_angular_velocity.si();
+  begin_body(body_of_diaphragm(placed, diaphragm.free, false));
   placed.id.x = append(diaphragm.name + ":x", mass, {1.0, 0.0, 0.0}, diaphragm.initial_displacement.x.si(),
                        diaphragm.initial_velocity_x.si());
   placed.id.y = append(diaphragm.name + ":y", mass, {0.0, 1.0, 0.0}, diaphragm.initial_displacement.y.si(),
                        diaphragm.initial_velocity_y.si());
   // The ground does not turn.
-  placed.id.r = append(diaphragm.name + ":r", mass, {}, arc.si(), arc_speed.si());
+  placed.id.r = append(diaphragm.name + ":r", mass, {}, arc, arc_speed);
   diaphragms_.push_back(std::move(placed));
   return diaphragms_.back().id;
 }
@@ -128,8 +186,9 @@ std::vector<NodeId> Model::add_body(const GeneralisedBody& body) {
               .x = body.x.si(),
               .y = body.y.si(),
               .height = body.height.si(),
-              .degrees_of_freedom = static_cast<int>(count),
-              .free = body.free});
+              .nodes = static_cast<int>(count),
+              .free = body.free,
+              .generalised = true});
   std::vector<NodeId> nodes;
   for (const GeneralisedCoordinate& coordinate : body.coordinates)
     nodes.push_back(append(body.name + ":" + coordinate.name, 0.0, coordinate.ground_influence,

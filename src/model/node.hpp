@@ -2,6 +2,7 @@
 #pragma once
 
 #include <compare>
+#include <concepts>
 #include <string>
 
 #include "base/copyable_pointer.hpp"
@@ -15,10 +16,12 @@ namespace moat {
 
 /// Names a node of a model. Made by add(model, Node{...}); only `ground` exists beforehand.
 struct NodeId {
-  static constexpr int unspecified = -2;  ///< Index of a node that was not given.
-  int index = unspecified;                ///< In its model; -1: the ground.
+  static constexpr int unspecified = -2;          ///< Index of a node that was not given.
+  static constexpr int first_follower = 1 << 28;  ///< Followers count from here (model/body.hpp).
+  int index = unspecified;                        ///< In its model; -1: the ground.
 
-  [[nodiscard]] constexpr bool specified() const { return index != unspecified; }  ///< Made by add().
+  [[nodiscard]] constexpr bool specified() const { return index != unspecified; }       ///< Made by add().
+  [[nodiscard]] constexpr bool is_follower() const { return index >= first_follower; }  ///< No degree of freedom.
   friend constexpr auto operator<=>(NodeId, NodeId) = default;
 };
 
@@ -62,8 +65,9 @@ struct MemberPoint {
   double share = 0.0;  ///< 0 <= share < 1
 
   MemberPoint() = default;
-  /// A node alone.
-  MemberPoint(NodeId at) : node{at}, other{at} {}
+  /// A node alone, or a floor on a line.
+  template <std::convertible_to<NodeId> Place>
+  MemberPoint(const Place& at) : node{at}, other{node} {}
   /// 0 <= share_of_upper < 1.
   MemberPoint(NodeId lower, NodeId upper, double share_of_upper) : node{lower}, other{upper}, share{share_of_upper} {}
 

@@ -86,6 +86,12 @@ void Factorisation::solve(Vector& x) const {
   klu_solve(klu_->symbolic, klu_->numeric, static_cast<int>(x.size()), 1, x.data(), &klu_->common);
 }
 
+void Factorisation::solve(Eigen::MatrixXd& x) const {
+  if (klu_->numeric == nullptr) throw std::logic_error{"Factorisation: solve() before a successful factorise()"};
+  klu_solve(klu_->symbolic, klu_->numeric, static_cast<int>(x.rows()), static_cast<int>(x.cols()), x.data(),
+            &klu_->common);
+}
+
 long Factorisation::count() const { return klu_->count; }
 long Factorisation::pivot_searches() const { return klu_->pivot_searches; }
 

@@ -26,6 +26,8 @@ class Factorisation {
 
   /// x := A^-1 x. Throws std::logic_error without factors.
   void solve(Vector& x) const;
+  /// X := A^-1 X, for several right sides at once.
+  void solve(Eigen::MatrixXd& x) const;
 
   /// How often factors were computed, with old or with new pivots.
   [[nodiscard]] long count() const;

@@ -23,7 +23,7 @@ const std::map<std::string, std::set<std::string>> allowed{
     {"materials", {"src/base"}},
     {"src/model", {"src/base"}},
     {"elements", {"src/base", "src/model", "materials"}},
-    {"structures", {"src/base", "src/model", "elements", "materials"}},
+    {"structures", {"src/base", "src/model", "src/solvers", "elements", "materials"}},
     {"src/solvers", {"src/base"}},
     {"src/motions", {"src/base"}},
     {"src/output", {"src/base", "src/model", "src/motions"}},

@@ -4,11 +4,11 @@
 #include <vector>
 
 #include "base/error.hpp"
+#include "base/text/text_file.hpp"
 #include "base/units.hpp"
 #include "motion_files.hpp"
 #include "motions/readers/read_motion.hpp"
 #include "motions/readers/record_formats.hpp"
-#include "motions/readers/text_file.hpp"
 
 namespace moat {
 namespace {

@@ -8,8 +8,8 @@
 #include <filesystem>
 #include <string>
 
+#include "base/text/text_file.hpp"
 #include "base/units.hpp"
-#include "motions/readers/text_file.hpp"
 
 namespace moat {
 namespace {

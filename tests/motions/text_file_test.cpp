@@ -1,4 +1,4 @@
-#include "motions/readers/text_file.hpp"
+#include "base/text/text_file.hpp"
 
 #include <sys/resource.h>
 #include <sys/stat.h>
@@ -36,7 +36,7 @@ TEST_F(ReadTextFile, KnowsLinesOfOldMacintoshPrograms) {
 
 TEST_F(ReadTextFile, RefusesWhatMayNeverEnd) {
   EXPECT_EQ(message_of<FileError>([] { (void)read_text_file("/dev/zero"); }),
-            "/dev/zero: this is a device or a pipe, not a regular file. Save the record as a file.");
+            "/dev/zero: this is a device or a pipe, not a regular file. Save its content as a file.");
   ASSERT_EQ(mkfifo(path("pipe").c_str(), 0600), 0);
   EXPECT_THROW((void)read_text_file(path("pipe")), FileError);
 }
@@ -70,7 +70,7 @@ TEST_F(ReadTextFile, RefusesFilesThatAreNoPlainText) {
     const std::string message =
         file.string() +
         ": this is no plain text: it holds many control characters. If the file is compressed or an archive, unpack it "
-        "(gunzip, unzip, tar) and give the record in it; else save it as text in UTF-8.";
+        "(gunzip, unzip, tar) and give the file in it; else save it as text in UTF-8.";
     EXPECT_EQ(message_of<FileError>([&] { (void)read_motion(file); }), message);
     EXPECT_EQ(message_of<FileError>([&] { (void)read_motion(file, 1.0 * units::g); }), message);
     EXPECT_EQ(message_of<FileError>([&] { (void)read_peer_at2(file); }), message);
@@ -108,7 +108,7 @@ TEST_F(ReadTextFile, RefusesHugeFiles) {
   const auto huge = write("huge.txt", "0 1\n");
   std::filesystem::resize_file(huge, 1'000'000'001);
   EXPECT_EQ(message_of<FileError>([&] { (void)read_text_file(huge); }),
-            huge.string() + ": the file has more than 1 GB. Give one record of one component.");
+            huge.string() + ": the file has more than 1 GB. Give one record, or one table.");
 }
 
 TEST(NumberText, ReadsWhatFortranAndCWrite) {

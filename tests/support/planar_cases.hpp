@@ -52,6 +52,11 @@ inline std::vector<PlanarCase<BiaxialFrictionPendulum>> planar_cases() {
 }
 
 template <>
+inline std::vector<PlanarCase<BiaxialLinear>> planar_cases() {
+  return {{{.stiffness = 2 * units::MN / units::m}, {.force = 4e4}}};
+}
+
+template <>
 inline std::vector<PlanarCase<BiaxialGrantRubber>> planar_cases() {
   const PlanarTrial trial{.move = 0.04, .force = 1e4};
   std::vector<PlanarCase<BiaxialGrantRubber>> cases{{{GrantRubber::typical()}, trial}};

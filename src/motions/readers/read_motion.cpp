@@ -7,9 +7,9 @@
 #include <string>
 
 #include "base/check.hpp"
+#include "base/text/text_file.hpp"
 #include "base/units.hpp"
 #include "motions/readers/record_formats.hpp"
-#include "motions/readers/text_file.hpp"
 
 namespace moat {
 namespace {

@@ -11,10 +11,10 @@
 #include <string_view>
 
 #include "base/error.hpp"
+#include "base/text/text_file.hpp"
 #include "base/units.hpp"
 #include "motions/readers/read_motion.hpp"
 #include "motions/readers/record_formats.hpp"
-#include "motions/readers/text_file.hpp"
 
 namespace moat {
 namespace {

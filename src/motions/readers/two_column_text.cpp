@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "base/check.hpp"
+#include "base/text/text_file.hpp"
 #include "motions/readers/record_formats.hpp"
-#include "motions/readers/text_file.hpp"
 
 namespace moat {
 namespace {

@@ -64,10 +64,12 @@ void add_plan(const Model& model, ModelFacts& facts) {
 ModelFacts facts_of(const Model& model) {
   ModelFacts facts;
   const MotionState initial = model.initial_motion();
-  for (int i = 0; i < model.degrees_of_freedom(); ++i) {
-    const Body& body = model.body(NodeId{i});
-    facts.nodes.push_back({std::string{model.node_name(NodeId{i})}, model.mass_matrix().diagonal()[i], body.x,
-                           body.height, initial.displacement[i], initial.velocity[i]});
+  for (int i = 0; i < model.nodes(); ++i) {
+    const NodeId node = model.node(i);
+    const Body& body = model.body(node);
+    const auto at_start = [&](const Vector& values) { return i < model.degrees_of_freedom() ? values[i] : 0.0; };
+    facts.nodes.push_back({std::string{model.node_name(node)}, model.mass(node), body.x, body.height,
+                           at_start(initial.displacement), at_start(initial.velocity)});
   }
   for (const auto& block : model.blocks())
     for (std::size_t e = 0; e < block->size(); ++e) facts.elements.push_back(facts_of(model, *block, e));

@@ -67,7 +67,7 @@ std::vector<Peak> PeakRecorder::peaks() const {
   for (const Building& building : model_->buildings()) {
     Peak sum{"sum_of_floor_inertia_maxima", building.base_name(), 0.0, "N", 0.0};
     for (const NodeId node : building.nodes()) {
-      const std::size_t acceleration = Channels::of_node(node) + 2;
+      const std::size_t acceleration = Channels::of_node(*model_, node) + 2;
       sum.value += model_->mass_matrix().diagonal()[node.index] * peaks_.magnitude(acceleration);
       // The maxima are not simultaneous; the last of them completes the sum.
       sum.time = std::max(sum.time, peaks_.time(acceleration));

@@ -5,18 +5,24 @@
 namespace moat {
 
 Channels::Channels(const Model& model) {
-  for (int i = 0; i < model.degrees_of_freedom(); ++i) add_node(model, NodeId{i});
+  for (int i = 0; i < model.nodes(); ++i) add_node(model, model.node(i));
   for (std::size_t b = 0; b < model.blocks().size(); ++b) add_elements(model, b);
-  base_shear_of_node_.assign(static_cast<std::size_t>(model.degrees_of_freedom()), -1);
+  for (const Building& building : model.buildings())
+    for (const StoreyResult& result : building.storey_results) {
+      storey_sums_.push_back({list_.size(), result});
+      list_.push_back({result.quantity, result.place, result.place, result.unit});
+    }
+  base_shear_of_node_.assign(static_cast<std::size_t>(model.nodes()), -1);
   first_in_plan_ = list_.size();
   if (model.is_plan()) {
     plan_ = PlanChannels{model, list_};
     return;
   }
   for (const Building& building : model.buildings()) {
-    base_shears_.push_back({list_.size(), building.nodes()});
+    base_shears_.push_back(
+        {list_.size(), building.nodes(), std::ranges::any_of(building.nodes(), &NodeId::is_follower)});
     for (const NodeId node : base_shears_.back().nodes)
-      base_shear_of_node_[static_cast<std::size_t>(node.index)] = static_cast<int>(list_.size());
+      base_shear_of_node_[static_cast<std::size_t>(model.place(node))] = static_cast<int>(list_.size());
     list_.push_back({"total_base_shear", building.base_name(), building.base_name(), "N"});
   }
 }
@@ -60,6 +66,12 @@ void Channels::add_node(const Model& model, NodeId id) {
     add("angular_acceleration", "rad/s^2");
     return;
   }
+  if (model.body(id).generalised) {
+    add("coordinate", "m");
+    add("coordinate_velocity", "m/s");
+    add("coordinate_acceleration", "m/s^2");
+    return;
+  }
   const std::string component = diaphragm == nullptr ? "" : id == diaphragm->id.x ? "_x" : "_y";
   add("displacement" + component, "m");
   add("velocity" + component, "m/s");
@@ -70,12 +82,12 @@ std::vector<std::size_t> Channels::bent_by(const Model& model, const RegimeChang
   const ElementInfo& info = model.blocks()[change.block]->info(change.element);
   std::vector<std::size_t> bent;
   for (const NodeId end : {info.first, info.second}) {
-    for (const NodeId node : model.body_of(end)) {
-      bent.push_back(of_node(node) + 2);
-      if (const int shear = base_shear_of_node_[static_cast<std::size_t>(node.index)]; shear >= 0)
+    for (const NodeId node : model.struck_with(end)) {
+      bent.push_back(of_node(model, node) + 2);
+      if (const int shear = base_shear_of_node_[static_cast<std::size_t>(model.place(node))]; shear >= 0)
         bent.push_back(static_cast<std::size_t>(shear));
+      plan_.add_bent_by(model, node, bent);
     }
-    plan_.add_bent_by(model, end, bent);
   }
   plan_.add_friction(change.block, change.element, bent);
   return bent;
@@ -91,12 +103,21 @@ void Channels::sample(const StepView& view, std::vector<double>& values, std::ve
   const GroundColumns influence = view.model.ground_influence();
   const int count = view.model.degrees_of_freedom();
   for (int i = 0; i < count; ++i) {
-    const std::size_t channel = of_node(NodeId{i});
+    const std::size_t channel = 3 * static_cast<std::size_t>(i);
     value[channel] = displacement[i];
     value[channel + 1] = rate[channel] = velocity[i];
     rate[channel + 1] = acceleration[i];
     value[channel + 2] = acceleration[i] + influence.times(view.ground_acceleration, i);
     rate[channel + 2] = jerk[i];
+  }
+  for (int place = count; place < view.model.nodes(); ++place) {
+    const NodeId node = view.model.node(place);
+    const std::size_t channel = of_node(view.model, node);
+    value[channel] = view.state.displacement(node);
+    value[channel + 1] = rate[channel] = view.state.velocity(node);
+    rate[channel + 1] = view.state.acceleration(node);
+    value[channel + 2] = view.absolute_acceleration(node);
+    rate[channel + 2] = view.state.jerk(node);
   }
   for (const Rotation& rotation : rotations_) {
     for (std::size_t k = rotation.channel; k < rotation.channel + 3; ++k) {
@@ -105,12 +126,14 @@ void Channels::sample(const StepView& view, std::vector<double>& values, std::ve
     }
   }
   for (const BlockChannels& channels : blocks_) sample(view.state.elements(channels.block), channels, value, rate);
+  sample_storeys(view, value, rate);
   const auto masses = view.model.mass_matrix().diagonal();
   for (const BaseShear& shear : base_shears_) {
     value[shear.channel] = rate[shear.channel] = 0.0;
     for (const NodeId node : shear.nodes) {
-      value[shear.channel] -= masses[node.index] * value[of_node(node) + 2];
-      rate[shear.channel] -= masses[node.index] * rate[of_node(node) + 2];
+      const double mass = shear.has_followers ? view.model.mass(node) : masses[node.index];
+      value[shear.channel] -= mass * value[of_node(view.model, node) + 2];
+      rate[shear.channel] -= mass * rate[of_node(view.model, node) + 2];
     }
   }
   if (!base_shears_.empty() && !view.model.mass_matrix().is_diagonal())
@@ -121,6 +144,24 @@ void Channels::sample(const StepView& view, std::vector<double>& values, std::ve
   plan_.sample(view, value, rate);
 }
 
+void Channels::sample_storeys(const StepView& view, double* values, double* rates) const {
+  const MotionState& motion = view.state.motion();
+  for (const auto& [channel, result] : storey_sums_) {
+    double value = 0.0, rate = 0.0;
+    for (const MotionShare& share : result.displacements) {
+      value += share.weight * motion.displacement[share.node.index];
+      rate += share.weight * motion.velocity[share.node.index];
+    }
+    for (const ForceShare& share : result.forces) {
+      const ResultsOf<double> results = view.state.elements(share.element.block).results().line;
+      value += share.weight * results.forces[share.element.element];
+      rate += share.weight * results.force_rates[share.element.element];
+    }
+    values[channel] = value;
+    rates[channel] = rate;
+  }
+}
+
 // Masses that couple a node of a building with others add to its inertia.
 void Channels::add_coupled_inertia(const MassMatrix& mass, double* values) const {
   const Eigen::Map<const Vector, 0, Eigen::InnerStride<3>> every_third{values + 2, mass.diagonal().size()};
@@ -129,7 +170,8 @@ void Channels::add_coupled_inertia(const MassMatrix& mass, double* values) const
   mass.multiply(accelerations.data(), inertia.data());
   inertia -= mass.diagonal().cwiseProduct(accelerations);
   for (const BaseShear& shear : base_shears_)
-    for (const NodeId node : shear.nodes) values[shear.channel] -= inertia[node.index];
+    for (const NodeId node : shear.nodes)
+      if (!shear.has_followers) values[shear.channel] -= inertia[node.index];
 }
 
 void Channels::sample(const ElementStates& elements, const BlockChannels& channels, double* values, double* rates) {

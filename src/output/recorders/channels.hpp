@@ -34,10 +34,13 @@ class Channels {
   [[nodiscard]] std::vector<std::size_t> bent_by(const Model& model, const RegimeChange& change) const;
 
   /// Index of the first of a node's channels: displacement, then velocity, then absolute acceleration.
-  [[nodiscard]] static std::size_t of_node(NodeId node) { return 3 * static_cast<std::size_t>(node.index); }
+  [[nodiscard]] static std::size_t of_node(const Model& model, NodeId node) {
+    return 3 * static_cast<std::size_t>(model.place(node));
+  }
 
  private:
   void add_node(const Model& model, NodeId id);
+  void sample_storeys(const StepView& view, double* values, double* rates) const;
   void add_coupled_inertia(const MassMatrix& mass, double* values) const;
 
   // An element and its channel.
@@ -71,13 +74,20 @@ class Channels {
   };
   std::vector<Rotation> rotations_;
   std::size_t first_in_plan_ = 0;  // channel
-  // The base shear of a building is minus the inertia of its base and floors.
+  // The base shear of a building is minus the inertia of its base and floors. Masses that couple its nodes with others
+  // add to it, unless they are those of floors that follow.
   struct BaseShear {
     std::size_t channel;
     std::vector<NodeId> nodes;
+    bool has_followers;
   };
   std::vector<BaseShear> base_shears_;
-  std::vector<int> base_shear_of_node_;  // channel; -1 if there is none
+  struct StoreySum {
+    std::size_t channel;
+    StoreyResult result;
+  };
+  std::vector<StoreySum> storey_sums_;
+  std::vector<int> base_shear_of_node_;  // channel, by the place of the node; -1 if there is none
 };
 
 }  // namespace moat

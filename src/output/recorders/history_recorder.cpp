@@ -44,8 +44,8 @@ HistoryRecorder::HistoryRecorder(const Model& model, double interval, const Ener
   const std::vector<Building> buildings = all_buildings(model);
   for (std::size_t b = 0; b < std::min(buildings.size(), most_buildings); ++b)
     for (const NodeId floor : {buildings[b].base, buildings[b].top()})
-      for (const NodeId node : model.body_of(floor)) {
-        channels_of_floors_.push_back(Channels::of_node(node) + 2);
+      for (const NodeId node : model.nodes_of_body(floor)) {
+        channels_of_floors_.push_back(Channels::of_node(model, node) + 2);
         const Channel& acceleration = channels_.list()[channels_of_floors_.back()];
         floors_.columns.push_back({acceleration.quantity, acceleration.where, acceleration.unit, {}});
       }

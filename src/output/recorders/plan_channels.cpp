@@ -189,7 +189,7 @@ void PlanChannels::add_friction(std::size_t block, std::size_t element, std::vec
 
 void PlanChannels::add_bent_by(const Model& model, NodeId body, std::vector<std::size_t>& bent) const {
   const PlacedDiaphragm* diaphragm = body == ground ? nullptr : model.diaphragm_of(body);
-  if (diaphragm == nullptr) return;
+  if (diaphragm == nullptr || diaphragm->id.x != body) return;
   for (std::size_t i = 0; i < points_.size(); ++i)
     if (points_[i].id == diaphragm->id) bent.push_back(accelerations_[i]);
   for (std::size_t b = 0; b < buildings_.size(); ++b)

@@ -19,7 +19,7 @@ struct StepView {
   /// m/s^2; of a diaphragm's rotation times its gyration.
   [[nodiscard]] double absolute_acceleration(NodeId node) const {
     if (node == ground) return ground_acceleration.x;
-    return state.acceleration(node) + model.ground_influence().times(ground_acceleration, node.index);
+    return state.acceleration(node) + model.moved_by_ground(node, ground_acceleration);
   }
 };
 

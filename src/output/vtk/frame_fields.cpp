@@ -62,7 +62,7 @@ FrameFields fields_of(const Scene& scene, const StepView& view, std::span<const 
       continue;
     }
     const auto moved = [&](const auto& of_node) {
-      const auto of = [&](int offset) { return of_node(NodeId{point.node + offset}); };
+      const auto of = [&](int offset) { return of_node(view.model.node(point.node + offset)); };
       return point.on_diaphragm ? PlanVector{of(0), of(1)} + of(2) * turned_left(point.arm) : of(0) * point.direction;
     };
     set(displacement, i, moved([&](NodeId node) { return view.state.displacement(node); }));

@@ -24,7 +24,8 @@ class SceneBuilder {
 
   Scene build() {
     if (model_.is_plan()) return build_in_plan();
-    for (int i = 0; i < model_.degrees_of_freedom(); ++i) add_slab(NodeId{i});
+    for (int i = 0; i < model_.nodes(); ++i)
+      if (!model_.body(model_.node(i)).generalised) add_slab(model_.node(i));
     int number = 0;
     for (const auto& block : model_.blocks())
       for (std::size_t e = 0; e < block->size(); ++e, ++number) add_element(block->info(e), number);
@@ -42,11 +43,11 @@ class SceneBuilder {
   Place place(NodeId id, NodeId other) const {
     const Body& body = model_.body(id == ground ? other : id);
     return {body.x, id == ground ? body.height - bearing_height : body.height, body.half_width,
-            id == ground ? -1 : id.index, spread_of(id == ground ? other : id)};
+            id == ground ? -1 : model_.place(id), spread_of(id == ground ? other : id)};
   }
 
   [[nodiscard]] PlanVector spread_of(NodeId body) const {
-    return body == ground ? PlanVector{} : spread_[static_cast<std::size_t>(body.index)];
+    return body == ground ? PlanVector{} : spread_[static_cast<std::size_t>(model_.place(body))];
   }
 
   // `spread` is that of the node, or for a point of the ground that of the body beside it.
@@ -147,11 +148,11 @@ class SceneBuilder {
 
   // A point of the body of a node, of the ground for another.
   int plan_point(PlanVector at, double z, NodeId body, PlanVector spread) {
-    ScenePoint point{.x = at.x, .y = at.y, .z = z, .node = body == ground ? -1 : body.index, .spread = spread};
+    ScenePoint point{.x = at.x, .y = at.y, .z = z, .node = body == ground ? -1 : model_.place(body), .spread = spread};
     const PlacedDiaphragm* diaphragm = body == ground ? nullptr : model_.diaphragm_of(body);
     if (diaphragm != nullptr) {
       point.on_diaphragm = true;
-      point.node = diaphragm->id.x.index;
+      point.node = model_.place(diaphragm->id.x);
       point.arm = (at - diaphragm->centre_of_mass) / diaphragm->gyration;
     } else if (body != ground) {
       point.direction = *model_.body(body).direction;

@@ -15,7 +15,7 @@ struct Neighbour {
 
 std::vector<std::vector<Neighbour>> neighbours_of(const Model& model, const std::vector<int>& part) {
   const auto body_of = [&](NodeId node) {
-    return static_cast<std::size_t>(part[static_cast<std::size_t>(node.index)]);
+    return static_cast<std::size_t>(part[static_cast<std::size_t>(model.place(node))]);
   };
   std::vector<std::vector<Neighbour>> neighbours(part.size());
   for (const auto& block : model.blocks()) {

@@ -1,4 +1,4 @@
-// Text files: their content, lines, words and numbers. Shared by the readers of ground motions.
+// Text files: their content, lines, words and numbers. Shared by all readers of files.
 #pragma once
 
 #include <cstddef>
@@ -7,7 +7,7 @@
 #include <string>
 #include <string_view>
 
-#include "motions/ground_motion.hpp"
+#include "base/files_read.hpp"
 
 namespace moat {
 
@@ -22,8 +22,8 @@ struct TextFile {
 /// 1 GB, or is compressed or otherwise no text.
 TextFile read_text_file(const std::filesystem::path& path);
 
-/// Returns the file as a GroundMotion remembers it.
-MotionFile file_of(const TextFile& file);
+/// Returns the file as reports list it.
+FileRead file_of(const TextFile& file);
 
 /// Walks through the lines of a file. A line ends with \n or \r\n; neither is part of it.
 class LineReader {
@@ -58,6 +58,8 @@ std::optional<std::size_t> take_whole_number(std::string_view& text);
 std::string upper_case(std::string_view text);
 /// In quotes for a message, cut to a readable length.
 std::string quoted(std::string_view text);
+/// Likewise. Without it a std::string would go to std::quoted.
+inline std::string quoted(const std::string& text) { return quoted(std::string_view{text}); }
 
 /// A number at the beginning of a text.
 struct ScannedNumber {

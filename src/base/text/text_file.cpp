@@ -1,4 +1,4 @@
-#include "motions/readers/text_file.hpp"
+#include "base/text/text_file.hpp"
 
 #include <algorithm>
 #include <charconv>
@@ -37,10 +37,9 @@ TextFile read_text_file(const std::filesystem::path& path) {
   if (std::filesystem::is_directory(status)) refuse_file(path, "this is a folder. Give one file in it.");
   // A device or a pipe may never end.
   if (!std::filesystem::is_regular_file(status))
-    refuse_file(path, "this is a device or a pipe, not a regular file. Save the record as a file.");
+    refuse_file(path, "this is a device or a pipe, not a regular file. Save its content as a file.");
   const std::uintmax_t size = std::filesystem::file_size(path, failure);
-  if (!failure && size > most_bytes)
-    refuse_file(path, "the file has more than 1 GB. Give one record of one component.");
+  if (!failure && size > most_bytes) refuse_file(path, "the file has more than 1 GB. Give one record, or one table.");
   std::ifstream file{path, std::ios::binary};
   if (!file) refuse_file(path, "the file cannot be opened. Check that you may read it.");
   TextFile read{path, {}, {}};
@@ -57,7 +56,7 @@ TextFile read_text_file(const std::filesystem::path& path) {
   if (std::ranges::count_if(beginning, is_control) > 2 + std::ssize(beginning) / 100)
     refuse_file(path,
                 "this is no plain text: it holds many control characters. If the file is compressed or an archive, "
-                "unpack it (gunzip, unzip, tar) and give the record in it; else save it as text in UTF-8.");
+                "unpack it (gunzip, unzip, tar) and give the file in it; else save it as text in UTF-8.");
   constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
   if (read.text.starts_with(byte_order_mark)) read.text.erase(0, byte_order_mark.size());
   // Old Macintosh programs end lines with a carriage return alone.
@@ -65,7 +64,7 @@ TextFile read_text_file(const std::filesystem::path& path) {
   return read;
 }
 
-MotionFile file_of(const TextFile& file) {
+FileRead file_of(const TextFile& file) {
   std::error_code failure;
   const std::filesystem::path absolute = std::filesystem::absolute(file.path, failure);
   return {(failure ? file.path : absolute.lexically_normal()).string(), file.sha256};

@@ -1,0 +1,84 @@
+#include "structures/superstructure/matrix_checks.hpp"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+
+namespace moat {
+namespace {
+
+std::string name_of(const NamedRows& rows, Eigen::Index row) { return rows.names[static_cast<std::size_t>(row)]; }
+
+void check_diagonal(const NamedRows& rows, const Eigen::MatrixXd& matrix) {
+  for (Eigen::Index i = 0; i < matrix.rows(); ++i)
+    rows.check.that(matrix(i, i) > 0.0,
+                    std::string{rows.field} + " of " + name_of(rows, i) + " is " + to_text(matrix(i, i)) + ".",
+                    "A diagonal is positive; the order or the unit of the file may be another.");
+}
+
+}  // namespace
+
+Eigen::MatrixXd symmetric(const NamedRows& rows, const Eigen::MatrixXd& matrix, std::vector<std::string>& notes) {
+  constexpr double round_off = 1e-12, tolerated = 1e-6;
+  check_diagonal(rows, matrix);
+  double worst = 0.0;
+  Eigen::Index i = 0, j = 0;
+  for (Eigen::Index column = 0; column < matrix.cols(); ++column)
+    for (Eigen::Index row = 0; row < column; ++row) {
+      const double difference = std::abs(matrix(row, column) - matrix(column, row)) /
+                                std::sqrt(matrix(row, row) * matrix(column, column));
+      if (difference <= worst) continue;
+      worst = difference;
+      i = row;
+      j = column;
+    }
+  const std::string text = std::string{rows.field} + " is not symmetric: entry (" + name_of(rows, i) + ", " +
+                           name_of(rows, j) + ") = " + to_text(matrix(i, j)) + ", transposed " +
+                           to_text(matrix(j, i)) + ", " + to_text(100.0 * worst) + " % of the diagonals.";
+  rows.check.that(worst <= tolerated, text, "Export the whole matrix, or one triangle of it.");
+  if (worst > round_off) notes.push_back(text + " The mean is taken.");
+  return 0.5 * (matrix + matrix.transpose());
+}
+
+void check_definite(const NamedRows& rows, const Eigen::MatrixXd& stiffness, std::vector<std::string>& notes) {
+  check_diagonal(rows, stiffness);
+  const Eigen::VectorXd scale = stiffness.diagonal().cwiseSqrt().cwiseInverse();
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver{scale.asDiagonal() * stiffness * scale.asDiagonal()};
+  const double smallest = solver.eigenvalues()[0], round_off = 1e-12 * static_cast<double>(stiffness.rows());
+  const Eigen::VectorXd shape = solver.eigenvectors().col(0).cwiseAbs();
+  Eigen::Index largest = 0;
+  shape.maxCoeff(&largest);
+  const std::string where = ", largest at " + name_of(rows, largest) + ".";
+  rows.check.that(smallest > -round_off,
+                  std::string{rows.field} + " is indefinite: eigenvalue " + to_text(smallest) +
+                      " of the scaled matrix" + where,
+                  "Its diagonal is scaled to 1. Look for a wrong sign, unit or order.");
+  std::string loose;
+  for (Eigen::Index i = 0; i < shape.size(); ++i)
+    if (shape[i] > 0.1 * shape[largest]) loose += (loose.empty() ? "" : ", ") + name_of(rows, i);
+  rows.check.that(smallest > round_off, loose + ": nothing holds them.",
+                  "The smallest eigenvalue of the scaled " + std::string{rows.field} + " is " + to_text(smallest) +
+                      ". Give the matrix of the building held at its base.");
+  constexpr double nearly = 1e-8;
+  if (smallest < nearly)
+    notes.push_back(std::string{rows.field} + " is nearly singular: eigenvalue " + to_text(smallest) +
+                    " of the scaled matrix" + where);
+}
+
+void check_rigid(const NamedRows& rows, const Eigen::MatrixXd& stiffness, const Eigen::MatrixXd& rigid,
+                 std::vector<std::string>& notes) {
+  constexpr double round_off = 1e-9, tolerated = 1e-4;
+  for (Eigen::Index motion = 0; motion < rigid.cols(); ++motion)
+    for (Eigen::Index i = 0; i < stiffness.rows(); ++i) {
+      const Eigen::VectorXd terms = stiffness.row(i).transpose().cwiseProduct(rigid.col(motion));
+      const double share = std::abs(terms.sum()) / terms.cwiseAbs().sum();
+      const std::string text = "rigid motion of base and floors strains row " + name_of(rows, i) + " by " +
+                               to_text(100.0 * share) + " %";
+      rows.check.that(!(share > tolerated), text + ".",
+                      "The base may stand elsewhere in the order, or a support was left in. A damping against the "
+                      "ground, alphaM of OpenSees, does this too; that of moat acts against the base.");
+      if (share > round_off) notes.push_back(text + ": the rows of the base are formed from those of the floors.");
+    }
+}
+
+}  // namespace moat

@@ -1,0 +1,49 @@
+// The matrices of a superstructure, in SI units.
+#pragma once
+
+#include <Eigen/Core>
+#include <string>
+#include <vector>
+
+#include "structures/superstructure/superstructure.hpp"
+
+namespace moat {
+
+/// A floor, or the base.
+struct SystemFloor {
+  double height = 0.0, mass = 0.0, rotary_inertia = 0.0;  ///< m, kg, kg m^2; no inertia on a line
+  PlanVector centre_of_mass{};                            ///< m
+  PlanOutline outline{};                                  ///< empty on a line
+  double half_width = 0.0;                                ///< m, of drawings on a line
+
+  /// sqrt(J/m), m.
+  [[nodiscard]] double gyration() const;
+};
+
+/// A superstructure held at its base. Its rows are floor by floor from the lowest up: x alone, or x, y and w = r theta
+/// with the radius of gyration r of the floor, so that all masses are in kg and all stiffnesses in N/m.
+struct StructureSystem {
+  bool in_plan = false;             ///< three rows per floor
+  std::vector<SystemFloor> floors;  ///< from the lowest up
+  SystemFloor base{};               ///< mass 0: the ground
+  std::vector<std::string> names;   ///< of rows: "floor 3 rotation"
+  Eigen::MatrixXd mass;             ///< M, kg, with that of couplings
+  Eigen::MatrixXd stiffness;        ///< K, N/m; empty where modes are given
+  Eigen::MatrixXd damping;          ///< C, N s/m; of the modes where they are given
+  Eigen::MatrixXd carried;          ///< R: motion of the floors with the base, or with the ground about the origin
+  std::vector<std::string> notes;   ///< about the input
+  /// Shapes, a column for each mode, scaled so that their largest entry is 1; empty where matrices are given.
+  Eigen::MatrixXd shapes;
+  Eigen::VectorXd modal_stiffness;  ///< K_q, N/m
+  std::vector<ParticipatingMass> modes;  ///< of the superstructure held at its base
+
+  /// Rows of one floor.
+  [[nodiscard]] int per_floor() const { return in_plan ? 3 : 1; }
+  /// Whether it stands on a base.
+  [[nodiscard]] bool is_isolated() const { return base.mass > 0.0; }
+};
+
+/// Throws InputError as add(model, Superstructure) does.
+StructureSystem system_of(const Superstructure& structure);
+
+}  // namespace moat

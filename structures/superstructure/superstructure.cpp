@@ -1,0 +1,192 @@
+#include "structures/superstructure/superstructure.hpp"
+
+#include <Eigen/Cholesky>
+#include <array>
+#include <utility>
+
+#include "elements/matrix/linear_structure.hpp"
+#include "structures/superstructure/storey_results.hpp"
+#include "structures/superstructure/structure_system.hpp"
+
+namespace moat {
+namespace {
+
+std::vector<NodeId> nodes_of(const DiaphragmId& floor, bool in_plan) {
+  return in_plan ? std::vector<NodeId>{floor.x, floor.y, floor.r} : std::vector<NodeId>{floor.x};
+}
+
+// Adds the parts of one superstructure.
+class Builder {
+ public:
+  Builder(Model& model, const Superstructure& structure)
+      : model_{model},
+        structure_{structure},
+        system_{system_of(structure)},
+        prefix_{structure.name.empty() ? "" : structure.name + " "} {}
+
+  SuperstructureParts build() {
+    check_supports();
+    parts_.name = structure_.name;
+    parts_.modes = system_.modes;
+    parts_.notes = system_.notes;
+    if (system_.is_isolated()) {
+      parts_.base = add_own("base", system_.base);
+      base_ = nodes_of(parts_.base, system_.in_plan);
+    }
+    if (structure_.modes)
+      add_modes();
+    else
+      add_matrices();
+    add_isolators();
+    Building building{.name = structure_.name, .notes = parts_.notes};
+    if (system_.is_isolated()) building.base = parts_.base;
+    for (const DiaphragmId& floor : parts_.floors) building.floors.push_back(floor);
+    building.storey_results = storey_results(system_, rows_, prefix_);
+    add(model_, std::move(building));
+    return std::move(parts_);
+  }
+
+ private:
+  void check_supports() const {
+    const Check check{"Superstructure", structure_.name};
+    check.that(structure_.base.has_value() == (structure_.bearings || structure_.isolation),
+               structure_.base ? "base is given without bearings." : "bearings are given without base.",
+               "Give both, or none: the building then stands on the ground.");
+    if (!structure_.base) return;
+    check.that(structure_.bearings.has_value() == system_.in_plan,
+               system_.in_plan ? "isolation is for a building on a line." : "bearings are for a building in plan.",
+               system_.in_plan ? "Give .bearings." : "Give .isolation.");
+    check.that(structure_.bearings.has_value() != structure_.isolation.has_value(), "bearings and isolation are given.",
+               "Give one of them.");
+  }
+
+  // A node or diaphragm with degrees of freedom of its own.
+  DiaphragmId add_own(const std::string& part, const SystemFloor& floor) {
+    if (system_.in_plan) return add(model_, diaphragm(part, floor));
+    return {.x = add(model_, node(part, floor))};
+  }
+  [[nodiscard]] Node node(const std::string& part, const SystemFloor& floor) const {
+    return {.name = prefix_ + part,
+            .mass = Mass{floor.mass},
+            .height = Length{floor.height},
+            .half_width = Length{floor.half_width}};
+  }
+  [[nodiscard]] Diaphragm diaphragm(const std::string& part, const SystemFloor& floor) const {
+    return {.name = prefix_ + part,
+            .mass = Mass{floor.mass},
+            .rotary_inertia = RotaryInertia{floor.rotary_inertia},
+            .centre_of_mass = {Length{floor.centre_of_mass.x}, Length{floor.centre_of_mass.y}},
+            .outline = floor.outline,
+            .height = Length{floor.height}};
+  }
+
+  void add_matrices() {
+    for (std::size_t i = 0; i < system_.floors.size(); ++i) {
+      parts_.floors.push_back(add_own("floor " + std::to_string(i + 1), system_.floors[i]));
+      for (const NodeId each : nodes_of(parts_.floors[i], system_.in_plan)) rows_.own.push_back(each);
+    }
+    rows_.base = base_;
+    Eigen::MatrixXd coupled = system_.mass;
+    for (Eigen::Index i = 0; i < coupled.rows(); ++i)
+      coupled(i, i) -= model_.mass(rows_.own[static_cast<std::size_t>(i)]);
+    const double round_off = 1e-12 * system_.mass.diagonal().maxCoeff();
+    if (coupled.cwiseAbs().maxCoeff() > round_off) model_.add_mass(rows_.own, coupled);
+    add(model_, LinearStructure{.name = prefix_ + "superstructure",
+                                .nodes = rows_.own,
+                                .base = base_,
+                                .carried = base_.empty() ? Eigen::MatrixXd{} : system_.carried,
+                                .stiffness = system_.stiffness,
+                                .damping = system_.damping});
+  }
+
+  // The modes are coordinates q beside the base, and the floors follow both.
+  void add_modes() {
+    const Eigen::MatrixXd load = system_.shapes.transpose() * system_.mass * system_.carried;
+    Eigen::MatrixXd mass = system_.shapes.transpose() * system_.mass * system_.shapes;
+    mass = 0.5 * (mass + mass.transpose()).eval();
+    // On the ground the coordinates are driven by M_q^-1 L; on a base its motion drives them.
+    const Eigen::MatrixXd driven = mass.llt().solve(load);
+    GeneralisedBody body{
+        .name = prefix_ + "modes", .coordinates = {}, .mass = mass, .height = Length{system_.floors.back().height}};
+    for (Eigen::Index k = 0; k < mass.rows(); ++k) {
+      GeneralisedCoordinate coordinate{.name = "mode " + std::to_string(k + 1)};
+      if (base_.empty()) coordinate.ground_influence = {driven(k, 0), system_.in_plan ? driven(k, 1) : 0.0, 0.0};
+      body.coordinates.push_back(std::move(coordinate));
+    }
+    rows_.own = add(model_, body);
+    if (!base_.empty()) couple_with_base(load);
+    add(model_, LinearStructure{.name = prefix_ + "superstructure",
+                                .nodes = rows_.own,
+                                .stiffness = system_.modal_stiffness.asDiagonal(),
+                                .damping = system_.damping});
+    for (std::size_t i = 0; i < system_.floors.size(); ++i) add_following_floor(i);
+  }
+
+  void couple_with_base(const Eigen::MatrixXd& load) {
+    const Eigen::Index n = load.rows(), m = load.cols();
+    Eigen::MatrixXd coupled = Eigen::MatrixXd::Zero(n + m, n + m);
+    coupled.topRightCorner(n, m) = load;
+    coupled.bottomLeftCorner(m, n) = load.transpose();
+    const Eigen::MatrixXd carried_mass = system_.carried.transpose() * system_.mass * system_.carried;
+    coupled.bottomRightCorner(m, m) = 0.5 * (carried_mass + carried_mass.transpose());
+    std::vector<NodeId> both = rows_.own;
+    both.insert(both.end(), base_.begin(), base_.end());
+    model_.add_mass(both, coupled);
+  }
+
+  void add_following_floor(std::size_t i) {
+    constexpr std::array along{GroundVector{1.0, 0.0, 0.0}, GroundVector{0.0, 1.0, 0.0}, GroundVector{}};
+    Follower motion;
+    for (int k = 0; k < system_.per_floor(); ++k) {
+      const auto row = static_cast<Eigen::Index>(i) * system_.per_floor() + k;
+      std::vector<MotionShare> shares;
+      for (std::size_t j = 0; j < base_.size(); ++j)
+        if (const double weight = system_.carried(row, static_cast<Eigen::Index>(j)); weight != 0.0)
+          shares.push_back({base_[j], weight});
+      for (std::size_t j = 0; j < rows_.own.size(); ++j)
+        shares.push_back({rows_.own[j], system_.shapes(row, static_cast<Eigen::Index>(j))});
+      motion.shares.push_back(std::move(shares));
+      motion.ground_influence.push_back(along[static_cast<std::size_t>(k)]);
+    }
+    const std::string part = "floor " + std::to_string(i + 1);
+    if (system_.in_plan)
+      parts_.floors.push_back(add(model_, diaphragm(part, system_.floors[i]), std::move(motion)));
+    else
+      parts_.floors.push_back({.x = add(model_, node(part, system_.floors[i]), std::move(motion))});
+  }
+
+  void add_isolators() {
+    double mass = system_.base.mass;
+    for (const SystemFloor& floor : system_.floors) mass += floor.mass;
+    const Force weight = Mass{mass} * units::g;
+    if (structure_.isolation) structure_.isolation->add_to(model_, prefix_, parts_.base, weight);
+    if (!structure_.bearings) return;
+    const Check check{"Superstructure", structure_.name};
+    const std::vector<PlanBearings::Placed> bearings = structure_.bearings->placed(check, system_.base.outline);
+    check.that(!bearings.empty(), "bearings: the list is empty.", "Give at least one bearing.");
+    int number = 0;
+    for (const PlanBearings::Placed& bearing : bearings)
+      bearing.add_to(model_, {prefix_ + "bearing " + std::to_string(++number), prefix_ + "bearings"}, parts_.base,
+                     bearing.at, weight / static_cast<double>(bearings.size()));
+  }
+
+  Model& model_;
+  const Superstructure& structure_;
+  const StructureSystem system_;
+  const std::string prefix_;
+  SuperstructureParts parts_;
+  std::vector<NodeId> base_;
+  StructureRows rows_;
+};
+
+}  // namespace
+
+std::vector<double> SuperstructureParts::periods() const {
+  std::vector<double> list;
+  for (const ParticipatingMass& mode : modes) list.push_back(mode.period);
+  return list;
+}
+
+SuperstructureParts add(Model& model, const Superstructure& structure) { return Builder{model, structure}.build(); }
+
+}  // namespace moat

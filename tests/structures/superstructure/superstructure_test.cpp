@@ -1,0 +1,452 @@
+#include "structures/superstructure/superstructure.hpp"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Dense>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "message_of.hpp"
+#include "peak_in.hpp"
+
+namespace moat {
+namespace {
+
+using namespace units;
+using testing::message_of;
+using testing::peak;
+
+constexpr int storeys = 3;
+
+GroundMotion shaking() {
+  std::vector<double> samples;
+  for (int i = 0; i < 600; ++i)
+    samples.push_back(3.0 * std::sin(0.07 * i) * std::exp(-1e-5 * i * i) + std::cos(0.31 * i));
+  return {"shaking", 0.01, samples};
+}
+
+GroundMotion shaking_in_plan() {
+  std::vector<double> along_y;
+  for (int i = 0; i < 600; ++i) along_y.push_back(2.0 * std::cos(0.05 * i) * std::exp(-1e-5 * i * i));
+  const GroundMotion x = shaking();
+  return x.with_component_y(along_y, x, {"y", 0.01, along_y});
+}
+
+Eigen::MatrixXd chain_stiffness() {
+  Eigen::MatrixXd k{storeys, storeys};
+  k << 2.0, -1.0, 0.0, -1.0, 2.0, -1.0, 0.0, -1.0, 1.0;
+  return 1e9 * k;
+}
+
+LeadRubberBearing bearing() {
+  return {.yield_force = 1.93 * MN, .yield_displacement = 1 * cm, .post_yield_stiffness = 19.3 * MN / m};
+}
+
+std::vector<SuperstructureFloor> floors_on_line() {
+  std::vector<SuperstructureFloor> floors;
+  for (int i = 1; i <= storeys; ++i) floors.push_back({.height = 3.5 * i * m, .mass = 500 * tonne});
+  return floors;
+}
+
+Superstructure matrices_on_line() {
+  return {.stiffness = in_units(chain_stiffness(), {.force = N, .length = m}),
+          .freedoms = per_floor(Freedoms::x),
+          .floors = floors_on_line(),
+          .damping = RayleighDamping{.ratio = 0.05},
+          .base = SuperstructureBase{.mass = 550 * tonne},
+          .isolation = bearing()};
+}
+
+// The modes of the same building, normalised by the mass in kg.
+Superstructure modes_on_line() {
+  Superstructure building = matrices_on_line();
+  const Eigen::MatrixXd mass = 500e3 * Eigen::MatrixXd::Identity(storeys, storeys);
+  const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> solver{chain_stiffness(), mass};
+  building.stiffness.reset();
+  building.modes = StructureModes{.eigenvalues = {solver.eigenvalues().data(), solver.eigenvalues().data() + storeys},
+                                  .shapes = solver.eigenvectors()};
+  return building;
+}
+
+CaseResult run(const Model& model, const GroundMotion& motion, const TransientOptions& options) {
+  CaseRun run{model, motion, {.transient = options, .error_bars = ErrorBarMode::never}};
+  run.run();
+  return run.take_result();
+}
+
+const std::vector<std::pair<std::string, std::string>>& peaks_on_line() {
+  static const std::vector<std::pair<std::string, std::string>> list{{"displacement", "base"},
+                                                                     {"displacement", "floor 3"},
+                                                                     {"absolute_acceleration", "base"},
+                                                                     {"absolute_acceleration", "floor 1"},
+                                                                     {"absolute_acceleration", "floor 3"},
+                                                                     {"drift", "storey 1"},
+                                                                     {"drift", "storey 3"},
+                                                                     {"storey_shear", "storey 2"},
+                                                                     {"total_base_shear", "base"},
+                                                                     {"isolator_deformation", "bearings"}};
+  return list;
+}
+
+void expect_equal(const CaseResult& a, const CaseResult& b, double tolerance) {
+  for (const auto& [quantity, where] : peaks_on_line()) {
+    const double expected = peak(b, quantity, where);
+    EXPECT_NEAR(peak(a, quantity, where), expected, tolerance * expected) << quantity << " at " << where;
+  }
+}
+
+std::vector<TransientOptions> all_integrators() {
+  return {{.step = 2 * ms},
+          {.integrator = HilberHughesTaylor{}, .step = 2 * ms},
+          {.integrator = GeneralizedAlpha{.spectral_radius = 0.8}, .step = 2 * ms},
+          {.integrator = ExactBetweenEvents{}}};
+}
+
+TEST(Superstructure, AShearBuildingGivenByItsMatrixHasItsPeaks) {
+  for (const TransientOptions& options : all_integrators()) {
+    Model given, shear;
+    add(given, matrices_on_line());
+    add(shear, ShearBuilding{.storeys = storeys,
+                             .floor_mass = 500 * tonne,
+                             .storey_stiffness = 1 * GN / m,
+                             .damping = RayleighDamping{.ratio = 0.05},
+                             .base_mass = 550 * tonne,
+                             .isolation = bearing()});
+    expect_equal(run(given, shaking(), options), run(shear, shaking(), options), 1e-10);
+  }
+}
+
+TEST(Superstructure, AllModesAreTheMatrices) {
+  for (const TransientOptions& options : all_integrators()) {
+    TransientOptions strict = options;
+    strict.force_tolerance = 1e-12;
+    Model matrices, modes;
+    add(matrices, matrices_on_line());
+    add(modes, modes_on_line());
+    const CaseResult by_matrices = run(matrices, shaking(), strict);
+    expect_equal(run(modes, shaking(), strict), by_matrices, 1e-9);
+  }
+}
+
+TEST(Superstructure, OnTheGroundModesAndMatricesAgreeToo) {
+  for (const bool modal : {false, true}) {
+    Superstructure fixed = modal ? modes_on_line() : matrices_on_line();
+    fixed.base.reset();
+    fixed.isolation.reset();
+    Model given, shear;
+    add(given, fixed);
+    add(shear, ShearBuilding{.storeys = storeys,
+                             .floor_mass = 500 * tonne,
+                             .storey_stiffness = 1 * GN / m,
+                             .damping = RayleighDamping{.ratio = 0.05}});
+    const CaseResult a = run(given, shaking(), {.step = 2 * ms}), b = run(shear, shaking(), {.step = 2 * ms});
+    for (const auto& [quantity, where] : {std::pair{"absolute_acceleration", "floor 1"},
+                                          {"displacement", "floor 3"},
+                                          {"drift", "storey 1"},
+                                          {"storey_shear", "storey 1"},
+                                          {"total_base_shear", "base"}})
+      EXPECT_NEAR(peak(a, quantity, where), peak(b, quantity, where), 1e-9 * peak(b, quantity, where)) << quantity;
+  }
+}
+
+TEST(Superstructure, GapsActOnFloorsThatFollowModes) {
+  const auto with_gaps = [](Superstructure building) {
+    Model model;
+    const SuperstructureParts parts = add(model, building);
+    add(model, Gap{.name = "roof wall",
+                   .left = parts.floor(3),
+                   .right = ground,
+                   .clearance = 2 * cm,
+                   .law = Kelvin{.stiffness = 200 * MN / m, .restitution = 0.6}});
+    add(model, Gap{.name = "column wall",
+                   .left = ground,
+                   .right = MemberPoint{parts.floor(1), parts.floor(2), 0.4},
+                   .clearance = 3 * cm,
+                   .law = LinearElastic{.stiffness = 100 * MN / m}});
+    const TransientOptions strict{.step = 0.5 * ms, .force_tolerance = 1e-12};
+    return run(model, shaking(), strict);
+  };
+  const CaseResult modes = with_gaps(modes_on_line()), matrices = with_gaps(matrices_on_line());
+  ASSERT_GT(matrices.impacts.size(), 4U);
+  EXPECT_EQ(modes.impacts.size(), matrices.impacts.size());
+  expect_equal(modes, matrices, 1e-7);
+  for (const char* gap : {"roof wall", "column wall"})
+    EXPECT_NEAR(peak(modes, "impact_force", gap), peak(matrices, "impact_force", gap),
+                1e-7 * peak(matrices, "impact_force", gap));
+}
+
+TEST(Superstructure, TheMassThatModesLeaveOutRidesOnTheBase) {
+  Superstructure few = modes_on_line();
+  few.modes->keep = 1;
+  Model model;
+  const SuperstructureParts parts = add(model, few);
+  // The whole mass moves with the base where the coordinate does not.
+  EXPECT_NEAR(model.mass_matrix().at(0, 0), 550e3 + storeys * 500e3, 1e-6);
+  ASSERT_EQ(parts.notes.size(), 1U);
+  const double share = 1.0 - parts.modes.at(0).x;
+  EXPECT_NE(parts.notes[0].find("The modes leave out " + to_text(100.0 * share) + " %"), std::string::npos)
+      << parts.notes[0];
+}
+
+TEST(Superstructure, ParticipatingMassesOfAllModesAddUpToTheWhole) {
+  Model model;
+  const SuperstructureParts parts = add(model, matrices_on_line());
+  double sum = 0.0;
+  for (const ParticipatingMass& mode : parts.modes) sum += mode.x;
+  EXPECT_NEAR(sum, 1.0, 1e-12);
+  // Of a chain of three equal storeys: w = 2 sqrt(k/m) sin(pi/14).
+  EXPECT_NEAR(parts.periods().at(0), std::numbers::pi / (std::sqrt(1e9 / 500e3) * std::sin(std::numbers::pi / 14.0)),
+              1e-12);
+}
+
+// Stiffness, masses and outlines in plan, floors with centres of mass that do not lie above each other.
+struct PlanCase {
+  Eigen::MatrixXd stiffness{9, 9};
+  std::vector<SuperstructureFloor> floors;
+  PlanOutline outline = rectangle(24 * m, 15 * m);
+
+  PlanCase() {
+    Eigen::MatrixXd root{9, 9};
+    for (int i = 0; i < 9; ++i)
+      for (int j = 0; j < 9; ++j) root(i, j) = std::sin(1.0 + 3.0 * i + 7.0 * j) * (j % 3 == 2 ? 8.0 : 1.0);
+    stiffness = 1e8 * (root.transpose() * root);
+    for (int i = 0; i < 3; ++i)
+      for (int d = 0; d < 3; ++d) stiffness(3 * i + d, 3 * i + d) += d == 2 ? 6e10 : 1e9;
+    for (int i = 0; i < 3; ++i)
+      floors.push_back({.height = (4.0 + 3.5 * i) * m,
+                        .mass = (820 - 150 * i) * tonne,
+                        .centre_of_mass = {0.6 * i * m, -0.4 * i * m},
+                        .outline = outline});
+  }
+
+  [[nodiscard]] Superstructure building() const {
+    return {.stiffness = in_units(stiffness, {.force = N, .length = m}),
+            .floors = floors,
+            .damping = ModalDamping{0.05},
+            .base = SuperstructureBase{.mass = 900 * tonne, .outline = outline},
+            .bearings =
+                grid(3, 3,
+                     BiaxialBilinear{
+                         .yield_force = 120 * kN, .yield_displacement = 8 * mm, .post_yield_stiffness = 1.5 * MN / m})};
+  }
+};
+
+TEST(Superstructure, UnitsAndOrderOfTheRowsDoNotMatter) {
+  const PlanCase plan;
+  const auto result_of = [&](const Superstructure& building) {
+    Model model;
+    add(model, building);
+    return run(model, shaking_in_plan(), {.step = 2 * ms});
+  };
+  const CaseResult reference = result_of(plan.building());
+  const auto expect_same = [&](const CaseResult& result, const char* which) {
+    for (const auto& [quantity, where] : {std::pair{"displacement", "base"},
+                                          {"displacement", "floor 3"},
+                                          {"rotation", "floor 2"},
+                                          {"storey_torque", "storey 1"}})
+      EXPECT_NEAR(peak(result, quantity, where), peak(reference, quantity, where),
+                  1e-10 * peak(reference, quantity, where))
+          << which << ": " << quantity << " at " << where;
+  };
+  // kN and cm.
+  Superstructure other = plan.building();
+  Eigen::MatrixXd values = plan.stiffness;
+  for (int i = 0; i < 9; ++i)
+    for (int j = 0; j < 9; ++j) values(i, j) *= 1e-3 * std::pow(100.0, (i % 3 == 2) + (j % 3 == 2) - 1);
+  other.stiffness = in_units(values, {.force = kN, .length = cm});
+  expect_same(result_of(other), "kN and cm");
+  // The highest floor first, and a list.
+  Superstructure listed = plan.building(), top_down = plan.building();
+  Eigen::MatrixXd turned{9, 9}, mixed{9, 9};
+  std::vector<Freedom> rows;
+  std::vector<int> from_top, from_list;
+  for (int i = 0; i < 9; ++i) {
+    from_top.push_back(3 * (2 - i / 3) + i % 3);
+    from_list.push_back((4 * i) % 9);
+    rows.push_back({1 + from_list.back() / 3, static_cast<FloorDirection>(from_list.back() % 3)});
+  }
+  for (std::size_t i = 0; i < 9; ++i)
+    for (std::size_t j = 0; j < 9; ++j) {
+      turned(static_cast<int>(i), static_cast<int>(j)) = plan.stiffness(from_top[i], from_top[j]);
+      mixed(static_cast<int>(i), static_cast<int>(j)) = plan.stiffness(from_list[i], from_list[j]);
+    }
+  top_down.stiffness = in_units(turned, {.force = N, .length = m});
+  top_down.freedoms = per_floor(Freedoms::x_y_rotation, FloorOrder::top_down);
+  expect_same(result_of(top_down), "from the top down");
+  listed.stiffness = in_units(mixed, {.force = N, .length = m});
+  listed.freedoms = rows;
+  expect_same(result_of(listed), "a list");
+  MatrixInUnits named = in_units(mixed, {.force = N, .length = m});
+  for (const Freedom& row : rows) named.names.push_back(row.name());
+  Superstructure by_names = plan.building();
+  by_names.stiffness = named;
+  expect_same(result_of(by_names), "names in the file");
+}
+
+TEST(Superstructure, StoreyForcesAndDampingBalanceTheInertiaOfTheFloors) {
+  // sum(K v + C v') over floors j >= i is minus the inertia of these floors, at every instant.
+  const PlanCase plan;
+  Superstructure undamped = plan.building();
+  undamped.damping = std::monostate{};
+  Model model;
+  const SuperstructureParts parts = add(model, undamped);
+  Transient transient{model, shaking_in_plan(), {.step = 2 * ms, .end = 2 * s}};
+  const Building& building = model.buildings().front();
+  double largest = 0.0, worst = 0.0;
+  while (!transient.finished()) {
+    transient.advance();
+    const AnalysisState& state = transient.state();
+    const GroundVector ground_acceleration = shaking_in_plan().components_at(state.time());
+    for (const StoreyResult& result : building.storey_results) {
+      if (result.place != "storey 2") continue;
+      double of_result = 0.0, inertia = 0.0;
+      for (const MotionShare& share : result.displacements) of_result += share.weight * state.displacement(share.node);
+      for (int floor = 2; floor <= 3; ++floor) {
+        const PlacedDiaphragm& its = model.diaphragm(parts.floor(floor));
+        const double x = its.mass * (state.acceleration(its.id.x) + ground_acceleration.x),
+                     y = its.mass * (state.acceleration(its.id.y) + ground_acceleration.y);
+        const double arm = its.height - 4.0;
+        if (result.quantity == "storey_shear_x") inertia += x;
+        if (result.quantity == "storey_shear_y") inertia += y;
+        if (result.quantity == "overturning_moment_x") inertia += arm * x;
+        if (result.quantity == "overturning_moment_y") inertia += arm * y;
+        if (result.quantity == "storey_torque")
+          inertia += its.centre_of_mass.x * y - its.centre_of_mass.y * x +
+                     its.mass * its.gyration * state.acceleration(its.id.r);
+      }
+      largest = std::max(largest, std::abs(of_result));
+      worst = std::max(worst, std::abs(of_result + inertia));
+    }
+  }
+  EXPECT_GT(largest, 1e6);
+  EXPECT_LT(worst, 1e-7 * largest);
+}
+
+TEST(Superstructure, ModesInPlanAreTheMatrices) {
+  const PlanCase plan;
+  Superstructure by_modes = plan.building();
+  Eigen::MatrixXd mass = Eigen::MatrixXd::Zero(9, 9);
+  for (int i = 0; i < 9; ++i) {
+    const SuperstructureFloor& floor = plan.floors[static_cast<std::size_t>(i / 3)];
+    mass(i, i) = floor.mass.si() * (i % 3 == 2 ? plan.outline.gyration_squared() : 1.0);
+  }
+  const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> solver{plan.stiffness, mass};
+  by_modes.stiffness.reset();
+  // Any norm: the masses of the modes count.
+  Eigen::MatrixXd shapes = solver.eigenvectors();
+  for (int i = 0; i < 9; ++i) shapes.col(i) *= 1.0 + 3.0 * i;
+  by_modes.modes = StructureModes{.eigenvalues = {solver.eigenvalues().data(), solver.eigenvalues().data() + 9},
+                                  .shapes = shapes,
+                                  .norm = ShapeNorm::any};
+  const auto result_of = [&](const Superstructure& building) {
+    Model model;
+    const SuperstructureParts parts = add(model, building);
+    add(model, PlanMoat{.around = parts.base, .clearance = 1 * cm, .law = LinearElastic{.stiffness = 200 * MN / m}});
+    add(model, PlanMoat{.name = "collar",
+                        .around = parts.floor(2),
+                        .clearance = 2 * cm,
+                        .law = LinearElastic{.stiffness = 100 * MN / m}});
+    return run(model, shaking_in_plan(), {.step = 0.5 * ms, .end = 3 * s, .force_tolerance = 1e-12});
+  };
+  const CaseResult matrices = result_of(plan.building()), modes = result_of(by_modes);
+  ASSERT_GT(matrices.impacts.size(), 3U);
+  EXPECT_EQ(matrices.impacts.size(), modes.impacts.size());
+  for (const auto& [quantity, where] : {std::pair{"displacement", "floor 3"},
+                                        {"rotation", "base"},
+                                        {"absolute_acceleration", "floor 1"},
+                                        {"storey_shear_x", "storey 1"},
+                                        {"storey_torque", "storey 2"},
+                                        {"overturning_moment_y", "storey 1"},
+                                        {"total_base_shear_x", "base"},
+                                        {"total_base_torque", "base"},
+                                        {"impact_force", "collar"},
+                                        {"corner_drift", "floor 2"}})
+    EXPECT_NEAR(peak(modes, quantity, where), peak(matrices, quantity, where), 1e-7 * peak(matrices, quantity, where))
+        << quantity << " at " << where;
+}
+
+// ---------------------------------------------------------------------------------------------------------- refusals
+
+std::string refusal(const Superstructure& building) {
+  return message_of([&] {
+    Model model;
+    add(model, building);
+  });
+}
+
+template <class Change>
+std::string refusal_of(const Change& change) {
+  Superstructure building = matrices_on_line();
+  change(building);
+  return refusal(building);
+}
+
+void expect_words(const std::string& message, const std::string& words) {
+  EXPECT_NE(message.find(words), std::string::npos) << message;
+}
+
+TEST(Superstructure, BadMatricesAreRefusedWithTheNumber) {
+  expect_words(refusal_of([](Superstructure& b) { b.stiffness->values(0, 1) *= 1.1; }),
+               "stiffness is not symmetric: entry (floor 1 x, floor 2 x) = -1.1e+09, transposed -1e+09");
+  expect_words(refusal_of([](Superstructure& b) { b.stiffness->values(1, 1) = -1.0; }),
+               "stiffness of floor 2 x is -1.");
+  expect_words(refusal_of([](Superstructure& b) { b.stiffness->values(0, 0) = 1e9 / 3.0; }),
+               "stiffness is indefinite: eigenvalue -");
+  expect_words(refusal_of([](Superstructure& b) { b.stiffness->values(0, 0) = 1e9; }), "nothing holds them");
+  expect_words(refusal_of([](Superstructure& b) { b.freedoms = per_floor(Freedoms::x_y_rotation); }),
+               "rotary_inertia = 0 kg m^2 is not allowed");
+  expect_words(refusal_of([](Superstructure& b) { b.floors.pop_back(); }),
+               "floors has 2 entries, the matrix has floor 3 x.");
+  expect_words(refusal_of([](Superstructure& b) { b.floors[2].height = 7 * m; }), "heights must rise: floor 3 at 7 m");
+  expect_words(refusal_of([](Superstructure& b) { b.isolation.reset(); }), "base is given without bearings");
+  expect_words(refusal_of([](Superstructure& b) { b.base.reset(); }), "bearings are given without base");
+  expect_words(refusal_of([](Superstructure& b) { b.damping = ModalDamping{5.0}; }), "5 % is 0.05");
+  expect_words(refusal_of([](Superstructure& b) {
+                 b.modes = StructureModes{.shapes = Eigen::MatrixXd{3, 3}};
+               }),
+               "2 of them are given");
+  expect_words(refusal_of([](Superstructure& b) {
+                 b.freedoms = {{1, FloorDirection::x}, {2, FloorDirection::x}};
+               }),
+               "freedoms lists 2 entries; stiffness has 3 rows");
+  expect_words(refusal_of([](Superstructure& b) {
+                 b.freedoms = {{1, FloorDirection::x}, {2, FloorDirection::x}, {2, FloorDirection::x}};
+               }),
+               "the freedom floor 2 x is given twice");
+}
+
+TEST(Superstructure, RowsOfTheBaseAreCheckedByRigidMotion) {
+  Eigen::MatrixXd whole = Eigen::MatrixXd::Zero(4, 4);
+  whole.bottomRightCorner(3, 3) = chain_stiffness();
+  whole(0, 0) = 1e9;
+  whole(0, 1) = whole(1, 0) = -1e9;
+  Superstructure building = matrices_on_line();
+  building.stiffness = in_units(whole, {.force = N, .length = m});
+  building.freedoms = per_floor(Freedoms::x).with_base();
+  EXPECT_EQ(refusal(building), "nothing was thrown");
+  whole(0, 0) = 1.1e9;
+  building.stiffness = in_units(whole, {.force = N, .length = m});
+  expect_words(refusal(building), "rigid motion of base and floors strains row base x");
+}
+
+TEST(Superstructure, ShapesThatDoNotFitTheMassesAreRefused) {
+  Superstructure building = modes_on_line();
+  building.modes->shapes.col(1) += 0.05 * building.modes->shapes.col(0);
+  expect_words(refusal(building), "shapes 1 and 2 are not orthogonal with these masses");
+  building = modes_on_line();
+  building.modes->shapes *= 2.0;
+  expect_words(refusal(building), "Give .norm = ShapeNorm::any");
+  building = modes_on_line();
+  building.modes->eigenvalues.pop_back();
+  expect_words(refusal(building), "shapes has 3 rows and 3 columns, eigenvalues 2.");
+}
+
+TEST(Superstructure, AWrongUnitOfTheRotaryInertiaIsRefused) {
+  Superstructure building = PlanCase{}.building();
+  building.floors[1].rotary_inertia = 1e3 * tonne * m * m / 1e3;
+  expect_words(refusal(building), "rotary inertia of floor 2 gives a radius of");
+}
+
+}  // namespace
+}  // namespace moat
