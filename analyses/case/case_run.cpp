@@ -193,6 +193,9 @@ CaseResult CaseRun::result_with(Table histories) const {
         strain_warnings(result.peaks), plan_warnings(transient_.state(), result.peaks, result.impacts),
         energy_warnings(result.energy, options_.warn_above_energy_error, options_.transient)})
     result.warnings.insert(result.warnings.end(), warnings.begin(), warnings.end());
+  for (const Building& building : transient_.model().buildings())
+    for (const std::string& note : building.notes)
+      result.assumptions.push_back((building.name.empty() ? "Building" : building.name) + ": " + note);
   result.torsion = torsion_of(transient_.model(), result.peaks);
   add_errors(result);
   // Behind the errors: the companion does not know these peaks.

@@ -90,7 +90,8 @@ std::vector<NamedPeriod> characteristic_periods(const Model& model, std::size_t 
     const auto report = [&](const char* name, double value) {
       if (value > 0.0 && std::isfinite(value)) periods.push_back({prefix + name, value});
     };
-    const std::vector<int> nodes = indices_of(model, building.nodes());
+    const std::vector<int> nodes =
+        indices_of(model, building.shares_base ? building.nodes() : carried_nodes(model, building));
     const std::vector<int> held = indices_of(model, isolated_nodes(model, isolators[b]));
     if (held.empty()) {
       report("first mode", first_period(initial, masses, nodes));

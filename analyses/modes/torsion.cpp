@@ -36,7 +36,7 @@ Bearings bearings_under(const Model& model, DiaphragmId base) {
 PlanVector centre_of_mass(const Model& model, const Building& building) {
   PlanVector moment;
   double mass = 0.0;
-  for (const NodeId node : building.nodes()) {
+  for (const NodeId node : carried_nodes(model, building)) {
     const PlacedDiaphragm* floor = model.diaphragm_of(node);
     if (floor == nullptr) continue;
     moment += floor->mass * floor->centre_of_mass;
@@ -92,7 +92,7 @@ std::vector<BuildingTorsion> torsion_of(const Model& model, const std::vector<Pe
   std::vector<BuildingTorsion> list;
   for (const Building& building : model.buildings()) {
     const PlacedDiaphragm* base = model.diaphragm_of(building.base);
-    if (base == nullptr || base->outline.empty()) continue;
+    if (base == nullptr || base->outline.empty() || building.shares_base) continue;
     const Bearings bearings = bearings_under(model, base->id);
     if (bearings.positions.empty()) continue;
     const PlanVector shift = centre_of_mass(model, building) - bearings.centre;

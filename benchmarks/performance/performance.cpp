@@ -24,8 +24,11 @@ struct Section {
 };
 
 const std::vector<Section>& sections() {
-  static const std::vector<Section> list{
-      {"equal-accuracy", equal_accuracy}, {"scale", scale}, {"suite", suite}, {"scripts", scripts}};
+  static const std::vector<Section> list{{"equal-accuracy", equal_accuracy},
+                                         {"scale", scale},
+                                         {"suite", suite},
+                                         {"superstructures", superstructures},
+                                         {"scripts", scripts}};
   return list;
 }
 

@@ -24,6 +24,8 @@ void equal_accuracy(Record& record, const Options& options);
 void scale(Record& record, const Options& options);
 /// A study of many histories: histories per second, and the gain of a second thread.
 void suite(Record& record, const Options& options);
+/// The benchmark building of MOAT_EXPERIMENTS from matrices and modes, beside a PlanBuilding of as many floors.
+void superstructures(Record& record, const Options& options);
 /// The tours through the launcher: from the command to its end, edited and unchanged, and the whole run of one.
 void scripts(Record& record, const Options& options);
 

@@ -12,6 +12,10 @@ Check check_link(const Model& model, std::string_view kind, const std::string& n
                      "\", and this element has no direction in plan.",
                  "Use a PlanSpring with the same law, two points and a direction.");
   }
+  for (const NodeId node : {first.node, second.node})
+    check.that(!node.is_follower() || kind == "Gap",
+               "\"" + std::string{model.node_name(node)} + "\" follows others, and this element joins nodes alone.",
+               "Join the base instead; floors that are given by modes take gaps only.");
   if (first.node == second.node)
     check.that(false,
                std::string{first.field} + " and " + std::string{second.field} + " are the same node, \"" +

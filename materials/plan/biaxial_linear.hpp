@@ -14,7 +14,9 @@ struct BiaxialLinear {
 
   /// k > 0 N/m.
   Required<Stiffness> stiffness;
-  struct State {};
+  struct State {
+    friend bool operator==(const State&, const State&) = default;
+  };
 
   void check(const Check& check) const { check.positive("stiffness", stiffness); }
   [[nodiscard]] std::vector<Parameter> parameters() const { return {{"stiffness", stiffness.si(), "N/m"}}; }

@@ -67,9 +67,19 @@ class NodeSets {
 std::vector<NodeId> Building::nodes() const {
   std::vector<NodeId> list;
   list.reserve(floors.size() + 1);
-  if (base != ground) list.push_back(base);
+  if (base != ground && !shares_base) list.push_back(base);
   list.insert(list.end(), floors.begin(), floors.end());
   return list;
+}
+
+std::vector<NodeId> carried_nodes(const Model& model, const Building& building) {
+  std::vector<NodeId> nodes;
+  if (building.shares_base) return nodes;
+  nodes = building.nodes();
+  for (const Building& other : model.buildings())
+    if (other.shares_base && other.base == building.base)
+      nodes.insert(nodes.end(), other.floors.begin(), other.floors.end());
+  return nodes;
 }
 
 std::vector<std::vector<ElementId>> isolators_of(const Model& model, std::span<const Building> buildings) {
@@ -112,7 +122,8 @@ std::vector<Building> all_buildings(const Model& model) {
       building_of_part[static_cast<std::size_t>(part[static_cast<std::size_t>(model.place(node))])] = known;
   std::vector<bool> isolated(part.size(), false);
   for_each_element(model, [&](ElementId, const ElementInfo& info) {
-    if (const NodeId node = isolated_node(info); node != ground) isolated[static_cast<std::size_t>(model.place(node))] = true;
+    if (const NodeId node = isolated_node(info); node != ground)
+      isolated[static_cast<std::size_t>(model.place(node))] = true;
   });
   for (int node = 0; node < model.degrees_of_freedom(); ++node) {
     // A diaphragm counts once.

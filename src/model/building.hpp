@@ -51,6 +51,8 @@ struct Building {
   NodeId base = ground;
   /// From the lowest up.
   Places<NodeId, floors_remedy> floors{};
+  /// Whether its base is that of another building, such as a podium with two towers. The other one counts its inertia.
+  bool shares_base = false;
   /// Results besides those that every building has.
   std::vector<StoreyResult> storey_results{};
   /// Sentences about its input, which results repeat.
@@ -58,12 +60,16 @@ struct Building {
 
   /// By its number in names: floor(1) is the lowest. Throws InputError outside 1 to the number of floors.
   [[nodiscard]] NodeId floor(int number) const { return floors.numbered(number, Check{"Building", name}, "floor"); }
-  /// Base, unless that is the ground, and floors.
+  /// Base, unless that is the ground or another building's, and floors.
   [[nodiscard]] std::vector<NodeId> nodes() const;
   [[nodiscard]] NodeId top() const { return floors.empty() ? base : floors.back(); }  ///< The highest floor.
   /// Where its base shear is listed.
   [[nodiscard]] std::string base_name() const { return name.empty() ? "base" : name + " base"; }
 };
+
+/// The nodes whose inertia the isolators of a building carry: its own, and those of buildings on its base. Empty for
+/// one that shares the base of another.
+std::vector<NodeId> carried_nodes(const Model& model, const Building& building);
 
 /// The isolators of every building: elements that separate one of its nodes from the ground (ElementInfo::isolates).
 std::vector<std::vector<ElementId>> isolators_of(const Model& model, std::span<const Building> buildings);

@@ -9,10 +9,20 @@ namespace {
 constexpr std::array directions{std::pair{FloorDirection::x, "x"}, std::pair{FloorDirection::y, "y"},
                                 std::pair{FloorDirection::rotation, "rotation"}};
 
+int position_of(const Check& check, const std::vector<Freedom>& given, const Freedom& wanted) {
+  const auto found = std::ranges::find(given, wanted);
+  check.that(
+      found != given.end(), "the matrix has no " + wanted.name() + ".",
+      "Give every floor from the lowest up, in plan x, y and rotation of each; rows of all slabs of a base, or none.");
+  return static_cast<int>(found - given.begin());
+}
+
 }  // namespace
 
 std::string Freedom::name() const {
-  const std::string place = floor == 0 ? "base" : "floor " + std::to_string(floor);
+  const std::string place = floor > 0  ? "floor " + std::to_string(floor)
+                            : slab > 1 ? "slab " + std::to_string(slab)
+                                       : "base";
   return place + " " + directions[static_cast<std::size_t>(direction)].second;
 }
 
@@ -46,9 +56,10 @@ std::vector<Freedom> freedoms_named(const Check& check, const std::vector<std::s
   std::vector<Freedom> list;
   for (const std::string& name : names) {
     Freedom freedom{-1};
-    for (int floor = 0; floor <= static_cast<int>(names.size()); ++floor)
+    for (int number = 0; number <= static_cast<int>(names.size()); ++number)
       for (const auto& [direction, word] : directions)
-        if (Freedom{floor, direction}.name() == name) freedom = {floor, direction};
+        for (const Freedom& each : {Freedom{number, direction}, Freedom{0, direction, std::max(number, 1)}})
+          if (each.name() == name) freedom = each;
     check.that(freedom.floor >= 0, "the row \"" + name + "\" is no freedom of a floor.",
                "Name rows \"floor 1 x\", \"floor 1 y\", \"floor 1 rotation\", \"base x\"; or leave the names out.");
     list.push_back(freedom);
@@ -61,19 +72,22 @@ std::vector<int> positions_of(const Check& check, const std::vector<Freedom>& gi
     check.that(std::ranges::count(given, freedom) == 1, "the freedom " + freedom.name() + " is given twice.",
                "Every row of the matrix has its own.");
     check.that(freedom.floor >= 0 && freedom.floor <= floors,
-               "floors has " + std::to_string(floors) + (floors == 1 ? " entry" : " entries") +
-                   ", the matrix has " + freedom.name() + ".",
+               "floors has " + std::to_string(floors) + (floors == 1 ? " entry" : " entries") + ", the matrix has " +
+                   freedom.name() + ".",
                "Give one of .floors for each floor, from the lowest up.");
   }
   std::vector<int> positions;
   for (int floor = 1; floor <= floors; ++floor)
-    for (int k = 0; k < (in_plan ? 3 : 1); ++k) {
-      const Freedom wanted{floor, directions[static_cast<std::size_t>(k)].first};
-      const auto found = std::ranges::find(given, wanted);
-      check.that(found != given.end(), "the matrix has no " + wanted.name() + ".",
-                 in_plan ? "Give x, y and rotation of every floor in plan." : "Give every floor, from the lowest up.");
-      positions.push_back(static_cast<int>(found - given.begin()));
-    }
+    for (int k = 0; k < (in_plan ? 3 : 1); ++k)
+      positions.push_back(position_of(check, given, {floor, directions[static_cast<std::size_t>(k)].first}));
+  return positions;
+}
+
+std::vector<int> positions_of_base(const Check& check, const std::vector<Freedom>& given, int slabs, bool in_plan) {
+  std::vector<int> positions;
+  for (int slab = 1; slab <= slabs; ++slab)
+    for (int k = 0; k < (in_plan ? 3 : 1); ++k)
+      positions.push_back(position_of(check, given, {0, directions[static_cast<std::size_t>(k)].first, slab}));
   return positions;
 }
 

@@ -18,15 +18,16 @@ enum class FloorDirection { x, y, rotation };
 struct Freedom {
   int floor = 0;                                 ///< >= 0; 0 is the base
   FloorDirection direction = FloorDirection::x;  ///< of its motion
+  int slab = 1;                                  ///< >= 1, of a base of several slabs; else 1
 
-  /// "floor 3 rotation", "base x"
+  /// "floor 3 rotation", "base x", "slab 2 x"
   [[nodiscard]] std::string name() const;
   friend bool operator==(const Freedom&, const Freedom&) = default;
 };
 
 /// The rows of a floor in a standard order.
 enum class Freedoms {
-  x,              ///< one: the building moves on a line
+  x,             ///< one: the building moves on a line
   x_y_rotation,  ///< three, about the floor's centre of mass
 };
 
@@ -39,8 +40,8 @@ enum class FloorOrder { bottom_up, top_down };
 ///     .freedoms = {{1, FloorDirection::x}, {1, FloorDirection::y}, {1, FloorDirection::rotation}, {2, ...}}
 class FreedomOrder {
  public:
-  FreedomOrder(std::vector<Freedom> rows) : rows_{std::move(rows)} {}            ///< One for each row.
-  FreedomOrder(std::initializer_list<Freedom> rows) : rows_{rows} {}             ///< One for each row.
+  FreedomOrder(std::vector<Freedom> rows) : rows_{std::move(rows)} {}                        ///< One for each row.
+  FreedomOrder(std::initializer_list<Freedom> rows) : rows_{rows} {}                         ///< One for each row.
   FreedomOrder(Freedoms of_floor, FloorOrder order) : of_floor_{of_floor}, order_{order} {}  ///< In standard order.
 
   /// The rows of the base are below those of floor 1 in the same order. They are checked, and not used: rigid motion
@@ -63,7 +64,8 @@ std::vector<Freedom> freedoms_named(const Check& check, const std::vector<std::s
 /// Where every freedom of the floors stands among `given`: floor by floor from the lowest up, x alone or x, y and
 /// rotation. Throws InputError for a freedom that is given twice, a floor that lacks a direction or is missing.
 std::vector<int> positions_of(const Check& check, const std::vector<Freedom>& given, int floors, bool in_plan);
-
+/// Those of the slabs of the base, likewise.
+std::vector<int> positions_of_base(const Check& check, const std::vector<Freedom>& given, int slabs, bool in_plan);
 
 /// The rows of every floor in a standard order.
 inline FreedomOrder per_floor(Freedoms of_floor, FloorOrder order = FloorOrder::bottom_up) { return {of_floor, order}; }

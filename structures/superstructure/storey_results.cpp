@@ -17,7 +17,8 @@ PerDisplacement per_displacement(const StructureSystem& system, bool has_base) {
     PerDisplacement result{Eigen::MatrixXd::Zero(rows, modes + of_base), Eigen::MatrixXd::Zero(rows, modes + of_base)};
     result.displacements << system.shapes, system.carried.leftCols(of_base);
     const Eigen::MatrixXd heavy = system.mass * system.shapes, modal_mass = system.shapes.transpose() * heavy;
-    result.forces.leftCols(modes) = heavy * modal_mass.llt().solve(Eigen::MatrixXd{system.modal_stiffness.asDiagonal()});
+    result.forces.leftCols(modes) =
+        heavy * modal_mass.llt().solve(Eigen::MatrixXd{system.modal_stiffness.asDiagonal()});
     return result;
   }
   PerDisplacement result{Eigen::MatrixXd::Identity(rows, rows + of_base), Eigen::MatrixXd::Zero(rows, rows + of_base)};
@@ -41,7 +42,7 @@ std::vector<StoreyResult> storey_results(const StructureSystem& system, const St
         result.displacements.push_back({nodes[i], weight});
     results.push_back(std::move(result));
   };
-  const PlanVector origin = (system.is_isolated() ? system.base : system.floors.front()).centre_of_mass;
+  const PlanVector origin = system.origin();
   const int step = system.per_floor();
   for (std::size_t i = 0; i < system.floors.size(); ++i) {
     const std::string place = prefix + "storey " + std::to_string(i + 1);
@@ -66,7 +67,7 @@ std::vector<StoreyResult> storey_results(const StructureSystem& system, const St
       if (i > 0)
         drift -= per.displacements.row(static_cast<Eigen::Index>(i) - 1).transpose();
       else if (!rows.base.empty())
-        drift[drift.size() - 1] -= 1.0;
+        drift[static_cast<Eigen::Index>(rows.own.size())] -= 1.0;
       add("drift", place, "m", drift);
       add("storey_shear", place, "N", shear[0]);
       add("overturning_moment", place, "N m", moment[0]);

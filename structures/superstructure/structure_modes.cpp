@@ -15,9 +15,9 @@ Eigen::VectorXd squared_frequencies(const Check& check, const StructureModes& mo
   std::vector<double> values = modes.eigenvalues;
   for (const Time period : modes.periods) values.push_back(std::pow(2.0 * std::numbers::pi / period.si(), 2));
   check.that(static_cast<Eigen::Index>(values.size()) == modes.shapes.cols(),
-             "shapes has " + std::to_string(modes.shapes.rows()) + " rows and " +
-                 std::to_string(modes.shapes.cols()) + " columns, " +
-                 (modes.periods.empty() ? "eigenvalues " : "periods ") + std::to_string(values.size()) + ".",
+             "shapes has " + std::to_string(modes.shapes.rows()) + " rows and " + std::to_string(modes.shapes.cols()) +
+                 " columns, " + (modes.periods.empty() ? "eigenvalues " : "periods ") + std::to_string(values.size()) +
+                 ".",
              "Give a column of the shapes for each mode.");
   for (std::size_t i = 0; i < values.size(); ++i)
     check.positive("squared frequency of mode " + std::to_string(i + 1), values[i], "1/s^2");
@@ -43,7 +43,8 @@ void check_shapes(const Check& check, const Eigen::MatrixXd& masses, ShapeNorm n
   }
   const std::string text = "shapes " + std::to_string(a + 1) + " and " + std::to_string(b + 1) +
                            " are not orthogonal with these masses: " + percent(worst);
-  check.that(worst <= tolerated, text + ".", "Masses and shapes may belong to different models, or their order differs.");
+  check.that(worst <= tolerated, text + ".",
+             "Masses and shapes may belong to different models, or their order differs.");
   if (worst > round_off) notes.push_back(text + ". The masses count in full.");
   if (norm == ShapeNorm::any) return;
   const std::string norm_text = "masses of modes differ from 1 by up to " + percent(off_norm);
@@ -55,7 +56,7 @@ void check_shapes(const Check& check, const Eigen::MatrixXd& masses, ShapeNorm n
 // The mass of the modes that are left out rides on the base.
 void note_residual_mass(const StructureSystem& system, const Eigen::MatrixXd& modal_mass, const Eigen::MatrixXd& load,
                         std::vector<std::string>& notes) {
-  const Eigen::MatrixXd whole = system.carried.transpose() * system.mass * system.carried,
+  const Eigen::MatrixXd whole = system.rigid.transpose() * system.mass * system.rigid,
                         left = whole - load.transpose() * modal_mass.llt().solve(load);
   std::string text = "The modes leave out";
   const char* const names[] = {"x", "y", "rotation"};
@@ -92,8 +93,8 @@ void add_modes(const StructureModes& modes, const decltype(Superstructure::dampi
   Eigen::VectorXd squared = all_frequencies.head(kept);
   if (modes.orthonormalise) {
     const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> before{masses};
-    const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> uncoupled{
-        Eigen::MatrixXd{squared.asDiagonal()}, masses, Eigen::EigenvaluesOnly};
+    const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> uncoupled{Eigen::MatrixXd{squared.asDiagonal()},
+                                                                              masses, Eigen::EigenvaluesOnly};
     system.notes.push_back("Shapes are orthonormalised: the first period is " +
                            to_text(2.0 * std::numbers::pi / std::sqrt(squared.minCoeff())) + " s, and " +
                            to_text(2.0 * std::numbers::pi / std::sqrt(uncoupled.eigenvalues()[0])) +
@@ -101,8 +102,8 @@ void add_modes(const StructureModes& modes, const decltype(Superstructure::dampi
     shapes *= before.operatorInverseSqrt();
     masses.setIdentity();
   }
-  const Eigen::VectorXd own = modes.norm == ShapeNorm::any ? Eigen::VectorXd{masses.diagonal()}
-                                                           : Eigen::VectorXd{Eigen::VectorXd::Ones(kept)};
+  const Eigen::VectorXd own =
+      modes.norm == ShapeNorm::any ? Eigen::VectorXd{masses.diagonal()} : Eigen::VectorXd{Eigen::VectorXd::Ones(kept)};
   // A largest entry of 1 makes coordinates of m.
   const Eigen::VectorXd scale = shapes.cwiseAbs().colwise().maxCoeff().cwiseInverse().transpose();
   const Eigen::VectorXd mass_of_mode = modes.mass.si() * own.cwiseProduct(scale.cwiseAbs2());
@@ -110,15 +111,16 @@ void add_modes(const StructureModes& modes, const decltype(Superstructure::dampi
   system.modal_stiffness = squared.cwiseProduct(mass_of_mode);
   Eigen::VectorXd modal_damping = Eigen::VectorXd::Zero(kept);
   const Eigen::MatrixXd modal_mass = system.shapes.transpose() * system.mass * system.shapes,
-                        load = system.shapes.transpose() * system.mass * system.carried;
+                        load = system.shapes.transpose() * system.mass * system.rigid;
   note_residual_mass(system, modal_mass, load, system.notes);
   const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> solver{
       Eigen::MatrixXd{system.modal_stiffness.asDiagonal()}, modal_mass};
   system.modes = participating_masses(solver.eigenvalues(), solver.eigenvectors().transpose() * load,
-                                      system.carried.transpose() * system.mass * system.carried);
+                                      system.rigid.transpose() * system.mass * system.rigid);
   if (const auto* ratios = std::get_if<ModalDamping>(&damping)) {
     modal_damping =
-        2.0 * ratios_of(check, *ratios, kept, system.notes).cwiseProduct(squared.cwiseSqrt()).cwiseProduct(mass_of_mode);
+        2.0 *
+        ratios_of(check, *ratios, kept, system.notes).cwiseProduct(squared.cwiseSqrt()).cwiseProduct(mass_of_mode);
     system.damping = modal_damping.asDiagonal();
   } else if (const auto* rayleigh = std::get_if<RayleighDamping>(&damping)) {
     const RayleighFactors factors = rayleigh_factors_of(check, *rayleigh, system.modes);

@@ -3,7 +3,7 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
-#include <numbers>
+#include <utility>
 
 #include "structures/superstructure/matrix_checks.hpp"
 #include "structures/superstructure/structure_modes.hpp"
@@ -25,8 +25,10 @@ Eigen::MatrixXd rigid_motion(const std::vector<SystemFloor>& floors, PlanVector 
 // Builds the system of one superstructure.
 class SystemBuilder {
  public:
-  explicit SystemBuilder(const Superstructure& structure)
-      : structure_{structure}, check_{"Superstructure", structure.name} {}
+  SystemBuilder(const Superstructure& structure, std::vector<SystemFloor> on)
+      : structure_{structure}, check_{"Superstructure", structure.name} {
+    system_.bases = std::move(on);
+  }
 
   StructureSystem build() {
     const int given = (structure_.stiffness ? 1 : 0) + (structure_.modes ? 1 : 0) + (structure_.condensed ? 1 : 0);
@@ -38,11 +40,14 @@ class SystemBuilder {
       for (int k = 0; k < system_.per_floor(); ++k)
         system_.names.push_back(Freedom{floor, static_cast<FloorDirection>(k)}.name());
     positions_ = positions_of(check_, given_, static_cast<int>(system_.floors.size()), system_.in_plan);
-    const PlanVector centre = (system_.is_isolated() ? system_.base : system_.floors.front()).centre_of_mass;
-    rigid_ = rigid_motion(system_.floors, centre, system_.in_plan);
+    rigid_ = rigid_motion(system_.floors, system_.origin(), system_.in_plan);
     set_scale();
-    system_.carried = into_metres_.asDiagonal() * rigid_;
-    if (system_.in_plan && system_.is_isolated()) system_.carried.col(2) /= system_.base.gyration();
+    system_.rigid = into_metres_.asDiagonal() * rigid_;
+    if (system_.in_plan && system_.is_isolated()) system_.rigid.col(2) /= system_.bases.front().gyration();
+    system_.carried = system_.rigid;
+    check_.that(system_.bases.size() < 2 || structure_.stiffness,
+                "it stands on several slabs, and stiffness is not given.",
+                "Slabs that move apart strain it: give the whole matrix, with rows of all slabs.");
     add_mass();
     if (structure_.modes)
       add_modes(*structure_.modes, structure_.damping, check_, into_metres_, positions_, system_);
@@ -90,12 +95,12 @@ class SystemBuilder {
     }
     if (!structure_.base) return;
     const SuperstructureBase& base = *structure_.base;
-    system_.base = checked("base", {.height = Length{},
-                                    .mass = base.mass,
-                                    .rotary_inertia = base.rotary_inertia,
-                                    .centre_of_mass = base.centre_of_mass,
-                                    .outline = base.outline,
-                                    .half_width = base.half_width});
+    system_.bases = {checked("base", {.height = Length{},
+                                      .mass = base.mass,
+                                      .rotary_inertia = base.rotary_inertia,
+                                      .centre_of_mass = base.centre_of_mass,
+                                      .outline = base.outline,
+                                      .half_width = base.half_width})};
   }
 
   void add_floor(const std::string& name, const SuperstructureFloor& floor) {
@@ -124,10 +129,10 @@ class SystemBuilder {
     for (std::size_t i = 0; i < floor.outline.size(); ++i)
       farthest = std::max(farthest, length(floor.outline.corner(i) - result.centre_of_mass));
     constexpr double least = 0.05, most = 1.2;  // shares of the farthest corner's distance
-    check_.that(farthest == 0.0 || (result.gyration() > least * farthest && result.gyration() < most * farthest),
-                "rotary inertia of " + name + " gives a radius of " + to_text(result.gyration()) +
-                    " m; is its unit t m^2?",
-                "The farthest corner of its outline is " + to_text(farthest) + " m away.");
+    check_.that(
+        farthest == 0.0 || (result.gyration() > least * farthest && result.gyration() < most * farthest),
+        "rotary inertia of " + name + " gives a radius of " + to_text(result.gyration()) + " m; is its unit t m^2?",
+        "The farthest corner of its outline is " + to_text(farthest) + " m away.");
     return result;
   }
 
@@ -198,34 +203,52 @@ class SystemBuilder {
       const MatrixInUnits& given = *structure_.stiffness;
       check_.positive("force unit of stiffness", given.force, "N", "Give .force, for example kN.");
       stiffness = of_floors(given, "stiffness", given.force / given.length);
-      if (static_cast<Eigen::Index>(given_.size()) > stiffness.rows()) check_with_base(given);
+      if (system_.bases.size() > 1)
+        stand_on_slabs(given);
+      else if (static_cast<Eigen::Index>(given_.size()) > stiffness.rows())
+        check_with_base(given);
     }
     const Eigen::MatrixXd in_metres = scaled(symmetric(named("stiffness"), stiffness, system_.notes));
     check_definite(named("stiffness"), in_metres, system_.notes);
     system_.stiffness = in_metres;
     const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> modes{system_.stiffness, system_.mass};
-    system_.modes = participating_masses(modes.eigenvalues(), modes.eigenvectors().transpose() * system_.mass *
-                                                                  system_.carried,
-                                         system_.carried.transpose() * system_.mass * system_.carried);
+    system_.modes =
+        participating_masses(modes.eigenvalues(), modes.eigenvectors().transpose() * system_.mass * system_.rigid,
+                             system_.rigid.transpose() * system_.mass * system_.rigid);
     add_damping(modes.eigenvalues().cwiseSqrt(), modes.eigenvectors());
   }
 
-  // The rows of the base are there too: rigid motion of all must strain nothing.
-  void check_with_base(const MatrixInUnits& given) {
+  // The rows of the base are there too: rigid motion of all must strain nothing. Returns the stiffness of all, in SI.
+  Eigen::MatrixXd check_with_base(const MatrixInUnits& given) {
+    const auto slabs = static_cast<int>(std::max(system_.bases.size(), std::size_t{1}));
     std::vector<int> all = positions_;
     std::vector<std::string> names = system_.names;
-    for (int k = 0; k < system_.per_floor(); ++k) {
-      const Freedom of_base{0, static_cast<FloorDirection>(k)};
-      const auto found = std::ranges::find(given_, of_base);
-      check_.that(found != given_.end(), "the matrix has no " + of_base.name() + ".",
-                  "Give all rows of the base, or none.");
-      all.push_back(static_cast<int>(found - given_.begin()));
-      names.push_back(of_base.name());
+    for (const int position : positions_of_base(check_, given_, slabs, system_.in_plan)) {
+      all.push_back(position);
+      names.push_back(given_[static_cast<std::size_t>(position)].name());
     }
     Eigen::MatrixXd rigid{static_cast<Eigen::Index>(all.size()), rigid_.cols()};
-    rigid << rigid_, Eigen::MatrixXd::Identity(rigid_.cols(), rigid_.cols());
-    check_rigid({check_, "stiffness", names}, in_si(given.values, given.force / given.length, given.length, all, given_),
-                rigid, system_.notes);
+    if (system_.is_isolated())
+      rigid << rigid_, rigid_motion(system_.bases, system_.origin(), system_.in_plan);
+    else
+      rigid << rigid_, Eigen::MatrixXd::Identity(rigid_.cols(), rigid_.cols());
+    const Eigen::MatrixXd whole = in_si(given.values, given.force / given.length, given.length, all, given_);
+    check_rigid({check_, "stiffness", names}, whole, rigid, system_.notes);
+    return whole;
+  }
+
+  // R = -K_ss^-1 K_sb, and the stiffness that is left between the slabs.
+  void stand_on_slabs(const MatrixInUnits& given) {
+    const Eigen::MatrixXd whole = check_with_base(given);
+    const Eigen::Index n = rigid_.rows(), m = whole.rows() - n;
+    Eigen::VectorXd of_slabs = Eigen::VectorXd::Ones(m);
+    for (std::size_t i = 0; system_.in_plan && i < system_.bases.size(); ++i)
+      of_slabs[3 * static_cast<Eigen::Index>(i) + 2] = 1.0 / system_.bases[i].gyration();
+    const Eigen::MatrixXd carried = -whole.topLeftCorner(n, n).llt().solve(whole.topRightCorner(n, m)),
+                          between = whole.bottomRightCorner(m, m) + whole.bottomLeftCorner(m, n) * carried;
+    system_.carried = into_metres_.asDiagonal() * carried * of_slabs.asDiagonal();
+    system_.between_bases = of_slabs.asDiagonal() * between * of_slabs.asDiagonal();
+    system_.between_bases = 0.5 * (system_.between_bases + system_.between_bases.transpose()).eval();
   }
 
   // w: angular frequencies, 1/s; Q: shapes with Q' M Q = I.
@@ -255,9 +278,9 @@ class SystemBuilder {
   const Superstructure& structure_;
   Check check_;
   StructureSystem system_;
-  std::vector<Freedom> given_;  // of the rows of stiffness or shapes
-  std::vector<int> positions_;  // of the system's rows among them
-  Eigen::MatrixXd rigid_;       // floors in m and rad, for motions of the base by 1 m and 1 rad
+  std::vector<Freedom> given_;   // of the rows of stiffness or shapes
+  std::vector<int> positions_;   // of the system's rows among them
+  Eigen::MatrixXd rigid_;        // floors in m and rad, for motions of the base by 1 m and 1 rad
   Eigen::VectorXd into_metres_;  // 1, or the radius of gyration of a rotation
 };
 
@@ -265,6 +288,8 @@ class SystemBuilder {
 
 double SystemFloor::gyration() const { return std::sqrt(rotary_inertia / mass); }
 
-StructureSystem system_of(const Superstructure& structure) { return SystemBuilder{structure}.build(); }
+StructureSystem system_of(const Superstructure& structure, std::vector<SystemFloor> on) {
+  return SystemBuilder{structure, std::move(on)}.build();
+}
 
 }  // namespace moat

@@ -25,25 +25,29 @@ struct SystemFloor {
 struct StructureSystem {
   bool in_plan = false;             ///< three rows per floor
   std::vector<SystemFloor> floors;  ///< from the lowest up
-  SystemFloor base{};               ///< mass 0: the ground
+  std::vector<SystemFloor> bases;   ///< one, or the slabs that move apart; none: the ground
   std::vector<std::string> names;   ///< of rows: "floor 3 rotation"
   Eigen::MatrixXd mass;             ///< M, kg, with that of couplings
   Eigen::MatrixXd stiffness;        ///< K, N/m; empty where modes are given
   Eigen::MatrixXd damping;          ///< C, N s/m; of the modes where they are given
-  Eigen::MatrixXd carried;          ///< R: motion of the floors with the base, or with the ground about the origin
+  Eigen::MatrixXd rigid;            ///< rigid motion of the floors with the first base, or about the lowest floor
+  Eigen::MatrixXd carried;          ///< R: motion of the floors with all bases where nothing deforms
+  Eigen::MatrixXd between_bases;    ///< N/m, between several slabs; else empty
   std::vector<std::string> notes;   ///< about the input
   /// Shapes, a column for each mode, scaled so that their largest entry is 1; empty where matrices are given.
   Eigen::MatrixXd shapes;
-  Eigen::VectorXd modal_stiffness;  ///< K_q, N/m
+  Eigen::VectorXd modal_stiffness;       ///< K_q, N/m
   std::vector<ParticipatingMass> modes;  ///< of the superstructure held at its base
 
   /// Rows of one floor.
   [[nodiscard]] int per_floor() const { return in_plan ? 3 : 1; }
   /// Whether it stands on a base.
-  [[nodiscard]] bool is_isolated() const { return base.mass > 0.0; }
+  [[nodiscard]] bool is_isolated() const { return !bases.empty(); }
+  /// The point about which torques and rotations count, m.
+  [[nodiscard]] PlanVector origin() const { return (is_isolated() ? bases : floors).front().centre_of_mass; }
 };
 
-/// Throws InputError as add(model, Superstructure) does.
-StructureSystem system_of(const Superstructure& structure);
+/// `on`: the bases that are there already. Throws InputError as add(model, Superstructure) does.
+StructureSystem system_of(const Superstructure& structure, std::vector<SystemFloor> on);
 
 }  // namespace moat

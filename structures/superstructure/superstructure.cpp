@@ -1,6 +1,7 @@
 #include "structures/superstructure/superstructure.hpp"
 
 #include <Eigen/Cholesky>
+#include <algorithm>
 #include <array>
 #include <utility>
 
@@ -15,13 +16,28 @@ std::vector<NodeId> nodes_of(const DiaphragmId& floor, bool in_plan) {
   return in_plan ? std::vector<NodeId>{floor.x, floor.y, floor.r} : std::vector<NodeId>{floor.x};
 }
 
+// The bases that are there already.
+std::vector<SystemFloor> existing_bases(const Model& model, const Superstructure& structure) {
+  std::vector<SystemFloor> bases;
+  for (const DiaphragmId& each : structure.on) {
+    model.require_node(each, Check{"Superstructure", structure.name}, "on");
+    if (const PlacedDiaphragm* base = model.diaphragm_of(each))
+      bases.push_back({.mass = base->mass,
+                       .rotary_inertia = base->mass * base->gyration * base->gyration,
+                       .centre_of_mass = base->centre_of_mass});
+    else
+      bases.push_back({.mass = model.mass(each)});
+  }
+  return bases;
+}
+
 // Adds the parts of one superstructure.
 class Builder {
  public:
   Builder(Model& model, const Superstructure& structure)
       : model_{model},
         structure_{structure},
-        system_{system_of(structure)},
+        system_{system_of(structure, existing_bases(model, structure))},
         prefix_{structure.name.empty() ? "" : structure.name + " "} {}
 
   SuperstructureParts build() {
@@ -29,16 +45,23 @@ class Builder {
     parts_.name = structure_.name;
     parts_.modes = system_.modes;
     parts_.notes = system_.notes;
-    if (system_.is_isolated()) {
-      parts_.base = add_own("base", system_.base);
+    if (structure_.base) {
+      parts_.base = add_own("base", system_.bases.front());
       base_ = nodes_of(parts_.base, system_.in_plan);
+    } else if (!structure_.on.empty()) {
+      parts_.base = structure_.on.front();
+      for (const DiaphragmId& slab : structure_.on)
+        for (const NodeId node : nodes_of(slab, system_.in_plan)) base_.push_back(node);
     }
     if (structure_.modes)
       add_modes();
     else
       add_matrices();
     add_isolators();
-    Building building{.name = structure_.name, .notes = parts_.notes};
+    Building building{.name = structure_.name,
+                      .shares_base = std::ranges::any_of(
+                          model_.buildings(), [&](const Building& other) { return other.base == parts_.base.x; }),
+                      .notes = parts_.notes};
     if (system_.is_isolated()) building.base = parts_.base;
     for (const DiaphragmId& floor : parts_.floors) building.floors.push_back(floor);
     building.storey_results = storey_results(system_, rows_, prefix_);
@@ -49,6 +72,16 @@ class Builder {
  private:
   void check_supports() const {
     const Check check{"Superstructure", structure_.name};
+    if (!structure_.on.empty()) {
+      check.that(!structure_.base && !structure_.bearings && !structure_.isolation,
+                 "it stands on the base of another building, and base or bearings are given.",
+                 "That base has them already.");
+      for (const DiaphragmId& base : structure_.on)
+        check.that(system_.in_plan == (model_.diaphragm_of(base) != nullptr),
+                   system_.in_plan ? "on is no diaphragm." : "on is a diaphragm, and the building moves on a line.",
+                   "Give the base of a building of the same kind.");
+      return;
+    }
     check.that(structure_.base.has_value() == (structure_.bearings || structure_.isolation),
                structure_.base ? "base is given without bearings." : "bearings are given without base.",
                "Give both, or none: the building then stands on the ground.");
@@ -91,6 +124,8 @@ class Builder {
       coupled(i, i) -= model_.mass(rows_.own[static_cast<std::size_t>(i)]);
     const double round_off = 1e-12 * system_.mass.diagonal().maxCoeff();
     if (coupled.cwiseAbs().maxCoeff() > round_off) model_.add_mass(rows_.own, coupled);
+    if (system_.between_bases.size() > 0)
+      add(model_, LinearStructure{.name = prefix_ + "slabs", .nodes = base_, .stiffness = system_.between_bases});
     add(model_, LinearStructure{.name = prefix_ + "superstructure",
                                 .nodes = rows_.own,
                                 .base = base_,
@@ -156,13 +191,15 @@ class Builder {
   }
 
   void add_isolators() {
-    double mass = system_.base.mass;
+    if (!structure_.base) return;
+    double mass = system_.bases.front().mass;
     for (const SystemFloor& floor : system_.floors) mass += floor.mass;
     const Force weight = Mass{mass} * units::g;
     if (structure_.isolation) structure_.isolation->add_to(model_, prefix_, parts_.base, weight);
     if (!structure_.bearings) return;
     const Check check{"Superstructure", structure_.name};
-    const std::vector<PlanBearings::Placed> bearings = structure_.bearings->placed(check, system_.base.outline);
+    const std::vector<PlanBearings::Placed> bearings =
+        structure_.bearings->placed(check, system_.bases.front().outline);
     check.that(!bearings.empty(), "bearings: the list is empty.", "Give at least one bearing.");
     int number = 0;
     for (const PlanBearings::Placed& bearing : bearings)

@@ -96,9 +96,16 @@ struct Superstructure {
   std::vector<SuperstructureFloor> floors{};                  ///< From the lowest up.
   /// Of the superstructure held at its base; none if left out.
   std::variant<std::monostate, ModalDamping, RayleighDamping, MatrixInUnits> damping{};
-  std::optional<SuperstructureBase> base{};  ///< Left out: it stands on the ground.
-  std::optional<PlanBearings> bearings{};    ///< Under the base, in plan.
-  std::optional<Isolation> isolation{};      ///< Under the base, on a line.
+  std::optional<SuperstructureBase> base{};  ///< Left out: it stands on the ground, or `on`.
+  /// Bases that were added before: that of another building, for several superstructures on one base, or several slabs
+  /// that move apart. Several slabs need their rows in `stiffness`, which then acts between them too:
+  ///
+  ///     R = -K_ss^-1 K_sb      K_bb + K_bs R between the slabs
+  ///
+  /// Pendulums under a base that is there already need a weight of their own.
+  std::vector<DiaphragmId> on{};
+  std::optional<PlanBearings> bearings{};  ///< Under the base, in plan.
+  std::optional<Isolation> isolation{};    ///< Under the base, on a line.
 };
 
 /// The share of the mass that moves in a mode of the superstructure held at its base: (Q' M R)^2 and its part of

@@ -1,6 +1,10 @@
 #include "moat_model.hpp"
 
+#include <algorithm>
 #include <array>
+#include <map>
+#include <string>
+#include <vector>
 
 #include "impact_cases.hpp"
 #include "moat.hpp"
@@ -51,6 +55,36 @@ MemberPoint member_point(const PlainPoint& plain) {
   return {node_id(plain.node), node_id(plain.other), plain.share};
 }
 
+// All springs of one name are the matrix of a frame on the node that is never an upper one.
+void add_frames(Model& model, const PlainModel& plain) {
+  std::map<std::string, std::vector<PlainSpring>> frames;
+  for (const PlainSpring& spring : plain.springs)
+    if (spring.kind == PlainSpring::Kind::frame) frames[spring.name].push_back(spring);
+  for (const auto& [name, springs] : frames) {
+    std::vector<int> floors;
+    for (const PlainSpring& spring : springs)
+      if (std::ranges::find(floors, spring.upper) == floors.end()) floors.push_back(spring.upper);
+    const auto size = static_cast<Eigen::Index>(floors.size());
+    Eigen::MatrixXd stiffness = Eigen::MatrixXd::Zero(size, size);
+    const auto row = [&](int node) { return std::ranges::find(floors, node) - floors.begin(); };
+    for (const PlainSpring& spring : springs) {
+      const auto upper = row(spring.upper), lower = row(spring.lower);
+      stiffness(upper, upper) += spring.stiffness;
+      if (lower == size) continue;
+      stiffness(lower, lower) += spring.stiffness;
+      stiffness(upper, lower) -= spring.stiffness;
+      stiffness(lower, upper) -= spring.stiffness;
+    }
+    LinearStructure frame{.name = name, .nodes = {}, .stiffness = stiffness};
+    for (const int floor : floors) frame.nodes.push_back(NodeId{floor});
+    if (const int bottom = springs.front().lower; bottom != plain_ground) {
+      frame.base = {NodeId{bottom}};
+      frame.carried = Eigen::MatrixXd::Ones(size, 1);
+    }
+    add(model, frame);
+  }
+}
+
 }  // namespace
 
 Model moat_model(const PlainModel& plain) {
@@ -83,6 +117,7 @@ Model moat_model(const PlainModel& plain) {
                              .lower = node_id(spring.lower),
                              .upper = node_id(spring.upper),
                              .stiffness = spring.stiffness * (N / units::m)});
+  add_frames(model, plain);
   for (const PlainDashpot& dashpot : plain.dashpots)
     add(model, ViscousDamper{.name = dashpot.name,
                              .lower = node_id(dashpot.lower),

@@ -1,6 +1,7 @@
 #include "output/recorders/channels.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace moat {
 
@@ -19,8 +20,10 @@ Channels::Channels(const Model& model) {
     return;
   }
   for (const Building& building : model.buildings()) {
-    base_shears_.push_back(
-        {list_.size(), building.nodes(), std::ranges::any_of(building.nodes(), &NodeId::is_follower)});
+    if (building.shares_base) continue;
+    std::vector<NodeId> nodes = carried_nodes(model, building);
+    const bool has_followers = std::ranges::any_of(nodes, &NodeId::is_follower);
+    base_shears_.push_back({list_.size(), std::move(nodes), has_followers});
     for (const NodeId node : base_shears_.back().nodes)
       base_shear_of_node_[static_cast<std::size_t>(model.place(node))] = static_cast<int>(list_.size());
     list_.push_back({"total_base_shear", building.base_name(), building.base_name(), "N"});

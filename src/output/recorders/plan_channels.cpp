@@ -51,8 +51,9 @@ PlanChannels::PlanChannels(const Model& model, std::vector<Channel>& list) {
   }
   add_elements(model, list);
   for (const Building& building : model.buildings()) {
+    if (building.shares_base) continue;
     std::vector<DiaphragmId>& floors = buildings_.emplace_back();
-    for (const NodeId node : building.nodes())
+    for (const NodeId node : carried_nodes(model, building))
       if (const PlacedDiaphragm* diaphragm = model.diaphragm_of(node)) floors.push_back(diaphragm->id);
     shears_.push_back(list.size());
     const std::string where = building.base_name();

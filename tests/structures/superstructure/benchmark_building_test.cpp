@@ -1,15 +1,10 @@
 // The smart base-isolated benchmark building and a frame of twelve storeys, against independent programs.
 #include <gtest/gtest.h>
 
-#include <Eigen/Dense>
-#include <cmath>
-#include <cstdlib>
-#include <fstream>
-#include <nlohmann/json.hpp>
-#include <optional>
 #include <string>
 #include <vector>
 
+#include "benchmark_building.hpp"
 #include "peak_in.hpp"
 #include "structures/superstructure/superstructure.hpp"
 
@@ -17,122 +12,29 @@ namespace moat {
 namespace {
 
 using namespace units;
+using testing::BenchmarkBuilding;
 using testing::peak;
 
-// The folder of an experiment in MOAT_EXPERIMENTS; empty without it.
-std::string folder_of(const std::string& experiment) {
-  const char* folder = std::getenv("MOAT_EXPERIMENTS");
-  return folder == nullptr ? "" : std::string{folder} + "/" + experiment + "/";
-}
-
-GroundMotion newhall(bool in_plan) {
-  std::ifstream file{folder_of("smart_base_isolated") + "newhall_fn_fp.txt"};
-  std::vector<double> x, y;
-  for (std::string line; std::getline(file, line);) {
-    if (line.empty() || line[0] == '%') continue;
-    double along_x = 0.0, along_y = 0.0;
-    if (std::sscanf(line.c_str(), "%lf %lf", &along_x, &along_y) != 2) continue;
-    x.push_back(0.01 * along_x);
-    y.push_back(0.01 * along_y);
-  }
-  const GroundMotion motion{"Newhall", 0.005, x};
-  return in_plan ? motion.with_component_y(y, motion, {"FP", 0.005, y}) : motion;
-}
-
-class BenchmarkBuilding : public ::testing::Test {
+class BenchmarkBuildingTest : public ::testing::Test {
  protected:
   void SetUp() override {
-    folder_ = folder_of("smart_base_isolated");
-    if (folder_.empty()) GTEST_SKIP() << "MOAT_EXPERIMENTS is not set: the benchmark building is left out.";
-    std::ifstream{folder_ + "building.json"} >> data_;
-  }
-
-  [[nodiscard]] Superstructure from_matrices() const {
-    Superstructure building{.stiffness = read_matrix(folder_ + "stiffness_kN_m.csv", {.force = kN, .length = m})};
-    for (std::size_t i = 0; i < 8; ++i)
-      building.floors.push_back({.height = data_["heights_m"][i + 1].get<double>() * m,
-                                 .mass = data_["floor_mass_t"][i].get<double>() * tonne,
-                                 .rotary_inertia = data_["floor_inertia_t_m2"][i].get<double>() * tonne * m * m,
-                                 .outline = outline_});
-    building.damping = read_matrix(folder_ + "damping_kNs_m.csv", {.force = kN, .length = m});
-    building.base = SuperstructureBase{.mass = data_["base_mass_t"].get<double>() * tonne,
-                                       .rotary_inertia = data_["base_inertia_t_m2"].get<double>() * tonne * m * m,
-                                       .outline = outline_};
-    building.bearings = bearings(BiaxialLinear{.stiffness = 919.422 * kN / m});
-    return building;
-  }
-
-  [[nodiscard]] Superstructure from_modes() const {
-    Superstructure building = from_matrices();
-    building.stiffness.reset();
-    StructureModes modes{.eigenvalues = data_["eigenvalues"].get<std::vector<double>>(),
-                         .shapes = Eigen::MatrixXd{24, 24},
-                         .mass = tonne};
-    for (int i = 0; i < 24; ++i)
-      for (int j = 0; j < 24; ++j) modes.shapes(i, j) = data_["modes"][i][j].get<double>();
-    building.modes = modes;
-    building.damping = ModalDamping{0.05};
-    return building;
-  }
-
-  template <class Law>
-  [[nodiscard]] std::vector<PlanBearings::Placed> bearings(const Law& law) const {
-    std::vector<PlanBearings::Placed> list;
-    for (const PlanPosition& at : positions()) list.emplace_back(at, law);
-    return list;
-  }
-
-  [[nodiscard]] std::vector<PlanPosition> positions() const {
-    std::ifstream file{folder_ + "bearings.csv"};
-    std::vector<PlanPosition> list;
-    std::string line;
-    std::getline(file, line);
-    while (std::getline(file, line)) {
-      double x = 0.0, y = 0.0;
-      if (std::sscanf(line.c_str(), "%lf,%lf", &x, &y) == 2) list.push_back({x * m, y * m});
-    }
-    return list;
+    if (testing::folder_of_experiment("smart_base_isolated").empty())
+      GTEST_SKIP() << "MOAT_EXPERIMENTS is not set: the benchmark building is left out.";
   }
 
   struct Run {
     CaseResult result;
     SuperstructureParts parts;
   };
-  [[nodiscard]] Run run(const Superstructure& building, bool has_walls, bool has_dashpots) const {
+  [[nodiscard]] static Run run(const Superstructure& building, bool has_walls, bool has_dashpots) {
     Model model;
     const SuperstructureParts parts = add(model, building);
-    int number = 0;
-    for (const PlanPosition& at : positions()) {
-      if (!has_dashpots) break;
-      for (const auto& [name, direction] : {std::pair{"x", PlanVector{1.0, 0.0}}, {"y", PlanVector{0.0, 1.0}}})
-        add(model, PlanSpring<Viscous>{.name = "damper " + std::to_string(++number) + name,
-                                       .lower = PlanPoint{ground, at},
-                                       .upper = PlanPoint{parts.base, at},
-                                       .direction = direction,
-                                       .law = Viscous{.damping = 27.717 * kN * s / m},
-                                       .deformation_quantity = "",
-                                       .force_quantity = ""});
-    }
-    if (has_walls)
-      add(model, PlanMoat{.around = parts.base,
-                          .walls = {.corners = {{-17.55 * m, -48.09 * m},
-                                                {33.13 * m, -48.09 * m},
-                                                {33.13 * m, 30.99 * m},
-                                                {-17.55 * m, 30.99 * m}}},
-                          .law = LinearElastic{.stiffness = 5e8 * N / m}});
-    CaseRun run{model, newhall(true)};
+    if (has_dashpots) BenchmarkBuilding{}.add_dashpots(model, parts.base);
+    if (has_walls) BenchmarkBuilding::add_walls(model, parts.base);
+    CaseRun run{model, testing::newhall(true)};
     run.run();
     return {run.take_result(), parts};
   }
-
-  std::string folder_;
-  nlohmann::json data_;
-  PlanOutline outline_{.corners = {{-17.25 * m, -47.79 * m},
-                                   {12.53 * m, -47.79 * m},
-                                   {12.53 * m, -11.16 * m},
-                                   {32.83 * m, -11.16 * m},
-                                   {32.83 * m, 30.69 * m},
-                                   {-17.25 * m, 30.69 * m}}};
 };
 
 struct Expected {
@@ -172,41 +74,41 @@ const std::vector<Expected> with_walls{{"displacement", "base", 0.375334},
                                        {"storey_torque", "storey 1", 560614.7e3},
                                        {"overturning_moment_x", "storey 1", 1325317e3}};
 
-TEST_F(BenchmarkBuilding, FromMatrices) {
-  const Run run = this->run(from_matrices(), false, true);
-  const std::vector<double> periods = run.parts.periods();
+TEST_F(BenchmarkBuildingTest, FromMatrices) {
+  const Run open = run(BenchmarkBuilding{}.from_matrices(), false, true);
+  const std::vector<double> periods = open.parts.periods();
   for (const auto& [mode, period] : {std::pair{0, 0.897356}, {1, 0.780084}, {2, 0.658486}})
     EXPECT_NEAR(periods[static_cast<std::size_t>(mode)], period, 6e-7);
-  expect_peaks(run.result, without_walls, 1e-4);
+  expect_peaks(open.result, without_walls, 1e-4);
 }
 
-TEST_F(BenchmarkBuilding, FromMatricesWithWalls) {
-  const Run run = this->run(from_matrices(), true, true);
-  expect_peaks(run.result, with_walls, 1e-3);
-  EXPECT_EQ(run.result.impacts.size(), 9U);
+TEST_F(BenchmarkBuildingTest, FromMatricesWithWalls) {
+  const Run open = run(BenchmarkBuilding{}.from_matrices(), true, true);
+  expect_peaks(open.result, with_walls, 1e-3);
+  EXPECT_EQ(open.result.impacts.size(), 9U);
 }
 
-TEST_F(BenchmarkBuilding, FromAllModes) {
-  const Run run = this->run(from_modes(), false, true);
-  expect_peaks(run.result, without_walls, 1e-4);
-  EXPECT_NEAR(run.parts.periods()[0], 0.89735621, 1e-8);
-  const Run walls = this->run(from_modes(), true, true);
+TEST_F(BenchmarkBuildingTest, FromAllModes) {
+  const Run open = run(BenchmarkBuilding{}.from_modes(), false, true);
+  expect_peaks(open.result, without_walls, 1e-4);
+  EXPECT_NEAR(open.parts.periods()[0], 0.89735621, 1e-8);
+  const Run walls = run(BenchmarkBuilding{}.from_modes(), true, true);
   expect_peaks(walls.result, with_walls, 1e-3);
   EXPECT_EQ(walls.result.impacts.size(), 9U);
 }
 
-TEST_F(BenchmarkBuilding, FromNineModes) {
-  Superstructure building = from_modes();
+TEST_F(BenchmarkBuildingTest, FromNineModes) {
+  Superstructure building = BenchmarkBuilding{}.from_modes();
   building.modes->keep = 9;
-  const Run run = this->run(building, false, true);
-  expect_peaks(run.result,
+  const Run open = run(building, false, true);
+  expect_peaks(open.result,
                {{"displacement", "base", 0.486766},
                 {"rotation", "base", 0.00859752},
                 {"absolute_acceleration_x", "floor 8", 2.822986},
                 {"absolute_acceleration_y", "floor 8", 0.986490},
                 {"absolute_acceleration_x", "base", 2.208831}},
                1e-3);
-  const Run walls = this->run(building, true, true);
+  const Run walls = run(building, true, true);
   expect_peaks(walls.result,
                {{"displacement", "base", 0.375218},
                 {"absolute_acceleration_x", "floor 8", 10.313344},
@@ -215,11 +117,11 @@ TEST_F(BenchmarkBuilding, FromNineModes) {
   EXPECT_EQ(walls.result.impacts.size(), 9U);
 }
 
-TEST_F(BenchmarkBuilding, OrthonormalisedModes) {
-  Superstructure building = from_modes();
+TEST_F(BenchmarkBuildingTest, OrthonormalisedModes) {
+  Superstructure building = BenchmarkBuilding{}.from_modes();
   building.modes->orthonormalise = true;
-  const Run run = this->run(building, false, true);
-  expect_peaks(run.result,
+  const Run open = run(building, false, true);
+  expect_peaks(open.result,
                {{"displacement", "base", 0.486358},
                 {"absolute_acceleration_x", "floor 8", 2.794098},
                 {"absolute_acceleration_y", "floor 8", 0.978171},
@@ -227,12 +129,13 @@ TEST_F(BenchmarkBuilding, OrthonormalisedModes) {
                1e-3);
 }
 
-TEST_F(BenchmarkBuilding, OnLeadRubberBearings) {
-  Superstructure building = from_matrices();
-  building.bearings = bearings(
+TEST_F(BenchmarkBuildingTest, OnLeadRubberBearings) {
+  const BenchmarkBuilding benchmark;
+  Superstructure building = benchmark.from_matrices();
+  building.bearings = benchmark.bearings(
       LeadRubberBearing{.yield_force = 30 * kN, .yield_displacement = 6 * mm, .post_yield_stiffness = 0.6 * MN / m});
-  const Run run = this->run(building, false, false);
-  expect_peaks(run.result,
+  const Run open = run(building, false, false);
+  expect_peaks(open.result,
                {{"displacement", "base", 0.6381119},
                 {"displacement_x", "base", 0.6372032},
                 {"displacement_y", "base", 0.2391328},
@@ -247,12 +150,14 @@ TEST_F(BenchmarkBuilding, OnLeadRubberBearings) {
 class Frame12 : public ::testing::Test {
  protected:
   void SetUp() override {
-    if (folder_of("frame12").empty()) GTEST_SKIP() << "MOAT_EXPERIMENTS is not set: the frame is left out.";
+    if (testing::folder_of_experiment("frame12").empty())
+      GTEST_SKIP() << "MOAT_EXPERIMENTS is not set: the frame is left out.";
   }
 
   [[nodiscard]] static CaseResult run(bool has_walls, std::vector<double>& periods) {
     Superstructure building{
-        .stiffness = read_matrix(folder_of("frame12") + "stiffness_kN_m.csv", {.force = kN, .length = m}),
+        .stiffness =
+            read_matrix(testing::folder_of_experiment("frame12") + "stiffness_kN_m.csv", {.force = kN, .length = m}),
         .freedoms = per_floor(Freedoms::x),
         .damping = ModalDamping{0.05},
         .base = SuperstructureBase{.mass = 80 * tonne},
@@ -266,7 +171,7 @@ class Frame12 : public ::testing::Test {
     EXPECT_NEAR(parts.modes[0].x, 0.79994, 1e-5);
     if (has_walls)
       add(model, Moat{.around = parts.base, .clearance = 25 * cm, .law = LinearElastic{.stiffness = 2e8 * N / m}});
-    CaseRun run{model, newhall(false)};
+    CaseRun run{model, testing::newhall(false)};
     run.run();
     return run.take_result();
   }

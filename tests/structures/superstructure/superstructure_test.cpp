@@ -155,7 +155,7 @@ TEST(Superstructure, GapsActOnFloorsThatFollowModes) {
     Model model;
     const SuperstructureParts parts = add(model, building);
     add(model, Gap{.name = "roof wall",
-                   .left = parts.floor(3),
+                   .left = NodeId(parts.floor(3)),
                    .right = ground,
                    .clearance = 2 * cm,
                    .law = Kelvin{.stiffness = 200 * MN / m, .restitution = 0.6}});
@@ -364,6 +364,69 @@ TEST(Superstructure, ModesInPlanAreTheMatrices) {
                                         {"corner_drift", "floor 2"}})
     EXPECT_NEAR(peak(modes, quantity, where), peak(matrices, quantity, where), 1e-7 * peak(matrices, quantity, where))
         << quantity << " at " << where;
+}
+
+TEST(Superstructure, TwoHalvesOnOneBaseAreTheWhole) {
+  const PlanCase plan;
+  Superstructure half = plan.building(), other = plan.building();
+  half.name = "west";
+  other.name = "east";
+  for (Superstructure* each : {&half, &other}) {
+    each->stiffness->values *= 0.5;
+    for (SuperstructureFloor& floor : each->floors) floor.mass = 0.5 * floor.mass.value();
+  }
+  Model both, whole;
+  const SuperstructureParts west = add(both, half);
+  other.base.reset();
+  other.bearings.reset();
+  other.on = {west.base};
+  const SuperstructureParts east = add(both, other);
+  add(whole, plan.building());
+  const TransientOptions strict{.step = 2 * ms, .force_tolerance = 1e-12};
+  const CaseResult a = run(both, shaking_in_plan(), strict), b = run(whole, shaking_in_plan(), strict);
+  for (const char* quantity : {"total_base_shear_x", "total_base_torque"})
+    EXPECT_NEAR(peak(a, quantity, "west base"), peak(b, quantity, "base"), 1e-10 * peak(b, quantity, "base"));
+  for (const std::string tower : {"west ", "east "}) {
+    EXPECT_NEAR(peak(a, "displacement", tower + "floor 3"), peak(b, "displacement", "floor 3"), 1e-11);
+    EXPECT_NEAR(2.0 * peak(a, "storey_shear_x", tower + "storey 1"), peak(b, "storey_shear_x", "storey 1"),
+                1e-10 * peak(b, "storey_shear_x", "storey 1"));
+  }
+  EXPECT_EQ(east.base, west.base);
+}
+
+TEST(Superstructure, SlabsThatMoveApartStrainIt) {
+  // A floor on two columns, each on a slab of its own, by springs and by the matrix of all.
+  const double k = 4e7;
+  Model springs, matrix;
+  std::vector<NodeId> slabs;
+  for (Model* model : {&springs, &matrix}) {
+    slabs.clear();
+    for (int i = 1; i <= 2; ++i) {
+      const std::string number = std::to_string(i);
+      slabs.push_back(add(*model, Node{.name = "slab " + number, .mass = 100.0 * i * tonne}));
+      add(*model, LeadRubberBearing{.name = "bearings " + number,
+                                    .upper = slabs.back(),
+                                    .yield_force = 100.0 * i * kN,
+                                    .yield_displacement = 1 * cm,
+                                    .post_yield_stiffness = 1.0 / i * MN / m});
+    }
+  }
+  const NodeId floor = add(springs, Node{.name = "floor 1", .mass = 200 * tonne});
+  for (int i = 0; i < 2; ++i)
+    add(springs, ShearSpring{.name = "column " + std::to_string(i),
+                             .lower = slabs[static_cast<std::size_t>(i)],
+                             .upper = floor,
+                             .stiffness = k * N / m});
+  const Eigen::Matrix3d whole{{k, 0.0, -k}, {0.0, k, -k}, {-k, -k, 2.0 * k}};
+  Superstructure building{.stiffness = in_units(whole, {.force = N, .length = m}),
+                          .freedoms = {{0, FloorDirection::x, 1}, {0, FloorDirection::x, 2}, {1, FloorDirection::x}},
+                          .floors = {{.height = 4 * m, .mass = 200 * tonne}}};
+  for (const NodeId slab : slabs) building.on.push_back({.x = slab});
+  add(matrix, building);
+  const CaseResult a = run(matrix, shaking(), {.step = 2 * ms}), b = run(springs, shaking(), {.step = 2 * ms});
+  for (const char* place : {"slab 1", "slab 2", "floor 1"})
+    EXPECT_NEAR(peak(a, "displacement", place), peak(b, "displacement", place), 1e-10 * peak(b, "displacement", place));
+  EXPECT_GT(std::abs(peak(b, "displacement", "slab 1") - peak(b, "displacement", "slab 2")), 1e-3);
 }
 
 // ---------------------------------------------------------------------------------------------------------- refusals

@@ -20,6 +20,8 @@ struct PlainNode {
 struct PlainSpring {
   enum class Kind {
     storey,  ///< reports drift and storey_shear; without damping
+    frame,   ///< one of all pairs of a frame that bends, of either sign; those of one name are a matrix, which reports
+             ///< nothing
     wall,    ///< of a wall that gives way, from the ground: reports wall_deformation and wall_force
   };
   std::string name;

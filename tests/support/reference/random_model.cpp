@@ -1,5 +1,6 @@
 #include "random_model.hpp"
 
+#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -60,7 +61,7 @@ struct Building {
 
 class Drawing {
  public:
-  explicit Drawing(std::uint64_t seed) : draws_{seed} {}
+  explicit Drawing(std::uint64_t seed) : draws_{seed}, bends_{seed ^ 0x9e3779b97f4a7c15U} {}
 
   PlainModel model() {
     model_.motion = random_motion(draws_);
@@ -138,6 +139,7 @@ class Drawing {
     const bool yields = draws_.chance(building.isolated ? 0.1 : 0.4);
     if (building.isolated) add_bearing(name + " bearings", plain_ground, building.nodes[0], mass_above(building, 0));
     const int bottom = building.isolated ? building.nodes[0] : plain_ground;
+    const std::size_t first_spring = model_.springs.size();
     for (int storey = 0; storey < storeys; ++storey) {
       const auto n = static_cast<std::size_t>(building.isolated ? storey + 1 : storey);
       const int lower = n == 0 ? plain_ground : building.nodes[n - 1], upper = building.nodes[n];
@@ -157,7 +159,38 @@ class Drawing {
         add_dashpot(name + " floor " + std::to_string(storey + 1) + " damping", bottom, upper,
                     2.0 * ratio * first * second / (first + second) * mass_of(upper));
     }
+    if (storeys > 1 && !yields && soft < 0 && bends_.chance(0.3)) bend(name, bottom, first_spring);
     buildings_.push_back(building);
+  }
+
+  // A frame that bends: a cantilever in series with its storeys. The springs are those between all of its floors.
+  void bend(const std::string& name, int bottom, std::size_t first_spring) {
+    const std::vector<PlainSpring> storeys{model_.springs.begin() + static_cast<std::ptrdiff_t>(first_spring),
+                                           model_.springs.end()};
+    const auto n = static_cast<Eigen::Index>(storeys.size());
+    Eigen::MatrixXd flexibility{n, n};
+    double shear = 0.0;
+    for (Eigen::Index i = 0; i < n; ++i) {
+      shear += 1.0 / storeys[static_cast<std::size_t>(i)].stiffness;
+      for (Eigen::Index j = i; j < n; ++j) flexibility(i, j) = flexibility(j, i) = shear;
+    }
+    const double share = bends_.uniform(0.1, 2.0) * shear / (2.0 * std::pow(static_cast<double>(n), 3));
+    for (Eigen::Index i = 0; i < n; ++i)
+      for (Eigen::Index j = 0; j < n; ++j) {
+        const auto low = static_cast<double>(std::min(i, j) + 1), high = static_cast<double>(std::max(i, j) + 1);
+        flexibility(i, j) += share * low * low * (3.0 * high - low);
+      }
+    const Eigen::MatrixXd stiffness = flexibility.inverse();
+    model_.springs.resize(first_spring);
+    const auto add = [&](int lower, int upper, double value) {
+      model_.springs.push_back({name + " frame", PlainSpring::Kind::frame, lower, upper, value, 0.0});
+    };
+    for (Eigen::Index i = 0; i < n; ++i) {
+      const int floor = storeys[static_cast<std::size_t>(i)].upper;
+      add(bottom, floor, stiffness.row(i).sum());
+      for (Eigen::Index j = 0; j < i; ++j)
+        add(storeys[static_cast<std::size_t>(j)].upper, floor, -0.5 * (stiffness(i, j) + stiffness(j, i)));
+    }
   }
 
   double mass_above(const Building& building, std::size_t from) const {
@@ -272,7 +305,7 @@ class Drawing {
     }
   }
 
-  RandomDraws draws_;
+  RandomDraws draws_, bends_;
   PlainModel model_;
   std::vector<Building> buildings_;
 };

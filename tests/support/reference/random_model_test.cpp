@@ -21,7 +21,9 @@ TEST(RandomModel, AHundredModelsHaveEveryKind) {
     for (const PlainBearing& bearing : model.bearings)
       kinds.insert(bearing.kind == PlainBearing::Kind::storey ? "yielding storey" : "bearing");
     for (const PlainSpring& spring : model.springs)
-      if (spring.kind == PlainSpring::Kind::wall) kinds.insert("flexible wall");
+      kinds.insert(spring.kind == PlainSpring::Kind::wall    ? "flexible wall"
+                   : spring.kind == PlainSpring::Kind::frame ? "frame that bends"
+                                                             : "storey");
     for (const PlainNode& node : model.nodes) {
       kinds.insert("building " + node.name.substr(0, 1));
       if (node.name.find("floor 9") != std::string::npos) kinds.insert("nine nodes");
@@ -37,8 +39,8 @@ TEST(RandomModel, AHundredModelsHaveEveryKind) {
   EXPECT_EQ(laws.size(), static_cast<std::size_t>(plain_law_kinds));
   EXPECT_EQ(time_steps, (std::set<double>{0.005, 0.01, 0.02}));
   for (const char* kind :
-       {"cut motion", "bearing", "yielding storey", "flexible wall", "building A", "building B", "building C",
-        "nine nodes", "light body", "pulls", "rigid wall", "mid-column", "node to node"})
+       {"cut motion", "bearing", "yielding storey", "flexible wall", "frame that bends", "building A", "building B",
+        "building C", "nine nodes", "light body", "pulls", "rigid wall", "mid-column", "node to node"})
     EXPECT_TRUE(kinds.contains(kind)) << kind;
 }
 

@@ -32,9 +32,10 @@ ReferenceSystem::ReferenceSystem(const PlainModel& model) {
     link.stiffness = spring.stiffness;
     link.damping = spring.damping;
     links_.push_back(link);
+    links_.back().reports = spring.kind != PlainSpring::Kind::frame;
     if (spring.kind == PlainSpring::Kind::storey)
       report("drift", "storey_shear", spring.name);
-    else
+    else if (spring.kind == PlainSpring::Kind::wall)
       report("wall_deformation", "wall_force", spring.name);
   }
   for (const PlainBearing& bearing : model.bearings) {
