@@ -69,6 +69,7 @@
 #include "structures/files/matrix_file.hpp"
 #include "structures/frame/finite_elements.hpp"
 #include "structures/frame/frame.hpp"
+#include "structures/frame/sap2000.hpp"
 #include "structures/isolation.hpp"
 #include "structures/moat.hpp"
 #include "structures/plan_building.hpp"

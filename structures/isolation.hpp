@@ -22,8 +22,9 @@ concept DamperLaw = ForceLaw<Law> && Law::is_damper;
 ///
 ///     .isolation = LeadRubberBearing{...}
 ///     .isolation = FrictionPendulum{...}                                 named "bearings"
-///     .isolation = Isolator{.name = "pendulums", .law = MyPendulum{...}, .count = 20}
-///     .isolation = Isolation{LeadRubberBearing{...}, NonlinearViscous{...}}
+///     .isolation = BearingDesign{.strength_ratio = 0.06, ...}             lead-rubber bearings for the building's
+///     weight .isolation = Isolator{.name = "pendulums", .law = MyPendulum{...}, .count = 20} .isolation =
+///     Isolation{LeadRubberBearing{...}, NonlinearViscous{...}}
 ///
 /// The building puts them between the ground and its base; `lower` and `upper` must not be given. It gives its weight
 /// to laws that need it, all of it to each: bearings of several kinds side by side need their own `weight`. Dampers are

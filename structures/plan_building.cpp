@@ -30,8 +30,6 @@ void check_parameters(const PlanBuilding& building) {
   building.floor_mass.check(check, "floor_mass", building.storeys);
   building.storey_height.check(check, "storey_height", building.storeys);
   building.columns.check_count(check, "columns", building.storeys);
-  check.that(building.damping.ratio >= 0.0 && building.damping.ratio < 1.0, "damping.ratio", building.damping.ratio,
-             "1", ">= 0 and < 1", "5 % of critical is 0.05.");
   if (building.bearings)
     check.positive("base_mass", building.base_mass, "A building on bearings needs the mass of its base floor.");
   else
@@ -150,11 +148,13 @@ class Builder {
       // No storey above is there yet.
       require_stiffness(storey, stiffness_of_floors(model_, {parts_.floors[i]}));
     }
-    if (building_.damping.ratio == 0.0) return;
-    const RayleighFactors rayleigh = rayleigh_factors_in_plan(building_.damping.ratio, model_, parts_.floors);
+    const std::optional<RayleighFactors> given = given_factors(building_.damping);
+    const RayleighFactors rayleigh =
+        given ? *given : rayleigh_factors_in_plan(building_.damping.ratio, model_, parts_.floors);
     for (std::size_t i = 0; i < storeys.size(); ++i) {
       for (const StoreySpring& spring : storeys[i])
-        add_dashpot(model_, spring, rayleigh.stiffness_factor, below(i), parts_.floors[i]);
+        if (rayleigh.stiffness_factor > 0.0)
+          add_dashpot(model_, spring, rayleigh.stiffness_factor, below(i), parts_.floors[i]);
       if (rayleigh.mass_factor > 0.0) add_mass_damping(i, rayleigh.mass_factor);
     }
   }

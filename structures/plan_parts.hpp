@@ -52,6 +52,16 @@ inline BiaxialBilinear in_plan(const LeadRubberBearing& bearing) {
           .post_yield_stiffness = bearing.post_yield_stiffness};
 }
 
+/// The bearing of a design under this weight, N, unless the design has a weight of its own. Throws InputError for a bad
+/// parameter.
+inline BiaxialBilinear in_plan(const BearingDesign& design, Force weight) {
+  design.check(Check{"BearingDesign", ""});
+  const Bilinear law = design.carrying(design.weight.si() > 0.0 ? design.weight : weight);
+  return {.yield_force = law.yield_force,
+          .yield_displacement = law.yield_displacement,
+          .post_yield_stiffness = law.post_yield_stiffness};
+}
+
 /// A law of two components, or a bearing that has one, perhaps under the weight on it.
 template <class Bearing>
 concept BearingInPlan = PlanarLaw<Bearing> || requires(const Bearing& bearing) {
@@ -101,8 +111,8 @@ class PlanColumns {
 };
 
 /// The bearings under a building: any law of two components, or LeadRubberBearing, FrictionPendulum or GrantRubber,
-/// which have one; on a grid, or each at its place. A pendulum without a weight carries its share of the building, the
-/// same for every bearing.
+/// which have one; on a grid, or each at its place. A pendulum or a BearingDesign without a weight carries its share of
+/// the building, the same for every bearing.
 ///
 ///     .bearings = grid(3, 2, BiaxialBoucWen{...})
 ///     .bearings = grid(3, 2, FrictionPendulum{...})

@@ -79,7 +79,9 @@ void add_p_delta(Model& model, const ShearBuilding& building, const std::string&
 void add_storeys(Model& model, const ShearBuilding& building, const std::string& prefix, const Building& nodes) {
   const std::vector<Mass> masses = building.floor_mass.list(building.storeys);
   const std::vector<Stiffness> stiffnesses = initial_stiffnesses(building);
-  const RayleighFactors rayleigh = rayleigh_factors_of_chain(building.damping.ratio, masses, stiffnesses);
+  const std::optional<RayleighFactors> given = given_factors(building.damping);
+  const RayleighFactors rayleigh =
+      given ? *given : rayleigh_factors_of_chain(building.damping.ratio, masses, stiffnesses);
   NodeId below = nodes.base;
   for (std::size_t i = 0; i < nodes.floors.size(); ++i) {
     const NodeId above = nodes.floors[i];

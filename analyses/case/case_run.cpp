@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
+#include <set>
 
 #include "analyses/case/case_warnings.hpp"
 #include "analyses/modes/periods.hpp"
@@ -10,6 +12,7 @@
 #include "base/check.hpp"
 #include "base/error.hpp"
 #include "model/building.hpp"
+#include "output/peaks/drift_ratios.hpp"
 #include "output/vtk/model_scene.hpp"
 
 namespace moat {
@@ -56,6 +59,25 @@ double history_interval(const CaseOptions& options, const GroundMotion& motion) 
   return options.history_interval.si() > 0.0 ? options.history_interval.si() : motion.time_step();
 }
 
+// Where a building touches at a gap: on a line the side of the gap, in plan the edge, or its own edge that a corner of
+// another body meets. The right side of a gap on a line is its first node; in plan the second body has the corner.
+std::string side_of_gap(const ElementInfo& gap, bool is_first) {
+  const CornerPair* pair = gap.corner_pair();
+  if (pair != nullptr) return is_first ? pair->corner : pair->edge;
+  return is_first ? "left" : "right";
+}
+
+void add_elements(const Model& model, const std::set<std::string>& bodies, BuildingParts& parts) {
+  for (const auto& block : model.blocks())
+    for (const ElementInfo& info : block->infos()) {
+      const bool first = bodies.contains(std::string{model.body_name(info.first)}),
+                 second = bodies.contains(std::string{model.body_name(info.second)});
+      if (!first && !second) continue;
+      parts.places.insert({info.name, info.listed_under()});
+      if (block->kind().contacts && first != second) parts.gaps.push_back({info.name, side_of_gap(info, first)});
+    }
+}
+
 std::vector<BuildingParts> parts_of_buildings(const Model& model) {
   std::vector<BuildingParts> list;
   const auto name_of = [&](NodeId node) { return std::string{model.body_name(node)}; };
@@ -66,6 +88,11 @@ std::vector<BuildingParts> parts_of_buildings(const Model& model) {
     BuildingParts parts{.name = building.name, .base = building.base == ground ? "" : name_of(building.base)};
     for (const NodeId floor : building.floors) parts.floors.push_back(name_of(floor));
     for (const ElementId id : isolators[b]) parts.isolators.push_back(model.blocks()[id.block]->info(id.element).name);
+    std::set<std::string> bodies;
+    for (const NodeId node : building.nodes()) bodies.insert(name_of(node));
+    parts.places = bodies;
+    parts.places.insert(building.base_name());
+    add_elements(model, bodies, parts);
     list.push_back(std::move(parts));
   }
   return list;
@@ -190,7 +217,8 @@ CaseResult CaseRun::result_with(Table histories) const {
       .assumptions = transient_.assumptions()};
   for (const auto& warnings :
        {motion_warnings(motion), model_warnings(transient_.model()), collapse_warnings(result.peaks),
-        strain_warnings(result.peaks), plan_warnings(transient_.state(), result.peaks, result.impacts),
+        period_warnings(transient_.model()), strain_warnings(result.peaks),
+        plan_warnings(transient_.state(), result.peaks, result.impacts),
         energy_warnings(result.energy, options_.warn_above_energy_error, options_.transient)})
     result.warnings.insert(result.warnings.end(), warnings.begin(), warnings.end());
   for (const Building& building : transient_.model().buildings())
@@ -198,6 +226,7 @@ CaseResult CaseRun::result_with(Table histories) const {
       result.assumptions.push_back((building.name.empty() ? "Building" : building.name) + ": " + note);
   result.torsion = torsion_of(transient_.model(), result.peaks);
   add_errors(result);
+  std::ranges::move(drift_ratios(transient_.model(), result.peaks), std::back_inserter(result.peaks));
   // Behind the errors: the companion does not know these peaks.
   for (Peak& peak : offered_peaks_.peaks()) result.peaks.push_back(std::move(peak));
   for (std::string& warning : offered_peaks_.warnings()) result.warnings.push_back(std::move(warning));

@@ -2,12 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
+#include <set>
 
 #include "analyses/events/guards.hpp"
 #include "base/check.hpp"
 #include "base/units.hpp"
+#include "model/building.hpp"
 #include "output/files/engineering_unit.hpp"
+#include "solvers/modes.hpp"
 
 namespace moat {
 namespace {
@@ -48,6 +50,48 @@ std::vector<std::string> bearings_outside(const Model& model) {
   return warnings;
 }
 
+// Centres of mass that do not lie on their floor.
+std::vector<std::string> centres_outside(const Model& model) {
+  std::vector<std::string> warnings;
+  for (const PlacedDiaphragm& floor : model.diaphragms()) {
+    const PlanVector at = floor.centre_of_mass;
+    if (!floor.outline.empty() && !floor.outline.contains(at))
+      warnings.push_back("The centre of mass of \"" + floor.name + "\" at (" + to_text(at.x) + ", " + to_text(at.y) +
+                         ") m is outside its outline. Correct the centre of mass, its offset or the outline.");
+  }
+  return warnings;
+}
+
+// N: the force at zero deformation after yielding, as the parameters of a law give it; 0 for a law without one.
+double strength_of(const LawAsGiven& law) {
+  const auto value = [&](std::string_view name, double otherwise) {
+    const auto found = std::ranges::find(law.parameters, name, &Parameter::name);
+    return found == law.parameters.end() ? otherwise : found->value;
+  };
+  const double of_yield =
+      value("yield_force", 0.0) - value("post_yield_stiffness", 0.0) * value("yield_displacement", 0.0);
+  return value("count", 1.0) * value("strength", value("characteristic_strength", of_yield));
+}
+
+std::vector<std::string> strong_isolators(const Model& model) {
+  constexpr double usual = 0.3;
+  std::vector<std::string> warnings;
+  const std::vector<Building>& buildings = model.buildings();
+  const std::vector<std::vector<ElementId>> isolators = isolators_of(model, buildings);
+  for (std::size_t b = 0; b < buildings.size(); ++b) {
+    double strength = 0.0, mass = 0.0;
+    for (const ElementId id : isolators[b]) strength += strength_of(model.blocks()[id.block]->law_of_block(id.element));
+    for (const NodeId node : buildings[b].nodes()) mass += model.mass(node);
+    const double share = strength / (mass * standard_gravity);
+    if (share > usual)
+      warnings.push_back("The isolators of " + (buildings[b].name.empty() ? "the building" : buildings[b].name) +
+                         " have a strength of " + to_text(std::round(1000.0 * share) / 10.0) +
+                         " % of the weight on them; 3 to 10 % is usual, and above 30 % they hardly ever yield. Check "
+                         "the units of yield_force, strength and masses.");
+  }
+  return warnings;
+}
+
 // Corners that friction can press into their edge without an end.
 std::vector<std::string> jamming_corners(const Model& model) {
   std::vector<std::string> warnings;
@@ -76,10 +120,10 @@ std::vector<std::string> motion_warnings(const GroundMotion& motion) {
 }
 
 std::vector<std::string> model_warnings(const Model& model) {
-  std::vector<std::string> warnings;
+  std::vector<std::string> warnings = strong_isolators(model);
   if (model.is_plan()) {
-    warnings = bearings_outside(model);
-    std::ranges::move(jamming_corners(model), std::back_inserter(warnings));
+    for (const auto& list : {bearings_outside(model), centres_outside(model), jamming_corners(model)})
+      warnings.insert(warnings.end(), list.begin(), list.end());
     return warnings;
   }
   for (const auto& block : model.blocks())
@@ -93,6 +137,35 @@ std::vector<std::string> model_warnings(const Model& model) {
                          " m and its right side \"" + right.name + "\" x = " + to_text(right.x) +
                          " m. Exchange .left and .right, or correct the positions.");
     }
+  return warnings;
+}
+
+std::vector<std::string> period_warnings(const Model& model) {
+  constexpr double longest = 10.0, shortest = 0.02;  // s
+  constexpr std::size_t most_buildings = 8;
+  std::vector<std::string> warnings;
+  const SparseMatrix stiffness = model.linear_stiffness(StiffnessStage::initial);
+  SparseMatrix masses = model.zero_matrix();
+  model.mass_matrix().add_to(1.0, masses);
+  const std::vector<Building>& buildings = model.buildings();
+  for (std::size_t b = 0; b < std::min(buildings.size(), most_buildings); ++b) {
+    std::set<int> indices;
+    for (const NodeId floor : buildings[b].floors)
+      for (const NodeId node : model.body_of(floor)) indices.insert(node.index);
+    for (const NodeId node : model.body_of(buildings[b].base)) indices.erase(node.index);
+    if (indices.empty()) continue;
+    // The columns of the degrees of freedom that move while base and others are held.
+    std::vector<Eigen::Triplet<double>> moving;
+    for (const int index : indices) moving.emplace_back(index, static_cast<int>(moving.size()), 1.0);
+    SparseMatrix columns{stiffness.rows(), static_cast<Eigen::Index>(moving.size())};
+    columns.setFromTriplets(moving.begin(), moving.end());
+    const SparseMatrix held = columns.transpose() * stiffness * columns, mass = columns.transpose() * masses * columns;
+    const double period = slowest_modes(held, mass, 1).front().period();
+    if (!std::isfinite(period) || (period <= longest && period >= shortest)) continue;
+    warnings.push_back("The first period of " + (buildings[b].name.empty() ? "the building" : buildings[b].name) +
+                       " held at its base is " + to_text(period) + " s; buildings have " + to_text(shortest) + " to " +
+                       to_text(longest) + " s. Check the units of stiffnesses and masses.");
+  }
   return warnings;
 }
 

@@ -12,9 +12,14 @@ namespace moat {
 /// An acceleration of the ground beyond all records.
 std::vector<std::string> motion_warnings(const GroundMotion& motion);
 
-/// Gaps whose left side is drawn to the right of their right side; in plan, corners that can jam, and bearings outside
-/// the outline of their floor.
+/// Isolators whose strength is above 30 % of the weight on them, so that they hardly ever slide or yield; gaps whose
+/// left side is drawn to the right of their right side; in plan, corners that can jam, and bearings and centres of mass
+/// outside the outline of their floor.
 std::vector<std::string> model_warnings(const Model& model);
+
+/// First periods of up to eight buildings held at their base that are above 10 s or below 0.02 s: the unit of a
+/// stiffness or a mass is another one.
+std::vector<std::string> period_warnings(const Model& model);
 
 /// In plan: corners in contact that slid past the end of an edge, and rotations whose neglected second-order
 /// displacement of a corner, r theta^2/2, exceeds 1 mm or 10 % of the largest indentation.

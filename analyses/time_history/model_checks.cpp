@@ -8,7 +8,9 @@
 #include <utility>
 #include <vector>
 
+#include "base/check.hpp"
 #include "base/error.hpp"
+#include "model/building.hpp"
 
 namespace moat {
 namespace {
@@ -40,6 +42,27 @@ std::string subject(const Model& model, const std::vector<int>& part, int number
   std::string text = names[0];
   for (std::size_t i = 1; i < names.size(); ++i) text += (i + 1 < names.size() ? ", " : " and ") + names[i];
   return text + (names.size() == 1 && verb == "are" ? " is" : " " + verb);
+}
+
+// The isolators of a building that leave its part loose because of their places: "the bearings of hospital do not
+// resist rotation: all stand at (0, 0) m." Empty where other elements are at fault.
+std::string weak_isolators(const Model& model, const std::vector<int>& part, int number) {
+  const std::vector<Building> buildings = all_buildings(model);
+  const std::vector<std::vector<ElementId>> isolators = isolators_of(model, buildings);
+  for (std::size_t b = 0; b < buildings.size(); ++b) {
+    const NodeId base = buildings[b].base;
+    if (base == ground || part[static_cast<std::size_t>(base.index)] != number || isolators[b].empty()) continue;
+    const auto info = [&](ElementId id) -> const ElementInfo& { return model.blocks()[id.block]->info(id.element); };
+    const auto at_one_point = [&](ElementId id) {
+      const PlanPlaces *first = info(isolators[b].front()).plan_places(), *places = info(id).plan_places();
+      return first != nullptr && places != nullptr && length(places->second - first->second) < 1e-6;
+    };
+    if (!std::ranges::all_of(isolators[b], at_one_point)) continue;
+    const PlanVector at = info(isolators[b].front()).plan_places()->second;
+    return "the bearings of " + (buildings[b].name.empty() ? "the building" : buildings[b].name) +
+           " do not resist rotation: all stand at one point, (" + to_text(at.x) + ", " + to_text(at.y) + ") m.";
+  }
+  return "";
 }
 
 // Whether one of the two bodies of a gap stands inside the other.
@@ -92,6 +115,8 @@ void check_held(const AnalysisState& state) {
     check.that(held[number],
                subject(model, part, number_of_part, "are") + " held by nothing: no path of elements to the ground.",
                "Add the missing spring, storey or isolator; a gap holds nothing." + remedy);
+    const std::string weak = weak_isolators(model, part, number_of_part);
+    check.that(weak.empty(), weak, "Give bearings at two places at least." + remedy);
     check.that(false,
                subject(model, part, number_of_part, "can") +
                    " move in plan without deforming an element, along a direction or about a point.",

@@ -7,6 +7,7 @@
 #include <system_error>
 
 #include "base/text/number_format.hpp"
+#include "output/files/building_rows.hpp"
 #include "output/files/csv_writer.hpp"
 #include "output/files/peak_table.hpp"
 #include "output/files/results_folder.hpp"
@@ -32,6 +33,7 @@ void write_results(const CaseResult& result, const std::filesystem::path& folder
   const ResultCharts charts = result_charts(result);
   std::future<void> files_of_charts = beside([&] { write_charts(charts, folder); });
   write_csv(result.impacts, folder / results_file::impacts);
+  write_peaks_csv(result, folder / results_file::peaks);
   written(results_file::impacts);
   vtk_files().write_table(result.histories, folder / results_file::histories_vtt);
   written(results_file::histories_vtt);
@@ -63,6 +65,7 @@ std::string keep_results(const CaseResult& result, const std::filesystem::path& 
     }
   };
   keep(summary, [&] { write_summary_json(result, folder / summary); });
+  keep(peaks, [&] { write_peaks_csv(result, folder / peaks); });
   keep(impacts, [&] { write_csv(result.impacts, folder / impacts); });
   keep(histories_csv, [&] { write_csv(result.histories, folder / histories_csv); });
   keep(report, [&] { write_report_html(result, result_charts(result), folder); });
@@ -108,9 +111,11 @@ std::string energy_lines(const EnergyBalance& energy) {
 }  // namespace
 
 std::string terminal_summary(const CaseResult& result) {
-  return period_lines(result.periods) + "\n" + peak_table(result) + clearance_table(result) +
-         table_at_the_end(isolators_at_the_end(result.histories)) + error_bar_line(result.error_bars) +
-         energy_lines(result.energy) + "\n" + count_of(static_cast<long>(result.impacts.size()), "impact") + ", " +
+  const std::string buildings = text_of(building_table(result));
+  return (buildings.empty() ? "" : "\n" + buildings) + period_lines(result.periods) + "\n" + peak_table(result) +
+         clearance_table(result) + table_at_the_end(isolators_at_the_end(result.histories)) +
+         error_bar_line(result.error_bars) + energy_lines(result.energy) + "\n" +
+         count_of(static_cast<long>(result.impacts.size()), "impact") + ", " +
          std::to_string(result.solver.accepted_steps) + " steps, " + std::to_string(result.solver.newton_iterations) +
          " Newton iterations, " + to_significant(result.solver.cpu_seconds, 3) + " s of processor time\n";
 }

@@ -67,7 +67,7 @@ struct MemberPoint {
   MemberPoint() = default;
   /// A node alone, or a floor on a line.
   template <std::convertible_to<NodeId> Place>
-  MemberPoint(const Place& at) : node{at}, other{node} {}
+  MemberPoint(const Place& at) : node(at), other{node} {}
   /// 0 <= share_of_upper < 1.
   MemberPoint(NodeId lower, NodeId upper, double share_of_upper) : node{lower}, other{upper}, share{share_of_upper} {}
 

@@ -67,7 +67,10 @@ std::string number_with_unit(double value_in_si, std::string_view si_symbol) {
   const double value = unit.per_si * value_in_si, magnitude = std::abs(value);
   const std::string number = magnitude > 0.0 && magnitude < very_small ? to_significant(value, 2)
                                                                        : with_decimals(value, decimals_for(magnitude));
-  return number + " " + with_raised_digits(unit.symbol);
+  const EngineeringUnit second = second_unit(si_symbol);
+  return number + " " + with_raised_digits(unit.symbol) +
+         (second.symbol.empty() ? ""
+                                : " (" + to_significant(second.per_si * value_in_si, 4) + " " + second.symbol + ")");
 }
 
 std::string chart_grid(const std::vector<Chart>& charts, int width, int height) {

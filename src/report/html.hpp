@@ -18,7 +18,8 @@ std::string number_row(std::string_view name, std::string_view value);
 /// A row of a table with a name and a text; both are escaped.
 std::string text_row(std::string_view name, std::string_view value);
 
-/// In the engineering unit with 4 significant digits, 2 if it is very small: "12.35 cm", "1.2e-09 kJ".
+/// In the engineering unit with 4 significant digits, 2 if it is very small, and accelerations in g as well: "12.35
+/// cm", "1.2e-09 kJ", "3.923 m/s^2 (0.4 g)" with a raised 2.
 std::string number_with_unit(double value_in_si, std::string_view si_symbol);
 
 /// Every chart as a picture of its own, `width` by `height` pixels: side by side where there is room, below each other

@@ -21,7 +21,8 @@ std::string heading(const char* name, const char* unit, const char* meaning) {
 
 std::string table_of(const std::vector<Impact>& impacts, std::size_t rows) {
   std::string html =
-      "<div class=\"wide\"><table>\n<tr><th scope=\"col\">Where</th><th class=\"number\" scope=\"col\"></th>";
+      "<div class=\"wide\"><table class=\"dense\">\n<tr><th scope=\"col\">Where</th><th class=\"number\" "
+      "scope=\"col\"></th>";
   const std::vector<ImpactColumn> columns = columns_of(impacts);
   std::vector<int> decimals;
   for (const ImpactColumn& column : columns) {

@@ -192,12 +192,14 @@
       figure.replaceWith(box);
       const rows = Array.from({ length: run.rows }, (_, row) =>
         [run.start + row * run.interval, ...chart.series.map((series) => series.values[row])]);
+      const inTwoUnits = (value) =>
+        Number(value.toPrecision(4)) + " (" + Number((chart.second.factor * value).toPrecision(3)) + " " + chart.second.symbol + ")";
       graphs.push(new Dygraph(plot, rows, {
         labels: ["time [s]", ...chart.series.map((series) => series.name)],
         colors: chart.series.map((series) => series.colour === "#000000" ? colour("--ink") : series.colour),
         labelsDiv: legend, legend: "always", ylabel: html(chart.label), xlabel: "time [s]",
         gridLineColor: colour("--line"), axisLineColor: colour("--soft-ink"), strokeWidth: 1.3, axisLabelWidth: 62,
-        digitsAfterDecimal: 4, animatedZooms: false,
+        digitsAfterDecimal: 4, animatedZooms: false, axes: chart.second ? { y: { valueFormatter: inTwoUnits } } : {},
         zoomCallback: (from, to) => zoomAll([from, to]),
       }));
     });

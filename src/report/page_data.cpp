@@ -33,8 +33,12 @@ std::string json_of(const Chart& chart, std::size_t stride) {
     series += std::string{i > 0 ? "," : ""} + "{\"name\":" + text_of(chart.series[i].name) + ",\"colour\":\"" +
               std::string{paint_of(chart, i).colour} + "\",\"values\":" + array_of(chart.series[i].y, 1.0, stride) +
               "}";
-  return "{\"title\":" + text_of(chart.title) + ",\"label\":" + text_of(chart.y_label) + ",\"series\":[" + series +
-         "]}";
+  std::string second;
+  if (chart.second_unit)
+    second = ",\"second\":{\"symbol\":" + text_of(chart.second_unit->symbol) +
+             ",\"factor\":" + to_significant(chart.second_unit->per_first, 12) + "}";
+  return "{\"title\":" + text_of(chart.title) + ",\"label\":" + text_of(chart.y_label) + second + ",\"series\":[" +
+         series + "]}";
 }
 
 template <class Items, class Json>

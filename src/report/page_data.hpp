@@ -16,8 +16,8 @@ inline constexpr std::size_t most_rows_of_script = 20'000;
 ///
 ///     {"start": s, "interval": s, "rows": n,
 ///      "motions": [[m, ...] or null, ...],        one for every node, null where it does not move
-///      "charts": [{"title": "", "label": "", "series": [{"name": "", "colour": "#0072b2", "values": []}]}],
-///      "impacts": [{"where": "", "start": s, "end": s}]}
+///      "charts": [{"title": "", "label": "", "second": {"symbol": "g", "factor": 0.102} or left out, "series":
+///      [{"name": "", "colour": "#0072b2", "values": []}]}], "impacts": [{"where": "", "start": s, "end": s}]}
 ///
 /// histories: charts over the time of `result.histories`. Empty for less than two rows.
 std::string page_data(const CaseResult& result, const std::vector<Chart>& histories);

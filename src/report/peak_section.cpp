@@ -1,16 +1,21 @@
 #include "report/sections.hpp"
 
 #include <algorithm>
+#include <map>
 #include <set>
 #include <string_view>
 #include <vector>
 
+#include "base/text/number_format.hpp"
 #include "output/files/engineering_unit.hpp"
 #include "output/peaks/peak_groups.hpp"
 #include "report/html.hpp"
 
 namespace moat::html {
 namespace {
+
+// Of more bearings the table is closed until the reader opens it.
+constexpr std::size_t most_open_bearings = 12;
 
 // Digits that are not there still take their room, so that decimal points stand below each other.
 std::string value_of(const PeakRow& peak) {
@@ -31,6 +36,7 @@ std::string table_of(const PeakGroup& group, bool with_errors, std::string_view 
   std::string html = "<table>\n<tr class=\"group\"><th scope=\"col\">" + escaped(capitalised(group.quantity)) +
                      "</th><th class=\"number\" scope=\"col\">" + escaped(with_raised_digits(group.unit)) + "</th>";
   if (with_errors) html += "<th scope=\"col\">error</th>";
+  if (!group.second_unit.empty()) html += "<th class=\"number\" scope=\"col\">" + group.second_unit + "</th>";
   const bool has_last = std::ranges::any_of(group.rows, [](const PeakRow& peak) { return !peak.side.empty(); });
   html += "<th class=\"number\" scope=\"col\">at s</th><th scope=\"col\">" + std::string{has_last ? last : ""} +
           "</th></tr>\n";
@@ -41,6 +47,7 @@ std::string table_of(const PeakGroup& group, bool with_errors, std::string_view 
     html += std::string{unsettled ? "<tr class=\"unsettled\">" : "<tr>"} + "<td>" + escaped(peak.where) +
             "</td><td class=\"number\">" + value_of(peak) + "</td>";
     if (with_errors) html += "<td class=\"error\">" + (peak.error.empty() ? "" : "&plusmn; " + peak.error) + "</td>";
+    if (!group.second_unit.empty()) html += "<td class=\"number\">" + peak.second + "</td>";
     html += "<td class=\"number\">" + peak.time + "</td><td>" + escaped(peak.side) + "</td></tr>\n";
   }
   return html + "</table>\n";
@@ -61,9 +68,7 @@ bool shorten(PeakGroup& group) {
 
 std::string peak_section(const CaseResult& result) {
   const std::set<std::string> constant = constant_quantities(result.histories);
-  std::vector<Peak> changing = result.peaks;
-  std::erase_if(changing, [&](const Peak& peak) { return constant.contains(peak.quantity); });
-  std::vector<PeakGroup> groups = group_peaks(changing);
+  std::vector<PeakGroup> groups = group_peaks(peaks_of_tables(result));
   bool all_shown = true;
   for (PeakGroup& group : groups) all_shown = !shorten(group) && all_shown;
   std::string html =
@@ -79,6 +84,57 @@ std::string peak_section(const CaseResult& result) {
   html += (constant.empty() ? "</p>" : ".</p>") + std::string{"\n<div class=\"columns wide\">\n"};
   for (const PeakGroup& group : groups) html += table_of(group, result.error_bars.checked, "side", result.error_bars);
   return html + "</div>\n";
+}
+
+std::string bearing_section(const CaseResult& result) {
+  const auto bearings = single_bearings(result.model);
+  struct Row {
+    const ElementFacts* bearing;
+    Peak deformation, force;
+  };
+  std::map<std::string, Row> by_name;
+  for (const Peak& peak : result.peaks)
+    if (const auto found = bearings.find(peak.where); found != bearings.end()) {
+      Row& row = by_name[peak.where];
+      row.bearing = found->second;
+      if (peak.quantity == "isolator_deformation") row.deformation = peak;
+      if (peak.quantity == "isolator_force") row.force = peak;
+    }
+  if (by_name.empty()) return "";
+  std::vector<Row> rows;
+  for (const ElementFacts& element : result.model.elements)
+    if (const auto found = by_name.find(element.name); found != by_name.end()) rows.push_back(found->second);
+  std::ranges::stable_sort(rows, std::ranges::greater{}, [](const Row& row) { return row.deformation.magnitude(); });
+  const std::size_t all = rows.size();
+  rows.resize(std::min(all, most_places));
+  std::vector<Peak> deformations, forces;
+  for (const Row& row : rows) {
+    deformations.push_back(row.deformation);
+    forces.push_back(row.force);
+  }
+  const PeakGroup deformation = group_peaks(deformations).front(), force = group_peaks(forces).front();
+  const auto cells = [](const PeakRow& row) {
+    return "<td class=\"number\">" + value_of(row) + "</td><td class=\"error\">" +
+           (row.error.empty() ? "" : "&plusmn; " + row.error) + "</td>";
+  };
+  std::string html = "<details" + std::string{all <= most_open_bearings ? " open" : ""} + "><summary>" +
+                     std::to_string(all) + " bearings, the largest deformation first</summary>\n";
+  html +=
+      "<div class=\"wide\"><table class=\"dense\">\n<tr><th scope=\"col\">Bearing</th><th scope=\"col\">Type</th>"
+      "<th class=\"number\" scope=\"col\">x [m]</th><th class=\"number\" scope=\"col\">y [m]</th>"
+      "<th class=\"number\" scope=\"col\">Deformation [cm]</th><th></th><th class=\"number\" scope=\"col\">at s</th>"
+      "<th class=\"number\" scope=\"col\">Force [kN]</th><th></th></tr>\n";
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const ElementFacts& bearing = *rows[i].bearing;
+    const PlanVector at = bearing.plan_places ? bearing.plan_places->second : PlanVector{};
+    html += "<tr><td>" + escaped(bearing.name) + "</td><td>" + escaped(bearing.place + ", " + bearing.law) +
+            "</td><td class=\"number\">" + to_significant(at.x, 5) + "</td><td class=\"number\">" +
+            to_significant(at.y, 5) + "</td>" + cells(deformation.rows[i]) + "<td class=\"number\">" +
+            deformation.rows[i].time + "</td>" + cells(force.rows[i]) + "</tr>\n";
+  }
+  html += "</table></div>\n";
+  if (all > rows.size()) html += "<p>... and " + std::to_string(all - rows.size()) + " more in peaks.csv.</p>\n";
+  return html + "</details>\n";
 }
 
 std::string clearance_section(const CaseResult& result) {

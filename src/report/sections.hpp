@@ -14,9 +14,9 @@ inline constexpr std::size_t most_impacts = 100;
 /// Rows of peaks of one quantity that are shown; of more places those with the largest values.
 inline constexpr std::size_t most_places = 40;
 
-/// Motion and size of the model in one line, then a card for each of the largest displacement, drift, acceleration,
-/// isolator deformation and impact force, the smallest clearance left, the number of impacts and the error of the
-/// energy balance. Values carry their error bars; those that are not settled are shaded.
+/// Motion and size of the model in one line; the table of buildings (output/files/building_rows.hpp); then a card for
+/// each of the largest impact force, if there is one, the number of impacts and the error of the energy balance. Values
+/// carry their error bars; those that are not settled are shaded.
 std::string summary_section(const CaseResult& result);
 
 /// The verdict of the error bars and all warnings; empty without any.
@@ -34,6 +34,10 @@ std::string impact_section(const CaseResult& result, const std::vector<Chart>& l
 
 /// A table of peaks for each quantity, side by side where there is room, with errors and the method behind them.
 std::string peak_section(const CaseResult& result);
+
+/// Type, place, largest deformation and force of every bearing in plan that shares its place with others; empty
+/// without.
+std::string bearing_section(const CaseResult& result);
 
 /// The smallest opening of every gap; empty without gaps.
 std::string clearance_section(const CaseResult& result);

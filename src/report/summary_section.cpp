@@ -4,6 +4,7 @@
 #include <string_view>
 
 #include "base/text/number_format.hpp"
+#include "output/files/building_rows.hpp"
 #include "output/files/engineering_unit.hpp"
 #include "output/peaks/peak_groups.hpp"
 #include "report/html.hpp"
@@ -17,30 +18,45 @@ std::string card(std::string_view name, const std::string& value, const std::str
          "</div></div>\n";
 }
 
-// A value with its error and unit.
-std::string value_of(const PeakGroup& group) {
-  const PeakRow& row = group.rows.front();
-  return escaped(row.value) + (row.error.empty() ? "" : " <small>&plusmn; " + escaped(row.error) + "</small>") +
-         " <small>" + escaped(with_raised_digits(group.unit)) + "</small>";
-}
-
-std::string peak_card(const CaseResult& result, std::string_view quantity) {
+std::string force_card(const CaseResult& result) {
   const Peak* largest = nullptr;
   for (const Peak& peak : result.peaks)
-    if (peak.quantity == quantity && (largest == nullptr || peak.magnitude() > largest->magnitude())) largest = &peak;
-  if (largest == nullptr) return "";
+    if (peak.quantity == "impact_force" && (largest == nullptr || peak.magnitude() > largest->magnitude()))
+      largest = &peak;
+  if (largest == nullptr || largest->value == 0.0) return "";
   const bool unsettled = std::ranges::any_of(result.error_bars.unsettled, [&](const Peak& each) {
     return each.quantity == largest->quantity && each.where == largest->where;
   });
-  return card("Largest " + in_words(quantity), value_of(group_peaks({*largest}).front()),
+  const PeakGroup group = group_peaks({*largest}).front();
+  const PeakRow& row = group.rows.front();
+  return card("Largest impact force",
+              escaped(row.value) + (row.error.empty() ? "" : " <small>&plusmn; " + escaped(row.error) + "</small>") +
+                  " <small>" + group.unit + "</small>",
               largest->where + " at " + to_fixed(largest->time, 3) + " s", unsettled);
 }
 
-std::string clearance_card(const CaseResult& result) {
-  const auto least = std::ranges::min_element(result.clearances, {}, &GapClearance::left);
-  if (least == result.clearances.end()) return "";
-  const PeakGroup group = clearance_group({*least});
-  return card("Smallest clearance left", value_of(group), least->where + ", " + group.rows.front().side);
+// "13.36 +- 0.02 m/s^2" as a page shows it.
+std::string with_signs(const std::string& text) {
+  std::string html = escaped(with_raised_digits(text));
+  const std::size_t at = html.find("+-");
+  return at == std::string::npos ? html : html.replace(at, 2, "&plusmn;");
+}
+
+std::string table_of(const BuildingTable& table) {
+  if (table.headings.empty()) return "";
+  std::string html = "<div class=\"wide\"><table class=\"buildings\">\n<tr><th scope=\"col\"></th>";
+  for (const std::string& heading : table.headings) html += "<th scope=\"col\">" + capitalised(heading) + "</th>";
+  html += "</tr>\n";
+  for (const BuildingTable::Row& row : table.rows) {
+    html += "<tr><th scope=\"row\">" + escaped(row.name) + "</th>";
+    for (const BuildingCell& cell : row.cells)
+      html += std::string{"<td"} + (cell.unsettled ? " class=\"unsettled\"" : "") + "><div class=\"value\">" +
+              (cell.value.empty() ? "-" : with_signs(cell.value)) + "</div>" +
+              (cell.more.empty() ? "" : "<div>" + with_signs(cell.more) + "</div>") +
+              (cell.where.empty() ? "" : "<div class=\"where\">" + escaped(cell.where) + "</div>") + "</td>";
+    html += "</tr>\n";
+  }
+  return html + "</table></div>\n";
 }
 
 std::string energy_card(const EnergyBalance& energy) {
@@ -54,21 +70,13 @@ std::string energy_card(const EnergyBalance& energy) {
 }  // namespace
 
 std::string summary_section(const CaseResult& result) {
-  const bool in_plan = !result.model.diaphragms.empty();
   std::string html = "<p class=\"subtitle\">" + escaped(result.motion.name) + ", peak acceleration " +
                      number_with_unit(result.motion.peak_acceleration, "m/s^2") + ", " +
                      number_with_unit(result.motion.duration, "s");
   if (!result.model.nodes.empty())
     html += ". " + std::to_string(result.model.nodes.size()) + " degrees of freedom, " +
             std::to_string(result.model.elements.size()) + " elements";
-  html += ".</p>\n<div class=\"cards\">\n";
-  if (in_plan)
-    for (const char* quantity : {"corner_displacement", "corner_drift", "corner_acceleration"})
-      html += peak_card(result, quantity);
-  else
-    for (const char* quantity : {"displacement", "drift", "absolute_acceleration"}) html += peak_card(result, quantity);
-  for (const char* quantity : {"isolator_deformation", "impact_force"}) html += peak_card(result, quantity);
-  html += clearance_card(result);
+  html += ".</p>\n" + table_of(building_table(result)) + "<div class=\"cards\">\n" + force_card(result);
   html += card("Impacts", std::to_string(result.impacts.size()),
                result.impacts.empty() ? "no contact" : "first at " + to_fixed(result.impacts.front().start, 3) + " s");
   return html + energy_card(result.energy) + "</div>\n";

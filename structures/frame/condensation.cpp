@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "base/text/number_format.hpp"
 #include "solvers/factorisation.hpp"
 #include "structures/frame/constraints.hpp"
 #include "structures/frame/finite_elements.hpp"
@@ -25,18 +26,22 @@ SparseMatrix symmetric_part(const Check& check, const std::string& what, const S
   const auto name = [&](Index unknown) { return parts.names[static_cast<std::size_t>(unknown)]; };
   const SparseMatrix transposed = matrix.transpose();
   double worst = 0.0;
+  Eigen::Triplet<double> entry_of_worst;
   for (Index column = 0; column < unknowns; ++column)
     for (SparseMatrix::InnerIterator entry{matrix, column}; entry; ++entry) {
-      check.that(std::isfinite(entry.value()), what + " has an entry that is not finite, at " + name(column) + ".");
-      const double other = transposed.coeff(entry.row(), column), difference = std::abs(entry.value() - other);
-      if (difference == 0.0) continue;
+      if (!std::isfinite(entry.value()))
+        check.that(false, what + " has an entry that is not finite, at " + name(column) + ".");
+      const double difference = std::abs(entry.value() - transposed.coeff(entry.row(), column));
       const double share = difference / std::sqrt(std::abs(diagonal[entry.row()] * diagonal[column]));
-      worst = std::max(worst, share);
-      if (!(share <= 1e-6))
-        check.that(false, what + " is not symmetric: entry (" + name(entry.row()) + "; " + name(column) +
-                              ") = " + to_text(entry.value()) + ", transposed " + to_text(other) + ", " +
-                              to_text(100.0 * share) + " % of the diagonals.");
+      if (difference == 0.0 || share <= worst) continue;
+      worst = share;
+      entry_of_worst = {static_cast<int>(entry.row()), static_cast<int>(column), entry.value()};
     }
+  if (worst > 1e-6)
+    check.that(false, what + " is not symmetric: entry (" + name(entry_of_worst.row()) + "; " +
+                          name(entry_of_worst.col()) + ") = " + to_text(entry_of_worst.value()) + ", transposed " +
+                          to_text(transposed.coeff(entry_of_worst.row(), entry_of_worst.col())) + ", " +
+                          to_significant(100.0 * worst, 3) + " % of the diagonals.");
   if (worst > 1e-12)
     notes.push_back(what + " is not symmetric by " + to_text(worst) + " of its diagonals; the mean is taken.");
   return worst > 0.0 ? SparseMatrix{0.5 * (matrix + transposed)} : matrix;
@@ -184,7 +189,7 @@ void estimate_errors(CondensedStructure& result, const SparseMatrix& k_ss, const
     }
     factors.solve(correction);
     result.eigenvalue_errors.push_back(-residual.dot(correction) / squared);
-    result.notes.push_back(number + ", which is about " + to_text(-50.0 * result.eigenvalue_errors.back()) +
+    result.notes.push_back(number + ", which is about " + to_significant(-50.0 * result.eigenvalue_errors.back(), 3) +
                            " % too short.");
   }
 }

@@ -20,7 +20,7 @@ using nlohmann::json;
 using testing::ProgramResult;
 using testing::text_of;
 
-constexpr std::array most_important_first{"summary.json", "impacts.csv",   "histories.csv",
+constexpr std::array most_important_first{"summary.json", "peaks.csv",     "impacts.csv", "histories.csv",
                                           "report.html",  "histories.vtt", "charts"};
 
 // The names in "Kept: a, b." or "Left out: a, b."
@@ -53,7 +53,8 @@ TEST_F(KeptResults, OfAFullDiskAreTheMostImportantFiles) {
   for (const std::size_t kilobytes : {10, 20, 40, 100, 200, 300, 500, 700}) {
     SCOPED_TRACE(kilobytes);
     std::size_t too_long = 0;
-    for (const char* name : {"summary.json", "impacts.csv", "histories.csv", "report.html", "histories.vtt"})
+    for (const char* name :
+         {"summary.json", "peaks.csv", "impacts.csv", "histories.csv", "report.html", "histories.vtt"})
       too_long += fs::file_size(folder / "whole" / name) > 1024 * kilobytes ? 1 : 0;
     const ProgramResult result = with_files_up_to(kilobytes, "");
     // First, so that a disk without any room leaves them at least.

@@ -49,7 +49,7 @@ TEST_F(WriteResults, ReportsItsProgress) {
   EXPECT_TRUE(std::ranges::is_sorted(done));
   EXPECT_EQ(done.back(), 1.0);
   EXPECT_EQ(last, " (summary.json)");
-  for (const char* name : {"summary.json", "histories.csv", "histories.vtt", "impacts.csv", "report.html"})
+  for (const char* name : {"summary.json", "histories.csv", "histories.vtt", "impacts.csv", "peaks.csv", "report.html"})
     EXPECT_TRUE(std::filesystem::exists(folder / name)) << name;
 }
 

@@ -50,8 +50,8 @@ class ScriptRun : public testing::InTemporaryFolder {
 TEST_F(ScriptRun, LeavesEveryFileOfTheResults) {
   const ProgramResult result = tour({"--end", "4 s"});
   ASSERT_EQ(result.exit_code, 0) << result.errors;
-  for (const char* file : {"summary.json", "histories.csv", "histories.vtt", "impacts.csv", "report.html", "charts.svg",
-                           "frames.pvd", "frames/frame_000000.vtu"}) {
+  for (const char* file : {"summary.json", "histories.csv", "histories.vtt", "impacts.csv", "peaks.csv", "report.html",
+                           "charts.svg", "frames.pvd", "frames/frame_000000.vtu"}) {
     EXPECT_TRUE(exists(std::string{"results/01_moat_wall/"} + file)) << file;
     EXPECT_GT(std::filesystem::file_size(folder / "results/01_moat_wall" / file), 0u) << file;
   }

@@ -105,6 +105,44 @@ TEST(LeadRubberBearing, OfADesignHasItsPeriodAndItsStrength) {
   EXPECT_EQ(bearing.yield_displacement.si(), 0.01);
 }
 
+TEST(LeadRubberBearing, ADesignTakesTheWeightOfItsBuilding) {
+  Model model;
+  add(model, ShearBuilding{.storeys = 3,
+                           .floor_mass = 500 * tonne,
+                           .storey_stiffness = 1 * GN / m,
+                           .base_mass = 550 * tonne,
+                           .isolation = BearingDesign{
+                               .strength_ratio = 0.06, .isolation_period = 3 * s, .yield_displacement = 15 * mm}});
+  const auto found = std::ranges::find_if(
+      model.blocks(), [](const auto& block) { return block->size() > 0 && block->info(0).isolates; });
+  ASSERT_NE(found, model.blocks().end());
+  const ElementBlock& bearings = **found;
+  const double mass = 2050e3, stiffness = bearings.linear_stiffness(0, StiffnessStage::post_yield);
+  EXPECT_NEAR(2.0 * std::numbers::pi * std::sqrt(mass / stiffness), 3.0, 1e-12);
+  const double yield_force = bearings.law_of_block(0).parameters[0].value;
+  EXPECT_NEAR((yield_force - 0.015 * stiffness) / (mass * standard_gravity), 0.06, 1e-12);
+  EXPECT_EQ(bearings.law(0).name, "BearingDesign");
+  EXPECT_EQ(bearings.law(0).parameters[0].value, 0.06) << "reports show the design as it was given";
+}
+
+TEST(LeadRubberBearing, RefusesADesignWithoutOneStrength) {
+  BearingDesign both = design;
+  both.strength_ratio = 0.06;
+  const std::string message =
+      "LeadRubberBearing::from_design: characteristic_strength and strength_ratio are both given, or neither. Give one "
+      "of them.";
+  EXPECT_EQ(message_of([&] { static_cast<void>(LeadRubberBearing::from_design(both)); }), message);
+  BearingDesign percent = both;
+  percent.characteristic_strength = {};
+  percent.strength_ratio = 6.0;
+  EXPECT_EQ(
+      message_of([&] { static_cast<void>(LeadRubberBearing::from_design(percent)); }),
+      "LeadRubberBearing::from_design: strength_ratio = 6 is not allowed; it must be > 0 and < 1. 6 % of the weight "
+      "is 0.06.");
+  percent.strength_ratio = 0.0;
+  EXPECT_EQ(message_of([&] { static_cast<void>(LeadRubberBearing::from_design(percent)); }), message);
+}
+
 TEST(LeadRubberBearing, RefusesADesignThatIsNotPositive) {
   BearingDesign bad = design;
   bad.isolation_period = 0 * s;

@@ -39,6 +39,24 @@ TEST(Drawing, ShowsThePlanWithTheOrbitsOfTheBase) {
   EXPECT_EQ(count(html, "class=\"orbit\""), 5u) << "four corners and the centre of mass";
 }
 
+TEST(Drawing, AFixedBuildingStandsOnTheGround) {
+  using namespace units;
+  Model model;
+  add(model, ShearBuilding{.storeys = 2, .floor_mass = 1 * tonne, .storey_stiffness = 1 * MN / m});
+  const std::string html = html::drawing_section(
+      run_case(model, near_fault_pulse({}), {.transient = {.end = 0.05 * s}, .error_bars = ErrorBarMode::never}));
+  EXPECT_EQ(count(html, "class=\"ground\""), 1u);
+  // From height 0, 3.5 m below floor 1.
+  EXPECT_TRUE(std::regex_search(html, std::regex{R"re(data-name="storey 1" points="-4.7,-?0 4.7,-?0 )re"})) << html;
+  EXPECT_TRUE(
+      std::regex_search(html, std::regex{R"re(class="ground" data-name="ground" points="-5.64,-?0 5.64,-?0")re"}))
+      << html;
+}
+
+TEST(Drawing, ShowsBearingsInPlan) {
+  EXPECT_EQ(count(html::drawing_section(testing_report::plan_result()), "class=\"bearing\""), 4u);
+}
+
 TEST(Drawing, EscapesNames) {
   CaseResult result = testing_report::line_result();
   result.scene.cells[0].name = "a<b\"";

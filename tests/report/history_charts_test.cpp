@@ -55,7 +55,24 @@ TEST(HistoryCharts, LeaveOutGapsThatStayedOpen) {
   ASSERT_EQ(history_charts(result).size(), 1u);
   EXPECT_EQ(history_charts(result)[0].series.size(), 1u);
   result.histories.columns[2].values[1] = 0.0;
-  EXPECT_EQ(history_charts(result)[0].series.size(), 2u);
+  EXPECT_TRUE(history_charts(result).empty()) << "nothing touched";
+}
+
+TEST(HistoryCharts, OfManyGapsShowTheLargestForces) {
+  CaseResult result = result_with({{"time", "", "s", {0.0, 1.0}}});
+  for (int i = 1; i <= 10; ++i)
+    result.histories.columns.push_back({"impact_force", std::to_string(i), "N", {0.0, 1e3 * i}});
+  const Chart chart = history_charts(result).at(0);
+  ASSERT_EQ(chart.series.size(), 7u) << "as many as there are colours";
+  EXPECT_EQ(chart.series.front().name, "10");
+  EXPECT_EQ(chart.series.back().name, "4");
+}
+
+TEST(HistoryCharts, ShowAccelerationsInGToo) {
+  const std::vector<Chart> charts = history_charts(isolated_result());
+  EXPECT_FALSE(charts[0].second_unit.has_value());
+  ASSERT_TRUE(charts[1].second_unit.has_value());
+  EXPECT_EQ(charts[1].second_unit->symbol, "g");
 }
 
 TEST(HistoryCharts, LeaveOutWhatThereIsNot) {

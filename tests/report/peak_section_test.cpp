@@ -51,6 +51,48 @@ TEST(PeakSection, NamesSidesWhereTheyAreAndTheDirectionsOfPlan) {
       << html;
 }
 
+TEST(PeakSection, GivesAccelerationsInGToo) {
+  CaseResult result;
+  result.peaks = {{"absolute_acceleration", "roof", 4.903325, "m/s^2", 3.0}, {"displacement", "roof", 0.25, "m", 3.0}};
+  const std::string html = html::peak_section(result);
+  EXPECT_EQ(count(html, "<th class=\"number\" scope=\"col\">g</th>"), 1u);
+  EXPECT_NE(html.find("<td class=\"number\">4.903</td><td class=\"number\">0.5000</td>"), std::string::npos) << html;
+}
+
+TEST(PeakSection, LeavesOutGapsThatStayedOpen) {
+  CaseResult result;
+  result.peaks = {{"displacement", "base", 0.25, "m", 3.0},
+                  {"impact_force", "moat left", 0.0, "N", 0.0},
+                  {"indentation", "moat left", 0.0, "m", 0.0}};
+  const std::string html = html::peak_section(result);
+  EXPECT_EQ(html.find("moat left"), std::string::npos);
+  EXPECT_EQ(html.find("Impact force"), std::string::npos);
+}
+
+// The largest of all bearings is that of one bearing, with its error.
+TEST(BearingSection, ListsEveryBearingInPlan) {
+  const CaseResult result = testing_report::plan_result();
+  for (const char* quantity : {"isolator_deformation", "isolator_force"}) {
+    Peak together, largest;
+    for (const Peak& peak : result.peaks) {
+      if (peak.quantity != quantity) continue;
+      if (peak.where == "bearings")
+        together = peak;
+      else if (peak.magnitude() > largest.magnitude())
+        largest = peak;
+    }
+    EXPECT_EQ(largest.where, together.side);
+    EXPECT_EQ(largest.value, together.value);
+    EXPECT_GT(largest.error, 0.0);
+  }
+  const std::string html = html::bearing_section(result);
+  for (const char* part :
+       {"4 bearings", "<td>bearing 1</td><td>bearings, BiaxialBilinear</td>", ">-10</td>", ">6</td>"})
+    EXPECT_NE(html.find(part), std::string::npos) << part << html;
+  EXPECT_EQ(html::peak_section(result).find("<td>bearing 1</td>"), std::string::npos) << "they have their own table";
+  EXPECT_EQ(html::bearing_section(testing_report::line_result()), "");
+}
+
 TEST(SectionAtTheEnd, ShowsTheOffsetOfIsolators) {
   CaseResult result;
   EXPECT_EQ(html::section_at_the_end(result), "");

@@ -59,7 +59,7 @@ TEST(EnergyChart, StacksUpToTheInput) {
     ASSERT_TRUE(chart.has_value());
     const Series& input = chart->series.back();
     EXPECT_EQ(input.name, "input");
-    EXPECT_EQ(chart->series.size(), result.energy.in_plan ? 7u : 6u);
+    EXPECT_EQ(chart->series.size(), result.energy.in_plan ? 7u : 6u) << "bands of zeros are left out";
     const std::vector<double> top = upper_edge(chart->series[chart->series.size() - 2]);
     ASSERT_EQ(top.size(), input.y.size());
     for (std::size_t i = 0; i < top.size(); ++i)
@@ -138,6 +138,15 @@ TEST(IsolatorLoops, ShowBothComponentsOfTheWidestBearingInPlan) {
                                    {"isolator_force_x", "bearing 2", "N", {0.0, 3e3}},
                                    {"isolator_force_y", "bearing 2", "N", {0.0, 4e3}}});
   result.model.diaphragms.push_back({.name = "base"});
+  result.buildings = {{.name = "tower", .isolators = {"bearing 1", "bearing 2"}}};
+  // The widest component is not the largest deformation.
+  result.peaks = {{"isolator_deformation", "bearings", 0.31, "m"},
+                  {"isolator_deformation", "bearing 1", 0.29, "m"},
+                  {"isolator_deformation", "bearing 2", 0.31, "m"}};
+  EXPECT_EQ(isolator_loops(result).at(0).title, "Loops of bearing 2");
+  result.peaks[1].value = 0.32;
+  EXPECT_EQ(isolator_loops(result).at(0).title, "Loops of bearing 1");
+  result.peaks[1].value = 0.29;
   const std::vector<Chart> loops = isolator_loops(result);
   ASSERT_EQ(loops.size(), 1u);
   EXPECT_EQ(loops[0].title, "Loops of bearing 2");
@@ -181,6 +190,37 @@ TEST(FloorProfiles, CountLevelsWhereNodesHaveNoHeights) {
   CaseResult result = two_storeys();
   for (NodeFacts& node : result.model.nodes) node.height = 0.0;
   EXPECT_EQ(floor_profiles(result).at(0).series[0].y, (std::vector<double>{0.0, 1.0, 2.0}));
+}
+
+// The ground stands still and has the acceleration of the motion; its storey is in the middle between ground and
+// floor 1.
+TEST(FloorProfiles, OfAFixedBuildingBeginAtTheGround) {
+  CaseResult result = two_storeys();
+  result.model.elements[0].first = "ground";
+  result.buildings[0].base = "";
+  result.motion.peak_acceleration = 4.0;
+  result.peaks.erase(result.peaks.begin() + 1);
+  result.peaks.push_back({"absolute_acceleration", "floor 1", 5.0, "m/s^2"});
+  result.peaks.push_back({"absolute_acceleration", "floor 2", -9.0, "m/s^2"});
+  const std::vector<Chart> charts = floor_profiles(result);
+  ASSERT_EQ(charts.size(), 3u);
+  EXPECT_EQ(charts[0].series[0].x, (std::vector<double>{0.0, 20.0, 30.0}));
+  EXPECT_EQ(charts[0].series[0].y, (std::vector<double>{0.0, 4.0, 7.0}));
+  EXPECT_EQ(charts[1].series[0].y, (std::vector<double>{2.0, 5.5})) << "drifts";
+  EXPECT_EQ(charts[2].series[0].x, (std::vector<double>{4.0, 5.0, 9.0}));
+  ASSERT_TRUE(charts[2].second_unit.has_value());
+  EXPECT_EQ(charts[2].second_unit->symbol, "g");
+  EXPECT_NEAR(charts[2].second_unit->per_first, 1.0 / 9.80665, 1e-15);
+}
+
+TEST(FloorProfiles, ShowRatiosOfDrift) {
+  CaseResult result = two_storeys();
+  result.peaks.push_back({"drift_ratio", "storey 1", 0.25, "%"});
+  result.peaks.push_back({"drift_ratio", "storey 2", -0.5, "%"});
+  const Chart chart = floor_profiles(result).at(2);
+  EXPECT_EQ(chart.title, "Drift ratio over height");
+  EXPECT_EQ(chart.x_label, "largest drift ratio [%]");
+  EXPECT_EQ(chart.series[0].x, (std::vector<double>{0.25, 0.5}));
 }
 
 TEST(FloorProfiles, NeedTwoLevels) {

@@ -14,21 +14,31 @@ CaseResult example() {
   result.motion = {"record <A>", 3.92266, 0.45, 0.005, 28.0};
   result.peaks = {{"displacement", "base", 0.1, "m", 4.5, 0.00021},
                   {"displacement", "floor 5", -0.532812, "m", 4.5, 0.00021},
+                  {"absolute_acceleration", "floor 5", -5.6006, "m/s^2", 4.5, 0.0023},
                   {"impact_force", "moat left", 25.65e6, "N", 4.25}};
+  result.buildings = {{.name = "house <1>",
+                       .base = "base",
+                       .floors = {"floor 5"},
+                       .gaps = {{"moat left", "left"}, {"moat right", "right"}},
+                       .places = {"base", "floor 5", "moat left", "moat right"}}};
   result.clearances = {{"moat left", 0.1, -0.01, 3.25}, {"moat right", 0.1, 0.02, 3.25}};
   result.impacts = {{.where = "moat left", .start = 4.2}};
   return result;
 }
 
-TEST(SummarySection, ShowsTheLargestOfEachQuantityWithItsError) {
+TEST(SummarySection, ShowsARowForEveryBuilding) {
   const std::string html = html::summary_section(example());
   EXPECT_NE(html.find("record &lt;A&gt;, peak acceleration 3.923 m/s²"), std::string::npos);
-  EXPECT_NE(html.find("-53.28 <small>&plusmn; 0.03</small> <small>cm</small>"), std::string::npos);
-  EXPECT_NE(html.find("floor 5 at 4.500 s"), std::string::npos);
+  EXPECT_NE(html.find("3.923 m/s² (0.4 g)"), std::string::npos) << html;
+  EXPECT_NE(html.find("<th scope=\"row\">house &lt;1&gt;</th>"), std::string::npos) << html;
+  EXPECT_NE(html.find("<div class=\"value\">closed, left</div><div>1 impact</div>"), std::string::npos) << html;
+  EXPECT_NE(html.find("<div class=\"value\">-1.000 cm</div><div>-10 %</div>"), std::string::npos) << html;
+  EXPECT_NE(html.find("<div class=\"value\">0.5711 g</div><div>5.601 &plusmn; 0.003 m/s²</div>"), std::string::npos)
+      << html;
+  EXPECT_NE(html.find("<div class=\"where\">floor 5 at 4.500 s</div>"), std::string::npos) << html;
   EXPECT_NE(html.find("25650"), std::string::npos);
-  EXPECT_NE(html.find("moat left, of 10 cm"), std::string::npos);
   EXPECT_NE(html.find("first at 4.200 s"), std::string::npos);
-  EXPECT_EQ(count(html, "class=\"card\""), 4u) << "no energy, no drift, no acceleration";
+  EXPECT_EQ(count(html, "class=\"card\""), 2u) << "force and impacts; no energy";
 }
 
 TEST(SummarySection, NamesTheEnergyThatItsErrorIsComparedWith) {
@@ -42,14 +52,26 @@ TEST(SummarySection, NamesTheEnergyThatItsErrorIsComparedWith) {
 
 TEST(SummarySection, ShadesWhatIsNotSettled) {
   CaseResult result = example();
-  result.error_bars.unsettled = {result.peaks[1]};
+  result.error_bars.unsettled = {result.peaks[2]};
+  EXPECT_EQ(count(html::summary_section(result), "<td class=\"unsettled\""), 1u);
+  result.error_bars.unsettled = {result.peaks[3]};
   EXPECT_EQ(count(html::summary_section(result), "class=\"card unsettled\""), 1u);
+}
+
+TEST(SummarySection, SaysNothingOfContactsWhereThereAreNone) {
+  CaseResult result = example();
+  result.impacts.clear();
+  result.peaks.back().value = 0.0;
+  const std::string html = html::summary_section(result);
+  EXPECT_EQ(html.find("Largest impact force"), std::string::npos);
+  EXPECT_NE(html.find("<div class=\"value\">open</div>"), std::string::npos);
 }
 
 TEST(SummarySection, ShowsCornersInPlan) {
   const std::string html = html::summary_section(testing_report::plan_result());
-  for (const char* part : {"Largest corner displacement", "Largest corner drift", "Largest corner acceleration",
-                           "Largest isolator deformation", "Largest impact force", "Error of the energy balance"})
+  for (const char* part :
+       {"<th scope=\"col\">Margin</th>", "<th scope=\"col\">Isolators</th>", "closed, moat wall",
+        "<div class=\"where\">bearing ", " %</div>", " g</div>", "Largest impact force", "Error of the energy balance"})
     EXPECT_NE(html.find(part), std::string::npos) << part;
 }
 

@@ -156,6 +156,44 @@ TEST(PlanBuilding, EccentricityMovesAllCentresOfMass) {
   EXPECT_NEAR(model.diaphragm(parts.floors[0]).gyration, std::sqrt(544.0 / 12.0), 1e-12);
 }
 
+TEST(PlanBuilding, RayleighDampingMayBeGivenByItsFactors) {
+  const auto peak = [](const RayleighDamping& damping) {
+    Model model;
+    PlanBuilding building = tower(2);
+    building.damping = damping;
+    add(model, building);
+    return run_case(model, near_fault_pulse({}), {.transient = {.step = 5 * ms, .end = 2 * s}}).peaks.front().value;
+  };
+  Model model;
+  PlanBuilding undamped = tower(2);
+  undamped.damping = {};
+  const PlanBuildingParts parts = add(model, undamped);
+  const RayleighFactors factors =
+      rayleigh_factors_in_plan(0.05, model, std::vector<DiaphragmId>(parts.floors.begin(), parts.floors.end()));
+  EXPECT_NEAR(peak({.a0 = factors.mass_factor / s, .a1 = factors.stiffness_factor * s}), peak({.ratio = 0.05}), 1e-12);
+}
+
+// Six bearings of a design have the strength ratio and the period of the whole building, whatever their number.
+TEST(PlanBuilding, BearingsShareADesign) {
+  Model model;
+  PlanBuilding building = tower(2);
+  building.bearings =
+      grid(3, 2, BearingDesign{.strength_ratio = 0.06, .isolation_period = 3 * s, .yield_displacement = 15 * mm});
+  add(model, building);
+  double mass = 0.0, strength = 0.0, stiffness = 0.0;
+  for (const PlacedDiaphragm& floor : model.diaphragms()) mass += floor.mass;
+  for (const auto& block : model.blocks())
+    for (std::size_t e = 0; e < block->size(); ++e) {
+      if (!block->info(e).isolates) continue;
+      const auto parameters = block->law(e).parameters;
+      const double post_yield = block->linear_stiffness(e, StiffnessStage::post_yield);
+      stiffness += post_yield;
+      strength += parameters[0].value - post_yield * parameters[1].value;
+    }
+  EXPECT_NEAR(strength / (mass * standard_gravity), 0.06, 1e-12);
+  EXPECT_NEAR(2.0 * std::numbers::pi * std::sqrt(mass / stiffness), 3.0, 1e-12);
+}
+
 TEST(PlanBuilding, BadInputIsRefused) {
   const auto message = [](auto change) {
     return message_of([&] {

@@ -2,6 +2,7 @@
 
 #include <utf8.h>
 
+#include <algorithm>
 #include <iterator>
 
 namespace moat {
@@ -18,6 +19,12 @@ std::string as_utf8(std::string_view text) {
   std::string valid;
   utf8::replace_invalid(text.begin(), text.end(), std::back_inserter(valid));
   return valid;
+}
+
+std::size_t characters_in(std::string_view text) {
+  // Every character has one byte that continues no other.
+  return static_cast<std::size_t>(
+      std::ranges::count_if(text, [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; }));
 }
 
 std::string escaped_for_xml(std::string_view text) {

@@ -14,6 +14,7 @@ namespace {
 using namespace chart_style;
 
 // Pixels.
+constexpr double second_scale_above = 18.0, second_scale_beside = 44.0;
 constexpr double title_strip = 40.0, legend_row = 22.0, sample_width = 26.0, sample_gap = 6.0, between_entries = 18.0;
 
 struct LegendEntry {
@@ -35,6 +36,7 @@ struct Heading {
 Heading heading_of(const Chart& chart, double plot_width) {
   constexpr double bold = 1.08;  // over plain letters
   Heading heading{shortened(chart.title, bold * title_size, plot_width), {}, title_strip};
+  if (chart.second_unit && chart.second_unit->of_x) heading.height += second_scale_above;
   const auto width_of = [](const LegendEntry& entry) {
     return sample_width + sample_gap + text_width(entry.name, label_size) + between_entries;
   };
@@ -105,15 +107,16 @@ std::string description_of(const Chart& chart) {
 std::string draw(const std::vector<Chart>& charts, int width, int height, int columns) {
   const int panel_width = width / columns, plot_height = height - static_cast<int>(title_strip) - bottom_margin;
   std::vector<ChartPanel> panels;
-  double left_margin = 0.0;
+  double left_margin = 0.0, beside = right_margin;
   std::string titles, descriptions;
   for (const Chart& chart : charts) {
     panels.push_back(panel_of(chart, plot_height));
     left_margin = std::max(left_margin, panels.back().left_margin);
+    if (chart.second_unit && !chart.second_unit->of_x) beside = right_margin + second_scale_beside;
     if (!chart.title.empty()) titles += (titles.empty() ? "" : "; ") + chart.title;
     descriptions += (descriptions.empty() ? "" : " ") + description_of(panels.back().chart);
   }
-  const double plot_width = panel_width - left_margin - right_margin;
+  const double plot_width = panel_width - left_margin - beside;
   const auto per_row = static_cast<std::size_t>(columns);
   std::vector<Heading> headings;
   std::vector<double> tops{0.0};  // of every row, and the end of the last

@@ -22,26 +22,35 @@ struct Series {
     band  ///< the inside of the closed line through the points: forth above, back below
   };
 
-  std::string name;  ///< in the legend; empty: not listed there
+  std::string name{};  ///< in the legend; empty: not listed there
   /// Coordinates of its points, as many of both.
-  std::vector<double> x, y;
+  std::vector<double> x{}, y{};
   Style style = Style::line;  ///< How it is drawn.
   /// Position in the palette of seven colours, from 0; by default that of the series in its chart.
   std::optional<std::size_t> colour = {};
 };
 
+/// A unit that readers know as well: g beside m/s^2.
+struct SecondUnit {
+  std::string symbol{};    ///< "g"
+  double per_first = 1.0;  ///< > 0: a value in it = per_first * value
+  bool of_x = false;       ///< of the values along x, instead of y
+};
+
 /// Curves over one pair of axes.
 struct Chart {
-  std::string title;  ///< Above it.
+  std::string title{};  ///< Above it.
   /// With units: "time [s]".
-  std::string x_label, y_label;
-  std::vector<Series> series;  ///< In the order of the legend.
-  bool logarithmic_x = false;  ///< All x are then > 0.
-  bool logarithmic_y = false;  ///< All y are then > 0.
+  std::string x_label{}, y_label{};
+  std::vector<Series> series{};  ///< In the order of the legend.
+  bool logarithmic_x = false;    ///< All x are then > 0.
+  bool logarithmic_y = false;    ///< All y are then > 0.
   /// The y axis starts at zero, for values that are never negative; not together with logarithmic_y.
   bool y_from_zero = false;
   /// First and last x of the axis; points outside are not drawn. Without it the axis holds everything.
   std::optional<std::pair<double, double>> x_range = {};
+  /// A second scale of the values, on the other side of the picture.
+  std::optional<SecondUnit> second_unit = {};
 };
 
 /// The numbers of a chart: a column of x and one of y for every series, of a band one for each edge; x once where all

@@ -115,6 +115,27 @@ void draw_axes(SvgWriter& svg, const ChartPanel& panel, const Scale& scale) {
            {.anchor = "middle", .upwards = true});
 }
 
+// Ticks and numbers of the second unit, above the plot area or to its right.
+void draw_second_scale(SvgWriter& svg, const SecondUnit& unit, const Scale& scale) {
+  const PlotArea& area = scale.area;
+  const ChartAxis& first = unit.of_x ? scale.x_axis : scale.y_axis;
+  const Range range{unit.per_first * first.low, unit.per_first * first.high};
+  const ChartAxis axis = axis_over(range, first.logarithmic, unit.of_x ? AxisSide::bottom : AxisSide::left,
+                                   unit.of_x ? area.width : area.height);
+  const double right = area.left + area.width, beyond = tick_length + number_gap;
+  for (const AxisTick& tick : axis.ticks) {
+    const double value = tick.value / unit.per_first;
+    const std::string label = tick.label + " " + unit.symbol;
+    if (unit.of_x) {
+      svg.line({{scale.x(value), area.top - tick_length}, {scale.x(value), area.top}}, axis_line);
+      svg.text({scale.x(value), area.top - beyond - 0.5 * tick_size}, label, {.size = tick_size, .anchor = "middle"});
+    } else {
+      svg.line({{right, scale.y(value)}, {right + tick_length, scale.y(value)}}, axis_line);
+      svg.text({right + beyond, scale.y(value)}, label, {.size = tick_size});
+    }
+  }
+}
+
 void draw_curve(SvgWriter& svg, const Series& series, Paint paint, const Scale& scale) {
   std::vector<Pixel> pixels;
   pixels.reserve(series.x.size());
@@ -149,6 +170,7 @@ void draw_panel(SvgWriter& svg, const ChartPanel& panel, const PlotArea& area) {
   const ChartAxis x_axis = x_axis_of(panel.chart, area.width);
   const Scale scale{area, x_axis, panel.y_axis};
   draw_axes(svg, panel, scale);
+  if (panel.chart.second_unit) draw_second_scale(svg, *panel.chart.second_unit, scale);
   for (std::size_t i = 0; i < panel.chart.series.size(); ++i)
     draw_curve(svg, panel.chart.series[i], paint_of(panel.chart, i), scale);
 }

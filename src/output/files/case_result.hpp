@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -27,10 +28,10 @@ struct AnalysisFacts {
 
 /// The value of largest magnitude that a quantity reached over continuous time.
 struct Peak {
-  std::string quantity;  ///< "displacement", "absolute_acceleration", "drift", "impact_force", ...
+  std::string quantity;  ///< "displacement", "absolute_acceleration", "drift", "drift_ratio", "impact_force", ...
   std::string where;     ///< "base", "floor 1", "storey 1", "bearings", "moat", ...
   double value = 0.0;    ///< with its sign: positive to the right, compression of gaps positive
-  std::string unit;      ///< SI: "m", "m/s^2", "N"
+  std::string unit;      ///< SI: "m", "m/s^2", "N"; "%" of ratios of drift
   double time = 0.0;     ///< s; when it was reached
   /// >= 0, in `unit`. Estimated numerical error of the value: value +- error. NaN: not known (see ErrorBars).
   double error = std::numeric_limits<double>::quiet_NaN();
@@ -159,12 +160,21 @@ struct MotionFacts {
   std::vector<MotionComponent> components{};
 };
 
+/// A gap of a building.
+struct GapOfBuilding {
+  std::string name;  ///< of the element
+  /// Where the building touches: "left" or "right"; in plan the edge that a corner of it meets, or its edge.
+  std::string side;
+};
+
 /// A building and the names of its parts.
 struct BuildingParts {
   std::string name{};                    ///< may be empty
   std::string base{};                    ///< a node; empty for a fixed building
   std::vector<std::string> floors{};     ///< nodes, from the lowest up
   std::vector<std::string> isolators{};  ///< elements
+  std::vector<GapOfBuilding> gaps{};     ///< between the building and others, walls or the ground
+  std::set<std::string> places{};        ///< where peaks of its nodes and elements are listed
 };
 
 /// A period with the name of the part that vibrates.

@@ -91,4 +91,25 @@ void write_csv(const std::vector<Impact>& impacts, const std::filesystem::path& 
   write_file(path, out);
 }
 
+void write_peaks_csv(const CaseResult& result, const std::filesystem::path& path) {
+  std::string out = "building,place,quantity,unit,value,error,time [s],side\n";
+  for (const Peak& peak : result.peaks) {
+    std::string buildings;
+    for (const BuildingParts& building : result.buildings)
+      if (building.places.contains(peak.where) && !building.name.empty())
+        buildings += (buildings.empty() ? "" : " and ") + building.name;
+    for (const std::string& text : {buildings, peak.where, peak.quantity, peak.unit}) {
+      append_text(out, text);
+      out += ',';
+    }
+    for (const double number : {peak.value, peak.error, peak.time}) {
+      append_number(out, number);
+      out += ',';
+    }
+    append_text(out, peak.side);
+    out += '\n';
+  }
+  write_file(path, out);
+}
+
 }  // namespace moat

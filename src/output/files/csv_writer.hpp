@@ -20,4 +20,8 @@ void write_csv(const Table& table, const std::filesystem::path& path);
 /// rebound_ratio [1],restitution [1],energy_lost [J]`. Without impacts only the header is written. Throws FileError.
 void write_csv(const std::vector<Impact>& impacts, const std::filesystem::path& path);
 
+/// peaks.csv: `building,place,quantity,unit,value,error,time [s],side`, one row per peak in SI units. The building is
+/// that of the place; of one between two buildings "north and south"; empty where it is of none. Throws FileError.
+void write_peaks_csv(const CaseResult& result, const std::filesystem::path& path);
+
 }  // namespace moat

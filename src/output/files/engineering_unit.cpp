@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/text/number_format.hpp"
+#include "base/units.hpp"
 
 namespace moat {
 
@@ -15,6 +16,10 @@ EngineeringUnit engineering_unit(std::string_view si_symbol) {
   if (si_symbol == "rad") return {"mrad", 1e3};
   if (si_symbol == "N m") return {"kN m", 1e-3};
   return {std::string{si_symbol}, 1.0};
+}
+
+EngineeringUnit second_unit(std::string_view si_symbol) {
+  return si_symbol == "m/s^2" ? EngineeringUnit{"g", 1.0 / standard_gravity} : EngineeringUnit{"", 1.0};
 }
 
 std::string capitalised(std::string text) {

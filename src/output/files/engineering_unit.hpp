@@ -15,6 +15,9 @@ struct EngineeringUnit {
 /// cm for m, cm/s for m/s, kN for N, kJ for J; any other unit stays as it is.
 EngineeringUnit engineering_unit(std::string_view si_symbol);
 
+/// g for m/s^2, in which engineers read accelerations as well; without symbol for any other unit.
+EngineeringUnit second_unit(std::string_view si_symbol);
+
 /// A unit for reading: "m/s^2" with a raised 2.
 std::string with_raised_digits(std::string_view unit);
 

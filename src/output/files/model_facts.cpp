@@ -24,6 +24,7 @@ ElementFacts facts_of(const Model& model, const ElementBlock& block, std::size_t
                      .first = std::string{model.body_name(info.first)},
                      .second = std::string{model.body_name(info.second)},
                      .parameters = {}};
+  facts.place = info.listed_under();
   if (const PlanPlaces* places = info.plan_places()) facts.plan_places = *places;
   if (const MemberEnds* ends = info.member_ends()) {
     const auto& [first, second, height] = *ends;

@@ -41,6 +41,8 @@ struct ElementFacts {
   double first_share = 0.0, second_share = 0.0;
   /// The ends at rest, m, of a spring in plan, and the direction of its force, zero for one that acts in both.
   std::optional<PlanPlaces> plan_places{};
+  /// Where its peaks are listed together with those of others; its name if it is listed alone.
+  std::string place{};
 };
 
 /// A floor in plan.

@@ -1,22 +1,16 @@
 #include "output/files/peak_table.hpp"
 
 #include <algorithm>
-#include <set>
 #include <vector>
 
+#include "base/text/utf8_text.hpp"
 #include "output/peaks/peak_groups.hpp"
 
 namespace moat {
 namespace {
 
-std::size_t letters(const std::string& text) {
-  // Continuation bytes of UTF-8 take no room on the screen.
-  return static_cast<std::size_t>(
-      std::count_if(text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }));
-}
-
 std::string padding(std::size_t width, const std::string& text) {
-  return std::string(width - std::min(width, letters(text)), ' ');
+  return std::string(width - std::min(width, characters_in(text)), ' ');
 }
 
 // The sign gives left or right; only an element among several is named.
@@ -42,7 +36,7 @@ std::string table_of(std::vector<PeakGroup> groups, const std::string& heading) 
   std::size_t where_width = 0, value_width = 0, error_width = 0, time_width = 0;
   for (const PeakGroup& group : groups) {
     for (const PeakRow& row : group.rows) {
-      where_width = std::max(where_width, letters(row.where));
+      where_width = std::max(where_width, characters_in(row.where));
       value_width = std::max(value_width, row.value.size() + row.missing.size());
       error_width = std::max(error_width, row.error.size());
       time_width = std::max(time_width, row.time.size());
@@ -52,25 +46,27 @@ std::string table_of(std::vector<PeakGroup> groups, const std::string& heading) 
     if (error_width == 0) return std::string{};
     return (row.error.empty() ? "    " : " +- ") + row.error + padding(error_width, row.error);
   };
+  // Aligned in its own group alone: others have no such column.
+  const auto second_column = [](const PeakGroup& group, const PeakRow& row) {
+    if (row.second.empty()) return std::string{};
+    std::size_t width = 0;
+    for (const PeakRow& each : group.rows) width = std::max(width, each.second.size());
+    return "   " + padding(width, row.second) + row.second + " " + group.second_unit;
+  };
   std::string text;
   for (const PeakGroup& group : groups) {
     text += heading + group.quantity + " [" + group.unit + "]\n";
     for (const PeakRow& row : group.rows)
       text += "  " + row.where + padding(where_width + 2, row.where) + padding(value_width, row.value + row.missing) +
-              row.value + std::string(row.missing.size(), ' ') + error_column(row) + "   at " +
-              padding(time_width, row.time) + row.time + " s" + remark(row) + "\n";
+              row.value + std::string(row.missing.size(), ' ') + error_column(row) + second_column(group, row) +
+              "   at " + padding(time_width, row.time) + row.time + " s" + remark(row) + "\n";
   }
   return text;
 }
 
 }  // namespace
 
-std::string peak_table(const CaseResult& result) {
-  const std::set<std::string> constant = constant_quantities(result.histories);
-  std::vector<Peak> peaks = result.peaks;
-  std::erase_if(peaks, [&](const Peak& peak) { return constant.contains(peak.quantity); });
-  return table_of(group_peaks(peaks), "peak ");
-}
+std::string peak_table(const CaseResult& result) { return table_of(group_peaks(peaks_of_tables(result)), "peak "); }
 
 std::string table_at_the_end(const std::vector<Peak>& isolators) { return table_of(group_peaks(isolators), ""); }
 

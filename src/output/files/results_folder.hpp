@@ -15,6 +15,7 @@ inline constexpr const char* summary = "summary.json";         ///< Everything i
 inline constexpr const char* histories_csv = "histories.csv";  ///< Histories as text.
 inline constexpr const char* histories_vtt = "histories.vtt";  ///< Histories for ParaView.
 inline constexpr const char* impacts = "impacts.csv";          ///< A row for every impact.
+inline constexpr const char* peaks = "peaks.csv";              ///< A row for every peak.
 inline constexpr const char* report = "report.html";           ///< The report.
 inline constexpr const char* charts = "charts.svg";            ///< All histories as pictures.
 inline constexpr const char* frames = "frames.pvd";            ///< The frames, for ParaView.
@@ -29,8 +30,9 @@ inline constexpr const char* unfinished = "unfinished";
 /// Lists the files of complete results. Overwriting replaces these, and nothing else.
 inline constexpr const char* list = ".moat";
 /// All files and sub-folders of results.
-inline constexpr std::array all_names{summary, histories_csv,   histories_vtt, impacts,       report,     charts,
-                                      frames,  paraview_script, frames_folder, charts_folder, unfinished, list};
+inline constexpr std::array all_names{summary,       histories_csv, histories_vtt, impacts,         peaks,
+                                      report,        charts,        frames,        paraview_script, frames_folder,
+                                      charts_folder, unfinished,    list};
 }  // namespace results_file
 
 /// How a folder is treated that already holds something.

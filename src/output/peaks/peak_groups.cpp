@@ -19,6 +19,15 @@ std::string_view decimals_of(std::string_view number) {
   return point == std::string_view::npos ? std::string_view{} : number.substr(point);
 }
 
+// "0.3170" for m/s^2; empty for units without a second one. largest: of the group, in its unit.
+std::string in_second_unit(const Peak& peak, double largest) {
+  const EngineeringUnit first = engineering_unit(peak.unit), second = second_unit(peak.unit);
+  if (second.symbol.empty()) return "";
+  const int decimals = std::min(decimals_for(second.per_si / first.per_si * largest),
+                                rounded_error(second.per_si * peak.error).decimals);
+  return with_decimals(rounded_to(second.per_si * peak.value, decimals), std::max(decimals, 0));
+}
+
 void align_points(std::vector<PeakRow>& rows) {
   std::string_view longest;
   for (const PeakRow& row : rows)
@@ -29,6 +38,26 @@ void align_points(std::vector<PeakRow>& rows) {
 }
 
 }  // namespace
+
+std::vector<Peak> peaks_of_tables(const CaseResult& result) {
+  const std::set<std::string> constant = constant_quantities(result.histories);
+  const std::set<std::string> of_contact{"impact_force", "indentation", "friction_force"};
+  const auto bearings = single_bearings(result.model);
+  std::vector<Peak> shown = result.peaks;
+  std::erase_if(shown, [&](const Peak& peak) {
+    return constant.contains(peak.quantity) || bearings.contains(peak.where) ||
+           (peak.value == 0.0 && of_contact.contains(peak.quantity));
+  });
+  return shown;
+}
+
+std::map<std::string, const ElementFacts*> single_bearings(const ModelFacts& model) {
+  std::map<std::string, const ElementFacts*> bearings;
+  for (const ElementFacts& element : model.elements)
+    if (element.kind == "bearing" && element.place != element.name && !element.place.empty())
+      bearings[element.name] = &element;
+  return bearings;
+}
 
 std::vector<PeakGroup> group_peaks(const std::vector<Peak>& peaks) {
   std::vector<PeakGroup> groups;
@@ -44,7 +73,7 @@ std::vector<PeakGroup> group_peaks(const std::vector<Peak>& peaks) {
       members.push_back(&peaks[i]);
       largest = std::max(largest, std::abs(unit.per_si * peaks[i].value));
     }
-    PeakGroup group{in_words(peaks[first].quantity), unit.symbol, {}};
+    PeakGroup group{in_words(peaks[first].quantity), unit.symbol, second_unit(peaks[first].unit).symbol, {}};
     for (const Peak* peak : members) {
       const RoundedError error = rounded_error(unit.per_si * peak->error);
       const int decimals = std::min(decimals_for(largest), error.decimals);
@@ -52,6 +81,7 @@ std::vector<PeakGroup> group_peaks(const std::vector<Peak>& peaks) {
                             with_decimals(rounded_to(unit.per_si * peak->value, decimals), std::max(decimals, 0)),
                             {},
                             error.text,
+                            in_second_unit(*peak, largest),
                             with_decimals(peak->time, 3),
                             peak->side,
                             peak->quantity == clearance_left ? peak->value : peak->magnitude()});

@@ -1,6 +1,7 @@
 // Peaks as people read them.
 #pragma once
 
+#include <map>
 #include <set>
 #include <string>
 #include <vector>
@@ -15,6 +16,7 @@ struct PeakRow {
   std::string value;    ///< in the group's unit
   std::string missing;  ///< decimals that other values of the group have and this one has not: ".00"
   std::string error;    ///< in the group's unit; empty where it is not known
+  std::string second;   ///< the value in the group's second unit; empty where it has none
   std::string time;     ///< s
   std::string side;     ///< "left", "right", or the element that reached it
   double size = 0.0;    ///< magnitude of the value in SI units; of a clearance itself
@@ -24,8 +26,16 @@ struct PeakRow {
 struct PeakGroup {
   std::string quantity;       ///< in words
   std::string unit;           ///< engineering unit
+  std::string second_unit;    ///< "g" of accelerations; empty for other quantities
   std::vector<PeakRow> rows;  ///< in the order of the peaks
 };
+
+/// The peaks of a result that tables show: without quantities that are constant in the histories, without gaps that
+/// stayed open, and without those of single bearings in plan, which have a table of their own.
+std::vector<Peak> peaks_of_tables(const CaseResult& result);
+
+/// The bearings whose peaks are listed together with those of others: elements of the model, by their names.
+std::map<std::string, const ElementFacts*> single_bearings(const ModelFacts& model);
 
 /// Groups by quantity and unit, in the order they first appear. A group's largest value has 4 significant digits and
 /// the others as many decimals, but no digit beyond those of the error: 53.28 with 0.02, 53.3 with 0.4, 2560 with 30.

@@ -62,6 +62,13 @@ std::vector<Peak> PeakRecorder::peaks() const {
     }
   }
   for (std::size_t i = 0; i < peaks.size(); ++i) peaks[i].side = side_of(channel_of_peak[i], peaks[i]);
+  // Bearings that share a place, each by its own name.
+  for (std::size_t i = 0; i < peaks_.size(); ++i) {
+    const Channel& channel = channels_.list()[i];
+    const bool of_bearing = channel.quantity == "isolator_deformation" || channel.quantity == "isolator_force";
+    if (of_bearing && channel.where != channel.place && !index.contains({channel.quantity, channel.where}))
+      peaks.push_back({channel.quantity, channel.where, peaks_.value(i), channel.unit, peaks_.time(i)});
+  }
   // In plan the maxima of two directions make no sum, and coupled masses have no inertia of a floor alone.
   if (model_->is_plan() || !model_->mass_matrix().is_diagonal()) return peaks;
   for (const Building& building : model_->buildings()) {

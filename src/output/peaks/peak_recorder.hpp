@@ -10,8 +10,9 @@
 
 namespace moat {
 
-/// Follows every channel and lists its peak with its sign; channels of one quantity and place share one. Adds the
-/// `sum_of_floor_inertia_maxima` of every building: the sum of mass times peak absolute acceleration.
+/// Follows every channel and lists its peak with its sign; channels of one quantity and place share one, and bearings
+/// have one of deformation and of force for each besides. Adds the `sum_of_floor_inertia_maxima` of every building: the
+/// sum of mass times peak absolute acceleration.
 class PeakRecorder final : public StepObserver {
  public:
   /// The model must be complete.

@@ -83,7 +83,10 @@ class SceneBuilder {
   }
 
   void add_panel(CellKind kind, const ElementInfo& info, int number) {
-    const Place low = place(info.first, info.second), high = place(info.second, info.first);
+    Place low = place(info.first, info.second);
+    const Place high = place(info.second, info.first);
+    // The lowest storey of a fixed building stands on the ground, which is at height 0.
+    if (kind == CellKind::storey && info.first == ground && low.z > 0.0) low.z = 0.0;
     const double half = std::max(0.1, std::min(low.half_width, high.half_width) - storey_inset);
     const double top = high.z - slab_thickness;
     scene_.cells.push_back(

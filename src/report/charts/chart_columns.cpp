@@ -43,6 +43,12 @@ std::vector<double> in_engineering_unit(const Column& column) {
   return values;
 }
 
+std::optional<SecondUnit> second_scale(std::string_view si_unit, bool of_x) {
+  const EngineeringUnit unit = second_unit(si_unit);
+  if (unit.symbol.empty()) return std::nullopt;
+  return SecondUnit{unit.symbol, unit.per_si / engineering_unit(si_unit).per_si, of_x};
+}
+
 std::string axis_label(std::string_view quantity, std::string_view si_unit) {
   return in_words(quantity) + " [" + with_raised_digits(engineering_unit(si_unit).symbol) + "]";
 }

@@ -1,10 +1,12 @@
 // Columns of histories as series of charts and motions of drawings.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "output/charts/chart.hpp"
 #include "output/files/case_result.hpp"
 
 namespace moat {
@@ -21,6 +23,9 @@ std::vector<const Column*> bases_and_tops(const CaseResult& result, const Table&
 
 /// The values in their engineering unit.
 std::vector<double> in_engineering_unit(const Column& column);
+
+/// The second scale of an axis whose values have the engineering unit of this one: g of accelerations.
+std::optional<SecondUnit> second_scale(std::string_view si_unit, bool of_x = false);
 
 /// "displacement [cm]".
 std::string axis_label(std::string_view quantity, std::string_view si_unit);

@@ -1,6 +1,7 @@
 #include "report/sections.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <string_view>
 #include <utility>
@@ -52,21 +53,21 @@ struct View {
   }
 };
 
-// All cells, those behind first. From above walls, bases as areas, outlines of the floors above them, and gaps.
+// All cells, those behind first. From above walls, bases as areas, outlines of the floors above them, bearings as
+// points that become lines when they deform, and gaps.
 std::vector<Shape> shapes_of(const CaseResult& result, bool from_above) {
   std::vector<Shape> shapes;
-  for (const auto& [kind, name] : {std::pair{CellKind::wall, "wall"},
-                                   {CellKind::storey, "storey"},
-                                   {CellKind::other, "other"},
-                                   {CellKind::bearing, "bearing"},
-                                   {CellKind::floor, "floor"},
-                                   {CellKind::gap, "gap"}})
+  std::array kinds{std::pair{CellKind::wall, "wall"},   std::pair{CellKind::storey, "storey"},
+                   std::pair{CellKind::other, "other"}, std::pair{CellKind::bearing, "bearing"},
+                   std::pair{CellKind::floor, "floor"}, std::pair{CellKind::gap, "gap"}};
+  if (from_above) std::swap(kinds[3], kinds[4]);
+  for (const auto& [kind, name] : kinds)
     for (const SceneCell& cell : result.scene.cells) {
       if (cell.kind != kind) continue;
       Shape shape{name, cell.name, {}};
       for (const int point : cell.points) shape.points.push_back(result.scene.points[static_cast<std::size_t>(point)]);
       const ScenePoint& first = shape.points.front();
-      if (from_above && kind != CellKind::gap) {
+      if (from_above && kind != CellKind::gap && kind != CellKind::bearing) {
         // Floors and walls are prisms, whose lower and upper face lie above each other; another wall may have the same
         // name.
         const auto same = [&](const ScenePoint& other) { return other.x == first.x && other.y == first.y; };
@@ -79,6 +80,23 @@ std::vector<Shape> shapes_of(const CaseResult& result, bool from_above) {
       shapes.push_back(std::move(shape));
     }
   return shapes;
+}
+
+// From the side: a line on which storeys and bearings stand, a little wider than these.
+void add_ground(const CaseResult& result, std::vector<Shape>& shapes) {
+  constexpr double beyond = 0.1;  // of the width
+  for (const SceneCell& cell : result.scene.cells) {
+    if (cell.kind == CellKind::wall || cell.kind == CellKind::gap || cell.kind == CellKind::floor) continue;
+    std::vector<ScenePoint> feet;
+    for (const int point : cell.points)
+      if (const ScenePoint& each = result.scene.points[static_cast<std::size_t>(point)]; each.node < 0)
+        feet.push_back(each);
+    if (feet.size() != 2) continue;
+    const double more = beyond * (feet[1].x - feet[0].x);
+    feet[0].x -= more;
+    feet[1].x += more;
+    shapes.push_back({"ground", "ground", feet});
+  }
 }
 
 // The corners of the bases and their centres of mass, whose ways the page's script draws.
@@ -169,7 +187,10 @@ std::string drawing_section(const CaseResult& result) {
   const View view{in_plan};
   std::vector<Shape> shapes = shapes_of(result, in_plan);
   if (shapes.empty()) return "";
-  add_orbits(result, shapes);
+  if (in_plan)
+    add_orbits(result, shapes);
+  else
+    add_ground(result, shapes);
   const auto [low, high] = bounds_of(shapes, view);
   const double border = 0.03 * std::max(high.x - low.x, high.y - low.y);
   const std::string kind = in_plan ? "Plan" : "Elevation";

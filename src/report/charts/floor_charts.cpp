@@ -14,12 +14,14 @@
 namespace moat {
 namespace {
 
+constexpr const char* of_ground = "ground";
+
 // The heights at which the peaks of a quantity are drawn, by their places: those of the floors themselves, or the
 // middle of the storeys below them. A quantity of floors is not looked for at elements, whose names may be the same.
 std::map<std::string, double> heights_by_place(const BuildingParts& building, const ModelFacts& model,
                                                const std::string& quantity) {
   std::vector<std::string> names = building.floors;
-  if (!building.base.empty()) names.insert(names.begin(), building.base);
+  names.insert(names.begin(), building.base.empty() ? of_ground : building.base);
   std::vector<double> levels;
   for (const std::string& name : names) {
     const auto node = std::ranges::find_if(model.nodes, [&](const NodeFacts& each) {
@@ -29,13 +31,14 @@ std::map<std::string, double> heights_by_place(const BuildingParts& building, co
   }
   if (std::ranges::adjacent_find(levels, std::greater_equal{}) != levels.end())
     for (std::size_t i = 0; i < levels.size(); ++i) levels[i] = static_cast<double>(i);
-  const bool of_storeys = quantity == "drift" || quantity == "storey_shear";
+  const bool of_storeys = quantity == "drift" || quantity == "drift_ratio" || quantity == "storey_shear";
+  const bool of_floors_below = quantity.starts_with("corner_drift");
   std::map<std::string, double> heights;
   for (std::size_t i = 0; i < names.size(); ++i) {
     const double middle = i == 0 ? levels[0] : 0.5 * (levels[i - 1] + levels[i]);
-    if (!of_storeys) heights[names[i]] = quantity == "corner_drift" ? middle : levels[i];
+    if (!of_storeys) heights[names[i]] = of_floors_below ? middle : levels[i];
     for (const ElementFacts& element : model.elements)
-      if (of_storeys && element.second == names[i]) heights[element.name] = middle;
+      if (of_storeys && names[i] != of_ground && element.second == names[i]) heights[element.name] = middle;
   }
   return heights;
 }
@@ -46,8 +49,13 @@ Series profile(const CaseResult& result, const BuildingParts& building, const st
   for (const Peak& peak : result.peaks)
     if (const auto at = heights.find(peak.where); peak.quantity == quantity && at != heights.end())
       points.emplace_back(at->second, engineering_unit(peak.unit).per_si * peak.magnitude());
+  // A fixed building begins at the ground.
+  if (building.base.empty() && points.size() >= 2 && quantity == "displacement")
+    points.emplace_back(heights.at(of_ground), 0.0);
+  if (building.base.empty() && points.size() >= 2 && quantity == "absolute_acceleration")
+    points.emplace_back(heights.at(of_ground), result.motion.peak_acceleration);
   std::ranges::sort(points);
-  Series series{.name = building.name, .x = {}, .y = {}};
+  Series series{.name = building.name};
   for (const auto& [height, value] : points) {
     series.x.push_back(value);
     series.y.push_back(height);
@@ -78,13 +86,14 @@ std::vector<Chart> floor_profiles(const CaseResult& result) {
   const bool in_plan = !result.model.diaphragms.empty();
   std::vector<Chart> charts;
   for (const std::string quantity :
-       {"displacement", in_plan ? "corner_drift" : "drift", "absolute_acceleration", "storey_shear"}) {
+       {"displacement", in_plan ? "corner_drift" : "drift", in_plan ? "corner_drift_ratio" : "drift_ratio",
+        "absolute_acceleration", "storey_shear"}) {
     const auto peak = std::ranges::find(result.peaks, quantity, &Peak::quantity);
     if (peak == result.peaks.end()) continue;
     Chart chart{.title = capitalised(in_words(quantity)) + " over height",
                 .x_label = "largest " + axis_label(quantity, peak->unit),
                 .y_label = "height [m]",
-                .series = {}};
+                .second_unit = second_scale(peak->unit, true)};
     for (std::size_t b = 0; b < std::min(result.buildings.size(), most_charted_buildings); ++b) {
       Series series = profile(result, result.buildings[b], quantity);
       if (series.x.size() >= 2) chart.series.push_back(std::move(series));
@@ -118,9 +127,9 @@ std::vector<Chart> floor_spectra(const CaseResult& result) {
     Chart chart{.title = "Floor response spectra" + (*component == '\0' ? "" : std::string{" along "} + component[1]),
                 .x_label = "period of an oscillator with 5 % damping [s]",
                 .y_label = axis_label("pseudo-acceleration", "m/s^2"),
-                .series = {},
                 .logarithmic_x = true,
-                .y_from_zero = true};
+                .y_from_zero = true,
+                .second_unit = second_scale("m/s^2")};
     for (const Column* column : bases_and_tops(result, table, std::string{"absolute_acceleration"} + component)) {
       if (!can_be_a_motion(*column)) continue;
       const ResponseSpectrum spectrum =

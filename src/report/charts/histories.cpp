@@ -5,6 +5,7 @@
 #include <set>
 #include <string>
 
+#include "output/charts/chart_style.hpp"
 #include "output/files/engineering_unit.hpp"
 #include "report/charts/chart_columns.hpp"
 
@@ -16,8 +17,8 @@ Chart history_chart(const Column& time, const std::vector<const Column*>& column
   Chart chart{.title = capitalised(in_words(first.quantity)),
               .x_label = "time [s]",
               .y_label = axis_label(first.quantity, first.unit),
-              .series = {},
-              .x_range = std::pair{time.values.front(), time.values.back()}};
+              .x_range = std::pair{time.values.front(), time.values.back()},
+              .second_unit = second_scale(first.unit)};
   for (const Column* column : columns)
     chart.series.push_back({column->where, time.values, in_engineering_unit(*column)});
   return chart;
@@ -33,10 +34,15 @@ bool is_zero(const Column* column) {
   return std::ranges::all_of(column->values, [](double value) { return value == 0.0; });
 }
 
-// Those of the gaps that closed; of all where none did.
+// Those of the gaps that closed; of many the largest, one for each colour.
 std::vector<const Column*> impact_forces(const Table& table) {
   std::vector<const Column*> forces = columns_of(table, "impact_force");
-  if (!std::ranges::all_of(forces, is_zero)) std::erase_if(forces, is_zero);
+  std::erase_if(forces, is_zero);
+  constexpr std::size_t most = chart_style::palette.size();
+  if (forces.size() <= most) return forces;
+  std::ranges::stable_sort(forces, std::ranges::greater{},
+                           [](const Column* column) { return std::ranges::max(column->values); });
+  forces.resize(most);
   return forces;
 }
 
@@ -74,12 +80,12 @@ std::optional<Chart> energy_chart(const CaseResult& result) {
   };
   const Column *time = column_of(result.histories, "time", ""), *input = energy("input");
   if (time == nullptr || time->values.size() < 2 || input == nullptr) return std::nullopt;
-  Chart chart{.title = "Energy", .x_label = "time [s]", .y_label = axis_label("energy", "J"), .series = {}};
+  Chart chart{.title = "Energy", .x_label = "time [s]", .y_label = axis_label("energy", "J")};
   std::vector<double> below(time->values.size(), 0.0);
   // Energies that only grow lie at the bottom, those that come and go on top.
   for (const char* name : {"hysteretic", "viscous", "impact", "friction", "strain", "kinetic"}) {
     const Column* part = energy(name);
-    if (part == nullptr) continue;
+    if (part == nullptr || is_zero(part)) continue;
     const std::vector<double> values = in_engineering_unit(*part);
     Series band{.name = name, .x = time->values, .y = below, .style = Series::Style::band};
     for (std::size_t i = 0; i < below.size(); ++i) below[i] += values[i];

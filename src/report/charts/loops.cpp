@@ -1,7 +1,6 @@
 #include "report/charts/result_charts.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 #include "base/text/number_format.hpp"
 #include "output/files/engineering_unit.hpp"
@@ -11,10 +10,7 @@ namespace moat {
 namespace {
 
 Chart empty_chart(std::string title) {
-  return {.title = std::move(title),
-          .x_label = axis_label("deformation", "m"),
-          .y_label = axis_label("force", "N"),
-          .series = {}};
+  return {.title = std::move(title), .x_label = axis_label("deformation", "m"), .y_label = axis_label("force", "N")};
 }
 
 // Adds the force over the deformation of an isolator, both of one component in plan.
@@ -26,22 +22,23 @@ void add_loop(Chart& chart, const Table& table, const std::string& name, const s
     chart.series.push_back({name, in_engineering_unit(*deformation), in_engineering_unit(*force)});
 }
 
-double largest(const Column& column) {
-  double value = 0.0;
-  for (const double each : column.values) value = std::max(value, std::abs(each));
-  return value;
-}
-
-std::vector<Chart> loops_in_plan(const Table& table) {
-  const Column* widest = nullptr;
-  for (const char* quantity : {"isolator_deformation_x", "isolator_deformation_y"})
-    for (const Column* column : columns_of(table, quantity))
-      if (widest == nullptr || largest(*column) > largest(*widest)) widest = column;
-  if (widest == nullptr) return {};
-  Chart chart = empty_chart("Loops of " + widest->where);
-  for (const std::string component : {"x", "y"})
-    add_loop(chart, table, "along " + component, widest->where, "_" + component);
-  return chart.series.empty() ? std::vector<Chart>{} : std::vector{chart};
+// One for the bearing of each building with the largest deformation, which the first table of a report names.
+std::vector<Chart> loops_in_plan(const CaseResult& result) {
+  std::vector<Chart> charts;
+  for (const BuildingParts& building : result.buildings) {
+    const Peak* widest = nullptr;
+    for (const Peak& peak : result.peaks)
+      if (peak.quantity == "isolator_deformation" &&
+          std::ranges::find(building.isolators, peak.where) != building.isolators.end() &&
+          (widest == nullptr || peak.magnitude() > widest->magnitude()))
+        widest = &peak;
+    if (charts.size() == most_charted_buildings || widest == nullptr) continue;
+    Chart chart = empty_chart("Loops of " + widest->where);
+    for (const std::string component : {"x", "y"})
+      add_loop(chart, result.histories, "along " + component, widest->where, "_" + component);
+    if (!chart.series.empty()) charts.push_back(std::move(chart));
+  }
+  return charts;
 }
 
 Chart loop_of(const Impact& impact) {
@@ -59,7 +56,7 @@ Chart loop_of(const Impact& impact) {
 std::vector<Chart> isolator_loops(const CaseResult& result) {
   const Table& table = result.histories;
   require_equal_lengths(table);
-  if (!result.model.diaphragms.empty()) return loops_in_plan(table);
+  if (!result.model.diaphragms.empty()) return loops_in_plan(result);
   std::vector<Chart> charts;
   for (const BuildingParts& building : result.buildings) {
     if (charts.size() == most_charted_buildings) break;

@@ -16,9 +16,10 @@ inline constexpr std::size_t most_charted_buildings = 3;
 /// Impacts with a chart at most.
 inline constexpr std::size_t most_impact_loops = 12;
 
-/// Displacement and absolute acceleration of base and top of up to three buildings, and the forces of all gaps that
-/// closed, over time: those of them whose columns `result.histories` holds. The last node where the model has no
-/// building. Then a chart for every quantity that recorders offered. Throws InputError where columns differ in length.
+/// Displacement and absolute acceleration of base and top of up to three buildings, and the forces of gaps that
+/// closed (of more than seven the largest), over time: those of them whose columns `result.histories` holds. The last
+/// node where the model has no building. Then a chart for every quantity that recorders offered. Throws InputError
+/// where columns differ in length.
 std::vector<Chart> history_charts(const CaseResult& result);
 
 /// A chart for each quantity that the floors or storeys of a building have peaks of: displacement, drift, absolute

@@ -4,10 +4,13 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <limits>
+#include <numbers>
 
 #include "analysis_testing.hpp"
 #include "moat.hpp"
+#include "small_plan_building.hpp"
 
 namespace moat {
 namespace {
@@ -93,6 +96,73 @@ TEST(ModelWarnings, NameAGapWhoseSidesAreExchanged) {
           "and .right, or correct the positions.");
     }
   }
+}
+
+ShearBuilding house(Stiffness storey_stiffness, Force yield_force = 1 * MN) {
+  return {.name = "house",
+          .storeys = 3,
+          .floor_mass = 500 * tonne,
+          .storey_stiffness = storey_stiffness,
+          .base_mass = 500 * tonne,
+          .isolation = LeadRubberBearing{
+              .yield_force = yield_force, .yield_displacement = 1 * cm, .post_yield_stiffness = 8 * MN / m}};
+}
+
+// The first period of three equal storeys is 2 pi sqrt(m/k)/(2 sin(pi/14)).
+TEST(PeriodWarnings, DoubtTheUnitsOfBuildingsThatNobodyBuilds) {
+  const auto warnings = [](Stiffness storey) {
+    Model model;
+    add(model, house(storey));
+    return period_warnings(model);
+  };
+  EXPECT_TRUE(warnings(800 * MN / m).empty());
+  const double period = 2.0 * std::numbers::pi * std::sqrt(500e3 / 800.0) / (2.0 * std::sin(std::numbers::pi / 14.0));
+  EXPECT_EQ(warnings(800 * N / m),
+            (std::vector<std::string>{"The first period of house held at its base is " + to_text(period) +
+                                      " s; buildings have 0.02 to 10 s. Check the units of stiffnesses and masses."}));
+  EXPECT_EQ(warnings(1e6 * MN / m).size(), 1u);
+}
+
+TEST(PeriodWarnings, HoldTheBaseInPlanToo) {
+  Model model;
+  PlanBuilding building = testing::small_plan_building(
+      1, {.yield_force = 184 * kN, .yield_displacement = 1 * cm, .post_yield_stiffness = 1.6 * MN / m});
+  building.columns = grid(2, 2, {.stiffness = 100 * N / m});
+  add(model, building);
+  // 700 t on four columns.
+  const std::string period = to_text(2.0 * std::numbers::pi * std::sqrt(700e3 / 400.0));
+  ASSERT_EQ(period_warnings(model).size(), 1u);
+  EXPECT_NE(period_warnings(model)[0].find("of the building held at its base is " + period), std::string::npos)
+      << period_warnings(model)[0];
+  EXPECT_EQ(run_case(model, near_fault_pulse({}), {.transient = {.end = 0.1 * s}}).warnings[0],
+            period_warnings(model)[0]);
+}
+
+// 2000 t: 19.6 MN.
+TEST(ModelWarnings, NameBearingsThatNeverYield) {
+  const auto warnings = [](Force yield_force) {
+    Model model;
+    add(model, house(800 * MN / m, yield_force));
+    return model_warnings(model);
+  };
+  EXPECT_TRUE(warnings(1 * MN).empty());
+  // 0.08 MN of post-yield stiffness at d_y do not count.
+  EXPECT_EQ(
+      warnings(117.76 * MN),
+      (std::vector<std::string>{"The isolators of house have a strength of 600 % of the weight on them; 3 to 10 % "
+                                "is usual, and above 30 % they hardly ever yield. Check the units of yield_force, "
+                                "strength and masses."}));
+}
+
+TEST(ModelWarnings, NameACentreOfMassOutsideItsFloor) {
+  Model model;
+  PlanBuilding building = testing::small_plan_building(
+      1, {.yield_force = 184 * kN, .yield_displacement = 1 * cm, .post_yield_stiffness = 1.6 * MN / m});
+  building.mass_offset = {11 * m, 0 * m};
+  add(model, building);
+  EXPECT_EQ(model_warnings(model),
+            (std::vector<std::string>{"The centre of mass of \"floor 1\" at (11, 0) m is outside its outline. Correct "
+                                      "the centre of mass, its offset or the outline."}));
 }
 
 TEST(ModelWarnings, SayNothingOfNodesWithoutPositions) {

@@ -69,6 +69,20 @@ TEST_F(CsvWriter, NamesTheFileItCannotWrite) {
   EXPECT_NE(message.find("No such file or directory"), std::string::npos) << message;
 }
 
+TEST_F(CsvWriter, WritesPeaksWithTheirBuildings) {
+  CaseResult result;
+  result.buildings = {{.name = "north", .places = {"north base", "between"}}, {.name = "south", .places = {"between"}}};
+  result.peaks = {{"displacement", "north base", -0.125, "m", 4.5, 0.25, "left"},
+                  {"impact_force", "between", 2.5e6, "N", 3.0, 0.0, "between, right"},
+                  {"roof_tilt", "elsewhere", 0.5, "1", 1.0}};
+  write_peaks_csv(result, folder / "peaks.csv");
+  EXPECT_EQ(read_file(folder / "peaks.csv"),
+            "building,place,quantity,unit,value,error,time [s],side\n"
+            "north,north base,displacement,m,-0.125,0.25,4.5,left\n"
+            "north and south,between,impact_force,N,2500000,0,3,\"between, right\"\n"
+            ",elsewhere,roof_tilt,1,0.5,nan,1,\n");
+}
+
 TEST_F(CsvWriter, WritesImpactsWithUnits) {
   const std::string header =
       "where,start [s],duration [s],approach_speed [m/s],largest_indentation [m],largest_force [N],rebound_ratio [1],"

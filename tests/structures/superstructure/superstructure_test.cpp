@@ -155,7 +155,7 @@ TEST(Superstructure, GapsActOnFloorsThatFollowModes) {
     Model model;
     const SuperstructureParts parts = add(model, building);
     add(model, Gap{.name = "roof wall",
-                   .left = NodeId(parts.floor(3)),
+                   .left = parts.floor(3),
                    .right = ground,
                    .clearance = 2 * cm,
                    .law = Kelvin{.stiffness = 200 * MN / m, .restitution = 0.6}});
