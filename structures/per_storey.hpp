@@ -6,6 +6,7 @@
 #include <initializer_list>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -27,6 +28,11 @@ class PerStorey {
   /// Also from a type that converts to a value: any law for the law of a storey.
   template <std::convertible_to<T> Any>
   requires(!std::same_as<Any, T>) PerStorey(const Any& every) : values_{every} {}
+  /// One value for every storey, in braces: {1 * m, 0.6 * m} is a position.
+  template <class... Parts>
+  requires(sizeof...(Parts) >= 2 && std::is_aggregate_v<T> && requires(Parts... parts) { T{parts...}; })
+      PerStorey(Parts... parts)
+      : values_{T{parts...}} {}
   /// One value per storey, from the lowest up.
   PerStorey(std::initializer_list<T> list) : values_{list}, is_list_{true} {}
   /// One value per storey, from the lowest up.
@@ -34,6 +40,8 @@ class PerStorey {
 
   /// Value of storey or floor 1, 2, ...
   [[nodiscard]] const T& of(int storey) const { return values_[is_list_ ? static_cast<std::size_t>(storey - 1) : 0]; }
+  /// Whether every storey has its own.
+  [[nodiscard]] bool is_list() const { return is_list_; }
   /// Values of storeys 1 to `storeys`.
   [[nodiscard]] std::vector<T> list(int storeys) const {
     return is_list_ ? values_ : std::vector<T>(static_cast<std::size_t>(storeys), values_.front());

@@ -2,6 +2,7 @@
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>
+#include <map>
 #include <utility>
 
 #include "base/check.hpp"
@@ -23,10 +24,23 @@ struct StoreySpring {
   [[nodiscard]] bool turns() const { return direction == PlanVector{}; }
 };
 
+const PlanOutline& outline_of_base(const PlanBuilding& building) {
+  return building.base_outline.empty() ? building.outline.of(1) : building.base_outline;
+}
+
 void check_parameters(const PlanBuilding& building) {
   const Check check{"PlanBuilding", building.name};
-  building.outline.value().check(check, "outline");
   check.that(building.storeys >= 1, "storeys", building.storeys, "", ">= 1");
+  building.outline.check_count(check, "outline", building.storeys);
+  building.mass_offset.check_count(check, "mass_offset", building.storeys);
+  building.rotary_inertia.check_count(check, "rotary_inertia", building.storeys);
+  for (int floor = 1; floor <= building.storeys; ++floor) {
+    const std::string of_floor = " of floor " + std::to_string(floor);
+    building.outline.of(floor).check(check, building.outline.is_list() ? "outline" + of_floor : "outline");
+    check.not_negative("rotary_inertia" + of_floor, building.rotary_inertia.of(floor));
+  }
+  if (!building.base_outline.empty()) building.base_outline.check(check, "base_outline");
+  check.not_negative("base_rotary_inertia", building.base_rotary_inertia);
   building.floor_mass.check(check, "floor_mass", building.storeys);
   building.storey_height.check(check, "storey_height", building.storeys);
   building.columns.check_count(check, "columns", building.storeys);
@@ -93,6 +107,38 @@ void add_dashpot(Model& model, const StoreySpring& beside, double factor, NodeId
         unreported(name, lower, upper, beside.at, beside.direction, Viscous{.damping = DampingCoefficient{damping}}));
 }
 
+// The forces of springs between two floors that are sums over their displacements: each spring counts with a factor.
+class StoreyForce {
+ public:
+  StoreyForce(const Model& model, NodeId lower, DiaphragmId upper) : model_{model}, lower_{lower}, upper_{upper} {}
+
+  void add(const StoreySpring& spring, double factor) {
+    for (const auto& [body, sign] : {std::pair{lower_, -1.0}, {upper_.x, 1.0}}) {
+      const PlacedDiaphragm* floor = body == ground ? nullptr : model_.diaphragm_of(body);
+      if (floor == nullptr) continue;
+      const PlanVector arm = PlanVector{spring.at.x.si(), spring.at.y.si()} - floor->centre_of_mass;
+      const double force = sign * factor * spring.stiffness;
+      weights_[floor->id.x] += force * spring.direction.x;
+      weights_[floor->id.y] += force * spring.direction.y;
+      weights_[floor->id.r] += force * (spring.turns() ? 1.0 : cross(arm, spring.direction)) / floor->gyration;
+    }
+  }
+  void append_to(std::vector<MotionShare>& list, double factor) const {
+    for (const auto& [node, weight] : weights_) list.push_back({node, factor * weight});
+  }
+  [[nodiscard]] std::vector<MotionShare> shares() const {
+    std::vector<MotionShare> list;
+    append_to(list, 1.0);
+    return list;
+  }
+
+ private:
+  const Model& model_;
+  NodeId lower_;
+  DiaphragmId upper_;
+  std::map<NodeId, double> weights_;
+};
+
 class Builder {
  public:
   Builder(Model& model, const PlanBuilding& building)
@@ -107,16 +153,18 @@ class Builder {
     add_bearings();
     Building building{.name = building_.name, .base = base_};
     for (const DiaphragmId& floor : parts_.floors) building.floors.push_back(floor);
+    building.storey_results = results_;
     add(model_, building);
     return parts_;
   }
 
  private:
-  DiaphragmId diaphragm(const std::string& part, Mass mass, PlanPosition offset, Length height) {
-    const PlanOutline& outline = building_.outline;
+  DiaphragmId diaphragm(const std::string& part, Mass mass, RotaryInertia rotary_inertia, const PlanOutline& outline,
+                        PlanPosition offset, Length height) {
     const PlanVector centre = outline.centroid();
     return add(model_, Diaphragm{.name = prefix_ + part,
                                  .mass = mass,
+                                 .rotary_inertia = rotary_inertia,
                                  .centre_of_mass = {Length{centre.x} + offset.x, Length{centre.y} + offset.y},
                                  .outline = outline,
                                  .height = height});
@@ -126,13 +174,15 @@ class Builder {
     parts_.name = building_.name;
     Length height{};
     if (building_.bearings) {
-      parts_.base = diaphragm("base", building_.base_mass, building_.base_mass_offset, height);
+      parts_.base = diaphragm("base", building_.base_mass, building_.base_rotary_inertia, outline_of_base(building_),
+                              building_.base_mass_offset, height);
       base_ = parts_.base;
     }
     for (int floor = 1; floor <= building_.storeys; ++floor) {
       height += building_.storey_height.of(floor);
-      parts_.floors.push_back(
-          diaphragm("floor " + std::to_string(floor), building_.floor_mass.of(floor), building_.mass_offset, height));
+      parts_.floors.push_back(diaphragm("floor " + std::to_string(floor), building_.floor_mass.of(floor),
+                                        building_.rotary_inertia.of(floor), building_.outline.of(floor),
+                                        building_.mass_offset.of(floor), height));
     }
   }
 
@@ -142,12 +192,14 @@ class Builder {
     std::vector<std::vector<StoreySpring>> storeys;
     for (std::size_t i = 0; i < parts_.floors.size(); ++i) {
       const std::string storey = "storey " + std::to_string(i + 1);
-      storeys.push_back(springs_of_storey(check_, building_.columns.of(static_cast<int>(i) + 1), building_.outline,
-                                          prefix_ + storey));
+      const int number = static_cast<int>(i) + 1;
+      storeys.push_back(
+          springs_of_storey(check_, building_.columns.of(number), building_.outline.of(number), prefix_ + storey));
       for (const StoreySpring& spring : storeys.back()) add_spring(model_, spring, below(i), parts_.floors[i]);
       // No storey above is there yet.
       require_stiffness(storey, stiffness_of_floors(model_, {parts_.floors[i]}));
     }
+    results_ = storey_results(storeys);
     const std::optional<RayleighFactors> given = given_factors(building_.damping);
     const RayleighFactors rayleigh =
         given ? *given : rayleigh_factors_in_plan(building_.damping.ratio, model_, parts_.floors);
@@ -157,6 +209,37 @@ class Builder {
           add_dashpot(model_, spring, rayleigh.stiffness_factor, below(i), parts_.floors[i]);
       if (rayleigh.mass_factor > 0.0) add_mass_damping(i, rayleigh.mass_factor);
     }
+  }
+
+  // Shears and torque of the columns of every storey, and the moments of the forces on all floors above its lower one.
+  // The torque is about the base's centre of mass, or that of the lowest floor.
+  [[nodiscard]] std::vector<StoreyResult> storey_results(const std::vector<std::vector<StoreySpring>>& storeys) const {
+    const PlanVector origin = model_.diaphragm(building_.bearings ? parts_.base : parts_.floors[0]).centre_of_mass;
+    std::vector<StoreyResult> results;
+    std::vector<MotionShare> moment_x, moment_y;
+    for (std::size_t i = storeys.size(); i-- > 0;) {
+      StoreyForce shear_x{model_, below(i), parts_.floors[i]}, shear_y = shear_x, torque = shear_x;
+      for (const StoreySpring& spring : storeys[i]) {
+        const PlanVector arm = PlanVector{spring.at.x.si(), spring.at.y.si()} - origin;
+        shear_x.add(spring, spring.direction.x);
+        shear_y.add(spring, spring.direction.y);
+        torque.add(spring, spring.turns() ? 1.0 : cross(arm, spring.direction));
+      }
+      const double height = building_.storey_height.of(static_cast<int>(i) + 1).si();
+      shear_x.append_to(moment_x, height);
+      shear_y.append_to(moment_y, height);
+      const auto add = [&](const char* quantity, const char* unit, std::vector<MotionShare> shares) {
+        const std::string place = prefix_ + "storey " + std::to_string(i + 1);
+        results.push_back({.quantity = quantity, .place = place, .unit = unit, .displacements = std::move(shares)});
+      };
+      add("overturning_moment_y", "N m", moment_y);
+      add("overturning_moment_x", "N m", moment_x);
+      add("storey_torque", "N m", torque.shares());
+      add("storey_shear_y", "N", shear_y.shares());
+      add("storey_shear_x", "N", shear_x.shares());
+    }
+    std::ranges::reverse(results);
+    return results;
   }
 
   void require_stiffness(const std::string& storey, const Eigen::MatrixXd& stiffness) const {
@@ -183,15 +266,10 @@ class Builder {
 
   void add_bearings() {
     if (!building_.bearings) return;
-    const auto bearings = building_.bearings->placed(check_, building_.outline);
-    check_.that(!bearings.empty(), "bearings: the list is empty.", "Give at least one bearing.");
     double mass = building_.base_mass.si();
     for (int floor = 1; floor <= building_.storeys; ++floor) mass += building_.floor_mass.of(floor).si();
-    const Force share = Mass{mass / static_cast<double>(bearings.size())} * units::g;
-    int number = 0;
-    for (const PlanBearings::Placed& bearing : bearings)
-      bearing.add_to(model_, {prefix_ + "bearing " + std::to_string(++number), prefix_ + "bearings"}, parts_.base,
-                     bearing.at, share);
+    building_.bearings.add_under(model_, check_, prefix_, parts_.base, outline_of_base(building_),
+                                 Mass{mass} * units::g);
   }
 
   Model& model_;
@@ -200,6 +278,7 @@ class Builder {
   std::string prefix_;
   NodeId base_ = ground;
   PlanBuildingParts parts_;
+  std::vector<StoreyResult> results_;
 };
 
 }  // namespace
@@ -224,17 +303,19 @@ PlanBuilding with_eccentricity(PlanBuilding building, double share_of_x, double 
   const Check check{"with_eccentricity", building.name};
   check.between("share_of_x", share_of_x, -0.5, 0.5, "1", "5 % is 0.05.");
   check.between("share_of_y", share_of_y, -0.5, 0.5, "1", "5 % is 0.05.");
-  const PlanOutline& outline = building.outline;
-  outline.check(check, "outline");
-  const auto extent = [&](Length PlanPosition::*component) {
-    const auto [low, high] = std::ranges::minmax(outline.corners, {}, component);
-    return high.*component - low.*component;
+  check_parameters(building);
+  const auto moved = [&](PlanPosition offset, const PlanOutline& outline) -> PlanPosition {
+    const auto extent = [&](Length PlanPosition::*component) {
+      const auto [low, high] = std::ranges::minmax(outline.corners, {}, component);
+      return high.*component - low.*component;
+    };
+    return {offset.x + share_of_x * extent(&PlanPosition::x), offset.y + share_of_y * extent(&PlanPosition::y)};
   };
-  const Length x = share_of_x * extent(&PlanPosition::x), y = share_of_y * extent(&PlanPosition::y);
-  for (PlanPosition* offset : {&building.mass_offset, &building.base_mass_offset}) {
-    offset->x += x;
-    offset->y += y;
-  }
+  std::vector<PlanPosition> offsets;
+  for (int floor = 1; floor <= building.storeys; ++floor)
+    offsets.push_back(moved(building.mass_offset.of(floor), building.outline.of(floor)));
+  building.mass_offset = offsets;
+  building.base_mass_offset = moved(building.base_mass_offset, outline_of_base(building));
   return building;
 }
 

@@ -3,7 +3,6 @@
 
 #include <Eigen/Core>
 #include <array>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -24,8 +23,9 @@ namespace moat {
 ///     [  base   ]           +--o-------o-------o--+
 ///     =bearings=
 ///
-/// All floors have the same outline; their masses are uniform over it but for `mass_offset`, so that the rotary inertia
-/// about the centre of mass is that of the outline. Rayleigh damping acts on the motion of the superstructure relative
+/// Floors have one outline, or each its own, which makes setbacks. Their masses are uniform over it but for
+/// `mass_offset`, so that the rotary inertia about the centre of mass is that of the outline, unless it is given.
+/// Rayleigh damping acts on the motion of the superstructure relative
 /// to its base: the stiffness part in every storey; the mass part on the motion of every floor relative to the rigid
 /// motion of the base, at the floor's centre of mass, and on its rotation relative to the base, reacting on the base.
 /// Its ratio holds in the lowest translational mode of the superstructure held at its base, and in the next
@@ -34,21 +34,26 @@ namespace moat {
 struct PlanBuilding {
   /// Put before the names of all parts ("north base", "north floor 1") where a model has several buildings.
   std::string name{};
-  Required<PlanOutline> outline;  ///< Outline of all floors, seen from above.
+  PerStorey<PlanOutline> outline;  ///< Outline of each floor above the base, seen from above.
   /// >= 1.
   Required<int> storeys;
   /// > 0 kg, each floor above the base.
   PerStorey<Mass> floor_mass;
-  /// Offset of the floors' centres of mass from the outline's centroid.
-  PlanPosition mass_offset{};
-  /// Offset of the base's centre of mass from the outline's centroid.
+  /// Offset of each floor's centre of mass from the centroid of its outline.
+  PerStorey<PlanPosition> mass_offset = PlanPosition{};
+  /// > 0 kg m^2, of each floor about its centre of mass; left out: of a uniform floor.
+  PerStorey<RotaryInertia> rotary_inertia = RotaryInertia{};
+  PlanOutline base_outline{};  ///< Outline of the base; left out: that of floor 1.
+  /// Offset of the base's centre of mass from the centroid of its outline.
   PlanPosition base_mass_offset{};
-  PerStorey<PlanColumns> columns;  ///< Lateral stiffness of each storey.
-  RayleighDamping damping{};       ///< Damping of the superstructure.
+  RotaryInertia base_rotary_inertia{};  ///< > 0 kg m^2, about the base's centre of mass; left out: of a uniform floor.
+  /// Lateral stiffness of each storey; a grid covers the outline of the floor above.
+  PerStorey<PlanColumns> columns;
+  RayleighDamping damping{};  ///< Damping of the superstructure.
   /// > 0 kg; give it together with bearings.
   Mass base_mass{};
-  /// Under the base; fixed to the ground if left out.
-  std::optional<PlanBearings> bearings{};
+  /// Under the base, a grid over its outline; fixed to the ground if left out.
+  PlanBearings bearings{};
   /// For drawings only.
   PerStorey<Length> storey_height = 3.5 * units::m;
 };
@@ -83,7 +88,7 @@ RayleighFactors rayleigh_factors_in_plan(double ratio, const Model& model, const
 /// degrees of freedom, N/m.
 Eigen::MatrixXd stiffness_of_floors(const Model& model, const std::vector<DiaphragmId>& floors);
 
-/// All centres of mass moved along x and y by these shares of the outline's extent there, from where they are:
+/// All centres of mass moved along x and y by these shares of the extent of their outlines there, from where they are:
 /// accidental eccentricity. ASCE 7 takes 5 % of the plan dimension across the motion.
 PlanBuilding with_eccentricity(PlanBuilding building, double share_of_x, double share_of_y);
 

@@ -44,4 +44,18 @@ std::vector<PlanBearings::Placed> PlanBearings::placed(const Check& check, const
   return bearings;
 }
 
+void PlanBearings::add_under(Model& model, const Check& check, const std::string& prefix, DiaphragmId floor,
+                             const PlanOutline& outline, Force weight_of_building) const {
+  const std::vector<Placed> bearings = placed(check, outline);
+  int number = 0;
+  for (const Placed& bearing : bearings) {
+    const std::string numbered = "bearing " + std::to_string(++number);
+    const std::string& name = bearing.name.empty() ? numbered : bearing.name;
+    check.not_negative("weight of " + name, bearing.weight);
+    bearing.add_to(
+        model, {prefix + name, prefix + (bearing.type.empty() ? "bearings" : bearing.type)}, floor, bearing.at,
+        bearing.weight.si() > 0.0 ? bearing.weight : weight_of_building / static_cast<double>(bearings.size()));
+  }
+}
+
 }  // namespace moat

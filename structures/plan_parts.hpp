@@ -117,18 +117,22 @@ class PlanColumns {
 ///     .bearings = grid(3, 2, BiaxialBoucWen{...})
 ///     .bearings = grid(3, 2, FrictionPendulum{...})
 ///     .bearings = {{at_1, BiaxialBilinear{...}}, {at_2, LeadRubberBearing{...}}}
+///     .bearings = read_bearings("bearings.csv", {.types = {{"LRB700", LeadRubberBearing{...}}}})
+///
+/// Bearings of a type are grouped in results; those without one are "bearings". A bearing without a name is called by
+/// its number: "bearing 3".
 class PlanBearings {
  public:
   /// Names of an element and of the place that its peaks are listed under.
   struct Names {
-    std::string name, place;  ///< unique, and common to all bearings of a building
+    std::string name, place;  ///< unique, and common to all bearings of a type
   };
   /// One bearing, of any such law.
   struct Placed {
     /// A bearing at a position on the floor.
     template <BearingInPlan Bearing>
     Placed(PlanPosition position, Bearing bearing) : at{position} {
-      add_to = [bearing](Model& model, const Names& names, DiaphragmId under, PlanPosition place_at, Force weight) {
+      add_to = [bearing](Model& model, const Names& names, DiaphragmId under, PlanPosition place_at, Force load) {
         const auto place = [&](const auto& law) {
           add(model, PlanBearing<std::remove_cvref_t<decltype(law)>>{
                          .name = names.name, .under = under, .at = place_at, .law = law, .place = names.place});
@@ -138,28 +142,41 @@ class PlanBearings {
         else if constexpr (requires { in_plan(bearing); })
           place(in_plan(bearing));
         else
-          place(in_plan(bearing, weight));
+          place(in_plan(bearing, load));
       };
     }
 
-    PlanPosition at;  ///< On the floor.
+    PlanPosition at;     ///< On the floor.
+    std::string name{};  ///< Unique in its building; left out: its number.
+    std::string type{};  ///< Common to equal bearings; left out: "bearings".
+    Force weight{};      ///< > 0 N on it; left out: the same share of the building's weight for every bearing.
     /// Adds it to a model at a position, under this weight.
     std::function<void(Model&, const Names&, DiaphragmId under, PlanPosition at, Force weight)> add_to;
   };
 
+  PlanBearings() = default;  ///< None: the building stands on the ground.
   /// Equal bearings on a grid.
   template <class Law>
   PlanBearings(Grid<Law> bearings)
       : along_x_{bearings.along_x}, along_y_{bearings.along_y}, list_{Placed{PlanPosition{}, bearings.item}} {}
-  PlanBearings(std::vector<Placed> list) : list_{std::move(list)} {}  ///< Bearings anywhere.
-  PlanBearings(std::initializer_list<Placed> list) : list_{list} {}   ///< Bearings anywhere.
+  /// Bearings anywhere, and remarks about their file.
+  PlanBearings(std::vector<Placed> list, std::vector<std::string> notes = {})
+      : list_{std::move(list)}, notes_{std::move(notes)} {}
+  PlanBearings(std::initializer_list<Placed> list) : list_{list} {}  ///< Bearings anywhere.
 
+  explicit operator bool() const { return !list_.empty(); }                       ///< Whether there are any.
+  [[nodiscard]] const std::vector<std::string>& notes() const { return notes_; }  ///< Remarks, sentences.
   /// At their positions on the outline. Throws InputError for a grid of less than 1 x 1.
   [[nodiscard]] std::vector<Placed> placed(const Check& check, const PlanOutline& outline) const;
+  /// Adds them between the ground and a floor of a building whose parts begin with `prefix`. Throws InputError for a
+  /// grid of less than 1 x 1, a bad law, a weight that is not > 0 N, and a name that is taken.
+  void add_under(Model& model, const Check& check, const std::string& prefix, DiaphragmId floor,
+                 const PlanOutline& outline, Force weight_of_building) const;
 
  private:
   int along_x_ = 0, along_y_ = 0;  // of a grid
   std::vector<Placed> list_;
+  std::vector<std::string> notes_;
 };
 
 }  // namespace moat

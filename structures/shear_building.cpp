@@ -1,8 +1,10 @@
 #include "structures/shear_building.hpp"
 
+#include <algorithm>
 #include <vector>
 
 #include "base/check.hpp"
+#include "base/error.hpp"
 #include "elements/block/link_checks.hpp"
 #include "elements/line/shear_spring.hpp"
 #include "elements/line/viscous_damper.hpp"
@@ -107,6 +109,37 @@ void add_storeys(Model& model, const ShearBuilding& building, const std::string&
   }
 }
 
+// The element that was added with this name.
+ElementId element_named(const Model& model, const std::string& name) {
+  for (std::size_t b = 0; b < model.blocks().size(); ++b) {
+    const auto& infos = model.blocks()[b]->infos();
+    const auto found = std::ranges::find(infos, name, &ElementInfo::name);
+    if (found != infos.end()) return {b, static_cast<std::size_t>(found - infos.begin())};
+  }
+  throw InputError{"ShearBuilding: there is no element \"" + name + "\"."};
+}
+
+// The moments of the elastic forces on all floors above a storey about its lower floor: the sum of the shears of this
+// storey and of those above it, each times its height.
+void add_overturning_moments(const Model& model, const ShearBuilding& building, const std::string& prefix,
+                             Building& added) {
+  StoreyResult moment{.quantity = "overturning_moment", .place = "", .unit = "N m"};
+  for (int storey = building.storeys; storey >= 1; --storey) {
+    moment.place = prefix + "storey " + std::to_string(storey);
+    const double height = building.storey_height.of(storey).si();
+    if (building.storey) {
+      moment.forces.push_back({element_named(model, moment.place), height});
+    } else {
+      const double weight = height * building.storey_stiffness.of(storey).si();
+      const NodeId below = storey == 1 ? added.base : added.floor(storey - 1);
+      moment.displacements.push_back({added.floor(storey), weight});
+      if (below != ground) moment.displacements.push_back({below, -weight});
+    }
+    added.storey_results.push_back(moment);
+  }
+  std::ranges::reverse(added.storey_results);
+}
+
 }  // namespace
 
 Building add(Model& model, const ShearBuilding& building) {
@@ -119,6 +152,7 @@ Building add(Model& model, const ShearBuilding& building) {
                                              "Give every building its own .name.");
   Building added = add_nodes(model, building, prefix);
   add_storeys(model, building, prefix, added);
+  add_overturning_moments(model, building, prefix, added);
   if (building.isolation)
     building.isolation->add_to(model, prefix, added.base, weight_above(building, 1) + building.base_mass * units::g);
   add(model, added);

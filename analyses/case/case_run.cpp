@@ -29,7 +29,8 @@ constexpr std::array general_assumptions{
     "total_base_shear is the force of isolators and impacts together; sum_of_floor_inertia_maxima adds the "
     "maxima of mass times absolute acceleration of base and floors, which are not simultaneous.",
     "Energies are in the frame of the ground: input is the work of the ground's inertia forces on relative motion.",
-    "storey_shear is the elastic force of the columns, without that of the storey's damping."};
+    "storey_shear is the elastic force of the columns, without that of the storey's damping; overturning_moment is the "
+    "moment of the elastic forces on all floors above a storey about its lower floor."};
 
 // Assumptions of results in plan, in place of those above.
 constexpr std::array plan_assumptions{
@@ -45,6 +46,10 @@ constexpr std::array plan_assumptions{
     "clearance_left is the smallest opening of a gap over continuous time; negative: the two sides indented each "
     "other by so much.",
     "total_base_shear and total_base_torque, about the origin, are those of bearings and impacts together.",
+    "storey_shear_x, _y are elastic forces of columns, without damping; storey_torque is their torque about the centre "
+    "of "
+    "mass of the base, or of the lowest floor; overturning_moment_x, _y, named by the direction of the forces, are "
+    "moments of the elastic forces on all floors above a storey about its lower floor.",
     "Contacts are points: corners with a normal law each, and Coulomb friction with an elastic grip before it slides.",
     "Energies are in the frame of the ground: input is the work of the ground's inertia forces on relative motion."};
 
@@ -92,6 +97,7 @@ std::vector<BuildingParts> parts_of_buildings(const Model& model) {
     for (const NodeId node : building.nodes()) bodies.insert(name_of(node));
     parts.places = bodies;
     parts.places.insert(building.base_name());
+    for (const StoreyResult& result : building.storey_results) parts.places.insert(result.place);
     add_elements(model, bodies, parts);
     list.push_back(std::move(parts));
   }
@@ -230,6 +236,8 @@ CaseResult CaseRun::result_with(Table histories) const {
   // Behind the errors: the companion does not know these peaks.
   for (Peak& peak : offered_peaks_.peaks()) result.peaks.push_back(std::move(peak));
   for (std::string& warning : offered_peaks_.warnings()) result.warnings.push_back(std::move(warning));
+  for (const Building& building : transient_.model().buildings())
+    result.assumptions.insert(result.assumptions.end(), building.notes.begin(), building.notes.end());
   if (transient_.model().is_plan())
     result.assumptions.insert(result.assumptions.end(), plan_assumptions.begin(), plan_assumptions.end());
   else

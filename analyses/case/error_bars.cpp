@@ -241,6 +241,7 @@ ScalesOfUnits scales_of_run(const std::vector<Peak>& peaks, const Model& model, 
   const double force = raise("N", mass * pga);
   const double acceleration = raise("m/s^2", std::max(pga, force / mass));
   const double speed = raise("m/s", std::sqrt(length * acceleration));
+  raise("N m", force);  // of an arm of 1 m
   for (const PlacedDiaphragm& diaphragm : model.diaphragms()) {
     raise("rad", length / diaphragm.gyration);
     raise("rad/s", speed / diaphragm.gyration);

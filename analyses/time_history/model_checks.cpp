@@ -51,7 +51,7 @@ std::string weak_isolators(const Model& model, const std::vector<int>& part, int
   const std::vector<std::vector<ElementId>> isolators = isolators_of(model, buildings);
   for (std::size_t b = 0; b < buildings.size(); ++b) {
     const NodeId base = buildings[b].base;
-    if (base == ground || part[static_cast<std::size_t>(base.index)] != number || isolators[b].empty()) continue;
+    if (base == ground || part[static_cast<std::size_t>(model.place(base))] != number || isolators[b].empty()) continue;
     const auto info = [&](ElementId id) -> const ElementInfo& { return model.blocks()[id.block]->info(id.element); };
     const auto at_one_point = [&](ElementId id) {
       const PlanPlaces *first = info(isolators[b].front()).plan_places(), *places = info(id).plan_places();

@@ -24,7 +24,7 @@ DiaphragmId add_plan_building(Model& model, const BenchmarkBuilding& benchmark) 
                         .columns = grid(4, 6, {.stiffness = 40 * MN / m}),
                         .damping = {.ratio = 0.05},
                         .base_mass = given.base->mass};
-  building.bearings = *given.bearings;
+  building.bearings = given.bearings;
   return add(model, building).base;
 }
 

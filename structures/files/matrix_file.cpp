@@ -2,13 +2,12 @@
 
 #include <algorithm>
 #include <set>
-#include <span>
 #include <string_view>
 #include <utility>
 
 #include "base/check.hpp"
 #include "structures/files/matrix_market.hpp"
-#include "structures/files/text_rows.hpp"
+#include "structures/files/number_rows.hpp"
 
 namespace moat {
 namespace {
@@ -27,36 +26,6 @@ MatrixInUnits with_units(const Check& check, const MatrixUnits& units) {
   return matrix;
 }
 
-bool is_heading(const TextRows& all) {
-  const std::vector<std::string>& fields = all.rows.front().fields;
-  return all.separator == ' ' ? !is_number(fields.front()) : std::ranges::none_of(fields, is_number);
-}
-
-std::string counted(std::size_t count, const std::string& one) {
-  return std::to_string(count) + " " + one + (count == 1 ? "" : "s");
-}
-
-// Puts the names of rows and columns, which must agree, and a heading.
-void put_names(const TextFile& file, const TextRow& heading, char separator, const std::vector<std::string>& row_names,
-               MatrixInUnits& matrix) {
-  const auto size = static_cast<std::size_t>(matrix.values.rows());
-  const bool has_corner = !row_names.empty() && heading.fields.size() == size + 1;
-  const std::vector<std::string> names(heading.fields.begin() + (has_corner ? 1 : 0), heading.fields.end());
-  if (names.size() != size && (separator == ' ' || names.size() == 1)) {
-    matrix.notes.push_back("heading: " + heading.text);
-    return;
-  }
-  if (names.size() != size)
-    refuse_line(file.path, heading.line_number,
-                counted(names.size(), "name") + " for " + counted(size, "column") + ". Begin remarks with #.");
-  for (std::size_t i = 0; i < row_names.size(); ++i)
-    if (row_names[i] != names[i])
-      refuse_file(file.path, "row " + std::to_string(i + 1) + " is " + quoted(row_names[i]) + ", column " +
-                                 std::to_string(i + 1) + " is " + quoted(names[i]) +
-                                 ". Rows and columns must have one order.");
-  matrix.names = names;
-}
-
 void check_names(const TextFile& file, const std::vector<std::string>& names) {
   std::set<std::string> known;
   for (const std::string& name : names) {
@@ -65,30 +34,35 @@ void check_names(const TextFile& file, const std::vector<std::string>& names) {
   }
 }
 
-void read_rows(const TextFile& file, const TextRows& all, MatrixInUnits& matrix) {
-  const bool has_heading = is_heading(all);
-  const std::span<const TextRow> rows = std::span{all.rows}.subspan(has_heading ? 1 : 0);
-  if (rows.empty()) refuse_file(file.path, "there are no numbers in it.");
-  const std::size_t begin = std::ranges::none_of(rows, [](const TextRow& row) { return is_number(row.fields[0]); });
-  const std::size_t columns = rows.front().fields.size() - begin;
-  std::vector<std::string> row_names;
-  matrix.values.resize(static_cast<Eigen::Index>(rows.size()), static_cast<Eigen::Index>(columns));
-  for (Eigen::Index i = 0; i < matrix.values.rows(); ++i) {
-    const TextRow& row = rows[static_cast<std::size_t>(i)];
-    for (std::size_t field = begin; field < row.fields.size(); ++field) number_in(file, row, field);
-    if (const std::size_t count = row.fields.size() - begin; count != columns)
-      refuse_line(file.path, row.line_number,
-                  "it has " + counted(count, "number") + ", line " + std::to_string(rows.front().line_number) +
-                      " has " + std::to_string(columns) + ".");
-    for (Eigen::Index j = 0; j < matrix.values.cols(); ++j)
-      matrix.values(i, j) = number_in(file, row, begin + static_cast<std::size_t>(j));
-    if (begin == 1) row_names.push_back(row.fields[0]);
-  }
-  if (rows.size() != columns)
-    refuse_file(file.path, counted(rows.size(), "line") + " of " + counted(columns, "number") +
+// Names of the columns from the first line, or a heading of words, which becomes a note.
+std::vector<std::string> column_names(const TextFile& file, const NumberRows& numbers, MatrixInUnits& matrix) {
+  if (!numbers.heading) return {};
+  const auto size = static_cast<std::size_t>(matrix.values.rows());
+  const TextRow& heading = *numbers.heading;
+  const std::vector<std::string> names = numbers.column_names();
+  if (names.size() == size) return names;
+  if (!numbers.is_heading_of_words())
+    refuse_line(file.path, heading.line_number,
+                counted(names.size(), "name") + " for " + counted(size, "column") + ". Begin remarks with #.");
+  matrix.notes.push_back("heading: " + std::string{trimmed(heading.text)});
+  return {};
+}
+
+void read_rows(const TextFile& file, const TextRows& rows, MatrixInUnits& matrix) {
+  const NumberRows numbers = number_rows_of(file, rows);
+  matrix.values = numbers.values;
+  if (matrix.values.rows() != matrix.values.cols())
+    refuse_file(file.path, counted(static_cast<std::size_t>(matrix.values.rows()), "line") + " of " +
+                               counted(static_cast<std::size_t>(matrix.values.cols()), "number") +
                                ". A square matrix has as many lines as numbers in each.");
-  if (has_heading) put_names(file, all.rows.front(), all.separator, row_names, matrix);
-  if (matrix.names.empty()) matrix.names = row_names;
+  const std::vector<std::string> names = column_names(file, numbers, matrix);
+  if (!names.empty() && !numbers.row_names.empty() && names != numbers.row_names) {
+    const auto [row, column] = std::ranges::mismatch(numbers.row_names, names);
+    const std::string number = std::to_string(row - numbers.row_names.begin() + 1);
+    refuse_file(file.path, "row " + number + " is " + quoted(*row) + ", column " + number + " is " + quoted(*column) +
+                               ". Rows and columns must have one order.");
+  }
+  matrix.names = names.empty() ? numbers.row_names : names;
   check_names(file, matrix.names);
 }
 

@@ -11,11 +11,11 @@ std::vector<TextRow> lines_of(const TextFile& file) {
   std::vector<TextRow> lines;
   LineReader reader{file};
   for (std::string_view line; reader.next(line);) {
-    line = trimmed(line);
-    if (line.empty() || line.starts_with('#') || line.starts_with('%') || line.starts_with("//")) continue;
+    const std::string_view words = trimmed(line);
+    if (words.empty() || words.starts_with('#') || words.starts_with('%') || words.starts_with("//")) continue;
     lines.push_back({.line_number = reader.line_number(), .text = std::string{line}});
   }
-  if (lines.empty()) refuse_file(file.path, "there are no numbers in it.");
+  if (lines.empty()) refuse_file(file.path, "it has no lines, or comments only.");
   return lines;
 }
 
@@ -53,7 +53,8 @@ TextRows rows_of(const TextFile& file, char separator) {
 }
 
 TextRows rows_of(const TextFile& file) {
-  const std::string last = lines_of(file).back().text;
+  const std::string text = lines_of(file).back().text;
+  const std::string_view last = trimmed(text);
   char separator = ' ';
   for (const char each : {',', '\t', ';'})
     if (last.find(each) != std::string::npos) separator = each;

@@ -13,7 +13,7 @@ namespace moat {
 /// A line of a text file.
 struct TextRow {
   std::size_t line_number = 0;        ///< from 1
-  std::string text{};                 ///< without blanks at both ends
+  std::string text{};                 ///< whole
   std::vector<std::string> fields{};  ///< without blanks at both ends, and without quotes around them
 };
 

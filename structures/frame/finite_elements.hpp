@@ -97,19 +97,20 @@ struct FiniteElements {
 
 /// A level of a condensed structure.
 struct Level {
-  std::string name{};
+  std::string name{};           ///< "floor 1"
   double height = 0.0;          ///< m, in the coordinates of the nodes
   double mass = 0.0;            ///< kg, of its own nodes; 0 where none is given
   double rotary_inertia = 0.0;  ///< kg m^2, about the centre of mass; 0 on a line
   PlanVector centre_of_mass{};  ///< m; the mean of the nodes for a level without mass
+  PlanOutline outline{};        ///< of a table of storeys; else empty
 };
 
 /// A superstructure whose motions are those of its levels, from the lowest up: one along a line; in plan x, y and the
 /// rotation [rad] about the centre of mass of each. SI units.
 struct CondensedStructure {
-  Eigen::MatrixXd stiffness{};  ///< Symmetric.
-  Eigen::MatrixXd mass{};       ///< Symmetric; rows of zeros for a level without mass.
-  std::vector<Level> levels{};
+  Eigen::MatrixXd stiffness{};       ///< Symmetric.
+  Eigen::MatrixXd mass{};            ///< Symmetric; rows of zeros for a level without mass.
+  std::vector<Level> levels{};       ///< From the lowest up.
   bool in_plan = true;               ///< Three motions per level, not one.
   std::vector<std::string> notes{};  ///< Sentences for reports: assumptions, masses that were dropped.
   /// Relative errors of the squared frequencies, to first order, with Vanishing::guyan: of the lowest modes, at

@@ -25,16 +25,16 @@ Eigen::MatrixXd symmetric(const NamedRows& rows, const Eigen::MatrixXd& matrix, 
   Eigen::Index i = 0, j = 0;
   for (Eigen::Index column = 0; column < matrix.cols(); ++column)
     for (Eigen::Index row = 0; row < column; ++row) {
-      const double difference = std::abs(matrix(row, column) - matrix(column, row)) /
-                                std::sqrt(matrix(row, row) * matrix(column, column));
+      const double difference =
+          std::abs(matrix(row, column) - matrix(column, row)) / std::sqrt(matrix(row, row) * matrix(column, column));
       if (difference <= worst) continue;
       worst = difference;
       i = row;
       j = column;
     }
   const std::string text = std::string{rows.field} + " is not symmetric: entry (" + name_of(rows, i) + ", " +
-                           name_of(rows, j) + ") = " + to_text(matrix(i, j)) + ", transposed " +
-                           to_text(matrix(j, i)) + ", " + to_text(100.0 * worst) + " % of the diagonals.";
+                           name_of(rows, j) + ") = " + to_text(matrix(i, j)) + ", transposed " + to_text(matrix(j, i)) +
+                           ", " + to_text(100.0 * worst) + " % of the diagonals.";
   rows.check.that(worst <= tolerated, text, "Export the whole matrix, or one triangle of it.");
   if (worst > round_off) notes.push_back(text + " The mean is taken.");
   return 0.5 * (matrix + matrix.transpose());
@@ -49,10 +49,10 @@ void check_definite(const NamedRows& rows, const Eigen::MatrixXd& stiffness, std
   Eigen::Index largest = 0;
   shape.maxCoeff(&largest);
   const std::string where = ", largest at " + name_of(rows, largest) + ".";
-  rows.check.that(smallest > -round_off,
-                  std::string{rows.field} + " is indefinite: eigenvalue " + to_text(smallest) +
-                      " of the scaled matrix" + where,
-                  "Its diagonal is scaled to 1. Look for a wrong sign, unit or order.");
+  rows.check.that(
+      smallest > -round_off,
+      std::string{rows.field} + " is indefinite: eigenvalue " + to_text(smallest) + " of the scaled matrix" + where,
+      "Its diagonal is scaled to 1. Look for a wrong sign, unit or order.");
   std::string loose;
   for (Eigen::Index i = 0; i < shape.size(); ++i)
     if (shape[i] > 0.1 * shape[largest]) loose += (loose.empty() ? "" : ", ") + name_of(rows, i);
@@ -72,8 +72,8 @@ void check_rigid(const NamedRows& rows, const Eigen::MatrixXd& stiffness, const 
     for (Eigen::Index i = 0; i < stiffness.rows(); ++i) {
       const Eigen::VectorXd terms = stiffness.row(i).transpose().cwiseProduct(rigid.col(motion));
       const double share = std::abs(terms.sum()) / terms.cwiseAbs().sum();
-      const std::string text = "rigid motion of base and floors strains row " + name_of(rows, i) + " by " +
-                               to_text(100.0 * share) + " %";
+      const std::string text =
+          "rigid motion of base and floors strains row " + name_of(rows, i) + " by " + to_text(100.0 * share) + " %";
       rows.check.that(!(share > tolerated), text + ".",
                       "The base may stand elsewhere in the order, or a support was left in. A damping against the "
                       "ground, alphaM of OpenSees, does this too; that of moat acts against the base.");

@@ -123,7 +123,7 @@ void add_modes(const StructureModes& modes, const decltype(Superstructure::dampi
         ratios_of(check, *ratios, kept, system.notes).cwiseProduct(squared.cwiseSqrt()).cwiseProduct(mass_of_mode);
     system.damping = modal_damping.asDiagonal();
   } else if (const auto* rayleigh = std::get_if<RayleighDamping>(&damping)) {
-    const RayleighFactors factors = rayleigh_factors_of(check, *rayleigh, system.modes);
+    const RayleighFactors factors = rayleigh_factors_of(*rayleigh, system.modes);
     system.damping = factors.mass_factor * modal_mass;
     system.damping += factors.stiffness_factor * Eigen::MatrixXd{system.modal_stiffness.asDiagonal()};
     system.damping = 0.5 * (system.damping + system.damping.transpose()).eval();
@@ -153,10 +153,8 @@ Eigen::VectorXd ratios_of(const Check& check, const ModalDamping& damping, Eigen
   return ratios;
 }
 
-RayleighFactors rayleigh_factors_of(const Check& check, const RayleighDamping& damping,
-                                    const std::vector<ParticipatingMass>& modes) {
-  check.that(damping.ratio >= 0.0 && damping.ratio < 1.0, "damping.ratio", damping.ratio, "1", ">= 0 and < 1",
-             "5 % of critical is 0.05.");
+RayleighFactors rayleigh_factors_of(const RayleighDamping& damping, const std::vector<ParticipatingMass>& modes) {
+  if (const auto given = given_factors(damping)) return *given;
   const auto frequency = [&](std::size_t mode) { return 2.0 * std::numbers::pi / modes[mode].period; };
   const auto direction = [&](const ParticipatingMass& mode) {
     return mode.rotation > std::max(mode.x, mode.y) ? 2 : mode.y > mode.x ? 1 : 0;

@@ -21,10 +21,9 @@ void add_modes(const StructureModes& modes, const decltype(Superstructure::dampi
 Eigen::VectorXd ratios_of(const Check& check, const ModalDamping& damping, Eigen::Index count,
                           std::vector<std::string>& notes);
 
-/// Returns the factors that give the ratio in the first mode and in the next one along the same direction. Throws
-/// InputError for a ratio outside [0, 1).
-RayleighFactors rayleigh_factors_of(const Check& check, const RayleighDamping& damping,
-                                    const std::vector<ParticipatingMass>& modes);
+/// Returns the factors as given, or those that give the ratio in the first mode and in the next one along the same
+/// direction. Throws InputError as given_factors() does.
+RayleighFactors rayleigh_factors_of(const RayleighDamping& damping, const std::vector<ParticipatingMass>& modes);
 
 /// Returns the share of every mode, from the squared frequencies w^2, 1/s^2, the rows Q' M R of shapes with
 /// Q' M Q = I, and the mass R' M R.

@@ -69,7 +69,9 @@ class SystemBuilder {
       for (const std::string& note : structure_.stiffness->notes) system_.notes.push_back(note);
       given_ = rows_of(*structure_.stiffness, "stiffness");
     } else {
-      given_ = structure_.freedoms.list(check_, "shapes", static_cast<int>(structure_.modes->shapes.rows()));
+      const StructureModes& modes = *structure_.modes;
+      given_ = modes.names.empty() ? structure_.freedoms.list(check_, "shapes", static_cast<int>(modes.shapes.rows()))
+                                   : freedoms_named(check_, modes.names);
     }
     system_.in_plan = std::ranges::any_of(
         given_, [](const Freedom& freedom) { return freedom.direction == FloorDirection::rotation; });
@@ -87,7 +89,8 @@ class SystemBuilder {
         add_floor(level.name, {.height = Length{level.height},
                                .mass = Mass{level.mass},
                                .rotary_inertia = RotaryInertia{level.rotary_inertia},
-                               .centre_of_mass = {Length{level.centre_of_mass.x}, Length{level.centre_of_mass.y}}});
+                               .centre_of_mass = {Length{level.centre_of_mass.x}, Length{level.centre_of_mass.y}},
+                               .outline = level.outline});
     } else {
       check_.that(!structure_.floors.empty(), "floors is empty.", "Give one for each floor, from the lowest up.");
       for (const SuperstructureFloor& floor : structure_.floors)
@@ -260,7 +263,7 @@ class SystemBuilder {
       const Eigen::MatrixXd heavy = system_.mass * shapes;
       system_.damping = heavy * (2.0 * ratios.cwiseProduct(frequencies)).asDiagonal() * heavy.transpose();
     } else if (const auto* rayleigh = std::get_if<RayleighDamping>(&structure_.damping)) {
-      const RayleighFactors factors = rayleigh_factors_of(check_, *rayleigh, system_.modes);
+      const RayleighFactors factors = rayleigh_factors_of(*rayleigh, system_.modes);
       system_.damping = factors.mass_factor * system_.mass + factors.stiffness_factor * system_.stiffness;
     } else if (const auto* matrix = std::get_if<MatrixInUnits>(&structure_.damping)) {
       check_.positive("force unit of damping", matrix->force, "N", "Give .force, for example kN.");

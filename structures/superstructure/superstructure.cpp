@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "elements/matrix/linear_structure.hpp"
+#include "structures/storey_matrices.hpp"
 #include "structures/superstructure/storey_results.hpp"
 #include "structures/superstructure/structure_system.hpp"
 
@@ -45,6 +46,8 @@ class Builder {
     parts_.name = structure_.name;
     parts_.modes = system_.modes;
     parts_.notes = system_.notes;
+    const std::vector<std::string>& of_bearings = structure_.bearings.notes();
+    parts_.notes.insert(parts_.notes.end(), of_bearings.begin(), of_bearings.end());
     if (structure_.base) {
       parts_.base = add_own("base", system_.bases.front());
       base_ = nodes_of(parts_.base, system_.in_plan);
@@ -82,14 +85,14 @@ class Builder {
                    "Give the base of a building of the same kind.");
       return;
     }
-    check.that(structure_.base.has_value() == (structure_.bearings || structure_.isolation),
+    check.that(structure_.base.has_value() == (bool{structure_.bearings} || structure_.isolation),
                structure_.base ? "base is given without bearings." : "bearings are given without base.",
                "Give both, or none: the building then stands on the ground.");
     if (!structure_.base) return;
-    check.that(structure_.bearings.has_value() == system_.in_plan,
+    check.that(bool{structure_.bearings} == system_.in_plan,
                system_.in_plan ? "isolation is for a building on a line." : "bearings are for a building in plan.",
                system_.in_plan ? "Give .bearings." : "Give .isolation.");
-    check.that(structure_.bearings.has_value() != structure_.isolation.has_value(), "bearings and isolation are given.",
+    check.that(bool{structure_.bearings} != structure_.isolation.has_value(), "bearings and isolation are given.",
                "Give one of them.");
   }
 
@@ -198,17 +201,11 @@ class Builder {
     if (structure_.isolation) structure_.isolation->add_to(model_, prefix_, parts_.base, weight);
     if (!structure_.bearings) return;
     const Check check{"Superstructure", structure_.name};
-    const std::vector<PlanBearings::Placed> bearings =
-        structure_.bearings->placed(check, system_.bases.front().outline);
-    check.that(!bearings.empty(), "bearings: the list is empty.", "Give at least one bearing.");
-    int number = 0;
-    for (const PlanBearings::Placed& bearing : bearings)
-      bearing.add_to(model_, {prefix_ + "bearing " + std::to_string(++number), prefix_ + "bearings"}, parts_.base,
-                     bearing.at, weight / static_cast<double>(bearings.size()));
+    structure_.bearings.add_under(model_, check, prefix_, parts_.base, system_.bases.front().outline, weight);
   }
 
   Model& model_;
-  const Superstructure& structure_;
+  const Superstructure& structure_;  // outlives this object
   const StructureSystem system_;
   const std::string prefix_;
   SuperstructureParts parts_;
@@ -224,6 +221,27 @@ std::vector<double> SuperstructureParts::periods() const {
   return list;
 }
 
-SuperstructureParts add(Model& model, const Superstructure& structure) { return Builder{model, structure}.build(); }
+StructureModes structure_modes(const ModesFromFile& file, const StructureModes& units) {
+  StructureModes modes = units;
+  modes.periods.clear();
+  modes.eigenvalues.assign(file.eigenvalues.begin(), file.eigenvalues.end());
+  modes.shapes = file.shapes;
+  modes.names = file.names;
+  return modes;
+}
+
+SuperstructureParts add(Model& model, const Superstructure& structure) {
+  if (!structure.storeys) return Builder{model, structure}.build();
+  Check{"Superstructure", structure.name}.that(!structure.condensed, "storeys and condensed are given.",
+                                               "Give one of them.");
+  Superstructure given = structure;
+  given.condensed = storey_matrices(*structure.storeys);
+  if (const std::optional<StoreyRow>& base = structure.storeys->base; base && !given.base)
+    given.base = SuperstructureBase{.mass = base->mass,
+                                    .rotary_inertia = base->rotary_inertia,
+                                    .centre_of_mass = base->centre_of_mass,
+                                    .outline = base->outline};
+  return Builder{model, given}.build();
+}
 
 }  // namespace moat

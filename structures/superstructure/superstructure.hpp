@@ -9,6 +9,8 @@
 
 #include "model/model.hpp"
 #include "structures/files/matrix_file.hpp"
+#include "structures/files/mode_files.hpp"
+#include "structures/files/storey_table.hpp"
 #include "structures/frame/finite_elements.hpp"
 #include "structures/isolation.hpp"
 #include "structures/plan_parts.hpp"
@@ -62,11 +64,15 @@ struct StructureModes {
   Eigen::MatrixXd shapes{};           ///< A row for each freedom, a column for each mode; rotations in rad.
   Length length = units::m;           ///< Unit of the translations of the shapes.
   Mass mass = units::kg;              ///< Unit of mass in which the shapes have norm 1.
+  std::vector<std::string> names{};   ///< Of the rows, "floor 1 x"; where given, they go before freedoms.
   ShapeNorm norm = ShapeNorm::mass;   ///< Never guessed.
   int keep = 0;                       ///< How many of the first modes are used; 0: all.
   /// Replaces the shapes by Phi (Phi' M Phi)^(-1/2). The periods are then exactly those given. It changes the building.
   bool orthonormalise = false;
 };
+
+/// Modes as read_modes() read them; `ratios` of the file are for ModalDamping.
+StructureModes structure_modes(const ModesFromFile& file, const StructureModes& units = {});
 
 /// A building that is given by its matrices, its modes, or a condensed finite-element model, on bearings or fixed:
 ///
@@ -85,11 +91,14 @@ struct StructureModes {
 struct Superstructure {
   /// Put before the names of all parts where a model has several buildings.
   std::string name{};
-  /// Of the floors, held at the base; or give `modes` or `condensed`.
+  /// Of the floors, held at the base; or give `modes`, `condensed` or `storeys`.
   std::optional<MatrixInUnits> stiffness{};
   std::optional<StructureModes> modes{};  ///< Instead of stiffness.
   /// Instead of stiffness and freedoms: that of a Frame or FiniteElements. Floors that are left out come from it.
   std::optional<CondensedStructure> condensed{};
+  /// Instead of stiffness, freedoms and floors: springs between floors in plan. Its row `base`, if it has one, is the
+  /// base.
+  std::optional<StoreyTable> storeys{};
   /// Of the floors; left out: diagonal, from `floors`.
   std::optional<MatrixInUnits> mass{};
   FreedomOrder freedoms = per_floor(Freedoms::x_y_rotation);  ///< Of the rows of all matrices and shapes.
@@ -104,8 +113,8 @@ struct Superstructure {
   ///
   /// Pendulums under a base that is there already need a weight of their own.
   std::vector<DiaphragmId> on{};
-  std::optional<PlanBearings> bearings{};  ///< Under the base, in plan.
-  std::optional<Isolation> isolation{};    ///< Under the base, on a line.
+  PlanBearings bearings{};               ///< Under the base, in plan.
+  std::optional<Isolation> isolation{};  ///< Under the base, on a line.
 };
 
 /// The share of the mass that moves in a mode of the superstructure held at its base: (Q' M R)^2 and its part of

@@ -61,6 +61,10 @@ TEST(Quantity, NamesItsUnit) {
   EXPECT_EQ(unit_symbol<Length>(), "m");
   EXPECT_EQ(unit_symbol<HertzStiffness>(), "N/m^1.5");
   EXPECT_EQ(unit_symbol<DampingCoefficient>(), "N s/m");
+  EXPECT_EQ(unit_symbol<Area>(), "m^2");
+  EXPECT_EQ(unit_symbol<SecondMoment>(), "m^4");
+  EXPECT_EQ(unit_symbol<Density>(), "kg/m^3");
+  EXPECT_EQ(unit_symbol<Modulus>(), "Pa");
   EXPECT_EQ((unit_symbol<Quantity<1, -1, 3>>()), "kg m^-0.5 s^3");
   EXPECT_EQ((unit_symbol<Quantity<0, 3, 0>>()), "m^1.5");
   EXPECT_EQ((unit_symbol<Quantity<2, 4, 0>>()), "kg^2 m^2");

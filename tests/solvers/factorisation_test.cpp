@@ -48,6 +48,16 @@ TEST(Factorisation, AgreesWithDenseLu) {
     }
 }
 
+TEST(Factorisation, SolvesForSeveralRightSides) {
+  const SparseMatrix matrix = random_matrix(60, false, 5U);
+  Factorisation factors;
+  Eigen::MatrixXd x = Eigen::MatrixXd::Identity(60, 7);
+  EXPECT_THROW(factors.solve(x), std::logic_error);
+  ASSERT_TRUE(factors.factorise(matrix));
+  factors.solve(x);
+  EXPECT_LT((matrix * x - Eigen::MatrixXd::Identity(60, 7)).cwiseAbs().maxCoeff(), 1e-12);
+}
+
 TEST(Factorisation, NeedsNoPivotOnTheDiagonal) {
   const SparseMatrix matrix = two_by_two(0.0, 2.0, -3.0, 0.0);
   Factorisation factors;

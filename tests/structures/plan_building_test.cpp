@@ -68,6 +68,54 @@ TEST(PlanBuilding, SymmetricBuildingInAMoatEqualsTheShearBuilding) {
   }
 }
 
+TEST(PlanBuilding, TakesBearingsInBraces) {
+  const LeadRubberBearing law = bearing(0.25);
+  const PlanBuilding building{.outline = rectangle(20 * m, 12 * m),
+                              .storeys = 1,
+                              .floor_mass = 700 * tonne,
+                              .columns = grid(2, 2, {.stiffness = 100 * MN / m}),
+                              .base_mass = 800 * tonne,
+                              .bearings = {{{-10 * m, 0 * m}, law}, {PlanPosition{10 * m, 6 * m}, in_plan(law)}}};
+  const auto bearings = building.bearings.placed(Check{"test", ""}, {});
+  ASSERT_EQ(bearings.size(), 2u);
+  EXPECT_EQ(bearings[0].at.si(), (PlanVector{-10.0, 0.0}));
+  EXPECT_EQ(bearings[1].at.si(), (PlanVector{10.0, 6.0}));
+  const PlanBearings single = {{{3 * m, 0 * m}, law}};
+  EXPECT_EQ(single.placed(Check{"test", ""}, {}).size(), 1u);
+  EXPECT_TRUE(single);
+  EXPECT_FALSE(PlanBearings{});
+  Model model;
+  const PlanBuildingParts parts = add(model, building);
+  EXPECT_TRUE(parts.base.specified());
+}
+
+TEST(PlanBuilding, FloorsHaveOutlinesOffsetsAndInertiaOfTheirOwn) {
+  // A podium with a setback tower, whose floors are those of diaphragms by hand.
+  PlanBuilding building = tower(2);
+  building.outline = {rectangle(20 * m, 12 * m), rectangle(10 * m, 6 * m, {3 * m, 2 * m})};
+  building.base_outline = rectangle(30 * m, 14 * m);
+  building.mass_offset = {{1 * m, 0.5 * m}, {-0.5 * m, 0 * m}};
+  building.base_mass_offset = {0 * m, 1 * m};
+  building.rotary_inertia = {RotaryInertia{}, 500 * tonne * 9 * m * m};
+  Model model;
+  const PlanBuildingParts parts = add(model, building);
+  const PlacedDiaphragm &base = model.diaphragm(parts.base), &podium = model.diaphragm(parts.floor(1)),
+                        &top = model.diaphragm(parts.floor(2));
+  EXPECT_EQ(base.centre_of_mass, (PlanVector{0.0, 1.0}));
+  EXPECT_NEAR(base.gyration, std::sqrt((30.0 * 30.0 + 14.0 * 14.0) / 12.0), 1e-12);
+  EXPECT_EQ(podium.centre_of_mass, (PlanVector{1.0, 0.5}));
+  EXPECT_NEAR(podium.gyration, std::sqrt(544.0 / 12.0), 1e-12);
+  EXPECT_NEAR(top.centre_of_mass.x, 2.5, 1e-12);
+  EXPECT_NEAR(top.centre_of_mass.y, 2.0, 1e-12);
+  EXPECT_NEAR(top.gyration, 3.0, 1e-12);
+  EXPECT_EQ(top.outline.size(), 4u);
+
+  const PlanBuilding moved = with_eccentricity(building, 0.05, 0.0);
+  EXPECT_DOUBLE_EQ(moved.mass_offset.of(1).x.si(), 2.0);
+  EXPECT_DOUBLE_EQ(moved.mass_offset.of(2).x.si(), 0.0);
+  EXPECT_DOUBLE_EQ(moved.base_mass_offset.x.si(), 1.5);
+}
+
 TEST(PlanBuilding, StoreyAsAWholeEqualsItsColumns) {
   // Eccentric columns: their sums at their centre of rigidity, with the torsional stiffness about it.
   const std::vector<ColumnLine> lines{{{-10 * m, -6 * m}, {.stiffness_x = 80 * MN / m, .stiffness_y = 50 * MN / m}},
@@ -137,17 +185,17 @@ TEST(PlanBuilding, FindsFloorsByTheirNumbers) {
         testing::message_of([&] { return parts.floor(number); }),
         "PlanBuilding \"tower\": floor = " + std::to_string(number) + " is not allowed; it must be >= 1 and <= 3.");
   EXPECT_THROW(parts.floors[3], InputError);
-  EXPECT_THROW(building.outline.value().corners[4], InputError);
+  EXPECT_THROW(building.outline.of(1).corners[4], InputError);
 }
 
 TEST(PlanBuilding, EccentricityMovesAllCentresOfMass) {
   PlanBuilding building = tower(1);
   building.mass_offset = {0.2 * m, 0.1 * m};
   const auto cases = accidental_eccentricities(building);
-  EXPECT_DOUBLE_EQ(cases[0].mass_offset.x.si(), 1.2);
+  EXPECT_DOUBLE_EQ(cases[0].mass_offset.of(1).x.si(), 1.2);
   EXPECT_DOUBLE_EQ(cases[0].base_mass_offset.x.si(), 1.0);
   EXPECT_DOUBLE_EQ(cases[1].base_mass_offset.x.si(), -1.0);
-  EXPECT_DOUBLE_EQ(cases[2].mass_offset.y.si(), 0.7);
+  EXPECT_DOUBLE_EQ(cases[2].mass_offset.of(1).y.si(), 0.7);
   EXPECT_DOUBLE_EQ(cases[3].base_mass_offset.y.si(), -0.6);
   Model model;
   const PlanBuildingParts parts = add(model, cases[0]);
@@ -216,12 +264,24 @@ TEST(PlanBuilding, BadInputIsRefused) {
       "the lowest up.");
   EXPECT_NE(message([](PlanBuilding& b) { b.base_mass = {}; }).find("needs the mass of its base floor"),
             std::string::npos);
-  EXPECT_NE(message([](PlanBuilding& b) { b.bearings.reset(); }).find("base_mass"), std::string::npos);
+  EXPECT_NE(message([](PlanBuilding& b) { b.bearings = {}; }).find("base_mass"), std::string::npos);
   EXPECT_NE(message([](PlanBuilding& b) {
               PlanOutline clockwise = rectangle(2 * m, 1 * m);
               std::ranges::reverse(clockwise.corners);
               b.outline = clockwise;
             }).find("outline is clockwise"),
+            std::string::npos);
+  EXPECT_EQ(
+      message([](PlanBuilding& b) { b.mass_offset = std::vector<PlanPosition>(3); }),
+      "PlanBuilding: mass_offset has 3 values for 2 storeys. Give one value for all storeys, or one for each from "
+      "the lowest up.");
+  EXPECT_EQ(message([](PlanBuilding& b) {
+              b.rotary_inertia = {1 * tonne * m * m, -1 * kg * m * m};
+            }),
+            "PlanBuilding: rotary_inertia of floor 2 = -1 kg m^2 is not allowed; it must be >= 0 kg m^2 and finite.");
+  EXPECT_NE(message([](PlanBuilding& b) {
+              b.outline = {rectangle(2 * m, 1 * m), PlanOutline{}};
+            }).find("outline of floor 2"),
             std::string::npos);
 }
 

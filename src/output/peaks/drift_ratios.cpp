@@ -12,19 +12,21 @@ namespace {
 // m; 0 for the ground.
 double height_of(const Model& model, NodeId node) { return node == ground ? 0.0 : model.body(node).height; }
 
-// The heights of storeys, m, by the places of their drifts: elements, in plan floors.
+// The heights of storeys, m, by the places of their drifts: elements, storeys of superstructures, in plan floors.
 std::map<std::string, double> heights_of_storeys(const Model& model) {
   std::map<std::string, double> heights;
   for (const auto& block : model.blocks())
     for (const ElementInfo& info : block->infos())
       if (info.deformation_quantity == "drift")
         heights[info.listed_under()] = height_of(model, info.second) - height_of(model, info.first);
-  if (!model.is_plan()) return heights;
   for (const Building& building : all_buildings(model)) {
     double below = height_of(model, building.base);
+    int number = 0;
     for (const NodeId floor : building.floors) {
       const double level = height_of(model, floor);
-      heights[std::string{model.body_name(floor)}] = level - below;
+      const std::string storey =
+          (building.name.empty() ? "" : building.name + " ") + "storey " + std::to_string(++number);
+      heights.try_emplace(model.is_plan() ? std::string{model.body_name(floor)} : storey, level - below);
       below = level;
     }
   }

@@ -31,11 +31,13 @@ std::map<std::string, double> heights_by_place(const BuildingParts& building, co
   }
   if (std::ranges::adjacent_find(levels, std::greater_equal{}) != levels.end())
     for (std::size_t i = 0; i < levels.size(); ++i) levels[i] = static_cast<double>(i);
-  const bool of_storeys = quantity == "drift" || quantity == "drift_ratio" || quantity == "storey_shear";
+  const bool of_storeys = quantity == "drift" || quantity == "drift_ratio" || quantity.starts_with("storey_shear");
   const bool of_floors_below = quantity.starts_with("corner_drift");
   std::map<std::string, double> heights;
   for (std::size_t i = 0; i < names.size(); ++i) {
     const double middle = i == 0 ? levels[0] : 0.5 * (levels[i - 1] + levels[i]);
+    const std::string storey = (building.name.empty() ? "" : building.name + " ") + "storey " + std::to_string(i);
+    if (of_storeys && i > 0) heights[storey] = middle;
     if (!of_storeys) heights[names[i]] = of_floors_below ? middle : levels[i];
     for (const ElementFacts& element : model.elements)
       if (of_storeys && names[i] != of_ground && element.second == names[i]) heights[element.name] = middle;
@@ -87,7 +89,7 @@ std::vector<Chart> floor_profiles(const CaseResult& result) {
   std::vector<Chart> charts;
   for (const std::string quantity :
        {"displacement", in_plan ? "corner_drift" : "drift", in_plan ? "corner_drift_ratio" : "drift_ratio",
-        "absolute_acceleration", "storey_shear"}) {
+        "absolute_acceleration", in_plan ? "storey_shear_x" : "storey_shear", "storey_shear_y"}) {
     const auto peak = std::ranges::find(result.peaks, quantity, &Peak::quantity);
     if (peak == result.peaks.end()) continue;
     Chart chart{.title = capitalised(in_words(quantity)) + " over height",

@@ -138,8 +138,8 @@ TEST_F(ReadMatrix, RefusesRowsThatAreNoMatrix) {
   EXPECT_EQ(refusal("1,2\n3,nan\n"), ", line 2: \"nan\" is not a number.");
   EXPECT_EQ(refusal("1,2\n3,1e400\n"), ", line 2: \"1e400\" is too large or too small for a double.");
   EXPECT_EQ(refusal("1,2,\n3,4,\n"), ", line 1: field 3 is empty.");
-  EXPECT_EQ(refusal(""), ": there are no numbers in it.");
-  EXPECT_EQ(refusal("# K\n\n"), ": there are no numbers in it.");
+  EXPECT_EQ(refusal(""), ": it has no lines, or comments only.");
+  EXPECT_EQ(refusal("# K\n\n"), ": it has no lines, or comments only.");
   EXPECT_EQ(refusal("stiffness\n"), ": there are no numbers in it.");
 }
 
@@ -194,7 +194,7 @@ TEST_F(ReadMatrix, RefusesDamagedMatrixMarket) {
   EXPECT_EQ(body("coordinate real general", "2 2 1\n1 1\n"), ", line 3: \"1 1\" must be row, column, value.");
   EXPECT_EQ(body("array real general", "1 1\n1 2\n"), ", line 3: \"1 2\" must be one number.");
   EXPECT_EQ(body("coordinate real general", "2 2 1\n1 1 x\n"), ", line 3: \"x\" is not a number.");
-  EXPECT_EQ(body("coordinate real general", ""), ": there are no numbers in it.");
+  EXPECT_EQ(body("coordinate real general", ""), ": it has no lines, or comments only.");
 }
 
 TEST_F(ReadMatrix, AsksForUnits) {

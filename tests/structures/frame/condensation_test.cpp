@@ -233,6 +233,34 @@ TEST(Condensation, TowersOnOneBaseHaveFloorsAtOneHeight) {
   EXPECT_NEAR(k(0, 0) / floor_in_space().condensed().stiffness(0, 0), 0.5, 1e-13);
 }
 
+TEST(Condensation, TallFrameOf30600MotionsHasNoForcesInRigidMotion) {
+  // 10 x 10 columns, 50 storeys, with the feet as a level. It is constrained before it is condensed, in seconds.
+  constexpr int side = 10, storeys = 50, floor = side * side;
+  const MemberSection column = RectangularSection{.b = 0.8 * m, .h = 0.8 * m};
+  const MemberSection beam = RectangularSection{.b = 0.4 * m, .h = 0.7 * m};
+  const ElasticMaterial concrete{.E = 30 * GPa};
+  Frame frame;
+  for (int storey = 0; storey <= storeys; ++storey) {
+    frame.levels.push_back({.height = storey * 3.5 * m, .mass = 3000 * tonne});
+    for (int i = 0; i < floor; ++i) {
+      const int node = storey * floor + i + 1;
+      frame.nodes.push_back({.x = i % side * 7 * m, .y = i / side * 6 * m, .z = storey * 3.5 * m});
+      if (storey == 0) continue;
+      frame.members.push_back({.from = node - floor, .to = node, .section = column, .material = concrete});
+      if (i % side > 0) frame.members.push_back({.from = node - 1, .to = node, .section = beam, .material = concrete});
+      if (i >= side) frame.members.push_back({.from = node - side, .to = node, .section = beam, .material = concrete});
+    }
+  }
+  const CondensedStructure tower = frame.condensed();
+  ASSERT_EQ(tower.stiffness.rows(), 3 * (storeys + 1));
+  for (int motion = 0; motion < 3; ++motion) {
+    Vector rigid = Vector::Zero(tower.stiffness.rows());
+    for (int level = 0; level <= storeys; ++level) rigid[3 * level + motion] = 1.0;
+    const Vector forces = tower.stiffness * rigid;
+    EXPECT_LT(forces.lpNorm<Eigen::Infinity>(), 1e-11 * tower.stiffness.diagonal().maxCoeff()) << motion;
+  }
+}
+
 TEST(Condensation, BadModelsAreRefused) {
   const auto message = [](auto change) {
     FiniteElements model = frame_of_twelve_storeys().finite_elements();

@@ -366,6 +366,47 @@ TEST(Superstructure, ModesInPlanAreTheMatrices) {
         << quantity << " at " << where;
 }
 
+TEST(Superstructure, ATurnedBuildingUnderATurnedMotionIsTheSame) {
+  const PlanCase plan;
+  const Angle angle = 37 * deg;
+  const double c = std::cos(angle.si()), sine = std::sin(angle.si());
+  Eigen::MatrixXd turn = Eigen::MatrixXd::Identity(9, 9);
+  for (int i = 0; i < 9; i += 3) turn.block<2, 2>(i, i) = Eigen::Matrix2d{{c, -sine}, {sine, c}};
+  Superstructure other = plan.building();
+  const Eigen::MatrixXd stiffness = turn * plan.stiffness * turn.transpose();
+  other.stiffness = in_units(0.5 * (stiffness + stiffness.transpose()), {.force = N, .length = m});
+  for (SuperstructureFloor& floor : other.floors) {
+    floor.centre_of_mass = turned(floor.centre_of_mass, angle);
+    floor.outline = turned(floor.outline, angle);
+  }
+  other.base->outline = turned(plan.outline, angle);
+  std::vector<PlanBearings::Placed> bearings;
+  for (const PlanBearings::Placed& each : plan.building().bearings.placed(Check{"test", ""}, plan.outline)) {
+    bearings.push_back(each);
+    bearings.back().at = turned(each.at, angle);
+  }
+  other.bearings = bearings;
+  std::vector<double> x, y;
+  const GroundMotion motion = shaking_in_plan();
+  for (std::size_t i = 0; i < motion.samples().size(); ++i) {
+    x.push_back(c * motion.samples()[i] - sine * motion.samples_y()[i]);
+    y.push_back(sine * motion.samples()[i] + c * motion.samples_y()[i]);
+  }
+  const GroundMotion turned_motion = GroundMotion{"x", 0.01, x}.with_component_y(y, {"x", 0.01, x}, {"y", 0.01, y});
+  Model plain, rotated;
+  add(plain, plan.building());
+  add(rotated, other);
+  const TransientOptions strict{.step = 2 * ms, .force_tolerance = 1e-12};
+  const CaseResult a = run(rotated, turned_motion, strict), b = run(plain, motion, strict);
+  for (const auto& [quantity, where] : {std::pair{"displacement", "base"},
+                                        {"displacement", "floor 3"},
+                                        {"rotation", "floor 3"},
+                                        {"absolute_acceleration", "floor 2"},
+                                        {"storey_torque", "storey 1"},
+                                        {"corner_drift", "floor 1"}})
+    EXPECT_NEAR(peak(a, quantity, where), peak(b, quantity, where), 1e-9 * peak(b, quantity, where)) << quantity;
+}
+
 TEST(Superstructure, TwoHalvesOnOneBaseAreTheWhole) {
   const PlanCase plan;
   Superstructure half = plan.building(), other = plan.building();
@@ -378,7 +419,7 @@ TEST(Superstructure, TwoHalvesOnOneBaseAreTheWhole) {
   Model both, whole;
   const SuperstructureParts west = add(both, half);
   other.base.reset();
-  other.bearings.reset();
+  other.bearings = {};
   other.on = {west.base};
   const SuperstructureParts east = add(both, other);
   add(whole, plan.building());

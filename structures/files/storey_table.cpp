@@ -1,0 +1,126 @@
+#include "structures/files/storey_table.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <utility>
+
+#include "base/check.hpp"
+#include "structures/files/table.hpp"
+
+namespace moat {
+namespace {
+
+// The row of the base or the ground, by its name.
+bool is_called(const Table& table, std::size_t row, const char* name) {
+  return upper_case(table.word(row, "name")) == name;
+}
+
+bool has_no_storey(const Table& table, std::size_t row) {
+  return is_called(table, row, "BASE") || is_called(table, row, "GROUND");
+}
+
+// Rows from the lowest up.
+std::vector<std::size_t> rising_rows(const Table& table) {
+  std::vector<std::size_t> rows(table.size());
+  std::iota(rows.begin(), rows.end(), std::size_t{0});
+  if (table.has("elevation"))
+    std::ranges::stable_sort(rows, {}, [&](std::size_t row) { return table.at<Length>(row, "elevation"); });
+  for (const std::size_t row : rows)
+    if (row != rows.front() && has_no_storey(table, row))
+      table.refuse(row, table.word(row, "name") + " must be the lowest row.");
+  return rows;
+}
+
+void refuse_storey(const Table& table, std::size_t row) {
+  for (const char* column : {"height", "kx", "ky", "k_rotation", "x_rigidity", "y_rigidity"})
+    if (!table.text(row, column).empty())
+      table.refuse(row, table.word(row, "name") + " has no storey below it; leave " + column + " empty.");
+}
+
+// Of a floor whose storey stands on `below`; none for the ground at 0.
+Length height_of(const Table& table, std::size_t row, std::optional<std::size_t> below) {
+  if (!table.has("elevation")) return table.positive<Length>(row, "height");
+  const Length height = table.at<Length>(row, "elevation") - (below ? table.at<Length>(*below, "elevation") : Length{});
+  if (!(height.si() > 0.0)) table.refuse(row, "elevation must be above the row below, or above 0 m.");
+  constexpr double agree = 1e-3;  // m
+  if (const auto given = table.find<Length>(row, "height"); given && std::abs((*given - height).si()) > agree)
+    table.refuse(
+        row, "height is " + to_text(given->si()) + " m, but the elevations differ by " + to_text(height.si()) + " m.");
+  return height;
+}
+
+StoreyRow floor_of(const Table& table, std::size_t row, const Outlines& outlines) {
+  StoreyRow floor{.name = table.word(row, "name"), .mass = table.positive<Mass>(row, "mass")};
+  if (table.has("inertia")) floor.rotary_inertia = table.positive<RotaryInertia>(row, "inertia");
+  if (table.has("x_mass") || table.has("y_mass"))
+    floor.centre_of_mass = {table.at<Length>(row, "x_mass"), table.at<Length>(row, "y_mass")};
+  if (const std::string name = table.text(row, "outline"); !name.empty()) {
+    const auto outline = outlines.find(name);
+    if (outline == outlines.end())
+      table.refuse(row,
+                   "there is no outline " + quoted(name) +
+                       (outlines.empty() ? ". Give them: read_storeys(file, read_outlines(\"outlines.csv\"))." : "."));
+    floor.outline = outline->second;
+  }
+  return floor;
+}
+
+void put_storey(const Table& table, std::size_t row, StoreyRow& floor) {
+  if (table.has("kx")) floor.stiffness_x = table.positive<Stiffness>(row, "kx");
+  if (table.has("ky")) floor.stiffness_y = table.positive<Stiffness>(row, "ky");
+  if (!table.has("k_rotation")) return;
+  floor.rotational_stiffness = table.positive<Energy>(row, "k_rotation");
+  floor.centre_of_rigidity = {table.at<Length>(row, "x_rigidity"), table.at<Length>(row, "y_rigidity")};
+}
+
+}  // namespace
+
+Outlines read_outlines(const std::filesystem::path& file) {
+  const Table table{file,
+                    {{.name = "name", .required = true},
+                     {.name = "x", .unit = "m", .required = true},
+                     {.name = "y", .unit = "m", .required = true}}};
+  Outlines outlines;
+  for (std::size_t row = 0; row < table.size(); ++row)
+    outlines[table.word(row, "name")].corners.push_back({table.at<Length>(row, "x"), table.at<Length>(row, "y")});
+  for (const auto& [name, outline] : outlines) outline.check(Check{"read_outlines", file.native()}, name);
+  return outlines;
+}
+
+StoreyTable read_storeys(const std::filesystem::path& file, const Outlines& outlines) {
+  const Table table{file,
+                    {{.name = "name", .required = true},
+                     {.name = "height", .unit = "m"},
+                     {.name = "elevation", .unit = "m"},
+                     {.name = "mass", .unit = "t", .required = true},
+                     {.name = "inertia", .unit = "t m2"},
+                     {.name = "x_mass", .unit = "m"},
+                     {.name = "y_mass", .unit = "m"},
+                     {.name = "x_rigidity", .unit = "m"},
+                     {.name = "y_rigidity", .unit = "m"},
+                     {.name = "kx", .unit = "kN/m"},
+                     {.name = "ky", .unit = "kN/m"},
+                     {.name = "k_rotation", .unit = "kN m"},
+                     {.name = "outline"}}};
+  table.require_unique("name");
+  StoreyTable storeys{.source = table.source(), .notes = table.notes()};
+  std::optional<std::size_t> below;
+  for (const std::size_t row : rising_rows(table)) {
+    if (has_no_storey(table, row)) refuse_storey(table, row);
+    if (is_called(table, row, "BASE")) {
+      storeys.base = floor_of(table, row, outlines);
+    } else if (is_called(table, row, "GROUND")) {
+      if (!table.text(row, "mass").empty()) table.refuse(row, "the ground has no mass. Call the row base.");
+    } else {
+      storeys.floors.push_back(floor_of(table, row, outlines));
+      storeys.floors.back().height = height_of(table, row, below);
+      put_storey(table, row, storeys.floors.back());
+    }
+    below = row;
+  }
+  if (storeys.floors.empty()) refuse_file(file, "there is no floor in it.");
+  return storeys;
+}
+
+}  // namespace moat
