@@ -34,5 +34,5 @@ int main(int argc, char** argv) {
                                                                .post_yield_stiffness = 3.4 * MN / m}});
   add(model, Moat{.around = frame.base, .clearance = gap, .law = LinearElastic{.stiffness = 200 * MN / m}});
 
-  return script.run(model, script.motion(near_fault_pulse({.pulse_period = 2.5 * s})).scaled_to_pga(0.4 * g));
+  return script.run(model, script.motion(near_fault_pulse({.pulse_period = 2.5 * s})).scaled_to_pga(0.25 * g));
 }

@@ -1,9 +1,9 @@
 // Tour 14: a small frame, without another program. Read 13_from_matrices.cpp before.
 //
-// Three storeys and two bays of steel. moat condenses the frame to the horizontal motions of its three floors: 15 members
-// become a matrix of 3 x 3. The nodes of a level move together; feet are clamped to the base.
+// Three storeys and two bays of steel. moat condenses the frame to the horizontal motions of its three floors:
+// 15 members become a matrix of 3 x 3. The nodes of a level move together; feet are clamped to the base.
 //
-//     3  o----o----o      A Frame gives the motions of floors. The forces in its members are the business of the program
+//     3  o----o----o      A Frame gives the motions of floors. Forces in its members are the business of the program
 //        |    |    |      with which the building was designed.
 //     2  o----o----o
 //        |    |    |

@@ -156,8 +156,6 @@ std::vector<FacingCorner> corners_facing_each_other(const Check& check, const Pl
   std::vector<FacingCorner> list;
   add_corners(list, first, true, second, true, reach.si(), true);
   add_corners(list, second, true, first, true, reach.si(), false);
-  check.that(!list.empty(), "no corner of " + names + " is within reach of the other.",
-             "Give a longer .reach (now " + to_text(reach.si()) + " m).");
 
   // The face of a corner that is parallel to the edge it can hit; without length if there is none.
   const auto face_of = [&](const FacingCorner& each) {
@@ -193,6 +191,36 @@ std::vector<FacingCorner> corners_facing_each_other(const Check& check, const Pl
     if (!doubled) kept.push_back(each);
   }
   return kept;
+}
+
+std::vector<FacingCorner> columns_facing_floor(const Check& check, const std::vector<PlanPosition>& columns,
+                                               const PlanOutline& around, const PlanOutline& floor, Length reach,
+                                               const std::string& storey, const std::string& floor_name) {
+  check.positive("reach", reach);
+  const std::string kind = columns.empty() ? "corner " : "column ";
+  const std::vector<PlanPosition>& points = columns.empty() ? around.corners : columns;
+  const PlanOutline core = core_of(floor);
+  for (std::size_t i = 0; i < points.size(); ++i)
+    check.that(!core.contains(points[i].si()),
+               "overlap at rest: " + kind + std::to_string(i + 1) + " of \"" + storey + "\", at (" +
+                   to_text(points[i].x.si()) + ", " + to_text(points[i].y.si()) + ") m, is inside \"" + floor_name +
+                   "\".",
+               "Move one of the buildings away, until they touch at most.");
+  std::vector<FacingCorner> list;
+  if (columns.empty()) {
+    add_corners(list, around, true, floor, true, reach.si(), true);
+    return list;
+  }
+  constexpr double row = 1.0 + 2.0 * same_place;  // m, of columns along a facade
+  for (std::size_t e = 0; e < floor.size(); ++e) {
+    const Edge edge = edge_of(floor, e, true);
+    const PlanVector towards = -turned_left(edge.along());
+    for (std::size_t i = 0; i < columns.size(); ++i)
+      if (const PlanVector at = columns[i].si();
+          within_reach(edge, at, reach.si()) && !around.contains(at + row * towards))
+        list.push_back({true, columns[i], kind + std::to_string(i + 1), e, edge.begin, edge.end, 1.0});
+  }
+  return list;
 }
 
 }  // namespace moat

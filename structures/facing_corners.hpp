@@ -42,9 +42,15 @@ std::vector<FacingCorner> corners_facing_walls(const Check& check, const PlanOut
                                                const Facing& facing, const std::string& inner);
 
 /// Corners of two bodies beside each other. Where two corners of parallel faces stand opposite each other, that of the
-/// shorter face counts, of equal faces that of the first body. Throws InputError if the outlines overlap, and if no
-/// corner is within reach.
+/// shorter face counts, of equal faces that of the first body. Throws InputError if the outlines overlap.
 std::vector<FacingCorner> corners_facing_each_other(const Check& check, const PlanOutline& first,
                                                     const PlanOutline& second, Length reach, const std::string& names);
+
+/// Columns of the first body that can hit edges of a floor beside it: within reach of the edge, and not more than 1 m
+/// inside the outline around them, so that the row behind them is left out. Without columns the corners of that outline
+/// stand for them. Throws InputError for one that is inside the floor; `storey` and `floor_name` name both.
+std::vector<FacingCorner> columns_facing_floor(const Check& check, const std::vector<PlanPosition>& columns,
+                                               const PlanOutline& around, const PlanOutline& floor, Length reach,
+                                               const std::string& storey, const std::string& floor_name);
 
 }  // namespace moat

@@ -76,6 +76,13 @@ std::vector<StoreySpring> springs_of_storey(const Check& check, const PlanColumn
   return springs;
 }
 
+std::vector<PlanPosition> column_positions(const Check& check, const PlanColumns& columns, const PlanOutline& outline) {
+  std::vector<PlanPosition> positions;
+  if (columns.whole() != nullptr) return positions;
+  for (const ColumnLine& line : columns.lines(check, outline)) positions.push_back(line.at);
+  return positions;
+}
+
 // A law between two floors, at a place along a direction.
 template <class Law>
 PlanSpring<Law> unreported(const std::string& name, NodeId lower, NodeId upper, PlanPosition at, PlanVector direction,
@@ -193,8 +200,9 @@ class Builder {
     for (std::size_t i = 0; i < parts_.floors.size(); ++i) {
       const std::string storey = "storey " + std::to_string(i + 1);
       const int number = static_cast<int>(i) + 1;
-      storeys.push_back(
-          springs_of_storey(check_, building_.columns.of(number), building_.outline.of(number), prefix_ + storey));
+      const PlanColumns& columns = building_.columns.of(number);
+      storeys.push_back(springs_of_storey(check_, columns, building_.outline.of(number), prefix_ + storey));
+      parts_.columns.push_back(column_positions(check_, columns, building_.outline.of(number)));
       for (const StoreySpring& spring : storeys.back()) add_spring(model_, spring, below(i), parts_.floors[i]);
       // No storey above is there yet.
       require_stiffness(storey, stiffness_of_floors(model_, {parts_.floors[i]}));

@@ -54,7 +54,7 @@ struct PlanBuilding {
   Mass base_mass{};
   /// Under the base, a grid over its outline; fixed to the ground if left out.
   PlanBearings bearings{};
-  /// For drawings only.
+  /// > 0 m. For drawings, and for neighbours.
   PerStorey<Length> storey_height = 3.5 * units::m;
 };
 
@@ -64,6 +64,8 @@ struct PlanBuildingParts {
   DiaphragmId base;  ///< not specified() for a fixed building
   /// From the lowest up, without the base.
   Places<DiaphragmId, floors_remedy> floors;
+  /// The positions of the columns of storeys 1, 2, ...; empty for a storey that is given as a whole.
+  std::vector<std::vector<PlanPosition>> columns{};
 
   /// By its number in names: floor(1) is the lowest. Throws InputError outside 1 to the number of floors.
   [[nodiscard]] DiaphragmId floor(int number) const {

@@ -5,13 +5,6 @@
 namespace moat {
 namespace {
 
-const PlacedDiaphragm& with_outline(const Model& model, const Check& check, DiaphragmId id) {
-  const PlacedDiaphragm& diaphragm = model.diaphragm(id);
-  check.that(!diaphragm.outline.empty(), "the diaphragm \"" + diaphragm.name + "\" has no outline.",
-             "Give Diaphragm::outline: its corners hit the walls.");
-  return diaphragm;
-}
-
 // Adds a flexible wall that moves along the normal of an edge, outwards, and returns its node.
 NodeId add_plan_wall(Model& model, const FlexibleWall& wall, const std::string& name, PlanVector normal) {
   const Check check{"FlexibleWall", name};
@@ -39,7 +32,9 @@ std::vector<CornerPlace> moat_pairs(Model& model, const std::string& name, Diaph
                                     const std::optional<FlexibleWall>& wall) {
   const Check check{"PlanMoat", name};
   check.that(!name.empty(), "a moat has no name.", "Give .name, or leave it out: \"moat\".");
-  const PlacedDiaphragm& base = with_outline(model, check, around);
+  const PlacedDiaphragm& base = model.diaphragm(around);
+  check.that(!base.outline.empty(), "the diaphragm \"" + base.name + "\" has no outline.",
+             "Give Diaphragm::outline: its corners hit the walls.");
   if (!walls.empty()) {
     check.that(!clearance, "both .clearance and .walls are given.", "Leave one of them out.");
   } else {
@@ -73,28 +68,6 @@ std::vector<CornerPlace> moat_pairs(Model& model, const std::string& name, Diaph
                      .effective_mass = effective_mass,
                      .corner_name = (each.of_first ? base_name : name) + " " + each.corner,
                      .edge_name = edge_name});
-  }
-  return pairs;
-}
-
-std::vector<CornerPlace> neighbour_pairs(const Model& model, const std::string& name, DiaphragmId first,
-                                         DiaphragmId second, Length reach) {
-  const Check check{"PlanNeighbours", name};
-  check.that(!name.empty(), "neighbours have no name.", "Give .name, or leave it out: \"neighbours\".");
-  const PlacedDiaphragm &a = with_outline(model, check, first), &b = with_outline(model, check, second);
-  std::vector<CornerPlace> pairs;
-  for (const FacingCorner& each :
-       corners_facing_each_other(check, a.outline, b.outline, reach, "\"" + a.name + "\" and \"" + b.name + "\"")) {
-    const std::string &own = each.of_first ? a.name : b.name, &other = each.of_first ? b.name : a.name;
-    const std::string edge = other + " edge " + std::to_string(each.edge + 1);
-    pairs.push_back({.name = name + " " + own + " " + each.corner + " " + edge,
-                     .place = name,
-                     .corner = PlanPoint{(each.of_first ? first : second).x, each.at},
-                     .edge_of = (each.of_first ? second : first).x,
-                     .edge_begin = each.begin,
-                     .edge_end = each.end,
-                     .corner_name = own + " " + each.corner,
-                     .edge_name = edge});
   }
   return pairs;
 }

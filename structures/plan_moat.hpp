@@ -1,4 +1,4 @@
-// The walls around an isolated base in plan, and neighbours beside each other.
+// The walls around an isolated base in plan.
 #pragma once
 
 #include <optional>
@@ -45,51 +45,20 @@ struct PlanMoat {
   std::optional<FlexibleWall> wall{};  ///< Rigid without.
 };
 
-/// Two bodies beside each other, at any angle: corners of each hit edges of the other. Elements "<name> second edge 1
-/// corner 3" (a corner of the first body), and "<name> first edge 2 corner 4".
-template <ImpactLaw Law>
-struct PlanNeighbours {
-  std::string name = "neighbours";  ///< Unique in its model.
-  /// Diaphragms with outlines.
-  Required<DiaphragmId> first;
-  Required<DiaphragmId> second;  ///< The other floor.
-  Law law;                       ///< Its force.
-  CornerFriction friction{};     ///< Along the walls.
-  /// > 0 m: pairs farther apart are left out.
-  Length reach = 1.0 * units::m;
-};
-
 /// The pairs of a moat; adds its walls where they are flexible. Throws InputError for a clearance that is < 0 m or
 /// above the reach, both or neither of clearance and walls, a diaphragm without outline, and as corners_facing_walls().
 std::vector<CornerPlace> moat_pairs(Model& model, const std::string& name, DiaphragmId around,
                                     std::optional<Length> clearance, const PlanOutline& walls, const Facing& facing,
                                     const std::optional<FlexibleWall>& wall);
-/// The pairs of neighbours. Throws InputError for a diaphragm without outline, and as corners_facing_each_other() does.
-std::vector<CornerPlace> neighbour_pairs(const Model& model, const std::string& name, DiaphragmId first,
-                                         DiaphragmId second, Length reach);
-
-/// Throws InputError as add(Model&, CornerGap) does.
-template <ImpactLaw Law>
-void add_pairs(Model& model, std::vector<CornerPlace> pairs, const Law& law, const CornerFriction& friction) {
-  for (CornerPlace& pair : pairs) {
-    pair.friction = friction;
-    add(model, pair, law);
-  }
-}
 
 /// Throws InputError as moat_pairs(), the contacts and the walls do.
 template <ImpactLaw Law>
 void add(Model& model, const PlanMoat<Law>& moat) {
   const Facing facing{moat.reach, moat.share, moat.points_per_face};
-  add_pairs(model, moat_pairs(model, moat.name, moat.around, moat.clearance, moat.walls, facing, moat.wall), moat.law,
-            moat.friction);
-}
-
-/// Throws InputError as neighbour_pairs() and the contacts do.
-template <ImpactLaw Law>
-void add(Model& model, const PlanNeighbours<Law>& neighbours) {
-  add_pairs(model, neighbour_pairs(model, neighbours.name, neighbours.first, neighbours.second, neighbours.reach),
-            neighbours.law, neighbours.friction);
+  for (CornerPlace& pair : moat_pairs(model, moat.name, moat.around, moat.clearance, moat.walls, facing, moat.wall)) {
+    pair.friction = moat.friction;
+    add(model, pair, moat.law);
+  }
 }
 
 }  // namespace moat

@@ -45,7 +45,7 @@ struct ShearBuilding {
   std::optional<Isolation> isolation{};
   /// Whether the weight above leaning columns acts: beside every storey a PDelta with storey_height.
   bool p_delta = false;
-  /// > 0 m. For drawings, and for p_delta.
+  /// > 0 m. For drawings, p_delta and neighbours.
   PerStorey<Length> storey_height = 3.5 * units::m;
   Length half_width = 5.0 * units::m;  ///< Half width of all floors, for drawings.
   Length x{};  ///< Position of the middle of all floors, for drawings and for buildings beside each other.

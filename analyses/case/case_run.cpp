@@ -92,6 +92,7 @@ std::vector<BuildingParts> parts_of_buildings(const Model& model) {
     const Building& building = buildings[b];
     BuildingParts parts{.name = building.name, .base = building.base == ground ? "" : name_of(building.base)};
     for (const NodeId floor : building.floors) parts.floors.push_back(name_of(floor));
+    parts.modes = building.modes;
     for (const ElementId id : isolators[b]) parts.isolators.push_back(model.blocks()[id.block]->info(id.element).name);
     std::set<std::string> bodies;
     for (const NodeId node : building.nodes()) bodies.insert(name_of(node));
@@ -227,17 +228,14 @@ CaseResult CaseRun::result_with(Table histories) const {
         plan_warnings(transient_.state(), result.peaks, result.impacts),
         energy_warnings(result.energy, options_.warn_above_energy_error, options_.transient)})
     result.warnings.insert(result.warnings.end(), warnings.begin(), warnings.end());
-  for (const Building& building : transient_.model().buildings())
-    for (const std::string& note : building.notes)
-      result.assumptions.push_back((building.name.empty() ? "Building" : building.name) + ": " + note);
+  const std::vector<std::string>& notes = transient_.model().notes();
+  result.assumptions.insert(result.assumptions.end(), notes.begin(), notes.end());
   result.torsion = torsion_of(transient_.model(), result.peaks);
   add_errors(result);
   std::ranges::move(drift_ratios(transient_.model(), result.peaks), std::back_inserter(result.peaks));
   // Behind the errors: the companion does not know these peaks.
   for (Peak& peak : offered_peaks_.peaks()) result.peaks.push_back(std::move(peak));
   for (std::string& warning : offered_peaks_.warnings()) result.warnings.push_back(std::move(warning));
-  for (const Building& building : transient_.model().buildings())
-    result.assumptions.insert(result.assumptions.end(), building.notes.begin(), building.notes.end());
   if (transient_.model().is_plan())
     result.assumptions.insert(result.assumptions.end(), plan_assumptions.begin(), plan_assumptions.end());
   else

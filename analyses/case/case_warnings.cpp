@@ -81,7 +81,8 @@ std::vector<std::string> strong_isolators(const Model& model) {
   for (std::size_t b = 0; b < buildings.size(); ++b) {
     double strength = 0.0, mass = 0.0;
     for (const ElementId id : isolators[b]) strength += strength_of(model.blocks()[id.block]->law_of_block(id.element));
-    for (const NodeId node : buildings[b].nodes()) mass += model.mass(node);
+    if (isolators[b].empty()) continue;
+    for (const NodeId node : carried_nodes(model, buildings[b])) mass += model.mass(node);
     const double share = strength / (mass * standard_gravity);
     if (share > usual)
       warnings.push_back("The isolators of " + (buildings[b].name.empty() ? "the building" : buildings[b].name) +

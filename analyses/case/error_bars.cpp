@@ -235,7 +235,9 @@ PeaksAndImpacts compute_peaks(const Model& model, const GroundMotion& motion, co
 ScalesOfUnits scales_of_run(const std::vector<Peak>& peaks, const Model& model, const GroundMotion& motion,
                             const TransientOptions& options) {
   ScalesOfUnits scales = largest_of_each(&Peak::unit, peaks);
-  const double mass = model.mass_matrix().diagonal().sum(), pga = motion.peak_acceleration().si();
+  double mass = 0.0;
+  for (int place = 0; place < model.nodes(); ++place) mass += model.mass(model.node(place));
+  const double pga = motion.peak_acceleration().si();
   const auto raise = [&](const char* unit, double scale) { return scales[unit] = std::max(scales[unit], scale); };
   const double length = raise("m", options.location_tolerance.si() / negligible_of_unit);
   const double force = raise("N", mass * pga);

@@ -86,10 +86,18 @@ AccelerationScales::AccelerationScales(const AnalysisState& state, double peak_g
     if (runs_.empty() || runs_.back().building != building) runs_.push_back({i, i, building});
     runs_.back().end = i + 1;
   }
-  const std::size_t nodes_of_contact = state.model().is_plan() ? 6 : 2;
-  std::size_t contacts = 0;
-  for (const auto& block : state.model().blocks()) contacts += block->kind().contacts ? block->size() : 0;
-  raised_.reserve(nodes_of_contact * contacts);
+  std::size_t count = 0;
+  for (const auto& block : state.model().blocks()) {
+    std::vector<std::vector<int>>& of_block = struck_.emplace_back();
+    for (std::size_t e = 0; block->kind().contacts && e < block->size(); ++e) {
+      std::vector<int>& of_contact = of_block.emplace_back();
+      for (const NodeId end : {block->info(e).first, block->info(e).second})
+        for (const NodeId node : state.model().struck_with(end))
+          if (!node.is_follower()) of_contact.push_back(node.index);
+      count += of_contact.size();
+    }
+  }
+  raised_.reserve(count);
   regimes_changed(state);
 }
 
@@ -105,12 +113,10 @@ void AccelerationScales::regimes_changed(const AnalysisState& state) {
     for (std::size_t e = 0; e < block.size(); ++e) {
       const ContactView contact = state.elements(b).contact(e);
       if (!contact.touching) continue;
-      for (const NodeId end : {block.info(e).first, block.info(e).second})
-        for (const NodeId node : state.model().struck_with(end)) {
-          if (node.is_follower()) continue;
-          touching_[static_cast<std::size_t>(building_[static_cast<std::size_t>(node.index)])] = 1;
-          raised_.push_back({node.index, lenience_in_contact * contact.expected_force / masses[node.index]});
-        }
+      for (const int node : struck_[b][e]) {
+        touching_[static_cast<std::size_t>(building_[static_cast<std::size_t>(node)])] = 1;
+        raised_.push_back({node, lenience_in_contact * contact.expected_force / masses[node]});
+      }
     }
   }
   any_touching_ = !raised_.empty();

@@ -88,6 +88,7 @@ class AccelerationScales {
     int node;
     double acceleration;  // m/s^2
   };
+  std::vector<std::vector<std::vector<int>>> struck_;  // degrees of freedom of a contact, by block and element
   std::vector<Raised> raised_;
 };
 

@@ -90,8 +90,11 @@ std::vector<NamedPeriod> characteristic_periods(const Model& model, std::size_t 
     const auto report = [&](const char* name, double value) {
       if (value > 0.0 && std::isfinite(value)) periods.push_back({prefix + name, value});
     };
-    const std::vector<int> nodes =
+    std::vector<int> nodes =
         indices_of(model, building.shares_base ? building.nodes() : carried_nodes(model, building));
+    // Modes of a building on the base of another one follow it; it is held.
+    if (building.shares_base)
+      for (const NodeId of_base : model.body_of(building.base)) std::erase(nodes, of_base.index);
     const std::vector<int> held = indices_of(model, isolated_nodes(model, isolators[b]));
     if (held.empty()) {
       report("first mode", first_period(initial, masses, nodes));

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <span>
 #include <string>
@@ -15,6 +16,7 @@
 #include "base/check.hpp"
 #include "base/error.hpp"
 #include "base/sha256.hpp"
+#include "output/peaks/drift_ratios.hpp"
 #include "output/recorders/energy_columns.hpp"
 #include "output/recorders/energy_ledger.hpp"
 
@@ -154,6 +156,7 @@ CaseOutcome outcome_of_model(const Model& model, const GroundMotion& motion, con
       // The case itself is computed; its errors stay unknown.
     }
   }
+  std::ranges::move(drift_ratios(model, main.peaks), std::back_inserter(main.peaks));
   CaseOutcome outcome{.state = CaseState::done, .files = files_of(motion), .steps = main.solver.accepted_steps};
   StudyRecord& record = outcome.results;
   for (const Peak& peak : main.peaks) {

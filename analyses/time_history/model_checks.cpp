@@ -99,7 +99,7 @@ void check_held(const AnalysisState& state) {
   for (const auto& block : model.blocks())
     for (std::size_t e = 0; !block->kind().contacts && e < block->size(); ++e) {
       const NodeId first = block->info(e).first, second = block->info(e).second;
-      if ((first.index < 0) != (second.index < 0)) held[part_of(std::max(first.index, second.index))] = true;
+      if ((first == ground) != (second == ground)) held[part_of(model.place(first == ground ? second : first))] = true;
     }
   const std::vector<bool> loose_nodes = model.is_plan() ? loose_in_plan(model) : std::vector<bool>(part.size(), false);
   for (int i = 0; i < model.degrees_of_freedom(); ++i) {

@@ -65,7 +65,8 @@ class LinkEnergies {
 
   /// Adds work and dissipation of a step to every account.
   void add_step(const Step& step, WorkRule rule) {
-    const std::array places{HermiteQuinticsAt{lobatto_inside[0], step.length}, HermiteQuinticsAt{lobatto_inside[1], step.length}};
+    const std::array places{HermiteQuinticsAt{lobatto_inside[0], step.length},
+                            HermiteQuinticsAt{lobatto_inside[1], step.length}};
     for (std::size_t i = 0; i < accounts_.size(); ++i) {
       const Load end{step.forces[i], power(step.laws[i], step.trial[i], step.end.deformations[i], step.end.rates[i])};
       if (step.length > 0.0) {

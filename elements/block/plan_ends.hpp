@@ -17,12 +17,8 @@ class PlanEnds : public EndsOf<PlanVector> {
   /// Points of different bodies, along a direction of length 1 and across, turned by +90 degrees.
   PlanEnds(const Model& model, const PlanPoint& first, const PlanPoint& second, PlanVector direction) {
     for (const auto& [point, sign] : {std::pair{&first, -1.0}, {&second, 1.0}}) {
-      const PlanRow along = row_of(model, *point, direction), across = row_of(model, *point, turned_left(direction));
-      for (std::size_t i = 0; i < along.node.size(); ++i) {
-        add(model, along.node[i], sign * PlanVector{along.weight[i], across.weight[i]});
-        along_.add(model, along.node[i], sign * along.weight[i]);
-        across_.add(model, along.node[i], sign * across.weight[i]);
-      }
+      add_body(model, point->of, point->at, sign * (1.0 - point->share), direction);
+      if (!point->is_on_body()) add_body(model, point->other, point->at, sign * point->share, direction);
     }
   }
 
@@ -41,6 +37,15 @@ class PlanEnds : public EndsOf<PlanVector> {
   }
 
  private:
+  void add_body(const Model& model, NodeId body, PlanPosition at, double share, PlanVector direction) {
+    const PlanRow along = row_of(model, body, at, direction), across = row_of(model, body, at, turned_left(direction));
+    for (std::size_t i = 0; i < along.node.size(); ++i) {
+      add(model, along.node[i], share * PlanVector{along.weight[i], across.weight[i]});
+      along_.add(model, along.node[i], share * along.weight[i]);
+      across_.add(model, along.node[i], share * across.weight[i]);
+    }
+  }
+
   WeightedEnds along_, across_;
 };
 

@@ -58,6 +58,11 @@ ElementInfo register_corner(Model& model, const CornerPlace& gap, const CornerGe
                                         .distance_at_rest = motion.distance({geometry.clearance, 0.0}, 0.0, 0.0).value,
                                         .may_jam = 1.0 <= motion.normal_mass * motion.friction.coefficient *
                                                               std::abs(geometry.cross_mobility)}};
+  if (const PlanPoint& corner = gap.corner; !corner.is_on_body()) {
+    const auto height = [&](NodeId body) { return body == ground ? 0.0 : model.body(body).height; };
+    details.member_ends = MemberEnds{gap.edge_of, MemberPoint{corner.of, corner.other, corner.share},
+                                     (1.0 - corner.share) * height(corner.of) + corner.share * height(corner.other)};
+  }
   if (!parameters.empty()) {
     parameters.push_back({"friction", motion.friction.coefficient, "1"});
     parameters.push_back({"tangential_stiffness", motion.friction.tangential_stiffness, "N/m"});

@@ -39,14 +39,15 @@ struct CornerFriction {
 ///     indentation d = (u_corner - u_edge) . n - clearance     law(d, d') >= 0 pushes the corner back along n
 ///     slide u_t = (u_corner - u_edge) . t                     Coulomb friction acts against it
 ///
-/// u_edge is that of the point of the edge which the corner faces at rest. Reports `impact_force` [N] and `indentation`
+/// u_edge is that of the point of the edge which the corner faces at rest. The corner may be a point of a column
+/// between two floors (PlanPoint::other), whose force then acts on both. Reports `impact_force` [N] and `indentation`
 /// [m], compression positive, and `friction_force` [N], along t on the edge's body.
 template <ImpactLaw Law>
 struct CornerGap {
   std::string name;  ///< Unique in its model.
   /// Where its peak is listed together with that of others; its own name if empty.
   std::string place{};
-  Required<PlanPoint> corner;  ///< That hits the edge.
+  Required<PlanPoint> corner;  ///< That hits the edge; a point of a body, or of a column between two.
   /// A diaphragm, a wall (a node with a direction), or `ground`.
   Required<NodeId> edge_of;
   Required<PlanPosition> edge_begin;  ///< One end of the edge, the corner on the left of the way from it.

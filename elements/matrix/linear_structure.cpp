@@ -11,10 +11,11 @@ namespace moat {
 namespace {
 
 void check_matrix(const Check& check, std::string_view field, const Eigen::MatrixXd& matrix, Eigen::Index size) {
-  check.that(matrix.rows() == size && matrix.cols() == size && matrix.allFinite() && matrix == matrix.transpose() &&
-                 matrix.diagonal().minCoeff() >= 0.0,
-             std::string{field} + " is not a symmetric matrix of finite numbers with a diagonal >= 0 and one row per node.",
-             "Give as many rows as nodes, in N/m or N s/m.");
+  check.that(
+      matrix.rows() == size && matrix.cols() == size && matrix.allFinite() && matrix == matrix.transpose() &&
+          matrix.diagonal().minCoeff() >= 0.0,
+      std::string{field} + " is not a symmetric matrix of finite numbers with a diagonal >= 0 and one row per node.",
+      "Give as many rows as nodes, in N/m or N s/m.");
 }
 
 std::vector<int> indices_of(const std::vector<NodeId>& nodes) {
@@ -50,9 +51,10 @@ void add(Model& model, const LinearStructure& structure) {
   check_matrix(check, "stiffness", structure.stiffness, n);
   const bool has_damping = structure.damping.size() > 0;
   if (has_damping) check_matrix(check, "damping", structure.damping, n);
-  check.that(m == 0 || (structure.carried.rows() == n && structure.carried.cols() == m && structure.carried.allFinite()),
-             "carried is not a matrix of finite numbers with one row per node and one column per node of the base.",
-             "Give the displacement of every node when the base moves by 1.");
+  check.that(
+      m == 0 || (structure.carried.rows() == n && structure.carried.cols() == m && structure.carried.allFinite()),
+      "carried is not a matrix of finite numbers with one row per node and one column per node of the base.",
+      "Give the displacement of every node when the base moves by 1.");
   StructureMatrices matrices{.nodes = indices_of(structure.nodes),
                              .base = indices_of(structure.base),
                              .carried = m > 0 ? structure.carried : Eigen::MatrixXd(n, 0),

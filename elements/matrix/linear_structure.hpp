@@ -17,12 +17,12 @@ namespace moat {
 /// deforms. A degree of freedom of a diaphragm's rotation counts in m, as DiaphragmId has it, so that all entries of
 /// K are in N/m and those of C in N s/m. Energies are 1/2 v' K v and the integral of v'' C v'.
 struct LinearStructure {
-  std::string name;             ///< Unique in its model.
-  std::vector<NodeId> nodes;    ///< At least one, all different.
-  std::vector<NodeId> base{};   ///< Left out: it stands on the ground.
-  Eigen::MatrixXd carried{};    ///< R, 1: a row for each of `nodes`, a column for each of `base`.
-  Eigen::MatrixXd stiffness;    ///< K, N/m, symmetric, a row for each of `nodes`.
-  Eigen::MatrixXd damping{};    ///< C, N s/m, symmetric; left out: none.
+  std::string name;            ///< Unique in its model.
+  std::vector<NodeId> nodes;   ///< At least one, all different.
+  std::vector<NodeId> base{};  ///< Left out: it stands on the ground.
+  Eigen::MatrixXd carried{};   ///< R, 1: a row for each of `nodes`, a column for each of `base`.
+  Eigen::MatrixXd stiffness;   ///< K, N/m, symmetric, a row for each of `nodes`.
+  Eigen::MatrixXd damping{};   ///< C, N s/m, symmetric; left out: none.
 };
 
 /// Throws InputError for an unknown or repeated node, matrices that are not symmetric, not finite or of another size,

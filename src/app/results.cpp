@@ -34,6 +34,7 @@ void write_results(const CaseResult& result, const std::filesystem::path& folder
   std::future<void> files_of_charts = beside([&] { write_charts(charts, folder); });
   write_csv(result.impacts, folder / results_file::impacts);
   write_peaks_csv(result, folder / results_file::peaks);
+  write_participating_masses_csv(result, folder / results_file::participating_masses);
   written(results_file::impacts);
   vtk_files().write_table(result.histories, folder / results_file::histories_vtt);
   written(results_file::histories_vtt);

@@ -36,12 +36,20 @@ struct StoreyResult {
   std::vector<ForceShare> forces{};          ///< Weights in the unit of the result per N.
 };
 
+/// The share of the mass that moves in a mode of a building held at its base: (Q' M R)^2 and its part of R' M R, along
+/// x and y and about the base's centre of mass.
+struct ParticipatingMass {
+  double period = 0.0;                      ///< s
+  double x = 0.0, y = 0.0, rotation = 0.0;  ///< 1
+};
+
 /// A building: floors above each other, on a base or on the ground. Periods, charts and reports use it; it has no
 /// effect on forces. A ShearBuilding adds one itself; add one when you build from nodes and elements:
 ///
 ///     add(model, Building{.base = base, .floors = {floor_1, floor_2}});
 ///
-/// The sum of mass times absolute acceleration over its nodes is the force of isolators and impacts together
+/// The sum of mass times absolute acceleration over its nodes, and those of buildings on its base, is the force of
+/// isolators and impacts together
 /// (`total_base_shear`); the sum of the maxima of its terms is the design value that many papers quote
 /// (`sum_of_floor_inertia_maxima`). Both are listed at "base", or at "<name> base".
 struct Building {
@@ -55,8 +63,8 @@ struct Building {
   bool shares_base = false;
   /// Results besides those that every building has.
   std::vector<StoreyResult> storey_results{};
-  /// Sentences about its input, which results repeat.
-  std::vector<std::string> notes{};
+  /// Of its modes, held at its base; none where they are not known.
+  std::vector<ParticipatingMass> modes{};
 
   /// By its number in names: floor(1) is the lowest. Throws InputError outside 1 to the number of floors.
   [[nodiscard]] NodeId floor(int number) const { return floors.numbered(number, Check{"Building", name}, "floor"); }

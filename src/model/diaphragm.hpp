@@ -66,7 +66,7 @@ struct Diaphragm {
   Speed initial_velocity_x{}, initial_velocity_y{};
   Frequency initial_angular_velocity{};  ///< rad/s, at time zero.
   bool free = false;                     ///< Whether nothing need hold it, as Node::free.
-  /// For drawings only.
+  /// Above the ground: for drawings, drift ratios and PlanNeighbours.
   Length height{};
 };
 

@@ -63,6 +63,8 @@ class Model {
   /// Throws InputError for a building without nodes, an unknown or repeated node, a node of another building, or a
   /// name that is taken.
   void add_building(Building building);
+  /// Keeps a sentence about the input, which results repeat among their assumptions.
+  void add_note(std::string note) { notes_.push_back(std::move(note)); }
   /// Throws InputError if the name is empty or taken by another element.
   void register_element(std::string_view kind, const std::string& name);
   /// The block that holds elements of type Block; the first call makes it.
@@ -89,6 +91,7 @@ class Model {
   /// Whether it has diaphragms: it moves in plan, not on a line.
   [[nodiscard]] bool is_plan() const { return !diaphragms_.empty(); }
   [[nodiscard]] const std::vector<Building>& buildings() const { return buildings_; }  ///< As added.
+  [[nodiscard]] const std::vector<std::string>& notes() const { return notes_; }       ///< As added.
   /// All elements.
   [[nodiscard]] const std::vector<CopyablePointer<ElementBlock>>& blocks() const { return blocks_; }
 
@@ -169,6 +172,7 @@ class Model {
   std::vector<CopyablePointer<ElementBlock>> blocks_;
   std::vector<std::type_index> block_types_;  // of blocks_
   std::vector<Building> buildings_;
+  std::vector<std::string> notes_;
   std::unordered_set<std::string> body_names_, element_names_, building_names_;
   // One entry per degree of freedom.
   std::deque<std::string> names_;

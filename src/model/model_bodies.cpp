@@ -202,8 +202,9 @@ void Model::add_mass(const std::vector<NodeId>& nodes, const Eigen::MatrixXd& ma
   std::vector<int> rows;
   for (const NodeId node : nodes) {
     require_node(node, check, "a node of added mass");
-    check.that(node != ground && std::ranges::count(nodes, node) == 1,
-               "a node of added mass is the ground or repeated.", "Give different nodes.");
+    check.that(node != ground && !node.is_follower() && std::ranges::count(nodes, node) == 1,
+               "a node of added mass is the ground, repeated, or follows others.",
+               "Give different degrees of freedom.");
     rows.push_back(node.index);
   }
   const auto count = static_cast<Eigen::Index>(rows.size());

@@ -45,9 +45,9 @@ struct Node {
   /// Whether nothing need hold it: an analysis refuses a body that is held by gaps alone, unless one of its nodes is
   /// free or moves at the start.
   bool free = false;
-  /// For drawings only: position along the shaking, height, and half the width of the floor.
+  /// Position along the shaking, height, and half the width of the floor: for drawings, and the height for Neighbours.
   Length x{};
-  Length height{};                     ///< For drawings.
+  Length height{};                     ///< Above the ground.
   Length half_width = 5.0 * units::m;  ///< For drawings.
   /// For models in plan only, where it must be given: the direction of its motion, of length 1. A node on a line moves
   /// along the shaking.

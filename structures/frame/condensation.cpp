@@ -253,6 +253,12 @@ CondensedStructure condensed(const FiniteElements& model, const Check& check) {
     const Dense coupled = m_ms * deflection;
     result.mass = symmetric(result.mass + coupled + coupled.transpose() + deflection.transpose() * (m_ss * deflection));
     estimate_errors(result, k_ss, m_ss, m_sm, deflection);
+    const Index per_level = result.in_plan ? 3 : 1;
+    for (std::size_t i = 0; i < result.levels.size(); ++i) {
+      const Index row = static_cast<Index>(i) * per_level;
+      result.levels[i].mass = result.mass(row, row);
+      if (result.in_plan) result.levels[i].rotary_inertia = result.mass(row + 2, row + 2);
+    }
   }
   return result;
 }

@@ -82,6 +82,7 @@ class Builder {
     name_unknowns();
     bind();
     fill_matrices();
+    for (Level& level : result_.levels) level.height -= lowest_;
     return std::move(result_);
   }
 

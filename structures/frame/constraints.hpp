@@ -13,10 +13,10 @@ namespace moat {
 
 /// Unknowns = of_levels * (motions of the levels) + of_others * (motions to be condensed). Other unknowns are held.
 struct Constraints {
-  std::vector<Level> levels;       ///< with their heights, and the means of their nodes as centres
-  int per_level = 3;               ///< motions of a level
-  SparseMatrix of_levels;          ///< about these centres
-  SparseMatrix of_others;          ///< a one in each column
+  std::vector<Level> levels;  ///< with their heights above the lowest nodes, and the means of their nodes as centres
+  int per_level = 3;          ///< motions of a level
+  SparseMatrix of_levels;     ///< about these centres
+  SparseMatrix of_others;     ///< a one in each column
   std::vector<Eigen::Index> held;  ///< unknowns
   std::vector<std::string> names;  ///< of unknowns: "node 17, rotation about x"
   std::vector<std::string> notes;  ///< sentences for reports

@@ -98,8 +98,8 @@ struct FiniteElements {
 /// A level of a condensed structure.
 struct Level {
   std::string name{};           ///< "floor 1"
-  double height = 0.0;          ///< m, in the coordinates of the nodes
-  double mass = 0.0;            ///< kg, of its own nodes; 0 where none is given
+  double height = 0.0;          ///< m, above the lowest nodes
+  double mass = 0.0;            ///< kg, with that of Guyan's condensation; 0 where none is given
   double rotary_inertia = 0.0;  ///< kg m^2, about the centre of mass; 0 on a line
   PlanVector centre_of_mass{};  ///< m; the mean of the nodes for a level without mass
   PlanOutline outline{};        ///< of a table of storeys; else empty

@@ -53,6 +53,12 @@ void check_shapes(const Check& check, const Eigen::MatrixXd& masses, ShapeNorm n
   if (off_norm > round_off) notes.push_back(norm_text + ": periods differ from the given ones.");
 }
 
+// A list for all modes of a file holds for those that are kept.
+ModalDamping of_kept(const ModalDamping& damping, Eigen::Index given, Eigen::Index kept) {
+  if (static_cast<Eigen::Index>(damping.ratios.size()) != given) return damping;
+  return {std::vector<double>{damping.ratios.begin(), damping.ratios.begin() + kept}};
+}
+
 // The mass of the modes that are left out rides on the base.
 void note_residual_mass(const StructureSystem& system, const Eigen::MatrixXd& modal_mass, const Eigen::MatrixXd& load,
                         std::vector<std::string>& notes) {
@@ -78,6 +84,7 @@ void note_residual_mass(const StructureSystem& system, const Eigen::MatrixXd& mo
 void add_modes(const StructureModes& modes, const decltype(Superstructure::damping)& damping, const Check& check,
                const Eigen::VectorXd& into_metres, const std::vector<int>& positions, StructureSystem& system) {
   const Eigen::VectorXd all_frequencies = squared_frequencies(check, modes);
+  system.notes.insert(system.notes.end(), modes.notes.begin(), modes.notes.end());
   check.that(modes.shapes.allFinite(), "shapes has an entry that is infinite or no number.");
   check.positive("length of modes", modes.length);
   check.positive("mass of modes", modes.mass);
@@ -91,7 +98,16 @@ void add_modes(const StructureModes& modes, const decltype(Superstructure::dampi
   Eigen::MatrixXd masses = shapes.transpose() * system.mass * shapes / modes.mass.si();
   check_shapes(check, masses, modes.norm, system.notes);
   Eigen::VectorXd squared = all_frequencies.head(kept);
+  for (Eigen::Index i = 1; i < kept; ++i)
+    if (squared[i] < squared[i - 1])
+      system.notes.push_back("The period of mode " + std::to_string(i + 1) + " is longer than that of mode " +
+                             std::to_string(i) + ".");
   if (modes.orthonormalise) {
+    if (modes.norm == ShapeNorm::any) {
+      const Eigen::VectorXd norm = masses.diagonal().cwiseSqrt().cwiseInverse();
+      shapes = (shapes * norm.asDiagonal()).eval();
+      masses = (norm.asDiagonal() * masses * norm.asDiagonal()).eval();
+    }
     const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> before{masses};
     const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> uncoupled{Eigen::MatrixXd{squared.asDiagonal()},
                                                                               masses, Eigen::EigenvaluesOnly};
@@ -118,9 +134,9 @@ void add_modes(const StructureModes& modes, const decltype(Superstructure::dampi
   system.modes = participating_masses(solver.eigenvalues(), solver.eigenvectors().transpose() * load,
                                       system.rigid.transpose() * system.mass * system.rigid);
   if (const auto* ratios = std::get_if<ModalDamping>(&damping)) {
-    modal_damping =
-        2.0 *
-        ratios_of(check, *ratios, kept, system.notes).cwiseProduct(squared.cwiseSqrt()).cwiseProduct(mass_of_mode);
+    modal_damping = 2.0 * ratios_of(check, of_kept(*ratios, given, kept), kept, system.notes)
+                              .cwiseProduct(squared.cwiseSqrt())
+                              .cwiseProduct(mass_of_mode);
     system.damping = modal_damping.asDiagonal();
   } else if (const auto* rayleigh = std::get_if<RayleighDamping>(&damping)) {
     const RayleighFactors factors = rayleigh_factors_of(*rayleigh, system.modes);

@@ -66,15 +66,18 @@ class SystemBuilder {
       return;
     }
     if (structure_.stiffness) {
-      for (const std::string& note : structure_.stiffness->notes) system_.notes.push_back(note);
       given_ = rows_of(*structure_.stiffness, "stiffness");
     } else {
       const StructureModes& modes = *structure_.modes;
       given_ = modes.names.empty() ? structure_.freedoms.list(check_, "shapes", static_cast<int>(modes.shapes.rows()))
                                    : freedoms_named(check_, modes.names);
     }
-    system_.in_plan = std::ranges::any_of(
-        given_, [](const Freedom& freedom) { return freedom.direction == FloorDirection::rotation; });
+    const auto has = [&](FloorDirection direction) {
+      return std::ranges::any_of(given_, [&](const Freedom& freedom) { return freedom.direction == direction; });
+    };
+    system_.in_plan = has(FloorDirection::rotation);
+    check_.that(system_.in_plan || !has(FloorDirection::y), "freedoms have y without rotation.",
+                "Give x alone for a building on a line, or x, y and rotation of every floor.");
   }
 
   // Names in the file go before .freedoms.
@@ -95,6 +98,7 @@ class SystemBuilder {
       check_.that(!structure_.floors.empty(), "floors is empty.", "Give one for each floor, from the lowest up.");
       for (const SuperstructureFloor& floor : structure_.floors)
         add_floor("floor " + std::to_string(system_.floors.size() + 1), floor);
+      if (structure_.condensed) compare_with_levels(*structure_.condensed);
     }
     if (!structure_.base) return;
     const SuperstructureBase& base = *structure_.base;
@@ -104,6 +108,21 @@ class SystemBuilder {
                                       .centre_of_mass = base.centre_of_mass,
                                       .outline = base.outline,
                                       .half_width = base.half_width})};
+  }
+
+  // Matrices are about the centres of mass with which they were condensed.
+  void compare_with_levels(const CondensedStructure& condensed) const {
+    constexpr double round_off = 1e-3;  // m
+    for (std::size_t i = 0; i < std::min(condensed.levels.size(), system_.floors.size()); ++i) {
+      const Level& level = condensed.levels[i];
+      const SystemFloor& floor = system_.floors[i];
+      const double apart = system_.in_plan ? length(floor.centre_of_mass - level.centre_of_mass) : 0.0;
+      check_.that(std::abs(floor.height - level.height) <= round_off && apart <= round_off,
+                  "floor " + std::to_string(i + 1) +
+                      " has another height or centre of mass than the condensed level at " + to_text(level.height) +
+                      " m, (" + to_text(level.centre_of_mass.x) + ", " + to_text(level.centre_of_mass.y) + ") m.",
+                  "Give those, or leave floors out.");
+    }
   }
 
   void add_floor(const std::string& name, const SuperstructureFloor& floor) {
@@ -161,10 +180,35 @@ class SystemBuilder {
       }
     return matrix;
   }
-  [[nodiscard]] Eigen::MatrixXd of_floors(const MatrixInUnits& matrix, std::string_view field, double unit) const {
+  // Rows of the base may be there too: rigid motion of all must strain nothing then. `with_base` gets all rows.
+  Eigen::MatrixXd of_floors(const MatrixInUnits& matrix, std::string_view field, double unit,
+                            Eigen::MatrixXd* with_base = nullptr) {
+    system_.notes.insert(system_.notes.end(), matrix.notes.begin(), matrix.notes.end());
     const std::vector<Freedom> rows = rows_of(matrix, field);
-    return in_si(matrix.values, unit, matrix.length,
-                 positions_of(check_, rows, static_cast<int>(system_.floors.size()), system_.in_plan), rows);
+    std::vector<int> positions = positions_of(check_, rows, static_cast<int>(system_.floors.size()), system_.in_plan);
+    const Eigen::MatrixXd own = in_si(matrix.values, unit, matrix.length, positions, rows);
+    if (rows.size() == positions.size() && system_.bases.size() < 2) return own;
+    std::vector<std::string> names = system_.names;
+    const auto slabs = static_cast<int>(std::max(system_.bases.size(), std::size_t{1}));
+    for (const int position : positions_of_base(check_, rows, slabs, system_.in_plan)) {
+      positions.push_back(position);
+      names.push_back(rows[static_cast<std::size_t>(position)].name());
+    }
+    const Eigen::MatrixXd whole = in_si(matrix.values, unit, matrix.length, positions, rows);
+    Eigen::MatrixXd rigid{whole.rows(), rigid_.cols()};
+    if (system_.is_isolated())
+      rigid << rigid_, rigid_motion(system_.bases, system_.origin(), system_.in_plan);
+    else
+      rigid << rigid_, Eigen::MatrixXd::Identity(rigid_.cols(), rigid_.cols());
+    // A building on the ground does not say about which point its foot turns.
+    const Eigen::Index motions = system_.is_isolated() ? rigid.cols() : std::min<Eigen::Index>(rigid.cols(), 2);
+    check_rigid({check_, field, names}, whole, rigid.leftCols(motions),
+                field == "damping" ? "The factor alphaM of OpenSees damps motion against the ground; that of moat acts "
+                                     "against the base. Give the damping of the building held at its base."
+                                   : "The base may stand elsewhere in the order, or a support was left in.",
+                system_.notes);
+    if (with_base != nullptr) *with_base = whole;
+    return own;
   }
   [[nodiscard]] Eigen::MatrixXd scaled(const Eigen::MatrixXd& matrix) const {
     const Eigen::VectorXd scale = into_metres_.cwiseInverse();
@@ -183,14 +227,14 @@ class SystemBuilder {
     if (structure_.mass || structure_.condensed) {
       Eigen::MatrixXd whole = structure_.condensed ? structure_.condensed->mass
                                                    : of_floors(*structure_.mass, "mass", structure_.mass->mass);
-      for (Eigen::Index i = 0; i < size; i += system_.per_floor()) {
+      for (Eigen::Index i = 0; i < size; ++i) {
         constexpr double tolerated = 0.01;
         check_.that(std::abs(whole(i, i) - mass(i, i)) <= tolerated * mass(i, i),
                     "mass of " + system_.names[static_cast<std::size_t>(i)] + " is " + to_text(whole(i, i)) +
-                        " kg in the matrix, and " + to_text(mass(i, i)) + " kg in floors.",
+                        " in the matrix, and " + to_text(mass(i, i)) + " in floors, kg or kg m^2.",
                     "Give the same; the matrix counts.");
       }
-      mass = symmetric(named("mass"), whole, system_.notes);
+      mass = symmetric(named("mass"), whole, Diagonal::positive, system_.notes);
     }
     system_.mass = scaled(mass);
     const Eigen::LLT<Eigen::MatrixXd> factors{system_.mass};
@@ -205,13 +249,12 @@ class SystemBuilder {
     } else {
       const MatrixInUnits& given = *structure_.stiffness;
       check_.positive("force unit of stiffness", given.force, "N", "Give .force, for example kN.");
-      stiffness = of_floors(given, "stiffness", given.force / given.length);
-      if (system_.bases.size() > 1)
-        stand_on_slabs(given);
-      else if (static_cast<Eigen::Index>(given_.size()) > stiffness.rows())
-        check_with_base(given);
+      Eigen::MatrixXd whole;
+      stiffness = of_floors(given, "stiffness", given.force / given.length, &whole);
+      if (system_.bases.size() > 1) stand_on_slabs(whole);
     }
-    const Eigen::MatrixXd in_metres = scaled(symmetric(named("stiffness"), stiffness, system_.notes));
+    const Eigen::MatrixXd in_metres =
+        scaled(symmetric(named("stiffness"), stiffness, Diagonal::positive, system_.notes));
     check_definite(named("stiffness"), in_metres, system_.notes);
     system_.stiffness = in_metres;
     const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> modes{system_.stiffness, system_.mass};
@@ -221,37 +264,26 @@ class SystemBuilder {
     add_damping(modes.eigenvalues().cwiseSqrt(), modes.eigenvectors());
   }
 
-  // The rows of the base are there too: rigid motion of all must strain nothing. Returns the stiffness of all, in SI.
-  Eigen::MatrixXd check_with_base(const MatrixInUnits& given) {
-    const auto slabs = static_cast<int>(std::max(system_.bases.size(), std::size_t{1}));
-    std::vector<int> all = positions_;
-    std::vector<std::string> names = system_.names;
-    for (const int position : positions_of_base(check_, given_, slabs, system_.in_plan)) {
-      all.push_back(position);
-      names.push_back(given_[static_cast<std::size_t>(position)].name());
-    }
-    Eigen::MatrixXd rigid{static_cast<Eigen::Index>(all.size()), rigid_.cols()};
-    if (system_.is_isolated())
-      rigid << rigid_, rigid_motion(system_.bases, system_.origin(), system_.in_plan);
-    else
-      rigid << rigid_, Eigen::MatrixXd::Identity(rigid_.cols(), rigid_.cols());
-    const Eigen::MatrixXd whole = in_si(given.values, given.force / given.length, given.length, all, given_);
-    check_rigid({check_, "stiffness", names}, whole, rigid, system_.notes);
-    return whole;
-  }
-
-  // R = -K_ss^-1 K_sb, and the stiffness that is left between the slabs.
-  void stand_on_slabs(const MatrixInUnits& given) {
-    const Eigen::MatrixXd whole = check_with_base(given);
-    const Eigen::Index n = rigid_.rows(), m = whole.rows() - n;
+  // R = -K_ss^-1 K_sb, and the stiffness that is left between the slabs: it acts on the motion of the others relative
+  // to that of the first.
+  void stand_on_slabs(const Eigen::MatrixXd& whole) {
+    const Eigen::Index n = rigid_.rows(), m = whole.rows() - n, first = system_.per_floor();
     Eigen::VectorXd of_slabs = Eigen::VectorXd::Ones(m);
     for (std::size_t i = 0; system_.in_plan && i < system_.bases.size(); ++i)
-      of_slabs[3 * static_cast<Eigen::Index>(i) + 2] = 1.0 / system_.bases[i].gyration();
-    const Eigen::MatrixXd carried = -whole.topLeftCorner(n, n).llt().solve(whole.topRightCorner(n, m)),
-                          between = whole.bottomRightCorner(m, m) + whole.bottomLeftCorner(m, n) * carried;
-    system_.carried = into_metres_.asDiagonal() * carried * of_slabs.asDiagonal();
-    system_.between_bases = of_slabs.asDiagonal() * between * of_slabs.asDiagonal();
-    system_.between_bases = 0.5 * (system_.between_bases + system_.between_bases.transpose()).eval();
+      of_slabs[3 * static_cast<Eigen::Index>(i) + 2] = system_.bases[i].gyration();
+    const Eigen::VectorXd per_slab = of_slabs.cwiseInverse();
+    const Eigen::MatrixXd carried = -whole.topLeftCorner(n, n).llt().solve(whole.topRightCorner(n, m));
+    Eigen::MatrixXd between = whole.bottomRightCorner(m, m) + whole.bottomLeftCorner(m, n) * carried;
+    system_.carried = into_metres_.asDiagonal() * carried * per_slab.asDiagonal();
+    system_.notes.push_back("It stands on " + std::to_string(system_.bases.size()) +
+                            " slabs: base shear, isolators and periods in results are those of the first slab.");
+    const double uncoupled = 1e-9 * whole.bottomRightCorner(m, m).diagonal().maxCoeff();
+    if (between.cwiseAbs().maxCoeff() <= uncoupled) return;
+    between = (per_slab.asDiagonal() * between * per_slab.asDiagonal()).bottomRightCorner(m - first, m - first).eval();
+    system_.between_bases = 0.5 * (between + between.transpose());
+    system_.bases_rigid =
+        (of_slabs.asDiagonal() * rigid_motion(system_.bases, system_.origin(), system_.in_plan)).bottomRows(m - first);
+    if (system_.in_plan) system_.bases_rigid.col(2) /= system_.bases.front().gyration();
   }
 
   // w: angular frequencies, 1/s; Q: shapes with Q' M Q = I.
@@ -268,7 +300,7 @@ class SystemBuilder {
     } else if (const auto* matrix = std::get_if<MatrixInUnits>(&structure_.damping)) {
       check_.positive("force unit of damping", matrix->force, "N", "Give .force, for example kN.");
       const Eigen::MatrixXd whole = of_floors(*matrix, "damping", matrix->force / matrix->length);
-      system_.damping = scaled(symmetric(named("damping"), whole, system_.notes));
+      system_.damping = scaled(symmetric(named("damping"), whole, Diagonal::not_negative, system_.notes));
       const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver{system_.damping, Eigen::EigenvaluesOnly};
       constexpr double round_off = 1e-9;
       check_.that(solver.eigenvalues()[0] >= -round_off * solver.eigenvalues()[size - 1],

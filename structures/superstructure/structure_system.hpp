@@ -32,7 +32,8 @@ struct StructureSystem {
   Eigen::MatrixXd damping;          ///< C, N s/m; of the modes where they are given
   Eigen::MatrixXd rigid;            ///< rigid motion of the floors with the first base, or about the lowest floor
   Eigen::MatrixXd carried;          ///< R: motion of the floors with all bases where nothing deforms
-  Eigen::MatrixXd between_bases;    ///< N/m, between several slabs; else empty
+  Eigen::MatrixXd between_bases;    ///< N/m, of all slabs but the first, which is held; empty where they do not couple
+  Eigen::MatrixXd bases_rigid;      ///< rigid motion of these with the first slab
   std::vector<std::string> notes;   ///< about the input
   /// Shapes, a column for each mode, scaled so that their largest entry is 1; empty where matrices are given.
   Eigen::MatrixXd shapes;

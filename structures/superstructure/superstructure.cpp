@@ -64,11 +64,13 @@ class Builder {
     Building building{.name = structure_.name,
                       .shares_base = std::ranges::any_of(
                           model_.buildings(), [&](const Building& other) { return other.base == parts_.base.x; }),
-                      .notes = parts_.notes};
+                      .modes = parts_.modes};
     if (system_.is_isolated()) building.base = parts_.base;
     for (const DiaphragmId& floor : parts_.floors) building.floors.push_back(floor);
     building.storey_results = storey_results(system_, rows_, prefix_);
     add(model_, std::move(building));
+    for (const std::string& note : parts_.notes)
+      model_.add_note((structure_.name.empty() ? "Building" : structure_.name) + ": " + note);
     return std::move(parts_);
   }
 
@@ -79,10 +81,13 @@ class Builder {
       check.that(!structure_.base && !structure_.bearings && !structure_.isolation,
                  "it stands on the base of another building, and base or bearings are given.",
                  "That base has them already.");
-      for (const DiaphragmId& base : structure_.on)
+      for (const DiaphragmId& base : structure_.on) {
+        check.that(!base.x.is_follower(), "it stands on a floor that is given by modes.",
+                   "Give the base of that building, or the matrix of both together.");
         check.that(system_.in_plan == (model_.diaphragm_of(base) != nullptr),
                    system_.in_plan ? "on is no diaphragm." : "on is a diaphragm, and the building moves on a line.",
                    "Give the base of a building of the same kind.");
+      }
       return;
     }
     check.that(structure_.base.has_value() == (bool{structure_.bearings} || structure_.isolation),
@@ -128,7 +133,11 @@ class Builder {
     const double round_off = 1e-12 * system_.mass.diagonal().maxCoeff();
     if (coupled.cwiseAbs().maxCoeff() > round_off) model_.add_mass(rows_.own, coupled);
     if (system_.between_bases.size() > 0)
-      add(model_, LinearStructure{.name = prefix_ + "slabs", .nodes = base_, .stiffness = system_.between_bases});
+      add(model_, LinearStructure{.name = prefix_ + "slabs",
+                                  .nodes = {base_.begin() + system_.per_floor(), base_.end()},
+                                  .base = {base_.begin(), base_.begin() + system_.per_floor()},
+                                  .carried = system_.bases_rigid,
+                                  .stiffness = system_.between_bases});
     add(model_, LinearStructure{.name = prefix_ + "superstructure",
                                 .nodes = rows_.own,
                                 .base = base_,
@@ -227,6 +236,7 @@ StructureModes structure_modes(const ModesFromFile& file, const StructureModes& 
   modes.eigenvalues.assign(file.eigenvalues.begin(), file.eigenvalues.end());
   modes.shapes = file.shapes;
   modes.names = file.names;
+  modes.notes = file.notes;
   return modes;
 }
 

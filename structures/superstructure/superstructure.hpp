@@ -65,6 +65,7 @@ struct StructureModes {
   Length length = units::m;           ///< Unit of the translations of the shapes.
   Mass mass = units::kg;              ///< Unit of mass in which the shapes have norm 1.
   std::vector<std::string> names{};   ///< Of the rows, "floor 1 x"; where given, they go before freedoms.
+  std::vector<std::string> notes{};   ///< Remarks about their files, which results repeat.
   ShapeNorm norm = ShapeNorm::mass;   ///< Never guessed.
   int keep = 0;                       ///< How many of the first modes are used; 0: all.
   /// Replaces the shapes by Phi (Phi' M Phi)^(-1/2). The periods are then exactly those given. It changes the building.
@@ -115,13 +116,6 @@ struct Superstructure {
   std::vector<DiaphragmId> on{};
   PlanBearings bearings{};               ///< Under the base, in plan.
   std::optional<Isolation> isolation{};  ///< Under the base, on a line.
-};
-
-/// The share of the mass that moves in a mode of the superstructure held at its base: (Q' M R)^2 and its part of
-/// R' M R, along x and y and about the base's centre of mass.
-struct ParticipatingMass {
-  double period = 0.0;                      ///< s
-  double x = 0.0, y = 0.0, rotation = 0.0;  ///< 1
 };
 
 /// The parts of a superstructure that was added.

@@ -171,5 +171,32 @@ TEST(CornerGap, BadInputIsRefused) {
   EXPECT_NE(message([](Slabs& slabs) { slabs.gap.share = 1.5; }).find("share = 1.5"), std::string::npos);
 }
 
+TEST(CornerGap, PointsOfColumnsAreChecked) {
+  const auto message = [](auto change) {
+    return message_of([&] {
+      Slabs slabs;
+      const DiaphragmId above =
+          add(slabs.model, Diaphragm{.name = "above", .mass = 1 * kg, .rotary_inertia = 1 * kg * m * m});
+      PlanPoint corner{slabs.a, {2 * m, 1 * m}, above, 0.5};
+      change(slabs, corner);
+      slabs.gap.edge_of = slabs.b.x;
+      slabs.gap.corner = corner;
+      add(slabs.model, slabs.gap);
+    });
+  };
+  EXPECT_EQ(message([](Slabs&, PlanPoint&) {}), "nothing was thrown");
+  EXPECT_EQ(message([](Slabs&, PlanPoint& corner) { corner.share = 1.0; }),
+            "CornerGap \"gap\": corner.share = 1 is not allowed; it must be >= 0 and < 1. It is the way from .of to "
+            ".other; take the other body itself for 1.");
+  EXPECT_EQ(message([](Slabs&, PlanPoint& corner) { corner.other = {}; }),
+            "CornerGap \"gap\": corner.share is given without .other. Give the body at the other end of the column.");
+  EXPECT_EQ(
+      message([](Slabs& slabs, PlanPoint& corner) { corner.other = slabs.a.y; }),
+      "CornerGap \"gap\": corner.of and corner.other are the same body. Leave .other out for a point of one body.");
+  EXPECT_EQ(
+      message([](Slabs& slabs, PlanPoint& corner) { corner.other = slabs.b; }),
+      "CornerGap \"gap\": corner and edge_of are points of the same body. An element joins points of two bodies.");
+}
+
 }  // namespace
 }  // namespace moat

@@ -35,11 +35,14 @@ Peaks peaks_of(const json& summary) {
   return peaks;
 }
 
-// The motion makes both buildings pound, so that the impacts are compared too.
+// The motion makes both buildings pound, so that the impacts are compared too. Storeys of the first have shears and
+// moments that nodes and springs by hand do not have.
 void expect_same(const json& one, const json& other, double tolerance) {
   const Peaks expected = peaks_of(one), peaks = peaks_of(other);
-  ASSERT_EQ(peaks.size(), expected.size());
+  ASSERT_LE(peaks.size(), expected.size());
   for (const auto& [key, value] : expected) {
+    const bool of_storeys = key.first.starts_with("storey_") || key.first.starts_with("overturning_");
+    if (of_storeys && peaks.count(key) == 0) continue;
     ASSERT_EQ(peaks.count(key), 1u) << key.first << " " << key.second;
     EXPECT_LE(std::abs(peaks.at(key) - value), tolerance * std::abs(value)) << key.first << " " << key.second;
   }

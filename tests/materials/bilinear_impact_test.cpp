@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "base/units.hpp"
+#include "message_of.hpp"
 #include "spring_battery.hpp"
 
 namespace moat::testing {

@@ -221,7 +221,7 @@ TEST(PlanBuilding, RayleighDampingMayBeGivenByItsFactors) {
   EXPECT_NEAR(peak({.a0 = factors.mass_factor / s, .a1 = factors.stiffness_factor * s}), peak({.ratio = 0.05}), 1e-12);
 }
 
-// Six bearings of a design have the strength ratio and the period of the whole building, whatever their number.
+// Six bearings of a design have the strength ratio and the period of the whole building, for any number of them.
 TEST(PlanBuilding, BearingsShareADesign) {
   Model model;
   PlanBuilding building = tower(2);

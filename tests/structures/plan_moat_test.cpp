@@ -1,4 +1,4 @@
-// Moats and neighbours in plan: which corners meet which walls, flexible walls, refusals.
+// Moats in plan: which corners meet which walls, flexible walls, refusals.
 #include "moat.hpp"
 
 #include <gtest/gtest.h>
@@ -132,54 +132,6 @@ TEST(PlanMoat, WallCornerThatPointsInwardsHitsTheBase) {
   EXPECT_NEAR(state.velocity(base.r), 0.0, 1e-9);
 }
 
-TEST(PlanNeighbours, EqualFacesCountOnce) {
-  Model model;
-  const DiaphragmId a = add_slab(model, "a", rectangle(10 * m, 8 * m), 0.6 * m / s),
-                    b = add_slab(model, "b", rectangle(10 * m, 8 * m, {10.1 * m, 0 * m}));
-  add(model, PlanNeighbours{.first = a, .second = b, .law = law(), .friction = 0.3});
-  EXPECT_EQ(contacts_of(model),
-            (std::set<std::string>{"neighbours a corner 2 b edge 4", "neighbours a corner 3 b edge 4"}));
-  const auto [result, state] = run_to_end(model, still(), {.error_bars = ErrorBarMode::never});
-  EXPECT_EQ(result.impacts.size(), 2U);
-  // Equal masses: v' = v (1 -+ e)/2.
-  EXPECT_NEAR(state.velocity(a.x), 0.3 * (1.0 - restitution), 6e-4);
-  EXPECT_NEAR(state.velocity(b.x), 0.3 * (1.0 + restitution), 6e-4);
-  EXPECT_NEAR(state.velocity(a.r), 0.0, 1e-12);
-}
-
-TEST(PlanNeighbours, CornersOfTheShorterFaceCount) {
-  for (const bool short_first : {true, false}) {
-    Model model;
-    const DiaphragmId a = add_slab(model, "a", rectangle(10 * m, (short_first ? 4 : 8) * m)),
-                      b = add_slab(model, "b", rectangle(10 * m, (short_first ? 8 : 4) * m, {10.1 * m, 0 * m}));
-    add(model, PlanNeighbours{.first = a, .second = b, .law = law(), .reach = 0.5 * m});
-    EXPECT_EQ(contacts_of(model),
-              short_first
-                  ? (std::set<std::string>{"neighbours a corner 2 b edge 4", "neighbours a corner 3 b edge 4"})
-                  : (std::set<std::string>{"neighbours b corner 1 a edge 2", "neighbours b corner 4 a edge 2"}));
-  }
-}
-
-TEST(PlanNeighbours, BodiesAtAnAngleExchangeTheImpulseOfTheirEffectiveMass) {
-  // A diamond hits a rectangle with its corner, away from the centres: momentum, moment of momentum and restitution.
-  Model model;
-  const double side = 8.0 * std::sqrt(2.0);
-  const DiaphragmId a = add_slab(model, "a", turned(rectangle(side * m, side * m), pi / 4), 0.6 * m / s, 0.1 * m / s),
-                    b = add_slab(model, "b", rectangle(10 * m, 12 * m, {13.05 * m, -2 * m}));
-  add(model, PlanNeighbours{.first = a, .second = b, .law = law()});
-  const auto [result, state] = run_to_end(
-      model, still(), {.transient = {.tolerance = 1e-8, .steps_per_contact = 512}, .error_bars = ErrorBarMode::never});
-  ASSERT_EQ(result.impacts.size(), 1U);
-  const double mass = 8e5, inertia_b = mass * (100.0 + 144.0) / 12.0, arm_b = 2.0;
-  const double normal_mass = 1.0 / (2.0 / mass + arm_b * arm_b / inertia_b);
-  const double impulse = normal_mass * (1.0 + restitution) * 0.6;
-  EXPECT_NEAR(state.velocity(a.x), 0.6 - impulse / mass, 1e-5);
-  EXPECT_NEAR(state.velocity(b.x), impulse / mass, 1e-5);
-  EXPECT_NEAR(state.angular_velocity(a), 0.0, 1e-9);
-  EXPECT_NEAR(state.angular_velocity(b), -impulse * arm_b / inertia_b, 1e-6);
-  EXPECT_NEAR(result.impacts[0].rebound_ratio, restitution, 1e-4);
-}
-
 TEST(PlanMoat, BadInputIsRefused) {
   const auto message = [](auto change) {
     return message_of([&] {
@@ -239,45 +191,6 @@ TEST(PlanMoat, BadInputIsRefused) {
       }),
       "PlanMoat \"moat\": 4 corners of \"base\" face wall 2, which has its law per face. Give .points_per_face, or "
       ".share = Share::per_corner.");
-}
-
-TEST(PlanNeighbours, OverlapIsRefused) {
-  const auto refusal = [](Length x, Length y, PlanPosition centre) {
-    Model model;
-    const DiaphragmId a = add_slab(model, "a", rectangle(10 * m, 8 * m)),
-                      b = add_slab(model, "b", rectangle(x, y, centre));
-    return message_of([&] { add(model, PlanNeighbours{.first = a, .second = b, .law = law()}); });
-  };
-  const std::string message =
-      "PlanNeighbours \"neighbours\": overlap at rest: the outlines of \"a\" and \"b\" cross each other. Move one of "
-      "them away, until they touch at most.";
-  EXPECT_EQ(refusal(10 * m, 8 * m, {9 * m, 0 * m}), message);
-  EXPECT_EQ(refusal(10 * m, 8 * m, {}), message) << "the same place";
-  EXPECT_EQ(refusal(10 * m, 6 * m, {0 * m, 1 * m}), message) << "inside, along three edges";
-  EXPECT_EQ(refusal(2 * m, 20 * m, {}), message) << "a cross";
-  EXPECT_EQ(refusal(10 * m, 8 * m, {10 * m - 1e-6 * m, 0 * m}), message);
-  EXPECT_EQ(refusal(10 * m, 8 * m, {10 * m, 0 * m}), "nothing was thrown") << "wall to wall";
-  EXPECT_EQ(refusal(10 * m, 8 * m, {10 * m, 8 * m}), "nothing was thrown") << "corner to corner";
-}
-
-// Wall to wall the same corners meet the same edges as a little apart, turned as well.
-TEST(PlanNeighbours, WallToWallMeetAsIfApart) {
-  for (const double degrees : {0.0, 17.0, 45.0, 133.0}) {
-    SCOPED_TRACE(degrees);
-    const auto contacts = [&](Length gap, Length x, Length y) {
-      Model model;
-      const PlanOutline first = rectangle(10 * m, 8 * m), second = rectangle(x, y, {5 * m + 0.5 * x + gap, 0.5 * m});
-      add(model, PlanNeighbours{.first = add_slab(model, "a", turned(first, degrees * deg)),
-                                .second = add_slab(model, "b", turned(second, degrees * deg)),
-                                .law = law()});
-      for (const auto& block : model.blocks())
-        for (std::size_t e = 0; block->kind().contacts && e < block->size(); ++e)
-          EXPECT_EQ(block->info(e).offset == 0.0, gap == 0 * m);
-      return contacts_of(model);
-    };
-    EXPECT_EQ(contacts(0 * m, 10 * m, 8 * m), contacts(1 * mm, 10 * m, 8 * m));
-    EXPECT_EQ(contacts(0 * m, 6 * m, 12 * m), contacts(1 * mm, 6 * m, 12 * m));
-  }
 }
 
 TEST(PlanMoat, WallToWallMeetsAsIfApart) {

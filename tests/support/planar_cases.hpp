@@ -53,7 +53,7 @@ inline std::vector<PlanarCase<BiaxialFrictionPendulum>> planar_cases() {
 
 template <>
 inline std::vector<PlanarCase<BiaxialLinear>> planar_cases() {
-  return {{{.stiffness = 2 * units::MN / units::m}, {.force = 4e4}}};
+  return {{{.stiffness = 2 * units::MN / units::m}, {.force = 4e4, .dissipates = false}}};
 }
 
 template <>

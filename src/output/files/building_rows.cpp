@@ -1,6 +1,7 @@
 #include "output/files/building_rows.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <initializer_list>
 #include <set>
@@ -17,8 +18,15 @@ bool is_of(const BuildingParts& building, const GapClearance& gap) {
   return std::ranges::find(building.gaps, gap.where, &GapOfBuilding::name) != building.gaps.end();
 }
 
-std::string with_error(const std::string& value, const std::string& error, const std::string& unit) {
-  return value + (error.empty() ? "" : " +- " + error) + " " + unit;
+// An error that does not reach the last digit of the value is left to the tables of peaks.
+std::string with_error(const PeakRow& row, const std::string& unit) {
+  const std::size_t point = row.value.find('.');
+  const double last_digit =
+      point == std::string::npos
+          ? 1.0
+          : std::pow(10.0, static_cast<double>(point + 1) - static_cast<double>(row.value.size()));
+  const bool is_visible = !row.error.empty() && std::stod(row.error) >= 0.5 * last_digit;
+  return row.value + (is_visible ? " +- " + row.error : "") + " " + unit;
 }
 
 // The sides on which gaps of the building closed: "left and right".
@@ -49,7 +57,7 @@ BuildingCell margin_cell(const CaseResult& result, const BuildingParts& building
     if (is_of(building, gap) && (least == nullptr || gap.left < least->left)) least = &gap;
   if (least == nullptr) return {};
   const PeakRow row = clearance_group({*least}).rows.front();
-  return {.value = with_error(row.value, row.error, engineering_unit("m").symbol),
+  return {.value = with_error(row, engineering_unit("m").symbol),
           .more = least->clearance > 0.0 ? to_significant(100.0 * least->left / least->clearance, 3) + " %" : "",
           .where = least->where + " at " + row.time + " s"};
 }
@@ -70,7 +78,7 @@ BuildingCell peak_cell(const CaseResult& result, const BuildingParts& building,
   positive.value = largest->magnitude();
   const PeakGroup group = group_peaks({positive}).front();
   const PeakRow& row = group.rows.front();
-  const std::string value = with_error(row.value, row.error, group.unit);
+  const std::string value = with_error(row, group.unit);
   const bool is_element = !row.side.empty() && row.side != "left" && row.side != "right";
   return {.value = row.second.empty() ? value : row.second + " " + group.second_unit,
           .more = row.second.empty() ? "" : value,

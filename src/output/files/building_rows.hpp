@@ -10,7 +10,7 @@ namespace moat {
 
 /// A number with its place. All texts are empty where the building has no such number.
 struct BuildingCell {
-  std::string value{};     ///< with error and unit: "13.36 +- 0.02 cm", "0.571 g", "closed, right"
+  std::string value{};     ///< with unit, and an error that is visible: "13.4 +- 0.2 cm", "0.571 g", "closed, right"
   std::string more{};      ///< "5.600 +- 0.003 m/s^2"; of a margin its share of the clearance: "26.7 %"
   std::string where{};     ///< "storey 3 at 4.520 s"
   bool unsettled = false;  ///< Whether its error is above 1 %.

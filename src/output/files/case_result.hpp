@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "base/parameter.hpp"
+#include "model/building.hpp"
 #include "motions/ground_motion.hpp"
 #include "output/files/model_facts.hpp"
 #include "output/files/provenance.hpp"
@@ -169,12 +170,13 @@ struct GapOfBuilding {
 
 /// A building and the names of its parts.
 struct BuildingParts {
-  std::string name{};                    ///< may be empty
-  std::string base{};                    ///< a node; empty for a fixed building
-  std::vector<std::string> floors{};     ///< nodes, from the lowest up
-  std::vector<std::string> isolators{};  ///< elements
-  std::vector<GapOfBuilding> gaps{};     ///< between the building and others, walls or the ground
-  std::set<std::string> places{};        ///< where peaks of its nodes and elements are listed
+  std::string name{};                      ///< may be empty
+  std::string base{};                      ///< a node; empty for a fixed building
+  std::vector<std::string> floors{};       ///< nodes, from the lowest up
+  std::vector<std::string> isolators{};    ///< elements
+  std::vector<GapOfBuilding> gaps{};       ///< between the building and others, walls or the ground
+  std::set<std::string> places{};          ///< where peaks of its nodes and elements are listed
+  std::vector<ParticipatingMass> modes{};  ///< of a building given by matrices or modes, held at its base
 };
 
 /// A period with the name of the part that vibrates.

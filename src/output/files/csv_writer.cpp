@@ -112,4 +112,28 @@ void write_peaks_csv(const CaseResult& result, const std::filesystem::path& path
   write_file(path, out);
 }
 
+void write_participating_masses_csv(const CaseResult& result, const std::filesystem::path& path) {
+  std::string out = "building,mode,period [s],x [%],y [%],rotation [%],sum x [%],sum y [%],sum rotation [%]\n";
+  bool any = false;
+  for (const BuildingParts& building : result.buildings) {
+    double x = 0.0, y = 0.0, rotation = 0.0;
+    int number = 0;
+    for (const ParticipatingMass& mode : building.modes) {
+      any = true;
+      append_text(out, building.name);
+      out += ',' + std::to_string(++number);
+      x += mode.x;
+      y += mode.y;
+      rotation += mode.rotation;
+      for (const double value : {mode.period, 100.0 * mode.x, 100.0 * mode.y, 100.0 * mode.rotation, 100.0 * x,
+                                 100.0 * y, 100.0 * rotation}) {
+        out += ',';
+        append_number(out, value);
+      }
+      out += '\n';
+    }
+  }
+  if (any) write_file(path, out);
+}
+
 }  // namespace moat

@@ -24,4 +24,8 @@ void write_csv(const std::vector<Impact>& impacts, const std::filesystem::path& 
 /// that of the place; of one between two buildings "north and south"; empty where it is of none. Throws FileError.
 void write_peaks_csv(const CaseResult& result, const std::filesystem::path& path);
 
+/// participating_masses.csv: `building,mode,period [s],x [%],y [%],rotation [%],sum x [%],sum y [%],sum rotation [%]`,
+/// one row per mode of a building held at its base; nothing is written where no building has modes. Throws FileError.
+void write_participating_masses_csv(const CaseResult& result, const std::filesystem::path& path);
+
 }  // namespace moat

@@ -28,8 +28,8 @@ ElementFacts facts_of(const Model& model, const ElementBlock& block, std::size_t
   if (const PlanPlaces* places = info.plan_places()) facts.plan_places = *places;
   if (const MemberEnds* ends = info.member_ends()) {
     const auto& [first, second, height] = *ends;
-    if (!first.is_node()) facts.first_other = model.node_name(first.other);
-    if (!second.is_node()) facts.second_other = model.node_name(second.other);
+    if (!first.is_node()) facts.first_other = model.body_name(first.other);
+    if (!second.is_node()) facts.second_other = model.body_name(second.other);
     facts.first_share = first.share;
     facts.second_share = second.share;
   }

@@ -16,9 +16,11 @@ inline constexpr const char* histories_csv = "histories.csv";  ///< Histories as
 inline constexpr const char* histories_vtt = "histories.vtt";  ///< Histories for ParaView.
 inline constexpr const char* impacts = "impacts.csv";          ///< A row for every impact.
 inline constexpr const char* peaks = "peaks.csv";              ///< A row for every peak.
-inline constexpr const char* report = "report.html";           ///< The report.
-inline constexpr const char* charts = "charts.svg";            ///< All histories as pictures.
-inline constexpr const char* frames = "frames.pvd";            ///< The frames, for ParaView.
+/// A row for every mode of buildings given by matrices or modes.
+inline constexpr const char* participating_masses = "participating_masses.csv";
+inline constexpr const char* report = "report.html";  ///< The report.
+inline constexpr const char* charts = "charts.svg";   ///< All histories as pictures.
+inline constexpr const char* frames = "frames.pvd";   ///< The frames, for ParaView.
 /// Draws the frames in ParaView.
 inline constexpr const char* paraview_script = "moat.py";
 /// Sub-folder of the frames frame_000000.vtu, frame_000001.vtu ...
@@ -30,9 +32,9 @@ inline constexpr const char* unfinished = "unfinished";
 /// Lists the files of complete results. Overwriting replaces these, and nothing else.
 inline constexpr const char* list = ".moat";
 /// All files and sub-folders of results.
-inline constexpr std::array all_names{summary,       histories_csv, histories_vtt, impacts,         peaks,
-                                      report,        charts,        frames,        paraview_script, frames_folder,
-                                      charts_folder, unfinished,    list};
+inline constexpr std::array all_names{
+    summary, histories_csv, histories_vtt,   impacts,       peaks,         participating_masses, report,
+    charts,  frames,        paraview_script, frames_folder, charts_folder, unfinished,           list};
 }  // namespace results_file
 
 /// How a folder is treated that already holds something.

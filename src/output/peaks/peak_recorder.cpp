@@ -72,10 +72,11 @@ std::vector<Peak> PeakRecorder::peaks() const {
   // In plan the maxima of two directions make no sum, and coupled masses have no inertia of a floor alone.
   if (model_->is_plan() || !model_->mass_matrix().is_diagonal()) return peaks;
   for (const Building& building : model_->buildings()) {
+    if (building.shares_base) continue;
     Peak sum{"sum_of_floor_inertia_maxima", building.base_name(), 0.0, "N", 0.0};
-    for (const NodeId node : building.nodes()) {
+    for (const NodeId node : carried_nodes(*model_, building)) {
       const std::size_t acceleration = Channels::of_node(*model_, node) + 2;
-      sum.value += model_->mass_matrix().diagonal()[node.index] * peaks_.magnitude(acceleration);
+      sum.value += model_->mass(node) * peaks_.magnitude(acceleration);
       // The maxima are not simultaneous; the last of them completes the sum.
       sum.time = std::max(sum.time, peaks_.time(acceleration));
     }

@@ -25,6 +25,16 @@ void write_length(PlanVector vector, PlanVector vector_rate, double*& value, dou
   *rate++ = size > 0.0 ? dot(vector, vector_rate) / size : 0.0;
 }
 
+// M a of all degrees of freedom, N, or its rate.
+Vector inertia_of(const StepView& view, bool of_rate) {
+  const int count = view.model.degrees_of_freedom();
+  Vector accelerations{count}, inertia{count};
+  for (int i = 0; i < count; ++i)
+    accelerations[i] = of_rate ? view.state.jerk(NodeId{i}) : view.absolute_acceleration(NodeId{i});
+  view.model.mass_matrix().multiply(accelerations.data(), inertia.data());
+  return inertia;
+}
+
 void write(double of_value, double of_rate, double*& value, double*& rate) {
   *value++ = of_value;
   *rate++ = of_rate;
@@ -163,11 +173,27 @@ void PlanChannels::sample(const StepView& view, double*& value, double*& rate) c
     const ContactView contact = state.elements(element.block).contact(element.element);
     write(contact.friction_force, contact.friction_force_rate, value, rate);
   }
+  // Masses that couple floors count too, but for those of floors that follow modes: these have masses of their own.
+  const bool coupled = !model.mass_matrix().is_diagonal() && !buildings_.empty();
+  const Vector inertia = coupled ? inertia_of(view, false) : Vector{},
+               rates = coupled ? inertia_of(view, true) : Vector{};
   for (const std::vector<DiaphragmId>& floors : buildings_) {
     // The force from outside is the inertia of base and floors.
     PlanVector force, force_rate;
     double torque = 0.0, torque_rate = 0.0;
+    const bool follows = std::ranges::any_of(floors, [](const DiaphragmId& id) { return id.x.is_follower(); });
     for (const DiaphragmId& id : floors) {
+      if (coupled && !follows) {
+        const PlacedDiaphragm& floor = *model.diaphragm_of(id.x);
+        const auto add = [&](const Vector& of, PlanVector& sum, double& moment) {
+          const PlanVector own{of[id.x.index], of[id.y.index]};
+          sum += -1.0 * own;
+          moment -= cross(floor.centre_of_mass, own) + floor.gyration * of[id.r.index];
+        };
+        add(inertia, force, torque);
+        add(rates, force_rate, torque_rate);
+        continue;
+      }
       const PlacedDiaphragm& floor = *model.diaphragm_of(id.x);
       const PointMotion centre = motion_of({id, {}});
       force += -floor.mass * centre.acceleration;

@@ -12,7 +12,8 @@
 namespace moat {
 
 /// The shear of storeys: the sum of the forces between the body below and the body above. On a line that of the
-/// springs, which report a force, without dashpots; in plan that of columns, bearings and dashpots together.
+/// springs, which report a force, without dashpots; in plan that of columns, bearings and dashpots together; of a
+/// building that is given by its matrix the elastic force.
 class StoreyShears {
  public:
   /// storeys: the bodies below and above each.
@@ -27,6 +28,13 @@ class StoreyShears {
     std::size_t block, element, storey;
   };
   std::vector<Part> parts_;
+  // Of a building that is given by its matrix.
+  struct SumOfMotion {
+    std::size_t storey;
+    PlanVector along;
+    std::vector<MotionShare> displacements;
+  };
+  std::vector<SumOfMotion> sums_of_motion_;
   std::vector<PlanVector> sums_;
   std::vector<double> shears_;
 };

@@ -29,6 +29,7 @@ class SceneBuilder {
     int number = 0;
     for (const auto& block : model_.blocks())
       for (std::size_t e = 0; e < block->size(); ++e, ++number) add_element(block->info(e), number);
+    for (const Building& building : model_.buildings()) add_storeys_of_matrices(building);
     return std::move(scene_);
   }
 
@@ -68,6 +69,7 @@ class SceneBuilder {
   }
 
   void add_element(const ElementInfo& info, int number) {
+    if (info.joined() == nullptr) joined_.insert({{info.first, info.second}, {info.second, info.first}});
     switch (info.drawn_as) {
       case DrawnAs::nothing:
         return;
@@ -96,6 +98,18 @@ class SceneBuilder {
           point(high.x + half, top, high.node, high.spread), point(high.x - half, top, high.node, high.spread)},
          number,
          kind == CellKind::storey ? storey(info.first, info.second) : -1});
+  }
+
+  // Storeys that no element is drawn as: those of a building that is given by its matrix.
+  void add_storeys_of_matrices(const Building& building) {
+    NodeId below = building.base;
+    for (const NodeId above : building.floors) {
+      if (!joined_.contains({below, above}))
+        add_panel(CellKind::storey,
+                  {.name = "storey under " + std::string{model_.node_name(above)}, .first = below, .second = above},
+                  -1);
+      below = above;
+    }
   }
 
   int storey(NodeId below, NodeId above) {
@@ -231,7 +245,9 @@ class SceneBuilder {
 
   // The line from a corner to the edge, and the edge as a wall unless it is that of a floor.
   void add_corner(const ElementInfo& info, const CornerPair& pair, int number) {
-    const double level = height_of(info.second != ground ? info.second : info.first) - 0.5 * slab_thickness;
+    const double height = info.member_ends() != nullptr ? info.member_ends()->height
+                                                        : height_of(info.second != ground ? info.second : info.first);
+    const double level = height - 0.5 * slab_thickness;
     const PlanVector corner_spread = spread_of(info.second);
     const bool is_wall = model_.diaphragm_of(info.first) == nullptr;
     const PlanVector clearance = info.offset * pair.normal, along = turned_left(clearance);
@@ -259,6 +275,7 @@ class SceneBuilder {
   Scene scene_;
   std::set<std::tuple<std::string, double, double, double, double>> drawn_walls_;  // names and ends
   std::map<std::pair<NodeId, NodeId>, int> storeys_;
+  std::set<std::pair<NodeId, NodeId>> joined_;  // by elements
 };
 
 }  // namespace

@@ -95,7 +95,8 @@ void add_ground(const CaseResult& result, std::vector<Shape>& shapes) {
     const double more = beyond * (feet[1].x - feet[0].x);
     feet[0].x -= more;
     feet[1].x += more;
-    shapes.push_back({"ground", "ground", feet});
+    // Behind the walls of a moat.
+    shapes.insert(shapes.begin(), {"ground", "ground", feet});
   }
 }
 

@@ -93,5 +93,17 @@ TEST_F(CsvWriter, WritesImpactsWithUnits) {
   EXPECT_EQ(read_file(folder / "one.csv"), header + "moat left,3.25,0.125,0.5,0.0078125,2.5e+07,0.75,0.5,4e+05\n");
 }
 
+TEST_F(CsvWriter, ParticipatingMassesHaveARowForEachModeWithSums) {
+  CaseResult result;
+  write_participating_masses_csv(result, folder / "none.csv");
+  EXPECT_FALSE(std::filesystem::exists(folder / "none.csv"));
+  result.buildings = {{.name = "tower", .modes = {{1.5, 0.75, 0.0, 0.125}, {0.5, 0.125, 0.5, 0.25}}}};
+  write_participating_masses_csv(result, folder / "masses.csv");
+  EXPECT_EQ(read_file(folder / "masses.csv"),
+            "building,mode,period [s],x [%],y [%],rotation [%],sum x [%],sum y [%],sum rotation [%]\n"
+            "tower,1,1.5,75,0,12.5,75,0,12.5\n"
+            "tower,2,0.5,12.5,50,25,87.5,50,37.5\n");
+}
+
 }  // namespace
 }  // namespace moat

@@ -32,12 +32,12 @@ TEST(PeakTable, GivesEveryValueTheDigitsThatItsErrorLeaves) {
                   {"impact_force", "moat right", 0.0, "N", 0.0, 0.0}};
   EXPECT_EQ(peak_table(result),
             "peak displacement [cm]\n"
-            "  base        53.28 +- 0.016    at  4.500 s\n"
-            "  floor 1     53.3  +- 0.4      at 14.500 s\n"
-            "  floor 2     53.28 +- 0.0004   at 14.500 s\n"
-            "  floor 3     53.28             at  4.500 s\n"
+            "  base       53.28 +- 0.016    at  4.500 s\n"
+            "  floor 1    53.3  +- 0.4      at 14.500 s\n"
+            "  floor 2    53.28 +- 0.0004   at 14.500 s\n"
+            "  floor 3    53.28             at  4.500 s\n"
             "peak impact force [kN]\n"
-            "  moat left   25650 +- 40       at  4.250 s\n")
+            "  moat left  25650 +- 40       at  4.250 s\n")
       << "a gap that stayed open has no row";
 }
 

@@ -81,7 +81,8 @@ TEST(Channels, SampleTheCommittedState) {
   EXPECT_NEAR(rate("absolute_acceleration", "floor 1"), -(0.3 - 6.0) / 3.0, 1e-12);
   EXPECT_DOUBLE_EQ(rate("total_base_shear", "base"),
                    -(2.0 * rate("absolute_acceleration", "base") + 3.0 * rate("absolute_acceleration", "floor 1")));
-  EXPECT_EQ(Channels::of_node(model, building.floor), static_cast<std::size_t>(find(channels, "displacement", "floor 1")));
+  EXPECT_EQ(Channels::of_node(building.model, building.floor),
+            static_cast<std::size_t>(find(channels, "displacement", "floor 1")));
 }
 
 }  // namespace

@@ -67,6 +67,7 @@ TEST(Condensation, RigidFloorOnFourColumnsHasItsClosedForm) {
   EXPECT_LT((floor.stiffness - expected).norm(), 1e-12 * expected.norm());
   EXPECT_NEAR(floor.stiffness(2, 2) / 1e3, 613898.66427, 1e-5);
   EXPECT_TRUE(floor.in_plan);
+  EXPECT_EQ(floor.levels[0].height, 3.5);
   expect_periods(periods(floor.stiffness, floor.mass), {0.18130703, 0.14355202, 0.09813926});
   EXPECT_NEAR(floor.levels[0].mass, 24e3, 1e-9);
   EXPECT_NEAR(floor.levels[0].rotary_inertia, 150e3, 1e-6);
@@ -221,6 +222,13 @@ TEST(Condensation, LineKeepsOneDirectionOfABuildingInSpace) {
   EXPECT_EQ(frame.condensed().mass(0, 0), 24e3);
   frame.motion = LevelMotion::along_y;
   EXPECT_NEAR(frame.condensed().stiffness(0, 0) / in_plan(1, 1), 1.0, 1e-13);
+}
+
+TEST(Condensation, HeightsCountFromTheLowestNodes) {
+  Frame frame = floor_in_space();
+  for (FrameNode& node : frame.nodes) node.z -= 3 * m;
+  frame.levels[0].height = 0.5 * m;
+  EXPECT_DOUBLE_EQ(frame.condensed().levels[0].height, 3.5);
 }
 
 TEST(Condensation, TowersOnOneBaseHaveFloorsAtOneHeight) {

@@ -8,6 +8,9 @@
 #include <vector>
 
 #include "message_of.hpp"
+#include "output/peaks/peak_recorder.hpp"
+#include "output/recorders/storey_shears.hpp"
+#include "output/vtk/model_scene.hpp"
 #include "peak_in.hpp"
 
 namespace moat {
@@ -470,6 +473,30 @@ TEST(Superstructure, SlabsThatMoveApartStrainIt) {
   EXPECT_GT(std::abs(peak(b, "displacement", "slab 1") - peak(b, "displacement", "slab 2")), 1e-3);
 }
 
+TEST(Superstructure, ItsStoreysAreDrawnWithTheirShears) {
+  Superstructure held = matrices_on_line();
+  held.damping = std::monostate{};
+  Model matrices, modes;
+  add(matrices, held);
+  Superstructure modal = modes_on_line();
+  modal.damping = std::monostate{};
+  add(modes, modal);
+  for (const Model* model : {&matrices, &modes}) {
+    const Scene scene = scene_of(*model);
+    ASSERT_EQ(scene.storeys.size(), 3U);
+    EXPECT_EQ(std::ranges::count(scene.cells, CellKind::storey, &SceneCell::kind), 3);
+    Transient analysis{*model, shaking(), {.step = 2 * ms, .end = 2 * s}};
+    analysis.run();
+    const AnalysisState& state = analysis.state();
+    StoreyShears shears{*model, scene.storeys};
+    const auto found = shears.evaluate(state);
+    for (std::size_t i = 0; i < 3; ++i) {
+      const double drift = state.displacement(scene.storeys[i].second) - state.displacement(scene.storeys[i].first);
+      EXPECT_NEAR(found[i], 1e9 * drift, 1e-6 * std::abs(1e9 * drift));
+    }
+  }
+}
+
 // ---------------------------------------------------------------------------------------------------------- refusals
 
 std::string refusal(const Superstructure& building) {
@@ -493,6 +520,8 @@ void expect_words(const std::string& message, const std::string& words) {
 TEST(Superstructure, BadMatricesAreRefusedWithTheNumber) {
   expect_words(refusal_of([](Superstructure& b) { b.stiffness->values(0, 1) *= 1.1; }),
                "stiffness is not symmetric: entry (floor 1 x, floor 2 x) = -1.1e+09, transposed -1e+09");
+  expect_words(refusal_of([](Superstructure& b) { b.stiffness->values(2, 2) = 1e21; }),
+               "stiffness of floor 3 x is 5e+11 times the median");
   expect_words(refusal_of([](Superstructure& b) { b.stiffness->values(1, 1) = -1.0; }),
                "stiffness of floor 2 x is -1.");
   expect_words(refusal_of([](Superstructure& b) { b.stiffness->values(0, 0) = 1e9 / 3.0; }),
@@ -532,6 +561,159 @@ TEST(Superstructure, RowsOfTheBaseAreCheckedByRigidMotion) {
   whole(0, 0) = 1.1e9;
   building.stiffness = in_units(whole, {.force = N, .length = m});
   expect_words(refusal(building), "rigid motion of base and floors strains row base x");
+}
+
+// In a building without coupling of its directions, entries of round-off are no forces.
+TEST(Superstructure, RoundOffBesideTheBaseIsNoStrain) {
+  Eigen::MatrixXd whole = Eigen::MatrixXd::Zero(6, 6);
+  for (int d = 0; d < 3; ++d) {
+    const double k = d == 2 ? 6e10 : 1e9;
+    whole(d, d) = whole(3 + d, 3 + d) = k;
+    whole(d, 3 + d) = whole(3 + d, d) = -k;
+  }
+  whole(0, 1) = whole(1, 0) = 3e-8;
+  whole(4, 0) = whole(0, 4) = -7e-8;
+  const PlanCase plan;
+  Superstructure building = plan.building();
+  building.stiffness = in_units(whole, {.force = N, .length = m});
+  building.freedoms = per_floor(Freedoms::x_y_rotation).with_base();
+  building.floors = {plan.floors[0]};
+  Model model;
+  EXPECT_TRUE(add(model, building).notes.empty());
+}
+
+TEST(Superstructure, ADampingAgainstTheGroundIsRefused) {
+  Eigen::MatrixXd stiffness = Eigen::MatrixXd::Zero(4, 4);
+  stiffness.bottomRightCorner(3, 3) = chain_stiffness();
+  stiffness(0, 0) = 1e9;
+  stiffness(0, 1) = stiffness(1, 0) = -1e9;
+  Superstructure building = matrices_on_line();
+  building.stiffness = in_units(stiffness, {.force = N, .length = m});
+  building.freedoms = per_floor(Freedoms::x).with_base();
+  building.damping = in_units(1e-3 * stiffness, {.force = N, .length = m});
+  EXPECT_EQ(refusal(building), "nothing was thrown");
+  building.damping = in_units(1e-3 * stiffness + 2e5 * Eigen::MatrixXd::Identity(4, 4), {.force = N, .length = m});
+  expect_words(refusal(building), "alphaM of OpenSees damps motion against the ground");
+}
+
+TEST(Superstructure, DampersAlongOneDirectionAreADamping) {
+  const PlanCase plan;
+  Superstructure building = plan.building();
+  Eigen::MatrixXd damping = Eigen::MatrixXd::Zero(9, 9);
+  damping(0, 0) = 1e6;
+  building.damping = in_units(damping, {.force = N, .length = m});
+  EXPECT_EQ(refusal(building), "nothing was thrown");
+  damping(0, 0) = -1e6;
+  building.damping = in_units(damping, {.force = N, .length = m});
+  expect_words(refusal(building), "damping of floor 1 x is -1e+06.");
+}
+
+TEST(Superstructure, RatiosOfAllModesHoldForThoseThatAreKept) {
+  Superstructure building = modes_on_line();
+  building.damping = ModalDamping{0.05, 0.03, 0.02};
+  building.modes->keep = 2;
+  EXPECT_EQ(refusal(building), "nothing was thrown");
+  building.damping = ModalDamping{0.05, 0.03, 0.02, 0.01};
+  expect_words(refusal(building), "damping has 4 ratios for 2 modes.");
+}
+
+// Shapes of any size are the same building after Loewdin's orthonormalisation.
+TEST(Superstructure, OrthonormalisedShapesDoNotDependOnTheirSize) {
+  const auto periods = [](double factor) {
+    Superstructure building = modes_on_line();
+    building.modes->shapes(0, 1) *= 1.01;
+    building.modes->shapes.col(0) *= factor;
+    building.modes->norm = ShapeNorm::any;
+    building.modes->orthonormalise = true;
+    Model model;
+    return add(model, building).modes;
+  };
+  const auto one = periods(1.0), other = periods(7.0);
+  for (std::size_t i = 0; i < one.size(); ++i) {
+    EXPECT_NEAR(one[i].period, other[i].period, 1e-12);
+    EXPECT_NEAR(one[i].x, other[i].x, 1e-10);
+  }
+}
+
+TEST(Superstructure, OtherBasesAndFreedomsAreRefused) {
+  Model model;
+  const SuperstructureParts modal = add(model, modes_on_line());
+  Superstructure on_top = matrices_on_line();
+  on_top.name = "top";
+  on_top.base.reset();
+  on_top.isolation.reset();
+  on_top.on = {modal.floor(1)};
+  expect_words(message_of([&] { add(model, on_top); }), "it stands on a floor that is given by modes");
+  EXPECT_THROW(model.add_mass({modal.floor(1)}, Eigen::MatrixXd::Identity(1, 1)), InputError);
+  Superstructure two = matrices_on_line();
+  two.stiffness = in_units(1e9 * Eigen::Matrix2d::Identity(), {.force = N, .length = m});
+  two.freedoms = {{1, FloorDirection::x}, {1, FloorDirection::y}};
+  expect_words(refusal(two), "freedoms have y without rotation");
+}
+
+// A damper joins a floor that is given by modes.
+TEST(Superstructure, SpringsInPlanJoinFloorsOfModes) {
+  const PlanCase plan;
+  Superstructure building = plan.building();
+  Eigen::MatrixXd mass = Eigen::MatrixXd::Zero(9, 9);
+  for (int i = 0; i < 9; ++i)
+    mass(i, i) =
+        plan.floors[static_cast<std::size_t>(i / 3)].mass.si() * (i % 3 == 2 ? plan.outline.gyration_squared() : 1.0);
+  const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> solver{plan.stiffness, mass};
+  Superstructure modal = building;
+  modal.stiffness.reset();
+  modal.modes = StructureModes{.eigenvalues = {solver.eigenvalues().data(), solver.eigenvalues().data() + 9},
+                               .shapes = solver.eigenvectors()};
+  const auto result_of = [](const Superstructure& given) {
+    Model model;
+    const SuperstructureParts parts = add(model, given);
+    add(model, PlanSpring<Viscous>{.name = "damper",
+                                   .lower = PlanPoint{parts.base, {10 * m, 5 * m}},
+                                   .upper = PlanPoint{parts.floor(3), {10 * m, 5 * m}},
+                                   .direction = {1.0, 0.0},
+                                   .law = {.damping = 5 * MN * s / m}});
+    add(model, PlanSpring<Linear>{.name = "rope",
+                                  .lower = PlanPoint{ground, {-10 * m, 5 * m}},
+                                  .upper = PlanPoint{parts.floor(2), {-10 * m, 5 * m}},
+                                  .direction = {0.0, 1.0},
+                                  .law = {.stiffness = 5 * MN / m}});
+    return run(model, shaking_in_plan(), {.step = 2 * ms, .force_tolerance = 1e-12});
+  };
+  const CaseResult a = result_of(modal), b = result_of(building);
+  for (const auto& [quantity, where] :
+       {std::pair{"displacement", "floor 3"}, {"rotation", "base"}, {"force", "damper"}, {"force", "rope"}})
+    EXPECT_NEAR(peak(a, quantity, where), peak(b, quantity, where), 1e-8 * peak(b, quantity, where)) << quantity;
+}
+
+// Masses between floors count in the base shear: without damping it is the force of the bearings.
+TEST(Superstructure, CoupledMassesCountInTheBaseShearInPlan) {
+  const PlanCase plan;
+  Superstructure building = plan.building();
+  building.damping = std::monostate{};
+  Eigen::MatrixXd mass = Eigen::MatrixXd::Zero(9, 9);
+  for (int i = 0; i < 9; ++i)
+    mass(i, i) =
+        plan.floors[static_cast<std::size_t>(i / 3)].mass.si() * (i % 3 == 2 ? plan.outline.gyration_squared() : 1.0);
+  mass(0, 3) = mass(3, 0) = 1e5;
+  mass(1, 5) = mass(5, 1) = 2e5;
+  building.mass = in_units(mass, {.force = N, .length = m});
+  Model model;
+  add(model, building);
+  Transient transient{model, shaking_in_plan(), {.step = 2 * ms, .end = 2 * s}};
+  PeakRecorder peaks{model};
+  transient.attach(peaks);
+  double largest = 0.0;
+  while (!transient.finished()) {
+    transient.advance();
+    double force = 0.0;
+    for (std::size_t b = 0; b < model.blocks().size(); ++b)
+      for (const PlanVector& each : transient.state().elements(b).results().plan.forces) force += each.x;
+    largest = std::max(largest, std::abs(force));
+  }
+  const std::vector<Peak> list = peaks.peaks();
+  const auto shear = std::ranges::find(list, "total_base_shear_x", &Peak::quantity);
+  ASSERT_NE(shear, list.end());
+  EXPECT_NEAR(shear->magnitude(), largest, 1e-3 * largest);
 }
 
 TEST(Superstructure, ShapesThatDoNotFitTheMassesAreRefused) {
