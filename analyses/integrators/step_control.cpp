@@ -9,13 +9,19 @@
 namespace moat {
 namespace {
 
-// Further halvings of the first step after a touch.
+// Trials below are those of the 200 random models of ./moat bench accuracy, whose worst peaks have an error of 0.0056 %
+// in the 90th percentile and of 0.030 % in the 99th.
+
+// Further halvings of the first step after a touch. Trial: with 4 both errors double; 8 gains nothing.
 constexpr int at_touch = 6;
-// A contact is sustained after so many of its durations without an event.
+// A contact is sustained after so many of its durations without an event. Trial: with 2 the 99th percentile is 0.071 %;
+// with 8 it is 0.024 %, for 7 % more steps where there are many.
 constexpr double durations_until_leaning = 4.0;
 // The fourth-order scheme is stable up to h w = 2.45 without damping; h w and h c/m together leave room below that.
+// Trial: 1.2 costs 7 % more steps where there are many and gains a sixth of the error; 2.3 gains nothing.
 constexpr double of_frequency = 1.8, of_damping = 4.0;
-// A contact under load has so many times the frequency of a free impact.
+// A contact under load has so many times the frequency of a free impact. Trial: with 1 the 90th percentile is 0.0059 %,
+// with 4 it is 0.0047 %, for 1 % more steps.
 constexpr double harder = 2.0;
 // Up to so many halvings the fourth-order scheme costs less than average acceleration, and than strongly_damped().
 constexpr int worth_halving = 6, worth_halving_for_dashpots = 1;
