@@ -37,7 +37,8 @@ file(CONFIGURE OUTPUT ${CMAKE_BINARY_DIR}/debian/script_link.txt CONTENT "@_libr
 ")
 install(FILES ${CMAKE_BINARY_DIR}/debian/script_compile.txt ${CMAKE_BINARY_DIR}/debian/script_link.txt
   DESTINATION ${_programs})
-install(DIRECTORY ${PROJECT_SOURCE_DIR}/examples DESTINATION ${_root} FILES_MATCHING PATTERN *.cpp PATTERN project/*)
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/examples DESTINATION ${_root} FILES_MATCHING PATTERN *.cpp
+  PATTERN data/* PATTERN project/*)
 install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION share/doc/moat RENAME copyright)
 install(FILES ${CMAKE_CURRENT_LIST_DIR}/debian/completion DESTINATION share/bash-completion/completions RENAME moat)
 # Headers, for scripts, and for the launcher, which reads the fields of structs from them; and the command itself, which
