@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "ended_case.hpp"
+#include "free_slabs.hpp"
 #include "materials/impact/exact_hertz_damp.hpp"
 #include "message_of.hpp"
 #include "peak_in.hpp"
@@ -19,30 +20,13 @@ namespace moat {
 namespace {
 
 using namespace units;
+using testing::add_slab;
+using testing::contacts_of;
+using testing::law;
 using testing::message_of;
+using testing::restitution;
 using testing::run_to_end;
-
-constexpr double restitution = 0.65;
-ExactHertzDamp law() { return {.stiffness = 1e9 * N / m_3_2, .restitution = restitution}; }
-
-GroundMotion still() { return {"still", 0.005, std::vector<double>(201, 0.0)}; }
-
-DiaphragmId add_slab(Model& model, const std::string& name, const PlanOutline& outline, Speed vx = {}, Speed vy = {}) {
-  return add(model, Diaphragm{.name = name,
-                              .mass = 800 * tonne,
-                              .centre_of_mass = {Length{outline.centroid().x}, Length{outline.centroid().y}},
-                              .outline = outline,
-                              .initial_velocity_x = vx,
-                              .initial_velocity_y = vy,
-                              .free = true});
-}
-
-std::set<std::string> contacts_of(const Model& model) {
-  std::set<std::string> names;
-  for (const auto& block : model.blocks())
-    for (std::size_t e = 0; block->kind().contacts && e < block->size(); ++e) names.insert(block->info(e).name);
-  return names;
-}
+using testing::still;
 
 TEST(PlanNeighbours, EqualFacesCountOnce) {
   Model model;

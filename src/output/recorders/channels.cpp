@@ -139,7 +139,7 @@ void Channels::sample(const StepView& view, std::vector<double>& values, std::ve
       rate[shear.channel] -= mass * rate[of_node(view.model, node) + 2];
     }
   }
-  if (!base_shears_.empty() && !view.model.mass_matrix().is_diagonal())
+  if (!view.model.mass_matrix().is_diagonal() && !std::ranges::all_of(base_shears_, &BaseShear::has_followers))
     for (double* each : {value, rate}) add_coupled_inertia(view.model.mass_matrix(), each);
   if (!view.model.is_plan()) return;
   value += first_in_plan_;

@@ -174,14 +174,17 @@ void PlanChannels::sample(const StepView& view, double*& value, double*& rate) c
     write(contact.friction_force, contact.friction_force_rate, value, rate);
   }
   // Masses that couple floors count too, but for those of floors that follow modes: these have masses of their own.
-  const bool coupled = !model.mass_matrix().is_diagonal() && !buildings_.empty();
+  const auto follow = [](const std::vector<DiaphragmId>& floors) {
+    return std::ranges::any_of(floors, [](const DiaphragmId& id) { return id.x.is_follower(); });
+  };
+  const bool coupled = !model.mass_matrix().is_diagonal() && !std::ranges::all_of(buildings_, follow);
   const Vector inertia = coupled ? inertia_of(view, false) : Vector{},
                rates = coupled ? inertia_of(view, true) : Vector{};
   for (const std::vector<DiaphragmId>& floors : buildings_) {
     // The force from outside is the inertia of base and floors.
     PlanVector force, force_rate;
     double torque = 0.0, torque_rate = 0.0;
-    const bool follows = std::ranges::any_of(floors, [](const DiaphragmId& id) { return id.x.is_follower(); });
+    const bool follows = follow(floors);
     for (const DiaphragmId& id : floors) {
       if (coupled && !follows) {
         const PlacedDiaphragm& floor = *model.diaphragm_of(id.x);
