@@ -102,26 +102,25 @@ struct HeatedSlidingIsolator {
     const int direction = state.direction != 0 ? state.direction : rate < 0.0 ? -1 : 1;
     const double speed = std::max(direction * rate, 0.0);
     const Rates rates = rates_of(state, speed, direction * second_rate);
-    if (index == 0) return {limit(state, speed) / normal_force, rates.coefficient};
+    if (index == 0) return {unheated(state, speed).coefficient, rates.coefficient};
     if (index == 2) return {friction.initial_temperature + state.rise, rates.rise};
     return {state.slip,
             state.direction == 0 ? 0.0 : rate - state.direction * rates.coefficient * normal_force / elastic_stiffness};
   }
 
   /// Pressure of the slider on the surface, N/m^2.
-  [[nodiscard]] double pressure() const {
-    return normal_force / (std::numbers::pi * friction.slider_radius.si() * friction.slider_radius.si());
-  }
+  [[nodiscard]] double pressure() const { return normal_force / area(); }
 
- private:
+  /// Friction of the surface: mu, dmu/d|v| and dmu/dN.
   struct Surface {
-    double coefficient, slope;  // mu, dmu/d|v|
+    double coefficient, slope, by_compression;
   };
 
+  /// Rates of friction and temperature, 1/s and K/s.
   struct Rates {
-    double coefficient, rise;  // 1/s, K/s
+    double coefficient, rise;
   };
-  // At a speed and its rate.
+  /// At a speed and its rate.
   [[nodiscard]] Rates rates_of(const State& state, double speed, double faster) const {
     const double celsius = friction.initial_temperature + state.rise;
     const double by_speed = factor() * friction.speed_factor(speed),
@@ -143,28 +142,27 @@ struct HeatedSlidingIsolator {
     return {by_speed_slope * faster * of_temperature + by_speed * temperature_slope * rise_rate, rise_rate};
   }
 
-  [[nodiscard]] double factor() const { return friction.reference_coefficient * friction.pressure_factor(pressure()); }
+  /// Friction at a speed, at the temperature of a state.
+  [[nodiscard]] Surface unheated(const State& state, double speed) const {
+    const double of_temperature = friction.temperature_factor(friction.initial_temperature + state.rise),
+                 coefficient = factor() * friction.speed_factor(speed) * of_temperature;
+    return {coefficient, factor() * friction.speed_slope(speed) * of_temperature,
+            coefficient * friction.pressure_slope() / area()};
+  }
   [[nodiscard]] double limit(const State& state, double speed) const {
-    return factor() * friction.speed_factor(speed) *
-           friction.temperature_factor(friction.initial_temperature + state.rise) * normal_force;
+    return unheated(state, speed).coefficient * normal_force;
   }
-  // The distance from the centre at which a slider of this contact stops to cover it, m.
+  /// The distance from the centre at which a slider of this contact stops to cover it, m.
   [[nodiscard]] double edge() const { return 0.5 * std::sqrt(std::numbers::pi) * friction.slider_radius.si(); }
-  // The way of a slide until its flux of heat begins or ends, m.
-  [[nodiscard]] double margin_of_edge(const State& sliding, double deformation) const {
-    if (sliding.side == 0) return edge() - sliding.direction * deformation;
-    if (sliding.side == sliding.direction) return std::numeric_limits<double>::infinity();
-    return sliding.side * deformation - edge();
-  }
-
-  // Temperature and friction after a time h >= 0, at a rate in the direction of sliding. A step may overshoot the turn
-  // of the rate: friction goes on along its tangent, so that it stays smooth.
-  [[nodiscard]] Surface heat(const State& committed, double rate, double h, State& trial) const {
+  /// Temperature and friction after a time h >= 0, at a rate in the direction of sliding. A step may overshoot the turn
+  /// of the rate: friction goes on along its tangent, so that it stays smooth.
+  Surface heat(const State& committed, double rate, double h, State& trial) const {
     const double speed = std::max(rate, 0.0), initial = friction.initial_temperature;
     const double by_speed_slope = factor() * friction.speed_slope(speed);
     const double by_speed = factor() * friction.speed_factor(speed) + by_speed_slope * std::min(rate, 0.0);
     // rise = known + gain q1 with q1 = share mu(rise); the flux is linear from q0 to q1.
-    const double share = committed.direction != 0 && committed.side == 0 ? pressure() * speed : 0.0;
+    const bool covers = committed.direction != 0 && committed.side == 0;
+    const double share = covers ? pressure() * speed : 0.0;
     double from_start = 0.0, per_flux = 0.0;
     std::array<double, PressureTemperatureVelocity::memory_size> known_memory, added;
     for (std::size_t j = 0; j < added.size(); ++j) {
@@ -198,7 +196,26 @@ struct HeatedSlidingIsolator {
     const double gain_slope = speed > 0.0 ? gain / speed : 0.0;
     const double rise_slope =
         of_temperature * (gain_slope * by_speed + gain * by_speed_slope) / (1.0 - gain * by_speed * temperature_slope);
-    return {coefficient, by_speed_slope * of_temperature + by_speed * temperature_slope * rise_slope};
+    // Friction and flux change with N by the factor of pressure, the flux also by the pressure itself.
+    const double by_factor = friction.pressure_slope() / area(),
+                 gain_by_compression =
+                     covers ? scale * (per_flux + PressureTemperatureVelocity::memory_rest) * speed / area() : 0.0,
+                 rise_by_compression = coefficient * (gain * by_factor + gain_by_compression) /
+                                       (1.0 - gain * by_speed * temperature_slope);
+    return {coefficient, by_speed_slope * of_temperature + by_speed * temperature_slope * rise_slope,
+            coefficient * by_factor + by_speed * temperature_slope * rise_by_compression};
+  }
+
+ private:
+  [[nodiscard]] double factor() const { return friction.reference_coefficient * friction.pressure_factor(pressure()); }
+  [[nodiscard]] double area() const {
+    return std::numbers::pi * friction.slider_radius.si() * friction.slider_radius.si();
+  }
+  // The way of a slide until its flux of heat begins or ends, m.
+  [[nodiscard]] double margin_of_edge(const State& sliding, double deformation) const {
+    if (sliding.side == 0) return edge() - sliding.direction * deformation;
+    if (sliding.side == sliding.direction) return std::numeric_limits<double>::infinity();
+    return sliding.side * deformation - edge();
   }
 };
 

@@ -36,7 +36,15 @@ struct Repeated {
   /// The axial force is that on all of them.
   Response evaluate(const State& committed, double deformation, double rate, Interval interval, AxialForce axial,
                     State& trial) const requires AxialForceLaw<Law> {
-    return times(law.evaluate(committed, deformation, rate, interval, {axial.compression / count}, trial));
+    Response all = times(law.evaluate(committed, deformation, rate, interval,
+                                      {axial.compression / count, axial.rate_at_start / count}, trial));
+    all.by_compression /= count;
+    return all;
+  }
+  /// As of one of them, because each has its share of N.
+  double weight_lever(const State& from, double deformation, const State& to,
+                      double end_deformation) const requires AxialForceLaw<Law> {
+    return law.weight_lever(from, deformation, to, end_deformation);
   }
   double force_rate(const State& state, double deformation, double rate, double second_rate) const requires
       requires(const Law& each) {
@@ -63,8 +71,13 @@ struct Repeated {
   }
   { return law.is_linear_within_regimes(); }
 
-  double regime_margin(const State& committed, double deformation, double rate) const requires LawWithRegimes<Law> {
+  double regime_margin(const State& committed, double deformation, double rate) const
+      requires(LawWithRegimes<Law> && !MarginUnderAxialForce<Law>) {
     return law.regime_margin(committed, deformation, rate);
+  }
+  double regime_margin(const State& committed, double deformation, double rate,
+                       AxialForce axial) const requires MarginUnderAxialForce<Law> {
+    return law.regime_margin(committed, deformation, rate, {axial.compression / count});
   }
   State next_regime(const State& committed, double deformation, double rate) const requires LawWithRegimes<Law> {
     return law.next_regime(committed, deformation, rate);
@@ -82,7 +95,7 @@ struct Repeated {
 
  private:
   [[nodiscard]] Response times(Response one) const {
-    return {count * one.force, count * one.stiffness, count * one.damping};
+    return {count * one.force, count * one.stiffness, count * one.damping, count * one.by_compression};
   }
 };
 

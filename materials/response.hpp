@@ -19,9 +19,10 @@ namespace moat {
 
 /// Force of a law with both exact tangents.
 struct Response {
-  double force = 0.0;      ///< N
-  double stiffness = 0.0;  ///< dF/d(deformation), N/m
-  double damping = 0.0;    ///< dF/d(rate), N s/m
+  double force = 0.0;           ///< N
+  double stiffness = 0.0;       ///< dF/d(deformation), N/m
+  double damping = 0.0;         ///< dF/d(rate), N s/m
+  double by_compression = 0.0;  ///< dF/dN, 1; of an AxialForceLaw
 };
 
 /// State of a law without history.
@@ -40,7 +41,10 @@ struct Interval {
 
 /// The force along the axis of an element, across its deformation: the weight on a bearing.
 struct AxialForce {
-  double compression = 0.0;  ///< N; negative in tension
+  /// N, N. Negative where the building has lifted off: its opening times the vertical stiffness. A bearing that cannot
+  /// pull has then no force.
+  double compression = 0.0;
+  double rate_at_start = 0.0;  ///< of N at the start of the interval, N/s
 };
 
 /// The parts that all laws have.
@@ -72,11 +76,17 @@ concept TimeDependentLaw = LawParts<Law> && requires(const Law& law, const typen
 ///
 ///     Response evaluate(State const& committed, double deformation, double rate, Interval interval, AxialForce axial,
 ///                       State& trial) const
+///
+/// State::compression is N at the instant of a state. stored_energy() and regime_margin() take it from there: they are
+/// given the state at the very instant, not the committed one. weight_lever(from, deformation, to, deformation), m, is
+/// the work of the axial force on the building per N of its change, d0 d1/(2 R) of a pendulum.
 template <class Law>
 concept AxialForceLaw = LawParts<Law> &&
     requires(const Law& law, const typename Law::State& committed, typename Law::State& trial, Interval interval,
              AxialForce axial, double x) {
   { law.evaluate(committed, x, x, interval, axial, trial) } -> std::same_as<Response>;
+  { law.weight_lever(committed, x, trial, x) } -> std::same_as<double>;
+  trial.compression = x;
 };
 
 /// A force-deformation law: a value without base class that does not depend on nodes, time steps or integrators.
@@ -151,9 +161,20 @@ constexpr std::span<const ReportedQuantity> quantities_of(const Law&) {
 /// a regime evaluate() is smooth. It is a length for all laws, because changes are located until it is zero to
 /// TransientOptions::location_tolerance: a gap is its own length, a force counts as a deformation of the law's spring,
 /// a rate as the distance in a time constant of the law. next_regime() gives the state on the other side.
+/// A law under an axial force may take that of the instant as well, beside the committed state, where its margin is not
+/// that of the state at the instant:
+///
+///     double regime_margin(State const& committed, double deformation, double rate, AxialForce axial) const
+template <class Law>
+concept MarginUnderAxialForce = requires(const Law& law, const typename Law::State& committed, double x,
+                                         AxialForce axial) {
+  { law.regime_margin(committed, x, x, axial) } -> std::same_as<double>;
+};
 template <class Law>
 concept LawWithRegimes = ForceLaw<Law> && requires(const Law& law, const typename Law::State& committed, double x) {
-  { law.regime_margin(committed, x, x) } -> std::same_as<double>;
+  requires MarginUnderAxialForce<Law> || requires {
+    { law.regime_margin(committed, x, x) } -> std::same_as<double>;
+  };
   { law.next_regime(committed, x, x) } -> std::same_as<typename Law::State>;
 };
 

@@ -46,8 +46,11 @@ class SaturatingSlip {
   /// Where the step begins: at the z of its start, or on the circle |z| = 1.
   enum class Begins { from_the_start, on_the_circle };
 
-  /// `reach`: d_y > 0, m.
-  SaturatingSlip(Begins begins, double reach) : begins_{begins}, reach_{reach} {}
+  /// `reach`: d_y > 0, m. Of a circle that grows or shrinks in the step it is that of the mean circle, and
+  /// `elastic_reach` > 0 m that of the circle at the end, over which z grows elastically.
+  SaturatingSlip(Begins begins, double reach, double elastic_reach)
+      : begins_{begins}, reach_{reach}, stretch_{elastic_reach / reach} {}
+  SaturatingSlip(Begins begins, double reach) : SaturatingSlip{begins, reach, reach} {}
 
   /// The end of a step, and its derivatives.
   struct Step {
@@ -56,6 +59,7 @@ class SaturatingSlip {
     PlanMatrix by_rate;       ///< derivative by the rate at the end, s/m
     PlanMatrix by_start;      ///< derivative by z at the start
     PlanVector by_scale;      ///< derivative by a factor of the increment and of both rates
+    PlanVector by_stretch;    ///< derivative by elastic_reach/reach
     PlanVector rate;          ///< of z at the end, while the deformation goes on at its rate, 1/s
     double dissipated;        ///< over strength times d_y
   };
@@ -68,8 +72,8 @@ class SaturatingSlip {
     if (size <= negligible * reach_) {
       // No direction of its own: that of the rate, along which the next increment will go.
       const PlanMatrix derivative = slope(z0, rate);
-      return {z0 + derivative * increment, derivative,        {}, PlanMatrix::diagonal(1.0),
-              derivative * increment,      derivative * rate, 0.0};
+      return {z0 + derivative * increment, derivative, {}, PlanMatrix::diagonal(1.0), derivative * increment, {},
+              derivative * rate,           0.0};
     }
     const PlanVector t = increment / size, m = turned_left(t);
     const double s = size / reach_;
@@ -93,6 +97,7 @@ class SaturatingSlip {
             PlanMatrix::product(by_area, area_by_rate),
             PlanMatrix::product(by_p, t) + PlanMatrix::product(by_q, m),
             s * by_size + 2.0 * area * by_area,
+            vector(end.by_stretch),
             slope(z1, rate) * rate,
             end.dissipated};
   }
@@ -109,6 +114,7 @@ class SaturatingSlip {
   struct Parts {
     Pair at, by_p, by_q, by_size, by_area;
     double dissipated;
+    Pair by_stretch{};
   };
 
   // dz/d(deformation) along a direction of motion, 1/m.
@@ -117,7 +123,7 @@ class SaturatingSlip {
     const bool saturates = begins_ == Begins::from_the_start || dot(z, z) >= 1.0 - round_off;
     const PlanMatrix elastic = PlanMatrix::diagonal(1.0);
     const bool pulls = saturates && dot(z, direction) > 0.0;
-    return (1.0 / reach_) * (pulls ? elastic + -1.0 * PlanMatrix::product(z, z) : elastic);
+    return 1.0 / (reach_ * stretch_) * (pulls ? elastic + -1.0 * PlanMatrix::product(z, z) : elastic);
   }
 
   // sinh(x)/x = S and (cosh x - 1)/x^2 = C of y = x^2 >= 0 with their derivatives by y, cosh x and 1, all times
@@ -182,7 +188,18 @@ class SaturatingSlip {
       elastic_by_p = -1.0;
       begin = begin_by_p = 0.0;
     }
-    if (s <= elastic) return {{p + s, q}, {1.0, 0.0}, {0.0, 1.0}, {1.0, 0.0}, {0.0, 0.0}, 0.0};
+    const double by_stretch = elastic;
+    elastic *= stretch_;
+    elastic_by_p *= stretch_;
+    elastic_by_q *= stretch_;
+    if (s <= elastic)
+      return {{p + s / stretch_, q},
+              {1.0, 0.0},
+              {0.0, 1.0},
+              {1.0 / stretch_, 0.0},
+              {0.0, 0.0},
+              0.0,
+              {-s / (stretch_ * stretch_), 0.0}};
 
     // The area, cut off at s^2/(4 + 2 s), and its part in the rest of the path.
     const double most = 0.5 * s * s / (2.0 + s);
@@ -199,11 +216,12 @@ class SaturatingSlip {
             begin_by_q * end.by_p + end.by_q + -elastic_by_q * by_rest,
             by_rest + (all_by_size * part - all * part_by_rest * share) * end.by_area,
             (cut ? 0.0 : part) * end.by_area,
-            end.dissipated};
+            end.dissipated,
+            -by_stretch * by_rest};
   }
 
   Begins begins_;
-  double reach_;
+  double reach_, stretch_;
 };
 
 /// The response F = k2 d + Q z of a law with this history: `strength` Q, N, and `post_yield_stiffness` k2, N/m.

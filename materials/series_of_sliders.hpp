@@ -98,20 +98,36 @@ struct SeriesOfSliders {
   }
   /// Where a branch begins to slide or reaches its stop.
   [[nodiscard]] double next_corner(const State& state, double from, int direction) const {
-    double nearest = direction * std::numeric_limits<double>::infinity();
-    for (std::size_t i = 0; i < count; ++i)
-      for (const double corner : corners(branches[i], state.slips[i])) {
-        if (!std::isfinite(corner)) continue;
-        const double at = sum_of_displacements(state, force_of(branches[i], state.slips[i], corner));
-        if (direction * (at - from) > 0.0 && direction * (nearest - at) > 0.0) nearest = at;
-      }
-    return nearest;
+    return position(state, nearest_corner(state, from, direction), direction);
   }
   ReportedValue quantity(std::size_t index, const State& state, double deformation, double rate, double) const {
     return {state.slips[index], slip_rates_at(state, deformation, rate)[index]};
   }
 
  private:
+  friend struct SeriesUnderWeight;
+
+  static constexpr std::size_t corners_per_branch = 6, no_corner = most * corners_per_branch;
+  // The number of the next corner beyond a deformation; none if there is none.
+  [[nodiscard]] std::size_t nearest_corner(const State& state, double from, int direction) const {
+    std::size_t nearest = no_corner;
+    for (std::size_t corner = 0; corner < count * corners_per_branch; ++corner) {
+      const double at = position(state, corner, direction);
+      if (direction * (at - from) > 0.0 && direction * (position(state, nearest, direction) - at) > 0.0)
+        nearest = corner;
+    }
+    return nearest;
+  }
+  // The deformation at a corner; infinite in this direction without one.
+  [[nodiscard]] double position(const State& state, std::size_t corner, int direction) const {
+    const std::size_t i = corner / corners_per_branch;
+    const double u = i < count ? corners(branches[i], state.slips[i])[corner % corners_per_branch]
+                               : std::numeric_limits<double>::infinity();
+    return std::isfinite(u) ? sum_of_displacements(state, force_of(branches[i], state.slips[i], u))
+                            : direction * std::numeric_limits<double>::infinity();
+  }
+  // How far a branch moves before it slides, m.
+  [[nodiscard]] double reach(std::size_t i) const { return branches[i].friction / elastic_stiffness; }
   // How far a displacement passes a stop on either side, m.
   static double beyond(double u, double stop) { return std::max(std::abs(u) - stop, 0.0); }
   [[nodiscard]] double friction_of(const Branch& branch, double slip, double u) const {
@@ -147,18 +163,15 @@ struct SeriesOfSliders {
     for (double& slip_rate : slip_rates) slip_rate /= flexibility;
     return slip_rates;
   }
-  static constexpr std::size_t corners_per_branch = 6;
-  // The displacements at which a branch changes its stiffness, ascending.
+  // The displacements at which a branch changes its stiffness.
   [[nodiscard]] std::array<double, corners_per_branch> corners(const Branch& branch, double slip) const {
     const double reach = branch.friction / elastic_stiffness;
-    std::array<double, corners_per_branch> list{slip - reach,      slip + reach,     -branch.first_stop,
-                                                branch.first_stop, -branch.capacity, branch.capacity};
-    std::ranges::sort(list);
-    return list;
+    return {slip - reach, slip + reach, -branch.first_stop, branch.first_stop, -branch.capacity, branch.capacity};
   }
   // Returns the displacement of one branch under a force.
   [[nodiscard]] double displacement(const Branch& branch, double slip, double force) const {
-    const auto list = corners(branch, slip);
+    auto list = corners(branch, slip);
+    std::ranges::sort(list);
     double below = -std::numeric_limits<double>::infinity(), above = -below;
     for (const double corner : list) {
       if (!std::isfinite(corner)) continue;

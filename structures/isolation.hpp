@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -10,6 +11,7 @@
 #include "elements/line/lead_rubber_bearing.hpp"
 #include "elements/line/spring.hpp"
 #include "model/model.hpp"
+#include "structures/static_weights.hpp"
 
 namespace moat {
 
@@ -58,32 +60,39 @@ class Isolation {
     (join(Isolation{std::move(more)}), ...);
   }
 
-  /// Adds them below `base`, with their names behind `prefix`, under this weight. Throws InputError as the elements
-  /// would.
-  void add_to(Model& model, const std::string& prefix, NodeId base, Force weight) const;
+  /// Adds them below `base`, with their names behind `prefix`, under this weight. With axial forces each has its share
+  /// of it, which changes, and needs its place. Throws InputError as the elements would.
+  void add_to(Model& model, const std::string& prefix, NodeId base, Force weight,
+              const std::optional<AxialForces>& axial_forces = {}) const;
   /// Whether ends are given, which the building sets.
   [[nodiscard]] bool has_lower() const { return has_lower_; }
   [[nodiscard]] bool has_upper() const { return has_upper_; }  ///< Whether the script gave its upper node.
 
  private:
-  using Add = std::function<void(Model&, const std::string& name, NodeId base, Force weight)>;
+  using Add = std::function<void(Model&, const std::string& name, NodeId base, Force weight, bool weight_changes)>;
   struct Part {
     std::string name;
     Add add;
+    std::optional<BearingPlace> place{};  // of one that carries a weight and has a position
+    bool carries = false;                 // a weight
   };
 
   template <class Element>
   void take(Element element) {
     take(element.name, element.lower, element.upper,
-         [element](Model& model, const std::string& name, NodeId base, Force weight) {
+         [element](Model& model, const std::string& name, NodeId base, Force weight, bool weight_changes) {
            Element placed = element;
            placed.name = name;
            placed.lower = ground;
            placed.upper = base;
            if constexpr (requires { placed.weight; })
              if (placed.weight.si() == 0.0) placed.weight = weight;
+           if constexpr (requires { placed.weight_changes; }) placed.weight_changes = weight_changes;
            moat::add(model, placed);
          });
+    parts_.back().carries = !requires { element.force_quantity; };
+    if constexpr (requires { element.at; })
+      parts_.back().place = BearingPlace{{element.at.si(), 0.0}, element.own_weight(), element.vertical_stiffness};
   }
   void take(const std::string& name, NodeId lower, NodeId upper, Add add);
   void join(Isolation other);

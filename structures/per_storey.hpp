@@ -38,6 +38,15 @@ class PerStorey {
   /// One value per storey, from the lowest up.
   PerStorey(std::vector<T> list) : values_{std::move(list)}, is_list_{true} {}
 
+  /// The value of every storey where the field is left out.
+  static PerStorey unless_given(T every) {
+    PerStorey values(every);  // braces would make a list
+    values.is_given_ = false;
+    return values;
+  }
+
+  /// Whether the field is not left out.
+  [[nodiscard]] bool is_given() const { return is_given_; }
   /// Value of storey or floor 1, 2, ...
   [[nodiscard]] const T& of(int storey) const { return values_[is_list_ ? static_cast<std::size_t>(storey - 1) : 0]; }
   /// Whether every storey has its own.
@@ -65,7 +74,7 @@ class PerStorey {
 
  private:
   std::vector<T> values_;
-  bool is_list_ = false;
+  bool is_list_ = false, is_given_ = true;
 };
 
 }  // namespace moat

@@ -1,6 +1,5 @@
 #include "structures/plan_building.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <map>
 #include <utility>
@@ -10,6 +9,8 @@
 #include "elements/plan/rotation_link.hpp"
 #include "materials/linear.hpp"
 #include "materials/viscous.hpp"
+#include "solvers/dense.hpp"
+#include "structures/static_weights.hpp"
 
 namespace moat {
 namespace {
@@ -43,6 +44,11 @@ void check_parameters(const PlanBuilding& building) {
   check.not_negative("base_rotary_inertia", building.base_rotary_inertia);
   building.floor_mass.check(check, "floor_mass", building.storeys);
   building.storey_height.check(check, "storey_height", building.storeys);
+  if (building.axial_forces) {
+    check_axial_forces(check, *building.axial_forces, building.storey_height.is_given());
+    check.that(static_cast<bool>(building.bearings), "axial_forces are asked without bearings.",
+               "Give .bearings, or leave .axial_forces out.");
+  }
   building.columns.check_count(check, "columns", building.storeys);
   if (building.bearings)
     check.positive("base_mass", building.base_mass, "A building on bearings needs the mass of its base floor.");
@@ -161,6 +167,7 @@ class Builder {
     Building building{.name = building_.name, .base = base_};
     for (const DiaphragmId& floor : parts_.floors) building.floors.push_back(floor);
     building.storey_results = results_;
+    building.axial_forces = building_.axial_forces;
     add(model_, building);
     return parts_;
   }
@@ -252,10 +259,10 @@ class Builder {
 
   void require_stiffness(const std::string& storey, const Eigen::MatrixXd& stiffness) const {
     constexpr double round_off = 1e-9;
-    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver{stiffness, Eigen::EigenvaluesOnly};
-    check_.that(solver.eigenvalues()[0] > round_off * solver.eigenvalues()[2],
+    const Eigen::VectorXd values = eigen_pairs(stiffness).values;
+    check_.that(values[0] > round_off * values[2],
                 storey + " does not resist every motion in plan: the smallest eigenvalue of its stiffness is " +
-                    to_text(std::max(solver.eigenvalues()[0], 0.0)) + " N/m.",
+                    to_text(std::max(values[0], 0.0)) + " N/m.",
                 "Give column lines at two places at least, with stiffness along x and along y, or a StoreyStiffness.");
   }
 
@@ -274,10 +281,15 @@ class Builder {
 
   void add_bearings() {
     if (!building_.bearings) return;
-    double mass = building_.base_mass.si();
-    for (int floor = 1; floor <= building_.storeys; ++floor) mass += building_.floor_mass.of(floor).si();
+    double mass = 0.0;
+    PlanVector moment{};
+    for (const DiaphragmId& id : parts_.diaphragms()) {
+      const PlacedDiaphragm& floor = model_.diaphragm(id);
+      mass += floor.mass;
+      moment += floor.mass * floor.centre_of_mass;
+    }
     building_.bearings.add_under(model_, check_, prefix_, parts_.base, outline_of_base(building_),
-                                 Mass{mass} * units::g);
+                                 Mass{mass} * units::g, building_.axial_forces, moment / mass);
   }
 
   Model& model_;

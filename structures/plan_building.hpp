@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -55,7 +56,9 @@ struct PlanBuilding {
   /// Under the base, a grid over its outline; fixed to the ground if left out.
   PlanBearings bearings{};
   /// > 0 m. For drawings, and for neighbours.
-  PerStorey<Length> storey_height = 3.5 * units::m;
+  PerStorey<Length> storey_height = PerStorey<Length>::unless_given(3.5 * units::m);
+  /// Overturning and vertical motion act on the bearings; left out: the weight on each is constant. Needs the heights.
+  std::optional<AxialForces> axial_forces{};
 };
 
 /// The parts of a building in plan that was added.

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "structures/static_weights.hpp"
+
 namespace moat {
 namespace {
 
@@ -45,16 +47,29 @@ std::vector<PlanBearings::Placed> PlanBearings::placed(const Check& check, const
 }
 
 void PlanBearings::add_under(Model& model, const Check& check, const std::string& prefix, DiaphragmId floor,
-                             const PlanOutline& outline, Force weight_of_building) const {
+                             const PlanOutline& outline, Force weight_of_building,
+                             const std::optional<AxialForces>& axial_forces, PlanVector centre_of_mass) const {
   const std::vector<Placed> bearings = placed(check, outline);
-  int number = 0;
-  for (const Placed& bearing : bearings) {
-    const std::string numbered = "bearing " + std::to_string(++number);
+  std::vector<Force> weights;
+  if (axial_forces) {
+    std::vector<BearingPlace> places;
+    for (const Placed& bearing : bearings)
+      places.push_back({bearing.at.si(), bearing.weight, bearing.vertical_stiffness});
+    weights = static_weights(check, *axial_forces, places, weight_of_building, centre_of_mass, true);
+  }
+  for (std::size_t i = 0; i < bearings.size(); ++i) {
+    const Placed& bearing = bearings[i];
+    const std::string numbered = "bearing " + std::to_string(i + 1);
     const std::string& name = bearing.name.empty() ? numbered : bearing.name;
     check.not_negative("weight of " + name, bearing.weight);
-    bearing.add_to(
-        model, {prefix + name, prefix + (bearing.type.empty() ? "bearings" : bearing.type)}, floor, bearing.at,
-        bearing.weight.si() > 0.0 ? bearing.weight : weight_of_building / static_cast<double>(bearings.size()));
+    std::optional<BearingOnSlab> on_slab;
+    if (axial_forces)
+      on_slab = BearingOnSlab{.at = bearing.at.si(), .vertical_stiffness = bearing.vertical_stiffness.si()};
+    const Force weight = axial_forces                ? weights[i]
+                         : bearing.weight.si() > 0.0 ? bearing.weight
+                                                     : weight_of_building / static_cast<double>(bearings.size());
+    bearing.add_to(model, {prefix + name, prefix + (bearing.type.empty() ? "bearings" : bearing.type)}, floor,
+                   bearing.at, weight, on_slab);
   }
 }
 

@@ -2,12 +2,14 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <type_traits>
 #include <utility>
 #include <variant>
 #include <vector>
 
+#include "elements/line/isolator.hpp"
 #include "elements/line/lead_rubber_bearing.hpp"
 #include "elements/plan/planar_spring.hpp"
 #include "materials/plan/biaxial_bilinear.hpp"
@@ -132,11 +134,25 @@ class PlanBearings {
     /// A bearing at a position on the floor.
     template <BearingInPlan Bearing>
     Placed(PlanPosition position, Bearing bearing) : at{position} {
-      add_to = [bearing](Model& model, const Names& names, DiaphragmId under, PlanPosition place_at, Force load) {
+      if constexpr (requires { bearing.weight; }) weight = bearing.weight;
+      add_to = [bearing](Model& model, const Names& names, DiaphragmId under, PlanPosition place_at, Force load,
+                         std::optional<BearingOnSlab> on_slab) {
+        if (on_slab)
+          on_slab = bearing_on_slab(bearing, on_slab->at, load, on_slab->vertical_stiffness * units::N / units::m);
         const auto place = [&](const auto& law) {
-          add(model, PlanBearing<std::remove_cvref_t<decltype(law)>>{
-                         .name = names.name, .under = under, .at = place_at, .law = law, .place = names.place});
+          add(model, PlanBearing<std::remove_cvref_t<decltype(law)>>{.name = names.name,
+                                                                     .under = under,
+                                                                     .at = place_at,
+                                                                     .law = law,
+                                                                     .place = names.place,
+                                                                     .on_slab = on_slab});
         };
+        if constexpr (requires { in_plan_under_changing_weight(bearing, load); }) {
+          if (on_slab) {
+            check_rising_friction(Check{"PlanBearing", names.name}, bearing, load);
+            return place(in_plan_under_changing_weight(bearing, load));
+          }
+        }
         if constexpr (PlanarLaw<Bearing>)
           place(bearing);
         else if constexpr (requires { in_plan(bearing); })
@@ -150,8 +166,11 @@ class PlanBearings {
     std::string name{};  ///< Unique in its building; left out: its number.
     std::string type{};  ///< Common to equal bearings; left out: "bearings".
     Force weight{};      ///< > 0 N on it; left out: the same share of the building's weight for every bearing.
-    /// Adds it to a model at a position, under this weight.
-    std::function<void(Model&, const Names&, DiaphragmId under, PlanPosition at, Force weight)> add_to;
+    Stiffness vertical_stiffness{};  ///< > 0 N/m, for AxialForces; left out: the same for all bearings.
+    /// Adds it to a model at a position, under this weight; `on_slab` where it changes.
+    std::function<void(Model&, const Names&, DiaphragmId under, PlanPosition at, Force weight,
+                       std::optional<BearingOnSlab> on_slab)>
+        add_to;
   };
 
   PlanBearings() = default;  ///< None: the building stands on the ground.
@@ -171,7 +190,8 @@ class PlanBearings {
   /// Adds them between the ground and a floor of a building whose parts begin with `prefix`. Throws InputError for a
   /// grid of less than 1 x 1, a bad law, a weight that is not > 0 N, and a name that is taken.
   void add_under(Model& model, const Check& check, const std::string& prefix, DiaphragmId floor,
-                 const PlanOutline& outline, Force weight_of_building) const;
+                 const PlanOutline& outline, Force weight_of_building,
+                 const std::optional<AxialForces>& axial_forces = {}, PlanVector centre_of_mass = {}) const;
 
  private:
   int along_x_ = 0, along_y_ = 0;  // of a grid

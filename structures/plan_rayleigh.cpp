@@ -1,9 +1,9 @@
 // Rayleigh damping of buildings in plan.
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 
 #include "base/check.hpp"
+#include "solvers/dense.hpp"
 #include "structures/plan_building.hpp"
 
 namespace moat {
@@ -15,12 +15,12 @@ RayleighFactors factors_of_stiffness(double ratio, const Model& model, const std
   for (std::size_t i = 0; i < floors.size(); ++i)
     root_of_mass.segment<3>(static_cast<Eigen::Index>(3 * i)).setConstant(std::sqrt(model.diaphragm(floors[i]).mass));
   stiffness.array() /= (root_of_mass * root_of_mass.transpose()).array();
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver{stiffness};
+  const auto [values, vectors] = eigen_pairs(stiffness);
   // The share of a mode, of unit length, in translation along a direction.
   const auto share_along = [&](Eigen::Index mode, PlanVector direction) {
     double sum = 0.0;
     for (Eigen::Index i = 0; i < stiffness.rows(); i += 3) {
-      const double along = dot(direction, {solver.eigenvectors()(i, mode), solver.eigenvectors()(i + 1, mode)});
+      const double along = dot(direction, {vectors(i, mode), vectors(i + 1, mode)});
       sum += along * along;
     }
     return sum;
@@ -34,15 +34,14 @@ RayleighFactors factors_of_stiffness(double ratio, const Model& model, const std
     if (frequencies.empty()) {
       PlanVector participation;
       for (Eigen::Index i = 0; i < stiffness.rows(); i += 3)
-        participation +=
-            root_of_mass[i] * PlanVector{solver.eigenvectors()(i, mode), solver.eigenvectors()(i + 1, mode)};
+        participation += root_of_mass[i] * PlanVector{vectors(i, mode), vectors(i + 1, mode)};
       direction = participation / length(participation);
     } else if (share_along(mode, direction) < half * all) {
       continue;
     }
-    frequencies.push_back(std::sqrt(solver.eigenvalues()[mode]));
+    frequencies.push_back(std::sqrt(values[mode]));
   }
-  if (frequencies.empty()) frequencies.push_back(std::sqrt(std::max(solver.eigenvalues()[0], 0.0)));
+  if (frequencies.empty()) frequencies.push_back(std::sqrt(std::max(values[0], 0.0)));
   if (frequencies.size() < 2) return {0.0, 2.0 * ratio / frequencies[0]};
   return rayleigh_factors(ratio, frequencies[0], frequencies[1]);
 }

@@ -1,12 +1,11 @@
 #include "structures/rayleigh_damping.hpp"
 
-#include <Eigen/Eigenvalues>
-
 #include <cmath>
 #include <numbers>
 #include <string>
 
 #include "base/check.hpp"
+#include "solvers/dense.hpp"
 
 namespace moat {
 namespace {
@@ -84,11 +83,10 @@ RayleighFactors rayleigh_factors_of_chain(double ratio, std::span<const Mass> ma
     diagonal[i] = (stiffnesses[storey].si() + (top ? 0.0 : stiffnesses[storey + 1].si())) / masses[storey].si();
     if (!top) beside[i] = -stiffnesses[storey + 1].si() / std::sqrt(masses[storey].si() * masses[storey + 1].si());
   }
-  Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver;
-  solver.computeFromTridiagonal(diagonal, beside, Eigen::EigenvaluesOnly);
-  const double first = std::sqrt(solver.eigenvalues()[0]);
+  const Eigen::VectorXd squared = eigenvalues_of_tridiagonal(diagonal, beside);
+  const double first = std::sqrt(squared[0]);
   if (count == 1) return {0.0, 2.0 * ratio / first};
-  return rayleigh_factors(ratio, first, std::sqrt(solver.eigenvalues()[1]));
+  return rayleigh_factors(ratio, first, std::sqrt(squared[1]));
 }
 
 }  // namespace moat

@@ -9,6 +9,7 @@
 #include "elements/line/shear_spring.hpp"
 #include "elements/line/viscous_damper.hpp"
 #include "materials/storeys/p_delta.hpp"
+#include "structures/static_weights.hpp"
 
 namespace moat {
 namespace {
@@ -26,6 +27,11 @@ void check_parameters(const ShearBuilding& building) {
   }
   building.storey_height.check(check, "storey_height", building.storeys);
   check.positive("half_width", building.half_width);
+  if (building.axial_forces) {
+    check_axial_forces(check, *building.axial_forces, building.storey_height.is_given());
+    check.that(building.isolation.has_value(), "axial_forces are asked without isolation.",
+               "Give .isolation, or leave .axial_forces out.");
+  }
   if (building.isolation) {
     check.positive("base_mass", building.base_mass, "An isolated building needs the mass of its base floor.");
     check.that(!building.isolation->has_lower(), "isolation.lower is given.",
@@ -154,7 +160,9 @@ Building add(Model& model, const ShearBuilding& building) {
   add_storeys(model, building, prefix, added);
   add_overturning_moments(model, building, prefix, added);
   if (building.isolation)
-    building.isolation->add_to(model, prefix, added.base, weight_above(building, 1) + building.base_mass * units::g);
+    building.isolation->add_to(model, prefix, added.base, weight_above(building, 1) + building.base_mass * units::g,
+                               building.axial_forces);
+  added.axial_forces = building.axial_forces;
   add(model, added);
   return added;
 }

@@ -46,7 +46,9 @@ struct ShearBuilding {
   /// Whether the weight above leaning columns acts: beside every storey a PDelta with storey_height.
   bool p_delta = false;
   /// > 0 m. For drawings, p_delta and neighbours.
-  PerStorey<Length> storey_height = 3.5 * units::m;
+  PerStorey<Length> storey_height = PerStorey<Length>::unless_given(3.5 * units::m);
+  /// Overturning and vertical motion act on the bearings; left out: the weight on each is constant. Needs the heights.
+  std::optional<AxialForces> axial_forces{};
   Length half_width = 5.0 * units::m;  ///< Half width of all floors, for drawings.
   Length x{};  ///< Position of the middle of all floors, for drawings and for buildings beside each other.
 };

@@ -75,8 +75,12 @@ std::string side_of_gap(const ElementInfo& gap, bool is_first) {
 void add_elements(const Model& model, const std::set<std::string>& bodies, BuildingParts& parts) {
   for (const auto& block : model.blocks())
     for (const ElementInfo& info : block->infos()) {
-      const bool first = bodies.contains(std::string{model.body_name(info.first)}),
-                 second = bodies.contains(std::string{model.body_name(info.second)});
+      const auto is_at = [&](const std::vector<NodeId>& end) {
+        return std::ranges::any_of(end,
+                                   [&](NodeId node) { return bodies.contains(std::string{model.body_name(node)}); });
+      };
+      const auto [nodes_of_first, nodes_of_second] = info.ends();
+      const bool first = is_at(nodes_of_first), second = is_at(nodes_of_second);
       if (!first && !second) continue;
       parts.places.insert({info.name, info.listed_under()});
       if (block->kind().contacts && first != second) parts.gaps.push_back({info.name, side_of_gap(info, first)});
@@ -108,7 +112,7 @@ std::vector<BuildingParts> parts_of_buildings(const Model& model) {
 // Whether every multiple of the histories' interval is the end of a step.
 bool rows_at_steps(double interval, double step) {
   const double ratio = interval / step;
-  return std::abs(ratio - std::round(ratio)) < 1e-9 * ratio && ratio > 0.5;
+  return std::abs(ratio - std::round(ratio)) < 1e-9 * ratio;
 }
 
 std::string_view name_of(ErrorBarMode mode) {
@@ -159,6 +163,7 @@ CaseRun::CaseRun(const Model& model, const GroundMotion& motion, CaseOptions opt
 
 void CaseRun::attach(StepObserver& observer) {
   transient_.attach(observer);
+  if (const auto* checks = dynamic_cast<const BearingCheckRecorder*>(&observer)) bearing_checks_.push_back(checks);
   const auto* recorder = dynamic_cast<const QuantityRecorder*>(&observer);
   if (recorder == nullptr) return;
   offered_.add(*recorder);
@@ -230,8 +235,13 @@ CaseResult CaseRun::result_with(Table histories) const {
     result.warnings.insert(result.warnings.end(), warnings.begin(), warnings.end());
   const std::vector<std::string>& notes = transient_.model().notes();
   result.assumptions.insert(result.assumptions.end(), notes.begin(), notes.end());
+  for (const BearingCheckRecorder* checks : bearing_checks_)
+    std::ranges::move(checks->rows(), std::back_inserter(result.bearing_checks));
   result.torsion = torsion_of(transient_.model(), result.peaks);
   add_errors(result);
+  for (const WeightOnBearings& weight : transient_.state().weights())
+    for (Peak& peak : result.peaks)
+      if (peak.time >= weight.first_rocking()) peak.side += peak.side.empty() ? "rocked" : ", rocked";
   std::ranges::move(drift_ratios(transient_.model(), result.peaks), std::back_inserter(result.peaks));
   // Behind the errors: the companion does not know these peaks.
   for (Peak& peak : offered_peaks_.peaks()) result.peaks.push_back(std::move(peak));

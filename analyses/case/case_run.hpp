@@ -11,6 +11,7 @@
 #include "analyses/time_history/transient.hpp"
 #include "output/files/case_result.hpp"
 #include "output/peaks/peak_recorder.hpp"
+#include "output/recorders/bearing_check_recorder.hpp"
 #include "output/recorders/clearance_recorder.hpp"
 #include "output/recorders/energy_ledger.hpp"
 #include "output/recorders/history_recorder.hpp"
@@ -53,7 +54,8 @@ class CaseRun {
   CaseRun& operator=(const CaseRun&) = delete;
 
   /// Before run(): calls the observer too; it must outlive the run. Quantities of a QuantityRecorder appear in
-  /// histories, peaks and report. Throws InputError for a quantity that is there already.
+  /// histories, peaks and report, and the checks of a BearingCheckRecorder in the result. Throws InputError for a
+  /// quantity that is there already.
   void attach(StepObserver& observer);
   /// Calls the observer for the steps of the companion, if there is one; it must outlive the run.
   void attach_to_companion(StepObserver& observer) { companion_observer_ = &observer; }
@@ -83,6 +85,7 @@ class CaseRun {
   ImpactRecorder impacts_;
   ClearanceRecorder clearances_;
   HistoryRecorder histories_;
+  std::vector<const BearingCheckRecorder*> bearing_checks_;
   OfferedQuantities offered_;
   OfferedPeaks offered_peaks_{offered_};
   std::function<bool()> stop_;

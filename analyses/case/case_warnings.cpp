@@ -2,12 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <set>
 
 #include "analyses/events/guards.hpp"
 #include "base/check.hpp"
 #include "base/units.hpp"
 #include "model/building.hpp"
+#include "motions/readers/read_motion.hpp"
 #include "output/files/engineering_unit.hpp"
 #include "solvers/modes.hpp"
 
@@ -62,31 +64,45 @@ std::vector<std::string> centres_outside(const Model& model) {
   return warnings;
 }
 
-// N: the force at zero deformation after yielding, as the parameters of a law give it; 0 for a law without one.
-double strength_of(const LawAsGiven& law) {
-  const auto value = [&](std::string_view name, double otherwise) {
-    const auto found = std::ranges::find(law.parameters, name, &Parameter::name);
-    return found == law.parameters.end() ? otherwise : found->value;
-  };
-  const double of_yield =
-      value("yield_force", 0.0) - value("post_yield_stiffness", 0.0) * value("yield_displacement", 0.0);
-  return value("count", 1.0) * value("strength", value("characteristic_strength", of_yield));
+double parameter_of(const LawAsGiven& law, std::string_view name, double otherwise = 0.0) {
+  const auto found = std::ranges::find(law.parameters, name, &Parameter::name);
+  return found == law.parameters.end() ? otherwise : found->value;
 }
 
-std::vector<std::string> strong_isolators(const Model& model) {
-  constexpr double usual = 0.3;
+// N: the force at zero deformation after yielding, as the parameters of a law give it; 0 for a law without one.
+double strength_of(const LawAsGiven& law) {
+  const double of_yield = parameter_of(law, "yield_force") -
+                          parameter_of(law, "post_yield_stiffness") * parameter_of(law, "yield_displacement");
+  return parameter_of(law, "strength", parameter_of(law, "characteristic_strength", of_yield));
+}
+
+// Isolators that are too strong for the weight on them, or that were given another weight.
+std::vector<std::string> doubtful_isolators(const Model& model) {
+  constexpr double usual = 0.3, tolerated = 0.05, unknown = std::numeric_limits<double>::quiet_NaN();
   std::vector<std::string> warnings;
   const std::vector<Building>& buildings = model.buildings();
   const std::vector<std::vector<ElementId>> isolators = isolators_of(model, buildings);
   for (std::size_t b = 0; b < buildings.size(); ++b) {
-    double strength = 0.0, mass = 0.0;
-    for (const ElementId id : isolators[b]) strength += strength_of(model.blocks()[id.block]->law_of_block(id.element));
+    double strength = 0.0, mass = 0.0, designed = 0.0;
+    for (const ElementId id : isolators[b]) {
+      const ElementBlock& block = *model.blocks()[id.block];
+      const LawAsGiven law = block.law_of_block(id.element), given = block.law(id.element);
+      const double count = parameter_of(law, "count", 1.0);
+      strength += count * strength_of(law);
+      designed += count * parameter_of(given, "weight", unknown);
+    }
     if (isolators[b].empty()) continue;
     for (const NodeId node : carried_nodes(model, buildings[b])) mass += model.mass(node);
-    const double share = strength / (mass * standard_gravity);
+    const std::string isolators_of_it =
+        "The isolators of " + (buildings[b].name.empty() ? "the building" : buildings[b].name);
+    const double weight = mass * standard_gravity, share = strength / weight;
+    if (std::abs(designed / weight - 1.0) > tolerated)
+      warnings.push_back(isolators_of_it + " are made for a weight of " + to_text(1e-3 * designed) + " kN, and " +
+                         to_text(1e-3 * weight) +
+                         " kN stand on them. Give their .weight; under a base that carries buildings added later, "
+                         "SuperstructureBase::carried.");
     if (share > usual)
-      warnings.push_back("The isolators of " + (buildings[b].name.empty() ? "the building" : buildings[b].name) +
-                         " have a strength of " + to_text(std::round(1000.0 * share) / 10.0) +
+      warnings.push_back(isolators_of_it + " have a strength of " + to_text(std::round(1000.0 * share) / 10.0) +
                          " % of the weight on them; 3 to 10 % is usual, and above 30 % they hardly ever yield. Check "
                          "the units of yield_force, strength and masses.");
   }
@@ -112,16 +128,22 @@ std::vector<std::string> jamming_corners(const Model& model) {
 std::vector<std::string> motion_warnings(const GroundMotion& motion) {
   constexpr double strongest = 5.0 * standard_gravity;  // the strongest records reach about 4 g
   const double peak = motion.peak_acceleration().si();
-  if (peak <= strongest) return {};
+  std::vector<std::string> warnings;
+  for (const std::string& note : motion.notes())
+    if (note.find(vertical_record) != std::string::npos)
+      warnings.push_back(note + " It shakes the model horizontally. Give a horizontal component.");
+  if (peak <= strongest) return warnings;
   std::string factors;
   for (const MotionComponent& component : motion.components())
     factors += (factors.empty() ? "" : " and ") + to_text(component.scale_factor);
-  return {"The peak acceleration of the ground is " + to_text(peak / standard_gravity) +
-          " g; no record is as strong as 5 g. Check the unit of the record and its scale factor (" + factors + ")."};
+  warnings.push_back("The peak acceleration of the ground is " + to_text(peak / standard_gravity) +
+                     " g; no record is as strong as 5 g. Check the unit of the record and its scale factor (" +
+                     factors + ").");
+  return warnings;
 }
 
 std::vector<std::string> model_warnings(const Model& model) {
-  std::vector<std::string> warnings = strong_isolators(model);
+  std::vector<std::string> warnings = doubtful_isolators(model);
   if (model.is_plan()) {
     for (const auto& list : {bearings_outside(model), centres_outside(model), jamming_corners(model)})
       warnings.insert(warnings.end(), list.begin(), list.end());
@@ -143,13 +165,12 @@ std::vector<std::string> model_warnings(const Model& model) {
 
 std::vector<std::string> period_warnings(const Model& model) {
   constexpr double longest = 10.0, shortest = 0.02;  // s
-  constexpr std::size_t most_buildings = 8;
   std::vector<std::string> warnings;
   const SparseMatrix stiffness = model.linear_stiffness(StiffnessStage::initial);
   SparseMatrix masses = model.zero_matrix();
   model.mass_matrix().add_to(1.0, masses);
   const std::vector<Building>& buildings = model.buildings();
-  for (std::size_t b = 0; b < std::min(buildings.size(), most_buildings); ++b) {
+  for (std::size_t b = 0; b < buildings.size(); ++b) {
     std::set<int> indices;
     for (const NodeId floor : buildings[b].floors)
       for (const NodeId node : model.body_of(floor)) indices.insert(node.index);
@@ -187,6 +208,9 @@ std::vector<std::string> plan_warnings(const AnalysisState& state, const std::ve
   }
   double largest_indentation = 0.0;
   for (const Impact& impact : impacts) largest_indentation = std::max(largest_indentation, impact.largest_indentation);
+  std::string worst;
+  double most_neglected = 0.0;
+  int turned = 0;
   for (const PlacedDiaphragm& diaphragm : model.diaphragms()) {
     double farthest = 0.0;
     for (std::size_t i = 0; i < diaphragm.outline.size(); ++i)
@@ -199,10 +223,15 @@ std::vector<std::string> plan_warnings(const AnalysisState& state, const std::ve
     if (neglected <= noticeable &&
         (largest_indentation == 0.0 || neglected <= share_of_indentation * largest_indentation))
       continue;
-    warnings.push_back("The rotation of \"" + diaphragm.name + "\" reached " + to_text(rotation->magnitude()) +
-                       " rad. Displacements are linear in it; at its corners they neglect " + to_text(1e3 * neglected) +
-                       " mm. Where indentations are as small, compare with a smaller motion.");
+    ++turned;
+    if (neglected <= most_neglected) continue;
+    most_neglected = neglected;
+    worst = "The rotation of \"" + diaphragm.name + "\" reached " + to_text(rotation->magnitude()) +
+            " rad. Displacements are linear in it; at its corners they neglect " + to_text(1e3 * neglected) + " mm";
   }
+  if (turned > 0)
+    warnings.push_back(worst + (turned > 1 ? ", the most of " + std::to_string(turned) + " floors" : "") +
+                       ". Where indentations are as small, compare with a smaller motion.");
   return warnings;
 }
 

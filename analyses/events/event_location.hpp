@@ -13,7 +13,6 @@ namespace moat {
 /// halved where it is slow. Interpolation of the state instead of a new solution would cause an error of energy.
 ///
 /// If such a step must be cut because Newton fails, the result may end before the change; the next step then finds it.
-/// Throws ConvergenceError that names the element if the change cannot be located.
 double locate_change(StepSolver& step, double h, RegimeScan seen);
 
 }  // namespace moat

@@ -11,13 +11,13 @@
 namespace moat {
 namespace {
 
+// Trials on 200 random models: without a bound of a quarter of the largest scale in the building the median error fell
+// by a third for 0.4 % more steps; without one of sixteen times the acceleration of an impact for nodes in contact it
+// halved, for 5 % more steps. There is neither.
+
 // A node with an acceleration below this share of the ground's peak is at rest, or free.
 constexpr double least_share_of_ground = 0.02;
 constexpr double seconds_to_fade = 1.0;  // by a factor e
-constexpr double share_of_building = 0.25;
-// For nodes in contact, whose acceleration rises like t^1.5 or faster. There steps_per_contact controls the step, and
-// the error of acceleration counts less.
-constexpr double lenience_in_contact = 16.0;
 
 // The entries between two quantities of one or two components.
 struct Entries {
@@ -78,77 +78,38 @@ AccelerationScales::AccelerationScales(const AnalysisState& state, double peak_g
       touching_(static_cast<std::size_t>(std::ranges::max(building_)) + 1, 0),
       touched_before_(touching_) {
   values_.setConstant(state.model().degrees_of_freedom(), lowest_);
-  own_ = values_;
   outside_contact_ = values_;
-  of_building_.setZero(static_cast<Eigen::Index>(touching_.size()));
   for (int i = 0; i < state.model().degrees_of_freedom(); ++i) {
     const int building = building_[static_cast<std::size_t>(i)];
     if (runs_.empty() || runs_.back().building != building) runs_.push_back({i, i, building});
     runs_.back().end = i + 1;
   }
-  std::size_t count = 0;
-  for (const auto& block : state.model().blocks()) {
-    std::vector<std::vector<int>>& of_block = struck_.emplace_back();
-    for (std::size_t e = 0; block->kind().contacts && e < block->size(); ++e) {
-      std::vector<int>& of_contact = of_block.emplace_back();
-      for (const NodeId end : {block->info(e).first, block->info(e).second})
-        for (const NodeId node : state.model().struck_with(end))
-          if (!node.is_follower()) of_contact.push_back(node.index);
-      count += of_contact.size();
-    }
-  }
-  raised_.reserve(count);
   regimes_changed(state);
 }
 
 void AccelerationScales::regimes_changed(const AnalysisState& state) {
-  if (!any_touching_) outside_contact_ = own_;
+  if (!any_touching_) outside_contact_ = values_;
   touched_before_.swap(touching_);
   std::ranges::fill(touching_, 0);
-  raised_.clear();
-  const auto masses = state.model().mass_matrix().diagonal();
+  any_touching_ = false;
   for (std::size_t b = 0; b < state.model().blocks().size(); ++b) {
     if (!std::isfinite(state.elements(b).shortest_contact())) continue;
     const ElementBlock& block = *state.model().blocks()[b];
     for (std::size_t e = 0; e < block.size(); ++e) {
-      const ContactView contact = state.elements(b).contact(e);
-      if (!contact.touching) continue;
-      for (const int node : struck_[b][e]) {
-        touching_[static_cast<std::size_t>(building_[static_cast<std::size_t>(node)])] = 1;
-        raised_.push_back({node, lenience_in_contact * contact.expected_force / masses[node]});
+      if (!state.elements(b).contact(e).touching) continue;
+      any_touching_ = true;
+      for (const NodeId end : {block.info(e).first, block.info(e).second}) {
+        if (end == ground) continue;
+        const auto place = static_cast<std::size_t>(state.model().place(end));
+        touching_[static_cast<std::size_t>(building_[place])] = 1;
       }
     }
   }
-  any_touching_ = !raised_.empty();
   // The last contact of a building has ended: its scales return to those without contact.
   for (const Run& run : runs_) {
     const auto building = static_cast<std::size_t>(run.building);
     if (touched_before_[building] == 0 || touching_[building] != 0) continue;
-    for (int i = run.begin; i < run.end; ++i) own_[i] = outside_contact_[i];
-  }
-  for (const Raised& raised : raised_) own_[raised.node] = std::max(own_[raised.node], raised.acceleration);
-  up_to_date_ = false;
-}
-
-const Vector& AccelerationScales::values() {
-  if (!up_to_date_) raise_to_building();
-  up_to_date_ = true;
-  return values_;
-}
-
-// Each value is the node's own scale, or a share of the largest scale in its building if that is larger.
-void AccelerationScales::raise_to_building() {
-  const double* own = own_.data();
-  double* __restrict values = values_.data();
-  for (const Run& run : runs_) of_building_[run.building] = 0.0;
-  for (const Run& run : runs_) {
-    double largest = of_building_[run.building];
-    for (int i = run.begin; i < run.end; ++i) largest = std::max(largest, own[i]);
-    of_building_[run.building] = largest;
-  }
-  for (const Run& run : runs_) {
-    const double least = share_of_building * of_building_[run.building];
-    for (int i = run.begin; i < run.end; ++i) values[i] = std::max(own[i], least);
+    for (int i = run.begin; i < run.end; ++i) values_[i] = outside_contact_[i];
   }
 }
 
@@ -160,7 +121,7 @@ void AccelerationScales::accepted(const AnalysisState& state, double h, GroundVe
   const double fade = fade_;
   const int count = state.model().degrees_of_freedom();
   const double* acceleration = state.motion().acceleration.data();
-  double* __restrict values = own_.data();
+  double* __restrict values = values_.data();
   double* __restrict outside = outside_contact_.data();
   with_ground_component(state.model(), ground_acceleration, [&, lowest = lowest_](const auto& of_ground) {
     const auto absolute = [&](int i) { return acceleration[i] + of_ground(i); };
@@ -168,7 +129,6 @@ void AccelerationScales::accepted(const AnalysisState& state, double h, GroundVe
       for (int i = 0; i < count; ++i) values[i] = std::max(std::max(values[i] * fade, lowest), size(i, absolute));
     });
   });
-  up_to_date_ = false;
   if (!any_touching_) return;
   // `outside` excludes accelerations of impacts: while a building is in contact it only decays.
   for (const Run& run : runs_) {

@@ -61,7 +61,8 @@ StepMethods methods_of(const Integrator& integrator, AnalysisState& state, const
 }
 
 StepMethods ExactBetweenEvents::methods(AnalysisState& state, const StepSettings& settings) const {
-  // Errors of contacts are all that accumulates, and contacts are few.
+  // Errors of contacts are all that accumulates, and contacts are few. Trial: with 1 the largest error of 200 random
+  // models is 0.066 % instead of 0.015 %.
   constexpr double share_in_contact = 1.0 / 3.0;
   StepMethods methods;
   methods.by_preference.push_back(std::make_unique<ExactMethod>(state, settings.longest_step, settings.tolerance));

@@ -62,7 +62,8 @@ std::string NewmarkMethod::description() const {
 
 std::vector<std::string> NewmarkMethod::warnings() const {
   std::vector<std::string> list;
-  // The round-off of one step; the steps together excite a vibration that is up to a thousand times as large.
+  // The round-off of one step; the steps together excite a vibration that is up to a thousand times as large. Trial:
+  // among links of 1e8 to 1e11 times the stiffness this finds all that are off by 0.1 % (RigidLink.IsRightOrWarns).
   constexpr double harmful = 1e-6;
   if (control_.largest_round_off() > harmful)
     list.push_back("The stiffness at \"" + std::string{state_->model().node_name(control_.place_of_round_off())} +
@@ -87,7 +88,7 @@ std::vector<std::string> NewmarkMethod::warnings_of_fixed_step() const {
   constexpr int enough = StepSettings{}.steps_per_contact;
   const double step = settings_.fixed_step, interval = settings_.sample_interval, per_interval = interval / step;
   std::vector<std::string> list;
-  if (std::abs(per_interval - std::round(per_interval)) > 1e-6 * per_interval || per_interval < 1.0 - 1e-6)
+  if (std::abs(per_interval - std::round(per_interval)) > 1e-6 * per_interval)
     list.push_back("The fixed step of " + to_text(step) + " s does not divide the motion's interval of " +
                    to_text(interval) + " s: samples between steps are not felt. Take " + to_text(interval) +
                    " s divided by a whole number.");

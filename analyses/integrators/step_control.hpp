@@ -33,9 +33,9 @@ namespace moat {
 /// touch are shorter, double from one to the next, and are not judged; up to the first that is not cut to less than a
 /// quarter they take average acceleration: some laws' forces rise with infinite slope there (like d^1/4).
 ///
-/// The scheme is that of fourth order where a step is inside its bound of stability. A model that needs more than six
-/// halvings for the bound of its stiffness takes average acceleration; one that needs more than one for the bound of
-/// its damping takes StepScheme::strongly_damped().
+/// The scheme is that of fourth order where a step is inside its bound of stability. A model that needs more than one
+/// halving for the bound of its stiffness takes average acceleration; one that needs more than one for the bound of its
+/// damping takes StepScheme::strongly_damped().
 ///
 /// Adaptive steps are the grid interval divided by powers of two, so that they end on samples of the motion and the
 /// tangent takes few values.
@@ -67,8 +67,7 @@ class StepControl {
   [[nodiscard]] double fewest_steps_per_contact() const { return fewest_steps_per_contact_; }
   /// Bound on the largest squared frequency with open gaps and initial stiffness, 1/s^2.
   [[nodiscard]] double stiffest_squared() const { return stiffest_squared_; }
-  /// Largest round-off of a node's acceleration over its scale so far, and where. Looked for in adapted steps of models
-  /// with a squared frequency above 1e10 1/s^2 only.
+  /// Largest round-off of a node's acceleration over its scale in adapted steps so far, and where.
   [[nodiscard]] double largest_round_off() const { return largest_round_off_; }
   /// The node of the largest round-off.
   [[nodiscard]] NodeId place_of_round_off() const { return place_of_round_off_; }
@@ -76,8 +75,6 @@ class StepControl {
  private:
   // After so many halvings of the grid interval, s.
   [[nodiscard]] double step_at(int halvings) const { return steps_[static_cast<std::size_t>(halvings)]; }
-  [[nodiscard]] double stable_step(double contact) const;
-  [[nodiscard]] double stable_damped_step() const;
   [[nodiscard]] double error_of(const AnalysisState& state, const StepTask& step, StepScheme scheme,
                                 const double* filtered_curve);
   void watch_round_off(const AnalysisState& state);

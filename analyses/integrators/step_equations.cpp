@@ -5,6 +5,8 @@
 #include <limits>
 #include <utility>
 
+#include "base/error.hpp"
+#include "base/text/number_format.hpp"
 #include "model/equation_of_motion.hpp"
 
 namespace moat {
@@ -21,6 +23,10 @@ void StepEquations::begin(const StepTask& task, StepScheme scheme, Vector& guess
   task_ = task;
   scheme_ = scheme;
   const double h = task.length;
+  state_->move_ground(task.ground_acceleration);
+  // Rates of forces under a weight jump with that of the vertical component.
+  if (std::exchange(vertical_rate_, state_->ground_rate().z) != vertical_rate_ && state_->feels_accelerations())
+    jerks_at_start_ = jerks_at_end_ = {};
   const MotionState& start = state_->motion();
   const double *u = start.displacement.data(), *v = start.velocity.data(), *a = start.acceleration.data(),
                *jerk = start.jerk.data();
@@ -215,7 +221,24 @@ bool StepEquations::compute_residual(const Vector& acceleration, Vector& residua
 }
 
 bool StepEquations::compute_jacobian() {
-  return (has_factors_of_step() && state_->tangent_version() == factorised_version_) || factorise();
+  const bool known = has_factors_of_step() && state_->tangent_version() == factorised_version_;
+  if (!known && !factorise()) return false;
+  if (state_->feels_accelerations()) find_coupling();
+  return true;
+}
+
+void StepEquations::find_coupling() {
+  constexpr double jamming = 0.1;
+  state_->find(coupling_);
+  const double determinant = coupling_.prepare(
+      size(), [&](Vector& values) { factorisation_.solve(values); }, scheme_.force_share);
+  if (determinant <= jamming)
+    throw ConvergenceError{
+        "The axial forces of the bearings and their friction lock each other at t = " + to_text(task_.end_time) +
+            " s: the motion is not unique where friction differs much under a tall building "
+            "(Painleve's jamming). Check the friction coefficients, heights and positions of "
+            "bearings.",
+        task_.start_time, task_.length, determinant, "bearings"};
 }
 
 bool StepEquations::factorise() {

@@ -36,7 +36,10 @@ class StepEquations final : public NonlinearSystem {
   const Vector& residual_scales() const override { return scales_; }
   double round_off(int row) const override;
   bool compute_jacobian() override;
-  void solve(Vector& vector) const override { factorisation_.solve(vector); }
+  void solve(Vector& vector) const override {
+    factorisation_.solve(vector);
+    if (state_->feels_accelerations()) coupling_.correct(vector);
+  }
 
   /// Where the scheme filters corrections: 2 (a1 - a0) - h (j0 + j1) of the last step completed, in absolute motion,
   /// m/s^2, without the round-off of jerks of motions that strong dashpots hold; h (j1 - j0) where it does not correct
@@ -52,6 +55,7 @@ class StepEquations final : public NonlinearSystem {
   // Whether the factors have the weights of this step.
   [[nodiscard]] bool has_factors_of_step() const;
   [[nodiscard]] bool factorise();
+  void find_coupling();
   // values := (T^-1 M)^power values, with the factors of this step's weights.
   void filter(Vector& values, int power);
   void find_correction(const Vector& jerks, Vector& correction);
@@ -64,6 +68,8 @@ class StepEquations final : public NonlinearSystem {
   StepScheme scheme_;
   Factorisation factorisation_;
   SparseMatrix tangent_;
+  WeightCoupling coupling_;     // of axial forces, where the state feels accelerations
+  double vertical_rate_ = 0.0;  // of the ground at the last begin(), m/s^3
   StepTask task_;
   Vector predicted_displacement_, predicted_velocity_;
   Vector inertia_;   // of the iterate

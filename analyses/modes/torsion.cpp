@@ -92,7 +92,7 @@ std::vector<BuildingTorsion> torsion_of(const Model& model, const std::vector<Pe
   std::vector<BuildingTorsion> list;
   for (const Building& building : model.buildings()) {
     const PlacedDiaphragm* base = model.diaphragm_of(building.base);
-    if (base == nullptr || base->outline.empty() || building.shares_base) continue;
+    if (base == nullptr || base->outline.empty() || building.shares_base || !building.slabs.empty()) continue;
     const Bearings bearings = bearings_under(model, base->id);
     if (bearings.positions.empty()) continue;
     const PlanVector shift = centre_of_mass(model, building) - bearings.centre;

@@ -1,6 +1,6 @@
 #include "analyses/questions/lognormal_fit.hpp"
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <algorithm>
 #include <boost/math/distributions/beta.hpp>
 #include <boost/math/distributions/normal.hpp>
@@ -140,7 +140,10 @@ LognormalFit::Line LognormalFit::best_line() const {
       gradient += each.count * first / probability;
       hessian += each.count * (second / probability - first * first.transpose() / (probability * probability));
     }
-    const Eigen::Vector2d step = -hessian.ldlt().solve(gradient);
+    // The step is -H^-1 g.
+    const Eigen::Vector2d step = Eigen::Vector2d{hessian(0, 1) * gradient[1] - hessian(1, 1) * gradient[0],
+                                                 hessian(1, 0) * gradient[0] - hessian(0, 0) * gradient[1]} /
+                                 (hessian(0, 0) * hessian(1, 1) - hessian(0, 1) * hessian(1, 0));
     // The function is concave: a part of Newton's step increases it, until the rest is round-off.
     grows = false;
     for (double share = 1.0; !grows && share > std::numeric_limits<double>::epsilon(); share *= 0.5) {

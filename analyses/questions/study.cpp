@@ -108,7 +108,7 @@ StudyResult compute_study(const StudyCases& cases, const ComputeCase& compute, c
 }
 
 void add_energies(CaseOutcome& outcome, const EnergyBalance& energy) {
-  for (const EnergyColumn& column : energy_columns(energy.in_plan))
+  for (const EnergyColumn& column : energy_columns(energy.in_plan, energy.weights_change))
     outcome.results.push_back({"energy_" + std::string{column.name}, "", "J", energy.*column.value});
   outcome.energy_error = energy.error_share();
 }
@@ -189,7 +189,9 @@ StudyAxis record_axis(std::string name, const std::vector<PlanMotion>& pairs) {
   std::vector<std::string> names;
   for (const PlanMotion& pair : pairs) names.push_back(pair.first.name() + " + " + pair.second.name());
   StudyAxis axis = StudyAxis::of_names(std::move(name), std::move(names));
-  for (const PlanMotion& pair : pairs) axis.hashes.push_back(sha256_of(hash_of(pair.first) + hash_of(pair.second)));
+  for (const PlanMotion& pair : pairs)
+    axis.hashes.push_back(sha256_of(hash_of(pair.first) + hash_of(pair.second) +
+                                    (pair.vertical ? hash_of(*pair.vertical) : std::string{})));
   return axis;
 }
 

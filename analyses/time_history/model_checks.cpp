@@ -11,6 +11,7 @@
 #include "base/check.hpp"
 #include "base/error.hpp"
 #include "model/building.hpp"
+#include "model/plan_outline.hpp"
 
 namespace moat {
 namespace {
@@ -55,7 +56,7 @@ std::string weak_isolators(const Model& model, const std::vector<int>& part, int
     const auto info = [&](ElementId id) -> const ElementInfo& { return model.blocks()[id.block]->info(id.element); };
     const auto at_one_point = [&](ElementId id) {
       const PlanPlaces *first = info(isolators[b].front()).plan_places(), *places = info(id).plan_places();
-      return first != nullptr && places != nullptr && length(places->second - first->second) < 1e-6;
+      return first != nullptr && places != nullptr && length(places->second - first->second) < same_place;
     };
     if (!std::ranges::all_of(isolators[b], at_one_point)) continue;
     const PlanVector at = info(isolators[b].front()).plan_places()->second;
@@ -168,10 +169,11 @@ void check_start(const Model& model, const AnalysisState& state, const GroundMot
              "the motion has two components, and the model moves on a line.",
              "Give one component, or make the model of diaphragms.");
   const double* lifted = model.ground_influence().z;
-  check.that(motion.samples_z().empty() ||
+  check.that(motion.samples_z().empty() || !state.weights().empty() ||
                  std::any_of(lifted, lifted + model.degrees_of_freedom(), [](double share) { return share != 0.0; }),
              "the motion has a vertical component, and the ground lifts nothing of the model.",
-             "Give a motion without one, or coordinates with a GeneralisedCoordinate::ground_influence along z.");
+             "Give a motion without one, .axial_forces to a building, or coordinates with a "
+             "GeneralisedCoordinate::ground_influence along z.");
 }
 
 }  // namespace moat

@@ -27,6 +27,12 @@ StepTask StepGrid::task(double start, double end, double length) const {
   return step;
 }
 
+GroundVector StepGrid::rate_behind(double time) const {
+  if (motion_ended_ || time >= motion_->duration()) return {};
+  const double interval = motion_->time_step(), next = std::min(next_multiple(time, interval), motion_->duration());
+  return (1.0 / interval) * (motion_->components_at(next) - motion_->components_at(next - interval));
+}
+
 StepTask StepGrid::next_step(double time, double length) const {
   double target = std::min(next_multiple(time, length), end_);
   if (!motion_ended_) target = std::min(target, motion_->duration());

@@ -21,6 +21,9 @@ class StepGrid {
   /// The ground's acceleration at the committed state, m/s^2.
   [[nodiscard]] GroundVector ground_acceleration() const { return ground_; }
 
+  /// The rate of the ground's acceleration, m/s^3, between the samples around the instant just behind a time in s.
+  [[nodiscard]] GroundVector rate_behind(double time) const;
+
   /// The step from `time` to the next multiple of `length`, s.
   [[nodiscard]] StepTask next_step(double time, double length) const;
   /// The first h seconds of a step that next_step() returned.

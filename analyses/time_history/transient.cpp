@@ -10,6 +10,7 @@
 #include "analyses/time_history/model_checks.hpp"
 #include "base/check.hpp"
 #include "base/error.hpp"
+#include "motions/vertical_motion.hpp"
 
 namespace moat {
 namespace {
@@ -30,6 +31,15 @@ Transient::Transient(const Model& model, GroundMotion motion, AnalysisState stat
       step_{state_, settings_, grid_, statistics_},
       chatter_{options_.max_events_per_second} {
   check_start(model, state_, *motion_, grid_.end());
+  for (WeightOnBearings& weight : state_.weights()) {
+    const AxialForces& asked = weight.options();
+    if (asked.vertical_period.si() == 0.0) continue;
+    const auto mode = std::make_shared<const VerticalMotion>(*motion_, asked.vertical_period, asked.vertical_damping);
+    while (settings_.longest_step > mode->longest_step()) settings_.longest_step *= 0.5;
+    weight.move_in([mode](double time) {
+      return std::pair{mode->acceleration(time), mode->rate(time, VerticalMotion::Side::after)};
+    });
+  }
   methods_ = methods_of(options_.integrator, state_, settings_);
   method_ = methods_.by_preference.front().get();
   check_held(state_);
@@ -66,6 +76,8 @@ void Transient::advance() {
 void Transient::take_and_report_step() {
   observers_.start(view(true));
   if (grid_.reaches_end_of_motion(state_.time())) end_motion();
+  if (!state_.weights().empty() && state_.turn_ground(grid_.rate_behind(state_.time())))
+    observers_.event(view(false), {});
   method_ = std::ranges::find_if(methods_.by_preference, [](const auto& each) { return each->applies(); })->get();
   double h = step_.solve_next(*method_);
   const RegimeScan seen = step_.scan(h);
@@ -92,13 +104,18 @@ void Transient::restart(bool touched) {
 }
 
 void Transient::change_regimes_at_end() {
-  changes_.clear();
-  state_.change_regimes(changes_);
-  if (changes_.empty()) return;
-  restart(std::ranges::any_of(changes_, &RegimeChange::touched));
-  statistics_.events += static_cast<long>(changes_.size());
-  chatter_.count(state_, changes_);
-  observers_.event(view(false), changes_);
+  // A force that jumps makes axial forces jump, and these may end other regimes.
+  constexpr int most_rounds = 4;
+  for (int round = 0; round < most_rounds; ++round) {
+    changes_.clear();
+    state_.change_regimes(changes_);
+    if (changes_.empty()) return;
+    restart(std::ranges::any_of(changes_, &RegimeChange::touched));
+    statistics_.events += static_cast<long>(changes_.size());
+    chatter_.count(state_, changes_);
+    observers_.event(view(false), changes_);
+    if (!state_.feels_accelerations()) return;
+  }
 }
 
 void Transient::end_motion() {
@@ -152,12 +169,22 @@ std::vector<std::string> Transient::assumptions() const {
   list.push_back(
       "Ground acceleration linear between samples and zero after the last one; the system starts at rest at the first "
       "sample unless initial values are given.");
+  if (!state_.weights().empty())
+    list.push_back(
+        "Axial forces of bearings follow overturning and vertical motion: rigid slab on vertical springs, no vertical "
+        "degree of freedom of a bearing, no impact where a lifted bearing lands, no rotary inertia of floors about "
+        "horizontal axes.");
   return list;
 }
 
 std::vector<std::string> Transient::warnings() const {
   std::vector<std::string> list;
   if (collapse_.collapsed()) list.push_back(collapse_.warning());
+  for (const WeightOnBearings& weight : state_.weights())
+    if (weight.rocking_time() > 0.0)
+      list.push_back((weight.building().empty() ? "The building" : "\"" + weight.building() + "\"") + " rocked for " +
+                     to_text(weight.rocking_time()) + " s, first at t = " + to_text(weight.first_rocking()) +
+                     " s: the moment that its bearings cannot balance was dropped. Do not trust later peaks.");
   for (const auto& method : methods_.by_preference)
     for (std::string& warning : method->warnings()) list.push_back(std::move(warning));
   return list;

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdio>
+#include <filesystem>
 #include <string>
 
 #include "base/error.hpp"
@@ -26,6 +27,11 @@ inline std::string output_of(const std::string& command) {
     output.append(buffer.data(), count);
   if (pclose(stream) != 0) throw Error{"This command failed: " + command};
   return output;
+}
+
+/// The standard output of this program with other arguments, in a process of its own. Throws as output_of() does.
+inline std::string output_of_this_program(const std::string& arguments) {
+  return output_of(shell_quoted(std::filesystem::read_symlink("/proc/self/exe").string()) + " " + arguments);
 }
 
 }  // namespace moat::performance

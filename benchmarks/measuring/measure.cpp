@@ -1,6 +1,8 @@
 #include "measuring/measure.hpp"
 
 #include <ctime>
+#include <fstream>
+#include <string>
 
 #include "base/error.hpp"
 #include "study/study_charts.hpp"
@@ -11,6 +13,13 @@ double seconds(Clock clock) {
   timespec now{};
   clock_gettime(clock == Clock::thread ? CLOCK_THREAD_CPUTIME_ID : CLOCK_MONOTONIC, &now);
   return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
+double peak_resident_bytes() {
+  std::ifstream status{"/proc/self/status"};
+  for (std::string line; std::getline(status, line);)
+    if (line.starts_with("VmHWM:")) return 1024.0 * std::stod(line.substr(6));
+  throw Error{"/proc/self/status has no line VmHWM."};
 }
 
 Spread spread_of(std::vector<double> values) {

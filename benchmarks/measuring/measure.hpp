@@ -15,6 +15,9 @@ enum class Clock {
 /// Seconds of a clock, from an arbitrary origin.
 double seconds(Clock clock = Clock::thread);
 
+/// Peak of the resident memory of this process, bytes.
+double peak_resident_bytes();
+
 /// Median and quartiles of at least one value.
 Spread spread_of(std::vector<double> values);
 

@@ -69,11 +69,18 @@ int main(int argc, char** argv) {
   on_street->add_option("--steps-before", street.steps_before, "not measured")->capture_default_str();
   on_street->add_option("--steps", street.steps, "measured")->capture_default_str();
 
+  std::size_t row = 0;
+  CLI::App* on_superstructure = app.add_subcommand(
+      "superstructure", "a history of the section superstructures in this process; prints its peak of memory, bytes");
+  on_superstructure->add_option("--row", row, "of its table, from 0")->capture_default_str();
+
   return moat::run_command(app, "moat bench performance", argc, argv, [&] {
     if (*on_street) return std::printf("%s\n", nlohmann::json(measure_street(street)).dump().c_str()), 0;
+    if (*on_superstructure) return std::printf("%.0f\n", superstructure_bytes(row)), 0;
     if (const char* records = std::getenv("MOAT_RECORDS")) options.records = records;
-    if (write_docs && (options.quick || options.records.empty()))
-      throw moat::InputError{"--write-docs needs the recorded motions (MOAT_RECORDS), and not --quick."};
+    if (write_docs && (options.quick || options.records.empty() || std::getenv("MOAT_EXPERIMENTS") == nullptr))
+      throw moat::InputError{
+          "--write-docs needs the recorded motions and experiments (MOAT_RECORDS, MOAT_EXPERIMENTS), and not --quick."};
     measure(options, only, write_docs);
     return 0;
   });

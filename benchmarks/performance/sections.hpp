@@ -1,6 +1,7 @@
 // The questions of the benchmark, one function each.
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
 
 #include "measuring/record.hpp"
@@ -26,6 +27,8 @@ void scale(Record& record, const Options& options);
 void suite(Record& record, const Options& options);
 /// The benchmark building of MOAT_EXPERIMENTS from matrices and modes, beside a PlanBuilding of as many floors.
 void superstructures(Record& record, const Options& options);
+/// One history of a row of that table in this process; returns its peak of memory, bytes.
+double superstructure_bytes(std::size_t row);
 /// The tours through the launcher: from the command to its end, edited and unchanged, and the whole run of one.
 void scripts(Record& record, const Options& options);
 

@@ -1,28 +1,14 @@
 #include "performance/street_run.hpp"
 
-#include <filesystem>
-#include <fstream>
 #include <string>
 #include <utility>
 
-#include "base/error.hpp"
 #include "measuring/command_output.hpp"
 #include "measuring/measure.hpp"
 #include "measuring/street.hpp"
 #include "output/recorders/energy_ledger.hpp"
 
 namespace moat::performance {
-
-namespace {
-
-double peak_resident_bytes() {
-  std::ifstream status{"/proc/self/status"};
-  for (std::string line; std::getline(status, line);)
-    if (line.starts_with("VmHWM:")) return 1024.0 * std::stod(line.substr(6));
-  throw Error{"/proc/self/status has no line VmHWM."};
-}
-
-}  // namespace
 
 StreetReport measure_street(const StreetSetting& setting) {
   StreetReport report;
@@ -52,8 +38,7 @@ StreetReport measure_street(const StreetSetting& setting) {
 }
 
 StreetReport run_street(int buildings) {
-  const std::string path = std::filesystem::read_symlink("/proc/self/exe").string();
-  return nlohmann::json::parse(output_of(shell_quoted(path) + " street --buildings " + std::to_string(buildings)))
+  return nlohmann::json::parse(output_of_this_program("street --buildings " + std::to_string(buildings)))
       .get<StreetReport>();
 }
 

@@ -14,7 +14,8 @@ using VectorOf = std::conditional_t<PlanarLaw<Law>, PlanVector, double>;
 
 /// The type of its response.
 template <class Law>
-using ResponseOf = std::conditional_t<PlanarLaw<Law>, PlanarResponse, Response>;
+using ResponseOf = std::conditional_t<PlanarAxialForceLaw<Law>, PlanarAxialResponse,
+                                      std::conditional_t<PlanarLaw<Law>, PlanarResponse, Response>>;
 
 /// Deformation and rate at one instant.
 template <class Vector>
@@ -22,19 +23,17 @@ struct DeformationAndRate {
   Vector deformation{}, rate{};  ///< m, m/s
 };
 
-/// Evaluates a law `length` s after its committed state, at which it had the motion `start`, under an axial force of so
-/// many N.
+/// Evaluates a law `length` s after its committed state, at which it had the motion `start`, under an axial force.
 template <class Law>
 ResponseOf<Law> respond_over(const Law& law, const typename Law::State& committed,
                              DeformationAndRate<VectorOf<Law>> now, DeformationAndRate<VectorOf<Law>> start,
-                             double length, double axial_force, typename Law::State& trial) {
+                             double length, AxialForce axial, typename Law::State& trial) {
   if constexpr (PlanarAxialForceLaw<Law>)
-    return law.evaluate(committed, now.deformation, now.rate, length, AxialForce{axial_force}, trial);
+    return law.evaluate(committed, now.deformation, now.rate, length, axial, trial);
   else if constexpr (PlanarLaw<Law>)
     return law.evaluate(committed, now.deformation, now.rate, length, trial);
   else
-    return respond(law, committed, now.deformation, now.rate, {length, start.deformation, start.rate}, trial,
-                   {axial_force});
+    return respond(law, committed, now.deformation, now.rate, {length, start.deformation, start.rate}, trial, axial);
 }
 
 }  // namespace moat

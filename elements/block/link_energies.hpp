@@ -1,6 +1,7 @@
 // The energy accounts of a block of links.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <vector>
@@ -38,14 +39,15 @@ class LinkEnergies {
 
   /// Laws, states and motion at both ends of a step of `length` s; the states at its end are the trial ones.
   struct Step {
-    const std::vector<Law>& laws;             ///< of all elements
-    const std::vector<State>& committed;      ///< at the start
-    const std::vector<State>& trial;          ///< at the end
-    const LinkMotion<Vector>& start;          ///< at the start
-    const LinkMotion<Vector>& end;            ///< at the end
-    const std::vector<Vector>& forces;        ///< at the end, N
-    const std::vector<double>& axial_forces;  ///< at the end, N; empty for laws without
-    double length;                            ///< s, >= 0
+    const std::vector<Law>& laws;         ///< of all elements
+    const std::vector<State>& committed;  ///< at the start
+    const std::vector<State>& trial;      ///< at the end
+    const LinkMotion<Vector>& start;      ///< at the start
+    const LinkMotion<Vector>& end;        ///< at the end
+    const LinkCompressions& start_axial;  ///< at the start
+    const LinkCompressions& end_axial;    ///< at the end
+    const std::vector<Vector>& forces;    ///< at the end, N
+    double length;                        ///< s, >= 0
   };
 
   /// Whether start() was called.
@@ -88,17 +90,31 @@ class LinkEnergies {
   /// `stored` J is the link's energy now.
   [[nodiscard]] ElementEnergy energy(std::size_t link, double stored) const {
     const Account& account = accounts_[link];
-    return {account.work, stored - account.stored_at_start, account.dissipated, hysteretic};
+    return {account.work, stored - account.stored_at_start, account.dissipated, hysteretic, 0.0, account.weight_work};
   }
 
  private:
   struct Account {
-    double work = 0.0, dissipated = 0.0, stored_at_start = 0.0;
+    double work = 0.0, dissipated = 0.0, stored_at_start = 0.0, weight_work = 0.0;
   };
   struct Load {
     Vector force{};      // N
     double power = 0.0;  // W
   };
+
+  static constexpr bool under_axial_force = AxialForceLaw<Law> || PlanarAxialForceLaw<Law>;
+
+  // A lifted bearing carries nothing, N.
+  static double pressing(double compression) { return std::max(compression, 0.0); }
+  // Of a changing axial force, W.
+  static double weight_power([[maybe_unused]] const Law& law, [[maybe_unused]] const State& state,
+                             [[maybe_unused]] Vector deformation, [[maybe_unused]] double compression_rate) {
+    if constexpr (under_axial_force)
+      return state.compression > 0.0 ? compression_rate * law.weight_lever(state, deformation, state, deformation)
+                                     : 0.0;
+    else
+      return 0.0;
+  }
 
   static double power(const Law& law, const State& state, Vector deformation, Vector rate) {
     if constexpr (hysteretic)
@@ -110,6 +126,10 @@ class LinkEnergies {
   void add_by_mean_force(std::size_t i, const Step& step, const Load& end) {
     accounts_[i].work +=
         dot(0.5 * (loads_[i].force + end.force), step.end.deformations[i] - step.start.deformations[i]);
+    if constexpr (under_axial_force)
+      accounts_[i].weight_work += (pressing(step.end_axial.values[i]) - pressing(step.start_axial.values[i])) *
+                                  step.laws[i].weight_lever(step.committed[i], step.start.deformations[i],
+                                                            step.trial[i], step.end.deformations[i]);
     if constexpr (!hysteretic) {
       const HermiteCubic path = cubic_between(step.start, step.end, i, step.length);
       const double middle = power(step.laws[i], step.committed[i], path.value(0.5), path.rate(0.5));
@@ -122,17 +142,29 @@ class LinkEnergies {
     const double h = step.length;
     const Vector d0 = step.start.deformations[i], v0 = step.start.rates[i], a0 = step.start.second_rates[i],
                  d1 = step.end.deformations[i], v1 = step.end.rates[i], a1 = step.end.second_rates[i];
-    double work = dot(loads_[i].force, v0) + dot(end.force, v1), dissipated = loads_[i].power + end.power;
+    double work = dot(loads_[i].force, v0) + dot(end.force, v1), dissipated = loads_[i].power + end.power,
+           weight_work = 0.0;
+    if constexpr (under_axial_force)
+      weight_work = weight_power(step.laws[i], step.committed[i], d0, step.start_axial.rates[i]) +
+                    weight_power(step.laws[i], step.trial[i], d1, step.end_axial.rates[i]);
     for (std::size_t k = 0; k < places.size(); ++k) {
       const Vector deformation = places[k].value(d0, v0, a0, d1, v1, a1), rate = places[k].rate(d0, v0, a0, d1, v1, a1);
       State after;
-      const ResponseOf<Law> response =
-          respond_over(step.laws[i], step.committed[i], {deformation, rate}, {d0, v0}, lobatto_inside[k] * h,
-                       step.axial_forces.empty() ? 0.0 : step.axial_forces[i], after);
+      AxialForce axial;
+      double compression_rate = 0.0;
+      if constexpr (under_axial_force) {
+        const HermiteCubic compression = compression_between(step.start_axial, step.end_axial, i, h);
+        axial = {compression.value(lobatto_inside[k]), step.start_axial.rates[i]};
+        compression_rate = compression.rate(lobatto_inside[k]);
+      }
+      const ResponseOf<Law> response = respond_over(step.laws[i], step.committed[i], {deformation, rate}, {d0, v0},
+                                                    lobatto_inside[k] * h, axial, after);
+      weight_work += 5.0 * weight_power(step.laws[i], after, deformation, compression_rate);
       work += 5.0 * dot(response.force, rate);
       dissipated += 5.0 * power(step.laws[i], step.committed[i], deformation, rate);
     }
     accounts_[i].work += h / 12.0 * work;
+    accounts_[i].weight_work += h / 12.0 * weight_work;
     if constexpr (!hysteretic) accounts_[i].dissipated += h / 12.0 * dissipated;
   }
 

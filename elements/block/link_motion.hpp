@@ -20,6 +20,22 @@ struct LinkMotion {
   }
 };
 
+/// The axial forces of all links of a block at one instant; empty for laws that take none.
+struct LinkCompressions {
+  std::vector<double> values, rates;  ///< N, N/s; compression positive
+
+  /// Changes the size of both; new entries are zero.
+  void resize(std::size_t count) {
+    for (auto* each : {&values, &rates}) each->resize(count, 0.0);
+  }
+};
+
+/// The compression of one link from one instant to another, `step` s later.
+inline HermiteCubic compression_between(const LinkCompressions& start, const LinkCompressions& end, std::size_t link,
+                                        double step) {
+  return {start.values[link], start.rates[link], end.values[link], end.rates[link], step};
+}
+
 /// The deformation in plan over a step, through value and both rates at its ends.
 struct PlanPath {
   HermiteQuintic x, y;  ///< its components

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <concepts>
 #include <limits>
 #include <memory>
 #include <span>
@@ -58,7 +59,8 @@ class LinkStates final : public ElementStates {
     answers_.resize(count);
     for (std::vector<Vector>* values : {&forces_, &force_rates_}) values->resize(count, Vector{});
     if constexpr (has_unlocated_corners) start_answers_.resize(count);
-    if constexpr (takes_axial_force) axial_forces_.resize(count, 0.0);
+    if constexpr (takes_axial_force)
+      for (LinkCompressions* each : {&compressions_, &start_compressions_, &before_compressions_}) each->resize(count);
     if constexpr (is_contact) contacts_ = ContactLog{count};
     if constexpr (is_corner) grips_ = CornerGrips{block.ends()};
   }
@@ -71,7 +73,7 @@ class LinkStates final : public ElementStates {
     const Law* laws = block_->laws().data();
     const Ends* ends = ends_.data();
     const State* committed = committed_.data();
-    const double *offsets = offsets_.data(), *axial_forces = axial_forces_.data();
+    const double* offsets = offsets_.data();
     const Vector *start_deformations = start_.deformations.data(), *start_rates = start_.rates.data();
     State* __restrict trial = trial_.data();
     Answer* __restrict answers = answers_.data();
@@ -84,9 +86,8 @@ class LinkStates final : public ElementStates {
       Vector deformation = ends[i].difference(displacement);
       if constexpr (!in_plan) deformation -= offsets[i];
       const Vector rate = ends[i].difference(velocity);
-      const Answer answer =
-          respond_over(laws[i], committed[i], {deformation, rate}, {start_deformations[i], start_rates[i]}, step,
-                       takes_axial_force ? axial_forces[i] : 0.0, trial[i]);
+      const Answer answer = respond_over(laws[i], committed[i], {deformation, rate},
+                                         {start_deformations[i], start_rates[i]}, step, axial_force(i), trial[i]);
       changed |= answer.stiffness != answers[i].stiffness || answer.damping != answers[i].damping;
       keep(answer, answers[i]);
       deformations[i] = deformation;
@@ -130,7 +131,7 @@ class LinkStates final : public ElementStates {
         const auto &before = start_answers_[i].stiffness, &after = answers_[i].stiffness;
         corners.jump |= norm(after + -1.0 * before) > jump * std::max(norm(before), norm(after));
         // A law that evolves in time follows the path itself.
-        if constexpr (!in_plan && (TimeDependentLaw<Law> || AxialForceLaw<Law>)) continue;
+        if constexpr (!in_plan && (TimeDependentLaw<Law> || takes_axial_force)) continue;
         const double turn = turning_point(start_.rates[i], now_.rates[i]);
         if (turn <= 0.0 || turn >= 1.0) continue;
         corners.turn = true;
@@ -139,15 +140,25 @@ class LinkStates final : public ElementStates {
     }
   }
 
-  std::span<double> axial_forces() override { return axial_forces_; }
+  AxialActions axial_actions() override { return {compressions_.values, compressions_.rates}; }
+
+  void add_force_by_compression([[maybe_unused]] std::size_t i, [[maybe_unused]] double change,
+                                [[maybe_unused]] double* force) const override {
+    if constexpr (takes_axial_force) ends_[i].add_force(change * answers_[i].by_compression, force);
+  }
 
   void commit(double step, WorkRule rule) override {
     if constexpr (is_corner) grips_.commit(step, rule, energies_.kept(), contacts_);
     if (energies_.kept())
-      energies_.add_step({block_->laws(), committed_, trial_, start_, now_, forces_, axial_forces_, step}, rule);
+      energies_.add_step(
+          {block_->laws(), committed_, trial_, start_, now_, start_compressions_, compressions_, forces_, step}, rule);
     if constexpr (!has_constant_tangents) std::swap(before_, start_);
     if (!has_constant_tangents || energies_.kept()) start_ = now_;
     if constexpr (has_unlocated_corners) start_answers_ = answers_;
+    if constexpr (takes_axial_force) {
+      std::swap(before_compressions_, start_compressions_);
+      start_compressions_ = compressions_;
+    }
     last_step_ = step;
     committed_.swap(trial_);
   }
@@ -186,7 +197,8 @@ class LinkStates final : public ElementStates {
     State after;
     return norm_or_value(respond_over(block_->laws()[i], trial_[i], {path.value(fraction), path.rate(fraction)},
                                       {before_.deformations[i], before_.rates[i]}, fraction * last_step_,
-                                      axial_force(i), after)
+                                      axial_inside(before_compressions_, start_compressions_, i, fraction, last_step_),
+                                      after)
                              .force);
   }
 
@@ -202,8 +214,13 @@ class LinkStates final : public ElementStates {
     if constexpr (has_regimes) {
       for (std::size_t i = 0; i < ends_.size(); ++i) {
         const double deformation = now_.deformations[i], rate = now_.rates[i], second_rate = now_.second_rates[i];
+        // The state at that time, of laws that hold their compression in it.
+        State state = takes_axial_force ? trial_[i] : committed_[i];
         const auto margin_above_aim = [&](double time) {
-          return margin(i, deformation + time * (rate + 0.5 * time * second_rate), rate + time * second_rate) - aim;
+          if constexpr (takes_axial_force) state.compression = compressions_.values[i] + time * compressions_.rates[i];
+          return margin_at(block_->laws()[i], committed_[i], state,
+                           deformation + time * (rate + 0.5 * time * second_rate), rate + time * second_rate) -
+                 aim;
         };
         first = std::min(first, fall_near(margin_above_aim));
       }
@@ -226,9 +243,11 @@ class LinkStates final : public ElementStates {
         const double deformation = start_.deformations[i], rate = start_.rates[i];
         // One change may be followed at once by another (a touch that is already separating). Three changes cover every
         // phase.
-        for (int count = 0; count < 3 && margin(i, deformation, rate) < 0.0; ++count) {
+        const Law& law = block_->laws()[i];
+        for (int count = 0; count < 3 && margin_at(law, committed_[i], committed_[i], deformation, rate) < 0.0;
+             ++count) {
           if (count == 0) changes.push_back({.block = block_index, .element = i, .rate = rate});
-          enter(i, block_->laws()[i].next_regime(committed_[i], deformation, rate), changes.back());
+          enter(i, law.next_regime(committed_[i], deformation, rate), changes.back());
         }
       }
     }
@@ -254,11 +273,22 @@ class LinkStates final : public ElementStates {
   }
 
  private:
-  [[nodiscard]] double axial_force([[maybe_unused]] std::size_t i) const {
+  // At the end of the trial step.
+  [[nodiscard]] AxialForce axial_force([[maybe_unused]] std::size_t i) const {
     if constexpr (takes_axial_force)
-      return axial_forces_[i];
+      return {compressions_.values[i], start_compressions_.rates[i]};
     else
-      return 0.0;
+      return {};
+  }
+  // At a fraction of a step of `length` s.
+  [[nodiscard]] static AxialForce axial_inside([[maybe_unused]] const LinkCompressions& start,
+                                               [[maybe_unused]] const LinkCompressions& end,
+                                               [[maybe_unused]] std::size_t i, [[maybe_unused]] double fraction,
+                                               [[maybe_unused]] double length) {
+    if constexpr (takes_axial_force)
+      return {compression_between(start, end, i, length).value(fraction), start.rates[i]};
+    else
+      return {};
   }
   // At the committed state, J.
   [[nodiscard]] double stored(std::size_t i) const {
@@ -269,8 +299,12 @@ class LinkStates final : public ElementStates {
     kept.force = answer.force;
     kept.stiffness = answer.stiffness;
     kept.damping = answer.damping;
+    if constexpr (takes_axial_force) kept.by_compression = answer.by_compression;
   }
-  static void keep(const PlanarResponse& answer, PlanarResponse& kept) { kept = answer; }
+  template <std::derived_from<PlanarResponse> Any>
+  static void keep(const Any& answer, Any& kept) {
+    kept = answer;
+  }
   static double norm(double value) { return std::abs(value); }
   static double norm(PlanMatrix a) { return std::sqrt(a.xx * a.xx + a.xy * a.xy + a.yx * a.yx + a.yy * a.yy); }
   static double norm_or_value(double value) { return value; }
@@ -278,12 +312,19 @@ class LinkStates final : public ElementStates {
 
   [[nodiscard]] Vector rate_of_force(std::size_t i, Vector second_rate) const {
     const Answer& answer = answers_[i];
-    if constexpr (in_plan)
+    if constexpr (in_plan && takes_axial_force)
+      return answer.force_rate + answer.viscosity * second_rate + compressions_.rates[i] * answer.rate_by_compression;
+    else if constexpr (in_plan)
       return answer.force_rate + answer.viscosity * second_rate;
+    else if constexpr (takes_axial_force &&
+                       requires(const Law& law, double x) { law.force_rate(trial_[i], x, x, x, x); })
+      return block_->laws()[i].force_rate(trial_[i], now_.deformations[i], now_.rates[i], second_rate,
+                                          compressions_.rates[i]);
     else if constexpr (requires(const Law& law, double x) { law.force_rate(trial_[i], x, x, x); })
       return block_->laws()[i].force_rate(trial_[i], now_.deformations[i], now_.rates[i], second_rate);
     else
-      return answer.stiffness * now_.rates[i] + answer.damping * second_rate;
+      return answer.stiffness * now_.rates[i] + answer.damping * second_rate +
+             (takes_axial_force ? answer.by_compression * compressions_.rates[i] : 0.0);
   }
 
   // The force that the law loses where its path turns inside the trial step, N: the difference at the end if the law is
@@ -295,23 +336,45 @@ class LinkStates final : public ElementStates {
     State at_turn, after;
     if constexpr (in_plan) {
       const PlanPath path = path_between(start_, now_, i, step_);
-      respond_over(law, committed_[i], {path.value(turn), path.rate(turn)}, {}, turn * step_, axial_force(i), at_turn);
+      const AxialForce axial_at_turn = axial_inside(start_compressions_, compressions_, i, turn, step_);
+      respond_over(law, committed_[i], {path.value(turn), path.rate(turn)}, {}, turn * step_, axial_at_turn, at_turn);
       return respond_over(law, at_turn, end, {}, (1.0 - turn) * step_, axial_force(i), after).force - forces_[i];
     } else {
       const double farthest = cubic_between(start_, now_, i, step_).value(turn);
-      const double force = respond_over(law, committed_[i], {farthest, end.rate}, {}, 0.0, 0.0, at_turn).force,
-                   at_end = respond_over(law, at_turn, end, {}, 0.0, 0.0, after).force - forces_[i],
+      const double force = respond_over(law, committed_[i], {farthest, end.rate}, {}, 0.0, {}, at_turn).force,
+                   at_end = respond_over(law, at_turn, end, {}, 0.0, {}, after).force - forces_[i],
                    from_tangent = force - forces_[i] - answers_[i].stiffness * (farthest - end.deformation);
       return std::abs(at_end) > std::abs(from_tangent) ? at_end : from_tangent;
     }
   }
 
-  [[nodiscard]] double margin(std::size_t i, double deformation, double rate) const {
-    return block_->laws()[i].regime_margin(committed_[i], deformation, rate);
+  // The margin inside a trial step of this length. That of a law under an axial force is of its state there.
+  [[nodiscard]] double margin(std::size_t i, double fraction, [[maybe_unused]] double step, double deformation,
+                              double rate) const {
+    const Law& law = block_->laws()[i];
+    if constexpr (takes_axial_force) {
+      if (fraction == 1.0) return margin_at(law, committed_[i], trial_[i], deformation, rate);
+      State there;
+      respond_over(law, committed_[i], {deformation, rate}, {start_.deformations[i], start_.rates[i]}, fraction * step,
+                   axial_inside(start_compressions_, compressions_, i, fraction, step), there);
+      return margin_at(law, committed_[i], there, deformation, rate);
+    } else {
+      return law.regime_margin(committed_[i], deformation, rate);
+    }
+  }
+  // The margin of a law at an instant, from the committed state and the state there.
+  [[nodiscard]] static double margin_at(const Law& law, const State& committed, [[maybe_unused]] const State& there,
+                                        double deformation, double rate) {
+    if constexpr (MarginUnderAxialForce<Law>)
+      return law.regime_margin(committed, deformation, rate, AxialForce{there.compression});
+    else if constexpr (takes_axial_force)
+      return law.regime_margin(there, deformation, rate);
+    else
+      return law.regime_margin(committed, deformation, rate);
   }
 
   void scan_link(std::size_t i, double step, double aim, RegimeScan& scan) const {
-    const double end_margin = margin(i, now_.deformations[i], now_.rates[i]);
+    const double end_margin = margin(i, 1.0, step, now_.deformations[i], now_.rates[i]);
     if (end_margin < scan.margin) {
       scan.margin = end_margin;
       scan.nearest = i;
@@ -321,7 +384,7 @@ class LinkStates final : public ElementStates {
       // A crossing that returns within the step is possible only where the deformation turns inside it.
       beyond = turning_point(start_.rates[i], now_.rates[i]);
       const HermiteCubic path = cubic_between(start_, now_, i, step);
-      if (beyond <= 0.0 || margin(i, path.value(beyond), path.rate(beyond)) >= 0.0) return;
+      if (beyond <= 0.0 || margin(i, beyond, step, path.value(beyond), path.rate(beyond)) >= 0.0) return;
       scan.crossed_back = true;
     }
     scan.crossed = true;
@@ -329,7 +392,9 @@ class LinkStates final : public ElementStates {
     if (end_margin >= 2.0 * aim && !scan.crossed_back) return;
     if (scan.fraction <= 0.0) return;
     const HermiteQuintic path = path_between(start_, now_, i, step);
-    const auto margin_inside = [&](double fraction) { return margin(i, path.value(fraction), path.rate(fraction)); };
+    const auto margin_inside = [&](double fraction) {
+      return margin(i, fraction, step, path.value(fraction), path.rate(fraction));
+    };
     scan.fraction = std::min(scan.fraction, first_fall(margin_inside, beyond, aim));
   }
 
@@ -360,7 +425,8 @@ class LinkStates final : public ElementStates {
   LinkMotion<Vector> now_, start_, before_;      // at the last evaluate(), at the last commit, and at the one before
   std::vector<Answer> answers_, start_answers_;  // of the last evaluate(), and of laws with corners at the last commit
   std::vector<Vector> forces_, force_rates_;     // of the last evaluate(), N, N/s
-  std::vector<double> axial_forces_;             // N, of laws that take them
+  // At the last evaluate(), at the last commit, and at the one before.
+  LinkCompressions compressions_, start_compressions_, before_compressions_;
   LinkEnergies<Law> energies_;
   std::conditional_t<is_contact, ContactLog, Nothing> contacts_;
   std::conditional_t<is_corner, CornerGrips, Nothing> grips_;

@@ -49,6 +49,7 @@ Check check_points(const Model& model, std::string_view kind, const std::string&
 PlanVector unit_direction(const Check& check, std::string_view field, PlanVector direction);
 /// For ElementInfo; `direction` has length 1, or is zero for an element that acts in both directions.
 std::shared_ptr<const ElementDetails> plan_details(const PlanPoint& first, const PlanPoint& second,
-                                                   PlanVector direction);
+                                                   PlanVector direction,
+                                                   const std::optional<BearingOnSlab>& on_slab = {});
 
 }  // namespace moat

@@ -36,7 +36,45 @@ struct Isolator {
   int count = 1;
   /// > 0 N on all of them, for laws that need it (pendulums, sliders); a ShearBuilding sets it.
   Force weight{};
+  /// Position along the line, from the middle of the building; for AxialForces.
+  Length at{};
+  /// > 0 N/m of all of them, for AxialForces; left out: the same for all isolators.
+  Stiffness vertical_stiffness{};
+  /// Whether `weight` is that at rest, of a building with AxialForces. A ShearBuilding sets it.
+  bool weight_changes = false;
+
+  /// That of the law on all of them, or of this isolator; 0 N where neither is given.
+  [[nodiscard]] Force own_weight() const {
+    if constexpr (WeightBearing<Law>)
+      if (law.weight.si() > 0.0) return count * law.weight;
+    return weight;
+  }
 };
+
+/// Parameters that become a law under a weight that changes.
+template <class Design>
+concept BearsChangingWeight = requires(const Design& design, Force weight) {
+  { design.under_changing_weight(weight) } -> AxialForceLaw;
+};
+
+/// Throws InputError where the friction force of a design does not rise with the weight on it.
+template <class Design>
+void check_rising_friction(const Check& check, const Design& design, Force static_weight) {
+  if constexpr (requires { check_rising(check, design.friction.value(), static_weight.si()); })
+    check_rising(check, design.friction.value(), static_weight.si());
+}
+
+/// The details of a bearing under a changing weight: `design` its law or parameters.
+template <class Design>
+BearingOnSlab bearing_on_slab(const Design& design, PlanVector at, Force static_weight, Stiffness vertical_stiffness) {
+  BearingOnSlab on_slab{.at = at, .static_weight = static_weight.si(), .vertical_stiffness = vertical_stiffness.si()};
+  if constexpr (BearsChangingWeight<Design>) {
+    on_slab.slides = true;
+    on_slab.acts_at = BearingOnSlab::by_surface;
+    if constexpr (requires { design.share_of_upper_surfaces(); }) on_slab.acts_at = design.share_of_upper_surfaces();
+  }
+  return on_slab;
+}
 
 /// The quantities that every isolator reports.
 inline ElementInfo isolator_info(const std::string& name, NodeId lower, NodeId upper) {
@@ -63,9 +101,14 @@ void add(Model& model, const Isolator<Law>& isolator) {
     model.register_element("Isolator", isolator.name);
     if (isolator.count > 1) given.push_back({"count", static_cast<double>(isolator.count), "1"});
     // Reports show the law as the script gave it.
+    ElementDetails details;
     if (isolator.count > 1 || !std::is_same_v<Placed, Law>)
-      info.details = std::make_shared<const ElementDetails>(
-          ElementDetails{.law_as_given = LawAsGiven{std::string{name_of(isolator.law)}, given}});
+      details.law_as_given = LawAsGiven{std::string{name_of(isolator.law)}, given};
+    if (isolator.weight_changes)
+      details.bearing_on_slab =
+          bearing_on_slab(isolator.law, {isolator.at.si(), 0.0}, isolator.own_weight(), isolator.vertical_stiffness);
+    if (details.law_as_given || details.bearing_on_slab)
+      info.details = std::make_shared<const ElementDetails>(std::move(details));
     if (isolator.count == 1)
       model.block<LinkBlock<Placed>>().add(info, law);
     else
@@ -74,7 +117,13 @@ void add(Model& model, const Isolator<Law>& isolator) {
   if constexpr (WeightBearing<Law>) {
     // The weight on one bearing.
     const Force weight = weight_on(check, isolator.law.weight, (1.0 / isolator.count) * isolator.weight);
-    given.push_back({"weight", weight.si(), "N"});
+    given.push_back({isolator.weight_changes ? "static_weight" : "weight", weight.si(), "N"});
+    if constexpr (BearsChangingWeight<Law>) {
+      if (isolator.weight_changes) {
+        check_rising_friction(check, isolator.law, weight);
+        return place(isolator.law.under_changing_weight(weight));
+      }
+    }
     place(isolator.law.carrying(weight));
   } else {
     place(isolator.law);

@@ -23,7 +23,8 @@ class LinearStructureStates final : public ElementStates {
   void evaluate_rates(const double* acceleration, double* force_rate) override;
   void add_tangent(double displacement_weight, double velocity_weight, SparseMatrix& matrix) const override;
   void find_corners(UnlocatedCorners&, double*) const override {}
-  std::span<double> axial_forces() override { return {}; }
+  AxialActions axial_actions() override { return {}; }
+  void add_force_by_compression(std::size_t, double, double*) const override {}
   void commit(double step, WorkRule rule) override;
   void start_energy_accounts() override;
   ElementEnergy energy(std::size_t element) const override;

@@ -35,6 +35,8 @@ void add_in_plan(Model& model, const Check& check, std::string_view kind, const 
   if constexpr (requires { spring.law.check(check); }) spring.law.check(check);
   model.register_element(kind, spring.name);
   const PlanPoint &lower = spring.lower, &upper = spring.upper;
+  std::optional<BearingOnSlab> on_slab;
+  if constexpr (requires { spring.on_slab; }) on_slab = spring.on_slab;
   model.block<LinkBlock<decltype(spring.law), Ends>>().add({.name = spring.name,
                                                             .place = spring.place,
                                                             .first = lower.of,
@@ -43,7 +45,7 @@ void add_in_plan(Model& model, const Check& check, std::string_view kind, const 
                                                             .force_quantity = spring.force_quantity,
                                                             .isolates = spring.isolates,
                                                             .drawn_as = DrawnAs::nothing,
-                                                            .details = plan_details(lower, upper, direction)},
+                                                            .details = plan_details(lower, upper, direction, on_slab)},
                                                            spring.law, ends);
 }
 

@@ -19,7 +19,8 @@ struct PlanarSpring {
   std::string force_quantity = "force";              ///< Under which the force is reported, N.
   /// Where its peaks are listed together with those of others; its own name if empty.
   std::string place{};
-  bool isolates = false;  ///< Whether it separates a building from the ground.
+  bool isolates = false;                   ///< Whether it separates a building from the ground.
+  std::optional<BearingOnSlab> on_slab{};  ///< Of a bearing of a building with AxialForces.
 };
 
 /// A bearing under a floor: a PlanarSpring between the ground and the floor above, at a position in plan. Reports
@@ -33,6 +34,7 @@ struct PlanBearing {
   Law law;            ///< Its force.
   /// Where its peaks are listed together with those of others; its own name if empty.
   std::string place{};
+  std::optional<BearingOnSlab> on_slab{};  ///< Of a building with AxialForces, which sets it.
 };
 
 /// Throws InputError for points that are not of this model or on the same body, a name that is taken, or a parameter
@@ -54,7 +56,8 @@ void add(Model& model, const PlanBearing<Law>& bearing) {
                                .deformation_quantity = "isolator_deformation",
                                .force_quantity = "isolator_force",
                                .place = bearing.place,
-                               .isolates = true});
+                               .isolates = true,
+                               .on_slab = bearing.on_slab});
 }
 
 }  // namespace moat

@@ -67,6 +67,8 @@ struct PressureTemperatureVelocity {
   [[nodiscard]] double pressure_factor(double pressure) const {
     return depends_on_pressure ? std::pow(0.7, 0.02e-6 * (pressure - reference_pressure.si())) : 1.0;
   }
+  /// Rate of pressure_factor() with pressure over itself, 1/Pa.
+  [[nodiscard]] double pressure_slope() const { return depends_on_pressure ? 0.02e-6 * std::log(0.7) : 0.0; }
   /// Factor of mu at a speed, m/s.
   [[nodiscard]] double speed_factor(double speed) const {
     return depends_on_speed ? 1.0 - 0.5 * std::exp(-rate.si() * speed) : 1.0;
@@ -108,6 +110,14 @@ struct PressureTemperatureVelocity {
             {"friction.diffusivity", diffusivity, "m^2/s"},
             {"friction.conductivity", conductivity, "W/(m K)"},
             {"friction.initial_temperature", initial_temperature, "degC"}};
+  }
+
+  /// Throws InputError unless mu N rises with the normal force N up to three times the static pressure > 0 Pa: for laws
+  /// whose normal force changes.
+  void check_rising(const Check& check, double static_pressure) const {
+    const double highest = 3.0 * static_pressure;
+    check.that(1.0 + highest * pressure_slope() > 0.0, "static pressure", static_pressure, "Pa", "below 46.7 MPa",
+               "Beyond three times that the friction force would fall where the normal force rises.");
   }
 
  private:

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "materials/carried_weight.hpp"
-#include "materials/series_of_sliders.hpp"
+#include "materials/series_under_weight.hpp"
 
 namespace moat {
 
@@ -53,6 +53,10 @@ struct DoublePendulum {
     law.branches[0] = {.stiffness = normal / first_radius.si(), .friction = first_friction * normal};
     law.branches[1] = {.stiffness = normal / second_radius.si(), .friction = second_friction * normal};
     return law;
+  }
+  /// The law under a weight that changes, with this one at rest.
+  [[nodiscard]] SeriesUnderWeight under_changing_weight(Force static_weight) const {
+    return {carrying(static_weight), static_weight.si()};
   }
 };
 

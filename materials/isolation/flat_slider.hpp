@@ -2,7 +2,7 @@
 #pragma once
 
 #include "materials/carried_weight.hpp"
-#include "materials/sliding_isolator.hpp"
+#include "materials/sliding_under_weight.hpp"
 
 namespace moat {
 
@@ -10,12 +10,11 @@ namespace moat {
 ///
 ///     F = k_r d + q,    |q| <= mu(|v|) W,    elastic with mu W/u_y before it slides
 ///
-/// With springs it is the EradiQuake type of bearing; without them it stays where it stops. The weight is constant.
+/// With springs it is the EradiQuake type of bearing; without them it stays where it stops. The weight is
+/// constant, unless the building has AxialForces.
 struct FlatSlider {
   static constexpr std::string_view name = "FlatSlider";
   static constexpr std::string_view formula = "F = k_r d + q, abs(q) <= mu W; stick and slip located";
-  static constexpr std::string_view assumption =
-      "The weight is constant: neither vertical motion nor overturning acts.";
 
   Required<Friction> friction;  ///< Coefficient, or a model of friction.
   /// k_r >= 0 N/m.
@@ -41,6 +40,14 @@ struct FlatSlider {
     list.push_back({"restoring_stiffness", restoring_stiffness.si(), "N/m"});
     list.push_back({"yield_displacement", yield_displacement.si(), "m"});
     return list;
+  }
+  /// The law under a weight that changes; `load` > 0 N is that at rest.
+  [[nodiscard]] SlidingUnderWeight under_changing_weight(Force load) const {
+    const double normal = load.si();
+    return {.restoring_stiffness = restoring_stiffness.si(),
+            .elastic_stiffness = friction.value().fast(normal) * normal / yield_displacement.si(),
+            .static_weight = normal,
+            .friction = friction};
   }
   [[nodiscard]] SlidingIsolator carrying(Force load) const {
     const double normal = load.si();

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "materials/carried_weight.hpp"
-#include "materials/sliding_isolator.hpp"
+#include "materials/sliding_under_weight.hpp"
 
 namespace moat {
 
@@ -16,13 +16,12 @@ namespace moat {
 ///
 /// R is the effective radius, that of the surface less the height of the slider. The surface counts as a parabola: at
 /// d/R = 0.045 the restoring force is 0.1 % too small. Small stiffness at very small moves stands for the liner. The
-/// weight is constant: neither vertical motion nor overturning acts. Sources: Zayas, Low & Mahin (1987); Constantinou,
+/// weight is constant, unless the building has AxialForces. Sources: Zayas, Low & Mahin (1987); Constantinou,
 /// Mokha & Reinhorn (1990). Radii of one maker: 1.55, 2.235, 3.96, 6.05 m.
 struct FrictionPendulum {
   static constexpr std::string_view name = "FrictionPendulum";
   static constexpr std::string_view formula = "F = (W/R) d + q, abs(q) <= mu W; stick and slip located";
-  static constexpr std::string_view assumption =
-      "The weight is constant: neither vertical motion nor overturning acts. The surface counts as a parabola.";
+  static constexpr std::string_view assumption = "The surface counts as a parabola.";
 
   /// R > 0 m.
   Required<Length> radius;
@@ -50,6 +49,15 @@ struct FrictionPendulum {
     for (const Parameter& each : friction.value().parameters()) list.push_back(each);
     list.push_back({"yield_displacement", yield_displacement.si(), "m"});
     return list;
+  }
+  /// The law under a weight that changes; `load` > 0 N is that at rest.
+  [[nodiscard]] SlidingUnderWeight under_changing_weight(Force load) const {
+    const double normal = load.si();
+    return {.radius = radius.si(),
+            .restoring_stiffness = 0.0,
+            .elastic_stiffness = friction.value().fast(normal) * normal / yield_displacement.si(),
+            .static_weight = normal,
+            .friction = friction};
   }
   [[nodiscard]] SlidingIsolator carrying(Force load) const {
     const double normal = load.si();

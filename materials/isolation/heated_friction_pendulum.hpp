@@ -2,7 +2,7 @@
 #pragma once
 
 #include "materials/carried_weight.hpp"
-#include "materials/heated_sliding_isolator.hpp"
+#include "materials/heated_under_weight.hpp"
 
 namespace moat {
 
@@ -52,6 +52,8 @@ struct HeatedFrictionPendulum {
                             normal / yield_displacement.si();
     return law;
   }
+  /// The law under a weight that changes, with this one at rest.
+  [[nodiscard]] HeatedUnderWeight under_changing_weight(Force static_weight) const { return {carrying(static_weight)}; }
 };
 
 }  // namespace moat

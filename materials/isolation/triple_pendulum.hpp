@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "materials/carried_weight.hpp"
-#include "materials/series_of_sliders.hpp"
+#include "materials/series_under_weight.hpp"
 
 namespace moat {
 
@@ -112,6 +112,10 @@ struct TriplePendulum {
                        .friction = upper_friction * normal,
                        .capacity = upper_capacity.si() * (1.0 - inner / upper)};
     return law;
+  }
+  /// The law under a weight that changes, with this one at rest.
+  [[nodiscard]] SeriesUnderWeight under_changing_weight(Force static_weight) const {
+    return {carrying(static_weight), static_weight.si()};
   }
 };
 

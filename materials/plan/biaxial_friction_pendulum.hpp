@@ -17,7 +17,8 @@ namespace moat {
 /// Along a line it is `FrictionPendulum`. With constant friction the update is exact for straight increments
 /// (Krieg & Krieg 1977), and so is the dissipation; the bend of a path counts to fourth order
 /// (materials/saturating_slip.hpp). The circle of a step is that of the speed at its end: friction that
-/// depends on speed is of second order in the step. Neither vertical motion nor overturning acts.
+/// depends on speed is of second order in the step. The weight is constant;
+/// PlanarSliderUnderWeight follows it.
 struct BiaxialFrictionPendulum {
   static constexpr std::string_view name = "BiaxialFrictionPendulum";
 

@@ -22,14 +22,23 @@ struct PlanarResponse {
   PlanMatrix viscosity{};
 };
 
+/// The response of a law of two components that takes an axial force N.
+struct PlanarAxialResponse : PlanarResponse {
+  PlanVector by_compression{};  ///< dF/dN of the step, 1
+  /// The part of N' in the rate of the force at the end, 1. Of a law with history it is not by_compression.
+  PlanVector rate_by_compression{};
+};
+
 /// A law of two components that depends on the axial force as well: an AxialForceLaw on vectors.
 ///
-///     PlanarResponse evaluate(State const& committed, PlanVector deformation, PlanVector rate, double interval,
-///                             AxialForce axial, State& trial) const
+///     PlanarAxialResponse evaluate(State const& committed, PlanVector deformation, PlanVector rate, double interval,
+///                                  AxialForce axial, State& trial) const
 template <class Law>
 concept PlanarAxialForceLaw = requires(const Law& law, const typename Law::State& committed, typename Law::State& trial,
                                        AxialForce axial, PlanVector d) {
-  { law.evaluate(committed, d, d, 0.0, axial, trial) } -> std::same_as<PlanarResponse>;
+  { law.evaluate(committed, d, d, 0.0, axial, trial) } -> std::same_as<PlanarAxialResponse>;
+  { law.weight_lever(committed, d, trial, d) } -> std::same_as<double>;
+  trial.compression = axial.compression;
 };
 
 /// A force-deformation law of two components, x and y: the same functions as of a ForceLaw (materials/response.hpp), on
@@ -42,7 +51,7 @@ concept PlanarLaw = std::is_trivially_copyable_v<typename Law::State> &&
     std::default_initializable<typename Law::State> &&
     requires(const Law& law, const typename Law::State& committed, typename Law::State& trial, PlanVector d) {
   requires PlanarAxialForceLaw<Law> || requires {
-    { law.evaluate(committed, d, d, 0.0, trial) } -> std::same_as<PlanarResponse>;
+    { law.evaluate(committed, d, d, 0.0, trial) } -> std::convertible_to<PlanarResponse>;
   };
   { law.stored_energy(committed, d) } -> std::same_as<double>;
   { law.dissipated_energy(committed, committed) } -> std::same_as<double>;

@@ -4,6 +4,7 @@
 #include <set>
 #include <string_view>
 
+#include "elements/line/isolator.hpp"
 #include "materials/contact/impact_laws.hpp"
 #include "materials/spring_laws.hpp"
 
@@ -18,6 +19,17 @@ std::vector<std::string> law_assumptions(const ModelFacts& model) {
       sentences.push_back(std::string{Law::name} + ": " + std::string{assumption});
   };
   AllSpringLaws::for_each(add);
+  AllSpringLaws::for_each([&]<class Law>() {
+    if constexpr (BearsChangingWeight<Law>) {
+      const auto is_constant = [](const ElementFacts& element) {
+        return element.law == Law::name &&
+               std::ranges::count(element.parameters, "static_weight", &ParameterFacts::name) == 0;
+      };
+      if (std::ranges::any_of(model.elements, is_constant))
+        sentences.push_back(std::string{Law::name} + ": The weight on it is constant; neither vertical motion nor " +
+                            "overturning acts.");
+    }
+  });
   AllImpactLaws::for_each(add);
   std::set<std::string_view> silent;
   for (const ElementFacts& element : model.elements)

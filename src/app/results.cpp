@@ -35,6 +35,7 @@ void write_results(const CaseResult& result, const std::filesystem::path& folder
   write_csv(result.impacts, folder / results_file::impacts);
   write_peaks_csv(result, folder / results_file::peaks);
   write_participating_masses_csv(result, folder / results_file::participating_masses);
+  write_bearing_checks_csv(result, folder / results_file::bearing_checks);
   written(results_file::impacts);
   vtk_files().write_table(result.histories, folder / results_file::histories_vtt);
   written(results_file::histories_vtt);
@@ -102,9 +103,10 @@ std::string period_lines(const std::vector<NamedPeriod>& periods) {
 std::string energy_lines(const EnergyBalance& energy) {
   std::string text = "\nenergy [kJ]\n ";
   const char* before = " ";
-  for (const EnergyColumn& column : energy_columns(energy.in_plan)) {
+  for (const EnergyColumn& column : energy_columns(energy.in_plan, energy.weights_change)) {
     text += before + std::string{column.name} + " " + to_significant(energy.*column.value / 1e3, 4);
-    before = column.value == &EnergyBalance::input ? " = " : " + ";
+    const bool is_input = column.value == &EnergyBalance::input && !energy.weights_change;
+    before = is_input || column.value == &EnergyBalance::weight_work ? " = " : " + ";
   }
   return text + " + error " + to_significant((energy.integration_error - energy.equation_residual) / 1e3, 2) + "\n";
 }
@@ -114,7 +116,7 @@ std::string energy_lines(const EnergyBalance& energy) {
 std::string terminal_summary(const CaseResult& result) {
   const std::string buildings = text_of(building_table(result));
   return (buildings.empty() ? "" : "\n" + buildings) + period_lines(result.periods) + "\n" + peak_table(result) +
-         clearance_table(result) + table_at_the_end(isolators_at_the_end(result.histories)) +
+         clearance_table(result) + table_at_the_end(residual_displacements(result.histories)) +
          error_bar_line(result.error_bars) + energy_lines(result.energy) + "\n" +
          count_of(static_cast<long>(result.impacts.size()), "impact") + ", " +
          std::to_string(result.solver.accepted_steps) + " steps, " + std::to_string(result.solver.newton_iterations) +

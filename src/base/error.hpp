@@ -41,4 +41,14 @@ class ConvergenceError : public Error {
   std::string worst_place;  ///< the node with that force, or the element
 };
 
+/// The weight of a building leaves its bearings: no axial forces of theirs balance its overturning moment. All results
+/// before `time` have been recorded.
+class RockingError : public Error {
+ public:
+  /// `message`, and the time in s.
+  RockingError(const std::string& message, double time_s) : Error{message}, time{time_s} {}
+
+  double time;  ///< s
+};
+
 }  // namespace moat

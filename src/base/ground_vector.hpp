@@ -22,6 +22,8 @@ struct GroundVector {
   friend constexpr bool operator==(GroundVector, GroundVector) = default;
 };
 
+/// The scalar product.
+[[nodiscard]] constexpr double dot(GroundVector a, GroundVector b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
 /// sqrt(x^2 + y^2 + z^2).
 [[nodiscard]] inline double length(GroundVector a) { return std::hypot(a.x, a.y, a.z); }
 

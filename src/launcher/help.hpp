@@ -42,7 +42,7 @@ A script may include files beside it: #include "my_law.hpp". It is compiled agai
 library has changed. The compiled programs in build/scripts/ may be deleted at any time.
 
 Options of most scripts, which its own --help explains: --out, --force, --step, --tolerance, --integrator, --end,
---frame-interval, --check, --quiet, --json, --record, --record-unit; of studies --threads, --case, --cases, --retry.
+--frame-interval, --check, --quiet, --json, --record, --record-up, --record-unit; of studies --threads, --case, --cases, --retry.
 
 Exit code: that of the script; 1 when building fails, 2 for wrong usage, 3 when packages cannot be installed.)"},
     {"new", "Start a script of your own", R"(

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <utility>
 
 #include "base/error.hpp"
 
@@ -22,6 +23,15 @@ AnalysisState::AnalysisState(const Model& model)
     if (kind.has_regimes) blocks_with_regimes_.push_back(b);
     if (kind.contacts) blocks_with_contacts_.push_back(b);
   }
+  for (const Building& building : model.buildings()) {
+    if (!building.axial_forces || building.shares_base) continue;
+    weights_.emplace_back(model, building, elements_);
+    weights_.back().add_rows(coupling_.rows);
+    feels_accelerations_ = feels_accelerations_ || weights_.back().acts_on_laws();
+  }
+  for (std::size_t b = 0; b < elements_.size(); ++b)
+    (weights_.empty() || elements_[b]->axial_actions().compressions.empty() ? other_blocks_ : blocks_under_weight_)
+        .push_back(b);
   // Forces and states of all elements belong to the initial motion.
   evaluate();
   evaluate_rates();
@@ -48,11 +58,38 @@ double AnalysisState::value_of_other(const Vector& values, NodeId node) const {
 
 void AnalysisState::evaluate() {
   internal_forces_.setZero(model_->degrees_of_freedom() + 1);
-  const double step = trial_.time - motion_.time;
   bool changed = false;
-  for (const auto& elements : elements_)
-    changed |= elements->evaluate(step, trial_.displacement.data(), trial_.velocity.data(), internal_forces_.data());
+  for (const std::size_t b : other_blocks_) changed |= evaluate(b);
+  if (!weights_.empty()) {
+    other_forces_ = internal_forces_;
+    changed |= evaluate_under_weight();
+  }
   if (changed) ++tangent_version_;
+}
+
+bool AnalysisState::evaluate_under_weight() {
+  for (WeightOnBearings& weight : weights_) weight.press(trial_, ground_, elements_);
+  internal_forces_ = other_forces_;
+  bool changed = false;
+  for (const std::size_t b : blocks_under_weight_) changed |= evaluate(b);
+  return changed;
+}
+
+void AnalysisState::find(WeightCoupling& coupling) const {
+  if (coupling.rows.empty()) coupling.rows = coupling_.rows;
+  coupling.columns.resize(coupling.rows.size());
+  std::size_t column = 0;
+  for (const WeightOnBearings& weight : weights_)
+    column = weight.fill_columns(elements_, internal_forces_.size(), coupling.columns, column);
+}
+
+bool AnalysisState::turn_ground(GroundVector rate) {
+  const bool jumps = rate.z != ground_rate_.z && std::ranges::any_of(weights_, &WeightOnBearings::moves_with_ground);
+  if (!jumps) return false;
+  ground_rate_ = rate;
+  return_to_committed_state();
+  commit();
+  return true;
 }
 
 void AnalysisState::evaluate_rates() {
@@ -63,6 +100,36 @@ void AnalysisState::evaluate_rates() {
   model_->mass_matrix().solve(trial_.jerk.data());
   trial_.jerk.head(count) *= -1.0;
   trial_.jerk[count] = 0.0;
+  if (!weights_.empty()) find_rates_under_weight();
+}
+
+// M j + f' = 0, where f' grows with the rates of the axial forces, and these with j.
+void AnalysisState::find_rates_under_weight() {
+  const auto find_axial_rates = [&] {
+    for (WeightOnBearings& weight : weights_) weight.find_rates(trial_, ground_rate_, elements_);
+  };
+  find_axial_rates();
+  if (!feels_accelerations_) return;
+  const int count = model_->degrees_of_freedom();
+  const auto solve = [&](Vector& values) { model_->mass_matrix().solve(values.data()); };
+  find(coupling_);
+  coupling_.prepare(model_->degrees_of_freedom(), solve);
+  Vector others = Vector::Zero(count + 1);
+  for (const std::size_t b : other_blocks_) elements_[b]->evaluate_rates(trial_.acceleration.data(), others.data());
+  const auto jerk_under_weight = [&] {
+    Vector jerk = others;
+    for (const std::size_t b : blocks_under_weight_)
+      elements_[b]->evaluate_rates(trial_.acceleration.data(), jerk.data());
+    solve(jerk);
+    jerk.head(count) *= -1.0;
+    jerk[count] = 0.0;
+    return jerk;
+  };
+  Vector change = jerk_under_weight() - trial_.jerk;
+  coupling_.correct(change);
+  trial_.jerk += change;
+  find_axial_rates();
+  trial_.jerk = jerk_under_weight();
 }
 
 void AnalysisState::evaluate_linear_elements() {
@@ -73,13 +140,36 @@ void AnalysisState::evaluate_linear_elements() {
   }
 }
 
-void AnalysisState::balance(GroundVector ground_acceleration) {
+void AnalysisState::balance_forces(GroundVector ground_acceleration) {
   const int count = model_->degrees_of_freedom();
   const GroundColumns influence = model_->ground_influence();
   trial_.acceleration.head(count) = internal_forces_.head(count);
   model_->mass_matrix().solve(trial_.acceleration.data());
   for (int i = 0; i < count; ++i)
     trial_.acceleration[i] = -trial_.acceleration[i] - influence.times(ground_acceleration, i);
+}
+
+void AnalysisState::balance(GroundVector ground_acceleration) {
+  ground_ = ground_acceleration;
+  if (!feels_accelerations_) {
+    balance_forces(ground_acceleration);
+    if (!weights_.empty()) evaluate_under_weight();
+    return;
+  }
+  constexpr int most_iterations = 50;
+  constexpr double round_off = 1e-14;
+  const auto solve = [&](Vector& values) { model_->mass_matrix().solve(values.data()); };
+  for (int count = 0; count < most_iterations; ++count) {
+    const Vector before = trial_.acceleration;
+    balance_forces(ground_acceleration);
+    Vector change = trial_.acceleration - before;
+    find(coupling_);
+    coupling_.prepare(model_->degrees_of_freedom(), solve);
+    coupling_.correct(change);
+    trial_.acceleration = before + change;
+    evaluate_under_weight();
+    if (change.lpNorm<Eigen::Infinity>() <= round_off * trial_.acceleration.lpNorm<Eigen::Infinity>()) return;
+  }
 }
 
 void AnalysisState::balance_committed_state(GroundVector ground_acceleration) {
@@ -115,6 +205,8 @@ UnlocatedCorners AnalysisState::find_corners(Vector& lost) const {
 
 void AnalysisState::commit(WorkRule rule) {
   const double step = trial_.time - motion_.time;
+  for (WeightOnBearings& weight : weights_) weight.accept(step, trial_.time);
+  committed_ground_ = ground_;
   std::swap(motion_, trial_);
   committed_forces_.swap(internal_forces_);
   for (const auto& elements : elements_) elements->commit(step, rule);
@@ -136,6 +228,7 @@ void AnalysisState::start_energy_accounts() {
 
 void AnalysisState::return_to_committed_state() {
   trial_ = motion_;
+  ground_ = committed_ground_;
   evaluate();
   evaluate_rates();
 }

@@ -6,6 +6,7 @@
 
 #include "base/copyable_pointer.hpp"
 #include "model/model.hpp"
+#include "model/weight_on_bearings.hpp"
 
 namespace moat {
 
@@ -53,7 +54,20 @@ class AnalysisState {
   [[nodiscard]] const GroundMotion* ground_motion() const { return ground_motion_.get(); }
   /// States committed from now on come about under this motion of the ground.
   void begin_motion(std::shared_ptr<const GroundMotion> motion) { ground_motion_ = std::move(motion); }
-  [[nodiscard]] double kinetic_energy() const;  ///< J, of the motion relative to the ground.
+  /// The axial forces of the bearings of every building with AxialForces.
+  [[nodiscard]] std::span<const WeightOnBearings> weights() const { return weights_; }
+  [[nodiscard]] std::span<WeightOnBearings> weights() { return weights_; }  ///< To move them in their vertical modes.
+  /// Whether forces of elements follow axial forces, and so depend on accelerations.
+  [[nodiscard]] bool feels_accelerations() const { return feels_accelerations_; }
+  /// After evaluate(), where it feels accelerations: fills the part of the tangent that they give.
+  void find(WeightCoupling& coupling) const;
+  /// The trial state has this acceleration of the ground, m/s^2. Only states with weights() need it.
+  void move_ground(GroundVector acceleration) { ground_ = acceleration; }
+  /// The rate of the ground's acceleration, m/s^3, from the committed instant on. Where that of the vertical component
+  /// jumps and axial forces follow it: finds the rates of the committed state again, and returns true.
+  bool turn_ground(GroundVector rate);
+  [[nodiscard]] GroundVector ground_rate() const { return ground_rate_; }  ///< The last one given, m/s^3.
+  [[nodiscard]] double kinetic_energy() const;                             ///< J, of the motion relative to the ground.
   /// Starts the energy accounts of all elements at the committed state; they are kept from then on.
   void start_energy_accounts();
   [[nodiscard]] bool keeps_energy_accounts() const { return keeps_energy_accounts_; }  ///< Once started.
@@ -112,6 +126,13 @@ class AnalysisState {
   [[nodiscard]] double shortest_contact() const;
 
  private:
+  bool evaluate(std::size_t block) {
+    return elements_[block]->evaluate(trial_.time - motion_.time, trial_.displacement.data(), trial_.velocity.data(),
+                                      internal_forces_.data());
+  }
+  bool evaluate_under_weight();
+  void balance_forces(GroundVector ground_acceleration);
+  void find_rates_under_weight();
   // Returns the value of a node in a vector of the motion.
   [[nodiscard]] double value(const Vector& values, NodeId node) const {
     const bool is_entry = node.index >= 0 && node.index < values.size() - 1;
@@ -130,6 +151,13 @@ class AnalysisState {
   SparseMatrix constant_stiffness_, constant_damping_;  // of elements with constant tangents
   Eigen::Matrix<double, Eigen::Dynamic, 3> ground_inertia_;
   Vector internal_forces_, committed_forces_;
+  // Where forces follow axial forces: the blocks with such laws are evaluated after all others.
+  std::vector<WeightOnBearings> weights_;
+  std::vector<std::size_t> blocks_under_weight_, other_blocks_;
+  WeightCoupling coupling_;  // of accelerations and jerks
+  Vector other_forces_;      // of other_blocks_
+  GroundVector ground_{}, ground_rate_{}, committed_ground_{};
+  bool feels_accelerations_ = false;
   long tangent_version_ = 0;
   bool keeps_energy_accounts_ = false;
 };

@@ -66,8 +66,8 @@ class NodeSets {
 
 std::vector<NodeId> Building::nodes() const {
   std::vector<NodeId> list;
-  list.reserve(floors.size() + 1);
   if (base != ground && !shares_base) list.push_back(base);
+  list.insert(list.end(), slabs.begin(), slabs.end());
   list.insert(list.end(), floors.begin(), floors.end());
   return list;
 }
@@ -77,8 +77,8 @@ std::vector<NodeId> carried_nodes(const Model& model, const Building& building) 
   if (building.shares_base) return nodes;
   nodes = building.nodes();
   for (const Building& other : model.buildings())
-    if (other.shares_base && other.base == building.base)
-      nodes.insert(nodes.end(), other.floors.begin(), other.floors.end());
+    if (other.shares_base && std::ranges::count(nodes, other.base) > 0)
+      for (const NodeId node : other.nodes()) nodes.push_back(node);
   return nodes;
 }
 

@@ -2,12 +2,14 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "base/check.hpp"
 #include "base/places.hpp"
+#include "model/axial_forces.hpp"
 #include "model/body.hpp"
 #include "model/node.hpp"
 
@@ -59,8 +61,14 @@ struct Building {
   NodeId base = ground;
   /// From the lowest up.
   Places<NodeId, floors_remedy> floors{};
-  /// Whether its base is that of another building, such as a podium with two towers. The other one counts its inertia.
+  /// Slabs that carry its floors too and move apart from `base`. Isolators of all of them are its isolators, and its
+  /// base shear is that of all together; drifts of the lowest storey are relative to `base`.
+  std::vector<NodeId> slabs{};
+  /// Whether its base is a base or slab of another building, such as a podium with two towers. The other one counts its
+  /// inertia.
   bool shares_base = false;
+  /// How the weight on its isolators changes, for laws of friction under a changing weight; left out: it is constant.
+  std::optional<AxialForces> axial_forces{};
   /// Results besides those that every building has.
   std::vector<StoreyResult> storey_results{};
   /// Of its modes, held at its base; none where they are not known.
@@ -68,7 +76,7 @@ struct Building {
 
   /// By its number in names: floor(1) is the lowest. Throws InputError outside 1 to the number of floors.
   [[nodiscard]] NodeId floor(int number) const { return floors.numbered(number, Check{"Building", name}, "floor"); }
-  /// Base, unless that is the ground or another building's, and floors.
+  /// Base, unless that is the ground or another building's, slabs and floors.
   [[nodiscard]] std::vector<NodeId> nodes() const;
   [[nodiscard]] NodeId top() const { return floors.empty() ? base : floors.back(); }  ///< The highest floor.
   /// Where its base shear is listed.

@@ -1,6 +1,7 @@
 // All elements of one type in a model.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <deque>
@@ -8,6 +9,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "base/parameter.hpp"
 #include "base/stiffness_stage.hpp"
@@ -38,6 +40,15 @@ struct ElementInfo {
   /// Null where it has none.
   std::shared_ptr<const ElementDetails> details{};
 
+  /// The nodes at its first end and at its second: one each, or two at a point between nodes.
+  [[nodiscard]] std::array<std::vector<NodeId>, 2> ends() const {
+    std::array<std::vector<NodeId>, 2> nodes{std::vector{first}, std::vector{second}};
+    if (const MemberEnds* between = member_ends()) {
+      if (!between->first.is_node()) nodes[0].push_back(between->first.other);
+      if (!between->second.is_node()) nodes[1].push_back(between->second.other);
+    }
+    return nodes;
+  }
   /// Name under which its peaks are listed.
   [[nodiscard]] const std::string& listed_under() const { return place.empty() ? name : place; }
   /// Null where it has none of these details.

@@ -7,6 +7,7 @@
 
 #include "base/parameter.hpp"
 #include "base/plan_vector.hpp"
+#include "model/axial_forces.hpp"
 #include "model/node.hpp"
 
 namespace moat {
@@ -62,6 +63,8 @@ struct ElementDetails {
   std::optional<CornerPair> corner_pair{};
   /// All degrees of freedom of an element that joins more than two; without the ground.
   std::optional<std::vector<NodeId>> joined{};
+  /// None but for isolators whose weight is known.
+  std::optional<BearingOnSlab> bearing_on_slab{};
 };
 
 }  // namespace moat

@@ -58,14 +58,16 @@ struct ElementEnergy {
   double dissipated = 0.0;  ///< integral of dissipation_rate, and the energy that changes of regime released
   bool hysteretic = false;  ///< dissipates by sliding, at any speed; else viscous
   double friction = 0.0;    ///< dissipated by friction in a contact, in addition
+  /// Of a changing axial force, that of the integral of (deformation^2)/(2 R) dN; it is stored without being work.
+  double weight_work = 0.0;
 
   /// Work that is neither stored nor dissipated.
-  [[nodiscard]] double error() const { return work - stored - dissipated - friction; }
+  [[nodiscard]] double error() const { return work + weight_work - stored - dissipated - friction; }
 };
 
 /// Sums over many elements, J.
 struct EnergySums {
-  double work = 0.0, stored = 0.0, error = 0.0;                                ///< sums of those of the elements
+  double work = 0.0, stored = 0.0, error = 0.0, weight_work = 0.0;             ///< sums of those of the elements
   double viscous = 0.0, hysteretic = 0.0, by_impact = 0.0, by_friction = 0.0;  ///< dissipated
 
   /// Adds those of one element.
@@ -73,9 +75,15 @@ struct EnergySums {
     work += energy.work;
     stored += energy.stored;
     error += energy.error();
+    weight_work += energy.weight_work;
     by_friction += energy.friction;
     (is_contact ? by_impact : energy.hysteretic ? hysteretic : viscous) += energy.dissipated;
   }
+};
+
+/// The axial forces on the elements of a block, with one entry per element.
+struct AxialActions {
+  std::span<double> compressions, rates;  ///< N, N/s
 };
 
 /// How the work of a step is formed.
@@ -168,9 +176,11 @@ class ElementStates {
   /// evaluate(). Such laws see the ends of a step alone. The forces that they lose where their path turns inside it are
   /// added to `lost`, N.
   virtual void find_corners(UnlocatedCorners& corners, double* lost) const = 0;
-  /// The axial forces on elements whose law takes one, N, compression positive, for evaluate() to use; empty for other
+  /// The axial forces on elements whose law takes one, for evaluate() and evaluate_rates() to use; empty for other
   /// laws.
-  virtual std::span<double> axial_forces() = 0;
+  virtual AxialActions axial_actions() = 0;
+  /// After evaluate(): adds the change of the force of an element for a small change of its compression, N.
+  virtual void add_force_by_compression(std::size_t element, double change, double* force) const = 0;
 
   /// The trial states of the last evaluate() become the committed ones, `step` seconds after the last commit.
   /// Adds the step to the energy account of every element, if they are kept; a step of 0 is the same instant again.

@@ -83,12 +83,18 @@ std::vector<NodeId> Model::body_of(NodeId node) const {
   return list;
 }
 
-std::vector<NodeId> Model::struck_with(NodeId node) const {
-  std::vector<NodeId> list = body_of(node);
+std::vector<NodeId> Model::struck_by(const ElementInfo& element) const {
+  std::vector<NodeId> list;
   const auto is_struck = [&](NodeId each) { return std::ranges::find(list, each) != list.end(); };
-  for (const NodeId own : body_of(node))
-    for (const int index : mass_.coupled_with(own.index))
-      if (!is_struck(NodeId{index})) list.push_back(NodeId{index});
+  const auto strike = [&](NodeId each) {
+    if (!is_struck(each)) list.push_back(each);
+  };
+  for (const std::vector<NodeId>& end : element.ends())
+    for (const NodeId node : end)
+      for (const NodeId own : body_of(node)) {
+        strike(own);
+        for (const int index : mass_.coupled_with(own.index)) strike(NodeId{index});
+      }
   for (int place = degrees_of_freedom(); place < nodes(); ++place)
     if (std::ranges::any_of(shares(this->node(place)), is_struck, &MotionShare::node))
       list.push_back(this->node(place));

@@ -78,9 +78,9 @@ class Model {
   [[nodiscard]] std::vector<NodeId> nodes_of_body(NodeId node) const;
   /// The degrees of freedom that move the body of a node: its own, or those that it follows. Empty for the ground.
   [[nodiscard]] std::vector<NodeId> body_of(NodeId node) const;
-  /// The nodes whose accelerations jump with a force on a node: the degrees of freedom of its body, those that masses
-  /// couple with them, and their followers. Empty for the ground.
-  [[nodiscard]] std::vector<NodeId> struck_with(NodeId node) const;
+  /// The nodes whose accelerations jump with the force of an element, each once: the degrees of freedom of the bodies
+  /// at its ends, those that masses couple with them, and their followers.
+  [[nodiscard]] std::vector<NodeId> struck_by(const ElementInfo& element) const;
   /// The displacement of a node as a sum over degrees of freedom. Empty for the ground.
   [[nodiscard]] std::span<const MotionShare> shares(NodeId node) const;
   [[nodiscard]] const std::vector<PlacedDiaphragm>& diaphragms() const { return diaphragms_; }  ///< All, as added.

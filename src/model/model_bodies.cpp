@@ -115,7 +115,7 @@ PlacedDiaphragm Model::checked(const Diaphragm& diaphragm) const {
   const Check check{"Diaphragm", diaphragm.name};
   check_new_name(check, diaphragm.name);
   for (const Body& body : bodies_)
-    if (body.nodes == 1 && !body.direction)
+    if (body.nodes == 1 && !body.direction && !body.generalised)
       check.that(false, "the model has the node \"" + body.name + "\", which moves on a line.",
                  "Give that node a .direction, or make it a Diaphragm: a model moves on a line or in plan.");
   for (const char* suffix : {":x", ":y", ":r"})

@@ -99,11 +99,15 @@ GroundMotion GroundMotion::with_component_y(std::vector<double> samples, const G
   return motion;
 }
 
-GroundMotion GroundMotion::with_component_z(std::vector<double> samples) const {
+GroundMotion GroundMotion::with_component_z(std::vector<double> samples, std::vector<MotionComponent> made_of) const {
   check_as_many(*this, samples, "vertical component");
   check_samples(samples, "vertical component, ");
   GroundMotion motion = *this;
   motion.samples_z_ = std::move(samples);
+  if (made_of.empty()) return motion;
+  motion.file_ = made_of.front().file;
+  motion.scale_factor_ = made_of.front().scale_factor;
+  motion.components_ = std::move(made_of);
   return motion;
 }
 

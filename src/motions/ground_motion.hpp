@@ -27,9 +27,9 @@ struct MotionComponent {
 ///
 /// The acceleration is linear between samples. The ground is at rest before the first sample, which stands at
 /// t = 0; after the last one, at t = duration(), the acceleration is zero. Positive acceleration points in the
-/// direction of positive displacement of the model. A PlanMotion makes a motion of two horizontal components, and
-/// with_component_z() adds the vertical one. Velocity and displacement of the ground are the exact integrals of the
-/// piecewise-linear component along x from rest, without any baseline correction.
+/// direction of positive displacement of the model. A PlanMotion makes a motion of two horizontal components, with a
+/// vertical one if given; with_vertical() adds it to a motion on a line. Velocity and displacement of the ground are
+/// the exact integrals of the piecewise-linear component along x from rest, without any baseline correction.
 ///
 ///     const GroundMotion motion = read_peer_at2("RSN1108_KOBE_KBU000.AT2").scaled_to_pga(0.4 * g);
 class GroundMotion {
@@ -49,9 +49,9 @@ class GroundMotion {
   [[nodiscard]] const std::string& name() const { return name_; }                 ///< In outputs.
   [[nodiscard]] const std::vector<std::string>& notes() const { return notes_; }  ///< For reports.
   [[nodiscard]] const MotionFile& file() const { return file_; }                  ///< Where it was read.
-  /// The factor of all accelerations since the motion was read or made; of a PlanMotion that of its first component.
+  /// The factor of all accelerations since the motion was read or made; of several components that of the first.
   [[nodiscard]] double scale_factor() const { return scale_factor_; }
-  /// This motion, or the first and second component of a PlanMotion.
+  /// This motion, or the components from which it was made: horizontal ones, then the vertical one.
   [[nodiscard]] std::vector<MotionComponent> components() const;
   /// s
   [[nodiscard]] double time_step() const { return time_step_; }
@@ -101,9 +101,11 @@ class GroundMotion {
                                               const GroundMotion& second) const;
 
   /// Returns the motion with a vertical component, upwards, m/s^2, for degrees of freedom that the ground lifts
-  /// (GeneralisedCoordinate::ground_influence). Throws InputError unless it has as many samples, all finite and of at
-  /// most 1e6 m/s^2.
-  [[nodiscard]] GroundMotion with_component_z(std::vector<double> samples) const;
+  /// (GeneralisedCoordinate::ground_influence) and for axial forces of bearings. `made_of`, unless empty: the later
+  /// components(). Throws InputError unless it has as many samples, all finite and of at most 1e6 m/s^2.
+  /// with_vertical() and PlanMotion (motions/plan_motion.hpp) take a vertical motion with an interval of its own.
+  [[nodiscard]] GroundMotion with_component_z(std::vector<double> samples,
+                                              std::vector<MotionComponent> made_of = {}) const;
 
   /// One line: name, PGA, PGV, PGV/PGA, time step, duration, number of samples.
   [[nodiscard]] std::string description() const;

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <string>
+#include <utility>
 
 #include "base/check.hpp"
 #include "base/text/number_format.hpp"
@@ -12,25 +14,51 @@
 namespace moat {
 namespace {
 
-std::string names_of(const PlanMotion& motion) { return motion.first.name() + " + " + motion.second.name(); }
-
-// How many intervals of `shorter` one of `longer` takes; 0 if that is no whole number.
-std::size_t whole_ratio(double longer, double shorter) {
-  constexpr double round_off = 1e-9;
-  const double ratio = longer / shorter, whole = std::round(ratio);
-  return std::abs(ratio - whole) <= round_off * whole ? static_cast<std::size_t>(whole) : 0;
+std::string names_of(const PlanMotion& motion) {
+  return motion.first.name() + " + " + motion.second.name() +
+         (motion.vertical ? " + " + motion.vertical->name() : std::string{});
 }
 
-// A motion on an interval that goes `parts` times into its own.
-std::vector<double> divided(const GroundMotion& motion, std::size_t parts) {
-  const auto samples = motion.samples();
-  std::vector<double> finer;
-  finer.reserve((samples.size() - 1) * parts + 1);
-  for (std::size_t i = 0; i + 1 < samples.size(); ++i)
-    for (std::size_t k = 0; k < parts; ++k)
-      finer.push_back(samples[i] + static_cast<double>(k) / static_cast<double>(parts) * (samples[i + 1] - samples[i]));
-  finer.push_back(samples.back());
-  return finer;
+// The samples of motions on the shortest of their intervals, and lines about them for a report.
+struct Together {
+  double interval;
+  std::vector<std::vector<double>> samples;
+  std::vector<std::string> notes{};
+};
+
+struct Part {
+  std::string name;
+  const GroundMotion& motion;
+};
+
+Together together(const Check& check, const std::vector<Part>& parts) {
+  constexpr double round_off = 1e-9;
+  Together result{parts.front().motion.time_step(), {}};
+  std::string intervals;
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    const auto& [name, motion] = parts[i];
+    check.that(!motion.has_two_components() && motion.samples_z().empty(),
+               "\"" + motion.name() + "\" has several components already.", "Give motions of one component each.");
+    intervals += (i == 0 ? "" : i + 1 < parts.size() ? ", " : " and ") + to_text(motion.time_step()) + " s";
+    result.interval = std::min(result.interval, motion.time_step());
+    result.notes.push_back(name + " component: " + motion.description());
+    result.notes.insert(result.notes.end(), motion.notes().begin(), motion.notes().end());
+  }
+  std::size_t longest = 0;
+  for (const auto& [name, motion] : parts) {
+    const double ratio = motion.time_step() / result.interval, steps = std::round(ratio);
+    check.that(std::abs(ratio - steps) <= round_off * steps,
+               "the sampling intervals of its components, " + intervals + ", do not divide each other.",
+               "Resample one of them, so that the longer interval is a multiple of the shorter.");
+    const auto samples = motion.samples();
+    std::vector<double>& finer = result.samples.emplace_back();
+    for (std::size_t i = 0; i + 1 < samples.size(); ++i)
+      for (double k = 0.0; k < steps; ++k) finer.push_back(samples[i] + k / steps * (samples[i + 1] - samples[i]));
+    finer.push_back(samples.back());
+    longest = std::max(longest, finer.size());
+  }
+  for (std::vector<double>& each : result.samples) each.resize(longest, 0.0);
+  return result;
 }
 
 // Exact for multiples of 90 degrees, so that a motion along an axis has no component across.
@@ -49,41 +77,50 @@ PlanVector direction_of(double angle) {
 GroundMotion PlanMotion::resolved() const {
   const std::string names = names_of(*this);
   const Check check{"PlanMotion", names};
-  for (const GroundMotion* component : {&first, &second})
-    check.that(!component->has_two_components(), "\"" + component->name() + "\" has two components already.",
-               "Give two motions of one component each.");
   const double degrees = incidence / (units::pi / 180.0);
   check.that(degrees > -360.0 && degrees < 360.0, "incidence", degrees, "deg", "> -360 and < 360",
              "Write it with its unit: 30 * deg.");
-  const bool first_is_finer = first.time_step() <= second.time_step();
-  const GroundMotion &finer = first_is_finer ? first : second, &coarser = first_is_finer ? second : first;
-  const std::size_t parts = whole_ratio(coarser.time_step(), finer.time_step());
-  check.that(parts > 0,
-             "the sampling intervals of its components, " + to_text(first.time_step()) + " s and " +
-                 to_text(second.time_step()) + " s, do not divide each other.",
-             "Resample one of them, so that the longer interval is a multiple of the shorter.");
-  std::vector<double> one = divided(first, first_is_finer ? 1 : parts),
-                      two = divided(second, first_is_finer ? parts : 1);
-  const std::size_t count = std::max(one.size(), two.size());
-  one.resize(count, 0.0);
-  two.resize(count, 0.0);
+  check.that(vertical || !vertical_factor, "it has a vertical_factor without a vertical component.",
+             "Give the record as `vertical`.");
+  std::vector<Part> parts{{"first", first}, {"second", second}};
+  std::optional<GroundMotion> upwards = vertical;
+  if (vertical_factor) upwards = vertical->scaled_by(*vertical_factor);
+  if (upwards) parts.push_back({"vertical", *upwards});
+  Together all = together(check, parts);
   const PlanVector along = direction_of(incidence), across = turned_left(along);
-  std::vector<double> x(count), y(count);
-  for (std::size_t i = 0; i < count; ++i) {
-    x[i] = along.x * one[i] + across.x * two[i];
-    y[i] = along.y * one[i] + across.y * two[i];
+  std::vector<double>&x = all.samples[0], &y = all.samples[1];
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    const double one = x[i], two = y[i];
+    x[i] = along.x * one + across.x * two;
+    y[i] = along.y * one + across.y * two;
   }
-  std::vector<std::string> notes{"first component: " + first.description()};
-  notes.insert(notes.end(), first.notes().begin(), first.notes().end());
-  notes.push_back("second component: " + second.description());
-  notes.insert(notes.end(), second.notes().begin(), second.notes().end());
-  notes.push_back("angle of incidence " + to_text(degrees) + " deg, counter-clockwise from +x to the first component");
-  return GroundMotion{names, finer.time_step(), std::move(x), std::move(notes)}.with_component_y(std::move(y), first,
-                                                                                                 second);
+  all.notes.push_back("angle of incidence " + to_text(degrees) +
+                      " deg, counter-clockwise from +x to the first component");
+  const GroundMotion pair = GroundMotion{names, all.interval, std::move(x), std::move(all.notes)}.with_component_y(
+      std::move(y), first, second);
+  if (!upwards) return pair;
+  std::vector<MotionComponent> made_of = pair.components();
+  made_of.push_back(upwards->components().front());
+  return pair.with_component_z(std::move(all.samples[2]), std::move(made_of));
+}
+
+PlanMotion PlanMotion::rotated(Angle angle) const {
+  PlanMotion turned = *this;
+  turned.incidence = incidence + angle;
+  return turned;
 }
 
 PlanMotion PlanMotion::scaled_by(double factor) const {
-  return {first.scaled_by(factor), second.scaled_by(factor), incidence};
+  PlanMotion scaled{first.scaled_by(factor), second.scaled_by(factor), incidence, vertical, vertical_factor};
+  if (vertical && !vertical_factor) scaled.vertical = vertical->scaled_by(factor);
+  return scaled;
+}
+
+GroundMotion with_vertical(const GroundMotion& horizontal, const GroundMotion& vertical) {
+  const std::string names = horizontal.name() + " + " + vertical.name();
+  Together both = together(Check{"with_vertical", names}, {{"horizontal", horizontal}, {"vertical", vertical}});
+  return GroundMotion{names, both.interval, std::move(both.samples[0]), std::move(both.notes)}.with_component_z(
+      std::move(both.samples[1]), {horizontal.components().front(), vertical.components().front()});
 }
 
 PlanMotion PlanMotion::scaled_to_larger_pga(Acceleration target) const {

@@ -1,6 +1,7 @@
-// Two horizontal components of a ground motion, at an angle to the building.
+// Components of a ground motion: two horizontal ones at an angle to the building, and a vertical one.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "base/quantity.hpp"
@@ -20,27 +21,41 @@ namespace moat {
 ///
 ///     script.run(model, PlanMotion{fault_normal, fault_parallel, 30 * deg});
 ///
-/// The user names which component is first: azimuths in headers of files are not trusted. Both start at time 0. Of
-/// unequal sampling intervals the longer must be a multiple of the shorter, so that linear resampling is exact; a
+/// The user names which component is first: azimuths in headers of files are not trusted. All start at time 0. Of
+/// unequal sampling intervals the longer must be a multiple of the shortest, so that linear resampling is exact; a
 /// shorter motion is continued by zeros.
 struct PlanMotion {
-  /// The components, with as many samples at the same interval.
+  /// The horizontal components.
   GroundMotion first, second;
   /// > -360 deg, < 360 deg.
   Angle incidence{};
+  /// Positive upwards.
+  std::optional<GroundMotion> vertical{};
+  /// A finite factor of the vertical component alone. Where it is given, scalings of the pair leave that component.
+  std::optional<double> vertical_factor{};
 
-  /// The components along x and y, on the finer of both sampling intervals. Throws InputError for an angle outside
-  /// its range or sampling intervals that do not divide each other.
+  /// The components along x and y, and upwards, on the finest of their sampling intervals. Throws InputError for an
+  /// angle outside its range, sampling intervals that are no multiples of the shortest, or a vertical_factor without
+  /// vertical component.
   [[nodiscard]] GroundMotion resolved() const;
   operator GroundMotion() const { return resolved(); }  ///< As analyses take it.
 
   /// Returns the pair, turned by a further angle.
-  [[nodiscard]] PlanMotion rotated(Angle angle) const { return {first, second, incidence + angle}; }
-  /// Both components times one finite factor.
+  [[nodiscard]] PlanMotion rotated(Angle angle) const;
+  /// All components times one finite factor; without the vertical one if that has its own vertical_factor.
   [[nodiscard]] PlanMotion scaled_by(double factor) const;
-  /// Both components times one factor: the larger of their peak accelerations becomes `target` > 0.
+  /// As scaled_by(): the larger of both horizontal peak accelerations becomes `target` > 0.
   [[nodiscard]] PlanMotion scaled_to_larger_pga(Acceleration target) const;
 };
+
+/// A motion along x and upwards, for models on a line: one component each, sampled as those of a PlanMotion. Later
+/// factors multiply both; scale each before to give it a factor of its own.
+///
+///     script.run(model, with_vertical(horizontal.scaled_by(1.5), vertical));
+///
+/// Throws InputError for a motion of several components, and for sampling intervals of which the longer is no multiple
+/// of the shorter.
+[[nodiscard]] GroundMotion with_vertical(const GroundMotion& horizontal, const GroundMotion& vertical);
 
 /// Spectral accelerations of a pair of components in the direction that makes each of them largest (RotD100): the
 /// largest resultant over time of an oscillator's pseudo-acceleration, m/s^2, one for each period (> 0 s), by steps of

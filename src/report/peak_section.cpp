@@ -154,11 +154,12 @@ std::string clearance_section(const CaseResult& result) {
 }
 
 std::string section_at_the_end(const CaseResult& result) {
-  std::vector<PeakGroup> isolators = group_peaks(isolators_at_the_end(result.histories));
+  std::vector<PeakGroup> isolators = group_peaks(residual_displacements(result.histories));
   if (isolators.empty()) return "";
   shorten(isolators.front());
-  return "<h2>At the end</h2>\n<p>The deformation of isolators when the analysis ends: their residual offset, if the "
-         "building has come to rest.</p>\n<div class=\"wide\">\n" +
+  return "<h2>At the end</h2>\n<p>The residual displacement of isolators: their deformation when the analysis ends or, "
+         "where they still move, the mean of the last two turns. It needs free vibration of two periods behind the "
+         "motion.</p>\n<div class=\"wide\">\n" +
          table_of(isolators.front(), false, "", {}) + "</div>\n";
 }
 

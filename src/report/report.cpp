@@ -31,7 +31,7 @@ std::string energy_section(const CaseResult& result, const std::vector<Chart>& c
   std::string html = "<h2>Energy</h2>\n" +
                      (charts.empty() ? std::string{} : html::wide_picture(svg_text(charts, 1000, 320))) +
                      "<details><summary>At the end of the run</summary>\n<table>\n";
-  for (const EnergyColumn& column : energy_columns(energy.in_plan)) {
+  for (const EnergyColumn& column : energy_columns(energy.in_plan, energy.weights_change)) {
     html += number_row(column.words, kilojoule(energy.*column.value));
     const bool by_bearing = column.value == &EnergyBalance::hysteretic, by_gap = column.value == &EnergyBalance::impact;
     for (const DissipatedEnergy& part : by_bearing ? energy.bearings : by_gap ? energy.gaps : no_parts)
@@ -84,15 +84,15 @@ std::string input_section(const CaseResult& result) {
 }  // namespace
 
 void write_report_html(const CaseResult& result, const ResultCharts& charts, const std::filesystem::path& folder) {
-  const std::string body = html::summary_section(result) + html::warning_section(result) +
-                           html::drawing_section(result) + grid_of("Orbits", charts.orbits, 400) +
-                           history_section(charts.histories) +
-                           grid_of("Largest values over height", charts.floor_profiles, 300) +
-                           grid_of("Isolators", charts.isolator_loops, 340) + html::bearing_section(result) +
-                           html::impact_section(result, charts.impact_loops) + energy_section(result, charts.energy) +
-                           grid_of("Floor response spectra", charts.floor_spectra, 320) + html::peak_section(result) +
-                           html::clearance_section(result) + html::section_at_the_end(result) + period_section(result) +
-                           input_section(result);
+  const std::string body =
+      html::summary_section(result) + html::warning_section(result) + html::drawing_section(result) +
+      grid_of("Orbits", charts.orbits, 400) + history_section(charts.histories) +
+      grid_of("Largest values over height", charts.floor_profiles, 300) +
+      grid_of("Isolators", charts.isolator_loops, 340) + html::bearing_section(result) +
+      html::bearing_check_section(result) + html::impact_section(result, charts.impact_loops) +
+      energy_section(result, charts.energy) + grid_of("Floor response spectra", charts.floor_spectra, 320) +
+      html::peak_section(result) + html::clearance_section(result) + html::section_at_the_end(result) +
+      period_section(result) + input_section(result);
   write_file(folder / results_file::report,
              html::page_with_script(result.title, body, html::page_data(result, charts.histories)));
 }

@@ -39,10 +39,13 @@ std::string peak_section(const CaseResult& result);
 /// without.
 std::string bearing_section(const CaseResult& result);
 
+/// Of every check and type of bearings the largest ratio of demand over capacity; empty without checks.
+std::string bearing_check_section(const CaseResult& result);
+
 /// The smallest opening of every gap; empty without gaps.
 std::string clearance_section(const CaseResult& result);
 
-/// The deformation of every isolator at the end; empty without isolators.
+/// The residual displacement of every isolator; empty without isolators.
 std::string section_at_the_end(const CaseResult& result);
 
 /// Command line, script, version, commit and date.

@@ -1,8 +1,6 @@
 #include "solvers/modes.hpp"
 
 #include <Spectra/SymEigsShiftSolver.h>
-#include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
 
 #include <algorithm>
 #include <cmath>
@@ -11,6 +9,7 @@
 
 #include "base/check.hpp"
 #include "base/error.hpp"
+#include "solvers/dense.hpp"
 #include "solvers/factorisation.hpp"
 
 namespace moat {
@@ -50,16 +49,6 @@ class ShiftedInverse {
   mutable Vector work_;
 };
 
-struct EigenPairs {
-  Vector values;
-  Eigen::MatrixXd vectors;
-};
-
-EigenPairs solve_dense(const SparseMatrix& matrix, int count) {
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver{Eigen::MatrixXd{matrix}};
-  return {solver.eigenvalues().head(count), solver.eigenvectors().leftCols(count)};
-}
-
 double largest_diagonal(const SparseMatrix& matrix) { return std::max(matrix.diagonal().maxCoeff(), 0.0); }
 
 EigenPairs solve_sparse(const SparseMatrix& matrix, int count) {
@@ -74,6 +63,22 @@ EigenPairs solve_sparse(const SparseMatrix& matrix, int count) {
   return {solver.eigenvalues(), solver.eigenvectors()};
 }
 
+void check_count(const SparseMatrix& stiffness, int count) {
+  Check{"modal analysis", ""}.between("number of modes", count, 1, static_cast<int>(stiffness.rows()), "1",
+                                      "A structure has as many modes as degrees of freedom.");
+}
+
+std::vector<Mode> modes_of(const EigenPairs& pairs, int count, double largest_eigenvalue) {
+  // The eigenvalue of a rigid-body mode is round-off of the largest ones, of either sign.
+  const double round_off = 16.0 * std::numeric_limits<double>::epsilon() * largest_eigenvalue;
+  std::vector<Mode> modes;
+  for (int i = 0; i < count; ++i) {
+    const double eigenvalue = pairs.values[i] > round_off ? pairs.values[i] : 0.0;
+    modes.push_back({std::sqrt(eigenvalue), pairs.vectors.col(i)});
+  }
+  return modes;
+}
+
 }  // namespace
 
 double Mode::period() const {
@@ -81,33 +86,21 @@ double Mode::period() const {
 }
 
 std::vector<Mode> slowest_modes(const SparseMatrix& stiffness, const Vector& mass, int count) {
-  Check{"modal analysis", ""}.between("number of modes", count, 1, static_cast<int>(stiffness.rows()), "1",
-                                      "A structure has as many modes as degrees of freedom.");
+  check_count(stiffness, count);
   const Vector root_mass = mass.cwiseSqrt();
   const SparseMatrix scaled = mass_scaled(stiffness, root_mass);
   const bool dense = scaled.rows() <= largest_dense_size || count > scaled.rows() / 2;
-  const EigenPairs pairs = dense ? solve_dense(scaled, count) : solve_sparse(scaled, count);
-  // The eigenvalue of a rigid-body mode is round-off of the largest ones, of either sign.
-  const double round_off = 16.0 * std::numeric_limits<double>::epsilon() * largest_diagonal(scaled);
-  std::vector<Mode> modes;
-  for (int i = 0; i < count; ++i) {
-    const double eigenvalue = pairs.values[i] > round_off ? pairs.values[i] : 0.0;
-    modes.push_back({std::sqrt(eigenvalue), pairs.vectors.col(i).cwiseQuotient(root_mass)});
-  }
-  return modes;
+  EigenPairs pairs = dense ? eigen_pairs(Eigen::MatrixXd{scaled}) : solve_sparse(scaled, count);
+  pairs.vectors.array().colwise() /= root_mass.array();
+  return modes_of(pairs, count, largest_diagonal(scaled));
 }
 
 std::vector<Mode> slowest_modes(const SparseMatrix& stiffness, const SparseMatrix& mass, int count) {
   const SparseMatrix pruned = mass.pruned();
   if (pruned.nonZeros() == pruned.rows()) return slowest_modes(stiffness, Vector{pruned.diagonal()}, count);
-  // With M = L L' the shapes L' shape are those of L^-1 K L^-T and unit masses.
-  const Eigen::LLT<Eigen::MatrixXd> factors{Eigen::MatrixXd{mass}};
-  Eigen::MatrixXd scaled = factors.matrixL().solve(Eigen::MatrixXd{stiffness});
-  scaled = factors.matrixL().solve(Eigen::MatrixXd{scaled.transpose()});
-  std::vector<Mode> modes =
-      slowest_modes(SparseMatrix{scaled.sparseView()}, Vector{Vector::Ones(scaled.rows())}, count);
-  for (Mode& mode : modes) mode.shape = factors.matrixU().solve(Vector{mode.shape});
-  return modes;
+  check_count(stiffness, count);
+  const EigenPairs pairs = eigen_pairs(Eigen::MatrixXd{stiffness}, Eigen::MatrixXd{pruned});
+  return modes_of(pairs, count, pairs.values.maxCoeff());
 }
 
 }  // namespace moat

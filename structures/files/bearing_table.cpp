@@ -15,12 +15,7 @@ PlanBearings read_bearings(const std::filesystem::path& file, const BearingTypes
                "type \"" + type->name + "\" is given twice.", "Give every type once.");
     list += (type == types.begin() ? "" : ", ") + type->name;
   }
-  const Table table{file,
-                    {{.name = "name", .required = true},
-                     {.name = "x", .unit = "m", .required = true},
-                     {.name = "y", .unit = "m", .required = true},
-                     {.name = "type", .required = true},
-                     {.name = "weight", .unit = "kN"}}};
+  const Table table{read_text_file(file), {"name", "x [m]", "y [m]", "type"}, {"weight [kN]"}};
   table.require_unique("name");
   std::vector<PlanBearings::Placed> bearings;
   for (std::size_t row = 0; row < table.size(); ++row) {

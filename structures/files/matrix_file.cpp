@@ -7,7 +7,6 @@
 
 #include "base/check.hpp"
 #include "structures/files/matrix_market.hpp"
-#include "structures/files/number_rows.hpp"
 
 namespace moat {
 namespace {
@@ -26,44 +25,39 @@ MatrixInUnits with_units(const Check& check, const MatrixUnits& units) {
   return matrix;
 }
 
-void check_names(const TextFile& file, const std::vector<std::string>& names) {
+void check_names(const Rows& rows, const std::vector<std::string>& names) {
   std::set<std::string> known;
   for (const std::string& name : names) {
-    if (name.empty()) refuse_file(file.path, "a row or a column has no name. Give all names, or none.");
-    if (!known.insert(name).second) refuse_file(file.path, "two rows or columns have the name " + quoted(name) + ".");
+    if (name.empty()) rows.refuse("a row or a column has no name. Give all names, or none.");
+    if (!known.insert(name).second) rows.refuse("two rows or columns have the name " + quoted(name) + ".");
   }
 }
 
-// Names of the columns from the first line, or a heading of words, which becomes a note.
-std::vector<std::string> column_names(const TextFile& file, const NumberRows& numbers, MatrixInUnits& matrix) {
-  if (!numbers.heading) return {};
-  const auto size = static_cast<std::size_t>(matrix.values.rows());
-  const TextRow& heading = *numbers.heading;
-  const std::vector<std::string> names = numbers.column_names();
-  if (names.size() == size) return names;
-  if (!numbers.is_heading_of_words())
-    refuse_line(file.path, heading.line_number,
-                counted(names.size(), "name") + " for " + counted(size, "column") + ". Begin remarks with #.");
-  matrix.notes.push_back("heading: " + std::string{trimmed(heading.text)});
-  return {};
-}
-
-void read_rows(const TextFile& file, const TextRows& rows, MatrixInUnits& matrix) {
-  const NumberRows numbers = number_rows_of(file, rows);
-  matrix.values = numbers.values;
-  if (matrix.values.rows() != matrix.values.cols())
-    refuse_file(file.path, counted(static_cast<std::size_t>(matrix.values.rows()), "line") + " of " +
-                               counted(static_cast<std::size_t>(matrix.values.cols()), "number") +
-                               ". A square matrix has as many lines as numbers in each.");
-  const std::vector<std::string> names = column_names(file, numbers, matrix);
-  if (!names.empty() && !numbers.row_names.empty() && names != numbers.row_names) {
-    const auto [row, column] = std::ranges::mismatch(numbers.row_names, names);
-    const std::string number = std::to_string(row - numbers.row_names.begin() + 1);
-    refuse_file(file.path, "row " + number + " is " + quoted(*row) + ", column " + number + " is " + quoted(*column) +
-                               ". Rows and columns must have one order.");
+void read_rows(const Rows& rows, MatrixInUnits& matrix) {
+  const auto [values, row_names, heading] = numbers_of(rows);
+  if (values.rows() != values.cols())
+    rows.refuse(counted(values.rows(), "line") + " of " + counted(values.cols(), "number") +
+                ". A square matrix has as many lines as numbers in each.");
+  matrix.values = values;
+  matrix.names = row_names;
+  if (heading) {
+    // A corner stands above names of rows.
+    const bool has_corner = !row_names.empty() && std::ssize(heading->fields) == values.rows() + 1;
+    const std::vector<std::string> names{heading->fields.begin() + (has_corner ? 1 : 0), heading->fields.end()};
+    if (std::ssize(names) == values.rows()) {
+      const auto [row, column] = std::ranges::mismatch(row_names, names);
+      if (const std::string number = std::to_string(column - names.begin() + 1); row != row_names.end())
+        rows.refuse("row " + number + " is " + quoted(*row) + ", column " + number + " is " + quoted(*column) +
+                    ". Rows and columns must have one order.");
+      matrix.names = names;
+    } else if (rows.separator == ' ' || heading->fields.size() == 1) {
+      matrix.notes.push_back("heading: " + std::string{trimmed(heading->text)});
+    } else {
+      rows.refuse(*heading, counted(names.size(), "name") + " for " + counted(values.rows(), "column") +
+                                ". Begin remarks with #.");
+    }
   }
-  matrix.names = names.empty() ? numbers.row_names : names;
-  check_names(file, matrix.names);
+  check_names(rows, matrix.names);
 }
 
 // Counts digits without leading and trailing zeros: 2 in 0.00120e3; none in a word.
@@ -76,13 +70,13 @@ int significant_digits(std::string_view number) {
   return first == std::string::npos ? 0 : static_cast<int>(digits.find_last_not_of('0') - first + 1);
 }
 
-void note_few_digits(const TextFile& file, const TextRows& all, MatrixInUnits& matrix) {
+void note_few_digits(const Rows& rows, MatrixInUnits& matrix) {
   constexpr int few = 6;
-  int most = 0;
-  for (const TextRow& row : all.rows)
-    for (const std::string& field : row.fields) most = std::max(most, significant_digits(field));
-  if (most > few) return;
-  matrix.notes.push_back("no number of " + file.path.filename().string() + " has more than " + std::to_string(few) +
+  for (const Row& row : rows.list)
+    for (const std::string& field : row.fields)
+      if (significant_digits(field) > few) return;
+  matrix.notes.push_back("no number of " + rows.file.path.filename().string() + " has more than " +
+                         std::to_string(few) +
                          " digits. Long periods are differences of large entries and lose digits: write 17.");
 }
 
@@ -101,16 +95,17 @@ MatrixInUnits in_units(Eigen::MatrixXd values, const MatrixUnits& units) {
 
 MatrixInUnits read_matrix(const std::filesystem::path& path, const MatrixUnits& units) {
   MatrixInUnits matrix = with_units(Check{"read_matrix", path.native()}, units);
-  const TextFile file = read_text_file(path);
+  TextFile file = read_text_file(path);
   matrix.source = file_of(file).path;
   const bool is_market =
       units.format == MatrixFormat::matrix_market || (units.format == MatrixFormat::detect && is_matrix_market(file));
-  const TextRows rows = is_market || units.format == MatrixFormat::text ? rows_of(file, ' ') : rows_of(file);
+  const bool has_blanks = is_market || units.format == MatrixFormat::text;
+  const Rows rows{std::move(file), has_blanks ? std::optional{' '} : std::nullopt};
   if (is_market)
-    matrix.values = matrix_market_of(file, rows);
+    matrix.values = matrix_market_of(rows);
   else
-    read_rows(file, rows, matrix);
-  note_few_digits(file, rows, matrix);
+    read_rows(rows, matrix);
+  note_few_digits(rows, matrix);
   return matrix;
 }
 

@@ -3,7 +3,7 @@
 
 #include <Eigen/Core>
 
-#include "structures/files/text_rows.hpp"
+#include "structures/files/rows.hpp"
 
 namespace moat {
 
@@ -18,6 +18,6 @@ bool is_matrix_market(const TextFile& file);
 /// a wrong count of entries, an entry that is given twice, in one triangle or in both of a symmetric matrix.
 ///
 /// Source: Boisvert, Pozo & Remington (1996), The Matrix Market exchange formats: initial design, NISTIR 5935.
-Eigen::MatrixXd matrix_market_of(const TextFile& file, const TextRows& rows);
+Eigen::MatrixXd matrix_market_of(const Rows& rows);
 
 }  // namespace moat

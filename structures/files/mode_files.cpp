@@ -1,37 +1,27 @@
 #include "structures/files/mode_files.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <numbers>
 
 #include "base/check.hpp"
-#include "structures/files/number_rows.hpp"
 #include "structures/files/table.hpp"
 
 namespace moat {
 namespace {
 
-using AngularFrequencySquared = Quantity<0, 0, -2>;
-
 void read_eigenvalues(const std::filesystem::path& file, ModesFromFile& modes) {
-  const Table table{file,
-                    {{.name = "mode", .required = true},
-                     {.name = "period", .unit = "s"},
-                     {.name = "eigenvalue", .unit = "1/s2"},
-                     {.name = "ratio"}}};
+  const Table table{read_text_file(file), {"mode"}, {"period [s]", "eigenvalue [1/s2]", "ratio"}};
   if (table.has("period") == table.has("eigenvalue"))
     refuse_file(file, "give period [s] or eigenvalue [1/s2], one of them.");
   modes.eigenvalues.resize(static_cast<Eigen::Index>(table.size()));
   for (std::size_t row = 0; row < table.size(); ++row) {
     if (table.at<Dimensionless>(row, "mode").si() != static_cast<double>(row + 1))
       table.refuse(row, "mode is " + table.text(row, "mode") + "; modes are numbered 1, 2, 3 from row to row.");
-    double& eigenvalue = modes.eigenvalues[static_cast<Eigen::Index>(row)];
-    if (table.has("period")) {
-      const double frequency = 2.0 * std::numbers::pi / table.positive<Time>(row, "period").si();
-      eigenvalue = frequency * frequency;
-    } else {
-      eigenvalue = table.positive<AngularFrequencySquared>(row, "eigenvalue").si();
-    }
+    modes.eigenvalues[static_cast<Eigen::Index>(row)] =
+        table.has("period") ? std::pow(2.0 * std::numbers::pi / table.positive<Time>(row, "period").si(), 2)
+                            : table.positive<Quantity<0, 0, -2>>(row, "eigenvalue").si();
     if (!table.has("ratio")) continue;
     modes.ratios.push_back(table.at<Dimensionless>(row, "ratio"));
     if (!(modes.ratios.back() >= 0.0 && modes.ratios.back() < 1.0))
@@ -52,19 +42,13 @@ std::string name_of_floor(const Table& table, std::size_t row, const std::vector
                         "read_modes(modes, shapes, {\"Story1\", \"Story2\"}).");
 }
 
-void read_table_of_shapes(const std::filesystem::path& file, const std::vector<std::string>& floors,
-                          ModesFromFile& modes) {
-  const Table table{file,
-                    {{.name = "mode", .required = true},
-                     {.name = "floor", .required = true},
-                     {.name = "x", .unit = "m", .required = true},
-                     {.name = "y", .unit = "m"},
-                     {.name = "rotation", .unit = "rad"}}};
-  const bool in_plan = table.has("y") || table.has("rotation");
+void read_table_of_shapes(const Rows& rows, const std::vector<std::string>& floors, ModesFromFile& modes) {
+  const Table table{rows, {"mode", "floor", "x [m]"}, {"y [m]", "rotation [rad]"}};
+  std::vector<std::string> directions{"x"};
+  if (table.has("y") || table.has("rotation")) directions = {"x", "y", "rotation"};
   const auto count = static_cast<std::size_t>(modes.eigenvalues.size()), rows_of_mode = table.size() / count;
   if (table.size() % count != 0)
-    refuse_file(file,
-                counted(table.size(), "row") + " for " + counted(count, "mode") + ". Every mode must have all floors.");
+    rows.refuse(counted(table.size(), "row") + " for " + counted(count, "mode") + ". Every mode must have all floors.");
   std::vector<double> values;
   for (std::size_t row = 0; row < table.size(); ++row) {
     const std::size_t mode = row / rows_of_mode, floor = row % rows_of_mode;
@@ -72,7 +56,9 @@ void read_table_of_shapes(const std::filesystem::path& file, const std::vector<s
       table.refuse(row, "mode is " + table.text(row, "mode") + ", where mode " + std::to_string(mode + 1) + " has " +
                             counted(rows_of_mode, "floor") + ". Every mode must have all floors.");
     const std::string name = name_of_floor(table, row, floors);
-    const auto add = [&](const std::string& direction, double value) {
+    for (const std::string& direction : directions) {
+      const double value = direction == "rotation" ? table.at<Dimensionless>(row, direction).si()
+                                                   : table.at<Length>(row, direction).si();
       const std::string freedom = name + " " + direction;
       if (mode == 0 && std::ranges::count(modes.names, freedom) > 0)
         table.refuse(row, name + " stands twice in mode 1.");
@@ -81,14 +67,9 @@ void read_table_of_shapes(const std::filesystem::path& file, const std::vector<s
         table.refuse(row, name + " stands in place " + std::to_string(floor + 1) +
                               ", in mode 1 another floor does. Give the floors in one order.");
       values.push_back(value);
-    };
-    add("x", table.at<Length>(row, "x").si());
-    if (!in_plan) continue;
-    add("y", table.at<Length>(row, "y").si());
-    add("rotation", table.at<Dimensionless>(row, "rotation"));
+    }
   }
-  modes.shapes = Eigen::Map<Eigen::MatrixXd>(values.data(), static_cast<Eigen::Index>(modes.names.size()),
-                                             modes.eigenvalues.size());
+  modes.shapes = Eigen::MatrixXd::Map(values.data(), std::ssize(modes.names), modes.eigenvalues.size());
   std::ranges::copy(table.notes(), std::back_inserter(modes.notes));
 }
 
@@ -98,18 +79,16 @@ ModesFromFile read_modes(const std::filesystem::path& modes_file, const std::fil
                          const std::vector<std::string>& floors) {
   ModesFromFile modes;
   read_eigenvalues(modes_file, modes);
-  const TextFile file = read_text_file(shapes_file);
-  const TextRows rows = rows_of(file);
+  const Rows rows{read_text_file(shapes_file)};
   const auto is_floor = [](const std::string& field) { return upper_case(field) == "FLOOR"; };
-  if (std::ranges::any_of(rows.rows.front().fields, is_floor)) {
-    read_table_of_shapes(shapes_file, floors, modes);
+  if (std::ranges::any_of(rows.list.front().fields, is_floor)) {
+    read_table_of_shapes(rows, floors, modes);
     return modes;
   }
-  const NumberRows numbers = number_rows_of(file, rows);
+  const NumberRows numbers = numbers_of(rows);
   if (numbers.values.cols() != modes.eigenvalues.size())
-    refuse_file(shapes_file, counted(static_cast<std::size_t>(numbers.values.cols()), "column") + " for " +
-                                 counted(static_cast<std::size_t>(modes.eigenvalues.size()), "mode") + " of " +
-                                 modes_file.string() + ".");
+    rows.refuse(counted(numbers.values.cols(), "column") + " for " + counted(modes.eigenvalues.size(), "mode") +
+                " of " + modes_file.string() + ".");
   modes.shapes = numbers.values;
   modes.names = numbers.row_names;
   return modes;

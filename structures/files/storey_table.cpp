@@ -11,42 +11,16 @@
 namespace moat {
 namespace {
 
-// The row of the base or the ground, by its name.
-bool is_called(const Table& table, std::size_t row, const char* name) {
-  return upper_case(table.word(row, "name")) == name;
-}
-
-bool has_no_storey(const Table& table, std::size_t row) {
-  return is_called(table, row, "BASE") || is_called(table, row, "GROUND");
-}
-
-// Rows from the lowest up.
-std::vector<std::size_t> rising_rows(const Table& table) {
-  std::vector<std::size_t> rows(table.size());
-  std::iota(rows.begin(), rows.end(), std::size_t{0});
-  if (table.has("elevation"))
-    std::ranges::stable_sort(rows, {}, [&](std::size_t row) { return table.at<Length>(row, "elevation"); });
-  for (const std::size_t row : rows)
-    if (row != rows.front() && has_no_storey(table, row))
-      table.refuse(row, table.word(row, "name") + " must be the lowest row.");
-  return rows;
-}
-
-void refuse_storey(const Table& table, std::size_t row) {
-  for (const char* column : {"height", "kx", "ky", "k_rotation", "x_rigidity", "y_rigidity"})
-    if (!table.text(row, column).empty())
-      table.refuse(row, table.word(row, "name") + " has no storey below it; leave " + column + " empty.");
-}
-
 // Of a floor whose storey stands on `below`; none for the ground at 0.
 Length height_of(const Table& table, std::size_t row, std::optional<std::size_t> below) {
   if (!table.has("elevation")) return table.positive<Length>(row, "height");
   const Length height = table.at<Length>(row, "elevation") - (below ? table.at<Length>(*below, "elevation") : Length{});
   if (!(height.si() > 0.0)) table.refuse(row, "elevation must be above the row below, or above 0 m.");
   constexpr double agree = 1e-3;  // m
-  if (const auto given = table.find<Length>(row, "height"); given && std::abs((*given - height).si()) > agree)
+  if (table.text(row, "height").empty()) return height;
+  if (const Length given = table.at<Length>(row, "height"); std::abs((given - height).si()) > agree)
     table.refuse(
-        row, "height is " + to_text(given->si()) + " m, but the elevations differ by " + to_text(height.si()) + " m.");
+        row, "height is " + to_text(given.si()) + " m, but the elevations differ by " + to_text(height.si()) + " m.");
   return height;
 }
 
@@ -77,10 +51,7 @@ void put_storey(const Table& table, std::size_t row, StoreyRow& floor) {
 }  // namespace
 
 Outlines read_outlines(const std::filesystem::path& file) {
-  const Table table{file,
-                    {{.name = "name", .required = true},
-                     {.name = "x", .unit = "m", .required = true},
-                     {.name = "y", .unit = "m", .required = true}}};
+  const Table table{read_text_file(file), {"name", "x [m]", "y [m]"}};
   Outlines outlines;
   for (std::size_t row = 0; row < table.size(); ++row)
     outlines[table.word(row, "name")].corners.push_back({table.at<Length>(row, "x"), table.at<Length>(row, "y")});
@@ -89,31 +60,38 @@ Outlines read_outlines(const std::filesystem::path& file) {
 }
 
 StoreyTable read_storeys(const std::filesystem::path& file, const Outlines& outlines) {
-  const Table table{file,
-                    {{.name = "name", .required = true},
-                     {.name = "height", .unit = "m"},
-                     {.name = "elevation", .unit = "m"},
-                     {.name = "mass", .unit = "t", .required = true},
-                     {.name = "inertia", .unit = "t m2"},
-                     {.name = "x_mass", .unit = "m"},
-                     {.name = "y_mass", .unit = "m"},
-                     {.name = "x_rigidity", .unit = "m"},
-                     {.name = "y_rigidity", .unit = "m"},
-                     {.name = "kx", .unit = "kN/m"},
-                     {.name = "ky", .unit = "kN/m"},
-                     {.name = "k_rotation", .unit = "kN m"},
-                     {.name = "outline"}}};
+  const Table table{read_text_file(file),
+                    {"name", "mass [t]"},
+                    {"height [m]", "elevation [m]", "inertia [t m2]", "x_mass [m]", "y_mass [m]", "x_rigidity [m]",
+                     "y_rigidity [m]", "kx [kN/m]", "ky [kN/m]", "k_rotation [kN m]", "outline"}};
   table.require_unique("name");
   StoreyTable storeys{.source = table.source(), .notes = table.notes()};
+  std::vector<std::size_t> rows(table.size());
+  std::iota(rows.begin(), rows.end(), std::size_t{0});
+  if (table.has("elevation"))
+    std::ranges::stable_sort(rows, {}, [&](std::size_t row) { return table.at<Length>(row, "elevation"); });
+  const auto is = [&](std::size_t row, const char* name) { return upper_case(table.word(row, "name")) == name; };
+  const auto has_no_storey = [&](std::size_t row) { return is(row, "BASE") || is(row, "GROUND"); };
+  for (const std::size_t row : rows)
+    if (row != rows.front() && has_no_storey(row))
+      table.refuse(row, table.word(row, "name") + " must be the lowest row.");
   std::optional<std::size_t> below;
-  for (const std::size_t row : rising_rows(table)) {
-    if (has_no_storey(table, row)) refuse_storey(table, row);
-    if (is_called(table, row, "BASE")) {
-      storeys.base = floor_of(table, row, outlines);
-    } else if (is_called(table, row, "GROUND")) {
-      if (!table.text(row, "mass").empty()) table.refuse(row, "the ground has no mass. Call the row base.");
+  for (const std::size_t row : rows) {
+    if (has_no_storey(row)) {
+      for (const char* column : {"height", "kx", "ky", "k_rotation", "x_rigidity", "y_rigidity"})
+        if (!table.text(row, column).empty())
+          table.refuse(row, table.word(row, "name") + " has no storey below it; leave " + column + " empty.");
+      if (is(row, "BASE"))
+        storeys.base = floor_of(table, row, outlines);
+      else if (!table.text(row, "mass").empty())
+        table.refuse(row, "the ground has no mass. Call the row base.");
     } else {
       storeys.floors.push_back(floor_of(table, row, outlines));
+      const std::string number = std::to_string(storeys.floors.size()), name = upper_case(storeys.floors.back().name);
+      if (name.starts_with("FLOOR ") && is_number(name.substr(6)) && name.substr(6) != number)
+        table.refuse(row, table.word(row, "name") + " is the floor in place " + number +
+                              " from below. Rows stand from the lowest up unless there is an elevation; floor 1 is the "
+                              "first above base or ground.");
       storeys.floors.back().height = height_of(table, row, below);
       put_storey(table, row, storeys.floors.back());
     }

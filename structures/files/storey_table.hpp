@@ -60,7 +60,7 @@ Outlines read_outlines(const std::filesystem::path& file);
 /// A lowest row `base` has the mass on the bearings; `ground` has none. Neither has a storey. Where it is missing,
 /// elevations count from 0.
 ///
-/// Throws FileError naming file, line, column and remedy.
+/// Throws FileError naming file, line, column and remedy; also for a "floor 3" that is not the third from below.
 StoreyTable read_storeys(const std::filesystem::path& file, const Outlines& outlines = {});
 
 }  // namespace moat

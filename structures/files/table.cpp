@@ -11,100 +11,79 @@
 namespace moat {
 namespace {
 
-// As parse_si() reads it: "t m^2" for "t m2"; radians are plain numbers.
-std::string readable(const std::string& unit) {
+// "kx" and "kN/m" of "kx [kN/m]". The unit is as parse_si() reads it: "t m^2" for "t m2"; radians are plain numbers.
+std::pair<std::string, std::optional<std::string>> name_and_unit(const std::string& text) {
   static const std::regex power{"([A-Za-z])(-?[0-9])"}, radian{"^rad$|/rad$"};
-  return std::regex_replace(std::regex_replace(unit, power, "$1^$2"), radian, "");
-}
-
-std::string with_unit(const TableColumn& column) {
-  return column.unit.empty() ? column.name : column.name + " [" + column.unit + "]";
+  const std::size_t open = text.find('['), close = text.find(']');
+  const std::string name{trimmed(std::string_view{text}.substr(0, open))};
+  if (close == std::string::npos || open >= close) return {name, std::nullopt};
+  const std::string unit = text.substr(open + 1, close - open - 1);
+  return {name, std::regex_replace(std::regex_replace(unit, power, "$1^$2"), radian, "")};
 }
 
 }  // namespace
 
-Table::Table(const std::filesystem::path& path, std::vector<TableColumn> columns)
-    : file_{read_text_file(path)}, columns_{std::move(columns)}, rows_{rows_of(file_).rows} {
-  const TextRow header = rows_.front();
-  rows_.erase(rows_.begin());
-  read_header(header, columns_);
-  if (rows_.empty()) refuse_file(file_.path, "there are no rows below the names of the columns.");
-  for (const TextRow& row : rows_)
-    if (row.fields.size() != header.fields.size())
-      refuse_line(file_.path, row.line_number,
-                  "it has " + std::to_string(row.fields.size()) + " fields, line " +
-                      std::to_string(header.line_number) + " has " + std::to_string(header.fields.size()) + ".");
-}
-
-void Table::read_header(const TextRow& header, const std::vector<TableColumn>& columns) {
+Table::Table(Rows rows, const std::vector<std::string>& required, const std::vector<std::string>& optional)
+    : rows_{std::move(rows)} {
   std::vector<std::string> known;
-  for (const TableColumn& column : columns) known.push_back(column.name);
+  for (const auto* list : {&required, &optional})
+    for (const std::string& text : *list) columns_.push_back({text, known.emplace_back(name_and_unit(text).first)});
+  const Row header = rows_.take_heading();
   for (std::size_t field = 0; field < header.fields.size(); ++field) {
-    const std::string& text = header.fields[field];
-    const std::size_t open = text.find('['), close = text.find(']');
-    const std::string name{trimmed(text.substr(0, open))};
-    const auto column = std::ranges::find(columns, upper_case(name), [](const auto& c) { return upper_case(c.name); });
-    if (column == columns.end()) {
-      notes_.push_back("column " + quoted(name) + " of " + file_.path.filename().string() + " is not used." +
+    const auto [name, unit] = name_and_unit(header.fields[field]);
+    const auto column = std::ranges::find(columns_, upper_case(name), [](const auto& c) { return upper_case(c.name); });
+    if (column == columns_.end()) {
+      notes_.push_back("column " + quoted(name) + " of " + rows_.file.path.filename().string() + " is not used." +
                        did_you_mean(known, name));
       continue;
     }
-    if (find_place(column->name) != nullptr)
-      refuse_line(file_.path, header.line_number, "column " + column->name + " is given twice.");
-    const bool has_unit = close != std::string::npos && open < close;
-    if (!column->unit.empty() && !has_unit)
-      refuse_line(file_.path, header.line_number,
-                  "column " + column->name + " has no unit; write " + with_unit(*column) + ".");
-    places_.push_back({*column, field, has_unit ? readable(text.substr(open + 1, close - open - 1)) : ""});
+    if (column->field) rows_.refuse(header, "column " + column->name + " is given twice.");
+    if (!unit && column->text != column->name)
+      rows_.refuse(header, "column " + column->name + " has no unit; write " + column->text + ".");
+    column->field = field;
+    column->unit = unit.value_or("");
   }
-  for (const TableColumn& column : columns)
-    if (column.required && find_place(column.name) == nullptr)
-      refuse_line(file_.path, header.line_number,
-                  "column " + column.name + " is missing; write " + with_unit(column) + ".");
+  for (std::size_t i = 0; i < required.size(); ++i)
+    if (!columns_[i].field)
+      rows_.refuse(header, "column " + columns_[i].name + " is missing; write " + required[i] + ".");
+  if (rows_.list.empty()) rows_.refuse("there are no rows below the names of the columns.");
+  for (const Row& row : rows_.list)
+    if (row.fields.size() != header.fields.size())
+      rows_.refuse(row, "it has " + std::to_string(row.fields.size()) + " fields, line " +
+                            std::to_string(header.line_number) + " has " + std::to_string(header.fields.size()) + ".");
 }
 
-const Table::Place* Table::find_place(std::string_view column) const {
-  const auto place = std::ranges::find(places_, column, [](const Place& each) { return each.column.name; });
-  return place == places_.end() ? nullptr : &*place;
+const Table::Column& Table::named(std::string_view column) const {
+  return *std::ranges::find(columns_, column, &Column::name);
 }
-
-bool Table::has(std::string_view column) const { return find_place(column) != nullptr; }
 
 std::string Table::text(std::size_t row, std::string_view column) const {
-  const Place* place = find_place(column);
-  return place == nullptr ? "" : rows_[row].fields[place->field];
+  const std::optional<std::size_t> field = named(column).field;
+  return field ? rows_.list[row].fields[*field] : "";
 }
 
 std::string Table::word(std::size_t row, std::string_view column) const {
-  if (!has(column)) {
-    const auto known = std::ranges::find(columns_, column, &TableColumn::name);
-    refuse_file(file_.path, "column " + known->name + " is missing; write " + with_unit(*known) + ".");
-  }
+  if (!has(column)) rows_.refuse("column " + std::string{column} + " is missing; write " + named(column).text + ".");
   const std::string word = text(row, column);
   if (word.empty()) refuse(row, std::string{column} + " is empty.");
   return word;
 }
 
 double Table::si(std::size_t row, std::string_view column, int mass, int half_length, int time) const try {
-  const Place& place = *find_place(column);
-  const std::string field = text(row, column);
-  return parse_si(place.unit.empty() ? field : field + " " + place.unit,
-                  file_.path.string() + ", line " + std::to_string(rows_[row].line_number) + ", " + place.column.name,
-                  mass, half_length, time);
+  const std::string field = word(row, column), unit = named(column).unit;
+  return parse_si(
+      unit.empty() ? field : field + " " + unit,
+      rows_.file.path.string() + ", line " + std::to_string(rows_.list[row].line_number) + ", " + std::string{column},
+      mass, half_length, time);
 } catch (const InputError& error) {
   throw FileError{error.what()};
-}
-
-void Table::refuse(std::size_t row, const std::string& problem) const {
-  refuse_line(file_.path, rows_[row].line_number, problem);
 }
 
 void Table::require_unique(std::string_view column) const {
   std::map<std::string, std::size_t> lines;
   for (std::size_t row = 0; row < size(); ++row) {
-    const std::string word_here = word(row, column);
-    const auto [known, is_new] = lines.try_emplace(upper_case(word_here), rows_[row].line_number);
-    if (!is_new) refuse(row, quoted(word_here) + " stands in line " + std::to_string(known->second) + " too.");
+    const auto [known, is_new] = lines.try_emplace(upper_case(word(row, column)), rows_.list[row].line_number);
+    if (!is_new) refuse(row, quoted(text(row, column)) + " stands in line " + std::to_string(known->second) + " too.");
   }
 }
 

@@ -4,10 +4,10 @@
 #include <Eigen/Core>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
-#include "base/check.hpp"
 #include "base/plan_vector.hpp"
 #include "base/quantity.hpp"
 #include "base/sparse_matrix.hpp"
@@ -39,9 +39,15 @@ struct FrameNode {
 ///     ux = Ux - (y - Y) R,   uy = Uy + (x - X) R,   rz = R      (X, Y): centre of mass
 ///
 /// Their vertical motions and their rotations about x and y stay free.
+///
+/// Towers beside each other have levels of their own, which rise from the last level without tower, that of a podium:
+///
+///     {{.height = 4 * m}, {.tower = "west", .nodes = {21, 22, 23}}, {.tower = "east", .nodes = {24, 25, 26}}, ...}
 struct FrameLevel {
-  /// "floor 1" for the lowest if left out; "base" for a level at the height of the lowest nodes.
+  /// "floor 1", "west floor 1" for the lowest if left out; "base" for a level at the height of the lowest nodes.
   std::string name{};
+  /// The tower to which it belongs; none for a podium, or where there is one tower alone.
+  std::string tower{};
   /// Takes all nodes within 1 mm of this height; or give the nodes.
   std::optional<Length> height{};
   /// Nodes, whose heights differ by at most 1 mm.
@@ -72,7 +78,8 @@ enum class Feet {
 enum class Vanishing {
   refuse,  ///< InputError
   drop,    ///< left out, with a note
-  guyan    ///< moved to the levels by the static deflection; periods become too short
+  guyan,   ///< moved to the levels by the static deflection; periods become too short
+  keep     ///< none: these motions stay beside those of the levels
 };
 
 /// Nodes with six motions each, and sparse matrices in SI units.
@@ -88,7 +95,7 @@ struct FiniteElements {
   SparseMatrix stiffness{};              ///< Symmetric; N/m, N, N m.
   SparseMatrix mass{};                   ///< Symmetric; kg, kg m, kg m^2; none if left out.
   SparseMatrix equations{};              ///< The unit matrix if left out: the unknowns are the motions, node by node.
-  std::vector<FrameLevel> diaphragms{};  ///< From the lowest up.
+  std::vector<FrameLevel> diaphragms{};  ///< From the lowest up, tower by tower.
   Feet feet = Feet::clamped;             ///< Feet that belong to a level move with it in plan.
   std::vector<NodeName> foot_nodes{};    ///< All nodes within 1 mm of the lowest height if left out.
   LevelMotion motion = LevelMotion::in_plan;  ///< Of all levels.
@@ -98,6 +105,7 @@ struct FiniteElements {
 /// A level of a condensed structure.
 struct Level {
   std::string name{};           ///< "floor 1"
+  std::string tower{};          ///< as given
   double height = 0.0;          ///< m, above the lowest nodes
   double mass = 0.0;            ///< kg, with that of Guyan's condensation; 0 where none is given
   double rotary_inertia = 0.0;  ///< kg m^2, about the centre of mass; 0 on a line
@@ -105,8 +113,17 @@ struct Level {
   PlanOutline outline{};        ///< of a table of storeys; else empty
 };
 
+/// A motion with mass, m or rad, that stays beside those of the levels.
+struct KeptMotion {
+  std::string name{};     ///< "node 17, z"
+  std::size_t level = 0;  ///< to which its node belongs, or the lowest one above it
+  /// This motion in rigid motions of base and building: by 1 m along x, y and z, and by 1 rad about these axes through
+  /// (0, 0) at the lowest nodes. On a line x is along it, from the centre of the first level.
+  Eigen::Matrix<double, 6, 1> rigid = Eigen::Matrix<double, 6, 1>::Zero();
+};
+
 /// A superstructure whose motions are those of its levels, from the lowest up: one along a line; in plan x, y and the
-/// rotation [rad] about the centre of mass of each. SI units.
+/// rotation [rad] about the centre of mass of each. Those that are kept follow. SI units.
 struct CondensedStructure {
   Eigen::MatrixXd stiffness{};       ///< Symmetric.
   Eigen::MatrixXd mass{};            ///< Symmetric; rows of zeros for a level without mass.
@@ -116,6 +133,10 @@ struct CondensedStructure {
   /// Relative errors of the squared frequencies, to first order, with Vanishing::guyan: of the lowest modes, at
   /// most 12.
   std::vector<double> eigenvalue_errors{};
+  std::vector<KeptMotion> kept{};  ///< With Vanishing::keep.
+
+  /// The level at the feet, which is the base of a Superstructure; null: it has none.
+  [[nodiscard]] const Level* base() const { return !levels.empty() && levels[0].height <= 1e-3 ? &levels[0] : nullptr; }
 };
 
 /// Constrains the levels, holds the feet, and condenses all other motions s exactly:
@@ -126,9 +147,7 @@ struct CondensedStructure {
 ///
 /// Throws InputError for matrices that are not symmetric (relative to the diagonal: above 1e-12 a note, above 1e-6 an
 /// error), a level without nodes, with nodes at several heights or with a node of another level, a motion that nothing
-/// holds (with its node), and masses as Vanishing says.
-CondensedStructure condensed(const FiniteElements& model);
-/// As above with messages about another object, for example {"Frame", name}.
-CondensedStructure condensed(const FiniteElements& model, const Check& check);
+/// holds (with its node), and masses as Vanishing says. `kind` begins its messages.
+CondensedStructure condensed(const FiniteElements& model, std::string_view kind = "FiniteElements");
 
 }  // namespace moat

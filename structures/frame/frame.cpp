@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <unordered_map>
 
 #include "base/vector.hpp"
+#include "structures/frame/constraints.hpp"
 #include "structures/frame/member_stiffness.hpp"
 
 namespace moat {
@@ -28,13 +28,7 @@ RectangularSection::operator MemberSection() const {
 FiniteElements Frame::finite_elements() const {
   const Check check{"Frame", name};
   check.that(!members.empty(), "it has no members.");
-  std::unordered_map<std::string, Eigen::Index> numbers;
-  std::vector<Eigen::Vector3d> places;
-  for (const FrameNode& node : nodes) {
-    const Eigen::Index number = std::ssize(places);
-    numbers.emplace(node.name.text().empty() ? std::to_string(number + 1) : node.name.text(), number);
-    places.emplace_back(node.x.si(), node.y.si(), node.z.si());
-  }
+  const NodeNumbers numbers{nodes, check};
   const Eigen::Index size = 6 * std::ssize(nodes);
   Vector masses_of_motions = Vector::Zero(size);
   std::vector<Eigen::Triplet<double>> entries;
@@ -43,12 +37,13 @@ FiniteElements Frame::finite_elements() const {
     const FrameMember& member = members[i];
     const std::string member_name = member.name.empty() ? "member " + std::to_string(i + 1) : member.name;
     const auto number_of = [&](const NodeName& node) {
-      const auto found = numbers.find(node.text());
-      if (found == numbers.end()) check.that(false, member_name + ": there is no node " + node.text() + ".");
-      return found->second;
+      return static_cast<Eigen::Index>(numbers.of(node, member_name + ": "));
     };
-    const std::array<Eigen::Index, 2> ends{number_of(member.from), number_of(member.to)};
-    const auto place = [&](Eigen::Index node) { return places[static_cast<std::size_t>(node)]; };
+    const std::array ends{number_of(member.from), number_of(member.to)};
+    const auto place = [&](Eigen::Index number) {
+      const FrameNode& node = nodes[static_cast<std::size_t>(number)];
+      return Eigen::Vector3d{node.x.si(), node.y.si(), node.z.si()};
+    };
     const PlacedMember placed = place_member(member, place(ends[0]), place(ends[1]), member_name, check);
     const auto index = [&](int local) { return 6 * ends[local < 6 ? 0 : 1] + local % 6; };
     for (int row = 0; row < 12; ++row)
@@ -74,6 +69,6 @@ FiniteElements Frame::finite_elements() const {
           .masses = masses};
 }
 
-CondensedStructure Frame::condensed() const { return moat::condensed(finite_elements(), Check{"Frame", name}); }
+CondensedStructure Frame::condensed() const { return moat::condensed(finite_elements(), "Frame"); }
 
 }  // namespace moat

@@ -15,9 +15,8 @@ void check_parameters(const FrameMember& member, const std::string& name, const 
   const auto& [E, poisson, G, density] = member.material;
   const auto field = [&](const char* what) { return name + " " + what; };
   if (!(area.si() > 0.0 && std::isfinite(area.si()))) check.positive(field("section.area"), area);
-  check.not_negative(field("section.I_y"), I_y);
-  check.not_negative(field("section.I_z"), I_z);
-  check.not_negative(field("section.torsion"), torsion);
+  for (const auto& [what, value] : {std::pair{"I_y", I_y}, {"I_z", I_z}, {"torsion", torsion}})
+    check.not_negative(name + " section." + what, value);
   check.not_negative(field("section.shear_area_y"), shear_area_y);
   check.not_negative(field("section.shear_area_z"), shear_area_z);
   check.positive(field("material.E"), E);

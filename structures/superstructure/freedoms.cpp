@@ -32,7 +32,7 @@ FreedomOrder FreedomOrder::with_base() const {
   return order;
 }
 
-std::vector<Freedom> FreedomOrder::list(const Check& check, std::string_view field, int size) const {
+std::vector<Freedom> FreedomOrder::list(const Check& check, std::string_view field, int size, int floors) const {
   const std::string has = std::string{field} + " has " + std::to_string(size) + " rows";
   if (!rows_.empty()) {
     check.that(static_cast<int>(rows_.size()) == size,
@@ -43,7 +43,7 @@ std::vector<Freedom> FreedomOrder::list(const Check& check, std::string_view fie
   const int per_floor = of_floor_ == Freedoms::x ? 1 : 3;
   check.that(size > 0 && size % per_floor == 0, has + "; x_y_rotation needs a multiple of 3.",
              "Give .freedoms as the matrix has them: per_floor(Freedoms::x), or a list.");
-  const int levels = size / per_floor, lowest = with_base_ ? 0 : 1;
+  const int levels = size / per_floor, lowest = with_base_ && levels != floors ? 0 : 1;
   std::vector<Freedom> list;
   for (int level = 0; level < levels; ++level)
     for (int k = 0; k < per_floor; ++k)

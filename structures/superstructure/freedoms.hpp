@@ -45,11 +45,11 @@ class FreedomOrder {
   FreedomOrder(Freedoms of_floor, FloorOrder order) : of_floor_{of_floor}, order_{order} {}  ///< In standard order.
 
   /// The rows of the base are below those of floor 1 in the same order. They are checked, and not used: rigid motion
-  /// of base and floors must strain nothing.
+  /// of base and floors must strain nothing, and no mass may couple them. Mass and damping may leave them out.
   [[nodiscard]] FreedomOrder with_base() const;
-  /// Returns one for each row of a matrix of this size. Throws InputError for a size that is no multiple of the rows of
-  /// a floor, and for a list of another length.
-  [[nodiscard]] std::vector<Freedom> list(const Check& check, std::string_view field, int size) const;
+  /// Returns one for each row of a matrix of this size; without the base where there are just so many `floors`. Throws
+  /// InputError for a size that is no multiple of the rows of a floor, and for a list of another length.
+  [[nodiscard]] std::vector<Freedom> list(const Check& check, std::string_view field, int size, int floors = 0) const;
 
  private:
   std::vector<Freedom> rows_;

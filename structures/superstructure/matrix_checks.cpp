@@ -1,20 +1,14 @@
 #include "structures/superstructure/matrix_checks.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
+
+#include "solvers/dense.hpp"
 
 namespace moat {
 namespace {
 
 std::string name_of(const NamedRows& rows, Eigen::Index row) { return rows.names[static_cast<std::size_t>(row)]; }
-
-void check_diagonal(const NamedRows& rows, const Eigen::MatrixXd& matrix) {
-  for (Eigen::Index i = 0; i < matrix.rows(); ++i)
-    rows.check.that(matrix(i, i) > 0.0,
-                    std::string{rows.field} + " of " + name_of(rows, i) + " is " + to_text(matrix(i, i)) + ".",
-                    "A diagonal is positive; the order or the unit of the file may be another.");
-}
 
 // Penalty constraints of a finite-element program leave numbers beside which all others lose their digits.
 void check_penalties(const NamedRows& rows, const Eigen::MatrixXd& matrix) {
@@ -60,12 +54,11 @@ Eigen::MatrixXd symmetric(const NamedRows& rows, const Eigen::MatrixXd& matrix, 
 }
 
 void check_definite(const NamedRows& rows, const Eigen::MatrixXd& stiffness, std::vector<std::string>& notes) {
-  check_diagonal(rows, stiffness);
   check_penalties(rows, stiffness);
   const Eigen::VectorXd scale = stiffness.diagonal().cwiseSqrt().cwiseInverse();
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver{scale.asDiagonal() * stiffness * scale.asDiagonal()};
-  const double smallest = solver.eigenvalues()[0], round_off = 1e-12 * static_cast<double>(stiffness.rows());
-  const Eigen::VectorXd shape = solver.eigenvectors().col(0).cwiseAbs();
+  const EigenPairs pairs = eigen_pairs(scale.asDiagonal() * stiffness * scale.asDiagonal());
+  const double smallest = pairs.values[0], round_off = 1e-12 * static_cast<double>(stiffness.rows());
+  const Eigen::VectorXd shape = pairs.vectors.col(0).cwiseAbs();
   Eigen::Index largest = 0;
   shape.maxCoeff(&largest);
   const std::string where = ", largest at " + name_of(rows, largest) + ".";

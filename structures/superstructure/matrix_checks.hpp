@@ -25,8 +25,8 @@ enum class Diagonal { positive, not_negative };
 Eigen::MatrixXd symmetric(const NamedRows& rows, const Eigen::MatrixXd& matrix, Diagonal diagonal,
                           std::vector<std::string>& notes);
 
-/// Throws InputError for a diagonal that is not positive, and for a matrix that is not positive definite; one that is
-/// nearly singular adds a note.
+/// Throws InputError for a matrix, with a positive diagonal, that is not positive definite; one that is nearly singular
+/// adds a note.
 void check_definite(const NamedRows& rows, const Eigen::MatrixXd& stiffness, std::vector<std::string>& notes);
 
 /// Throws InputError where motions that must strain nothing, the columns of `rigid`, have forces above 1e-4 of their

@@ -1,6 +1,8 @@
 #include "structures/superstructure/storey_results.hpp"
 
-#include <Eigen/Cholesky>
+#include "solvers/dense.hpp"
+
+#include "structures/frame/constraints.hpp"
 
 namespace moat {
 namespace {
@@ -16,20 +18,20 @@ PerDisplacement per_displacement(const StructureSystem& system, bool has_base) {
     const Eigen::Index modes = system.shapes.cols();
     PerDisplacement result{Eigen::MatrixXd::Zero(rows, modes + of_base), Eigen::MatrixXd::Zero(rows, modes + of_base)};
     result.displacements << system.shapes, system.carried.leftCols(of_base);
-    const Eigen::MatrixXd heavy = system.mass * system.shapes, modal_mass = system.shapes.transpose() * heavy;
+    const Eigen::MatrixXd modal_mass = projected(system.shapes, system.mass, system.shapes);
     result.forces.leftCols(modes) =
-        heavy * modal_mass.llt().solve(Eigen::MatrixXd{system.modal_stiffness.asDiagonal()});
+        product(product(system.mass, system.shapes), solve_definite(modal_mass, system.modal_stiffness.asDiagonal()));
     return result;
   }
   PerDisplacement result{Eigen::MatrixXd::Identity(rows, rows + of_base), Eigen::MatrixXd::Zero(rows, rows + of_base)};
-  result.forces << system.stiffness, -system.stiffness * system.carried.leftCols(of_base);
+  result.forces << system.stiffness, product(-system.stiffness, system.carried.leftCols(of_base));
   return result;
 }
 
 }  // namespace
 
 std::vector<StoreyResult> storey_results(const StructureSystem& system, const StructureRows& rows,
-                                         const std::string& prefix) {
+                                         const std::string& tower, const std::string& prefix) {
   const PerDisplacement per = per_displacement(system, !rows.base.empty());
   std::vector<NodeId> nodes = rows.own;
   nodes.insert(nodes.end(), rows.base.begin(), rows.base.end());
@@ -42,42 +44,40 @@ std::vector<StoreyResult> storey_results(const StructureSystem& system, const St
         result.displacements.push_back({nodes[i], weight});
     results.push_back(std::move(result));
   };
-  const PlanVector origin = system.origin();
-  const int step = system.per_floor();
-  for (std::size_t i = 0; i < system.floors.size(); ++i) {
-    const std::string place = prefix + "storey " + std::to_string(i + 1);
-    const double foot = i == 0 ? 0.0 : system.floors[i - 1].height;
-    Eigen::VectorXd shear[2], moment[2], torque = Eigen::VectorXd::Zero(per.forces.cols());
-    for (int d = 0; d < 2; ++d) shear[d] = moment[d] = torque;
-    for (std::size_t j = i; j < system.floors.size(); ++j) {
-      const SystemFloor& floor = system.floors[j];
-      const auto row = static_cast<Eigen::Index>(j) * step;
-      for (int d = 0; d < (system.in_plan ? 2 : 1); ++d) {
-        const Eigen::VectorXd force = per.forces.row(row + d).transpose();
-        shear[d] += force;
-        moment[d] += (floor.height - foot) * force;
-      }
-      if (!system.in_plan) continue;
-      const PlanVector arm = floor.centre_of_mass - origin;
-      torque += floor.gyration() * per.forces.row(row + 2).transpose() + arm.x * per.forces.row(row + 1).transpose() -
-                arm.y * per.forces.row(row).transpose();
+  int number = 0;
+  for (int i = 0; i < std::ssize(system.floors); ++i) {
+    if (system.floors[static_cast<std::size_t>(i)].tower != tower) continue;
+    const int below = level_below(system.floors, static_cast<std::size_t>(i));
+    const std::string place = prefix + "storey " + std::to_string(++number);
+    const double foot = below < 0 ? 0.0 : system.floors[static_cast<std::size_t>(below)].height;
+    Eigen::MatrixXd sums = Eigen::MatrixXd::Zero(6, per.forces.cols());
+    for (std::size_t j = 0; j < system.floor_of_row.size(); ++j) {
+      int upper = system.floor_of_row[j];
+      while (upper > i) upper = level_below(system.floors, static_cast<std::size_t>(upper));
+      if (upper != i) continue;
+      const auto row = static_cast<Eigen::Index>(j);
+      Eigen::Matrix<double, 6, 1> motion = system.motions.row(row).transpose();
+      motion[3] += foot * motion[1];
+      motion[4] -= foot * motion[0];
+      sums += motion * per.forces.row(row);
     }
+    const auto sum = [&](int motion) -> Eigen::VectorXd { return sums.row(motion).transpose(); };
     if (!system.in_plan) {
-      Eigen::VectorXd drift = per.displacements.row(static_cast<Eigen::Index>(i)).transpose();
-      if (i > 0)
-        drift -= per.displacements.row(static_cast<Eigen::Index>(i) - 1).transpose();
+      Eigen::VectorXd drift = per.displacements.row(i).transpose();
+      if (below >= 0)
+        drift -= per.displacements.row(below).transpose();
       else if (!rows.base.empty())
         drift[static_cast<Eigen::Index>(rows.own.size())] -= 1.0;
       add("drift", place, "m", drift);
-      add("storey_shear", place, "N", shear[0]);
-      add("overturning_moment", place, "N m", moment[0]);
+      add("storey_shear", place, "N", sum(0));
+      add("overturning_moment", place, "N m", sum(4));
       continue;
     }
-    add("storey_shear_x", place, "N", shear[0]);
-    add("storey_shear_y", place, "N", shear[1]);
-    add("storey_torque", place, "N m", torque);
-    add("overturning_moment_x", place, "N m", moment[0]);
-    add("overturning_moment_y", place, "N m", moment[1]);
+    add("storey_shear_x", place, "N", sum(0));
+    add("storey_shear_y", place, "N", sum(1));
+    add("storey_torque", place, "N m", sum(5));
+    add("overturning_moment_x", place, "N m", sum(4));
+    add("overturning_moment_y", place, "N m", -sum(3));
   }
   return results;
 }

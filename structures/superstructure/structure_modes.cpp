@@ -1,9 +1,10 @@
 #include "structures/superstructure/structure_modes.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+
+#include "solvers/dense.hpp"
 
 namespace moat {
 namespace {
@@ -32,6 +33,7 @@ void check_shapes(const Check& check, const Eigen::MatrixXd& masses, ShapeNorm n
   double worst = 0.0, off_norm = 0.0;
   Eigen::Index a = 0, b = 0;
   for (Eigen::Index i = 0; i < masses.rows(); ++i) {
+    check.that(masses(i, i) > 0.0, "shape " + std::to_string(i + 1) + " is zero.", "Give its column.");
     off_norm = std::max(off_norm, std::abs(masses(i, i) - 1.0));
     for (Eigen::Index j = 0; j < i; ++j) {
       const double coupled = std::abs(masses(i, j)) / std::sqrt(masses(i, i) * masses(j, j));
@@ -62,8 +64,8 @@ ModalDamping of_kept(const ModalDamping& damping, Eigen::Index given, Eigen::Ind
 // The mass of the modes that are left out rides on the base.
 void note_residual_mass(const StructureSystem& system, const Eigen::MatrixXd& modal_mass, const Eigen::MatrixXd& load,
                         std::vector<std::string>& notes) {
-  const Eigen::MatrixXd whole = system.rigid.transpose() * system.mass * system.rigid,
-                        left = whole - load.transpose() * modal_mass.llt().solve(load);
+  const Eigen::MatrixXd whole = projected(system.rigid, system.mass, system.rigid),
+                        left = whole - product(load.transpose(), solve_definite(modal_mass, load));
   std::string text = "The modes leave out";
   const char* const names[] = {"x", "y", "rotation"};
   double largest = 0.0;
@@ -81,8 +83,9 @@ void note_residual_mass(const StructureSystem& system, const Eigen::MatrixXd& mo
 
 }  // namespace
 
-void add_modes(const StructureModes& modes, const decltype(Superstructure::damping)& damping, const Check& check,
+void add_modes(const StructureModes& modes, decltype(Superstructure::damping) damping, const Check& check,
                const Eigen::VectorXd& into_metres, const std::vector<int>& positions, StructureSystem& system) {
+  if (std::holds_alternative<std::monostate>(damping) && !modes.ratios.empty()) damping = ModalDamping{modes.ratios};
   const Eigen::VectorXd all_frequencies = squared_frequencies(check, modes);
   system.notes.insert(system.notes.end(), modes.notes.begin(), modes.notes.end());
   check.that(modes.shapes.allFinite(), "shapes has an entry that is infinite or no number.");
@@ -95,7 +98,7 @@ void add_modes(const StructureModes& modes, const decltype(Superstructure::dampi
   for (Eigen::Index i = 0; i < size; ++i)
     shapes.row(i) = into_metres[i] * modes.shapes.row(positions[static_cast<std::size_t>(i)]).head(kept) /
                     (system.in_plan && i % 3 == 2 ? modes.length.si() : 1.0);
-  Eigen::MatrixXd masses = shapes.transpose() * system.mass * shapes / modes.mass.si();
+  Eigen::MatrixXd masses = projected(shapes, system.mass, shapes) / modes.mass.si();
   check_shapes(check, masses, modes.norm, system.notes);
   Eigen::VectorXd squared = all_frequencies.head(kept);
   for (Eigen::Index i = 1; i < kept; ++i)
@@ -108,14 +111,12 @@ void add_modes(const StructureModes& modes, const decltype(Superstructure::dampi
       shapes = (shapes * norm.asDiagonal()).eval();
       masses = (norm.asDiagonal() * masses * norm.asDiagonal()).eval();
     }
-    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> before{masses};
-    const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> uncoupled{Eigen::MatrixXd{squared.asDiagonal()},
-                                                                              masses, Eigen::EigenvaluesOnly};
+    const EigenPairs uncoupled = eigen_pairs(squared.asDiagonal(), masses);
     system.notes.push_back("Shapes are orthonormalised: the first period is " +
                            to_text(2.0 * std::numbers::pi / std::sqrt(squared.minCoeff())) + " s, and " +
-                           to_text(2.0 * std::numbers::pi / std::sqrt(uncoupled.eigenvalues()[0])) +
+                           to_text(2.0 * std::numbers::pi / std::sqrt(uncoupled.values[0])) +
                            " s with the masses as they are.");
-    shapes *= before.operatorInverseSqrt();
+    shapes = product(shapes, inverse_root(masses));
     masses.setIdentity();
   }
   const Eigen::VectorXd own =
@@ -125,28 +126,25 @@ void add_modes(const StructureModes& modes, const decltype(Superstructure::dampi
   const Eigen::VectorXd mass_of_mode = modes.mass.si() * own.cwiseProduct(scale.cwiseAbs2());
   system.shapes = shapes * scale.asDiagonal();
   system.modal_stiffness = squared.cwiseProduct(mass_of_mode);
-  Eigen::VectorXd modal_damping = Eigen::VectorXd::Zero(kept);
-  const Eigen::MatrixXd modal_mass = system.shapes.transpose() * system.mass * system.shapes,
-                        load = system.shapes.transpose() * system.mass * system.rigid;
+  system.damping = Eigen::MatrixXd::Zero(kept, kept);
+  const Eigen::MatrixXd modal_mass = projected(system.shapes, system.mass, system.shapes),
+                        load = projected(system.shapes, system.mass, system.rigid);
   note_residual_mass(system, modal_mass, load, system.notes);
-  const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> solver{
-      Eigen::MatrixXd{system.modal_stiffness.asDiagonal()}, modal_mass};
-  system.modes = participating_masses(solver.eigenvalues(), solver.eigenvectors().transpose() * load,
-                                      system.rigid.transpose() * system.mass * system.rigid);
+  const EigenPairs pairs = eigen_pairs(system.modal_stiffness.asDiagonal(), modal_mass);
+  system.modes = participating_masses(pairs.values, product(pairs.vectors.transpose(), load),
+                                      projected(system.rigid, system.mass, system.rigid));
   if (const auto* ratios = std::get_if<ModalDamping>(&damping)) {
-    modal_damping = 2.0 * ratios_of(check, of_kept(*ratios, given, kept), kept, system.notes)
-                              .cwiseProduct(squared.cwiseSqrt())
-                              .cwiseProduct(mass_of_mode);
-    system.damping = modal_damping.asDiagonal();
+    system.damping.diagonal() = 2.0 * ratios_of(check, of_kept(*ratios, given, kept), kept, system.notes)
+                                          .cwiseProduct(squared.cwiseSqrt())
+                                          .cwiseProduct(mass_of_mode);
   } else if (const auto* rayleigh = std::get_if<RayleighDamping>(&damping)) {
     const RayleighFactors factors = rayleigh_factors_of(*rayleigh, system.modes);
     system.damping = factors.mass_factor * modal_mass;
-    system.damping += factors.stiffness_factor * Eigen::MatrixXd{system.modal_stiffness.asDiagonal()};
+    system.damping.diagonal() += factors.stiffness_factor * system.modal_stiffness;
     system.damping = 0.5 * (system.damping + system.damping.transpose()).eval();
   } else {
     check.that(std::holds_alternative<std::monostate>(damping), "damping is a matrix, but modes are given.",
                "Give ModalDamping or RayleighDamping.");
-    system.damping = modal_damping.asDiagonal();
   }
 }
 
@@ -164,8 +162,10 @@ Eigen::VectorXd ratios_of(const Check& check, const ModalDamping& damping, Eigen
     ratios[i] = ratio;
   }
   if (given > 1 && given < count)
-    notes.push_back("Modes " + std::to_string(given + 1) + " to " + std::to_string(count) +
-                    " have the damping ratio of mode " + std::to_string(given) + ".");
+    notes.push_back((given + 1 == count
+                         ? "Mode " + std::to_string(count) + " has"
+                         : "Modes " + std::to_string(given + 1) + " to " + std::to_string(count) + " have") +
+                    " the damping ratio of mode " + std::to_string(given) + ".");
   return ratios;
 }
 

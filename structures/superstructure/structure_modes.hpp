@@ -13,7 +13,7 @@ namespace moat {
 /// Adds shapes, modal stiffness and damping to a system that has its mass. `into_metres` has the radius of gyration of
 /// every rotation, else 1; `positions` those of the system's rows among the rows of the shapes. Throws InputError for
 /// shapes that are not orthogonal, or not of norm 1, within 2 %.
-void add_modes(const StructureModes& modes, const decltype(Superstructure::damping)& damping, const Check& check,
+void add_modes(const StructureModes& modes, decltype(Superstructure::damping) damping, const Check& check,
                const Eigen::VectorXd& into_metres, const std::vector<int>& positions, StructureSystem& system);
 
 /// Returns the ratios of `count` modes; a note says so where the last given one holds for more. Throws InputError for a

@@ -1,13 +1,15 @@
 #include "structures/superstructure/superstructure.hpp"
 
-#include <Eigen/Cholesky>
 #include <algorithm>
 #include <array>
 #include <utility>
 
 #include "elements/matrix/linear_structure.hpp"
-#include "structures/storey_matrices.hpp"
+#include "solvers/dense.hpp"
+#include "structures/frame/constraints.hpp"
+#include "structures/superstructure/condensed_rows.hpp"
 #include "structures/superstructure/storey_results.hpp"
+#include "structures/superstructure/structure_floors.hpp"
 #include "structures/superstructure/structure_system.hpp"
 
 namespace moat {
@@ -15,21 +17,6 @@ namespace {
 
 std::vector<NodeId> nodes_of(const DiaphragmId& floor, bool in_plan) {
   return in_plan ? std::vector<NodeId>{floor.x, floor.y, floor.r} : std::vector<NodeId>{floor.x};
-}
-
-// The bases that are there already.
-std::vector<SystemFloor> existing_bases(const Model& model, const Superstructure& structure) {
-  std::vector<SystemFloor> bases;
-  for (const DiaphragmId& each : structure.on) {
-    model.require_node(each, Check{"Superstructure", structure.name}, "on");
-    if (const PlacedDiaphragm* base = model.diaphragm_of(each))
-      bases.push_back({.mass = base->mass,
-                       .rotary_inertia = base->mass * base->gyration * base->gyration,
-                       .centre_of_mass = base->centre_of_mass});
-    else
-      bases.push_back({.mass = model.mass(each)});
-  }
-  return bases;
 }
 
 // Adds the parts of one superstructure.
@@ -56,19 +43,15 @@ class Builder {
       for (const DiaphragmId& slab : structure_.on)
         for (const NodeId node : nodes_of(slab, system_.in_plan)) base_.push_back(node);
     }
-    if (structure_.modes)
+    if (system_.shapes.size() > 0)
       add_modes();
     else
       add_matrices();
     add_isolators();
-    Building building{.name = structure_.name,
-                      .shares_base = std::ranges::any_of(
-                          model_.buildings(), [&](const Building& other) { return other.base == parts_.base.x; }),
-                      .modes = parts_.modes};
-    if (system_.is_isolated()) building.base = parts_.base;
-    for (const DiaphragmId& floor : parts_.floors) building.floors.push_back(floor);
-    building.storey_results = storey_results(system_, rows_, prefix_);
-    add(model_, std::move(building));
+    std::vector<std::string> towers;
+    for (const SystemFloor& floor : system_.floors)
+      if (std::ranges::count(towers, floor.tower) == 0) towers.push_back(floor.tower);
+    for (const std::string& tower : towers) add_building(tower);
     for (const std::string& note : parts_.notes)
       model_.add_note((structure_.name.empty() ? "Building" : structure_.name) + ": " + note);
     return std::move(parts_);
@@ -97,8 +80,53 @@ class Builder {
     check.that(bool{structure_.bearings} == system_.in_plan,
                system_.in_plan ? "isolation is for a building on a line." : "bearings are for a building in plan.",
                system_.in_plan ? "Give .bearings." : "Give .isolation.");
+    if (structure_.axial_forces) check_axial_forces(check, *structure_.axial_forces, true);
     check.that(bool{structure_.bearings} != structure_.isolation.has_value(), "bearings and isolation are given.",
                "Give one of them.");
+  }
+
+  // The building that counts this base or slab already; null if there is none.
+  [[nodiscard]] const Building* building_of(NodeId slab) const {
+    const auto found = std::ranges::find_if(model_.buildings(), [&](const Building& each) {
+      const std::vector<NodeId> nodes = each.nodes();
+      return std::ranges::find(nodes, slab) != nodes.end();
+    });
+    return found == model_.buildings().end() ? nullptr : &*found;
+  }
+
+  // A tower is a building on the floor below it.
+  void add_building(const std::string& tower) {
+    const bool separated = !structure_.name.empty() && !tower.empty();
+    Building building{.name = structure_.name + (separated ? " " : "") + tower};
+    if (system_.is_isolated()) building.base = parts_.base;
+    for (std::size_t i = 0; i < system_.floors.size(); ++i) {
+      if (system_.floors[i].tower != tower) continue;
+      const int below = level_below(system_.floors, i);
+      if (building.floors.empty() && below >= 0) building.base = parts_.floors[static_cast<std::size_t>(below)];
+      building.floors.push_back(parts_.floors[i]);
+    }
+    const Building* const carrying = building.base == ground ? nullptr : building_of(building.base);
+    building.shares_base = carrying != nullptr;
+    if (tower == system_.floors[0].tower) {
+      building.modes = parts_.modes;
+      building.axial_forces = structure_.axial_forces;
+      add_slabs(building, carrying);
+    }
+    building.storey_results = storey_results(system_, rows_, tower, building.name.empty() ? "" : building.name + " ");
+    add(model_, std::move(building));
+  }
+  void add_slabs(Building& building, const Building* carrying) {
+    for (std::size_t i = 1; i < structure_.on.size(); ++i) {
+      const NodeId slab = structure_.on[i];
+      const Building* const its = building_of(slab);
+      if (its == nullptr)
+        building.slabs.push_back(slab);
+      else if (its != carrying)
+        parts_.notes.push_back(
+            "\"" + std::string{model_.body_name(slab)} +
+            "\" belongs to another building than the first slab, whose base shear counts the inertia "
+            "of all floors alone.");
+    }
   }
 
   // A node or diaphragm with degrees of freedom of its own.
@@ -123,7 +151,7 @@ class Builder {
 
   void add_matrices() {
     for (std::size_t i = 0; i < system_.floors.size(); ++i) {
-      parts_.floors.push_back(add_own("floor " + std::to_string(i + 1), system_.floors[i]));
+      parts_.floors.push_back(add_own(system_.floors[i].name, system_.floors[i]));
       for (const NodeId each : nodes_of(parts_.floors[i], system_.in_plan)) rows_.own.push_back(each);
     }
     rows_.base = base_;
@@ -148,16 +176,19 @@ class Builder {
 
   // The modes are coordinates q beside the base, and the floors follow both.
   void add_modes() {
-    const Eigen::MatrixXd load = system_.shapes.transpose() * system_.mass * system_.carried;
-    Eigen::MatrixXd mass = system_.shapes.transpose() * system_.mass * system_.shapes;
+    const Eigen::MatrixXd load = projected(system_.shapes, system_.mass, system_.carried);
+    Eigen::MatrixXd mass = projected(system_.shapes, system_.mass, system_.shapes);
     mass = 0.5 * (mass + mass.transpose()).eval();
     // On the ground the coordinates are driven by M_q^-1 L; on a base its motion drives them.
-    const Eigen::MatrixXd driven = mass.llt().solve(load);
+    const Eigen::MatrixXd driven = solve_definite(mass, load);
+    const Eigen::VectorXd lifted =
+        solve_definite(mass, projected(system_.shapes, system_.mass, system_.motions.col(2)));
     GeneralisedBody body{
         .name = prefix_ + "modes", .coordinates = {}, .mass = mass, .height = Length{system_.floors.back().height}};
     for (Eigen::Index k = 0; k < mass.rows(); ++k) {
       GeneralisedCoordinate coordinate{.name = "mode " + std::to_string(k + 1)};
-      if (base_.empty()) coordinate.ground_influence = {driven(k, 0), system_.in_plan ? driven(k, 1) : 0.0, 0.0};
+      coordinate.ground_influence.z = lifted[k];
+      if (base_.empty()) coordinate.ground_influence = {driven(k, 0), system_.in_plan ? driven(k, 1) : 0.0, lifted[k]};
       body.coordinates.push_back(std::move(coordinate));
     }
     rows_.own = add(model_, body);
@@ -174,7 +205,7 @@ class Builder {
     Eigen::MatrixXd coupled = Eigen::MatrixXd::Zero(n + m, n + m);
     coupled.topRightCorner(n, m) = load;
     coupled.bottomLeftCorner(m, n) = load.transpose();
-    const Eigen::MatrixXd carried_mass = system_.carried.transpose() * system_.mass * system_.carried;
+    const Eigen::MatrixXd carried_mass = projected(system_.carried, system_.mass, system_.carried);
     coupled.bottomRightCorner(m, m) = 0.5 * (carried_mass + carried_mass.transpose());
     std::vector<NodeId> both = rows_.own;
     both.insert(both.end(), base_.begin(), base_.end());
@@ -195,7 +226,7 @@ class Builder {
       motion.shares.push_back(std::move(shares));
       motion.ground_influence.push_back(along[static_cast<std::size_t>(k)]);
     }
-    const std::string part = "floor " + std::to_string(i + 1);
+    const std::string& part = system_.floors[i].name;
     if (system_.in_plan)
       parts_.floors.push_back(add(model_, diaphragm(part, system_.floors[i]), std::move(motion)));
     else
@@ -204,13 +235,22 @@ class Builder {
 
   void add_isolators() {
     if (!structure_.base) return;
+    Check{"Superstructure", structure_.name}.not_negative("carried of the base", structure_.base->carried);
     double mass = system_.bases.front().mass;
-    for (const SystemFloor& floor : system_.floors) mass += floor.mass;
+    PlanVector moment = mass * system_.bases.front().centre_of_mass;
+    for (const SystemFloor& floor : system_.floors) {
+      mass += floor.mass;
+      moment += floor.mass * floor.centre_of_mass;
+    }
+    const PlanVector centre = moment / mass;
+    mass += structure_.base->carried.si();
     const Force weight = Mass{mass} * units::g;
-    if (structure_.isolation) structure_.isolation->add_to(model_, prefix_, parts_.base, weight);
+    if (structure_.isolation)
+      structure_.isolation->add_to(model_, prefix_, parts_.base, weight, structure_.axial_forces);
     if (!structure_.bearings) return;
     const Check check{"Superstructure", structure_.name};
-    structure_.bearings.add_under(model_, check, prefix_, parts_.base, system_.bases.front().outline, weight);
+    structure_.bearings.add_under(model_, check, prefix_, parts_.base, system_.bases.front().outline, weight,
+                                  structure_.axial_forces, centre);
   }
 
   Model& model_;
@@ -235,22 +275,14 @@ StructureModes structure_modes(const ModesFromFile& file, const StructureModes& 
   modes.periods.clear();
   modes.eigenvalues.assign(file.eigenvalues.begin(), file.eigenvalues.end());
   modes.shapes = file.shapes;
+  modes.ratios = file.ratios;
   modes.names = file.names;
   modes.notes = file.notes;
   return modes;
 }
 
 SuperstructureParts add(Model& model, const Superstructure& structure) {
-  if (!structure.storeys) return Builder{model, structure}.build();
-  Check{"Superstructure", structure.name}.that(!structure.condensed, "storeys and condensed are given.",
-                                               "Give one of them.");
-  Superstructure given = structure;
-  given.condensed = storey_matrices(*structure.storeys);
-  if (const std::optional<StoreyRow>& base = structure.storeys->base; base && !given.base)
-    given.base = SuperstructureBase{.mass = base->mass,
-                                    .rotary_inertia = base->rotary_inertia,
-                                    .centre_of_mass = base->centre_of_mass,
-                                    .outline = base->outline};
+  const Superstructure given = with_condensed_rows(structure);
   return Builder{model, given}.build();
 }
 

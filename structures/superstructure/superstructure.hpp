@@ -36,6 +36,7 @@ struct SuperstructureBase {
   PlanPosition centre_of_mass{};       ///< As that of a floor.
   PlanOutline outline{};               ///< As that of a floor.
   Length half_width = 5.0 * units::m;  ///< On a line, for drawings.
+  Mass carried{};  ///< >= 0 kg, of buildings that are added `on` it later: with it bearings know the weight on them.
 };
 
 /// Damping ratios of the modes of the superstructure held at its base.
@@ -66,13 +67,14 @@ struct StructureModes {
   Mass mass = units::kg;              ///< Unit of mass in which the shapes have norm 1.
   std::vector<std::string> names{};   ///< Of the rows, "floor 1 x"; where given, they go before freedoms.
   std::vector<std::string> notes{};   ///< Remarks about their files, which results repeat.
+  std::vector<double> ratios{};       ///< Damping ratios, as ModalDamping; for a building without `damping`.
   ShapeNorm norm = ShapeNorm::mass;   ///< Never guessed.
   int keep = 0;                       ///< How many of the first modes are used; 0: all.
   /// Replaces the shapes by Phi (Phi' M Phi)^(-1/2). The periods are then exactly those given. It changes the building.
   bool orthonormalise = false;
 };
 
-/// Modes as read_modes() read them; `ratios` of the file are for ModalDamping.
+/// Modes as read_modes() read them.
 StructureModes structure_modes(const ModesFromFile& file, const StructureModes& units = {});
 
 /// A building that is given by its matrices, its modes, or a condensed finite-element model, on bearings or fixed:
@@ -95,7 +97,8 @@ struct Superstructure {
   /// Of the floors, held at the base; or give `modes`, `condensed` or `storeys`.
   std::optional<MatrixInUnits> stiffness{};
   std::optional<StructureModes> modes{};  ///< Instead of stiffness.
-  /// Instead of stiffness and freedoms: that of a Frame or FiniteElements. Floors that are left out come from it.
+  /// Instead of stiffness and freedoms: that of a Frame or FiniteElements. Floors that are left out come from it, and a
+  /// level at its feet is the base. Each of its towers is a building of its own, "<name> west".
   std::optional<CondensedStructure> condensed{};
   /// Instead of stiffness, freedoms and floors: springs between floors in plan. Its row `base`, if it has one, is the
   /// base.
@@ -104,7 +107,7 @@ struct Superstructure {
   std::optional<MatrixInUnits> mass{};
   FreedomOrder freedoms = per_floor(Freedoms::x_y_rotation);  ///< Of the rows of all matrices and shapes.
   std::vector<SuperstructureFloor> floors{};                  ///< From the lowest up.
-  /// Of the superstructure held at its base; none if left out.
+  /// Of the superstructure held at its base; left out: the ratios of `modes`, or none.
   std::variant<std::monostate, ModalDamping, RayleighDamping, MatrixInUnits> damping{};
   std::optional<SuperstructureBase> base{};  ///< Left out: it stands on the ground, or `on`.
   /// Bases that were added before: that of another building, for several superstructures on one base, or several slabs
@@ -116,6 +119,8 @@ struct Superstructure {
   std::vector<DiaphragmId> on{};
   PlanBearings bearings{};               ///< Under the base, in plan.
   std::optional<Isolation> isolation{};  ///< Under the base, on a line.
+  /// Overturning and vertical motion act on the bearings; left out: the weight on each is constant.
+  std::optional<AxialForces> axial_forces{};
 };
 
 /// The parts of a superstructure that was added.

@@ -19,8 +19,11 @@ TEST(LawAssumptions, AreThoseOfTheLawsOfTheModel) {
     model.elements.push_back({"an element", "other", law, "lower", "upper", {{"stiffness", 1.0, "N/m"}}});
   const std::vector<std::string> expected{
       "FrictionPendulum: " + std::string{FrictionPendulum::assumption},
+      "FrictionPendulum: The weight on it is constant; neither vertical motion nor overturning acts.",
       "HertzDamp: Derived for restitutions near 1; delivers more than it is given: 0.775 for 0.65."};
   EXPECT_EQ(law_assumptions(model), expected);
+  model.elements[1].parameters.push_back({"static_weight", 1e6, "N"});
+  EXPECT_EQ(law_assumptions(model), (std::vector<std::string>{expected[0], expected[2]}));
   EXPECT_TRUE(law_assumptions({}).empty());
 }
 
@@ -46,9 +49,10 @@ TEST(LawAssumptions, AreFoundInAModel) {
                   .clearance = 10 * cm,
                   .law = ExactHertzDamp{.stiffness = 2e9 * N / m_3_2, .restitution = 0.6}});
   const std::vector<std::string> sentences = law_assumptions(facts_of(model));
-  ASSERT_EQ(sentences.size(), 2u);
-  EXPECT_TRUE(sentences[0].starts_with("FrictionPendulum: The weight is constant"));
-  EXPECT_TRUE(sentences[1].starts_with("ExactHertzDamp: Delivers its restitution"));
+  ASSERT_EQ(sentences.size(), 3u);
+  EXPECT_TRUE(sentences[0].starts_with("FrictionPendulum: The surface"));
+  EXPECT_TRUE(sentences[1].starts_with("FrictionPendulum: The weight on it is constant"));
+  EXPECT_TRUE(sentences[2].starts_with("ExactHertzDamp: Delivers its restitution"));
 }
 
 TEST(LawAssumptions, AreWholeSentences) {

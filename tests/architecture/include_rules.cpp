@@ -26,7 +26,7 @@ const std::map<std::string, std::set<std::string>> allowed{
     {"structures", {"src/base", "src/model", "src/solvers", "elements", "materials"}},
     {"src/solvers", {"src/base"}},
     {"src/motions", {"src/base"}},
-    {"src/output", {"src/base", "src/model", "src/motions"}},
+    {"src/output", {"src/base", "src/model", "src/motions", "materials"}},
     {"src/report", {"src/base", "src/motions", "src/output"}},
     {"src/study", {"src/base", "src/output", "src/report"}},
     {"analyses", {"src/base", "src/model", "src/solvers", "src/motions", "src/output", "src/study"}},

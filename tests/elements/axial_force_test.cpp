@@ -20,10 +20,14 @@ using namespace units;
 struct Pendulum {
   double radius = 2.0;  // m
 
-  using State = NoState;
-  Response evaluate(const State&, double d, double, Interval, AxialForce axial, State&) const {
-    return {axial.compression * d / radius, axial.compression / radius, 0.0};
+  struct State {
+    double compression = 0.0;
+  };
+  Response evaluate(const State&, double d, double, Interval, AxialForce axial, State& trial) const {
+    trial.compression = axial.compression;
+    return {axial.compression * d / radius, axial.compression / radius, 0.0, d / radius};
   }
+  double weight_lever(const State&, double d0, const State&, double d1) const { return 0.5 * d0 * d1 / radius; }
   double stored_energy(const State&, double) const { return 0.0; }
   double dissipation_rate(const State&, double, double) const { return 0.0; }
   double linear_stiffness(StiffnessStage) const { return 1.0; }
@@ -39,10 +43,10 @@ TEST(AxialForces, ReachTheLaw) {
   add(model, Spring<Linear>{.name = "linear", .lower = ground, .upper = a, .law = {.stiffness = 1 * kN / m}});
   AnalysisState state{model};
   EXPECT_DOUBLE_EQ(state.internal_forces()[0], 100.0);
-  EXPECT_TRUE(state.elements(2).axial_forces().empty());
+  EXPECT_TRUE(state.elements(2).axial_actions().compressions.empty());
   const long before = state.tangent_version();
-  state.elements(0).axial_forces()[0] = 50e3;
-  state.elements(1).axial_forces()[0] = 80e3;  // on all four
+  state.elements(0).axial_actions().compressions[0] = 50e3;
+  state.elements(1).axial_actions().compressions[0] = 80e3;  // on all four
   state.evaluate();
   EXPECT_DOUBLE_EQ(state.elements(0).results()[0].force, 50e3 * 0.1 / 2.0);
   EXPECT_DOUBLE_EQ(state.elements(1).results()[0].force, 80e3 * 0.1 / 2.0);
@@ -53,44 +57,20 @@ TEST(AxialForces, ReachTheLaw) {
   EXPECT_DOUBLE_EQ(tangent.coeff(0, 0), 130e3 / 2.0 + 1e3);
 }
 
-// A pendulum in plan under a weight that changes.
-struct PendulumInPlan {
-  FrictionPendulum pendulum;
-
-  struct State {
-    BiaxialFrictionPendulum::State of_the_slider;
-    AxialForce axial;
-  };
-  [[nodiscard]] BiaxialFrictionPendulum under(AxialForce axial) const {
-    return in_plan(pendulum, axial.compression * N);
-  }
-  PlanarResponse evaluate(const State& committed, PlanVector d, PlanVector rate, double interval, AxialForce axial,
-                          State& trial) const {
-    trial = {{.deformation = d, .rate = rate, .heat = committed.of_the_slider.heat}, axial};
-    if (axial.compression <= 0.0) return {};  // it lifts
-    return under(axial).evaluate(committed.of_the_slider, d, rate, interval, trial.of_the_slider);
-  }
-  double stored_energy(const State& committed, PlanVector d) const {
-    return committed.axial.compression > 0.0 ? under(committed.axial).stored_energy(committed.of_the_slider, d) : 0.0;
-  }
-  double dissipated_energy(const State& from, const State& to) const {
-    return to.of_the_slider.heat - from.of_the_slider.heat;
-  }
-  double linear_stiffness(StiffnessStage) const { return 1.0; }
-};
-static_assert(PlanarAxialForceLaw<PendulumInPlan> && PlanarLaw<PendulumInPlan>);
+static_assert(PlanarAxialForceLaw<PlanarSliderUnderWeight> && PlanarLaw<PlanarSliderUnderWeight>);
 static_assert(PlanarLaw<BiaxialFrictionPendulum> && !PlanarAxialForceLaw<BiaxialFrictionPendulum>);
 
 // On a straight way it slides: F = N (d/R + mu t) along the direction t, with the N of the instant.
 TEST(AxialForces, ReachTheLawOfABearingInPlan) {
   Model model;
   const DiaphragmId slab = add(model, Diaphragm{.name = "slab", .mass = 1 * tonne, .size = {4 * m, 4 * m}});
-  add(model,
-      PlanBearing<PendulumInPlan>{.name = "bearing", .under = slab, .law = {{.radius = 2 * m, .friction = 0.05}}});
+  const FrictionPendulum pendulum{.radius = 2 * m, .friction = 0.05};
+  add(model, PlanBearing<PlanarSliderUnderWeight>{
+                 .name = "bearing", .under = slab, .law = in_plan_under_changing_weight(pendulum, 80 * kN)});
   AnalysisState state{model};
-  ASSERT_EQ(state.elements(0).axial_forces().size(), 1U);
+  ASSERT_EQ(state.elements(0).axial_actions().compressions.size(), 1U);
   for (const double weight : {80e3, 50e3, 90e3}) {
-    state.elements(0).axial_forces()[0] = weight;
+    state.elements(0).axial_actions().compressions[0] = weight;
     const double d = state.motion().displacement.norm() + 0.1;
     const Vector forces = testing::forces_at(state, Vector{{0.6 * d, 0.8 * d, 0.0}}, Vector{{0.6, 0.8, 0.0}}, 0.1);
     const double expected = weight * (d / 2.0 + 0.05);

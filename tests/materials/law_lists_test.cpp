@@ -47,6 +47,8 @@ TEST(LawsInTheFolderOfMaterials, AreAllInAList) {
   AllSpringLaws::for_each([&]<class Law>() {
     tested.insert(option_name(Law::name));
     tested.insert(option_name(name_of(force_law(Law::typical()))));
+    if constexpr (requires(const Law& law) { law.under_changing_weight(1 * N); })
+      tested.insert(option_name(Law::typical().under_changing_weight(1 * N).name));
   });
   AllImpactLaws::for_each([&]<class Law>() {
     using Contact = std::remove_cvref_t<decltype(std::declval<const Law&>().between(1.0))>;

@@ -54,6 +54,23 @@ TEST(Building, KnowsItsNodesAndItsName) {
   EXPECT_EQ((Building{.base = base}.top()), base);
 }
 
+// A building on two slabs, one that shares its base and adds a slab, and one on that slab: the first counts all.
+TEST(Building, CarriesWhatStandsOnItsSlabs) {
+  Model model;
+  const NodeId base = add_floor(model, "base"), slab = add_floor(model, "slab"), floor = add_floor(model, "floor"),
+               third = add_floor(model, "third"), tower = add_floor(model, "tower"), mast = add_floor(model, "mast");
+  const Building first{.name = "first", .base = base, .floors = {floor}, .slabs = {slab}},
+      second{.name = "second", .base = slab, .floors = {tower}, .slabs = {third}, .shares_base = true},
+      last{.name = "last", .base = third, .floors = {mast}, .shares_base = true};
+  EXPECT_EQ(first.nodes(), (std::vector<NodeId>{base, slab, floor}));
+  EXPECT_EQ(second.nodes(), (std::vector<NodeId>{third, tower}));
+  for (const Building& each : {first, second, last}) add(model, each);
+  EXPECT_EQ(carried_nodes(model, first), (std::vector<NodeId>{base, slab, floor, third, tower, mast}));
+  EXPECT_TRUE(carried_nodes(model, second).empty());
+  add(model, Isolator{.name = "pads", .upper = slab, .law = Linear{.stiffness = 1 * MN / m}});
+  EXPECT_EQ(isolators_of(model, model.buildings())[0].size(), 1U);
+}
+
 TEST(Building, IsolatorsBelongToTheBuildingAboveThem) {
   Model model;
   const NodeId north = add_floor(model, "north"), south = add_floor(model, "south");

@@ -44,6 +44,27 @@ TEST_F(ReadMotion, RemembersTheFile) {
   EXPECT_EQ(motion.file().path, path("a.txt").string());
 }
 
+TEST_F(ReadMotion, NotesAVerticalRecord) {
+  const auto vertical = [&](const char* name, const std::string& content) {
+    const GroundMotion motion =
+        read_motion(write(name, content), content == synthetic_at2 ? std::nullopt : std::optional{1 * g});
+    const std::string& last = motion.notes().empty() ? "" : motion.notes().back();
+    const std::size_t at = last.find(vertical_record);
+    return at == std::string::npos ? "" : last.substr(at + std::string_view{vertical_record}.size());
+  };
+  const std::string columns = "0 0.5\n0.02 1\n";
+  EXPECT_EQ(vertical("KBU-UP.AT2", synthetic_at2), "its name says \"UP\".");
+  EXPECT_EQ(vertical("KJMUP.csv", columns), "its name says \"UP\".");
+  EXPECT_EQ(vertical("TCU068-V.csv", columns), "its name says \"V\".");
+  EXPECT_EQ(vertical("amt_z.csv", columns), "its name says \"Z\".");
+  for (const char* name : {"KBU-000.csv", "TCU068-E.csv", "pickup.csv", "V.csv.txt"})
+    EXPECT_EQ(vertical(name, columns), "") << name;
+  EXPECT_EQ(vertical("a.csv", "# vertical component\n" + columns), "") << "comments are no header";
+  const std::string at2 =
+      std::string{synthetic_at2}.replace(synthetic_at2.find("Test"), 4, "Kobe, 1/16/1995, KJMA, UP");
+  EXPECT_NE(read_motion(write("a.AT2", at2)).notes().back().find("its header says \"UP\""), std::string::npos);
+}
+
 TEST_F(ReadMotion, SaysItsFormats) {
   EXPECT_EQ(motion_formats(), "PEER AT2, COSMOS, ESM, or two columns of time in s and acceleration");
 }

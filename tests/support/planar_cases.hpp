@@ -65,4 +65,39 @@ inline std::vector<PlanarCase<BiaxialGrantRubber>> planar_cases() {
   return cases;
 }
 
+// Moves without time do not heat: the test of the law has its temperature.
+template <>
+inline std::vector<PlanarCase<Carrying<PlanarHeatedPendulum>>> planar_cases() {
+  HeatedFrictionPendulum design = HeatedFrictionPendulum::typical();
+  design.friction = PressureTemperatureVelocity{.reference_coefficient = 0.06,
+                                                .reference_pressure = 20e6 * units::N / (units::m * units::m),
+                                                .slider_radius = 10 * units::cm,
+                                                .weakening = PressureTemperatureVelocity::Weakening::none};
+  return {{in_plan(design, 1 * units::MN), {.move = 0.05, .force = 1e5}}};
+}
+
+// The sliders of a straight move turn one after another: pieces change their paths.
+template <>
+inline std::vector<PlanarCase<Carrying<PlanarSeriesOfSliders>>> planar_cases() {
+  using namespace units;
+  const PlanarTrial trial{.move = 0.02, .force = 1e5, .pieces = 0.0, .pieces_of_work = 200};
+  TriplePendulum unequal = TriplePendulum::typical();
+  unequal.lower_radius = 5 * m;
+  unequal.upper_radius = 2.5 * m;
+  return {{in_plan(DoublePendulum::typical(), 1 * MN), trial},
+          {in_plan(TriplePendulum::typical(), 1 * MN), trial},
+          {in_plan(unequal, 1 * MN), {.move = 0.3, .rate = 2.0, .force = 1e5, .energy = 1e-3, .pieces = 0.0}}};
+}
+
+template <>
+inline std::vector<PlanarCase<Carrying<PlanarSliderUnderWeight>>> planar_cases() {
+  using namespace units;
+  std::vector<PlanarCase<Carrying<PlanarSliderUnderWeight>>> cases;
+  for (const Friction& friction :
+       {Friction{0.06}, Friction{VelocityDependent{.slow = 0.03, .fast = 0.06, .rate = 5 * s / m}}})
+    cases.push_back({in_plan(FlatSlider{.friction = friction, .restoring_stiffness = 0.3 * MN / m}, 1 * MN),
+                     {.move = 0.05, .force = 6e4, .energy = 1e-4}});
+  return cases;
+}
+
 }  // namespace moat::testing

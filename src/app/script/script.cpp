@@ -250,7 +250,9 @@ Script::Outcome Script::compute(CaseRun& run, const RunOptions& options) {
     }
   } catch (const Error& error) {
     outcome.failure = error.what();
-    outcome.exit_code = dynamic_cast<const ConvergenceError*>(&error) != nullptr ? exit_no_convergence : exit_error;
+    const bool ended_early = dynamic_cast<const ConvergenceError*>(&error) != nullptr ||
+                             dynamic_cast<const RockingError*>(&error) != nullptr;
+    outcome.exit_code = ended_early ? exit_no_convergence : exit_error;
   } catch (const std::bad_alloc& error) {
     outcome.failure = reason_of(error);
     outcome.exit_code = exit_error;

@@ -74,12 +74,12 @@ class Script {
   int integer(const std::string& name, int preset, const std::string& help);                      ///< --name 5
   std::string text(const std::string& name, const std::string& preset, const std::string& help);  ///< --name word
 
-  /// Adds --record FILE (PEER AT2, COSMOS, ESM, or two columns with --record-unit g) and returns that motion, else the
-  /// preset.
+  /// Adds --record FILE (PEER AT2, COSMOS, ESM, or two columns with --record-unit g) and --record-up FILE, the vertical
+  /// component, and returns that motion, else the preset.
   GroundMotion motion(const GroundMotion& preset);
 
-  /// Adds --record FILE and --record-2 FILE, to be given together, and --incidence NUMBER, the angle in degrees from +x
-  /// to the first component, and returns the motion of both components, else the preset.
+  /// Adds --record FILE and --record-2 FILE, to be given together, --record-up FILE, and --incidence NUMBER, the angle
+  /// in degrees from +x to the first component, and returns the motion of both components, else the preset.
   PlanMotion plan_motion(const PlanMotion& preset);
 
   /// Before run(): calls the observer too, at every step; it must outlive the run. The quantities of a QuantityRecorder

@@ -61,26 +61,32 @@ std::string Script::text(const std::string& name, const std::string& preset, con
 GroundMotion Script::motion(const GroundMotion& preset) {
   const auto file = parts_->line.look_up("record", "", "accelerogram: " + motion_formats(), "FILE");
   const auto unit = parts_->line.look_up("record-unit", "", "unit of a two-column record: g, cm/s^2 ...", "UNIT");
+  const auto up = parts_->line.look_up("record-up", "", "accelerogram of the vertical component, upwards", "FILE");
   if (!file) {
     if (unit) throw InputError{"--record-unit: give it together with --record FILE."};
+    if (up) throw InputError{"--record-up: give it together with --record FILE."};
     return preset;
   }
-  return read(*file, unit);
+  const GroundMotion horizontal = read(*file, unit);
+  return up ? with_vertical(horizontal, read(*up, unit)) : horizontal;
 }
 
 PlanMotion Script::plan_motion(const PlanMotion& preset) {
   const auto first =
                  parts_->line.look_up("record", "", "accelerogram of the first component: " + motion_formats(), "FILE"),
              second = parts_->line.look_up("record-2", "", "accelerogram of the second component", "FILE"),
+             up = parts_->line.look_up("record-up", "", "accelerogram of the vertical component, upwards", "FILE"),
              unit = parts_->line.look_up("record-unit", "", "unit of two-column records: g, cm/s^2 ...", "UNIT");
   const double degrees = number("incidence", preset.incidence / (units::pi / 180.0),
                                 "angle in degrees from +x to the first component, counter-clockwise");
   if (first.has_value() != second.has_value())
     throw InputError{"--record and --record-2: give both components, or none."};
   if (unit && !first) throw InputError{"--record-unit: give it together with --record FILE."};
-  const Angle incidence = degrees * units::deg;
-  if (!first) return {preset.first, preset.second, incidence};
-  return {read(*first, unit), read(*second, unit), incidence};
+  if (up && !first) throw InputError{"--record-up: give it together with --record and --record-2."};
+  PlanMotion motion = first ? PlanMotion{read(*first, unit), read(*second, unit)} : preset;
+  motion.incidence = degrees * units::deg;
+  if (up) motion.vertical = read(*up, unit);
+  return motion;
 }
 
 GroundMotion Script::read(const std::string& file, const std::optional<std::string>& unit) const {

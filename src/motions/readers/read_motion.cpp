@@ -9,6 +9,7 @@
 #include "base/check.hpp"
 #include "base/text/text_file.hpp"
 #include "base/units.hpp"
+#include "motions/readers/record_folder.hpp"
 #include "motions/readers/record_formats.hpp"
 
 namespace moat {
@@ -53,10 +54,7 @@ std::string names_of_formats(const char* last_separator) {
   return list;
 }
 
-}  // namespace
-
-GroundMotion read_motion(const std::filesystem::path& path, std::optional<Acceleration> unit) try {
-  const TextFile file = read_text_file(path);
+GroundMotion parsed(const TextFile& file, std::optional<Acceleration> unit) {
   const auto format = std::ranges::find_if(formats, [&](const Format& each) { return each.recognises(file); });
   if (format != formats.end()) {
     check_unit(*format, file, unit);
@@ -67,6 +65,16 @@ GroundMotion read_motion(const std::filesystem::path& path, std::optional<Accele
                           " file; as two columns of text it does not say the unit of its accelerations.",
                       "Give the unit: read_motion(file, 1 * g), or 1 * m / s / s."};
   return parse_two_columns(file, *unit);
+}
+
+}  // namespace
+
+GroundMotion read_motion(const std::filesystem::path& path, std::optional<Acceleration> unit) try {
+  const GroundMotion motion = parsed(read_text_file(path), unit);
+  const std::string reason = says_vertical(motion);
+  return reason.empty() ? motion
+                        : motion.with_samples({motion.samples().begin(), motion.samples().end()},
+                                              motion.name() + vertical_record + reason + ".");
 } catch (const std::bad_alloc&) {
   refuse_file(path, "the memory is too small for this record. Cut the record, or end other programs.");
 }

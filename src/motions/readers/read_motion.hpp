@@ -31,9 +31,14 @@ class MissingUnit : public InputError {
 /// still taken as AT2 unless it begins with two numbers, because columns without a header are in circulation under that
 /// name.
 ///
+/// A record that says that it is vertical gets a note, and cases that it shakes a warning.
+///
 /// unit: of the acceleration column; needed for two columns, otherwise MissingUnit. The other formats state their unit
 /// themselves; giving another one there is an InputError. Throws FileError as the reader of the format does.
 GroundMotion read_motion(const std::filesystem::path& path, std::optional<Acceleration> unit = {});
+
+/// In the note of a vertical record.
+inline constexpr const char* vertical_record = " is a vertical record: ";
 
 /// The formats that read_motion reads, for help texts.
 std::string motion_formats();

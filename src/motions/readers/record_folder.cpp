@@ -96,6 +96,11 @@ void look_at_name(Record& record) {
   record = {record.path, station.substr(0, station.find_last_not_of("-_. ") + 1), word, "its name"};
 }
 
+void look_at_file(Record& record) {
+  look_at_header(record);
+  if (record.component.empty()) look_at_name(record);
+}
+
 /// By the name of a file, the rows of the table in the folder.
 std::map<std::string, Record> read_table(const fs::path& folder, const std::set<fs::path>& files) {
   std::map<std::string, Record> rows;
@@ -138,8 +143,7 @@ std::vector<Record> records_in(const fs::path& folder) {
       note(folder, name + " is left out: it is no .AT2 file, and not in " + table_name + ".");
       continue;
     } else {
-      look_at_header(record);
-      if (record.component.empty()) look_at_name(record);
+      look_at_file(record);
     }
     if (record.component.empty())
       undecided += (undecided.empty() ? "" : ", ") + name;
@@ -172,6 +176,17 @@ PlanMotion pair_of(const fs::path& folder, const std::vector<Record>& files) {
 }
 
 }  // namespace
+
+std::string says_vertical(const GroundMotion& motion) {
+  for (const std::string& line : motion.notes()) {
+    const std::string words = upper_case(line);
+    if (words.find("VERTICAL") != std::string::npos || (words.starts_with("STREAM:") && words.ends_with('Z')))
+      return "its header says " + moat::quoted(line);
+  }
+  Record record{.path = motion.file().path};
+  look_at_file(record);
+  return is_vertical(record.component) ? record.source + " says " + moat::quoted(record.component) : "";
+}
 
 std::vector<GroundMotion> read_record_folder(const fs::path& folder) {
   std::vector<GroundMotion> motions;

@@ -28,6 +28,10 @@ std::vector<GroundMotion> read_record_folder(const std::filesystem::path& folder
 /// that are not at right angles within 30 degrees.
 std::vector<PlanMotion> read_record_pairs(const std::filesystem::path& folder);
 
+/// Where the file of a motion says that it is vertical, by a header, also of COSMOS or ESM, or a name as above: "its
+/// name says "UP""; empty if it does not.
+std::string says_vertical(const GroundMotion& motion);
+
 /// Every file that these functions have left out, and every pair that they have made in this program, with the reason.
 /// Scripts print them and put them into their results.
 std::vector<std::string> record_folder_notes();

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "base/parameter.hpp"
+#include "materials/bearings/bearing_checks.hpp"
 #include "model/building.hpp"
 #include "motions/ground_motion.hpp"
 #include "output/files/model_facts.hpp"
@@ -88,16 +89,20 @@ struct DissipatedEnergy {
 
 /// Where the energy that the ground put into the structure went, in the frame of the ground, J.
 ///
-///     kinetic + strain + viscous + hysteretic + impact + friction = input + errors
+///     kinetic + strain + viscous + hysteretic + impact + friction = input + weight_work + errors
 struct EnergyBalance {
-  double input = 0.0;       ///< work of the inertia forces of the ground motion: - sum of m a_g du
-  double kinetic = 0.0;     ///< of motion relative to the ground, now less that at the start
-  double strain = 0.0;      ///< recoverable, now less that at the start
-  double viscous = 0.0;     ///< dissipated by dampers and the viscous part of springs
-  double hysteretic = 0.0;  ///< dissipated by bearings and other elements that yield
-  double impact = 0.0;      ///< lost in impacts
-  double friction = 0.0;    ///< lost in impacts by friction along walls; in plan
-  bool in_plan = false;     ///< of a model in plan
+  double input = 0.0;  ///< work of the inertia forces of the ground motion: - sum of m a_g du
+  /// Sum over pendulums of the integral of d^2/(2 R) dN, where weights change: the slab is higher by d^2/(2 R) when its
+  /// load rises. The vertical component of the ground enters through it.
+  double weight_work = 0.0;
+  double kinetic = 0.0;         ///< of motion relative to the ground, now less that at the start
+  double strain = 0.0;          ///< recoverable, now less that at the start
+  double viscous = 0.0;         ///< dissipated by dampers and the viscous part of springs
+  double hysteretic = 0.0;      ///< dissipated by bearings and other elements that yield
+  double impact = 0.0;          ///< lost in impacts
+  double friction = 0.0;        ///< lost in impacts by friction along walls; in plan
+  bool in_plan = false;         ///< of a model in plan
+  bool weights_change = false;  ///< of a model with AxialForces
 
   /// kinetic + work of all elements - input. Average acceleration: zero but for round-off and the force tolerance.
   /// Fourth-order steps: of fourth order. Exact steps: of sixth order. Newmark's method with another beta: of second.
@@ -216,6 +221,12 @@ struct BuildingTorsion {
   }
 };
 
+/// One check of a bearing or damper over the whole run.
+struct BearingCheckRow {
+  std::string bearing, type;  ///< its name, and the place that it shares with others, or its law
+  BearingDemand demand;       ///< with the largest ratio
+};
+
 /// Everything that one run produced.
 struct CaseResult {
   std::string title;         ///< Title of the script.
@@ -231,7 +242,9 @@ struct CaseResult {
   std::vector<GapClearance> clearances{};  ///< one for every gap
   std::vector<Impact> impacts;             ///< In the order of their starts.
   std::vector<BuildingTorsion> torsion{};  ///< in plan, of every building on bearings
-  Table histories;                         ///< Every quantity at every sample of the motion.
+  /// One for every check of every bearing with capacities (BearingCheckRecorder).
+  std::vector<BearingCheckRow> bearing_checks{};
+  Table histories;  ///< Every quantity at every sample of the motion.
   /// HistoryRecorder::floors, of a run with impacts; else empty.
   Table floor_accelerations{};
   /// Quantities in `histories` that recorders of the script offered (output/recorders/quantity_recorder.hpp).

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <charconv>
+#include <cmath>
 #include <ostream>
 #include <string>
 #include <string_view>
@@ -103,7 +104,7 @@ void write_peaks_csv(const CaseResult& result, const std::filesystem::path& path
       out += ',';
     }
     for (const double number : {peak.value, peak.error, peak.time}) {
-      append_number(out, number);
+      if (!std::isnan(number)) append_number(out, number);
       out += ',';
     }
     append_text(out, peak.side);
@@ -134,6 +135,23 @@ void write_participating_masses_csv(const CaseResult& result, const std::filesys
     }
   }
   if (any) write_file(path, out);
+}
+
+void write_bearing_checks_csv(const CaseResult& result, const std::filesystem::path& path) {
+  std::string out = "check,bearing,type,unit,demand,capacity,ratio,time [s],source\n";
+  for (const auto& [bearing, type, demand] : result.bearing_checks) {
+    for (const std::string_view text : {demand.check, std::string_view{bearing}, std::string_view{type}, demand.unit}) {
+      append_text(out, text);
+      out += ',';
+    }
+    for (const double number : {demand.demand, demand.capacity, demand.ratio(), demand.time}) {
+      append_number(out, number);
+      out += ',';
+    }
+    append_text(out, demand.source);
+    out += '\n';
+  }
+  if (!result.bearing_checks.empty()) write_file(path, out);
 }
 
 }  // namespace moat

@@ -21,11 +21,17 @@ void write_csv(const Table& table, const std::filesystem::path& path);
 void write_csv(const std::vector<Impact>& impacts, const std::filesystem::path& path);
 
 /// peaks.csv: `building,place,quantity,unit,value,error,time [s],side`, one row per peak in SI units. The building is
-/// that of the place; of one between two buildings "north and south"; empty where it is of none. Throws FileError.
+/// that of the place; of one between two buildings "north and south"; empty where it is of none. An error that is not
+/// known is empty. Throws FileError.
 void write_peaks_csv(const CaseResult& result, const std::filesystem::path& path);
 
 /// participating_masses.csv: `building,mode,period [s],x [%],y [%],rotation [%],sum x [%],sum y [%],sum rotation [%]`,
 /// one row per mode of a building held at its base; nothing is written where no building has modes. Throws FileError.
 void write_participating_masses_csv(const CaseResult& result, const std::filesystem::path& path);
+
+/// bearing_checks.csv: `check,bearing,type,unit,demand,capacity,ratio,time [s],source`, one row per check of a bearing
+/// in SI units; capacity and ratio are `nan` where it is not judged. Nothing is written without checks. Throws
+/// FileError.
+void write_bearing_checks_csv(const CaseResult& result, const std::filesystem::path& path);
 
 }  // namespace moat

@@ -41,7 +41,10 @@ ElementFacts facts_of(const Model& model, const ElementBlock& block, std::size_t
 
 void add_plan(const Model& model, ModelFacts& facts) {
   std::vector<NodeId> bases;
-  for (const Building& building : all_buildings(model)) bases.push_back(building.base);
+  for (const Building& building : all_buildings(model)) {
+    bases.push_back(building.base);
+    bases.insert(bases.end(), building.slabs.begin(), building.slabs.end());
+  }
   for (const PlacedDiaphragm& each : model.diaphragms()) {
     DiaphragmFacts diaphragm{.name = each.name,
                              .gyration = each.gyration,

@@ -18,7 +18,7 @@ std::string peak_table(const CaseResult& result);
 /// and that with least left. Empty without gaps.
 std::string clearance_table(const CaseResult& result);
 
-/// The deformation of isolators at the end (output/peaks/peak_groups.hpp) in the same form. Empty without isolators.
+/// The residual displacements of isolators (output/peaks/peak_groups.hpp) in the same form. Empty without isolators.
 std::string table_at_the_end(const std::vector<Peak>& isolators);
 
 }  // namespace moat

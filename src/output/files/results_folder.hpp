@@ -18,6 +18,8 @@ inline constexpr const char* impacts = "impacts.csv";          ///< A row for ev
 inline constexpr const char* peaks = "peaks.csv";              ///< A row for every peak.
 /// A row for every mode of buildings given by matrices or modes.
 inline constexpr const char* participating_masses = "participating_masses.csv";
+/// A row for every check of a bearing with capacities.
+inline constexpr const char* bearing_checks = "bearing_checks.csv";
 inline constexpr const char* report = "report.html";  ///< The report.
 inline constexpr const char* charts = "charts.svg";   ///< All histories as pictures.
 inline constexpr const char* frames = "frames.pvd";   ///< The frames, for ParaView.
@@ -33,8 +35,9 @@ inline constexpr const char* unfinished = "unfinished";
 inline constexpr const char* list = ".moat";
 /// All files and sub-folders of results.
 inline constexpr std::array all_names{
-    summary, histories_csv, histories_vtt,   impacts,       peaks,         participating_masses, report,
-    charts,  frames,        paraview_script, frames_folder, charts_folder, unfinished,           list};
+    summary,        histories_csv, histories_vtt, impacts, peaks,           participating_masses,
+    bearing_checks, report,        charts,        frames,  paraview_script, frames_folder,
+    charts_folder,  unfinished,    list};
 }  // namespace results_file
 
 /// How a folder is treated that already holds something.

@@ -138,7 +138,8 @@ Json json_of(const ModelFacts& model, const std::vector<BuildingParts>& building
 Json json_of(const EnergyBalance& energy) {
   const auto by_place = [](const DissipatedEnergy& each) { return Json{{"where", each.where}, {"value", each.value}}; };
   Json json{{"unit", "J"}};
-  for (const EnergyColumn& column : energy_columns(energy.in_plan)) json[column.name] = energy.*column.value;
+  for (const EnergyColumn& column : energy_columns(energy.in_plan, energy.weights_change))
+    json[column.name] = energy.*column.value;
   for (const EnergyColumn& column : energy_errors) json[column.name] = energy.*column.value;
   json["worst_element"] = energy.worst_element;
   json["worst_element_error"] = energy.worst_element_error;
@@ -196,8 +197,14 @@ void write_summary_json(const CaseResult& result, const std::filesystem::path& p
     return Json{{"where", gap.where}, {"clearance", gap.clearance}, {"clearance_left", gap.left},
                 {"unit", "m"},        {"time", gap.time},           {"error", gap.error}};
   });
-  json["isolators_at_the_end"] = list_of(isolators_at_the_end(result.histories), [](const Peak& isolator) {
-    return Json{{"where", isolator.where}, {"deformation", isolator.value}, {"unit", "m"}, {"time", isolator.time}};
+  const std::vector<Peak> residuals = residual_displacements(result.histories);
+  auto residual = residuals.begin();
+  json["isolators_at_the_end"] = list_of(isolators_at_the_end(result.histories), [&](const Peak& isolator) {
+    return Json{{"where", isolator.where},
+                {"deformation", isolator.value},
+                {"residual_displacement", (residual++)->value},
+                {"unit", "m"},
+                {"time", isolator.time}};
   });
   json["constant_quantities"] = constant_quantities(result.histories);
   json["error_bars"] = json_of(result.error_bars);

@@ -37,7 +37,7 @@ namespace moat {
 ///       "peaks": [ { "quantity", "where", "value": with its sign, "unit", "time", "error": estimated, same unit, null
 ///                    if not known, "side" } ],
 ///       "clearances": [ { "where", "clearance", "clearance_left": negative while indented, "time", "error" } ],
-///       "isolators_at_the_end": [ { "where", "deformation", "time" } ],
+///       "isolators_at_the_end": [ { "where", "deformation", "residual_displacement", "time" } ],
 ///       "constant_quantities": [ names of quantities that never change ],
 ///       "error_bars": { "checked", "method", "companion", "companion_impacts",
 ///                       "companion_solver": { the fields of SolverStatistics }, "sensitive", "reason",

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <string_view>
 
 #include "base/text/number_format.hpp"
@@ -35,6 +36,35 @@ void align_points(std::vector<PeakRow>& rows) {
   const std::string zeros = "." + std::string(longest.empty() ? 0 : longest.size() - 1, '0');
   if (longest.empty()) return;
   for (PeakRow& row : rows) row.missing = zeros.substr(decimals_of(row.value).size());
+}
+
+struct Turn {
+  double time, value;
+};
+
+// The last two turns of a history with equal intervals, the later one first, on parabolas through three rows.
+std::vector<Turn> last_turns(const std::vector<double>& times, const std::vector<double>& values) {
+  std::vector<Turn> turns;
+  for (std::size_t i = values.size(); i-- > 2 && turns.size() < 2;) {
+    const double before = values[i - 1] - values[i - 2], after = values[i] - values[i - 1];
+    if (before == 0.0 || before * after > 0.0) continue;
+    const double shift = 0.5 * (before + after) / (before - after);
+    turns.push_back(
+        {times[i - 1] + shift * (times[i] - times[i - 1]), values[i - 1] + 0.25 * (before + after) * shift});
+  }
+  return turns;
+}
+
+// Nothing where it has come to rest, or never turned twice.
+std::optional<double> mean_of_last_turns(const std::vector<double>& times, const std::vector<double>& values) {
+  constexpr double at_rest = 1e-4;  // m/s
+  const std::vector<Turn> turns = last_turns(times, values);
+  if (turns.size() < 2) return std::nullopt;
+  const double half_period = turns[0].time - turns[1].time;
+  bool moves = false;
+  for (std::size_t i = values.size() - 1; i > 0 && times[i] > times.back() - half_period; --i)
+    moves |= std::abs(values[i] - values[i - 1]) > at_rest * (times[i] - times[i - 1]);
+  return moves ? std::optional{0.5 * (turns[0].value + turns[1].value)} : std::nullopt;
 }
 
 }  // namespace
@@ -110,6 +140,26 @@ std::vector<Peak> isolators_at_the_end(const Table& histories) {
     if (column.quantity == "isolator_deformation")
       offsets.push_back({"isolator_deformation_at_the_end", column.where, column.values.back(), column.unit, time});
   return offsets;
+}
+
+std::vector<Peak> residual_displacements(const Table& histories) {
+  std::vector<Peak> residuals = isolators_at_the_end(histories);
+  for (Peak& residual : residuals) {
+    residual.quantity = "residual_displacement";
+    double squares = 0.0;  // of components in plan
+    for (const Column& column : histories.columns) {
+      if (column.where != residual.where || !column.quantity.starts_with("isolator_deformation")) continue;
+      const std::optional<double> mean = mean_of_last_turns(histories.values("time"), column.values);
+      if (mean) residual.side = "still moving";
+      const double value = mean.value_or(column.values.back());
+      if (column.quantity == "isolator_deformation")
+        residual.value = value;
+      else
+        squares += value * value;
+    }
+    if (squares > 0.0) residual.value = std::sqrt(squares);
+  }
+  return residuals;
 }
 
 std::set<std::string> constant_quantities(const Table& histories) {

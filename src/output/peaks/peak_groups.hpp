@@ -48,6 +48,12 @@ PeakGroup clearance_group(const std::vector<GapClearance>& clearances);
 /// offset, if the building has come to rest. In plan its length. Empty without histories.
 std::vector<Peak> isolators_at_the_end(const Table& histories);
 
+/// The `residual_displacement` of every isolator, m, with the time of the last row; in the order of
+/// isolators_at_the_end(), in plan the length of its components. It is the deformation in the last row or, where the
+/// isolator still moves faster than 0.1 mm/s in the last half period, the mean of its last two turns; `side` is "still
+/// moving" then. The mean needs free vibration of at least two periods behind the motion.
+std::vector<Peak> residual_displacements(const Table& histories);
+
 /// The quantities of a table of histories that never change, at any place, and are not zero: the coefficient of a
 /// friction that depends on nothing. They have no peak to show.
 std::set<std::string> constant_quantities(const Table& histories);

@@ -6,7 +6,10 @@
 
 namespace moat {
 
-PeakRecorder::PeakRecorder(const Model& model) : model_{&model}, channels_{model}, peaks_{channels_.list().size()} {}
+PeakRecorder::PeakRecorder(const Model& model) : model_{&model}, channels_{model}, peaks_{channels_.list().size()} {
+  for (std::size_t i = 0; i < channels_.list().size(); ++i)
+    if (channels_.list()[i].quantity == "bearing_compression") smallest_.push_back({.channel = i});
+}
 
 void PeakRecorder::start(const StepView& view) { step(view); }
 
@@ -15,7 +18,40 @@ void PeakRecorder::step(const StepView& view) {
   peaks_.add([&](std::size_t channel, double fraction, double turned) {
     return channels_.value_inside(view, channel, fraction, turned);
   });
+  keep_smallest(true);
   if (model_->is_plan()) add_slide_begins(view.state);
+}
+
+// Over continuous time, as PeakTrackers.
+void PeakRecorder::keep_smallest(bool at_end_of_step) {
+  const CommonInstant &from = peaks_.start(), &to = peaks_.last();
+  for (Smallest& each : smallest_) {
+    const std::size_t i = each.channel;
+    each.keep(to.time, to.values[i]);
+    const double step = to.time - from.time;
+    if (!at_end_of_step || step <= 0.0 || !(from.rates[i] < 0.0 && to.rates[i] > 0.0)) continue;
+    const HermiteCubic cubic{from.values[i], from.rates[i], to.values[i], to.rates[i], step};
+    // The cubic of a bearing that cannot pull may fall below zero.
+    const double turned = cubic.value(cubic.turn());
+    const bool pulls = from.values[i] < 0.0 && to.values[i] < 0.0;
+    if (cubic.is_smooth()) each.keep(from.time + cubic.turn() * step, pulls ? turned : std::max(turned, 0.0));
+  }
+}
+
+void PeakRecorder::finish(const StepView& view) {
+  uplifts_.clear();
+  for (const WeightOnBearings& weight : view.state.weights()) {
+    for (const WeightOnBearings::Bearing& bearing : weight.bearings()) {
+      if (bearing.uplifts == 0) continue;
+      const std::string& name = model_->blocks()[bearing.element.block]->info(bearing.element.element).name;
+      const double time = view.state.time();
+      uplifts_.push_back({"uplift_time", name, bearing.uplift_time, "s", time});
+      uplifts_.push_back({"uplifts", name, static_cast<double>(bearing.uplifts), "1", time});
+      uplifts_.push_back({"uplift_deficit", name, bearing.largest_deficit, "N", time});
+    }
+    if (weight.rocking_time() > 0.0)
+      uplifts_.push_back({"rocking_time", weight.building(), weight.rocking_time(), "s", weight.first_rocking()});
+  }
 }
 
 void PeakRecorder::sample(const StepView& view) {
@@ -41,6 +77,7 @@ void PeakRecorder::add_slide_begins(const AnalysisState& state) {
 void PeakRecorder::event(const StepView& view, std::span<const RegimeChange>) {
   sample(view);
   peaks_.restart();
+  keep_smallest(false);
 }
 
 std::vector<Peak> PeakRecorder::peaks() const {
@@ -65,10 +102,16 @@ std::vector<Peak> PeakRecorder::peaks() const {
   // Bearings that share a place, each by its own name.
   for (std::size_t i = 0; i < peaks_.size(); ++i) {
     const Channel& channel = channels_.list()[i];
-    const bool of_bearing = channel.quantity == "isolator_deformation" || channel.quantity == "isolator_force";
+    const bool of_bearing = channel.quantity == "isolator_deformation" || channel.quantity == "isolator_force" ||
+                            channel.quantity == "bearing_compression";
     if (of_bearing && channel.where != channel.place && !index.contains({channel.quantity, channel.where}))
       peaks.push_back({channel.quantity, channel.where, peaks_.value(i), channel.unit, peaks_.time(i)});
   }
+  for (const Smallest& each : smallest_) {
+    const Channel& channel = channels_.list()[each.channel];
+    peaks.push_back({"smallest_bearing_compression", channel.where, each.value, channel.unit, each.time});
+  }
+  peaks.insert(peaks.end(), uplifts_.begin(), uplifts_.end());
   // In plan the maxima of two directions make no sum, and coupled masses have no inertia of a floor alone.
   if (model_->is_plan() || !model_->mass_matrix().is_diagonal()) return peaks;
   for (const Building& building : model_->buildings()) {

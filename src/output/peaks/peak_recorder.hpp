@@ -1,6 +1,7 @@
 // Peaks of all channels over continuous time.
 #pragma once
 
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -12,7 +13,8 @@ namespace moat {
 
 /// Follows every channel and lists its peak with its sign; channels of one quantity and place share one, and bearings
 /// have one of deformation and of force for each besides. Adds the `sum_of_floor_inertia_maxima` of every building: the
-/// sum of mass times peak absolute acceleration.
+/// sum of mass times peak absolute acceleration. The axial force of a bearing has its smallest value besides,
+/// `smallest_bearing_compression`, and where it lifted `uplift_time` [s], `uplifts` and `uplift_deficit` [N].
 class PeakRecorder final : public StepObserver {
  public:
   /// The model must be complete.
@@ -21,6 +23,7 @@ class PeakRecorder final : public StepObserver {
   void start(const StepView& view) override;
   void step(const StepView& view) override;
   void event(const StepView& view, std::span<const RegimeChange> changes) override;
+  void finish(const StepView& view) override;
 
   /// All channels at the end of the last step, or just after an event behind which they jumped.
   [[nodiscard]] const CommonInstant& last() const { return peaks_.last(); }
@@ -29,12 +32,26 @@ class PeakRecorder final : public StepObserver {
 
  private:
   void sample(const StepView& view);
+  void keep_smallest(bool at_end_of_step);
   void add_slide_begins(const AnalysisState& state);
   [[nodiscard]] std::string side_of(std::size_t channel, const Peak& peak) const;
 
   const Model* model_;
   Channels channels_;
   PeakTrackers peaks_;  // of all channels
+  // The smallest value of a channel.
+  struct Smallest {
+    std::size_t channel;
+    double value = std::numeric_limits<double>::infinity(), time = 0.0;
+
+    void keep(double when, double found) {
+      if (found >= value) return;
+      value = found;
+      time = when;
+    }
+  };
+  std::vector<Smallest> smallest_;
+  std::vector<Peak> uplifts_;
 };
 
 }  // namespace moat

@@ -13,8 +13,8 @@ Channels::Channels(const Model& model) {
       storey_sums_.push_back({list_.size(), result});
       list_.push_back({result.quantity, result.place, result.place, result.unit});
     }
+  weights_ = WeightChannels{model, list_};
   base_shear_of_node_.assign(static_cast<std::size_t>(model.nodes()), -1);
-  first_in_plan_ = list_.size();
   if (model.is_plan()) {
     plan_ = PlanChannels{model, list_};
     return;
@@ -82,15 +82,12 @@ void Channels::add_node(const Model& model, NodeId id) {
 }
 
 std::vector<std::size_t> Channels::bent_by(const Model& model, const RegimeChange& change) const {
-  const ElementInfo& info = model.blocks()[change.block]->info(change.element);
   std::vector<std::size_t> bent;
-  for (const NodeId end : {info.first, info.second}) {
-    for (const NodeId node : model.struck_with(end)) {
-      bent.push_back(of_node(model, node) + 2);
-      if (const int shear = base_shear_of_node_[static_cast<std::size_t>(model.place(node))]; shear >= 0)
-        bent.push_back(static_cast<std::size_t>(shear));
-      plan_.add_bent_by(model, node, bent);
-    }
+  for (const NodeId node : model.struck_by(model.blocks()[change.block]->info(change.element))) {
+    bent.push_back(of_node(model, node) + 2);
+    if (const int shear = base_shear_of_node_[static_cast<std::size_t>(model.place(node))]; shear >= 0)
+      bent.push_back(static_cast<std::size_t>(shear));
+    plan_.add_bent_by(model, node, bent);
   }
   plan_.add_friction(change.block, change.element, bent);
   return bent;
@@ -119,7 +116,7 @@ void Channels::sample(const StepView& view, std::vector<double>& values, std::ve
     value[channel] = view.state.displacement(node);
     value[channel + 1] = rate[channel] = view.state.velocity(node);
     rate[channel + 1] = view.state.acceleration(node);
-    value[channel + 2] = view.absolute_acceleration(node);
+    value[channel + 2] = rate[channel + 1] + view.model.moved_by_ground(node, view.ground_acceleration);
     rate[channel + 2] = view.state.jerk(node);
   }
   for (const Rotation& rotation : rotations_) {
@@ -130,6 +127,7 @@ void Channels::sample(const StepView& view, std::vector<double>& values, std::ve
   }
   for (const BlockChannels& channels : blocks_) sample(view.state.elements(channels.block), channels, value, rate);
   sample_storeys(view, value, rate);
+  if (!weights_.empty()) weights_.sample(view, value, rate);
   const auto masses = view.model.mass_matrix().diagonal();
   for (const BaseShear& shear : base_shears_) {
     value[shear.channel] = rate[shear.channel] = 0.0;
@@ -141,10 +139,7 @@ void Channels::sample(const StepView& view, std::vector<double>& values, std::ve
   }
   if (!view.model.mass_matrix().is_diagonal() && !std::ranges::all_of(base_shears_, &BaseShear::has_followers))
     for (double* each : {value, rate}) add_coupled_inertia(view.model.mass_matrix(), each);
-  if (!view.model.is_plan()) return;
-  value += first_in_plan_;
-  rate += first_in_plan_;
-  plan_.sample(view, value, rate);
+  if (view.model.is_plan()) plan_.sample(view, value, rate);
 }
 
 void Channels::sample_storeys(const StepView& view, double* values, double* rates) const {

@@ -8,6 +8,7 @@
 #include "model/model.hpp"
 #include "output/recorders/plan_channels.hpp"
 #include "output/recorders/step_observer.hpp"
+#include "output/recorders/weight_channels.hpp"
 
 namespace moat {
 
@@ -30,7 +31,8 @@ class Channels {
   /// capacity.
   [[nodiscard]] double value_inside(const StepView& view, std::size_t channel, double fraction, double of_cubic) const;
 
-  /// The channels whose rates jump where an element changes its regime: accelerations of its nodes, base shears.
+  /// The channels whose rates jump where an element changes its regime: accelerations of the nodes that it strikes,
+  /// base shears.
   [[nodiscard]] std::vector<std::size_t> bent_by(const Model& model, const RegimeChange& change) const;
 
   /// Index of the first of a node's channels: displacement, then velocity, then absolute acceleration.
@@ -73,7 +75,6 @@ class Channels {
     double per_metre;
   };
   std::vector<Rotation> rotations_;
-  std::size_t first_in_plan_ = 0;  // channel
   // The base shear of a building is minus the inertia of its base and floors. Masses that couple its nodes with others
   // add to it, unless they are those of floors that follow.
   struct BaseShear {
@@ -87,6 +88,7 @@ class Channels {
     StoreyResult result;
   };
   std::vector<StoreySum> storey_sums_;
+  WeightChannels weights_;
   std::vector<int> base_shear_of_node_;  // channel, by the place of the node; -1 if there is none
 };
 

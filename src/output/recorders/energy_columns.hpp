@@ -2,7 +2,7 @@
 #pragma once
 
 #include <array>
-#include <span>
+#include <vector>
 
 #include "output/files/case_result.hpp"
 
@@ -15,9 +15,10 @@ struct EnergyColumn {
   double EnergyBalance::*value;  ///< its field, J
 };
 
-/// Where the input went: input = the sum of the others, but for errors. The last exists in plan only.
+/// Where the input went: input + weight_work = the sum of the others, but for errors.
 inline constexpr std::array all_energy_columns{
     EnergyColumn{"input", "Input by the ground", &EnergyBalance::input},
+    EnergyColumn{"weight_work", "Stored by weights that change, without work", &EnergyBalance::weight_work},
     EnergyColumn{"kinetic", "Kinetic, at the end", &EnergyBalance::kinetic},
     EnergyColumn{"strain", "Strain, at the end", &EnergyBalance::strain},
     EnergyColumn{"viscous", "Dissipated by viscous damping", &EnergyBalance::viscous},
@@ -25,9 +26,14 @@ inline constexpr std::array all_energy_columns{
     EnergyColumn{"impact", "Lost in impacts", &EnergyBalance::impact},
     EnergyColumn{"friction", "Lost by friction along walls", &EnergyBalance::friction},
 };
-/// In their order; friction along walls in plan only.
-inline constexpr std::span<const EnergyColumn> energy_columns(bool in_plan) {
-  return std::span{all_energy_columns}.first(all_energy_columns.size() - (in_plan ? 0 : 1));
+/// In their order: friction along walls in plan only, and the work of weights only where they change.
+inline std::vector<EnergyColumn> energy_columns(bool in_plan, bool weights_change) {
+  std::vector<EnergyColumn> columns;
+  for (const EnergyColumn& column : all_energy_columns)
+    if ((in_plan || column.value != &EnergyBalance::friction) &&
+        (weights_change || column.value != &EnergyBalance::weight_work))
+      columns.push_back(column);
+  return columns;
 }
 
 /// Errors, and the energies against which they are judged.

@@ -17,7 +17,13 @@ constexpr double longest_between_floors = 1e-3;  // s
 }  // namespace
 
 HistoryRecorder::HistoryRecorder(const Model& model, double interval, const EnergyLedger* ledger, bool inside_steps)
-    : channels_{model}, interval_{interval}, ledger_{ledger}, inside_steps_{inside_steps}, in_plan_{model.is_plan()} {
+    : channels_{model},
+      interval_{interval},
+      ledger_{ledger},
+      inside_steps_{inside_steps},
+      in_plan_{model.is_plan()},
+      weights_change_{
+          std::ranges::any_of(model.buildings(), [](const Building& each) { return each.axial_forces.has_value(); })} {
   Check{"HistoryRecorder", ""}.positive("interval", interval, "s");
   columns_.push_back({"time", "", "s", {}});
   if (in_plan_) {
@@ -36,7 +42,7 @@ HistoryRecorder::HistoryRecorder(const Model& model, double interval, const Ener
     }
   }
   if (ledger_ != nullptr)
-    for (const EnergyColumn& column : energy_columns(in_plan_))
+    for (const EnergyColumn& column : energy_columns(in_plan_, weights_change_))
       columns_.push_back({std::string{column.name} + "_energy", "structure", "J", {}});
   if (gaps_.empty() || interval_ <= longest_between_floors) return;
   constexpr std::size_t most_buildings = 3;
@@ -125,7 +131,8 @@ void HistoryRecorder::take(const StepView& view, bool with_energies) {
   if (ledger_ == nullptr || !with_energies) return;
   const EnergyBalance balance = ledger_->totals(view.state);
   now_.energies.clear();
-  for (const EnergyColumn& column : energy_columns(in_plan_)) now_.energies.push_back(balance.*column.value);
+  for (const EnergyColumn& column : energy_columns(in_plan_, weights_change_))
+    now_.energies.push_back(balance.*column.value);
 }
 
 const HistoryRecorder::Sample& HistoryRecorder::between(const StepView& view, double time) {

@@ -64,7 +64,7 @@ class HistoryRecorder final : public StepObserver {
   double interval_;
   const EnergyLedger* ledger_;
   bool inside_steps_;
-  bool in_plan_;
+  bool in_plan_, weights_change_;
   const PeakRecorder* sampled_ = nullptr;
   const OfferedQuantities* offered_ = nullptr;
   std::size_t offered_columns_ = 0;

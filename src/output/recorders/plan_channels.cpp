@@ -3,21 +3,15 @@
 #include <algorithm>
 
 #include "model/building.hpp"
+#include "output/recorders/channels.hpp"
 
 namespace moat {
 namespace {
 
-// Displacement, velocity, absolute acceleration and jerk of a point.
-struct PointMotion {
-  PlanVector displacement, velocity, acceleration, jerk;
-};
+constexpr auto on_ground = static_cast<std::size_t>(-1);
 
-// At a point of a floor; `of` gives the value of a node.
-template <class OfNode>
-PlanVector at(const PlacedDiaphragm& floor, PlanVector arm, const OfNode& of) {
-  const double turn = of(floor.id.r) / floor.gyration;
-  return {of(floor.id.x) - arm.y * turn, of(floor.id.y) + arm.x * turn};
-}
+// Quantities of a node, in the order of its channels.
+constexpr std::size_t displacement = 0, acceleration = 2, per_node = 3;
 
 void write_length(PlanVector vector, PlanVector vector_rate, double*& value, double*& rate) {
   const double size = length(vector);
@@ -42,19 +36,19 @@ void write(double of_value, double of_rate, double*& value, double*& rate) {
 
 }  // namespace
 
-PlanChannels::PlanChannels(const Model& model, std::vector<Channel>& list) {
-  for (const PlacedDiaphragm& diaphragm : model.diaphragms()) add_diaphragm(diaphragm, list);
+PlanChannels::PlanChannels(const Model& model, std::vector<Channel>& list) : first_{list.size()} {
+  for (const PlacedDiaphragm& diaphragm : model.diaphragms()) add_diaphragm(model, diaphragm, list);
   for (const Building& building : all_buildings(model)) add_drifts(model, building, list);
   // The order of sample(): all drifts at corners before those at centres.
   for (const Drift& drift : corner_drifts_) {
-    const PlacedDiaphragm& floor = model.diaphragm(drift.upper.id);
+    const PlacedDiaphragm& floor = model.diaphragm(drift.of);
     const auto corner = static_cast<std::size_t>(&drift - corner_drifts_.data());
     std::size_t of_floor = 0;
-    for (std::size_t i = 0; i < corner; ++i) of_floor += corner_drifts_[i].upper.id == drift.upper.id ? 1 : 0;
+    for (std::size_t i = 0; i < corner; ++i) of_floor += corner_drifts_[i].of == drift.of ? 1 : 0;
     list.push_back({"corner_drift", floor.name + " corner " + std::to_string(of_floor + 1), floor.name, "m"});
   }
   for (const Drift& drift : centre_drifts_) {
-    const std::string& name = model.diaphragm(drift.upper.id).name;
+    const std::string& name = model.diaphragm(drift.of).name;
     list.push_back({"drift_x", name, name, "m"});
     list.push_back({"drift_y", name, name, "m"});
     list.push_back({"drift_rotation", name, name, "rad"});
@@ -73,11 +67,10 @@ PlanChannels::PlanChannels(const Model& model, std::vector<Channel>& list) {
   }
 }
 
-void PlanChannels::add_diaphragm(const PlacedDiaphragm& diaphragm, std::vector<Channel>& list) {
+void PlanChannels::add_diaphragm(const Model& model, const PlacedDiaphragm& diaphragm, std::vector<Channel>& list) {
   const auto add = [&](PlanVector arm, const std::string& prefix, const std::string& where) {
-    points_.push_back({diaphragm.id, arm});
+    points_.push_back({Channels::of_node(model, diaphragm.id.x), arm});
     list.push_back({prefix + "displacement", where, diaphragm.name, "m"});
-    accelerations_.push_back(list.size());
     list.push_back(
         {prefix.empty() ? "absolute_acceleration" : prefix + "acceleration", where, diaphragm.name, "m/s^2"});
   };
@@ -93,9 +86,10 @@ void PlanChannels::add_drifts(const Model& model, const Building& building, std:
     const PlacedDiaphragm* floor = model.diaphragm_of(node);
     if (floor == nullptr) continue;
     const auto drift_at = [&](PlanVector point) {
-      return Drift{
-          {floor->id, point - floor->centre_of_mass},
-          below != nullptr ? Point{below->id, point - below->centre_of_mass} : Point{{ground, ground, ground}, {}}};
+      const auto of = [&](const PlacedDiaphragm& each) {
+        return Point{Channels::of_node(model, each.id.x), point - each.centre_of_mass};
+      };
+      return Drift{floor->id, of(*floor), below != nullptr ? of(*below) : Point{on_ground, {}}};
     };
     for (std::size_t i = 0; i < floor->outline.size(); ++i)
       corner_drifts_.push_back(drift_at(floor->outline.corner(i)));
@@ -129,36 +123,35 @@ void PlanChannels::add_elements(const Model& model, std::vector<Channel>& list) 
   }
 }
 
-void PlanChannels::sample(const StepView& view, double*& value, double*& rate) const {
+void PlanChannels::sample(const StepView& view, double* values, double* rates) const {
   const Model& model = view.model;
   const AnalysisState& state = view.state;
-  const auto motion_of = [&](const Point& point) {
-    if (point.id.x == ground) return PointMotion{};
-    const PlacedDiaphragm& floor = *model.diaphragm_of(point.id.x);
-    return PointMotion{at(floor, point.arm, [&](NodeId node) { return state.displacement(node); }),
-                       at(floor, point.arm, [&](NodeId node) { return state.velocity(node); }),
-                       at(floor, point.arm, [&](NodeId node) { return state.acceleration(node); }) +
-                           view.ground_acceleration.horizontal(),
-                       at(floor, point.arm, [&](NodeId node) { return state.jerk(node); })};
+  double *value = values + first_, *rate = rates + first_;
+  // From values or rates of all channels.
+  const auto at = [](const Point& point, const double* channels, std::size_t quantity) {
+    if (point.floor == on_ground) return PlanVector{};
+    const double* x = channels + point.floor + quantity;
+    const double turn = x[2 * per_node];
+    return PlanVector{x[0] - point.arm.y * turn, x[per_node] + point.arm.x * turn};
   };
-  for (const Point& point : points_) {
-    const PointMotion motion = motion_of(point);
-    write_length(motion.displacement, motion.velocity, value, rate);
-    write_length(motion.acceleration, motion.jerk, value, rate);
-  }
-  for (const Drift& drift : corner_drifts_) {
-    const PointMotion upper = motion_of(drift.upper), lower = motion_of(drift.lower);
-    write_length(upper.displacement - lower.displacement, upper.velocity - lower.velocity, value, rate);
-  }
+  const auto rotation = [](const Point& point, const double* channels, std::size_t quantity) {
+    return point.floor == on_ground ? 0.0 : channels[point.floor + 2 * per_node + quantity];
+  };
+  for (const Point& point : points_)
+    for (const std::size_t quantity : {displacement, acceleration})
+      write_length(at(point, values, quantity), at(point, rates, quantity), value, rate);
+  const auto drift_of = [&](const Drift& drift, const double* channels) {
+    return at(drift.upper, channels, displacement) - at(drift.lower, channels, displacement);
+  };
+  for (const Drift& drift : corner_drifts_) write_length(drift_of(drift, values), drift_of(drift, rates), value, rate);
   for (const Drift& drift : centre_drifts_) {
-    const PointMotion upper = motion_of(drift.upper), lower = motion_of(drift.lower);
-    const PlanVector difference = upper.displacement - lower.displacement, speed = upper.velocity - lower.velocity;
+    const PlanVector difference = drift_of(drift, values), speed = drift_of(drift, rates);
     write(difference.x, speed.x, value, rate);
     write(difference.y, speed.y, value, rate);
-    const bool on_floor = drift.lower.id.x != ground;
-    write(state.rotation(drift.upper.id) - (on_floor ? state.rotation(drift.lower.id) : 0.0),
-          state.angular_velocity(drift.upper.id) - (on_floor ? state.angular_velocity(drift.lower.id) : 0.0), value,
-          rate);
+    const auto turn = [&](const double* channels) {
+      return rotation(drift.upper, channels, displacement) - rotation(drift.lower, channels, displacement);
+    };
+    write(turn(values), turn(rates), value, rate);
   }
   for (const ElementOfBlock& element : planar_) {
     const ResultsOf<PlanVector> results = state.elements(element.block).results().plan;
@@ -179,31 +172,27 @@ void PlanChannels::sample(const StepView& view, double*& value, double*& rate) c
   };
   const bool coupled = !model.mass_matrix().is_diagonal() && !std::ranges::all_of(buildings_, follow);
   const Vector inertia = coupled ? inertia_of(view, false) : Vector{},
-               rates = coupled ? inertia_of(view, true) : Vector{};
+               inertia_rates = coupled ? inertia_of(view, true) : Vector{};
   for (const std::vector<DiaphragmId>& floors : buildings_) {
     // The force from outside is the inertia of base and floors.
     PlanVector force, force_rate;
     double torque = 0.0, torque_rate = 0.0;
     const bool follows = follow(floors);
     for (const DiaphragmId& id : floors) {
-      if (coupled && !follows) {
-        const PlacedDiaphragm& floor = *model.diaphragm_of(id.x);
-        const auto add = [&](const Vector& of, PlanVector& sum, double& moment) {
-          const PlanVector own{of[id.x.index], of[id.y.index]};
-          sum += -1.0 * own;
-          moment -= cross(floor.centre_of_mass, own) + floor.gyration * of[id.r.index];
-        };
-        add(inertia, force, torque);
-        add(rates, force_rate, torque_rate);
-        continue;
-      }
       const PlacedDiaphragm& floor = *model.diaphragm_of(id.x);
-      const PointMotion centre = motion_of({id, {}});
-      force += -floor.mass * centre.acceleration;
-      force_rate += -floor.mass * centre.jerk;
-      torque -=
-          floor.mass * (cross(floor.centre_of_mass, centre.acceleration) + floor.gyration * state.acceleration(id.r));
-      torque_rate -= floor.mass * (cross(floor.centre_of_mass, centre.jerk) + floor.gyration * state.jerk(id.r));
+      const Point centre{Channels::of_node(model, id.x), {}};
+      const auto add = [&](const double* channels, const Vector& coupled_inertia, PlanVector& sum, double& moment) {
+        PlanVector own = floor.mass * at(centre, channels, acceleration);
+        double turning = floor.mass * floor.gyration * floor.gyration * rotation(centre, channels, acceleration);
+        if (coupled && !follows) {
+          own = {coupled_inertia[id.x.index], coupled_inertia[id.y.index]};
+          turning = floor.gyration * coupled_inertia[id.r.index];
+        }
+        sum += -1.0 * own;
+        moment -= cross(floor.centre_of_mass, own) + turning;
+      };
+      add(values, inertia, force, torque);
+      add(rates, inertia_rates, force_rate, torque_rate);
     }
     write(force.x, force_rate.x, value, rate);
     write(force.y, force_rate.y, value, rate);
@@ -221,7 +210,7 @@ void PlanChannels::add_bent_by(const Model& model, NodeId body, std::vector<std:
   const PlacedDiaphragm* diaphragm = body == ground ? nullptr : model.diaphragm_of(body);
   if (diaphragm == nullptr || diaphragm->id.x != body) return;
   for (std::size_t i = 0; i < points_.size(); ++i)
-    if (points_[i].id == diaphragm->id) bent.push_back(accelerations_[i]);
+    if (points_[i].floor == Channels::of_node(model, body)) bent.push_back(first_ + 2 * i + 1);
   for (std::size_t b = 0; b < buildings_.size(); ++b)
     if (std::ranges::find(buildings_[b], diaphragm->id) != buildings_[b].end())
       for (std::size_t k = 0; k < 3; ++k) bent.push_back(shears_[b] + k);

@@ -36,37 +36,38 @@ class PlanChannels {
   /// Appends the channels to `list`.
   PlanChannels(const Model& model, std::vector<Channel>& list);
 
-  /// Writes values and rates and moves both pointers behind them.
-  void sample(const StepView& view, double*& value, double*& rate) const;
+  /// Writes its values and rates among those of all channels, from those of the nodes, which are there already.
+  void sample(const StepView& view, double* values, double* rates) const;
   /// Appends the channels of a contact's friction.
   void add_friction(std::size_t block, std::size_t element, std::vector<std::size_t>& bent) const;
   /// Appends the channels whose rates jump where the acceleration of this body does.
   void add_bent_by(const Model& model, NodeId body, std::vector<std::size_t>& bent) const;
 
  private:
-  // A point of a diaphragm, or the difference of two diaphragms there.
+  // A point of a diaphragm, by the channel of its ux, behind which stand those of uy and of the rotation.
   struct Point {
-    DiaphragmId id;
-    PlanVector arm;  // from the centre of mass, m
+    std::size_t floor;  // on_ground for the ground
+    PlanVector arm;     // from the centre of mass, m
   };
   struct Drift {
-    Point upper, lower;  // lower.id.x == ground where the storey stands on the ground
+    DiaphragmId of;
+    Point upper, lower;
   };
   struct ElementOfBlock {
     std::size_t block, element;
     bool has_deformation, has_force;
   };
-  void add_diaphragm(const PlacedDiaphragm& diaphragm, std::vector<Channel>& list);
+  void add_diaphragm(const Model& model, const PlacedDiaphragm& diaphragm, std::vector<Channel>& list);
   void add_drifts(const Model& model, const Building& building, std::vector<Channel>& list);
   void add_elements(const Model& model, std::vector<Channel>& list);
 
+  std::size_t first_ = 0;      // channel of the first of points_
   std::vector<Point> points_;  // two channels each: displacement, acceleration
   std::vector<Drift> corner_drifts_, centre_drifts_;
   std::vector<ElementOfBlock> planar_, sliding_;
   std::size_t frictions_ = 0;  // channel of the first of sliding_
   std::vector<std::vector<DiaphragmId>> buildings_;
-  std::vector<std::size_t> accelerations_;  // channel of every point's acceleration
-  std::vector<std::size_t> shears_;         // first channel of every building
+  std::vector<std::size_t> shears_;  // first channel of every building
 };
 
 }  // namespace moat

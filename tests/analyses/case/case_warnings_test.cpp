@@ -77,6 +77,13 @@ TEST(MotionWarnings, DoubtAccelerationsBeyondAllRecords) {
                                 "Check the unit of the record and its scale factor (980.665)."}));
 }
 
+TEST(MotionWarnings, SayThatARecordIsVertical) {
+  const GroundMotion motion{"KBU-UP", 0.01, {0.0, 1.0, 0.0}, {"KBU-UP is a vertical record: its name says \"UP\"."}};
+  EXPECT_EQ(motion_warnings(motion.scaled_by(2.0)),
+            (std::vector<std::string>{"KBU-UP is a vertical record: its name says \"UP\". It shakes the model "
+                                      "horizontally. Give a horizontal component."}));
+}
+
 TEST(ModelWarnings, NameAGapWhoseSidesAreExchanged) {
   for (const bool exchanged : {false, true}) {
     Model model;
@@ -225,6 +232,20 @@ TEST(SensitivityWarning, SaysWhyAndWhatToDo) {
   EXPECT_NE(pounding.find("known to their error bars only"), std::string::npos);
   bars.companion_impacts = 0;
   EXPECT_EQ(sensitivity_warning(bars, 0, fixed).find("Impacts"), std::string::npos);
+}
+
+TEST(PlanWarnings, OneLineIsEnoughForAllFloorsThatTurn) {
+  Model model;
+  std::vector<Peak> peaks;
+  for (const char* name : {"low", "middle", "high"}) {
+    add(model, Diaphragm{.name = name, .mass = 800 * tonne, .outline = rectangle(20 * m, 12 * m), .free = true});
+    peaks.push_back({"rotation", name, peaks.size() == 1 ? 0.03 : 0.02, "rad", 1.0});
+  }
+  const Transient analysis{model, testing::still_ground(0.1 * s), {}};
+  const std::vector<std::string> warnings = plan_warnings(analysis.state(), peaks, {});
+  ASSERT_EQ(warnings.size(), 1U);
+  EXPECT_TRUE(warnings[0].starts_with("The rotation of \"middle\" reached 0.03 rad.")) << warnings[0];
+  EXPECT_NE(warnings[0].find(" mm, the most of 3 floors. "), std::string::npos) << warnings[0];
 }
 
 TEST(PlanWarnings, NameBearingsOutsideAndLargeRotations) {

@@ -80,7 +80,7 @@ TEST_F(CsvWriter, WritesPeaksWithTheirBuildings) {
             "building,place,quantity,unit,value,error,time [s],side\n"
             "north,north base,displacement,m,-0.125,0.25,4.5,left\n"
             "north and south,between,impact_force,N,2500000,0,3,\"between, right\"\n"
-            ",elsewhere,roof_tilt,1,0.5,nan,1,\n");
+            ",elsewhere,roof_tilt,1,0.5,,1,\n");
 }
 
 TEST_F(CsvWriter, WritesImpactsWithUnits) {
@@ -91,6 +91,24 @@ TEST_F(CsvWriter, WritesImpactsWithUnits) {
   EXPECT_EQ(read_file(folder / "none.csv"), header);
   write_csv(std::vector<Impact>{{"moat left", 3.25, 0.125, 0.5, 0.0078125, 2.5e7, 0.75, 0.5, 4e5}}, folder / "one.csv");
   EXPECT_EQ(read_file(folder / "one.csv"), header + "moat left,3.25,0.125,0.5,0.0078125,2.5e+07,0.75,0.5,4e+05\n");
+}
+
+TEST_F(CsvWriter, ChecksOfBearingsSayWhyTheyAreNotJudged) {
+  CaseResult result;
+  write_bearing_checks_csv(result, folder / "none.csv");
+  EXPECT_FALSE(std::filesystem::exists(folder / "none.csv"));
+  result.bearing_checks = {
+      {"bearing 1",
+       "LRB, large",
+       {.check = "shear strain", .unit = "1", .demand = 1.25, .capacity = 2.5, .source = "EN 15129", .time = 4.5}},
+      {"bearing 1",
+       "LRB, large",
+       {.check = "tension", .unit = "N", .demand = 1e5, .source = "not judged: no tension_capacity", .time = 3.0}}};
+  write_bearing_checks_csv(result, folder / "checks.csv");
+  EXPECT_EQ(read_file(folder / "checks.csv"),
+            "check,bearing,type,unit,demand,capacity,ratio,time [s],source\n"
+            "shear strain,bearing 1,\"LRB, large\",1,1.25,2.5,0.5,4.5,EN 15129\n"
+            "tension,bearing 1,\"LRB, large\",N,1e+05,nan,nan,3,not judged: no tension_capacity\n");
 }
 
 TEST_F(CsvWriter, ParticipatingMassesHaveARowForEachModeWithSums) {

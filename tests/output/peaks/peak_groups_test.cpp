@@ -2,8 +2,14 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <functional>
 #include <limits>
+#include <numbers>
+#include <string>
 #include <tuple>
+#include <utility>
+#include <vector>
 
 namespace moat {
 namespace {
@@ -22,6 +28,52 @@ TEST(IsolatorsAtTheEnd, AreTheLastRowOfTheirDeformations) {
 }
 
 TEST(IsolatorsAtTheEnd, AreNoneWithoutHistories) { EXPECT_TRUE(isolators_at_the_end({}).empty()); }
+
+// Histories of 20 s, in rows of 10 ms.
+Table histories_of(const std::vector<std::pair<std::string, std::function<double(double)>>>& deformations) {
+  Table table{{{"time", "", "s", {}}}};
+  for (const auto& each : deformations) table.columns.push_back({each.first, "bearings", "m", {}});
+  for (int row = 0; row <= 2000; ++row) {
+    table.columns[0].values.push_back(0.01 * row);
+    for (std::size_t i = 0; i < deformations.size(); ++i)
+      table.columns[i + 1].values.push_back(deformations[i].second(0.01 * row));
+  }
+  return table;
+}
+
+TEST(ResidualDisplacements, AreTheMeanOfTheLastTwoTurnsWhileTheBaseMoves) {
+  // The parabola through three rows at a turn misses the cosine of 2.5 s by 3/128 A (w h)^4 at most.
+  const auto swings = [](double offset, double phase) {
+    return [=](double t) { return offset + 0.05 * std::cos(2.0 * std::numbers::pi * t / 2.5 + phase); };
+  };
+  std::vector<Peak> residual = residual_displacements(histories_of({{"isolator_deformation", swings(-0.02, 0.4)}}));
+  ASSERT_EQ(residual.size(), 1u);
+  EXPECT_EQ(residual[0].quantity, "residual_displacement");
+  EXPECT_EQ(residual[0].where, "bearings");
+  EXPECT_NEAR(residual[0].value, -0.02, 1e-9);
+  EXPECT_EQ(residual[0].side, "still moving");
+  EXPECT_EQ(residual[0].time, 20.0);
+  residual = residual_displacements(histories_of({{"isolator_deformation", [](double) { return 0.07; }},
+                                                  {"isolator_deformation_x", swings(-0.03, 1.0)},
+                                                  {"isolator_deformation_y", swings(0.04, 2.0)}}));
+  ASSERT_EQ(residual.size(), 1u);
+  EXPECT_NEAR(residual[0].value, 0.05, 1e-9);
+}
+
+TEST(ResidualDisplacements, AreTheEndWhereTheBaseHasComeToRest) {
+  // It slides to its last turn at 6 s, comes back until 7 s, and stays; slow creep of 0.05 mm/s is rest.
+  const auto stops = [](double t) { return t < 7.0 ? 0.03 * std::cos(std::numbers::pi * t / 1.5) : 0.03 * -0.5; };
+  const auto creeps = [&](double t) { return stops(t) + (t > 7.0 ? 5e-5 * (t - 7.0) : 0.0); };
+  const auto never_turns = [](double t) { return 0.01 * t; };
+  const auto residual = [](const std::function<double(double)>& deformation) {
+    return residual_displacements(histories_of({{"isolator_deformation", deformation}})).front();
+  };
+  EXPECT_EQ(residual(stops).value, -0.015);
+  EXPECT_EQ(residual(stops).side, "");
+  EXPECT_NEAR(residual(creeps).value, -0.015 + 5e-5 * 13.0, 1e-15);
+  EXPECT_NEAR(residual(never_turns).value, 0.2, 1e-15);
+  EXPECT_TRUE(residual_displacements({}).empty());
+}
 
 TEST(ConstantQuantities, NeverChangeAtAnyPlaceAndAreNotZero) {
   const Table histories{.columns = {{"time", "", "s", {0.0, 0.5}},

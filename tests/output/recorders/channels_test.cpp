@@ -2,6 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+
+#include "moat.hpp"
 #include "recorders_testing.hpp"
 
 namespace moat {
@@ -83,6 +87,72 @@ TEST(Channels, SampleTheCommittedState) {
                    -(2.0 * rate("absolute_acceleration", "base") + 3.0 * rate("absolute_acceleration", "floor 1")));
   EXPECT_EQ(Channels::of_node(building.model, building.floor),
             static_cast<std::size_t>(find(channels, "displacement", "floor 1")));
+}
+
+// A floor that moves by half with the ground: its resultants and corners are those of its own components.
+TEST(Channels, OfAFollowingFloorComeFromItsNodes) {
+  using namespace units;
+  Model model;
+  const PlanOutline outline = rectangle(4 * m, 2 * m);
+  const DiaphragmId base = add(model, Diaphragm{.name = "base", .mass = 3 * kg, .outline = outline});
+  add(model, Diaphragm{.name = "floor", .mass = 2 * kg, .outline = outline},
+      Follower{.shares = {{{base.x, 2.0}}, {{base.y, 2.0}}, {{base.r, 2.0}}},
+               .ground_influence = {{0.5, 0.0, 0.0}, {0.0, 0.5, 0.0}, {}}});
+  const Channels channels{model};
+  AnalysisState state{model};
+  const double gyration = std::sqrt((16.0 + 4.0) / 12.0), turn = 0.7;
+  state.trial().displacement.head(3) << 0.01, -0.02, 0.03 * gyration;
+  state.trial().acceleration.head(3) << 1.0, -3.0, turn * gyration;
+  state.evaluate();
+  state.evaluate_rates();
+  state.commit();
+  std::vector<double> values, rates;
+  channels.sample({model, state, {4.0, 6.0}}, values, rates);
+  const auto value = [&](const char* quantity, const char* where) {
+    return values.at(static_cast<std::size_t>(find(channels, quantity, where)));
+  };
+  EXPECT_DOUBLE_EQ(value("absolute_acceleration_x", "floor"), 2.0 + 0.5 * 4.0);
+  EXPECT_DOUBLE_EQ(value("absolute_acceleration", "floor"), std::hypot(2.0 + 0.5 * 4.0, -6.0 + 0.5 * 6.0));
+  const PlanVector corner = outline.corner(0);
+  EXPECT_DOUBLE_EQ(value("corner_acceleration", "floor corner 1"),
+                   std::hypot(4.0 - 2.0 * turn * corner.y, -3.0 + 2.0 * turn * corner.x));
+  EXPECT_DOUBLE_EQ(value("corner_displacement", "floor corner 1"),
+                   std::hypot(0.02 - 0.06 * corner.y, -0.04 + 0.06 * corner.x));
+}
+
+// A ram between two floors strikes both, on a line and in plan.
+TEST(Channels, AContactWithAColumnBendsBothItsFloors) {
+  using namespace units;
+  const HertzDamp law{.stiffness = 1e9 * N / m_3_2, .restitution = 0.5};
+  const auto expect_bent = [](const Model& model, const std::string& quantity, const std::string& part) {
+    const Channels channels{model};
+    const std::vector<std::size_t> bent = channels.bent_by(model, {.block = 0, .element = 0});
+    for (const std::string body : {"ram", "lower", "upper"})
+      EXPECT_EQ(std::ranges::count(bent, static_cast<std::size_t>(find(channels, quantity, body + part))), 1) << body;
+  };
+  Model line;
+  const NodeId ram = add(line, Node{.name = "ram", .mass = 1 * kg}),
+               lower = add(line, Node{.name = "lower", .mass = 1 * kg}),
+               upper = add(line, Node{.name = "upper", .mass = 1 * kg});
+  add(line, Gap{.name = "gap", .left = ram, .right = MemberPoint{lower, upper, 0.4}, .clearance = 1 * cm, .law = law});
+  expect_bent(line, "absolute_acceleration", "");
+
+  Model plan;
+  const auto slab = [&](const char* name, Length x) {
+    return add(plan, Diaphragm{.name = name,
+                               .mass = 1 * kg,
+                               .centre_of_mass = {x, 0 * m},
+                               .outline = rectangle(2 * m, 2 * m, {x, 0 * m})});
+  };
+  const DiaphragmId hit = slab("ram", 0 * m), below = slab("lower", 3 * m), above = slab("upper", 3 * m);
+  add(plan, CornerGap<HertzDamp>{.name = "gap",
+                                 .corner = PlanPoint{below, {2 * m, 0.5 * m}, above, 0.4},
+                                 .edge_of = hit,
+                                 .edge_begin = PlanPosition{1 * m, 1 * m},
+                                 .edge_end = PlanPosition{1 * m, -1 * m},
+                                 .law = law});
+  expect_bent(plan, "absolute_acceleration_x", "");
+  expect_bent(plan, "corner_acceleration", " corner 1");
 }
 
 }  // namespace

@@ -125,15 +125,16 @@ FiniteElements with_vertical_masses(Vanishing masses) {
   return model;
 }
 
-TEST(Condensation, VerticalMassesAreRefusedDroppedOrMovedByGuyan) {
+TEST(Condensation, VerticalMassesAreRefusedDroppedMovedByGuyanOrKept) {
   EXPECT_EQ(message_of([] { return condensed(with_vertical_masses(Vanishing::refuse)); }),
-            "FiniteElements: 48 motions that are condensed have mass (710 t along z), the first is node 5, z. Take "
-            ".masses = Vanishing::drop to leave them out, or Vanishing::guyan to move them to the floors.");
+            "FiniteElements: 48 motions of no level have mass (710 t along z), the first is node 5, z. Take "
+            ".masses = Vanishing::drop to leave them out, Vanishing::guyan to move them to the floors, or "
+            "Vanishing::keep to keep these motions.");
 
   const CondensedStructure dropped = condensed(with_vertical_masses(Vanishing::drop));
   expect_periods(periods(dropped.stiffness, dropped.mass), {1.08026131, 0.36226188, 0.20607959});
   EXPECT_EQ(dropped.notes.back(),
-            "48 motions that are condensed have mass (710 t along z), the first is node 5, z; they are left out.");
+            "48 motions of no level have mass (710 t along z), the first is node 5, z; they are left out.");
   EXPECT_TRUE(dropped.eigenvalue_errors.empty());
 
   const CondensedStructure guyan = condensed(with_vertical_masses(Vanishing::guyan));
@@ -162,9 +163,49 @@ TEST(Condensation, VerticalMassesAreRefusedDroppedOrMovedByGuyan) {
       kept.transpose() * k * kept - coupling.transpose() * (turns.transpose() * k * turns).ldlt().solve(coupling);
   const std::vector<double> all = periods(exact, mass);
   expect_periods(all, {1.08039326, 0.36256946, 0.20615611});
+  const CondensedStructure by_keeping = condensed(with_vertical_masses(Vanishing::keep));
+  EXPECT_LT((by_keeping.stiffness - exact).norm(), 1e-11 * exact.norm());
+  EXPECT_EQ(by_keeping.mass, mass);
+  expect_periods(periods(by_keeping.stiffness, by_keeping.mass), all);
+  EXPECT_EQ(by_keeping.notes.back(),
+            "48 motions of no level have mass (710 t along z), the first is node 5, z; they are kept.");
+  ASSERT_EQ(by_keeping.kept.size(), 48U);
+  EXPECT_EQ(by_keeping.kept[47].name, "node 52, z");
+  EXPECT_EQ(by_keeping.kept[47].level, 11U);
+  // The last column stands 10.5 m to the right of the middle.
+  EXPECT_TRUE(by_keeping.kept[47].rigid.isApprox(Eigen::Matrix<double, 6, 1>{0, 0, 1, 0, -10.5, 0}, 1e-13));
   for (std::size_t mode = 0; mode < 3; ++mode)
     EXPECT_NEAR(std::pow(by_guyan[mode] / all[mode], 2) - 1.0, guyan.eigenvalue_errors[mode],
                 0.02 * std::abs(guyan.eigenvalue_errors[mode]));
+}
+
+TEST(Condensation, KeptMotionsHaveThePeriodsOfTheFullEigenproblem) {
+  // Masses on all motions of the tops, coupled, and no motion is condensed: T' K T and T' M T have all periods.
+  FiniteElements model = floor_in_space().finite_elements();
+  model.diaphragms[0].mass = {};
+  model.diaphragms[0].rotary_inertia = {};
+  model.masses = Vanishing::keep;
+  Dense mass = Dense::Zero(48, 48), tied = Dense::Zero(48, 15);
+  for (int i = 0; i < 4; ++i) {
+    const int row = 12 * i + 6;
+    const FrameNode& node = model.nodes[static_cast<std::size_t>(2 * i + 1)];
+    mass.diagonal().segment<6>(row) << 6e3, 6e3, 4e3 + 500.0 * i, 900, 700 + 50 * i, 100;
+    mass(row + 2, row + 3) = mass(row + 3, row + 2) = 300;
+    mass(row, row + 4) = mass(row + 4, row) = -200;
+    tied.block<2, 2>(row, 0).setIdentity();
+    tied(row, 2) = -node.y.si();
+    tied(row + 1, 2) = node.x.si();
+    tied(row + 5, 2) = 1.0;
+    tied.block<3, 3>(row + 2, 3 + 3 * i).setIdentity();
+  }
+  model.mass = mass.sparseView();
+  const std::vector<double> full =
+      periods(tied.transpose() * Dense{model.stiffness} * tied, tied.transpose() * mass * tied);
+  const CondensedStructure kept = condensed(model);
+  ASSERT_EQ(kept.kept.size(), 12U);
+  const std::vector<double> actual = periods(kept.stiffness, kept.mass);
+  ASSERT_EQ(actual.size(), full.size());
+  for (std::size_t mode = 0; mode < full.size(); ++mode) EXPECT_NEAR(actual[mode] / full[mode], 1.0, 1e-11) << mode;
 }
 
 TEST(Condensation, TwoStepsEqualOne) {
@@ -234,8 +275,10 @@ TEST(Condensation, HeightsCountFromTheLowestNodes) {
 TEST(Condensation, TowersOnOneBaseHaveFloorsAtOneHeight) {
   // Two equal columns that stand apart, each with its floor: the nodes of the levels are given.
   Frame frame = floor_in_space();
-  frame.levels = {{.name = "west", .nodes = {2, 8}}, {.name = "east", .nodes = {4, 6}}};
-  const Dense k = frame.condensed().stiffness;
+  frame.levels = {{.tower = "west", .nodes = {2, 8}}, {.tower = "east", .nodes = {4, 6}}};
+  const CondensedStructure towers = frame.condensed();
+  EXPECT_EQ(towers.levels[1].name, "east floor 1");
+  const Dense& k = towers.stiffness;
   EXPECT_EQ(k.rows(), 6);
   EXPECT_EQ(k.topRightCorner(3, 3).norm(), 0.0);
   EXPECT_NEAR(k(0, 0) / floor_in_space().condensed().stiffness(0, 0), 0.5, 1e-13);
@@ -286,7 +329,28 @@ TEST(Condensation, BadModelsAreRefused) {
             "FiniteElements: diaphragm floor 3 has no nodes within 1 mm of its height of 11.4 m; the nearest node lies "
             "at 11.5 m.");
   EXPECT_EQ(message([](Model& m) { std::swap(m.diaphragms[3], m.diaphragms[4]); }),
-            "FiniteElements: heights must rise: floor 4 at 18.5 m, floor 5 at 15 m.");
+            "FiniteElements: heights must rise: floor 4 at 18.5 m, floor 5 at 15 m. Towers beside each other have "
+            "levels of their own: give .tower.");
+  EXPECT_EQ(message([](Model& m) { m.diaphragms[2].tower = "west"; }), "nothing was thrown");
+  EXPECT_EQ(message([](Model& m) {
+              m.diaphragms[2].tower = "west";
+              std::swap(m.diaphragms[1], m.diaphragms[2]);
+            }),
+            "nothing was thrown");
+  EXPECT_EQ(message([](Model& m) {
+              for (FrameLevel& level : m.diaphragms) level.tower = level.height < 20 * units::m ? "" : "west";
+              std::swap(m.diaphragms[4], m.diaphragms[6]);
+            }),
+            "FiniteElements: heights must rise: west floor 1 at 25.5 m, west floor 2 at 22 m. Towers beside each other "
+            "have levels of their own: give .tower.");
+  EXPECT_EQ(message([](Model& m) {
+              m.diaphragms[11] = {.tower = "west", .nodes = {49, 50}, .mass = 50e3 * kg};
+              m.mass.resize(312, 312);
+              m.mass.insert(306, 306) = 3e3;
+              m.masses = Vanishing::keep;
+            }),
+            "FiniteElements: node 52, x, has mass, and its node belongs to no level of a tower. Make a level of its "
+            "node, or take Vanishing::drop or Vanishing::guyan.");
   EXPECT_EQ(message([](Model& m) {
               m.diaphragms[1] = {.nodes = {9, 10, 13}};
             }),
@@ -362,7 +426,8 @@ TEST(Condensation, EquationsMustFollowTheFloors) {
   EXPECT_EQ(message([](SparseMatrix& e) { e.coeffRef(6, 8) = 1.0; }),
             "FiniteElements: node 2, x: the floors do not determine the unknowns of its equation.");
   EXPECT_EQ(message([](SparseMatrix& e) { e.coeffRef(2, 6) = 1.0; }),
-            "FiniteElements: node 1, z, is held, but the equations of the model move it with a floor.");
+            "FiniteElements: node 1, z, does not move with the base: the equations of the model hold it, or move it "
+            "otherwise.");
 }
 
 }  // namespace

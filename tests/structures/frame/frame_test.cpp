@@ -230,11 +230,10 @@ TEST(Frame, BadInputIsRefused) {
               f.members[0].reference = {0.0, 0.0, 2.0};
             }),
             "Frame \"shed\": member 1: its reference direction is parallel to it. Give a direction across the member.");
-  EXPECT_EQ(message([](Frame& f) { f.members[0].to = 3; }), "Frame \"shed\": member 1: there is no node 3.");
-  EXPECT_EQ(message([](Frame& f) {
-              f.nodes[1].name = 1;
-              f.members[0].to = 1;
-            }),
+  EXPECT_EQ(message([](Frame& f) { f.members[0].to = 3; }),
+            "Frame \"shed\": member 1: there is no node 3. Give it in .nodes.");
+  EXPECT_EQ(message([](Frame& f) { f.nodes[1].name = 1; }), "Frame \"shed\": node 1 is given twice.");
+  EXPECT_EQ(message([](Frame& f) { f.members[0].to = 1; }),
             "Frame \"shed\": member 1: nodes 1 and 1 are at the same place.");
   EXPECT_EQ(message([](Frame& f) { f.members.clear(); }), "Frame \"shed\": it has no members.");
   EXPECT_EQ(message([](Frame& f) { f.members[0].section.area = Area{}; }),

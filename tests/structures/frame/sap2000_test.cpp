@@ -109,6 +109,8 @@ TEST_F(Sap2000, BadFilesAreRefused) {
   EXPECT_EQ(message("space_floor.TXK", "14\t2\t", "1\t1\t"),
             "space_floor.TXK, line 4: entry (1, 1) stands in line 2 already. One triangle is expected.");
   EXPECT_EQ(message("space_floor.TXK", "14\t2\t", "14\t2.5\t"), "space_floor.TXK, line 4: 2.5 is no whole number.");
+  EXPECT_EQ(message("space_floor.TXK", "Row\tColumn\tValue\n", ""),
+            "space_floor.TXK, line 1: there are numbers where the heading must stand.");
   EXPECT_EQ(message("space_floor.TXK", "14\t2\t", "14\t"), "space_floor.TXK, line 4: has 2 fields, not 3.");
   EXPECT_EQ(message("space_floor.TXC", "-2\t14", "-2\t31"),
             "space_floor.TXC, line 4: TXE has no equation 31, TXC has.");

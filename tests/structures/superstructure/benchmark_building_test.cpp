@@ -1,11 +1,14 @@
 // The smart base-isolated benchmark building and a frame of twelve storeys, against independent programs.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <string>
 #include <vector>
 
 #include "benchmark_building.hpp"
 #include "peak_in.hpp"
+#include "solvers/modes.hpp"
 #include "structures/superstructure/superstructure.hpp"
 
 namespace moat {
@@ -31,9 +34,17 @@ class BenchmarkBuildingTest : public ::testing::Test {
     const SuperstructureParts parts = add(model, building);
     if (has_dashpots) BenchmarkBuilding{}.add_dashpots(model, parts.base);
     if (has_walls) BenchmarkBuilding::add_walls(model, parts.base);
-    CaseRun run{model, testing::newhall(true)};
+    CaseRun run{model, testing::newhall(true), {.history_interval = 1 * ms}};
     run.run();
     return {run.take_result(), parts};
+  }
+  // The largest resultant of a drift at the centre of mass.
+  [[nodiscard]] static double drift(const CaseResult& result, const std::string& floor) {
+    const std::vector<double>&x = result.histories.values("drift_x", floor),
+          &y = result.histories.values("drift_y", floor);
+    double largest = 0.0;
+    for (std::size_t i = 0; i < x.size(); ++i) largest = std::max(largest, std::hypot(x[i], y[i]));
+    return largest;
   }
 };
 
@@ -60,7 +71,11 @@ const std::vector<Expected> without_walls{{"displacement", "base", 0.486784},
                                           {"storey_shear_y", "storey 1", 13924.62e3},
                                           {"storey_torque", "storey 1", 491471.9e3},
                                           {"overturning_moment_x", "storey 1", 622768.0e3},
-                                          {"overturning_moment_y", "storey 1", 257957.8e3}};
+                                          {"overturning_moment_y", "storey 1", 257957.8e3},
+                                          {"total_base_shear_x", "base", 38561.32e3},
+                                          {"total_base_shear_y", "base", 16615.32e3},
+                                          {"total_base_torque", "base", 591551.1e3},
+                                          {"isolator_deformation", "bearings", 0.8171428}};
 const std::vector<Expected> with_walls{{"displacement", "base", 0.375334},
                                        {"displacement_x", "base", 0.344938},
                                        {"displacement_y", "base", 0.286304},
@@ -72,7 +87,19 @@ const std::vector<Expected> with_walls{{"displacement", "base", 0.375334},
                                        {"impact_force", "moat", 28305.80e3},
                                        {"storey_shear_x", "storey 1", 58029.14e3},
                                        {"storey_torque", "storey 1", 560614.7e3},
-                                       {"overturning_moment_x", "storey 1", 1325317e3}};
+                                       {"storey_shear_y", "storey 1", 26327.12e3},
+                                       {"overturning_moment_x", "storey 1", 1325317e3},
+                                       {"overturning_moment_y", "storey 1", 480418.6e3},
+                                       {"isolator_deformation", "bearings", 0.3977890}};
+
+void expect_isolated_periods(const Superstructure& building, const std::vector<std::pair<std::size_t, double>>& list) {
+  Model model;
+  add(model, building);
+  SparseMatrix mass = model.zero_matrix();
+  model.mass_matrix().add_to(1.0, mass);
+  const std::vector<Mode> modes = slowest_modes(model.linear_stiffness(StiffnessStage::initial), mass, 6);
+  for (const auto& [mode, period] : list) EXPECT_NEAR(modes.at(mode).period(), period, 6e-7) << mode;
+}
 
 TEST_F(BenchmarkBuildingTest, FromMatrices) {
   const Run open = run(BenchmarkBuilding{}.from_matrices(), false, true);
@@ -80,12 +107,18 @@ TEST_F(BenchmarkBuildingTest, FromMatrices) {
   for (const auto& [mode, period] : {std::pair{0, 0.897356}, {1, 0.780084}, {2, 0.658486}})
     EXPECT_NEAR(periods[static_cast<std::size_t>(mode)], period, 6e-7);
   expect_peaks(open.result, without_walls, 1e-4);
+  EXPECT_NEAR(drift(open.result, "floor 1"), 0.00497187, 1e-4 * 0.00497187);
+  EXPECT_NEAR(drift(open.result, "floor 8"), 0.00539085, 1e-4 * 0.00539085);
+  expect_isolated_periods(BenchmarkBuilding{}.from_matrices(),
+                          {{0, 3.380681}, {1, 3.184160}, {2, 2.672401}, {3, 0.569417}, {4, 0.496820}, {5, 0.428299}});
 }
 
 TEST_F(BenchmarkBuildingTest, FromMatricesWithWalls) {
   const Run open = run(BenchmarkBuilding{}.from_matrices(), true, true);
   expect_peaks(open.result, with_walls, 1e-3);
   EXPECT_EQ(open.result.impacts.size(), 9U);
+  EXPECT_NEAR(drift(open.result, "floor 1"), 0.00888729, 1e-3 * 0.00888729);
+  EXPECT_NEAR(drift(open.result, "floor 8"), 0.01537396, 1e-3 * 0.01537396);
 }
 
 TEST_F(BenchmarkBuildingTest, FromAllModes) {
@@ -117,6 +150,26 @@ TEST_F(BenchmarkBuildingTest, FromNineModes) {
   EXPECT_EQ(walls.result.impacts.size(), 9U);
 }
 
+TEST_F(BenchmarkBuildingTest, FromThreeModes) {
+  Superstructure building = BenchmarkBuilding{}.from_modes();
+  building.modes->keep = 3;
+  expect_isolated_periods(building, {{0, 3.379091}, {3, 0.550385}});
+  const Run walls = run(building, true, true);
+  expect_peaks(walls.result,
+               {{"displacement", "base", 0.378074},
+                {"displacement_x", "base", 0.347514},
+                {"displacement_y", "base", 0.285896},
+                {"rotation", "base", 0.00627018},
+                {"absolute_acceleration_x", "floor 8", 6.603536},
+                {"absolute_acceleration_y", "floor 8", 2.597944},
+                {"absolute_acceleration_x", "base", 5.706684},
+                {"absolute_acceleration_y", "base", 2.245152},
+                {"impact_force", "moat", 29579.11e3}},
+               1e-3);
+  EXPECT_NEAR(drift(walls.result, "floor 1"), 0.00870645, 1e-3 * 0.00870645);
+  EXPECT_EQ(walls.result.impacts.size(), 8U);
+}
+
 TEST_F(BenchmarkBuildingTest, OrthonormalisedModes) {
   Superstructure building = BenchmarkBuilding{}.from_modes();
   building.modes->orthonormalise = true;
@@ -127,6 +180,21 @@ TEST_F(BenchmarkBuildingTest, OrthonormalisedModes) {
                 {"absolute_acceleration_y", "floor 8", 0.978171},
                 {"absolute_acceleration_x", "base", 2.200887}},
                1e-3);
+  expect_isolated_periods(building, {{0, 3.380172}, {3, 0.565470}});
+  const Run walls = run(building, true, true);
+  expect_peaks(walls.result,
+               {{"displacement", "base", 0.375451},
+                {"displacement_x", "base", 0.345019},
+                {"displacement_y", "base", 0.286127},
+                {"rotation", "base", 0.00617383},
+                {"absolute_acceleration_x", "floor 8", 10.065998},
+                {"absolute_acceleration_y", "floor 8", 2.724054},
+                {"absolute_acceleration_x", "base", 5.056770},
+                {"absolute_acceleration_y", "base", 1.966167},
+                {"impact_force", "moat", 28203.91e3}},
+               1e-3);
+  EXPECT_NEAR(drift(walls.result, "floor 1"), 0.00888134, 1e-3 * 0.00888134);
+  EXPECT_EQ(walls.result.impacts.size(), 8U);
 }
 
 TEST_F(BenchmarkBuildingTest, OnLeadRubberBearings) {
@@ -143,7 +211,9 @@ TEST_F(BenchmarkBuildingTest, OnLeadRubberBearings) {
                 {"absolute_acceleration_x", "floor 8", 1.957909},
                 {"absolute_acceleration_y", "floor 8", 1.188950},
                 {"absolute_acceleration_x", "base", 1.589654},
-                {"storey_shear_x", "storey 1", 29492.64e3}},
+                {"storey_shear_x", "storey 1", 29492.64e3},
+                {"isolator_deformation", "bearings", 0.8849756},
+                {"isolator_force", "bearings", 536.4002e3}},
                1e-3);
 }
 

@@ -3,11 +3,14 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Dense>
+#include <algorithm>
 #include <cmath>
 #include <string>
 #include <vector>
 
+#include "analyses/case/case_warnings.hpp"
 #include "message_of.hpp"
+#include "output/files/building_rows.hpp"
 #include "output/peaks/peak_recorder.hpp"
 #include "output/recorders/storey_shears.hpp"
 #include "output/vtk/model_scene.hpp"
@@ -70,6 +73,17 @@ Superstructure modes_on_line() {
   building.modes = StructureModes{.eigenvalues = {solver.eigenvalues().data(), solver.eigenvalues().data() + storeys},
                                   .shapes = solver.eigenvectors()};
   return building;
+}
+
+// A base shear is the force of these bearings at every instant.
+void expect_sum_of_bearings(const CaseResult& result, const std::string& shear, const std::string& force,
+                            const std::vector<std::string>& bearings) {
+  const std::vector<double>& values = result.histories.values(shear, "base");
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    double sum = 0.0;
+    for (const std::string& bearing : bearings) sum += result.histories.values(force, bearing)[i];
+    EXPECT_NEAR(values[i], sum, 1e-6 * peak(result, shear, "base")) << i;
+  }
 }
 
 CaseResult run(const Model& model, const GroundMotion& motion, const TransientOptions& options) {
@@ -438,6 +452,37 @@ TEST(Superstructure, TwoHalvesOnOneBaseAreTheWhole) {
   EXPECT_EQ(east.base, west.base);
 }
 
+// On a base with a tower, pendulums swing with 2 pi sqrt(R/g) once they know the weight of both.
+TEST(Superstructure, BearingsCarryTowersThatAreAddedLater) {
+  const auto first = [](Mass carried, bool has_tower) {
+    Model model;
+    Superstructure podium = matrices_on_line();
+    podium.isolation = FrictionPendulum{.radius = 2.25 * m, .friction = 0.05};
+    podium.base->carried = carried;
+    const SuperstructureParts parts = add(model, podium);
+    Superstructure tower = matrices_on_line();
+    tower.name = "tower";
+    tower.base.reset();
+    tower.isolation.reset();
+    tower.on = {parts.base};
+    if (has_tower) add(model, tower);
+    for (const auto& block : model.blocks())
+      for (std::size_t e = 0; e < block->size(); ++e)
+        for (const Parameter& parameter : block->law(e).parameters)
+          if (parameter.name == "weight") return std::pair{parameter.value, model_warnings(model)};
+    return std::pair{0.0, model_warnings(model)};
+  };
+  EXPECT_NEAR(first(1500 * tonne, true).first, 3550e3 * standard_gravity, 1.0);
+  EXPECT_TRUE(first(1500 * tonne, true).second.empty());
+  EXPECT_TRUE(first(0 * tonne, false).second.empty());
+  EXPECT_EQ(
+      first(0 * tonne, true).second,
+      (std::vector<std::string>{"The isolators of the building are made for a weight of " +
+                                to_text(2050 * standard_gravity) + " kN, and " + to_text(3550 * standard_gravity) +
+                                " kN stand on them. Give their .weight; under a base that carries buildings "
+                                "added later, SuperstructureBase::carried."}));
+}
+
 TEST(Superstructure, SlabsThatMoveApartStrainIt) {
   // A floor on two columns, each on a slab of its own, by springs and by the matrix of all.
   const double k = 4e7;
@@ -466,11 +511,101 @@ TEST(Superstructure, SlabsThatMoveApartStrainIt) {
                           .freedoms = {{0, FloorDirection::x, 1}, {0, FloorDirection::x, 2}, {1, FloorDirection::x}},
                           .floors = {{.height = 4 * m, .mass = 200 * tonne}}};
   for (const NodeId slab : slabs) building.on.push_back({.x = slab});
-  add(matrix, building);
+  EXPECT_TRUE(add(matrix, building).notes.empty());
   const CaseResult a = run(matrix, shaking(), {.step = 2 * ms}), b = run(springs, shaking(), {.step = 2 * ms});
   for (const char* place : {"slab 1", "slab 2", "floor 1"})
     EXPECT_NEAR(peak(a, "displacement", place), peak(b, "displacement", place), 1e-10 * peak(b, "displacement", place));
   EXPECT_GT(std::abs(peak(b, "displacement", "slab 1") - peak(b, "displacement", "slab 2")), 1e-3);
+
+  // Both slabs are in the results of the building.
+  ASSERT_EQ(a.buildings.size(), 1U);
+  EXPECT_EQ(a.buildings[0].isolators, (std::vector<std::string>{"bearings 1", "bearings 2"}));
+  const std::string largest =
+      peak(a, "isolator_deformation", "bearings 1") > peak(a, "isolator_deformation", "bearings 2") ? "bearings 1"
+                                                                                                    : "bearings 2";
+  EXPECT_TRUE(building_table(a).rows.front().cells.front().where.starts_with(largest));
+  expect_sum_of_bearings(a, "total_base_shear", "isolator_force", {"bearings 1", "bearings 2"});
+  const auto period = [&](const std::string& name) {
+    const auto found = std::ranges::find(a.periods, name, &NamedPeriod::name);
+    return found == a.periods.end() ? std::nan("") : found->value;
+  };
+  EXPECT_NEAR(period("isolation, rigid building"), 2.0 * pi * std::sqrt(500e3 / 1.5e6), 1e-9);
+  EXPECT_NEAR(period("fixed base"), 2.0 * pi * std::sqrt(200e3 / (2.0 * k)), 1e-9);
+}
+
+// A floor on four columns, two on each of two slabs in plan.
+TEST(Superstructure, BaseShearInPlanIsTheSumOverSlabs) {
+  const double k = 4e7, column_x = 6.0, column_y = 4.0;
+  Eigen::MatrixXd whole = Eigen::MatrixXd::Zero(9, 9);
+  Superstructure building{.floors = {{.height = 4 * m, .mass = 200 * tonne, .outline = rectangle(14 * m, 10 * m)}}};
+  std::vector<Freedom> freedoms;
+  for (int i = 0; i < 9; ++i)
+    freedoms.push_back({i < 6 ? 0 : 1, static_cast<FloorDirection>(i % 3), i < 6 ? i / 3 + 1 : 1});
+  building.freedoms = freedoms;
+  Model model;
+  std::vector<std::string> bearings;
+  std::vector<PlanVector> places;
+  for (int slab = 0; slab < 2; ++slab) {
+    const double x = (slab == 0 ? -1.0 : 1.0) * column_x;
+    const DiaphragmId id = add(model, Diaphragm{.name = "slab " + std::to_string(slab + 1),
+                                                .mass = 100.0 * (slab + 1) * tonne,
+                                                .rotary_inertia = 1e6 * kg * m * m,
+                                                .centre_of_mass = {x * m, 0 * m}});
+    building.on.push_back(id);
+    for (const double y : {-column_y, column_y}) {
+      Eigen::MatrixXd drift = Eigen::MatrixXd::Zero(2, 9);
+      drift.middleCols<3>(3 * slab) << -1.0, 0.0, y, 0.0, -1.0, 0.0;
+      drift.rightCols<3>() << 1.0, 0.0, -y, 0.0, 1.0, x;
+      whole += k * drift.transpose() * drift;
+      bearings.push_back("bearing " + std::to_string(bearings.size() + 1));
+      places.push_back({x, y});
+      add(model, PlanBearing<BiaxialBilinear>{.name = bearings.back(),
+                                              .under = id,
+                                              .at = {x * m, y * m},
+                                              .law = {.yield_force = 40.0 * (slab + 1) * kN,
+                                                      .yield_displacement = 1 * cm,
+                                                      .post_yield_stiffness = 1 * MN / m}});
+    }
+  }
+  building.stiffness = in_units(whole, {.force = N, .length = m});
+  EXPECT_TRUE(add(model, building).notes.empty());
+  const CaseResult result = run(model, shaking_in_plan(), {.step = 2 * ms});
+  EXPECT_EQ(result.buildings.at(0).isolators, bearings);
+  expect_sum_of_bearings(result, "total_base_shear_x", "isolator_force_x", bearings);
+  expect_sum_of_bearings(result, "total_base_shear_y", "isolator_force_y", bearings);
+  const std::vector<double>& torque = result.histories.values("total_base_torque", "base");
+  for (std::size_t i = 0; i < torque.size(); ++i) {
+    double sum = 0.0;
+    for (std::size_t b = 0; b < bearings.size(); ++b)
+      sum += cross(places[b], {result.histories.values("isolator_force_x", bearings[b])[i],
+                               result.histories.values("isolator_force_y", bearings[b])[i]});
+    EXPECT_NEAR(torque[i], sum, 1e-6 * peak(result, "total_base_torque", "base"));
+  }
+}
+
+// Slabs under several superstructures: the first building with them counts all that stands on it.
+TEST(Superstructure, SlabsBelongToOneBuildingEach) {
+  Model model;
+  std::vector<DiaphragmId> slabs;
+  for (const char* name : {"slab 1", "slab 2", "slab 3"})
+    slabs.push_back({.x = add(model, Node{.name = name, .mass = 100 * tonne})});
+  const auto on = [&](const char* name, const std::vector<DiaphragmId>& carrying) {
+    const Eigen::Matrix3d whole{{1e7, 0.0, -1e7}, {0.0, 1e7, -1e7}, {-1e7, -1e7, 2e7}};
+    return add(model, Superstructure{
+                          .name = name,
+                          .stiffness = in_units(whole, {.force = N, .length = m}),
+                          .freedoms = {{0, FloorDirection::x, 1}, {0, FloorDirection::x, 2}, {1, FloorDirection::x}},
+                          .floors = {{.height = 4 * m, .mass = 200 * tonne}},
+                          .on = carrying});
+  };
+  EXPECT_TRUE(on("first", {slabs[0], slabs[1]}).notes.empty());
+  EXPECT_TRUE(on("second", {slabs[1], slabs[0]}).notes.empty());
+  EXPECT_EQ(carried_nodes(model, model.buildings()[0]).size(), 4U);
+  const std::vector<std::string> notes = on("third", {slabs[2], slabs[0]}).notes;
+  ASSERT_EQ(notes.size(), 1U);
+  EXPECT_EQ(notes[0],
+            "\"slab 1\" belongs to another building than the first slab, whose base shear counts the inertia of all "
+            "floors alone.");
 }
 
 TEST(Superstructure, ItsStoreysAreDrawnWithTheirShears) {
@@ -563,6 +698,29 @@ TEST(Superstructure, RowsOfTheBaseAreCheckedByRigidMotion) {
   expect_words(refusal(building), "rigid motion of base and floors strains row base x");
 }
 
+// A program that prints K with the base prints M so too, or M of the floors alone.
+TEST(Superstructure, MassesMayHaveRowsOfTheBase) {
+  Eigen::MatrixXd stiffness = Eigen::MatrixXd::Zero(4, 4), mass = 500e3 * Eigen::MatrixXd::Identity(4, 4);
+  stiffness.bottomRightCorner(3, 3) = chain_stiffness();
+  stiffness(0, 0) = 1e9;
+  stiffness(0, 1) = stiffness(1, 0) = -1e9;
+  Superstructure building = matrices_on_line();
+  building.stiffness = in_units(stiffness, {.force = N, .length = m});
+  building.freedoms = per_floor(Freedoms::x).with_base();
+  const auto first_period = [](const Superstructure& given) {
+    Model model;
+    return add(model, given).periods().at(0);
+  };
+  const double expected = first_period(matrices_on_line());
+  building.mass = in_units(mass, {.force = N, .length = m});
+  EXPECT_NEAR(first_period(building), expected, 1e-12);
+  building.mass = in_units(mass.bottomRightCorner(3, 3), {.force = N, .length = m});
+  EXPECT_NEAR(first_period(building), expected, 1e-12);
+  mass(0, 1) = mass(1, 0) = 1e3;
+  building.mass = in_units(mass, {.force = N, .length = m});
+  expect_words(refusal(building), "mass couples base x with floors.");
+}
+
 // In a building without coupling of its directions, entries of round-off are no forces.
 TEST(Superstructure, RoundOffBesideTheBaseIsNoStrain) {
   Eigen::MatrixXd whole = Eigen::MatrixXd::Zero(6, 6);
@@ -615,6 +773,39 @@ TEST(Superstructure, RatiosOfAllModesHoldForThoseThatAreKept) {
   EXPECT_EQ(refusal(building), "nothing was thrown");
   building.damping = ModalDamping{0.05, 0.03, 0.02, 0.01};
   expect_words(refusal(building), "damping has 4 ratios for 2 modes.");
+}
+
+TEST(Superstructure, OneModeInPlanIsABuilding) {
+  const PlanCase plan;
+  Superstructure building = plan.building();
+  building.stiffness.reset();
+  // All floors move by 1 along x.
+  Eigen::MatrixXd shape = Eigen::MatrixXd::Zero(9, 1);
+  double mass = 0.0;
+  for (int i = 0; i < 9; i += 3) {
+    shape(i, 0) = 1.0;
+    mass += plan.floors[static_cast<std::size_t>(i / 3)].mass.si();
+  }
+  building.modes = StructureModes{.periods = {0.5 * s}, .shapes = shape / std::sqrt(mass)};
+  for (const bool fixed : {false, true}) {
+    if (fixed) {
+      building.base.reset();
+      building.bearings = {};
+    }
+    Model model;
+    const SuperstructureParts parts = add(model, building);
+    EXPECT_NEAR(parts.periods().at(0), 0.5, 1e-12);
+    EXPECT_NEAR(parts.modes.at(0).x, 1.0, 1e-12);
+  }
+}
+
+TEST(Superstructure, RatiosOfOneModeThatIsLeft) {
+  Superstructure building = modes_on_line();
+  building.damping = ModalDamping{0.05, 0.03};
+  Model model;
+  const std::vector<std::string> notes = add(model, building).notes;
+  ASSERT_EQ(notes.size(), 1U);
+  EXPECT_EQ(notes[0], "Mode 3 has the damping ratio of mode 2.");
 }
 
 // Shapes of any size are the same building after Loewdin's orthonormalisation.
@@ -723,6 +914,9 @@ TEST(Superstructure, ShapesThatDoNotFitTheMassesAreRefused) {
   building = modes_on_line();
   building.modes->shapes *= 2.0;
   expect_words(refusal(building), "Give .norm = ShapeNorm::any");
+  building = modes_on_line();
+  building.modes->shapes.col(1).setZero();
+  expect_words(refusal(building), "shape 2 is zero.");
   building = modes_on_line();
   building.modes->eigenvalues.pop_back();
   expect_words(refusal(building), "shapes has 3 rows and 3 columns, eigenvalues 2.");

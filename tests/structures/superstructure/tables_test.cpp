@@ -67,6 +67,18 @@ TEST_F(FromTables, ModesAreReadWithTheirRows) {
                             .damping = ModalDamping{file.ratios}});
   EXPECT_NEAR(parts.periods()[0], 2.0 * pi / std::sqrt(low), 1e-12);
   EXPECT_NEAR(parts.periods()[1], 2.0 * pi / std::sqrt(high), 1e-12);
+  // Ratios of the file count without .damping, and .damping before them.
+  const auto viscous = [&](const decltype(Superstructure::damping)& damping) {
+    Model damped;
+    add(damped,
+        Superstructure{.modes = structure_modes(file, {.norm = ShapeNorm::any}),
+                       .floors = {{.height = 3 * m, .mass = 100 * tonne}, {.height = 6 * m, .mass = 100 * tonne}},
+                       .damping = damping});
+    return run_case(damped, near_fault_pulse({}), {.transient = {.step = 5 * ms, .end = 2 * s}}).energy.viscous;
+  };
+  EXPECT_GT(viscous({}), 0.0);
+  EXPECT_EQ(viscous({}), viscous(ModalDamping{file.ratios}));
+  EXPECT_NE(viscous(ModalDamping{0.02}), viscous({}));
 }
 
 }  // namespace

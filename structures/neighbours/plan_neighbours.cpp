@@ -1,4 +1,4 @@
-#include "structures/plan_neighbours.hpp"
+#include "structures/neighbours/plan_neighbours.hpp"
 
 #include "base/text/number_format.hpp"
 #include "structures/facing_corners.hpp"

@@ -1,4 +1,4 @@
-#include "structures/level_pairs.hpp"
+#include "structures/neighbours/level_pairs.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,4 +1,4 @@
-#include "structures/neighbours.hpp"
+#include "structures/neighbours/neighbours.hpp"
 
 #include <algorithm>
 

@@ -1,5 +1,5 @@
 // Gaps between two buildings on a line, from the heights of their floors.
-#include "structures/neighbours.hpp"
+#include "structures/neighbours/neighbours.hpp"
 
 #include <gtest/gtest.h>
 
@@ -169,6 +169,11 @@ TEST(Neighbours, ColumnOfTheLowestStoreyMovesWithItsFloor) {
                         .law = law()});
   const auto [result, state] =
       run_to_end(model, GroundMotion{"still", 5e-3, std::vector<double>(41, 0.0)}, {.error_bars = ErrorBarMode::never});
+  // The gap counts for both buildings.
+  for (const BuildingParts& building : result.buildings) {
+    ASSERT_EQ(building.gaps.size(), 1U) << building.name;
+    EXPECT_EQ(building.gaps[0].side, building.name == "ram" ? "right" : "left");
+  }
   const double share = 0.25, impulse = 1.6 * 0.5 / (1.0 / 2e3 + share * share / 5e3);
   EXPECT_NEAR(state.velocity(ram), 0.5 - impulse / 2e3, 5e-4);
   EXPECT_NEAR(state.velocity(floor), share * impulse / 5e3, 5e-4);

@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "structures/neighbours.hpp"
+#include "structures/neighbours/neighbours.hpp"
 
 namespace moat {
 

@@ -1,5 +1,5 @@
 // Neighbours in plan: which corners and columns meet which edges, impulses, refusals.
-#include "structures/plan_neighbours.hpp"
+#include "structures/neighbours/plan_neighbours.hpp"
 
 #include <gtest/gtest.h>
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "structures/any_impact_law.hpp"
-#include "structures/level_pairs.hpp"
+#include "structures/neighbours/level_pairs.hpp"
 
 namespace moat {
 

@@ -1,0 +1,283 @@
+#include "model/weight_on_bearings.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/check.hpp"
+#include "base/error.hpp"
+#include "model/model.hpp"
+
+namespace moat {
+namespace {
+
+constexpr PlanVector axes[] = {{1.0, 0.0}, {0.0, 1.0}};
+
+AxialDistribution distribution_of(const std::vector<WeightOnBearings::Bearing>& bearings, const AxialForces& options,
+                                  bool in_plan) {
+  std::vector<AxialSupport> supports;
+  for (const auto& bearing : bearings) {
+    const BearingOnSlab& on_slab = bearing.on_slab;
+    AxialSupport support{.at = on_slab.at, .share = on_slab.static_weight};
+    if (on_slab.vertical_stiffness > 0.0) support.stiffness = on_slab.vertical_stiffness;
+    if (!on_slab.slides && options.may_pull.si() > 0.0) support.cavitation = options.may_pull.si();
+    supports.push_back(support);
+  }
+  return {std::move(supports), in_plan ? AxialDistribution::Span::plan : AxialDistribution::Span::line};
+}
+
+std::vector<WeightOnBearings::Bearing> bearings_of(const Model& model, const Building& building, const Check& check) {
+  std::vector<WeightOnBearings::Bearing> bearings;
+  const std::vector<ElementId> isolators = isolators_of(model, std::span{&building, 1}).front();
+  for (const ElementId id : isolators) {
+    const ElementInfo& info = model.blocks()[id.block]->info(id.element);
+    const BearingOnSlab* on_slab = info.detail(&ElementDetails::bearing_on_slab);
+    check.that(on_slab != nullptr && on_slab->static_weight > 0.0,
+               "axial_forces: the bearing \"" + info.name + "\" has no weight.",
+               "Give the weight at rest of every isolator, and on a line where it stands (.at).");
+    bearings.push_back({.element = id, .on_slab = *on_slab});
+  }
+  return bearings;
+}
+
+}  // namespace
+
+WeightOnBearings::WeightOnBearings(const Model& model, const Building& building, const Elements& elements)
+    : name_{building.name},
+      options_{*building.axial_forces},
+      base_{building.base},
+      in_plan_{model.is_plan()},
+      bearings_{bearings_of(model, building, Check{"Building", building.name})},
+      distribution_{distribution_of(bearings_, options_, in_plan_)},
+      model_{&model} {
+  Check{"Building", name_}.that(building.slabs.empty(), "axial_forces: it stands on several slabs.",
+                                "Give axial forces to buildings on one slab.");
+  level_ = model.body(base_).height - options_.base_height.si();
+  Check{"Building", name_}.that(
+      options_.may_pull.si() == 0.0 ||
+          !std::ranges::all_of(bearings_, [](const Bearing& bearing) { return bearing.on_slab.slides; }),
+      "axial_forces.may_pull is given, and all bearings slide.", "A slider cannot pull: leave it out.");
+  const std::vector<NodeId> nodes = carried_nodes(model, building);
+  add_floors(nodes);
+  add_bearings(Check{"Building", name_});
+  add_outside_forces(nodes);
+  for (Bearing& bearing : bearings_) {
+    bearing.acts_on_law = !elements[bearing.element.block]->axial_actions().compressions.empty();
+    acts_on_laws_ = acts_on_laws_ || bearing.acts_on_law;
+  }
+}
+
+void WeightOnBearings::Form::add(const Model& model, NodeId node, double weight) {
+  for (const MotionShare& share : model.shares(node)) {
+    const auto known = std::ranges::find(entries, share.node.index, &WeightCoupling::Entry::index);
+    (known == entries.end() ? entries.insert(known, {share.node.index, 0.0}) : known)->weight += weight * share.weight;
+  }
+  by_ground = by_ground + weight * GroundVector{model.moved_by_ground(node, {1.0, 0.0, 0.0}),
+                                                model.moved_by_ground(node, {0.0, 1.0, 0.0}),
+                                                model.moved_by_ground(node, {0.0, 0.0, 1.0})};
+}
+
+double WeightOnBearings::Form::of(const Vector& values) const {
+  double sum = 0.0;
+  for (const WeightCoupling::Entry& entry : entries) sum += entry.weight * values[entry.index];
+  return sum;
+}
+
+double WeightOnBearings::height(NodeId node) const { return model_->body(node).height - level_; }
+
+void WeightOnBearings::add_point(Form& form, NodeId body, PlanVector at, std::size_t axis, double weight) const {
+  const PlacedDiaphragm* floor = model_->diaphragm_of(body);
+  if (floor == nullptr) {
+    if (axis == 0) form.add(*model_, body, weight);
+    return;
+  }
+  const auto weights = floor->weights(at, axes[axis]);
+  for (std::size_t k = 0; k < 3; ++k)
+    if (weights[k] != 0.0) form.add(*model_, floor->id.degrees_of_freedom()[k], weight * weights[k]);
+}
+
+void WeightOnBearings::add_floors(const std::vector<NodeId>& nodes) {
+  for (const NodeId node : nodes) {
+    const double mass = model_->mass(node);
+    const PlacedDiaphragm* floor = model_->diaphragm_of(node);
+    const PlanVector centre = floor != nullptr ? floor->centre_of_mass : PlanVector{};
+    weight_ += mass * standard_gravity;
+    for (std::size_t axis = 0; axis < (in_plan_ ? 2 : 1); ++axis) {
+      add_point(inertia_[axis], node, centre, axis, mass * height(node));
+      add_point(displaced_[axis], node, centre, axis, mass * standard_gravity);
+      add_point(displaced_[axis], base_, centre, axis, -mass * standard_gravity);
+    }
+  }
+}
+
+void WeightOnBearings::add_bearings(const Check& check) {
+  double sum = 0.0;
+  for (Bearing& bearing : bearings_) {
+    const BearingOnSlab& on_slab = bearing.on_slab;
+    sum += on_slab.static_weight;
+    static_moment_ += on_slab.static_weight * on_slab.at;
+    bearing.compression = on_slab.static_weight;
+    const double share = !options_.displaced_weight ? 0.0
+                         : on_slab.slides && on_slab.acts_at == BearingOnSlab::by_surface
+                             ? (options_.sliding_surface == SlidingSurface::above ? 1.0 : 0.0)
+                             : on_slab.acts_at;
+    for (std::size_t axis = 0; axis < 2; ++axis) {
+      place_.emplace_back();
+      if (axis == 0 || in_plan_) add_point(place_.back(), base_, on_slab.at, axis, -share);
+    }
+  }
+  check.that(std::abs(sum - weight_) <= 1e-6 * weight_, "axial_forces: the weights on its bearings", sum, "N",
+             "that of its floors, " + to_text(weight_) + " N",
+             "Several superstructures on one base: give the weight of each bearing.");
+  std::vector<PlanVector> places;
+  for (const Bearing& bearing : bearings_) places.push_back(bearing.on_slab.at);
+  check.that(carries_moments(places, in_plan_ ? AxialDistribution::Span::plan : AxialDistribution::Span::line),
+             in_plan_ ? "axial_forces: all bearings stand in a row; they cannot carry a moment about it."
+                      : "axial_forces: all bearings stand at one position; they cannot carry a moment.",
+             in_plan_ ? "Give bearings beside that row." : "Give isolators at two positions (.at) at least.");
+  compressions_.resize(bearings_.size());
+  rates_.resize(bearings_.size());
+  shifts_.resize(bearings_.size());
+  shift_rates_.resize(bearings_.size());
+}
+
+void WeightOnBearings::add_outside_forces(const std::vector<NodeId>& nodes) {
+  const auto inside = [&](NodeId node) {
+    return node != ground && std::ranges::any_of(nodes, [&](NodeId each) {
+             return std::ranges::count(model_->nodes_of_body(each), node) > 0;
+           });
+  };
+  const auto is_bearing = [&](ElementId id) {
+    return std::ranges::any_of(bearings_, [&](const Bearing& bearing) {
+      return bearing.element.block == id.block && bearing.element.element == id.element;
+    });
+  };
+  for (std::size_t b = 0; b < model_->blocks().size(); ++b) {
+    const ElementBlock& block = *model_->blocks()[b];
+    for (std::size_t e = 0; e < block.size(); ++e) {
+      const ElementInfo& info = block.info(e);
+      if (info.joined() != nullptr || inside(info.first) == inside(info.second) || is_bearing({b, e})) continue;
+      const bool on_second = inside(info.second);
+      double level = height(on_second ? info.second : info.first);
+      if (const MemberEnds* ends = info.member_ends()) {
+        const MemberPoint& point = on_second ? ends->second : ends->first;
+        if (!point.is_node()) level = (1.0 - point.share) * height(point.node) + point.share * height(point.other);
+      }
+      if (level != 0.0) outside_.push_back({{b, e}, on_second ? -level : level});
+    }
+  }
+}
+
+// The force of an element on its first end is that of its law along its direction.
+PlanVector WeightOnBearings::outside_moment(const Elements& elements, bool of_rates) const {
+  PlanVector sum{};
+  for (const OutsideForce& outside : outside_) {
+    const auto [b, e] = outside.element;
+    const ElementInfo& info = model_->blocks()[b]->info(e);
+    const ElementResults results = elements[b]->results();
+    if (!results.plan.forces.empty()) {
+      sum += outside.arm * (of_rates ? results.plan.force_rates : results.plan.forces)[e];
+      continue;
+    }
+    const double force = (of_rates ? results.line.force_rates : results.line.forces)[e];
+    if (const CornerPair* corner = info.corner_pair()) {
+      const ContactView contact = elements[b]->contact(e);
+      const double friction = of_rates ? contact.friction_force_rate : contact.friction_force;
+      sum += outside.arm * (force * corner->normal + friction * turned_left(corner->normal));
+    } else if (!in_plan_) {
+      sum += PlanVector{outside.arm * force, 0.0};
+    } else if (const PlanPlaces* places = info.plan_places()) {
+      sum += outside.arm * force * places->direction;
+    }
+  }
+  return sum;
+}
+
+void WeightOnBearings::press(const MotionState& motion, GroundVector ground_acceleration, const Elements& elements) {
+  const auto [acceleration, rate] = mode_ ? mode_(motion.time) : std::pair{ground_acceleration.z, 0.0};
+  vertical_ = acceleration;
+  moment_ =
+      outside_moment(elements, false) - of_both(inertia_, motion.acceleration) -
+      PlanVector{dot(inertia_[0].by_ground, ground_acceleration), dot(inertia_[1].by_ground, ground_acceleration)};
+  Resultant b{load(), sigma() * static_moment_ + moment_};
+  if (options_.displaced_weight) b.moment += sigma() * of_both(displaced_, motion.displacement);
+  for (std::size_t i = 0; i < bearings_.size(); ++i)
+    shifts_[i] = {place_[2 * i].of(motion.displacement), place_[2 * i + 1].of(motion.displacement)};
+  rocks_ = !distribution_.distribute(sigma(), b, shifts_, compressions_);
+  if (rocks_) distribution_.distribute(sigma(), distribution_.moved_into_hull(b, shifts_), shifts_, compressions_);
+  for (std::size_t i = 0; i < bearings_.size(); ++i) {
+    Bearing& bearing = bearings_[i];
+    bearing.compression = compressions_[i];
+    bearing.deficit = distribution_.deficit(i);
+    if (bearing.acts_on_law)
+      elements[bearing.element.block]->axial_actions().compressions[bearing.element.element] =
+          bearing.deficit > 0.0 ? -bearing.deficit : bearing.compression;
+  }
+}
+
+void WeightOnBearings::find_rates(const MotionState& motion, GroundVector ground_rate, const Elements& elements) {
+  vertical_rate_ = mode_ ? mode_(motion.time).second : ground_rate.z;
+  const double sigma_rate = vertical_rate_ / standard_gravity;
+  moment_rate_ = outside_moment(elements, true) - of_both(inertia_, motion.jerk);
+  Resultant b{load_rate(), sigma_rate * static_moment_ + moment_rate_};
+  if (options_.displaced_weight)
+    b.moment += sigma_rate * of_both(displaced_, motion.displacement) + sigma() * of_both(displaced_, motion.velocity);
+  for (std::size_t i = 0; i < bearings_.size(); ++i)
+    shift_rates_[i] = {place_[2 * i].of(motion.velocity), place_[2 * i + 1].of(motion.velocity)};
+  distribution_.rates(sigma_rate, b, shift_rates_, rates_);
+  for (std::size_t i = 0; i < bearings_.size(); ++i) {
+    Bearing& bearing = bearings_[i];
+    bearing.rate = bearing.deficit > 0.0 ? 0.0 : rates_[i];
+    if (bearing.acts_on_law)
+      elements[bearing.element.block]->axial_actions().rates[bearing.element.element] = rates_[i];
+  }
+}
+
+std::size_t WeightOnBearings::fill_columns(const Elements& elements, Eigen::Index size, std::vector<Vector>& columns,
+                                           std::size_t first) const {
+  const std::size_t count = in_plan_ ? 2 : 1;
+  for (std::size_t axis = 0; axis < count; ++axis) columns[first + axis].setZero(size);
+  for (std::size_t i = 0; i < bearings_.size(); ++i) {
+    if (!bearings_[i].acts_on_law) continue;
+    const auto [block, element] = bearings_[i].element;
+    const PlanVector by_moment = distribution_.by_moment(i);
+    for (std::size_t axis = 0; axis < count; ++axis)
+      elements[block]->add_force_by_compression(element, dot(by_moment, axes[axis]), columns[first + axis].data());
+  }
+  return first + count;
+}
+
+void WeightOnBearings::add_rows(std::vector<std::vector<WeightCoupling::Entry>>& rows) const {
+  for (std::size_t axis = 0; axis < (in_plan_ ? 2 : 1); ++axis) {
+    rows.push_back(inertia_[axis].entries);
+    for (WeightCoupling::Entry& entry : rows.back()) entry.weight = -entry.weight;
+  }
+}
+
+void WeightOnBearings::accept(double step, double time) {
+  if (rocks_ && options_.rocking == AxialForces::Rocking::stops) {
+    double deficit = 0.0;
+    for (const Bearing& bearing : bearings_) deficit = std::max(deficit, bearing.largest_deficit);
+    throw RockingError{
+        (name_.empty() ? "The building" : "The building \"" + name_ + "\"") + " rocks at t = " + to_text(time) +
+            " s: its bearings cannot balance the overturning moment, " + to_text(length(moment_)) +
+            " N m under a load of " + to_text(load()) + " N; the largest uplift deficit before is " + to_text(deficit) +
+            " N. Give bearings farther apart, or AxialForces::rocking = continues, which marks later "
+            "peaks. Results up to this time are kept.",
+        time};
+  }
+  if (rocks_) {
+    rocking_time_ += step;
+    first_rocking_ = std::min(first_rocking_, time);
+  }
+  for (Bearing& bearing : bearings_) {
+    if (bearing.deficit > 0.0) bearing.uplift_time += step;
+    // Round-off at an instant of lift or landing is no uplift.
+    constexpr double round_off = 1e-6;
+    const double least = round_off * bearing.on_slab.static_weight;
+    if (bearing.deficit > least && !bearing.lifted) ++bearing.uplifts;
+    bearing.lifted = bearing.deficit > least || (bearing.lifted && bearing.compression <= least);
+    bearing.largest_deficit = std::max(bearing.largest_deficit, bearing.deficit);
+  }
+}
+
+}  // namespace moat

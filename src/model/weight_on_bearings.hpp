@@ -1,0 +1,138 @@
+// The axial forces of the bearings under one building.
+#pragma once
+
+#include <functional>
+#include <limits>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "base/copyable_pointer.hpp"
+#include "base/ground_vector.hpp"
+#include "base/units.hpp"
+#include "model/axial_distribution.hpp"
+#include "model/axial_forces.hpp"
+#include "model/building.hpp"
+#include "model/element_states.hpp"
+#include "model/weight_coupling.hpp"
+
+namespace moat {
+
+struct MotionState;
+
+/// The axial forces of the bearings of one building with AxialForces, at the trial instant of an analysis. Part of an
+/// AnalysisState.
+class WeightOnBearings {
+ public:
+  using Elements = std::vector<CopyablePointer<ElementStates>>;  ///< By block.
+
+  /// Throws InputError where its bearings, their places or their weights do not fit.
+  WeightOnBearings(const Model& model, const Building& building, const Elements& elements);
+
+  /// The building moves so in its vertical mode from now on: the absolute acceleration, m/s^2, and its rate at a time.
+  using VerticalMode = std::function<std::pair<double, double>(double time)>;
+  void move_in(VerticalMode mode) { mode_ = std::move(mode); }
+  [[nodiscard]] const AxialForces& options() const { return options_; }  ///< As given.
+
+  /// Finds the axial forces at a motion, under this acceleration of the ground, m/s^2, and gives them to elements whose
+  /// law takes one. Elements outside the building must have been evaluated there.
+  void press(const MotionState& motion, GroundVector ground_acceleration, const Elements& elements);
+  /// After press(): their rates, from the jerks of the motion and the rate of the ground's acceleration, m/s^3.
+  void find_rates(const MotionState& motion, GroundVector ground_rate, const Elements& elements);
+  /// The columns of WeightCoupling, one for each direction: the change of the forces on all degrees of freedom for
+  /// 1 N m.
+  /// From `first` on; returns the next.
+  std::size_t fill_columns(const Elements& elements, Eigen::Index size, std::vector<Vector>& columns,
+                           std::size_t first) const;
+  /// Its rows.
+  void add_rows(std::vector<std::vector<WeightCoupling::Entry>>& rows) const;
+
+  /// The trial instant is accepted, `step` s after the last one. Throws RockingError where the building rocks and must
+  /// not.
+  void accept(double step, double time);
+
+  /// Whether the building moves vertically with the ground, without a mode.
+  [[nodiscard]] bool moves_with_ground() const { return !mode_; }
+  /// Whether the law of a bearing takes its axial force.
+  [[nodiscard]] bool acts_on_laws() const { return acts_on_laws_; }
+
+  /// A bearing and its results.
+  struct Bearing {
+    ElementId element;             ///< In the model.
+    BearingOnSlab on_slab;         ///< As given.
+    double compression = 0.0;      ///< N, N; > 0 compression
+    double rate = 0.0;             ///< N/s
+    double deficit = 0.0;          ///< N, >= 0: vertical stiffness times opening, while it is lifted
+    double uplift_time = 0.0;      ///< s, in all
+    double largest_deficit = 0.0;  ///< N
+    long uplifts = 0;              ///< how often it lifted
+    bool lifted = false;           ///< at the last accepted instant
+    bool acts_on_law = false;      ///< whether its law takes the axial force
+  };
+  [[nodiscard]] const std::string& building() const { return name_; }                 ///< The name of its building.
+  [[nodiscard]] NodeId base() const { return base_; }                                 ///< Of that building.
+  [[nodiscard]] std::span<const Bearing> bearings() const { return bearings_; }       ///< All.
+  [[nodiscard]] double vertical_acceleration() const { return vertical_; }            ///< m/s^2, absolute, up positive.
+  [[nodiscard]] double vertical_acceleration_rate() const { return vertical_rate_; }  ///< m/s^3
+  [[nodiscard]] double load() const { return sigma() * weight_; }                     ///< V, N
+  [[nodiscard]] double load_rate() const { return vertical_rate_ / standard_gravity * weight_; }  ///< N/s
+  /// Of inertia and of forces from outside, N m; its rate, N m/s.
+  [[nodiscard]] PlanVector overturning_moment() const { return moment_; }
+  [[nodiscard]] PlanVector overturning_moment_rate() const { return moment_rate_; }  ///< N m/s
+  [[nodiscard]] double rocking_time() const { return rocking_time_; }                ///< s, in all
+  [[nodiscard]] double first_rocking() const { return first_rocking_; }  ///< s; infinite where it did not rock.
+
+ private:
+  [[nodiscard]] double sigma() const { return 1.0 + vertical_ / standard_gravity; }
+
+  // A sum over degrees of freedom, and over the components of the ground.
+  struct Form {
+    std::vector<WeightCoupling::Entry> entries;
+    GroundVector by_ground{};
+
+    void add(const Model& model, NodeId node, double weight);
+    [[nodiscard]] double of(const Vector& values) const;
+  };
+  // A force from outside on the building.
+  struct OutsideForce {
+    ElementId element;
+    double arm;  // m, its height; negative where it acts on the second end of the element
+  };
+
+  void add_floors(const std::vector<NodeId>& nodes);
+  void add_bearings(const Check& check);
+  void add_outside_forces(const std::vector<NodeId>& nodes);
+  // Adds the displacement of a point of a body along an axis.
+  void add_point(Form& form, NodeId body, PlanVector at, std::size_t axis, double weight) const;
+  [[nodiscard]] double height(NodeId node) const;  // m, above the bearings
+  // The sums over outside forces, N m, or of their rates.
+  [[nodiscard]] PlanVector outside_moment(const Elements& elements, bool of_rates) const;
+  [[nodiscard]] static PlanVector of_both(const Form (&forms)[2], const Vector& values) {
+    return {forms[0].of(values), forms[1].of(values)};
+  }
+
+  std::string name_;
+  AxialForces options_;
+  NodeId base_;
+  double level_ = 0.0;  // m, height of the bearings
+  bool in_plan_ = false, acts_on_laws_ = false;
+  std::vector<Bearing> bearings_;
+  AxialDistribution distribution_;
+  Form inertia_[2], displaced_[2];  // along x and y: of sum m h, and of sum m g
+  std::vector<Form> place_;         // of every bearing, along x and y, times its share above
+  std::vector<OutsideForce> outside_;
+  const Model* model_;
+  double weight_ = 0.0;         // N
+  PlanVector static_moment_{};  // N m, of the static weights
+  VerticalMode mode_;           // empty: the building moves with the ground
+  // At the trial instant.
+  std::vector<double> compressions_, rates_;
+  std::vector<PlanVector> shifts_, shift_rates_;
+  PlanVector moment_{}, moment_rate_{};
+  double vertical_ = 0.0, vertical_rate_ = 0.0;
+  bool rocks_ = false;
+  double rocking_time_ = 0.0, first_rocking_ = std::numeric_limits<double>::infinity();
+};
+
+}  // namespace moat
