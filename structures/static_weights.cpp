@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/units.hpp"
 #include "model/axial_distribution.hpp"
 
 namespace moat {
@@ -64,6 +65,8 @@ void check_axial_forces(const Check& check, const AxialForces& options, bool hei
   check.that(period == 0.0 || (period >= 0.01 && period <= 1.0), "axial_forces.vertical_period", period, "s",
              ">= 0.01 and <= 1", "Leave it out: the building then moves vertically with the ground.");
   check.that(damping >= 0.0 && damping < 1.0, "axial_forces.vertical_damping", damping, "1", ">= 0 and < 1");
+  check.that(damping == 0.0 || period > 0.0, "axial_forces.vertical_damping is given without vertical_period.",
+             "Give the period of the vertical mode, or leave the damping out.");
 }
 
 }  // namespace moat

@@ -203,7 +203,22 @@ void WeightOnBearings::press(const MotionState& motion, GroundVector ground_acce
   for (std::size_t i = 0; i < bearings_.size(); ++i)
     shifts_[i] = {place_[2 * i].of(motion.displacement), place_[2 * i + 1].of(motion.displacement)};
   rocks_ = !distribution_.distribute(sigma(), b, shifts_, compressions_);
-  if (rocks_) distribution_.distribute(sigma(), distribution_.moved_into_hull(b, shifts_), shifts_, compressions_);
+  if (rocks_ && options_.may_pull.si() == 0.0)
+    distribution_.distribute(sigma(), distribution_.moved_into_hull(b, shifts_), shifts_, compressions_);
+  // Bearings that pull hold more than their hull: the last resultant that they balance on the way from rest.
+  if (rocks_ && options_.may_pull.si() > 0.0) {
+    const auto hold = [&](double way) {
+      return distribution_.distribute(
+          1.0 + way * (sigma() - 1.0),
+          {weight_ + way * (b.load - weight_), static_moment_ + way * (b.moment - static_moment_)}, shifts_,
+          compressions_);
+    };
+    constexpr double close = 1e-12;
+    double held = 0.0;
+    for (double part = 0.5; part > close; part *= 0.5)
+      if (hold(held + part)) held += part;
+    hold(held);
+  }
   for (std::size_t i = 0; i < bearings_.size(); ++i) {
     Bearing& bearing = bearings_[i];
     bearing.compression = compressions_[i];

@@ -9,6 +9,7 @@
 #include "base/check.hpp"
 #include "base/text/number_format.hpp"
 #include "base/units.hpp"
+#include "motions/readers/read_motion.hpp"
 #include "motions/response_spectrum.hpp"
 
 namespace moat {
@@ -42,7 +43,9 @@ Together together(const Check& check, const std::vector<Part>& parts) {
     intervals += (i == 0 ? "" : i + 1 < parts.size() ? ", " : " and ") + to_text(motion.time_step()) + " s";
     result.interval = std::min(result.interval, motion.time_step());
     result.notes.push_back(name + " component: " + motion.description());
-    result.notes.insert(result.notes.end(), motion.notes().begin(), motion.notes().end());
+    // A vertical record is right here.
+    for (const std::string& note : motion.notes())
+      if (name != "vertical" || note.find(vertical_record) == std::string::npos) result.notes.push_back(note);
   }
   std::size_t longest = 0;
   for (const auto& [name, motion] : parts) {

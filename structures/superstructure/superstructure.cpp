@@ -60,6 +60,18 @@ class Builder {
  private:
   void check_supports() const {
     const Check check{"Superstructure", structure_.name};
+    if (structure_.axial_forces) {
+      check_axial_forces(check, *structure_.axial_forces, true);
+      check.that(bool{structure_.bearings} || structure_.isolation,
+                 "axial_forces are asked without bearings of its own.",
+                 "Give them to the building that has the bearings.");
+      if (structure_.base && structure_.base->carried.si() > 0.0 && structure_.bearings)
+        for (const PlanBearings::Placed& bearing :
+             std::vector<PlanBearings::Placed>{structure_.bearings.placed(check, system_.bases.front().outline)})
+          check.that(bearing.weight.si() > 0.0,
+                     "axial_forces: the base carries other buildings, and the centre of their mass is not known.",
+                     "Give the weight of each bearing.");
+    }
     if (!structure_.on.empty()) {
       check.that(!structure_.base && !structure_.bearings && !structure_.isolation,
                  "it stands on the base of another building, and base or bearings are given.",
@@ -80,7 +92,6 @@ class Builder {
     check.that(bool{structure_.bearings} == system_.in_plan,
                system_.in_plan ? "isolation is for a building on a line." : "bearings are for a building in plan.",
                system_.in_plan ? "Give .bearings." : "Give .isolation.");
-    if (structure_.axial_forces) check_axial_forces(check, *structure_.axial_forces, true);
     check.that(bool{structure_.bearings} != structure_.isolation.has_value(), "bearings and isolation are given.",
                "Give one of them.");
   }

@@ -292,6 +292,8 @@ TEST(AxialForces, RefuseWhatHasNoMeaning) {
             Contains::npos);
   EXPECT_NE(message([](ShearBuilding& b) { b.axial_forces->vertical_period = 2 * s; }).find("vertical_period"),
             Contains::npos);
+  EXPECT_NE(message([](ShearBuilding& b) { b.axial_forces->vertical_damping = 0.02; }).find("without vertical_period"),
+            Contains::npos);
   EXPECT_NE(message([](ShearBuilding& b) { b.axial_forces->vertical_damping = 1.0; }).find("vertical_damping"),
             Contains::npos);
   EXPECT_NE(message([&](ShearBuilding& b) { b.isolation = Isolation{pendulum}; }).find("one position"), Contains::npos);
@@ -305,6 +307,15 @@ TEST(AxialForces, RefuseWhatHasNoMeaning) {
                   Isolator<FrictionPendulum>{.name = "left", .law = pendulum, .weight = 1 * MN, .at = -3 * m},
                   Isolator<FrictionPendulum>{.name = "right", .law = pendulum, .weight = 1 * MN, .at = 3 * m}};
             }).find("weights on its bearings"),
+            Contains::npos);
+  EXPECT_NE(testing::message_of([] {
+              Model model;
+              add(model, Superstructure{
+                             .stiffness = MatrixInUnits{.values = Eigen::MatrixXd::Constant(1, 1, 1e8), .force = 1.0},
+                             .freedoms = per_floor(Freedoms::x),
+                             .floors = {{.height = 3 * m, .mass = 10 * tonne}},
+                             .axial_forces = AxialForces{}});
+            }).find("without bearings of its own"),
             Contains::npos);
   Model model;
   add(model, good);
