@@ -13,7 +13,7 @@
 namespace moat {
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double infinite_response = std::numeric_limits<double>::infinity();
 
 void check(const HuntAndFill& options) {
   const Check check{"HuntAndFill", ""};
@@ -42,12 +42,12 @@ std::optional<double> response_at(const IdaCurve& curve, double level) {
   if (above == curve.levels.end()) {
     if (curve.responses.empty()) return std::nullopt;
     const double last = curve.responses.back();
-    return last > curve.response_limit || std::isinf(last) ? std::optional{infinity} : std::nullopt;
+    return last > curve.response_limit || std::isinf(last) ? std::optional{infinite_response} : std::nullopt;
   }
   const auto i = static_cast<std::size_t>(above - curve.levels.begin());
   if (*above == level) return curve.responses[i];
   if (i == 0) return std::nullopt;
-  if (std::isinf(curve.responses[i - 1])) return infinity;
+  if (std::isinf(curve.responses[i - 1])) return infinite_response;
   const double share = (level - curve.levels[i - 1]) / (curve.levels[i] - curve.levels[i - 1]);
   return curve.responses[i - 1] + share * (curve.responses[i] - curve.responses[i - 1]);
 }
@@ -55,7 +55,7 @@ std::optional<double> response_at(const IdaCurve& curve, double level) {
 /// Infinite where the model collapsed: the analysis ended there, and its peaks are those up to then.
 double response_of(const CaseOutcome& outcome, double response) {
   const auto collapsed = std::ranges::find(outcome.results, "collapsed", &NamedNumber::quantity);
-  return collapsed != outcome.results.end() && collapsed->value > 0.0 ? infinity : response;
+  return collapsed != outcome.results.end() && collapsed->value > 0.0 ? infinite_response : response;
 }
 
 std::string point_name(std::size_t i) { return "point " + std::to_string(i + 1); }
@@ -154,7 +154,7 @@ std::vector<IdaCurve> ida_curves(const StudyResult& hunts) {
     if (hunts.outcomes()[number].state != CaseState::done) continue;
     std::map<double, double> points;
     std::set<double> unsolved;
-    double level = 0.0, limit = infinity;
+    double level = 0.0, limit = infinite_response;
     for (const NamedNumber& each : hunts.outcomes()[number].results) {
       if (each.quantity == "ida_response_limit") limit = each.value;
       if (each.quantity == "ida_level") level = each.value;

@@ -9,7 +9,7 @@ namespace {
 
 using Law = PlanarSeriesOfSliders;
 using Vectors = std::array<PlanVector, Law::most>;
-constexpr PlanMatrix unit = PlanMatrix::diagonal(1.0);
+constexpr PlanMatrix one = PlanMatrix::diagonal(1.0);
 
 PlanMatrix inverse(PlanMatrix a) { return 1.0 / (a.xx * a.yy - a.xy * a.yx) * PlanMatrix{a.yy, -a.xy, -a.yx, a.xx}; }
 // The part of a displacement beyond a stop, m, and its derivative.
@@ -24,7 +24,7 @@ PlanMatrix slope_beyond(PlanVector u, double stop) {
 }
 PlanMatrix spring_tangent(const Law& law, std::size_t i, PlanVector u, double weight) {
   const SeriesOfSliders::Branch& branch = law.line.branches[i];
-  return branch.stiffness / law.static_weight * weight * (unit + slope_beyond(u, branch.first_stop)) +
+  return branch.stiffness / law.static_weight * weight * (one + slope_beyond(u, branch.first_stop)) +
          law.line.stop_stiffness * slope_beyond(u, branch.capacity);
 }
 
@@ -74,7 +74,7 @@ SaturatingSlip::Step return_mapping(PlanVector z0, PlanVector stretch, double pe
   const double size = std::max(length(tried), 1.0);
   SaturatingSlip::Step step{};
   step.z = tried / size;
-  step.by_increment = per_reach / size * (size > 1.0 ? unit + -1.0 * PlanMatrix::product(step.z, step.z) : unit);
+  step.by_increment = per_reach / size * (size > 1.0 ? one + -1.0 * PlanMatrix::product(step.z, step.z) : one);
   return step;
 }
 
@@ -224,7 +224,7 @@ bool follow(const Law& law, const Law::State& committed, PlanVector increment, P
     force = piece.stiffness * force;
     for (std::size_t i = 0; i < law.line.count; ++i) {
       const SliderForce& slider = piece.forces[i];
-      displacements[i] = displacements[i] + piece.flexibilities[i] * (force + -1.0 * unit * at_fixed[i]);
+      displacements[i] = displacements[i] + piece.flexibilities[i] * (force + -1.0 * one * at_fixed[i]);
       frictions[i] =
           force + -1.0 * slider.by_place * displacements[i] + Derivative{{}, (starts ? -1.0 : -end) * slider.of_slope};
       trial.sliders[i] = {trial.sliders[i].displacement + piece.increments[i], slider.friction};

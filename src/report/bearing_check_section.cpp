@@ -24,9 +24,7 @@ std::vector<BearingCheckRow> worst_of_types(const std::vector<BearingCheckRow>& 
   return worst;
 }
 
-std::string cell(const std::string& text) { return "<td>" + escaped(text) + "</td>"; }
-
-std::string number_cell(double value) {
+std::string short_cell(double value) {
   return "<td class=\"number\">" + (std::isnan(value) ? "-" : to_significant(value, 4)) + "</td>";
 }
 
@@ -46,9 +44,9 @@ std::string bearing_check_section(const CaseResult& result) {
   for (const auto& [bearing, type, demand] : worst_of_types(result.bearing_checks)) {
     const EngineeringUnit unit = engineering_unit(demand.unit);
     html += (demand.ratio() > 1.0 ? "<tr class=\"unsettled\">" : "<tr>") + cell(type) +
-            cell(capitalised(std::string{demand.check})) + cell(bearing) + number_cell(unit.per_si * demand.demand) +
-            number_cell(unit.per_si * demand.capacity) +
-            cell(unit.symbol == "1" ? "" : with_raised_digits(unit.symbol)) + number_cell(demand.ratio()) +
+            cell(capitalised(std::string{demand.check})) + cell(bearing) + short_cell(unit.per_si * demand.demand) +
+            short_cell(unit.per_si * demand.capacity) +
+            cell(unit.symbol == "1" ? "" : with_raised_digits(unit.symbol)) + short_cell(demand.ratio()) +
             "<td class=\"number\">" + to_fixed(demand.time, 3) + "</td>" + cell(std::string{demand.source}) + "</tr>\n";
   }
   return html + "</table></div>\n";

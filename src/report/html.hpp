@@ -12,6 +12,8 @@ namespace moat::html {
 
 /// Text as HTML, in UTF-8.
 inline std::string escaped(std::string_view text) { return escaped_for_xml(text); }
+/// A cell of a table, with a text that is escaped.
+inline std::string cell(std::string_view text) { return "<td>" + escaped(text) + "</td>"; }
 
 /// A row of a table with a name and a number; both are escaped.
 std::string number_row(std::string_view name, std::string_view value);

@@ -29,7 +29,6 @@ std::string list_of(const std::vector<Facts>& all, const std::string& what, cons
   return html + "</details>\n";
 }
 
-std::string cell(std::string_view text) { return "<td>" + escaped(text) + "</td>"; }
 std::string number_cell(double value) { return "<td class=\"number\">" + to_significant(value, 6) + "</td>"; }
 
 // A number without dimension has the unit 1.

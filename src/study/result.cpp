@@ -10,7 +10,7 @@
 namespace moat {
 namespace {
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
 void add_axes(Table& table, const StudyCases& cases) {
   for (std::size_t i = 0; i < cases.axes().size(); ++i) {
@@ -32,7 +32,7 @@ void add_results(Table& table, const std::vector<CaseOutcome>& outcomes) {
   for (std::size_t number = 0; number < outcomes.size(); ++number) {
     for (const NamedNumber& each : outcomes[number].results) {
       const auto [found, added] = column_of.try_emplace({each.quantity, each.where, each.unit}, table.columns.size());
-      if (added) table.columns.push_back({each.quantity, each.where, each.unit, std::vector(outcomes.size(), nan)});
+      if (added) table.columns.push_back({each.quantity, each.where, each.unit, std::vector(outcomes.size(), unknown)});
       table.columns[found->second].values[number] = each.value;
     }
   }
@@ -93,7 +93,7 @@ Table StudyResult::case_table() const {
   for (const CaseOutcome& outcome : outcomes_) {
     state.values.push_back(static_cast<double>(outcome.state));
     state.labels.emplace_back(name_of(outcome.state));
-    reason.values.push_back(nan);
+    reason.values.push_back(unknown);
     reason.labels.push_back(outcome.reason);
     steps.values.push_back(static_cast<double>(outcome.steps));
     error.values.push_back(outcome.energy_error);

@@ -6,7 +6,7 @@
 namespace moat {
 namespace {
 
-using Rows = Eigen::SparseMatrix<double, Eigen::RowMajor>;
+using SparseRows = Eigen::SparseMatrix<double, Eigen::RowMajor>;
 using Index = Eigen::Index;
 
 constexpr double place_tolerance = 1e-3;  // m
@@ -46,7 +46,7 @@ class Builder {
     if (model_.feet != Feet::given) add_feet();
     result_.motions.assign(static_cast<std::size_t>(table_.cols()), 0);
     for (Index motion = table_.rows(); motion-- > 0;)
-      for (Rows::InnerIterator term{table_, motion}; term; ++term)
+      for (SparseRows::InnerIterator term{table_, motion}; term; ++term)
         result_.motions[static_cast<std::size_t>(term.col())] = motion;
     bind();
     sort_unknowns();
@@ -156,7 +156,7 @@ class Builder {
     Binding* open = nullptr;
     double factor = 0.0;
     bool follows = true;
-    for (Rows::InnerIterator term{table_, prescribed.motion}; term; ++term) {
+    for (SparseRows::InnerIterator term{table_, prescribed.motion}; term; ++term) {
       Binding& unknown = bindings_[static_cast<std::size_t>(term.col())];
       if (unknown.level != Binding::free) {
         rest -= term.value() * unknown.weights;
@@ -194,7 +194,7 @@ class Builder {
   const FiniteElements& model_;
   const Check& check_;
   const NodeNumbers& numbers_;
-  Rows table_;
+  SparseRows table_;
   int along_ = 0;
   std::vector<Binding> prescribed_, bindings_;
   Constraints result_;

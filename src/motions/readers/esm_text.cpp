@@ -13,7 +13,7 @@ namespace moat {
 namespace {
 
 constexpr std::string_view format_of_fixed_length = "DYNA 1.2";
-constexpr std::size_t header_lines = 64;
+constexpr std::size_t esm_header_lines = 64;
 constexpr double centimetre = 0.01;
 
 /// A line of the header: KEY: VALUE, with a key in capitals. Longer lines than any header has would fill messages.
@@ -41,7 +41,7 @@ class Header {
   }
   void check() const {
     const auto format = values_.find("HEADER_FORMAT");
-    if (format != values_.end() && format->second == format_of_fixed_length && lines_ != header_lines)
+    if (format != values_.end() && format->second == format_of_fixed_length && lines_ != esm_header_lines)
       refuse_file(file_->path, "a header of format DYNA 1.2 has 64 lines, but this one has " + std::to_string(lines_) +
                                    ". The file was edited or cut; fetch it again.");
     if (upper_case(value("UNITS")) != "CM/S^2")

@@ -53,19 +53,19 @@ std::string colour_at(double share) {
   return text.data();
 }
 
-struct Range {
+struct ColourRange {
   double low = std::numeric_limits<double>::infinity(), high = -std::numeric_limits<double>::infinity();
   [[nodiscard]] double share(double value) const { return high > low ? (value - low) / (high - low) : 0.5; }
 };
 
-Range checked_range(const HeatMap& map, int width, int height) {
+ColourRange checked_range(const HeatMap& map, int width, int height) {
   const Check check{"HeatMap", map.title};
   check.that(width >= 300, "width", width, "pixels", ">= 300 pixels");
   check.that(height >= 200, "height", height, "pixels", ">= 200 pixels");
   check.that(!map.x_values.empty() && !map.y_values.empty(), "there are no cells.", "Give x_values and y_values.");
   check.that(map.values.size() == map.y_values.size(), "the numbers of rows and of y_values differ.",
              "Give one name for every row.");
-  Range range;
+  ColourRange range;
   for (const std::vector<double>& row : map.values) {
     check.that(row.size() == map.x_values.size(), "the numbers of columns and of x_values differ.",
                "Give one name for every column.");
@@ -87,7 +87,7 @@ std::size_t every(std::size_t count, double room_for_each, double most) {
   return std::clamp<std::size_t>(static_cast<std::size_t>(std::ceil(most / std::max(room_for_each, 1.0))), 1, count);
 }
 
-void draw_cell(SvgWriter& svg, double value, const Range& range, Pixel corner, double width, double height) {
+void draw_cell(SvgWriter& svg, double value, const ColourRange& range, Pixel corner, double width, double height) {
   const bool known = std::isfinite(value);
   // Cells overlap by a little, so that no line shows between them.
   svg.rectangle(corner, width + 0.3, height + 0.3, known ? colour_at(range.share(value)) : no_value);
@@ -101,7 +101,7 @@ void draw_cell(SvgWriter& svg, double value, const Range& range, Pixel corner, d
   svg.text(middle, number, {.size = tick_size, .anchor = "middle", .on_paper = true});
 }
 
-void draw_scale(SvgWriter& svg, const HeatMap& map, const Range& range, Pixel corner, double height) {
+void draw_scale(SvgWriter& svg, const HeatMap& map, const ColourRange& range, Pixel corner, double height) {
   constexpr int bands = 64;
   for (int i = 0; i < bands; ++i)
     svg.rectangle({corner.x, corner.y + height * (bands - 1 - i) / bands}, scale_width, height / bands + 0.5,
@@ -119,7 +119,7 @@ void draw_scale(SvgWriter& svg, const HeatMap& map, const Range& range, Pixel co
 }  // namespace
 
 std::string svg_text(const HeatMap& map, int width, int height) {
-  const Range range = checked_range(map, width, height);
+  const ColourRange range = checked_range(map, width, height);
   const std::size_t columns = map.x_values.size(), rows = map.y_values.size();
   const double left = 44.0 + std::min(widest(map.y_values), 0.3 * width), floor = height - bottom;
   const double cell_width = (width - left - right) / static_cast<double>(columns);

@@ -27,9 +27,8 @@ void append_text(std::string& out, std::string_view text) {
 }
 
 void append_number(std::string& out, double value) {
-  std::array<char, 32> digits;  // the longest shortest form of a double has 24 characters
-  const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr;
-  out.append(digits.data(), end);
+  std::array<char, 32> text;  // the longest shortest form of a double has 24 characters
+  out.append(text.data(), std::to_chars(text.data(), text.data() + text.size(), value).ptr);
 }
 
 // In the place of the last comma.
