@@ -36,6 +36,16 @@ struct Carrying {
     return law.dissipation_rate(committed, deformation, rate);
   }
   double dissipated_energy(const State& from, const State& to) const { return law.dissipated_energy(from, to); }
+  template <class Vector>
+  double weight_work(const State& from, Vector deformation, const State& to,
+                     Vector end_deformation) const requires GivesWeightWork<Law, Vector> {
+    return law.weight_work(from, deformation, to, end_deformation);
+  }
+  template <class Vector>
+  double weight_power(const State& state, Vector deformation, Vector rate,
+                      double compression_rate) const requires GivesWeightWork<Law, Vector> {
+    return law.weight_power(state, deformation, rate, compression_rate);
+  }
   double linear_stiffness(StiffnessStage stage) const { return law.linear_stiffness(stage); }
   double regime_margin(const State& committed, double deformation, double rate) const requires AxialForceLaw<Law> {
     return law.regime_margin(committed, deformation, rate, AxialForce{compression});

@@ -54,7 +54,8 @@ struct HeatedSlidingIsolator {
               end.slope * normal_force};
     trial.friction_force = committed.direction * end.coefficient * normal_force;
     trial.slip = deformation - trial.friction_force / elastic_stiffness;
-    return {restoring_stiffness * deformation + trial.friction_force, restoring_stiffness, end.slope * normal_force};
+    return {restoring_stiffness * deformation + trial.friction_force, restoring_stiffness, end.slope * normal_force,
+            committed.direction * (end.coefficient + normal_force * end.by_compression)};
   }
   double force_rate(const State& state, double, double rate, double second_rate) const {
     if (state.direction == 0) return (restoring_stiffness + elastic_stiffness) * rate;

@@ -23,6 +23,7 @@ struct HeatedUnderWeight {
   struct State {
     HeatedSlidingIsolator::State slider{};
     double compression = 0.0;  ///< N, of the instant
+    signed char sheds = 0;     ///< sign of q where it sheds at the instant; else 0
 
     /// Whether the force jumps at a change of regime.
     [[nodiscard]] bool jumps_to(const State& next) const { return slider.jumps_to(next.slider); }
@@ -35,16 +36,10 @@ struct HeatedUnderWeight {
     const double weight = std::max(axial.compression, 0.0);
     const HeatedSlidingIsolator law = under(weight);
     trial.compression = axial.compression;
+    trial.sheds = 0;
     Response response = law.evaluate(committed.slider, deformation, rate, interval, trial.slider);
-    response.by_compression = line.restoring_stiffness / line.normal_force * deformation;
-    HeatedSlidingIsolator::State ignored;
-    if (committed.slider.direction != 0) {
-      const HeatedSlidingIsolator::Surface surface =
-          law.heat(committed.slider, committed.slider.direction * rate, interval.length, ignored);
-      if (interval.length > 0.0)
-        response.by_compression += committed.slider.direction * (surface.coefficient + weight * surface.by_compression);
-      return response;
-    }
+    response.by_compression += line.restoring_stiffness / line.normal_force * deformation;
+    if (committed.slider.direction != 0) return response;
     const double k0 = line.elastic_stiffness, h = interval.length;
     const HeatedSlidingIsolator::Surface surface = law.unheated(committed.slider, std::abs(rate));
     const double limit = surface.coefficient * weight,
@@ -59,6 +54,7 @@ struct HeatedUnderWeight {
       const double at = inside ? -0.5 * slope / bend : 1.0, largest = inside ? start + 0.5 * slope * at : end;
       if ((!inside && side * rate > 0.0) || largest <= side * committed.slider.slip) continue;
       const double by_end = at * at, by_limit = side * at, sign = rate < 0.0 ? -1.0 : 1.0;
+      if (at == 1.0) trial.sheds = static_cast<signed char>(side);
       trial.slider.slip = side * largest;
       trial.slider.friction_force = k0 * (deformation - trial.slider.slip);
       response.force = law.restoring_stiffness * deformation + trial.slider.friction_force;
@@ -68,8 +64,23 @@ struct HeatedUnderWeight {
     }
     return response;
   }
-  double force_rate(const State& state, double deformation, double rate, double second_rate) const {
-    return under(state.compression).force_rate(state.slider, deformation, rate, second_rate);
+  double force_rate(const State& state, double deformation, double rate, double second_rate,
+                    double compression_rate) const {
+    if (state.compression <= 0.0) return 0.0;
+    const HeatedSlidingIsolator law = under(state.compression);
+    const double by_spring = line.restoring_stiffness / line.normal_force * deformation * compression_rate;
+    HeatedSlidingIsolator::State ignored;
+    if (state.sheds == 0) {
+      const int direction = state.slider.direction;
+      const HeatedSlidingIsolator::Surface surface = law.heat(state.slider, direction * rate, 0.0, ignored);
+      return law.force_rate(state.slider, deformation, rate, second_rate) + by_spring +
+             direction * (surface.coefficient + law.normal_force * surface.by_compression) * compression_rate;
+    }
+    const double speed = std::abs(rate), faster = rate < 0.0 ? -second_rate : second_rate;
+    const HeatedSlidingIsolator::Surface surface = law.unheated(state.slider, speed);
+    return law.restoring_stiffness * rate + by_spring +
+           state.sheds * (law.rates_of(state.slider, speed, faster).coefficient * law.normal_force +
+                          (surface.coefficient + law.normal_force * surface.by_compression) * compression_rate);
   }
   double stored_energy(const State& committed, double deformation) const {
     return under(committed.compression).stored_energy(committed.slider, deformation);

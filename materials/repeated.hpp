@@ -42,9 +42,17 @@ struct Repeated {
     return all;
   }
   /// As of one of them, because each has its share of N.
-  double weight_lever(const State& from, double deformation, const State& to,
-                      double end_deformation) const requires AxialForceLaw<Law> {
+  double weight_lever(const State& from, double deformation, const State& to, double end_deformation) const
+      requires(AxialForceLaw<Law> && !GivesWeightWork<Law, double>) {
     return law.weight_lever(from, deformation, to, end_deformation);
+  }
+  double weight_work(const State& from, double deformation, const State& to,
+                     double end_deformation) const requires GivesWeightWork<Law, double> {
+    return count * law.weight_work(from, deformation, to, end_deformation);
+  }
+  double weight_power(const State& state, double deformation, double rate,
+                      double compression_rate) const requires GivesWeightWork<Law, double> {
+    return count * law.weight_power(state, deformation, rate, compression_rate / count);
   }
   double force_rate(const State& state, double deformation, double rate, double second_rate) const requires
       requires(const Law& each) {

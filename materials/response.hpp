@@ -71,6 +71,18 @@ concept TimeDependentLaw = LawParts<Law> && requires(const Law& law, const typen
   { law.evaluate(committed, x, x, interval, trial) } -> std::same_as<Response>;
 };
 
+/// A law that stores k d^2/2 with a k that changes, with N or because it softens. It gives the energy that
+/// it stores beyond the work of its force: d0 d1/2 (k1 - k0) in a step, exact beside the mean of both forces, and its
+/// power, d^2/2 k'.
+///
+///     double weight_work(State const& from, double deformation, State const& to, double end_deformation) const   J
+///     double weight_power(State const&, double deformation, double rate, double compression_rate) const          W
+template <class Law, class Vector>
+concept GivesWeightWork = requires(const Law& law, const typename Law::State& state, Vector d, double x) {
+  { law.weight_work(state, d, state, d) } -> std::same_as<double>;
+  { law.weight_power(state, d, d, x) } -> std::same_as<double>;
+};
+
 /// A law that depends on the axial force as well: friction under a weight that changes. Its evaluate() gets the
 /// interval of the step and the axial force at the instant of evaluation.
 ///
@@ -78,14 +90,17 @@ concept TimeDependentLaw = LawParts<Law> && requires(const Law& law, const typen
 ///                       State& trial) const
 ///
 /// State::compression is N at the instant of a state. stored_energy() and regime_margin() take it from there: they are
-/// given the state at the very instant, not the committed one. weight_lever(from, deformation, to, deformation), m, is
-/// the work of the axial force on the building per N of its change, d0 d1/(2 R) of a pendulum.
+/// given the state at the very instant, not the committed one. If it does not give its weight_work() as above, then
+/// weight_lever(from, deformation, to, deformation), m, is the work of the axial force on the building per N of its
+/// change, d0 d1/(2 R) of a pendulum.
 template <class Law>
 concept AxialForceLaw = LawParts<Law> &&
     requires(const Law& law, const typename Law::State& committed, typename Law::State& trial, Interval interval,
              AxialForce axial, double x) {
   { law.evaluate(committed, x, x, interval, axial, trial) } -> std::same_as<Response>;
-  { law.weight_lever(committed, x, trial, x) } -> std::same_as<double>;
+  requires GivesWeightWork<Law, double> || requires {
+    { law.weight_lever(committed, x, trial, x) } -> std::same_as<double>;
+  };
   trial.compression = x;
 };
 

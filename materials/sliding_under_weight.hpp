@@ -51,7 +51,7 @@ struct SlidingUnderWeight {
     signed char sheds = 0;  ///< sign of q while it sheds; else 0
 
     friend bool operator==(const State&, const State&) = default;
-    /// Of sliding: -1, +1; 0 where it does not.
+    /// The direction in which it slides, -1 or +1; 0 where it does not slide.
     [[nodiscard]] int direction() const { return contact == Contact::lifted ? 0 : static_cast<int>(contact); }
   };
 

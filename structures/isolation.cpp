@@ -1,7 +1,6 @@
 #include "structures/isolation.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 namespace moat {
 
@@ -20,15 +19,7 @@ void Isolation::add_to(Model& model, const std::string& prefix, NodeId base, For
       places.push_back(*part.place);
     }
     const std::vector<Force> shares = static_weights(check, *axial_forces, places, weight, {}, false);
-    Length load{}, extent{};
-    for (std::size_t i = 0; i < places.size(); ++i) {
-      load += shares[i] / weight * Length{places[i].at.x};
-      extent = std::max(extent, Length{std::abs(places[i].at.x - places[0].at.x)});
-    }
-    constexpr double noticeable = 0.01;
-    if (std::abs(load.si()) > noticeable * extent.si())
-      model.add_note(prefix + "bearings: their weights put the load " + to_text(load.si()) +
-                     " m from the middle of the building.");
+    note_eccentric_load(model, prefix, places, shares, {});
     std::size_t next = 0;
     for (std::size_t i = 0; i < parts_.size(); ++i)
       if (parts_[i].carries) weights[i] = shares[next++];

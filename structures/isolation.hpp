@@ -23,10 +23,12 @@ concept DamperLaw = ForceLaw<Law> && Law::is_damper;
 /// script's own; or several of them side by side, among them dampers.
 ///
 ///     .isolation = LeadRubberBearing{...}
-///     .isolation = FrictionPendulum{...}                                 named "bearings"
-///     .isolation = BearingDesign{.strength_ratio = 0.06, ...}             lead-rubber bearings for the building's
-///     weight .isolation = Isolator{.name = "pendulums", .law = MyPendulum{...}, .count = 20} .isolation =
-///     Isolation{LeadRubberBearing{...}, NonlinearViscous{...}}
+///     .isolation = FrictionPendulum{...}
+///     .isolation = BearingDesign{.strength_ratio = 0.06, ...}
+///     .isolation = Isolator{.name = "pendulums", .law = MyPendulum{...}, .count = 20}
+///     .isolation = Isolation{LeadRubberBearing{...}, NonlinearViscous{...}}
+///
+/// A law alone is named "bearings"; a BearingDesign gives lead-rubber bearings for the weight of the building.
 ///
 /// The building puts them between the ground and its base; `lower` and `upper` must not be given. It gives its weight
 /// to laws that need it, all of it to each: bearings of several kinds side by side need their own `weight`. Dampers are

@@ -1,29 +1,14 @@
 #include "structures/plan_building.hpp"
 
 #include <algorithm>
-#include <map>
-#include <utility>
 
 #include "base/check.hpp"
-#include "elements/plan/plan_spring.hpp"
-#include "elements/plan/rotation_link.hpp"
-#include "materials/linear.hpp"
-#include "materials/viscous.hpp"
 #include "solvers/dense.hpp"
+#include "structures/plan_storeys.hpp"
 #include "structures/static_weights.hpp"
 
 namespace moat {
 namespace {
-
-// A spring of a storey: at a place along a direction, N/m, or against rotation, N m/rad.
-struct StoreySpring {
-  std::string name;
-  double stiffness;
-  PlanPosition at{};
-  PlanVector direction{};  // zero: against rotation
-
-  [[nodiscard]] bool turns() const { return direction == PlanVector{}; }
-};
 
 const PlanOutline& outline_of_base(const PlanBuilding& building) {
   return building.base_outline.empty() ? building.outline.of(1) : building.base_outline;
@@ -57,100 +42,12 @@ void check_parameters(const PlanBuilding& building) {
                "left out without bearings: the ground is the base", "Give .bearings, or leave out .base_mass.");
 }
 
-std::vector<StoreySpring> springs_of_storey(const Check& check, const PlanColumns& columns, const PlanOutline& outline,
-                                            const std::string& storey) {
-  std::vector<StoreySpring> springs;
-  const auto add_both = [&](PlanPosition at, Stiffness x, Stiffness y, const std::string& name) {
-    if (x.si() > 0.0) springs.push_back({name + " x", x.si(), at, {1.0, 0.0}});
-    if (y.si() > 0.0) springs.push_back({name + " y", y.si(), at, {0.0, 1.0}});
-  };
-  if (const StoreyStiffness* whole = columns.whole()) {
-    check.positive(storey + " columns.x", whole->x);
-    check.positive(storey + " columns.y", whole->y);
-    check.positive(storey + " columns.rotation", whole->rotation.si(), "N m/rad");
-    add_both(whole->centre_of_rigidity, whole->x, whole->y, storey);
-    springs.push_back({storey + " rotation", whole->rotation.si()});
-    return springs;
-  }
-  int number = 0;
-  for (const ColumnLine& line : columns.lines(check, outline)) {
-    const std::string name = storey + " column " + std::to_string(++number);
-    check.not_negative(name + " stiffness along x", line.column.along_x());
-    check.not_negative(name + " stiffness along y", line.column.along_y());
-    add_both(line.at, line.column.along_x(), line.column.along_y(), name);
-  }
-  return springs;
-}
-
 std::vector<PlanPosition> column_positions(const Check& check, const PlanColumns& columns, const PlanOutline& outline) {
   std::vector<PlanPosition> positions;
   if (columns.whole() != nullptr) return positions;
   for (const ColumnLine& line : columns.lines(check, outline)) positions.push_back(line.at);
   return positions;
 }
-
-// A law between two floors, at a place along a direction.
-template <class Law>
-PlanSpring<Law> unreported(const std::string& name, NodeId lower, NodeId upper, PlanPosition at, PlanVector direction,
-                           const Law& law) {
-  return {.name = name,
-          .lower = PlanPoint{lower, at},
-          .upper = PlanPoint{upper, at},
-          .direction = direction,
-          .law = law,
-          .deformation_quantity = "",
-          .force_quantity = ""};
-}
-
-void add_spring(Model& model, const StoreySpring& spring, NodeId lower, NodeId upper) {
-  if (spring.turns())
-    add(model, RotationSpring{spring.name, lower, upper, Energy{spring.stiffness}});
-  else
-    add(model, unreported(spring.name, lower, upper, spring.at, spring.direction,
-                          Linear{.stiffness = Stiffness{spring.stiffness}}));
-}
-
-void add_dashpot(Model& model, const StoreySpring& beside, double factor, NodeId lower, NodeId upper) {
-  const std::string name = beside.name + " damping";
-  const double damping = factor * beside.stiffness;
-  if (beside.turns())
-    add(model, RotationDamper{name, lower, upper, Quantity<1, 4, -1>{damping}});
-  else
-    add(model,
-        unreported(name, lower, upper, beside.at, beside.direction, Viscous{.damping = DampingCoefficient{damping}}));
-}
-
-// The forces of springs between two floors that are sums over their displacements: each spring counts with a factor.
-class StoreyForce {
- public:
-  StoreyForce(const Model& model, NodeId lower, DiaphragmId upper) : model_{model}, lower_{lower}, upper_{upper} {}
-
-  void add(const StoreySpring& spring, double factor) {
-    for (const auto& [body, sign] : {std::pair{lower_, -1.0}, {upper_.x, 1.0}}) {
-      const PlacedDiaphragm* floor = body == ground ? nullptr : model_.diaphragm_of(body);
-      if (floor == nullptr) continue;
-      const PlanVector arm = PlanVector{spring.at.x.si(), spring.at.y.si()} - floor->centre_of_mass;
-      const double force = sign * factor * spring.stiffness;
-      weights_[floor->id.x] += force * spring.direction.x;
-      weights_[floor->id.y] += force * spring.direction.y;
-      weights_[floor->id.r] += force * (spring.turns() ? 1.0 : cross(arm, spring.direction)) / floor->gyration;
-    }
-  }
-  void append_to(std::vector<MotionShare>& list, double factor) const {
-    for (const auto& [node, weight] : weights_) list.push_back({node, factor * weight});
-  }
-  [[nodiscard]] std::vector<MotionShare> shares() const {
-    std::vector<MotionShare> list;
-    append_to(list, 1.0);
-    return list;
-  }
-
- private:
-  const Model& model_;
-  NodeId lower_;
-  DiaphragmId upper_;
-  std::map<NodeId, double> weights_;
-};
 
 class Builder {
  public:
@@ -203,58 +100,30 @@ class Builder {
   [[nodiscard]] NodeId below(std::size_t floor) const { return floor == 0 ? base_ : parts_.floors[floor - 1].x; }
 
   void add_storeys() {
-    std::vector<std::vector<StoreySpring>> storeys;
+    std::vector<PlanStorey> storeys;
     for (std::size_t i = 0; i < parts_.floors.size(); ++i) {
-      const std::string storey = "storey " + std::to_string(i + 1);
       const int number = static_cast<int>(i) + 1;
+      const std::string name = "storey " + std::to_string(number);
       const PlanColumns& columns = building_.columns.of(number);
-      storeys.push_back(springs_of_storey(check_, columns, building_.outline.of(number), prefix_ + storey));
-      parts_.columns.push_back(column_positions(check_, columns, building_.outline.of(number)));
-      for (const StoreySpring& spring : storeys.back()) add_spring(model_, spring, below(i), parts_.floors[i]);
+      const PlanOutline& outline = building_.outline.of(number);
+      storeys.push_back({prefix_ + name, i == 0 ? base_ : parts_.floors[i - 1].x, parts_.floors[i],
+                         building_.storey_height.of(number).si(),
+                         springs_of_storey(check_, columns, outline, prefix_ + name)});
+      parts_.columns.push_back(column_positions(check_, columns, outline));
+      add_springs(model_, storeys.back());
       // No storey above is there yet.
-      require_stiffness(storey, stiffness_of_floors(model_, {parts_.floors[i]}));
+      require_stiffness(name, stiffness_of_floors(model_, {parts_.floors[i]}));
     }
-    results_ = storey_results(storeys);
+    // About the base's centre of mass, or that of the lowest floor.
+    results_ = storey_results(model_, storeys,
+                              model_.diaphragm(building_.bearings ? parts_.base : parts_.floors[0]).centre_of_mass);
     const std::optional<RayleighFactors> given = given_factors(building_.damping);
     const RayleighFactors rayleigh =
         given ? *given : rayleigh_factors_in_plan(building_.damping.ratio, model_, parts_.floors);
-    for (std::size_t i = 0; i < storeys.size(); ++i) {
-      for (const StoreySpring& spring : storeys[i])
-        if (rayleigh.stiffness_factor > 0.0)
-          add_dashpot(model_, spring, rayleigh.stiffness_factor, below(i), parts_.floors[i]);
-      if (rayleigh.mass_factor > 0.0) add_mass_damping(i, rayleigh.mass_factor);
+    for (const PlanStorey& storey : storeys) {
+      if (rayleigh.stiffness_factor > 0.0) add_dashpots(model_, storey, rayleigh.stiffness_factor);
+      if (rayleigh.mass_factor > 0.0) add_mass_damping(model_, base_, storey.upper, rayleigh.mass_factor);
     }
-  }
-
-  // Shears and torque of the columns of every storey, and the moments of the forces on all floors above its lower one.
-  // The torque is about the base's centre of mass, or that of the lowest floor.
-  [[nodiscard]] std::vector<StoreyResult> storey_results(const std::vector<std::vector<StoreySpring>>& storeys) const {
-    const PlanVector origin = model_.diaphragm(building_.bearings ? parts_.base : parts_.floors[0]).centre_of_mass;
-    std::vector<StoreyResult> results;
-    std::vector<MotionShare> moment_x, moment_y;
-    for (std::size_t i = storeys.size(); i-- > 0;) {
-      StoreyForce shear_x{model_, below(i), parts_.floors[i]}, shear_y = shear_x, torque = shear_x;
-      for (const StoreySpring& spring : storeys[i]) {
-        const PlanVector arm = PlanVector{spring.at.x.si(), spring.at.y.si()} - origin;
-        shear_x.add(spring, spring.direction.x);
-        shear_y.add(spring, spring.direction.y);
-        torque.add(spring, spring.turns() ? 1.0 : cross(arm, spring.direction));
-      }
-      const double height = building_.storey_height.of(static_cast<int>(i) + 1).si();
-      shear_x.append_to(moment_x, height);
-      shear_y.append_to(moment_y, height);
-      const auto add = [&](const char* quantity, const char* unit, std::vector<MotionShare> shares) {
-        const std::string place = prefix_ + "storey " + std::to_string(i + 1);
-        results.push_back({.quantity = quantity, .place = place, .unit = unit, .displacements = std::move(shares)});
-      };
-      add("overturning_moment_y", "N m", moment_y);
-      add("overturning_moment_x", "N m", moment_x);
-      add("storey_torque", "N m", torque.shares());
-      add("storey_shear_y", "N", shear_y.shares());
-      add("storey_shear_x", "N", shear_x.shares());
-    }
-    std::ranges::reverse(results);
-    return results;
   }
 
   void require_stiffness(const std::string& storey, const Eigen::MatrixXd& stiffness) const {
@@ -264,19 +133,6 @@ class Builder {
                 storey + " does not resist every motion in plan: the smallest eigenvalue of its stiffness is " +
                     to_text(std::max(values[0], 0.0)) + " N/m.",
                 "Give column lines at two places at least, with stiffness along x and along y, or a StoreyStiffness.");
-  }
-
-  // On the motion of a floor relative to the rigid motion of the base, at the floor's centre of mass.
-  void add_mass_damping(std::size_t i, double factor) {
-    const PlacedDiaphragm floor = model_.diaphragm(parts_.floors[i]);
-    const PlanPosition centre{Length{floor.centre_of_mass.x}, Length{floor.centre_of_mass.y}};
-    const std::string name = floor.name + " damping";
-    for (const auto& [component, direction] :
-         {std::pair{" x", PlanVector{1.0, 0.0}}, std::pair{" y", PlanVector{0.0, 1.0}}})
-      add(model_, unreported(name + component, base_, floor.id, centre, direction,
-                             Viscous{.damping = DampingCoefficient{factor * floor.mass}}));
-    add(model_, RotationDamper{name + " rotation", base_, floor.id,
-                               Quantity<1, 4, -1>{factor * floor.mass * floor.gyration * floor.gyration}});
   }
 
   void add_bearings() {

@@ -56,16 +56,7 @@ void PlanBearings::add_under(Model& model, const Check& check, const std::string
     for (const Placed& bearing : bearings)
       places.push_back({bearing.at.si(), bearing.weight, bearing.vertical_stiffness});
     weights = static_weights(check, *axial_forces, places, weight_of_building, centre_of_mass, true);
-    PlanVector load = -1.0 * centre_of_mass;
-    double extent = 0.0;
-    for (std::size_t i = 0; i < places.size(); ++i) {
-      load += weights[i] / weight_of_building * places[i].at;
-      extent = std::max(extent, length(places[i].at - places[0].at));
-    }
-    constexpr double noticeable = 0.01;
-    if (length(load) > noticeable * extent)
-      model.add_note(prefix + "bearings: their weights put the load " + to_text(length(load)) +
-                     " m from the centre of mass.");
+    note_eccentric_load(model, prefix, places, weights, centre_of_mass);
   }
   for (std::size_t i = 0; i < bearings.size(); ++i) {
     const Placed& bearing = bearings[i];

@@ -133,18 +133,29 @@ class PlanBearings {
   struct Placed {
     /// A bearing at a position on the floor.
     template <BearingInPlan Bearing>
-    Placed(PlanPosition position, Bearing bearing) : at{position} {
-      if constexpr (requires { bearing.weight; }) weight = bearing.weight;
-      add_to = [bearing](Model& model, const Names& names, DiaphragmId under, PlanPosition place_at, Force load,
-                         std::optional<BearingOnSlab> on_slab) {
+    Placed(PlanPosition position, Bearing design) : at{position} {
+      if constexpr (requires { design.weight; }) weight = design.weight;
+      add_to = [design](Model& model, const Names& names, DiaphragmId under, PlanPosition place_at, Force load,
+                        std::optional<BearingOnSlab> on_slab) {
+        Bearing bearing = design;
+        // A table may give another one.
+        if constexpr (requires { bearing.weight = load; }) bearing.weight = load;
         if (on_slab)
           on_slab = bearing_on_slab(bearing, on_slab->at, load, on_slab->vertical_stiffness * units::N / units::m);
+        // Reports show the law as the script gave it.
+        std::optional<LawAsGiven> as_given;
+        if constexpr (!PlanarLaw<Bearing> && requires { requires std::is_pointer_v<decltype(&Bearing::name)>; }) {
+          as_given = LawAsGiven{std::string{name_of(bearing)}, parameters_of(bearing)};
+          if constexpr (requires { bearing.weight; })
+            as_given->parameters.push_back({on_slab ? "static_weight" : "weight", load.si(), "N"});
+        }
         const auto place = [&](const auto& law) {
           add(model, PlanBearing<std::remove_cvref_t<decltype(law)>>{.name = names.name,
                                                                      .under = under,
                                                                      .at = place_at,
                                                                      .law = law,
                                                                      .place = names.place,
+                                                                     .law_as_given = as_given,
                                                                      .on_slab = on_slab});
         };
         if constexpr (requires { in_plan_under_changing_weight(bearing, load); }) {

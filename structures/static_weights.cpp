@@ -56,6 +56,22 @@ std::vector<Force> static_weights(const Check& check, const AxialForces& options
   return weights;
 }
 
+void note_eccentric_load(Model& model, const std::string& prefix, const std::vector<BearingPlace>& bearings,
+                         const std::vector<Force>& weights, PlanVector centre) {
+  PlanVector moment{};
+  double weight = 0.0, extent = 0.0;
+  for (std::size_t i = 0; i < bearings.size(); ++i) {
+    moment += weights[i].si() * bearings[i].at;
+    weight += weights[i].si();
+    extent = std::max(extent, length(bearings[i].at - bearings[0].at));
+  }
+  const double distance = length(moment / weight - centre);
+  constexpr double noticeable = 0.01;
+  if (distance > noticeable * extent)
+    model.add_note(prefix + "bearings: their weights put the load " + to_text(distance) +
+                   " m from the centre of mass.");
+}
+
 void check_axial_forces(const Check& check, const AxialForces& options, bool heights_are_given) {
   check.that(heights_are_given, "axial_forces are asked, and storey_height is left out.",
              "Give the heights of its storeys: overturning follows them.");

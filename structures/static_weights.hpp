@@ -1,10 +1,12 @@
 // The weights that bearings carry at rest.
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "base/check.hpp"
 #include "model/axial_forces.hpp"
+#include "model/model.hpp"
 
 namespace moat {
 
@@ -21,6 +23,10 @@ struct BearingPlace {
 std::vector<Force> static_weights(const Check& check, const AxialForces& options,
                                   const std::vector<BearingPlace>& bearings, Force weight, PlanVector centre,
                                   bool in_plan);
+
+/// Adds a note where the load of these weights is beside the centre of mass by more than 1 % of the bearings' extent.
+void note_eccentric_load(Model& model, const std::string& prefix, const std::vector<BearingPlace>& bearings,
+                         const std::vector<Force>& weights, PlanVector centre);
 
 /// Checks options of a building that stands on bearings. Throws InputError.
 void check_axial_forces(const Check& check, const AxialForces& options, bool heights_are_given);

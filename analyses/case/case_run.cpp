@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <iterator>
+#include <limits>
 #include <set>
 
 #include "analyses/case/case_warnings.hpp"
@@ -12,6 +13,7 @@
 #include "base/check.hpp"
 #include "base/error.hpp"
 #include "model/building.hpp"
+#include "output/files/building_parts.hpp"
 #include "output/peaks/drift_ratios.hpp"
 #include "output/vtk/model_scene.hpp"
 
@@ -35,8 +37,8 @@ constexpr std::array general_assumptions{
 // Assumptions of results in plan, in place of those above.
 constexpr std::array plan_assumptions{
     "Floors are rigid and move in plan: x to the right, y up, rotation counter-clockwise, displacements and velocities "
-    "relative to the ground, accelerations absolute. Vertical motion, rocking, uplift, the coupling of bearings with "
-    "their vertical force, the flexibility of floors and the height of contacts are left out.",
+    "relative to the ground, accelerations absolute. The flexibility of floors and the height of contacts are left "
+    "out.",
     "Displacements are linear in rotations.",
     "Resultants are those of simultaneous components; corner_displacement, corner_acceleration and corner_drift are "
     "resultants at the corners of the outlines, their peaks the largest of all corners.",
@@ -53,6 +55,10 @@ constexpr std::array plan_assumptions{
     "Contacts are points: corners with a normal law each, and Coulomb friction with an elastic grip before it slides.",
     "Energies are in the frame of the ground: input is the work of the ground's inertia forces on relative motion."};
 
+// An assumption of buildings in plan without axial forces.
+constexpr const char* weight_is_constant =
+    "Vertical motion, rocking, uplift and the coupling of bearings with their vertical force are left out.";
+
 CaseOptions checked(CaseOptions options) {
   const Check check{"CaseOptions", options.title};
   check.not_negative("history_interval", options.history_interval);
@@ -62,51 +68,6 @@ CaseOptions checked(CaseOptions options) {
 
 double history_interval(const CaseOptions& options, const GroundMotion& motion) {
   return options.history_interval.si() > 0.0 ? options.history_interval.si() : motion.time_step();
-}
-
-// Where a building touches at a gap: on a line the side of the gap, in plan the edge, or its own edge that a corner of
-// another body meets. The right side of a gap on a line is its first node; in plan the second body has the corner.
-std::string side_of_gap(const ElementInfo& gap, bool is_first) {
-  const CornerPair* pair = gap.corner_pair();
-  if (pair != nullptr) return is_first ? pair->corner : pair->edge;
-  return is_first ? "left" : "right";
-}
-
-void add_elements(const Model& model, const std::set<std::string>& bodies, BuildingParts& parts) {
-  for (const auto& block : model.blocks())
-    for (const ElementInfo& info : block->infos()) {
-      const auto is_at = [&](const std::vector<NodeId>& end) {
-        return std::ranges::any_of(end,
-                                   [&](NodeId node) { return bodies.contains(std::string{model.body_name(node)}); });
-      };
-      const auto [nodes_of_first, nodes_of_second] = info.ends();
-      const bool first = is_at(nodes_of_first), second = is_at(nodes_of_second);
-      if (!first && !second) continue;
-      parts.places.insert({info.name, info.listed_under()});
-      if (block->kind().contacts && first != second) parts.gaps.push_back({info.name, side_of_gap(info, first)});
-    }
-}
-
-std::vector<BuildingParts> parts_of_buildings(const Model& model) {
-  std::vector<BuildingParts> list;
-  const auto name_of = [&](NodeId node) { return std::string{model.body_name(node)}; };
-  const std::vector<Building> buildings = all_buildings(model);
-  const std::vector<std::vector<ElementId>> isolators = isolators_of(model, buildings);
-  for (std::size_t b = 0; b < buildings.size(); ++b) {
-    const Building& building = buildings[b];
-    BuildingParts parts{.name = building.name, .base = building.base == ground ? "" : name_of(building.base)};
-    for (const NodeId floor : building.floors) parts.floors.push_back(name_of(floor));
-    parts.modes = building.modes;
-    for (const ElementId id : isolators[b]) parts.isolators.push_back(model.blocks()[id.block]->info(id.element).name);
-    std::set<std::string> bodies;
-    for (const NodeId node : building.nodes()) bodies.insert(name_of(node));
-    parts.places = bodies;
-    parts.places.insert(building.base_name());
-    for (const StoreyResult& result : building.storey_results) parts.places.insert(result.place);
-    add_elements(model, bodies, parts);
-    list.push_back(std::move(parts));
-  }
-  return list;
 }
 
 // Whether every multiple of the histories' interval is the end of a step.
@@ -164,6 +125,7 @@ CaseRun::CaseRun(const Model& model, const GroundMotion& motion, CaseOptions opt
 void CaseRun::attach(StepObserver& observer) {
   transient_.attach(observer);
   if (const auto* checks = dynamic_cast<const BearingCheckRecorder*>(&observer)) bearing_checks_.push_back(checks);
+  if (const auto* spectra = dynamic_cast<const FloorSpectra*>(&observer)) floor_spectra_.push_back(spectra);
   const auto* recorder = dynamic_cast<const QuantityRecorder*>(&observer);
   if (recorder == nullptr) return;
   offered_.add(*recorder);
@@ -176,6 +138,7 @@ void CaseRun::run() {
        std::initializer_list<StepObserver*>{&energy_, &peaks_, &impacts_, &clearances_, &histories_})
     transient_.attach(*own);
   if (!offered_.list().empty()) transient_.attach(offered_peaks_);
+  if (floor_spectra_.empty()) attach(own_floor_spectra_);
   transient_.run(stop_);
   stopped_ = !transient_.finished();
   if (stopped_) return;
@@ -197,7 +160,7 @@ void CaseRun::run_companion() {
     const TransientOptions finer = companion_options(options_.transient, spent.longest_step);
     about_companion_ = companion_description(finer);
     try {
-      companion_ = compute_peaks(transient_.model(), transient_.motion(), finer, companion_observer_, stop_);
+      companion_ = compute_peaks(transient_.model(), transient_.motion(), finer, {companion_observer_}, stop_);
     } catch (const Error& error) {
       companion_failure_ = error.what();
       about_companion_ = "No error bars: the second run failed.";
@@ -220,7 +183,6 @@ CaseResult CaseRun::result_with(Table histories) const {
       .clearances = clearances_.clearances(),
       .impacts = impacts_.impacts(),
       .histories = std::move(histories),
-      .floor_accelerations = impacts_.impacts().empty() ? Table{} : histories_.floors(),
       .offered = offered_.list(),
       .energy = energy_.at_end(),
       .solver = transient_.statistics(),
@@ -237,15 +199,21 @@ CaseResult CaseRun::result_with(Table histories) const {
   result.assumptions.insert(result.assumptions.end(), notes.begin(), notes.end());
   for (const BearingCheckRecorder* checks : bearing_checks_)
     std::ranges::move(checks->rows(), std::back_inserter(result.bearing_checks));
+  for (const FloorSpectra* each : floor_spectra_)
+    std::ranges::move(each->spectra(), std::back_inserter(result.floor_spectra));
   result.torsion = torsion_of(transient_.model(), result.peaks);
   add_errors(result);
+  double first_rocking = std::numeric_limits<double>::infinity();
   for (const WeightOnBearings& weight : transient_.state().weights())
-    for (Peak& peak : result.peaks)
-      if (peak.time >= weight.first_rocking()) peak.side += peak.side.empty() ? "rocked" : ", rocked";
+    first_rocking = std::min(first_rocking, weight.first_rocking());
+  for (Peak& peak : result.peaks)
+    if (peak.time >= first_rocking) peak.side += peak.side.empty() ? "rocked" : ", rocked";
   std::ranges::move(drift_ratios(transient_.model(), result.peaks), std::back_inserter(result.peaks));
   // Behind the errors: the companion does not know these peaks.
   for (Peak& peak : offered_peaks_.peaks()) result.peaks.push_back(std::move(peak));
   for (std::string& warning : offered_peaks_.warnings()) result.warnings.push_back(std::move(warning));
+  if (transient_.model().is_plan() && transient_.state().weights().empty())
+    result.assumptions.emplace_back(weight_is_constant);
   if (transient_.model().is_plan())
     result.assumptions.insert(result.assumptions.end(), plan_assumptions.begin(), plan_assumptions.end());
   else

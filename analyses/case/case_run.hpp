@@ -14,6 +14,7 @@
 #include "output/recorders/bearing_check_recorder.hpp"
 #include "output/recorders/clearance_recorder.hpp"
 #include "output/recorders/energy_ledger.hpp"
+#include "output/recorders/floor_spectra.hpp"
 #include "output/recorders/history_recorder.hpp"
 #include "output/recorders/impact_recorder.hpp"
 #include "output/recorders/offered_quantities.hpp"
@@ -54,8 +55,8 @@ class CaseRun {
   CaseRun& operator=(const CaseRun&) = delete;
 
   /// Before run(): calls the observer too; it must outlive the run. Quantities of a QuantityRecorder appear in
-  /// histories, peaks and report, and the checks of a BearingCheckRecorder in the result. Throws InputError for a
-  /// quantity that is there already.
+  /// histories, peaks and report, and the checks of a BearingCheckRecorder and the spectra of FloorSpectra in the
+  /// result. Throws InputError for a quantity that is there already.
   void attach(StepObserver& observer);
   /// Calls the observer for the steps of the companion, if there is one; it must outlive the run.
   void attach_to_companion(StepObserver& observer) { companion_observer_ = &observer; }
@@ -86,6 +87,8 @@ class CaseRun {
   ClearanceRecorder clearances_;
   HistoryRecorder histories_;
   std::vector<const BearingCheckRecorder*> bearing_checks_;
+  FloorSpectra own_floor_spectra_;  // where the script attached none
+  std::vector<const FloorSpectra*> floor_spectra_;
   OfferedQuantities offered_;
   OfferedPeaks offered_peaks_{offered_};
   std::function<bool()> stop_;

@@ -208,7 +208,7 @@ std::string companion_description(const TransientOptions& companion) {
 }
 
 PeaksAndImpacts compute_peaks(const Model& model, const GroundMotion& motion, const TransientOptions& options,
-                              StepObserver* observer, const std::function<bool()>& stop) {
+                              std::initializer_list<StepObserver*> observers, const std::function<bool()>& stop) {
   Transient transient{model, motion, options};
   PeakRecorder peaks{model};
   ImpactRecorder touches{false};
@@ -216,7 +216,8 @@ PeaksAndImpacts compute_peaks(const Model& model, const GroundMotion& motion, co
   transient.attach(peaks);
   transient.attach(touches);
   transient.attach(clearances);
-  if (observer != nullptr) transient.attach(*observer);
+  for (StepObserver* observer : observers)
+    if (observer != nullptr) transient.attach(*observer);
   transient.run(stop);
   if (!transient.finished()) throw Error{"it was stopped."};
   return {peaks.peaks(), touches.impacts(), transient.statistics(), clearances.clearances(), transient.collapsed()};

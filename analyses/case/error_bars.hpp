@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <initializer_list>
 #include <map>
 #include <span>
 #include <string>
@@ -46,10 +47,11 @@ using ScalesOfUnits = std::map<std::string, double>;
 ScalesOfUnits scales_of_run(const std::vector<Peak>& peaks, const Model& model, const GroundMotion& motion,
                             const TransientOptions& options);
 
-/// Runs the model and returns its peaks and touches. The observer, if any, gets every step. stop: asked before every
-/// step; true ends the run with an Error. Throws as Transient does.
+/// Runs the model and returns its peaks and touches. The observers that are not null get every step. stop: asked
+/// before every step; true ends the run with an Error. Throws as Transient does.
 PeaksAndImpacts compute_peaks(const Model& model, const GroundMotion& motion, const TransientOptions& options,
-                              StepObserver* observer = nullptr, const std::function<bool()>& stop = {});
+                              std::initializer_list<StepObserver*> observers = {},
+                              const std::function<bool()>& stop = {});
 
 /// Gives every peak of the main run its error: Richardson's estimate from the companion's peak, whose own error is at
 /// most a quarter,

@@ -25,7 +25,7 @@ void StepEquations::begin(const StepTask& task, StepScheme scheme, Vector& guess
   const double h = task.length;
   state_->move_ground(task.ground_acceleration);
   // Rates of forces under a weight jump with that of the vertical component.
-  if (std::exchange(vertical_rate_, state_->ground_rate().z) != vertical_rate_ && state_->feels_accelerations())
+  if (std::exchange(vertical_rate_, state_->vertical_ground_rate()) != vertical_rate_ && state_->feels_accelerations())
     jerks_at_start_ = jerks_at_end_ = {};
   const MotionState& start = state_->motion();
   const double *u = start.displacement.data(), *v = start.velocity.data(), *a = start.acceleration.data(),

@@ -10,6 +10,8 @@ namespace {
 
 constexpr double of_ageing = 0.75;
 
+}  // namespace
+
 void check_factors(const PropertyBounds& bounds) {
   const Check check{"PropertyBounds", ""};
   check.above_up_to("lower.strength", bounds.lower.strength, 0.0, 1.0, "1");
@@ -20,8 +22,6 @@ void check_factors(const PropertyBounds& bounds) {
   at_least_one("upper.strength", bounds.upper.strength);
   at_least_one("upper.stiffness", bounds.upper.stiffness);
 }
-
-}  // namespace
 
 double PropertyBounds::asce_7_upper(const Lambda& lambda, bool qualified_by_tests) {
   constexpr double least = 1.8;

@@ -37,6 +37,9 @@ struct PropertyBounds {
   static double asce_7_lower(const Lambda& lambda, bool qualified_by_tests = true);
 };
 
+/// Throws InputError for factors outside their range.
+void check_factors(const PropertyBounds& bounds);
+
 /// The three cases in the order nominal, lower, upper, and the envelope of their peaks.
 struct BoundedResult {
   std::array<CaseResult, 3> cases;  ///< Results in the order of `names`.

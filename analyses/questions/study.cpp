@@ -113,6 +113,16 @@ void add_energies(CaseOutcome& outcome, const EnergyBalance& energy) {
   outcome.energy_error = energy.error_share();
 }
 
+void add_floor_spectra(StudyRecord& record, const std::vector<FloorSpectrum>& spectra) {
+  for (const FloorSpectrum& floor : spectra)
+    for (std::size_t i = 0; i < floor.spectrum.period.size(); ++i) {
+      const std::string where = floor.where() + ", " + to_text(floor.spectrum.period[i]) + " s";
+      record.push_back({"floor_sa", where, "m/s^2", floor.spectrum.pseudo_acceleration[i]});
+      if (!floor.spectrum.absolute_acceleration.empty())
+        record.push_back({"floor_sa_absolute", where, "m/s^2", floor.spectrum.absolute_acceleration[i]});
+    }
+}
+
 std::vector<FileRead> files_of(const GroundMotion& motion) {
   std::vector<FileRead> files;
   for (const MotionComponent& component : motion.components())
@@ -141,7 +151,10 @@ std::string hash_of(const GroundMotion& motion) {
 CaseOutcome outcome_of_model(const Model& model, const GroundMotion& motion, const StudyOptions& options) {
   std::optional<EnergyLedger> energy;
   if (options.energies) energy.emplace();
-  PeaksAndImpacts main = compute_peaks(model, motion, options.transient, energy ? &*energy : nullptr);
+  std::optional<FloorSpectra> floors;
+  if (options.floor_spectra) floors.emplace(*options.floor_spectra);
+  PeaksAndImpacts main =
+      compute_peaks(model, motion, options.transient, {energy ? &*energy : nullptr, floors ? &*floors : nullptr});
   double sensitive = std::numeric_limits<double>::quiet_NaN();
   // Peaks of a fall depend on where it is stopped.
   if (options.error_bars && !main.collapsed) {
@@ -172,6 +185,7 @@ CaseOutcome outcome_of_model(const Model& model, const GroundMotion& motion, con
   record.push_back({"collapsed", "", "1", collapsed ? 1.0 : 0.0});
   if (options.error_bars) record.push_back({"sensitive", "", "1", sensitive});
   if (energy) add_energies(outcome, energy->at_end());
+  if (floors) add_floor_spectra(record, floors->spectra());
   return outcome;
 }
 

@@ -168,6 +168,11 @@ void check_start(const Model& model, const AnalysisState& state, const GroundMot
   check.that(model.is_plan() || !motion.has_two_components(),
              "the motion has two components, and the model moves on a line.",
              "Give one component, or make the model of diaphragms.");
+  for (const ElementId id : state.elements_without_axial_force())
+    check.that(false,
+               "the law of the element \"" + model.blocks()[id.block]->info(id.element).name +
+                   "\" takes an axial force, and none acts on it: it would stay lifted.",
+               "Give .axial_forces to its building, or a law under a constant weight.");
   const double* lifted = model.ground_influence().z;
   check.that(motion.samples_z().empty() || !state.weights().empty() ||
                  std::any_of(lifted, lifted + model.degrees_of_freedom(), [](double share) { return share != 0.0; }),

@@ -36,9 +36,7 @@ Transient::Transient(const Model& model, GroundMotion motion, AnalysisState stat
     if (asked.vertical_period.si() == 0.0) continue;
     const auto mode = std::make_shared<const VerticalMotion>(*motion_, asked.vertical_period, asked.vertical_damping);
     while (settings_.longest_step > mode->longest_step()) settings_.longest_step *= 0.5;
-    weight.move_in([mode](double time) {
-      return std::pair{mode->acceleration(time), mode->rate(time, VerticalMotion::Side::after)};
-    });
+    weight.move_in([mode](double time) { return std::pair{mode->acceleration(time), mode->rate(time)}; });
   }
   methods_ = methods_of(options_.integrator, state_, settings_);
   method_ = methods_.by_preference.front().get();
@@ -76,7 +74,7 @@ void Transient::advance() {
 void Transient::take_and_report_step() {
   observers_.start(view(true));
   if (grid_.reaches_end_of_motion(state_.time())) end_motion();
-  if (!state_.weights().empty() && state_.turn_ground(grid_.rate_behind(state_.time())))
+  if (!state_.weights().empty() && state_.turn_ground(grid_.rate_behind(state_.time()).z))
     observers_.event(view(false), {});
   method_ = std::ranges::find_if(methods_.by_preference, [](const auto& each) { return each->applies(); })->get();
   double h = step_.solve_next(*method_);
@@ -180,11 +178,28 @@ std::vector<std::string> Transient::assumptions() const {
 std::vector<std::string> Transient::warnings() const {
   std::vector<std::string> list;
   if (collapse_.collapsed()) list.push_back(collapse_.warning());
-  for (const WeightOnBearings& weight : state_.weights())
+  for (const WeightOnBearings& weight : state_.weights()) {
+    const std::string building = weight.building().empty() ? "The building" : "\"" + weight.building() + "\"";
     if (weight.rocking_time() > 0.0)
-      list.push_back((weight.building().empty() ? "The building" : "\"" + weight.building() + "\"") + " rocked for " +
-                     to_text(weight.rocking_time()) + " s, first at t = " + to_text(weight.first_rocking()) +
+      list.push_back(building + " rocked for " + to_text(weight.rocking_time()) +
+                     " s, first at t = " + to_text(weight.first_rocking()) +
                      " s: the moment that its bearings cannot balance was dropped. Do not trust later peaks.");
+    const auto is_lifted_rubber = [](const WeightOnBearings::Bearing& bearing) {
+      return !bearing.on_slab.slides && bearing.uplifts > 0;
+    };
+    if (const auto lifted = std::ranges::count_if(weight.bearings(), is_lifted_rubber);
+        lifted > 0 && weight.options().may_pull.si() == 0.0)
+      list.push_back(building + " lifted from " + std::to_string(lifted) +
+                     " of its bearings that do not slide. They kept their horizontal force. Give .may_pull where "
+                     "bearings are bolted; others lose that force in the air.");
+    const auto& first = *std::ranges::min_element(weight.bearings(), {}, &WeightOnBearings::Bearing::first_unstable);
+    if (first.instabilities > 0)
+      list.push_back(
+          "\"" + state_.model().blocks()[first.element.block]->info(first.element.element).name +
+          "\" is unstable from t = " + to_text(first.first_unstable) +
+          " s on: its axial force exceeds the critical load of the displaced rubber. Peaks of bearing_unstable "
+          "list all such bearings.");
+  }
   for (const auto& method : methods_.by_preference)
     for (std::string& warning : method->warnings()) list.push_back(std::move(warning));
   return list;

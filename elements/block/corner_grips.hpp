@@ -138,10 +138,7 @@ class CornerGrips {
       if (!contacts.touching(i)) continue;
       const Corner& corner = corners_[i];
       const double margin = corner.geometry.margin_at_ends(corner.now.path);
-      if (margin < scan.margin) {
-        scan.margin = margin;
-        scan.nearest = i;
-      }
+      scan.margin = std::min(scan.margin, margin);
       if (margin >= 0.0) continue;
       const double before = corner.geometry.margin_at_ends(corner.start.path);
       scan.crossed = true;

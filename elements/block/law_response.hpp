@@ -1,6 +1,8 @@
 // Laws of one component and of two, seen alike.
 #pragma once
 
+#include <cmath>
+#include <concepts>
 #include <type_traits>
 
 #include "materials/plan/planar_response.hpp"
@@ -35,5 +37,45 @@ ResponseOf<Law> respond_over(const Law& law, const typename Law::State& committe
   else
     return respond(law, committed, now.deformation, now.rate, {length, start.deformation, start.rate}, trial, axial);
 }
+
+/// Keeps a response, number by number: a copy of the whole from memory that was just written so stalls.
+template <class Law>
+void keep(const Response& answer, Response& kept) {
+  kept.force = answer.force;
+  kept.stiffness = answer.stiffness;
+  kept.damping = answer.damping;
+  if constexpr (AxialForceLaw<Law>) kept.by_compression = answer.by_compression;
+}
+template <class Law, std::derived_from<PlanarResponse> Any>
+void keep(const Any& answer, Any& kept) {
+  kept = answer;
+}
+
+/// The rate of the force of a law, N/s, at the state and response of an instant, from the rates of its rate, m/s^2, and
+/// of its compression, N/s.
+template <class Law>
+VectorOf<Law> rate_of_force([[maybe_unused]] const Law& law, [[maybe_unused]] const typename Law::State& state,
+                            const ResponseOf<Law>& answer, [[maybe_unused]] DeformationAndRate<VectorOf<Law>> motion,
+                            VectorOf<Law> second_rate, [[maybe_unused]] double compression_rate) {
+  if constexpr (PlanarAxialForceLaw<Law>)
+    return answer.force_rate + answer.viscosity * second_rate + compression_rate * answer.rate_by_compression;
+  else if constexpr (PlanarLaw<Law>)
+    return answer.force_rate + answer.viscosity * second_rate;
+  else if constexpr (AxialForceLaw<Law> && requires(double x) { law.force_rate(state, x, x, x, x); })
+    return law.force_rate(state, motion.deformation, motion.rate, second_rate, compression_rate);
+  else if constexpr (!AxialForceLaw<Law> && requires(double x) { law.force_rate(state, x, x, x); })
+    return law.force_rate(state, motion.deformation, motion.rate, second_rate);
+  else
+    return answer.stiffness * motion.rate + answer.damping * second_rate +
+           (AxialForceLaw<Law> ? answer.by_compression * compression_rate : 0.0);
+}
+
+/// The size of a stiffness, N/m; in plan the root of the sum of squares.
+inline double norm(double stiffness) { return std::abs(stiffness); }
+inline double norm(PlanMatrix a) { return std::sqrt(a.xx * a.xx + a.xy * a.xy + a.yx * a.yx + a.yy * a.yy); }
+
+/// A force with one component as it is, of one with two the length, N.
+inline double value_or_length(double force) { return force; }
+inline double value_or_length(PlanVector force) { return length(force); }
 
 }  // namespace moat

@@ -6,8 +6,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "elements/block/law_response.hpp"
-#include "elements/block/link_motion.hpp"
+#include "elements/block/link_step.hpp"
 #include "model/element_states.hpp"
 
 namespace moat {
@@ -37,19 +36,6 @@ class LinkEnergies {
     law.dissipated_energy(state, state);
   };
 
-  /// Laws, states and motion at both ends of a step of `length` s; the states at its end are the trial ones.
-  struct Step {
-    const std::vector<Law>& laws;         ///< of all elements
-    const std::vector<State>& committed;  ///< at the start
-    const std::vector<State>& trial;      ///< at the end
-    const LinkMotion<Vector>& start;      ///< at the start
-    const LinkMotion<Vector>& end;        ///< at the end
-    const LinkCompressions& start_axial;  ///< at the start
-    const LinkCompressions& end_axial;    ///< at the end
-    const std::vector<Vector>& forces;    ///< at the end, N
-    double length;                        ///< s, >= 0
-  };
-
   /// Whether start() was called.
   [[nodiscard]] bool kept() const { return kept_; }
 
@@ -66,7 +52,7 @@ class LinkEnergies {
   }
 
   /// Adds work and dissipation of a step to every account.
-  void add_step(const Step& step, WorkRule rule) {
+  void add_step(const LinkStep<Law>& step, WorkRule rule) {
     const std::array places{HermiteQuinticsAt{lobatto_inside[0], step.length},
                             HermiteQuinticsAt{lobatto_inside[1], step.length}};
     for (std::size_t i = 0; i < accounts_.size(); ++i) {
@@ -102,14 +88,17 @@ class LinkEnergies {
     double power = 0.0;  // W
   };
 
-  static constexpr bool under_axial_force = AxialForceLaw<Law> || PlanarAxialForceLaw<Law>;
+  static constexpr bool under_axial_force = LinkStep<Law>::takes_axial_force;
 
   // A lifted bearing carries nothing, N.
   static double pressing(double compression) { return std::max(compression, 0.0); }
-  // Of a changing axial force, W.
+  // The power of a changing axial force, W.
   static double weight_power([[maybe_unused]] const Law& law, [[maybe_unused]] const State& state,
-                             [[maybe_unused]] Vector deformation, [[maybe_unused]] double compression_rate) {
-    if constexpr (under_axial_force)
+                             [[maybe_unused]] Vector deformation, [[maybe_unused]] Vector rate,
+                             [[maybe_unused]] double compression_rate) {
+    if constexpr (GivesWeightWork<Law, Vector>)
+      return law.weight_power(state, deformation, rate, compression_rate);
+    else if constexpr (under_axial_force)
       return state.compression > 0.0 ? compression_rate * law.weight_lever(state, deformation, state, deformation)
                                      : 0.0;
     else
@@ -123,10 +112,13 @@ class LinkEnergies {
       return law.dissipation_rate(state, deformation, rate);
   }
 
-  void add_by_mean_force(std::size_t i, const Step& step, const Load& end) {
+  void add_by_mean_force(std::size_t i, const LinkStep<Law>& step, const Load& end) {
     accounts_[i].work +=
         dot(0.5 * (loads_[i].force + end.force), step.end.deformations[i] - step.start.deformations[i]);
-    if constexpr (under_axial_force)
+    if constexpr (GivesWeightWork<Law, Vector>)
+      accounts_[i].weight_work += step.laws[i].weight_work(step.committed[i], step.start.deformations[i], step.trial[i],
+                                                           step.end.deformations[i]);
+    else if constexpr (under_axial_force)
       accounts_[i].weight_work += (pressing(step.end_axial.values[i]) - pressing(step.start_axial.values[i])) *
                                   step.laws[i].weight_lever(step.committed[i], step.start.deformations[i],
                                                             step.trial[i], step.end.deformations[i]);
@@ -137,29 +129,24 @@ class LinkEnergies {
     }
   }
 
-  void add_by_quadrature(std::size_t i, const Step& step, const Load& end,
+  void add_by_quadrature(std::size_t i, const LinkStep<Law>& step, const Load& end,
                          const std::array<HermiteQuinticsAt, 2>& places) {
     const double h = step.length;
     const Vector d0 = step.start.deformations[i], v0 = step.start.rates[i], a0 = step.start.second_rates[i],
                  d1 = step.end.deformations[i], v1 = step.end.rates[i], a1 = step.end.second_rates[i];
     double work = dot(loads_[i].force, v0) + dot(end.force, v1), dissipated = loads_[i].power + end.power,
-           weight_work = 0.0;
-    if constexpr (under_axial_force)
-      weight_work = weight_power(step.laws[i], step.committed[i], d0, step.start_axial.rates[i]) +
-                    weight_power(step.laws[i], step.trial[i], d1, step.end_axial.rates[i]);
+           start_rate = 0.0;
+    if constexpr (under_axial_force) start_rate = step.start_axial.rates[i];
+    double weight_work = weight_power(step.laws[i], step.committed[i], d0, v0, start_rate) +
+                         weight_power(step.laws[i], step.trial[i], d1, v1, step.compression_rate_at_end(i));
     for (std::size_t k = 0; k < places.size(); ++k) {
       const Vector deformation = places[k].value(d0, v0, a0, d1, v1, a1), rate = places[k].rate(d0, v0, a0, d1, v1, a1);
       State after;
-      AxialForce axial;
       double compression_rate = 0.0;
-      if constexpr (under_axial_force) {
-        const HermiteCubic compression = compression_between(step.start_axial, step.end_axial, i, h);
-        axial = {compression.value(lobatto_inside[k]), step.start_axial.rates[i]};
-        compression_rate = compression.rate(lobatto_inside[k]);
-      }
-      const ResponseOf<Law> response = respond_over(step.laws[i], step.committed[i], {deformation, rate}, {d0, v0},
-                                                    lobatto_inside[k] * h, axial, after);
-      weight_work += 5.0 * weight_power(step.laws[i], after, deformation, compression_rate);
+      if constexpr (under_axial_force)
+        compression_rate = compression_between(step.start_axial, step.end_axial, i, h).rate(lobatto_inside[k]);
+      const ResponseOf<Law> response = step.respond(i, lobatto_inside[k], {deformation, rate}, after);
+      weight_work += 5.0 * weight_power(step.laws[i], after, deformation, rate, compression_rate);
       work += 5.0 * dot(response.force, rate);
       dissipated += 5.0 * power(step.laws[i], step.committed[i], deformation, rate);
     }

@@ -71,9 +71,9 @@ PlanVector unit_direction(const Check& check, std::string_view field, PlanVector
 }
 
 std::shared_ptr<const ElementDetails> plan_details(const PlanPoint& first, const PlanPoint& second,
-                                                   PlanVector direction, const std::optional<BearingOnSlab>& on_slab) {
-  return std::make_shared<const ElementDetails>(
-      ElementDetails{.plan_places = PlanPlaces{first.at.si(), second.at.si(), direction}, .bearing_on_slab = on_slab});
+                                                   PlanVector direction, ElementDetails details) {
+  details.plan_places = PlanPlaces{first.at.si(), second.at.si(), direction};
+  return std::make_shared<const ElementDetails>(std::move(details));
 }
 
 }  // namespace moat

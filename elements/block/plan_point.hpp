@@ -47,9 +47,8 @@ Check check_points(const Model& model, std::string_view kind, const std::string&
                    const PlanPoint& first, std::string_view second_field, const PlanPoint& second);
 /// The direction with length 1. Throws InputError for a vector without length.
 PlanVector unit_direction(const Check& check, std::string_view field, PlanVector direction);
-/// For ElementInfo; `direction` has length 1, or is zero for an element that acts in both directions.
+/// Adds the places to details of an element; `direction` has length 1, or is zero for one that acts in both directions.
 std::shared_ptr<const ElementDetails> plan_details(const PlanPoint& first, const PlanPoint& second,
-                                                   PlanVector direction,
-                                                   const std::optional<BearingOnSlab>& on_slab = {});
+                                                   PlanVector direction, ElementDetails details = {});
 
 }  // namespace moat

@@ -68,7 +68,7 @@ void check_rising_friction(const Check& check, const Design& design, Force stati
 template <class Design>
 BearingOnSlab bearing_on_slab(const Design& design, PlanVector at, Force static_weight, Stiffness vertical_stiffness) {
   BearingOnSlab on_slab{.at = at, .static_weight = static_weight.si(), .vertical_stiffness = vertical_stiffness.si()};
-  if constexpr (BearsChangingWeight<Design>) {
+  if constexpr (BearsChangingWeight<Design> && !requires { Design::is_rubber; }) {
     on_slab.slides = true;
     on_slab.acts_at = BearingOnSlab::by_surface;
     if constexpr (requires { design.share_of_upper_surfaces(); }) on_slab.acts_at = design.share_of_upper_surfaces();
@@ -104,9 +104,11 @@ void add(Model& model, const Isolator<Law>& isolator) {
     ElementDetails details;
     if (isolator.count > 1 || !std::is_same_v<Placed, Law>)
       details.law_as_given = LawAsGiven{std::string{name_of(isolator.law)}, given};
-    if (isolator.weight_changes)
+    if (isolator.weight_changes) {
       details.bearing_on_slab =
           bearing_on_slab(isolator.law, {isolator.at.si(), 0.0}, isolator.own_weight(), isolator.vertical_stiffness);
+      details.bearing_on_slab->count = isolator.count;
+    }
     if (details.law_as_given || details.bearing_on_slab)
       info.details = std::make_shared<const ElementDetails>(std::move(details));
     if (isolator.count == 1)

@@ -35,8 +35,11 @@ void add_in_plan(Model& model, const Check& check, std::string_view kind, const 
   if constexpr (requires { spring.law.check(check); }) spring.law.check(check);
   model.register_element(kind, spring.name);
   const PlanPoint &lower = spring.lower, &upper = spring.upper;
-  std::optional<BearingOnSlab> on_slab;
-  if constexpr (requires { spring.on_slab; }) on_slab = spring.on_slab;
+  ElementDetails details;
+  if constexpr (requires { spring.on_slab; }) {
+    details.law_as_given = spring.law_as_given;
+    details.bearing_on_slab = spring.on_slab;
+  }
   model.block<LinkBlock<decltype(spring.law), Ends>>().add({.name = spring.name,
                                                             .place = spring.place,
                                                             .first = lower.of,
@@ -45,7 +48,7 @@ void add_in_plan(Model& model, const Check& check, std::string_view kind, const 
                                                             .force_quantity = spring.force_quantity,
                                                             .isolates = spring.isolates,
                                                             .drawn_as = DrawnAs::nothing,
-                                                            .details = plan_details(lower, upper, direction, on_slab)},
+                                                            .details = plan_details(lower, upper, direction, details)},
                                                            spring.law, ends);
 }
 

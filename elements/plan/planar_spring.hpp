@@ -19,8 +19,9 @@ struct PlanarSpring {
   std::string force_quantity = "force";              ///< Under which the force is reported, N.
   /// Where its peaks are listed together with those of others; its own name if empty.
   std::string place{};
-  bool isolates = false;                   ///< Whether it separates a building from the ground.
-  std::optional<BearingOnSlab> on_slab{};  ///< Of a bearing of a building with AxialForces.
+  bool isolates = false;                     ///< Whether it separates a building from the ground.
+  std::optional<LawAsGiven> law_as_given{};  ///< For reports, where the law follows from a design.
+  std::optional<BearingOnSlab> on_slab{};    ///< Of a bearing of a building with AxialForces.
 };
 
 /// A bearing under a floor: a PlanarSpring between the ground and the floor above, at a position in plan. Reports
@@ -34,7 +35,8 @@ struct PlanBearing {
   Law law;            ///< Its force.
   /// Where its peaks are listed together with those of others; its own name if empty.
   std::string place{};
-  std::optional<BearingOnSlab> on_slab{};  ///< Of a building with AxialForces, which sets it.
+  std::optional<LawAsGiven> law_as_given{};  ///< For reports, where the law follows from a design.
+  std::optional<BearingOnSlab> on_slab{};    ///< Of a building with AxialForces, which sets it.
 };
 
 /// Throws InputError for points that are not of this model or on the same body, a name that is taken, or a parameter
@@ -57,6 +59,7 @@ void add(Model& model, const PlanBearing<Law>& bearing) {
                                .force_quantity = "isolator_force",
                                .place = bearing.place,
                                .isolates = true,
+                               .law_as_given = bearing.law_as_given,
                                .on_slab = bearing.on_slab});
 }
 

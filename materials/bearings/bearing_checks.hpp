@@ -31,7 +31,7 @@ struct BearingDemand {
   double demand = 0.0;     ///< NaN where the compression is not known
   /// NaN where it is not judged.
   double capacity = std::numeric_limits<double>::quiet_NaN();
-  /// Of the capacity: a code, or "given"; "not judged: no shear_capacity" where there is none.
+  /// Says where the capacity is from: a code, or "given"; "not judged: no shear_capacity" where there is none.
   std::string_view source;
   double time = 0.0;  ///< s
 

@@ -69,12 +69,13 @@ struct RubberBearing {
 
   /// d/T_r
   [[nodiscard]] double strain_by_shear(Length d_x, Length d_y = {}) const;
-  /// Of N over A_r = overlap * A, with 0 < overlap <= 1; 0 in tension.
+  /// The shear strain by N over A_r = overlap * A, with 0 < overlap <= 1; 0 in tension.
   ///
   ///     mceer      N/(A_r G S)                  EN 1337-3    1.5 N/(A_r G S)
   ///     EN 15129   6 S N/(A_r E_c'),   E_c' = 3 G (1 + 2 S^2)
   [[nodiscard]] double strain_by_compression(StrainFormula formula, Force compression, double overlap = 1.0) const;
-  /// Of rotations >= 0 rad of one end against the other, theta_x about the y axis, which bends b_x, and theta_y:
+  /// The shear strain by rotations >= 0 rad of one end against the other, theta_x about the y axis, which bends b_x,
+  /// and theta_y:
   ///
   ///     mceer      D_r (b_x^2 theta_x + b_y^2 theta_y)/(t T_r),   D_r = 0.375 of a circle, 0.5 of a rectangle
   ///     both EN    (b_x^2 theta_x + b_y^2 theta_y) t/(2 sum t^3)

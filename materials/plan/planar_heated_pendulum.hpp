@@ -186,7 +186,7 @@ inline PlanarHeatedPendulum in_plan_under_changing_weight(const HeatedFrictionPe
   pendulum.check(Check{HeatedFrictionPendulum::name, ""});
   return {pendulum.carrying(pendulum.weight.si() > 0.0 ? pendulum.weight : static_weight)};
 }
-/// The same under that weight, which does not change.
+/// The law under a weight that does not change.
 inline Carrying<PlanarHeatedPendulum> in_plan(const HeatedFrictionPendulum& pendulum, Force weight) {
   const PlanarHeatedPendulum law = in_plan_under_changing_weight(pendulum, weight);
   return {law, law.line.normal_force};

@@ -37,7 +37,9 @@ template <class Law>
 concept PlanarAxialForceLaw = requires(const Law& law, const typename Law::State& committed, typename Law::State& trial,
                                        AxialForce axial, PlanVector d) {
   { law.evaluate(committed, d, d, 0.0, axial, trial) } -> std::same_as<PlanarAxialResponse>;
-  { law.weight_lever(committed, d, trial, d) } -> std::same_as<double>;
+  requires GivesWeightWork<Law, PlanVector> || requires {
+    { law.weight_lever(committed, d, trial, d) } -> std::same_as<double>;
+  };
   trial.compression = axial.compression;
 };
 

@@ -1,6 +1,7 @@
 #include "materials/plan/planar_series_of_sliders.hpp"
 
 #include <algorithm>
+#include <limits>
 
 #include "materials/plan/circular_friction.hpp"
 
@@ -94,7 +95,7 @@ class Piece {
     increments = rates_of(law_, from_, weight_before_, increment).displacements;
     return iterate(FrictionRule::exact);
   }
-  // The same from the increments of the return mapping.
+  // Starts Newton's method from the increments of the return mapping.
   bool solve_from_return_mapping(PlanVector increment) {
     increments = rates_of(law_, from_, weight_before_, increment).displacements;
     iterate(FrictionRule::return_mapping);
@@ -249,9 +250,13 @@ PlanarAxialResponse PlanarSeriesOfSliders::evaluate(const State& committed, Plan
   for (const Slider& slider : committed.sliders) increment = increment - slider.displacement;
   PlanarAxialResponse response;
   constexpr int most_pieces = 64;
-  for (int pieces = 1; !follow(*this, committed, increment, rate, before, weight, starts, pieces, trial, response) &&
-                       pieces < most_pieces;
-       pieces *= 2) {
+  int pieces = 1;
+  while (!follow(*this, committed, increment, rate, before, weight, starts, pieces, trial, response)) {
+    pieces *= 2;
+    if (pieces <= most_pieces) continue;
+    // The step is too long: no number is accepted.
+    response.force.x = std::numeric_limits<double>::quiet_NaN();
+    return response;
   }
   if (compression < least) {
     const double share = compression / least;

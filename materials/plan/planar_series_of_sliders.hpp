@@ -74,7 +74,7 @@ in_plan_under_changing_weight(const Pendulum& pendulum, Force static_weight) {
   const Force weight = pendulum.weight.si() > 0.0 ? pendulum.weight : static_weight;
   return {pendulum.carrying(weight), weight.si()};
 }
-/// The same under that weight, which does not change.
+/// The law under a weight that does not change.
 template <class Pendulum>
 requires std::same_as<Pendulum, DoublePendulum> || std::same_as<Pendulum, TriplePendulum>
     Carrying<PlanarSeriesOfSliders> in_plan(const Pendulum& pendulum, Force weight) {

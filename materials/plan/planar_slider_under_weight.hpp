@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <concepts>
-#include <limits>
 
 #include "materials/carrying.hpp"
 #include "materials/isolation/flat_slider.hpp"
@@ -24,21 +23,10 @@ namespace moat {
 struct PlanarSliderUnderWeight {
   static constexpr std::string_view name = "PlanarSliderUnderWeight";
 
-  double radius = std::numeric_limits<double>::infinity();  ///< R > 0 m; infinite: flat
-  double restoring_stiffness = 0.0;                         ///< k_r >= 0 N/m, of springs beside it
-  double elastic_stiffness = 0.0;                           ///< k_0 > 0 N/m, from the static weight
-  double static_weight = 0.0;                               ///< > 0 N
-  Friction friction;                                        ///< of the surface
+  SlidingUnderWeight line;  ///< The law along a line.
 
-  void check(const Check& check) const { check.positive("static_weight", static_weight, "N"); }
-  [[nodiscard]] std::vector<Parameter> parameters() const {
-    std::vector<Parameter> list = friction.parameters();
-    list.push_back({"radius", radius, "m"});
-    list.push_back({"restoring_stiffness", restoring_stiffness, "N/m"});
-    list.push_back({"elastic_stiffness", elastic_stiffness, "N/m"});
-    list.push_back({"static_weight", static_weight, "N"});
-    return list;
-  }
+  void check(const Check& check) const { check.positive("static_weight", line.static_weight, "N"); }
+  [[nodiscard]] std::vector<Parameter> parameters() const { return line.parameters(); }
 
   struct State {
     PlanVector friction_force{};  ///< q, N
@@ -56,27 +44,27 @@ struct PlanarSliderUnderWeight {
     trial = {{}, deformation, rate, committed.heat, normal};
     PlanarAxialResponse response;
     if (normal <= 0.0) {
-      trial.heat += 0.5 * start * start / elastic_stiffness;
-      response.stiffness = PlanMatrix::diagonal(restoring_stiffness);
-      response.force = restoring_stiffness * deformation;
-      response.force_rate = restoring_stiffness * rate;
+      trial.heat += 0.5 * start * start / line.elastic_stiffness;
+      response.stiffness = PlanMatrix::diagonal(line.restoring_stiffness);
+      response.force = line.restoring_stiffness * deformation;
+      response.force_rate = line.restoring_stiffness * rate;
       return response;
     }
-    const FrictionCoefficient mu = friction.at(speed, normal);
+    const FrictionCoefficient mu = line.friction.at(speed, normal);
     const double before = committed.compression > 0.0 ? committed.compression : normal,
                  mean_normal = 0.5 * (before + normal), limit = mu.value * normal, mean = mu.value * mean_normal;
     const CircularFriction circle = CircularFriction::after(
-        committed.friction_force, limit, mean, elastic_stiffness, [&](const SaturatingSlip& slip, PlanVector z0) {
+        committed.friction_force, limit, mean, line.elastic_stiffness, [&](const SaturatingSlip& slip, PlanVector z0) {
           return slip.advance(z0, deformation - committed.deformation, committed.rate, rate, interval);
         });
     trial.friction_force = circle.force;
     const double given_up = std::max(start - limit, 0.0);
-    trial.heat += (limit * mean * circle.step.dissipated + 0.5 * given_up * (start + limit)) / elastic_stiffness;
+    trial.heat += (limit * mean * circle.step.dissipated + 0.5 * given_up * (start + limit)) / line.elastic_stiffness;
 
     const PlanVector z = circle.step.z, direction = speed > 0.0 ? rate / speed : PlanVector{};
     constexpr double round_off = 1e-9;
     const bool slides = dot(z, z) >= 1.0 - round_off && dot(z, rate) > 0.0;
-    const double restoring = normal / radius + restoring_stiffness, rise = mu.value + mu.by_force * normal;
+    const double restoring = normal / line.radius + line.restoring_stiffness, rise = mu.value + mu.by_force * normal;
     response.force = restoring * deformation + circle.force;
     response.stiffness = PlanMatrix::diagonal(restoring) + circle.by_increment;
     response.damping =
@@ -85,32 +73,32 @@ struct PlanarSliderUnderWeight {
     response.force_rate = restoring * rate + limit * circle.step.rate;
     if (slides) response.viscosity = PlanMatrix::product(mu.slope * normal * z, direction);
     response.by_compression =
-        deformation / radius + rise * circle.by_limit +
+        deformation / line.radius + rise * circle.by_limit +
         (0.5 * mu.value * (committed.compression > 0.0 ? 1.0 : 2.0) + mu.by_force * mean_normal) * circle.by_mean;
-    response.rate_by_compression = deformation / radius + (slides ? rise : 0.0) * z;
+    response.rate_by_compression = deformation / line.radius + (slides ? rise : 0.0) * z;
     return response;
   }
   double stored_energy(const State& state, PlanVector deformation) const {
-    return 0.5 * (std::max(state.compression, 0.0) / radius + restoring_stiffness) * dot(deformation, deformation) +
-           0.5 * dot(state.friction_force, state.friction_force) / elastic_stiffness;
+    return 0.5 * (std::max(state.compression, 0.0) / line.radius + line.restoring_stiffness) *
+               dot(deformation, deformation) +
+           0.5 * dot(state.friction_force, state.friction_force) / line.elastic_stiffness;
   }
   double dissipated_energy(const State& from, const State& to) const { return to.heat - from.heat; }
   double weight_lever(const State&, PlanVector deformation, const State&, PlanVector end_deformation) const {
-    return 0.5 * dot(deformation, end_deformation) / radius;
+    return 0.5 * dot(deformation, end_deformation) / line.radius;
   }
-  double linear_stiffness(StiffnessStage stage) const {
-    return static_weight / radius + restoring_stiffness + (stage == StiffnessStage::initial ? elastic_stiffness : 0.0);
-  }
+  double linear_stiffness(StiffnessStage stage) const { return line.linear_stiffness(stage); }
 };
 
 /// The law of a pendulum or flat slider in plan whose weight changes; `static_weight` > 0 N is that at rest.
+/// Throws InputError for a bad parameter.
 template <class Design>
 requires requires(const Design& design, Force weight) {
   { design.under_changing_weight(weight) } -> std::same_as<SlidingUnderWeight>;
 }
 PlanarSliderUnderWeight in_plan_under_changing_weight(const Design& design, Force static_weight) {
-  const SlidingUnderWeight line = design.under_changing_weight(static_weight);
-  return {line.radius, line.restoring_stiffness, line.elastic_stiffness, line.static_weight, line.friction};
+  design.check(Check{Design::name, ""});
+  return {design.under_changing_weight(static_weight)};
 }
 
 /// A flat slider in plan under this weight, N, unless it has a weight of its own.

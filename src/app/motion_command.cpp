@@ -16,7 +16,7 @@
 #include "base/text/terminal.hpp"
 #include "base/units.hpp"
 #include "motions/motion_measures.hpp"
-#include "motions/readers/read_motion.hpp"
+#include "motions/readers/record_channel.hpp"
 #include "motions/response_spectrum.hpp"
 #include "output/charts/chart.hpp"
 #include "output/files/csv_writer.hpp"
@@ -183,15 +183,22 @@ Table spectrum_table(const std::vector<MotionSheet>& sheets) {
 
 struct Options {
   std::vector<std::string> files;
-  std::string unit, folder;
+  std::string unit, step, columns, folder;
   double damping = 0.05;
   bool json = false;
 };
 
-GroundMotion read(const std::string& file, const Options& options) {
-  if (!options.unit.empty()) return read_motion(file, parse<Acceleration>("1 " + options.unit, "--unit"));
+/// All channels in a file.
+std::vector<RecordChannel> read(const std::string& file, const Options& options) {
+  TextColumns text{.columns = options.columns};
+  const std::optional<double> known = acceleration_unit(options.unit);
+  if (!options.unit.empty())
+    text.unit = known ? Acceleration{*known} : parse<Acceleration>("1 " + options.unit, "--unit");
+  if (!options.step.empty()) text.step = parse<Time>(options.step, "--step");
   try {
-    return read_motion(file);
+    std::vector<RecordChannel> channels = read_channels(file, text);
+    check_unit(channels, text.unit);
+    return channels;
   } catch (const MissingUnit& error) {
     throw InputError{error.problem() + " Give the unit: --unit g, or --unit cm/s^2."};
   }
@@ -199,7 +206,9 @@ GroundMotion read(const std::string& file, const Options& options) {
 
 void show(const Options& options) {
   std::vector<MotionSheet> sheets;
-  for (const std::string& file : options.files) sheets.push_back(sheet_of(read(file, options), options.damping));
+  for (const std::string& file : options.files)
+    for (const RecordChannel& channel : read(file, options))
+      sheets.push_back(sheet_of(motion_of(channel), options.damping));
   print_text(std::cout, options.json ? json_of(sheets) : text_of(sheets));
   if (options.folder.empty()) return;
   const std::filesystem::path folder{options.folder};
@@ -220,7 +229,9 @@ int main(int argc, char** argv) {
   CLI::App app{"Shows peaks, intensity, duration, pulse period and spectrum of accelerograms", "moat motion"};
   Options options;
   app.add_option("FILE", options.files, motion_formats())->required();
-  app.add_option("--unit", options.unit, "unit of two-column files: g, cm/s^2 ...");
+  app.add_option("--unit", options.unit, "unit of plain text: g, gal, cm/s^2 ...");
+  app.add_option("--step", options.step, "time step of plain text without times: 0.01 s");
+  app.add_option("--columns", options.columns, "columns of plain text: time,x or x,y,z or series ...");
   app.add_option("--damping", options.damping, "damping ratio of the spectrum")->capture_default_str();
   app.add_option("--out", options.folder, "folder for spectrum.svg and spectrum.csv");
   app.add_flag("--json", options.json, "print JSON, all numbers in SI units");

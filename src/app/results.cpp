@@ -36,6 +36,7 @@ void write_results(const CaseResult& result, const std::filesystem::path& folder
   write_peaks_csv(result, folder / results_file::peaks);
   write_participating_masses_csv(result, folder / results_file::participating_masses);
   write_bearing_checks_csv(result, folder / results_file::bearing_checks);
+  write_floor_spectra_csv(result, folder / results_file::floor_spectra);
   written(results_file::impacts);
   vtk_files().write_table(result.histories, folder / results_file::histories_vtt);
   written(results_file::histories_vtt);

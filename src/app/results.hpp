@@ -12,9 +12,9 @@ namespace moat {
 /// Called when so many of `all` parts of the results are written, with the name of the last one.
 using WritingProgress = std::function<void(double done, double all, const std::string& written)>;
 
-/// Writes histories.csv, histories.vtt, impacts.csv, peaks.csv, bearing_checks.csv, charts.svg, single charts,
-/// report.html, and at last summary.json into the folder: one with a summary is complete. Throws FileError where a file
-/// cannot be written, and as vtk_files().
+/// Writes histories.csv, histories.vtt, impacts.csv, peaks.csv, bearing_checks.csv, floor_spectra.csv, charts.svg,
+/// single charts, report.html, and at last summary.json into the folder: one with a summary is complete. Throws
+/// FileError where a file cannot be written, and as vtk_files().
 void write_results(const CaseResult& result, const std::filesystem::path& folder, const WritingProgress& progress = {});
 
 /// Where write_results() failed: removes frames and charts, writes the files one by one, the most important ones first,

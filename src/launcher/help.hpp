@@ -42,7 +42,8 @@ A script may include files beside it: #include "my_law.hpp". It is compiled agai
 library has changed. The compiled programs in build/scripts/ may be deleted at any time.
 
 Options of most scripts, which its own --help explains: --out, --force, --step, --tolerance, --integrator, --end,
---frame-interval, --check, --quiet, --json, --record, --record-up, --record-unit; of studies --threads, --case, --cases, --retry.
+--frame-interval, --check, --quiet, --json, --record, --record-up, --record-unit, --record-step, --record-columns,
+--records-table; of studies --threads, --case, --cases, --retry.
 
 Exit code: that of the script; 1 when building fails, 2 for wrong usage, 3 when packages cannot be installed.)"},
     {"new", "Start a script of your own", R"(
@@ -88,15 +89,15 @@ OpenSees, the program that OPENSEES names or the one on the path. --write-docs b
 Exit code: of paper 0 if all that is asserted holds, else 1; of the others 0 when they ran. 1 when building fails, 2 for
 wrong usage, 3 when packages cannot be installed.)"},
     {"motion", "Show peaks, duration, pulse period and spectrum of accelerograms", R"(
-./moat motion FILE... [--unit g] [--damping 0.05] [--out FOLDER] [--json]
+./moat motion FILE... [--unit g] [--step 0.01s] [--columns x,y] [--damping 0.05] [--out FOLDER] [--json]
 
-Shows for every file PGA, PGV, PGD, Arias intensity, significant duration (5 to 95 %), the period of its pulse (that of
-the largest pseudo-velocity with 5 % damping), and one table of pseudo-accelerations. It reads PEER AT2, COSMOS and ESM
-files, and two columns of time and acceleration.
+Shows for every channel of every file PGA, PGV, PGD, Arias intensity, significant duration (5 to 95 %), the period of its pulse (that of
+the largest pseudo-velocity with 5 % damping), and one table of pseudo-accelerations. It reads files of PEER, K-NET,
+KiK-net, AFAD, ESM, CWA, GeoNet, COSMOS, CSMIP, SMC, BHRC, RENADIC and UNAM, and columns of plain text.
 
   ./moat motion RSN1108_KOBE_KBU000.AT2           one record
   ./moat motion records/*.AT2 --out spectra       all of them; also spectra/spectrum.svg and spectrum.csv
-  ./moat motion columns.txt --unit "cm/s^2"       two columns do not say their unit
+  ./moat motion columns.txt --unit gal            plain text does not say its unit
   ./moat motion record.V2 --json                  for programs, all numbers in SI units
 
 Exit code: 0 done, 1 a file that cannot be read, 2 wrong usage.)"},

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "base/error.hpp"
+#include "base/text/number_format.hpp"
 
 namespace moat {
 
@@ -24,7 +25,7 @@ AnalysisState::AnalysisState(const Model& model)
     if (kind.contacts) blocks_with_contacts_.push_back(b);
   }
   for (const Building& building : model.buildings()) {
-    if (!building.axial_forces || building.shares_base) continue;
+    if (!building.axial_forces) continue;
     weights_.emplace_back(model, building, elements_);
     weights_.back().add_rows(coupling_.rows);
     feels_accelerations_ = feels_accelerations_ || weights_.back().acts_on_laws();
@@ -75,6 +76,20 @@ bool AnalysisState::evaluate_under_weight() {
   return changed;
 }
 
+std::vector<ElementId> AnalysisState::elements_without_axial_force() const {
+  std::vector<ElementId> list;
+  for (std::size_t b = 0; b < elements_.size(); ++b) {
+    const AxialActions axial = elements_[b]->axial_actions();
+    for (std::size_t e = 0; e < axial.compressions.size(); ++e)
+      if (axial.compressions[e] == 0.0 && std::ranges::none_of(weights_, [&](const WeightOnBearings& weight) {
+            return std::ranges::find(weight.bearings(), ElementId{b, e}, &WeightOnBearings::Bearing::element) !=
+                   weight.bearings().end();
+          }))
+        list.push_back({b, e});
+  }
+  return list;
+}
+
 void AnalysisState::find(WeightCoupling& coupling) const {
   if (coupling.rows.empty()) coupling.rows = coupling_.rows;
   coupling.columns.resize(coupling.rows.size());
@@ -83,53 +98,47 @@ void AnalysisState::find(WeightCoupling& coupling) const {
     column = weight.fill_columns(elements_, internal_forces_.size(), coupling.columns, column);
 }
 
-bool AnalysisState::turn_ground(GroundVector rate) {
-  const bool jumps = rate.z != ground_rate_.z && std::ranges::any_of(weights_, &WeightOnBearings::moves_with_ground);
-  if (!jumps) return false;
-  ground_rate_ = rate;
+bool AnalysisState::turn_ground(double vertical_rate) {
+  if (vertical_rate == vertical_ground_rate_ || std::ranges::none_of(weights_, &WeightOnBearings::moves_with_ground))
+    return false;
+  vertical_ground_rate_ = vertical_rate;
   return_to_committed_state();
   commit();
   return true;
 }
 
+// M j + f' = 0, where f' grows with the rates of the axial forces, and these with j.
 void AnalysisState::evaluate_rates() {
   const int count = model_->degrees_of_freedom();
-  // First the rates of forces.
-  trial_.jerk.setZero(count + 1);
-  for (const auto& elements : elements_) elements->evaluate_rates(trial_.acceleration.data(), trial_.jerk.data());
-  model_->mass_matrix().solve(trial_.jerk.data());
-  trial_.jerk.head(count) *= -1.0;
-  trial_.jerk[count] = 0.0;
-  if (!weights_.empty()) find_rates_under_weight();
-}
-
-// M j + f' = 0, where f' grows with the rates of the axial forces, and these with j.
-void AnalysisState::find_rates_under_weight() {
-  const auto find_axial_rates = [&] {
-    for (WeightOnBearings& weight : weights_) weight.find_rates(trial_, ground_rate_, elements_);
-  };
-  find_axial_rates();
-  if (!feels_accelerations_) return;
-  const int count = model_->degrees_of_freedom();
   const auto solve = [&](Vector& values) { model_->mass_matrix().solve(values.data()); };
-  find(coupling_);
-  coupling_.prepare(model_->degrees_of_freedom(), solve);
-  Vector others = Vector::Zero(count + 1);
-  for (const std::size_t b : other_blocks_) elements_[b]->evaluate_rates(trial_.acceleration.data(), others.data());
-  const auto jerk_under_weight = [&] {
-    Vector jerk = others;
-    for (const std::size_t b : blocks_under_weight_)
-      elements_[b]->evaluate_rates(trial_.acceleration.data(), jerk.data());
+  const auto add_rates = [&](const std::vector<std::size_t>& blocks, Vector& rates) {
+    for (const std::size_t b : blocks) elements_[b]->evaluate_rates(trial_.acceleration.data(), rates.data());
+  };
+  const auto find_jerk = [&](const Vector& others, Vector& jerk) {
+    jerk = others;
+    add_rates(blocks_under_weight_, jerk);
     solve(jerk);
     jerk.head(count) *= -1.0;
     jerk[count] = 0.0;
-    return jerk;
   };
-  Vector change = jerk_under_weight() - trial_.jerk;
+  const auto find_axial_rates = [&] {
+    for (WeightOnBearings& weight : weights_) weight.find_rates(trial_, vertical_ground_rate_, elements_);
+  };
+  rates_of_others_.setZero(count + 1);
+  add_rates(other_blocks_, rates_of_others_);
+  find_jerk(rates_of_others_, trial_.jerk);
+  if (weights_.empty()) return;
+  find_axial_rates();
+  if (!feels_accelerations_) return;
+  find(coupling_);
+  coupling_.prepare(count, solve);
+  Vector change;
+  find_jerk(rates_of_others_, change);
+  change -= trial_.jerk;
   coupling_.correct(change);
   trial_.jerk += change;
   find_axial_rates();
-  trial_.jerk = jerk_under_weight();
+  find_jerk(rates_of_others_, trial_.jerk);
 }
 
 void AnalysisState::evaluate_linear_elements() {
@@ -157,7 +166,8 @@ void AnalysisState::balance(GroundVector ground_acceleration) {
     return;
   }
   constexpr int most_iterations = 50;
-  constexpr double round_off = 1e-14;
+  constexpr double round_off = 1e-14, settled = 1e-9;
+  double missing = 0.0;
   const auto solve = [&](Vector& values) { model_->mass_matrix().solve(values.data()); };
   for (int count = 0; count < most_iterations; ++count) {
     const Vector before = trial_.acceleration;
@@ -168,8 +178,15 @@ void AnalysisState::balance(GroundVector ground_acceleration) {
     coupling_.correct(change);
     trial_.acceleration = before + change;
     evaluate_under_weight();
-    if (change.lpNorm<Eigen::Infinity>() <= round_off * trial_.acceleration.lpNorm<Eigen::Infinity>()) return;
+    missing = change.lpNorm<Eigen::Infinity>() / trial_.acceleration.lpNorm<Eigen::Infinity>();
+    if (!(missing > round_off)) return;
   }
+  if (!(missing <= settled))
+    throw ConvergenceError{
+        "The accelerations and the axial forces of the bearings do not settle at t = " + to_text(trial_.time) +
+            " s. Check the friction coefficients, heights and positions of "
+            "bearings.",
+        motion_.time, trial_.time - motion_.time, missing, "bearings"};
 }
 
 void AnalysisState::balance_committed_state(GroundVector ground_acceleration) {
@@ -210,6 +227,7 @@ void AnalysisState::commit(WorkRule rule) {
   std::swap(motion_, trial_);
   committed_forces_.swap(internal_forces_);
   for (const auto& elements : elements_) elements->commit(step, rule);
+  for (WeightOnBearings& weight : weights_) weight.note_instability(step, motion_.time, elements_);
 }
 
 double AnalysisState::kinetic_energy() const {

@@ -57,17 +57,19 @@ class AnalysisState {
   /// The axial forces of the bearings of every building with AxialForces.
   [[nodiscard]] std::span<const WeightOnBearings> weights() const { return weights_; }
   [[nodiscard]] std::span<WeightOnBearings> weights() { return weights_; }  ///< To move them in their vertical modes.
+  /// Elements whose law takes an axial force that no building gives, and that is 0.
+  [[nodiscard]] std::vector<ElementId> elements_without_axial_force() const;
   /// Whether forces of elements follow axial forces, and so depend on accelerations.
   [[nodiscard]] bool feels_accelerations() const { return feels_accelerations_; }
   /// After evaluate(), where it feels accelerations: fills the part of the tangent that they give.
   void find(WeightCoupling& coupling) const;
   /// The trial state has this acceleration of the ground, m/s^2. Only states with weights() need it.
   void move_ground(GroundVector acceleration) { ground_ = acceleration; }
-  /// The rate of the ground's acceleration, m/s^3, from the committed instant on. Where that of the vertical component
-  /// jumps and axial forces follow it: finds the rates of the committed state again, and returns true.
-  bool turn_ground(GroundVector rate);
-  [[nodiscard]] GroundVector ground_rate() const { return ground_rate_; }  ///< The last one given, m/s^3.
-  [[nodiscard]] double kinetic_energy() const;                             ///< J, of the motion relative to the ground.
+  /// The rate of the ground's vertical acceleration, m/s^3, from the committed instant on. Where it jumps and axial
+  /// forces follow it: finds the rates of the committed state again, and returns true.
+  bool turn_ground(double vertical_rate);
+  [[nodiscard]] double vertical_ground_rate() const { return vertical_ground_rate_; }  ///< That of axial forces, m/s^3.
+  [[nodiscard]] double kinetic_energy() const;  ///< J, of the motion relative to the ground.
   /// Starts the energy accounts of all elements at the committed state; they are kept from then on.
   void start_energy_accounts();
   [[nodiscard]] bool keeps_energy_accounts() const { return keeps_energy_accounts_; }  ///< Once started.
@@ -132,13 +134,12 @@ class AnalysisState {
   }
   bool evaluate_under_weight();
   void balance_forces(GroundVector ground_acceleration);
-  void find_rates_under_weight();
   // Returns the value of a node in a vector of the motion.
   [[nodiscard]] double value(const Vector& values, NodeId node) const {
     const bool is_entry = node.index >= 0 && node.index < values.size() - 1;
     return is_entry ? values[node.index] : value_of_other(values, node);
   }
-  // Of the ground, and of a follower.
+  // Returns the value of the ground, or of a follower.
   [[nodiscard]] double value_of_other(const Vector& values, NodeId node) const;
 
   const Model* model_;
@@ -154,9 +155,10 @@ class AnalysisState {
   // Where forces follow axial forces: the blocks with such laws are evaluated after all others.
   std::vector<WeightOnBearings> weights_;
   std::vector<std::size_t> blocks_under_weight_, other_blocks_;
-  WeightCoupling coupling_;  // of accelerations and jerks
-  Vector other_forces_;      // of other_blocks_
-  GroundVector ground_{}, ground_rate_{}, committed_ground_{};
+  WeightCoupling coupling_;                // of accelerations and jerks
+  Vector other_forces_, rates_of_others_;  // of other_blocks_
+  GroundVector ground_{}, committed_ground_{};
+  double vertical_ground_rate_ = 0.0;
   bool feels_accelerations_ = false;
   long tangent_version_ = 0;
   bool keeps_energy_accounts_ = false;

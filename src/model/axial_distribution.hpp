@@ -57,7 +57,7 @@ class AxialDistribution {
 
   [[nodiscard]] std::size_t size() const { return supports_.size(); }  ///< Number of supports.
 
-  // Of the last distribution; all zero after one that does not exist.
+  // The following belong to the last distribution; they are zero after one that does not exist.
   /// e_i > 0.
   [[nodiscard]] bool presses(std::size_t i) const { return elastic_[i] > 0.0; }
   /// Stiffness times opening under the slab, N: -e_i > 0 where a support that cannot pull is lifted, else 0.

@@ -68,6 +68,7 @@ struct BearingOnSlab {
   double vertical_stiffness = 0.0;  ///< > 0 N/m; 0: all bearings have the same
   bool slides = false;              ///< cannot pull; its axial force acts at its sliding surface
   double acts_at = half_way;        ///< 0 to 1; by_surface: AxialForces::sliding_surface says it
+  int count = 1;                    ///< of equal bearings side by side that share the axial force
 
   friend bool operator==(const BearingOnSlab&, const BearingOnSlab&) = default;
 };

@@ -21,6 +21,8 @@ class Model;
 struct ElementId {
   std::size_t block = 0;    ///< index into Model::blocks()
   std::size_t element = 0;  ///< index in that block
+
+  friend bool operator==(const ElementId&, const ElementId&) = default;
 };
 
 /// A share of the force of an element.
@@ -71,7 +73,7 @@ struct Building {
   std::optional<AxialForces> axial_forces{};
   /// Results besides those that every building has.
   std::vector<StoreyResult> storey_results{};
-  /// Of its modes, held at its base; none where they are not known.
+  /// Masses that take part in its modes, held at its base; none where they are not known.
   std::vector<ParticipatingMass> modes{};
 
   /// By its number in names: floor(1) is the lowest. Throws InputError outside 1 to the number of floors.

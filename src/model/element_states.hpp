@@ -58,7 +58,8 @@ struct ElementEnergy {
   double dissipated = 0.0;  ///< integral of dissipation_rate, and the energy that changes of regime released
   bool hysteretic = false;  ///< dissipates by sliding, at any speed; else viscous
   double friction = 0.0;    ///< dissipated by friction in a contact, in addition
-  /// Of a changing axial force, that of the integral of (deformation^2)/(2 R) dN; it is stored without being work.
+  /// A changing axial force stores this without work: the integral of (deformation^2)/(2 R) dN, or of
+  /// (deformation^2)/2 dk where it changes a stiffness k.
   double weight_work = 0.0;
 
   /// Work that is neither stored nor dissipated.
@@ -103,7 +104,7 @@ struct ContactView {
   /// end. Negative while they are indented.
   double distance = 0.0, distance_rate = 0.0;
 
-  /// Of a corner that slides along an edge: friction force along the tangent on the body of the edge, N, and its rate.
+  /// Where a corner slides along an edge: friction force along the tangent on the body of the edge, N, and its rate.
   double friction_force = 0.0, friction_force_rate = 0.0;
   /// Where in the last committed step the corner began to slide, so that rates jumped there: a fraction of the step,
   /// NaN where it did not.
@@ -125,8 +126,6 @@ struct UnlocatedCorners {
 struct RegimeScan {
   /// Smallest margin, m: how far the nearest element is from its next change of regime; negative: beyond it.
   double margin = std::numeric_limits<double>::infinity();
-  /// Index of the element with that margin in its block, for a scan of one block.
-  std::size_t nearest = 0;
   /// True if an element crossed its margin inside the step, also if all margins are positive again at its end.
   bool crossed = false;
   /// True if an element crossed its margin inside the step and came back before the end; the margins at the end alone

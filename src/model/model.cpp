@@ -38,6 +38,9 @@ void Model::add_building(Building building) {
   check.fits_tables(building.name);
   check.that(!building_names_.contains(building.name), "a building of this name exists.",
              "Give every building its own .name.");
+  check.that(!building.axial_forces || !building.shares_base,
+             "axial_forces are asked of a building on the base of another one.",
+             "Give them to the building that has the bearings.");
   for (std::size_t i = 0; i < nodes.size(); ++i) {
     require_node(nodes[i], check, i == 0 && building.base != ground ? "base" : "a floor");
     check.that(nodes[i] != ground, "the ground is among the floors.", "List only nodes with mass.");

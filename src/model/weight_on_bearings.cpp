@@ -63,6 +63,9 @@ WeightOnBearings::WeightOnBearings(const Model& model, const Building& building,
   for (Bearing& bearing : bearings_) {
     bearing.acts_on_law = !elements[bearing.element.block]->axial_actions().compressions.empty();
     acts_on_laws_ = acts_on_laws_ || bearing.acts_on_law;
+    const auto quantities = model.blocks()[bearing.element.block]->quantities(bearing.element.element);
+    for (std::size_t q = 0; q < quantities.size(); ++q)
+      if (quantities[q].name == "critical_load") bearing.critical_load = q;
   }
 }
 
@@ -229,8 +232,8 @@ void WeightOnBearings::press(const MotionState& motion, GroundVector ground_acce
   }
 }
 
-void WeightOnBearings::find_rates(const MotionState& motion, GroundVector ground_rate, const Elements& elements) {
-  vertical_rate_ = mode_ ? mode_(motion.time).second : ground_rate.z;
+void WeightOnBearings::find_rates(const MotionState& motion, double vertical_ground_rate, const Elements& elements) {
+  vertical_rate_ = mode_ ? mode_(motion.time).second : vertical_ground_rate;
   const double sigma_rate = vertical_rate_ / standard_gravity;
   moment_rate_ = outside_moment(elements, true) - of_both(inertia_, motion.jerk);
   Resultant b{load_rate(), sigma_rate * static_moment_ + moment_rate_};
@@ -292,6 +295,20 @@ void WeightOnBearings::accept(double step, double time) {
     if (bearing.deficit > least && !bearing.lifted) ++bearing.uplifts;
     bearing.lifted = bearing.deficit > least || (bearing.lifted && bearing.compression <= least);
     bearing.largest_deficit = std::max(bearing.largest_deficit, bearing.deficit);
+  }
+}
+
+void WeightOnBearings::note_instability(double step, double time, const Elements& elements) {
+  for (Bearing& bearing : bearings_) {
+    if (!bearing.critical_load) continue;
+    const auto [block, element] = bearing.element;
+    const double before = bearing.excess,
+                 critical = elements[block]->law_quantity(element, *bearing.critical_load).value;
+    bearing.excess = bearing.compression - bearing.on_slab.count * critical;
+    if (bearing.excess <= 0.0 || before > 0.0) continue;
+    ++bearing.instabilities;
+    // At the instant at which the excess passes zero, which is linear in the step.
+    bearing.first_unstable = std::min(bearing.first_unstable, time - step * bearing.excess / (bearing.excess - before));
   }
 }
 

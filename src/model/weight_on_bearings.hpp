@@ -3,6 +3,7 @@
 
 #include <functional>
 #include <limits>
+#include <optional>
 #include <span>
 #include <string>
 #include <utility>
@@ -39,10 +40,9 @@ class WeightOnBearings {
   /// law takes one. Elements outside the building must have been evaluated there.
   void press(const MotionState& motion, GroundVector ground_acceleration, const Elements& elements);
   /// After press(): their rates, from the jerks of the motion and the rate of the ground's acceleration, m/s^3.
-  void find_rates(const MotionState& motion, GroundVector ground_rate, const Elements& elements);
-  /// The columns of WeightCoupling, one for each direction: the change of the forces on all degrees of freedom for
-  /// 1 N m.
-  /// From `first` on; returns the next.
+  void find_rates(const MotionState& motion, double vertical_ground_rate, const Elements& elements);
+  /// Fills columns of WeightCoupling from `first` on, one for each direction: the change of the forces on all degrees
+  /// of freedom for 1 N m. Returns the next.
   std::size_t fill_columns(const Elements& elements, Eigen::Index size, std::vector<Vector>& columns,
                            std::size_t first) const;
   /// Its rows.
@@ -51,6 +51,9 @@ class WeightOnBearings {
   /// The trial instant is accepted, `step` s after the last one. Throws RockingError where the building rocks and must
   /// not.
   void accept(double step, double time);
+  /// After that, with the elements at that instant: notes which bearings became unstable, where their law reports a
+  /// `critical_load`.
+  void note_instability(double step, double time, const Elements& elements);
 
   /// Whether the building moves vertically with the ground, without a mode.
   [[nodiscard]] bool moves_with_ground() const { return !mode_; }
@@ -69,6 +72,11 @@ class WeightOnBearings {
     long uplifts = 0;              ///< how often it lifted
     bool lifted = false;           ///< at the last accepted instant
     bool acts_on_law = false;      ///< whether its law takes the axial force
+    /// Index of the quantity `critical_load` that its law reports, of one of `count` bearings; none of other laws.
+    std::optional<std::size_t> critical_load{};
+    double excess = 0.0;     ///< N, of the axial force over the critical load, at the last accepted instant
+    long instabilities = 0;  ///< how often it became unstable
+    double first_unstable = std::numeric_limits<double>::infinity();  ///< s
   };
   [[nodiscard]] const std::string& building() const { return name_; }                 ///< The name of its building.
   [[nodiscard]] NodeId base() const { return base_; }                                 ///< Of that building.
@@ -77,7 +85,7 @@ class WeightOnBearings {
   [[nodiscard]] double vertical_acceleration_rate() const { return vertical_rate_; }  ///< m/s^3
   [[nodiscard]] double load() const { return sigma() * weight_; }                     ///< V, N
   [[nodiscard]] double load_rate() const { return vertical_rate_ / standard_gravity * weight_; }  ///< N/s
-  /// Of inertia and of forces from outside, N m; its rate, N m/s.
+  /// The moment of inertia forces and of forces from outside, N m.
   [[nodiscard]] PlanVector overturning_moment() const { return moment_; }
   [[nodiscard]] PlanVector overturning_moment_rate() const { return moment_rate_; }  ///< N m/s
   [[nodiscard]] double rocking_time() const { return rocking_time_; }                ///< s, in all

@@ -31,7 +31,7 @@ struct MotionComponent {
 /// vertical one if given; with_vertical() adds it to a motion on a line. Velocity and displacement of the ground are
 /// the exact integrals of the piecewise-linear component along x from rest, without any baseline correction.
 ///
-///     const GroundMotion motion = read_peer_at2("RSN1108_KOBE_KBU000.AT2").scaled_to_pga(0.4 * g);
+///     const GroundMotion motion = read_motion("RSN1108_KOBE_KBU000.AT2").scaled_to_pga(0.4 * g);
 class GroundMotion {
  public:
   /// name: how outputs and messages call the motion. time_step: from 1e-9 to 1e6 s. samples: at least two, all finite,

@@ -10,7 +10,7 @@
 #include "base/text/number_format.hpp"
 #include "base/units.hpp"
 #include "motions/readers/read_motion.hpp"
-#include "motions/response_spectrum.hpp"
+#include "motions/spectra/pair_spectra.hpp"
 
 namespace moat {
 namespace {
@@ -137,16 +137,7 @@ PlanMotion PlanMotion::scaled_to_larger_pga(Acceleration target) const {
 
 std::vector<double> maximum_direction_spectrum(const PlanMotion& motion, const std::vector<Time>& periods,
                                                double damping_ratio) {
-  constexpr int degrees_of_half_turn = 180;
-  std::vector<double> largest(periods.size(), 0.0);
-  for (int angle = 0; angle < degrees_of_half_turn; ++angle) {
-    // The component along x of the motion turned back is that along the angle.
-    const GroundMotion turned = PlanMotion{motion.first, motion.second, -angle * units::deg}.resolved();
-    const GroundMotion component{turned.name(), turned.time_step(), {turned.samples().begin(), turned.samples().end()}};
-    const ResponseSpectrum spectrum = response_spectrum(component, periods, damping_ratio);
-    for (std::size_t i = 0; i < periods.size(); ++i) largest[i] = std::max(largest[i], spectrum.pseudo_acceleration[i]);
-  }
-  return largest;
+  return pair_spectra(motion, periods, damping_ratio).rotd100;
 }
 
 }  // namespace moat

@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "base/check.hpp"
 #include "base/quantity.hpp"
 #include "motions/ground_motion.hpp"
 
@@ -30,6 +31,11 @@ struct ResponseSpectrum {
 /// periods: each either 0 (a rigid oscillator: both accelerations are the PGA) or from time_step/100 to 1000 s.
 /// damping_ratio: >= 0 and < 1. Throws InputError otherwise.
 ResponseSpectrum response_spectrum(const GroundMotion& motion, std::span<const Time> periods, double damping_ratio);
+/// Throws InputError for a damping ratio outside [0, 1).
+void check_damping_ratio(const Check& check, double damping_ratio);
+/// Throws InputError for such a damping ratio, and for a period other than 0 s that is not from time_step/100
+/// to 1000 s.
+void check_oscillators(const Check& check, std::span<const Time> periods, double damping_ratio, double time_step);
 /// response_spectrum(motion, {0.5 * s, 1 * s}, 0.05)
 inline ResponseSpectrum response_spectrum(const GroundMotion& motion, std::initializer_list<Time> periods,
                                           double damping_ratio) {

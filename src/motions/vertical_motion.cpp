@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 
 namespace moat {
@@ -10,10 +9,9 @@ namespace moat {
 VerticalMotion::VerticalMotion(const GroundMotion& motion, Time period, double damping_ratio)
     : ground_{motion.samples_z().begin(), motion.samples_z().end()},
       interval_{motion.time_step()},
-      frequency_{period.si() > 0.0 ? 2.0 * std::numbers::pi / period.si() : 0.0},
-      damping_ratio_{damping_ratio} {
-  if (frequency_ == 0.0) return;
-  states_.resize(ground_.size());
+      frequency_{2.0 * std::numbers::pi / period.si()},
+      damping_ratio_{damping_ratio},
+      states_(ground_.size()) {
   for (std::size_t i = 1; i < ground_.size(); ++i)
     states_[i] = later(states_[i - 1], ground_[i - 1], (ground_[i] - ground_[i - 1]) / interval_, interval_);
 }
@@ -30,46 +28,32 @@ VerticalMotion::State VerticalMotion::later(const State& start, double load, dou
           slope + (cosine - decay * sine) * free_rate - frequency_ * frequency_ * sine * free_value};
 }
 
-VerticalMotion::Instant VerticalMotion::instant(double time, Side side) const {
+VerticalMotion::Instant VerticalMotion::instant(double time) const {
+  if (!(time >= 0.0) || ground_.empty()) return {};
   constexpr double round_off = 1e-8;
   const double position = time / interval_, nearest = std::round(position);
-  const bool at_sample = std::abs(position - nearest) <= round_off;
-  const double first = at_sample ? nearest - (side == Side::before ? 1.0 : 0.0) : std::floor(position);
-  if (first < 0.0 || ground_.empty()) return {.before = true};
-  const std::size_t last = ground_.size() - 1, sample = std::min(static_cast<std::size_t>(first), last);
+  const double before = std::abs(position - nearest) <= round_off ? nearest : std::floor(position);
+  const std::size_t last = ground_.size() - 1, sample = std::min(static_cast<std::size_t>(before), last);
   const double since = time - static_cast<double>(sample) * interval_;
-  if (sample == last) return {.sample = last, .since = since};
+  if (sample == last) return {.mode = later(states_[last], 0.0, 0.0, since)};
   const double rate = (ground_[sample + 1] - ground_[sample]) / interval_;
-  return {.sample = sample, .since = since, .ground = ground_[sample] + rate * since, .ground_rate = rate};
+  return {.mode = later(states_[sample], ground_[sample], rate, since), .ground = ground_[sample] + rate * since};
 }
 
-VerticalMotion::State VerticalMotion::state(const Instant& at) const {
-  return later(states_[at.sample], at.ground - at.ground_rate * at.since, at.ground_rate, at.since);
-}
-
-double VerticalMotion::acceleration(double time) const {
-  // The side decides at the first and at the last sample, where the ground's acceleration may jump.
-  const Instant at = instant(time, time > 0.0 ? Side::before : Side::after);
-  if (at.before) return 0.0;
-  if (frequency_ == 0.0) return at.ground;
-  const State mode = state(at);
+double VerticalMotion::acceleration(const State& mode) const {
   return -(mode.value + 2.0 * damping_ratio_ / frequency_ * mode.rate);
 }
+double VerticalMotion::acceleration(double time) const { return acceleration(instant(time).mode); }
 
-double VerticalMotion::rate(double time, Side side) const {
-  const Instant at = instant(time, side);
-  if (at.before) return 0.0;
-  if (frequency_ == 0.0) return at.ground_rate;
-  const State mode = state(at);
+double VerticalMotion::rate(double time) const {
+  const Instant at = instant(time);
   // w'' = a_v - a_gv.
-  const double relative = -(mode.value + 2.0 * damping_ratio_ / frequency_ * mode.rate) - at.ground;
-  return -(mode.rate + 2.0 * damping_ratio_ * frequency_ * relative);
+  return -(at.mode.rate + 2.0 * damping_ratio_ * frequency_ * (acceleration(at.mode) - at.ground));
 }
 
 double VerticalMotion::longest_step() const {
   constexpr double steps_per_period = 20.0;
-  return frequency_ > 0.0 ? 2.0 * std::numbers::pi / frequency_ / steps_per_period
-                          : std::numeric_limits<double>::infinity();
+  return 2.0 * std::numbers::pi / frequency_ / steps_per_period;
 }
 
 }  // namespace moat

@@ -9,7 +9,7 @@
 namespace moat::html {
 namespace {
 
-// Of one type, the bearing with the largest ratio, or demand where it is not judged, for every check.
+// For every type and check, finds the bearing with the largest ratio, or demand where it is not judged.
 std::vector<BearingCheckRow> worst_of_types(const std::vector<BearingCheckRow>& rows) {
   std::vector<BearingCheckRow> worst;
   for (const BearingCheckRow& row : rows) {

@@ -81,12 +81,18 @@ std::string chart_grid(const std::vector<Chart>& charts, int width, int height) 
 
 std::string wide_picture(const std::string& svg) { return "<div class=\"wide-picture\">\n" + svg + "</div>\n"; }
 
-std::string page(std::string_view title, std::string_view body) { return framed(title, body, ""); }
+namespace {
+
+std::string script() { return "<script>\n" + std::string{embedded::page_js} + "</script>\n"; }
+
+}  // namespace
+
+std::string page(std::string_view title, std::string_view body) { return framed(title, body, script()); }
 
 std::string page_with_script(std::string_view title, std::string_view body, std::string_view data) {
   return framed(title, body,
                 chart_library() + "<script type=\"application/json\" id=\"run-data\">" + inside_script(data) +
-                    "</script>\n<script>\n" + std::string{embedded::page_js} + "</script>\n");
+                    "</script>\n" + script());
 }
 
 }  // namespace moat::html

@@ -1,3 +1,16 @@
+// Tables whose headings sort their rows, by numbers where they begin with one.
+document.querySelectorAll("table.sortable th").forEach((heading) => {
+  heading.addEventListener("click", () => {
+    const sense = heading.dataset.sense === "1" ? -1 : 1;
+    const rows = [...heading.closest("table").rows].filter((row) => row.cells[0].tagName === "TD");
+    const text = (row) => row.cells[heading.cellIndex].textContent;
+    const number = (row) => text(row) === "infinite" ? Infinity : parseFloat(text(row));
+    const compare = (a, b) => number(a) - number(b) || text(a).localeCompare(text(b));
+    rows.sort((a, b) => sense * compare(a, b)).forEach((row) => row.parentNode.append(row));
+    heading.dataset.sense = sense;
+  });
+});
+
 // Moves the drawing of the building and makes histories that zoom together. Without this script, or without the data
 // of a run, the page keeps its static charts and the drawing at rest.
 (function () {

@@ -14,7 +14,7 @@
 namespace moat::html {
 namespace {
 
-// Of more bearings the table is closed until the reader opens it.
+// A table of more bearings is closed until the reader opens it.
 constexpr std::size_t most_open_bearings = 12;
 
 // Digits that are not there still take their room, so that decimal points stand below each other.

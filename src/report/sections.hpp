@@ -39,7 +39,7 @@ std::string peak_section(const CaseResult& result);
 /// without.
 std::string bearing_section(const CaseResult& result);
 
-/// Of every check and type of bearings the largest ratio of demand over capacity; empty without checks.
+/// The largest ratio of demand over capacity, for every check and type of bearings; empty without checks.
 std::string bearing_check_section(const CaseResult& result);
 
 /// The smallest opening of every gap; empty without gaps.

@@ -9,6 +9,7 @@
 
 #include "base/check.hpp"
 #include "output/files/engineering_unit.hpp"
+#include "study/responses.hpp"
 
 namespace moat {
 namespace {
@@ -22,22 +23,13 @@ struct Response {
   std::vector<double> values;
 };
 
-bool is_shown(const std::string& quantity) {
-  return !quantity.ends_with("_error") && !quantity.starts_with("energy_") && !quantity.starts_with("ida_") &&
-         quantity != "sensitive" && quantity != "collapsed";
-}
-
-bool is_of_pounding(const std::string& quantity) {
-  return quantity == "clearance_left" || quantity == "impacts" || quantity.starts_with("impact_");
-}
-
 std::vector<Response> responses_of(const StudyResult& study) {
   std::vector<Response> list;
   std::map<std::string, std::size_t> known;
   const std::vector<Column>& columns = study.table().columns;
   for (std::size_t c = study.axes().size(); c < columns.size(); ++c) {
     const Column& column = columns[c];
-    if (!is_shown(column.quantity)) continue;
+    if (!is_response(column.quantity)) continue;
     const bool smallest = column.quantity == "clearance_left";
     const EngineeringUnit unit = engineering_unit(column.unit);
     const auto [found, added] = known.try_emplace(column.quantity, list.size());

@@ -11,7 +11,7 @@
 namespace moat {
 namespace {
 
-// Of a floor whose storey stands on `below`; none for the ground at 0.
+// Finds the height of the storey under a floor, which stands on row `below`, or on the ground at 0.
 Length height_of(const Table& table, std::size_t row, std::optional<std::size_t> below) {
   if (!table.has("elevation")) return table.positive<Length>(row, "height");
   const Length height = table.at<Length>(row, "elevation") - (below ? table.at<Length>(*below, "elevation") : Length{});

@@ -10,7 +10,8 @@ namespace moat {
 
 /// A member between two places.
 struct PlacedMember {
-  /// Of the motions x, y, z and rotations about x, y, z of both nodes, along the axes of the building: N/m, N, N m.
+  /// It acts on the motions x, y, z and rotations about x, y, z of both nodes, along the axes of the building: N/m, N,
+  /// N m.
   Eigen::Matrix<double, 12, 12> stiffness;
   double length = 0.0;  ///< m, of the flexible part
 };

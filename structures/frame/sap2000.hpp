@@ -16,9 +16,8 @@ namespace moat {
 /// Fields are separated by tabs; the first line of each file is a heading.
 ///
 /// - TXE: joint, then for U1 U2 U3 R1 R2 R3 the number of an equation, 0 for a motion that is held, or a negative
-/// number
-///   of a constraint. A line without a tab continues the line before. Labels that begin with C and are no joints are
-///   constraints with equations of their own.
+///   number of a constraint. A line without a tab continues the line before. Labels that begin with C and are no joints
+///   are constraints with equations of their own.
 /// - TXC: constraint, equation, coefficient; the motion is the sum of these terms. May be missing without constraints.
 /// - TXK, TXM: row, column, value, of one triangle. Without TXM there are no masses.
 /// - joints: CSV with the heading `joint,x [m],y [m],z [m]` and one line for each joint.

@@ -9,7 +9,7 @@
 namespace moat {
 namespace {
 
-// Of a floor or the base.
+// Checks a floor or the base.
 SystemFloor checked(const Check& check, const std::string& name, const auto& part, Length height, bool in_plan) {
   check.positive(name + " mass", part.mass);
   SystemFloor result{.height = height.si(),

@@ -27,7 +27,7 @@ Eigen::VectorXd squared_frequencies(const Check& check, const StructureModes& mo
 
 std::string percent(double share) { return to_text(100.0 * share) + " %"; }
 
-// Of mode masses Phi' M Phi, in the unit in which they should be 1.
+// The `masses` are Phi' M Phi, in the unit in which those of modes should be 1.
 void check_shapes(const Check& check, const Eigen::MatrixXd& masses, ShapeNorm norm, std::vector<std::string>& notes) {
   constexpr double round_off = 1e-6, tolerated = 0.02;
   double worst = 0.0, off_norm = 0.0;

@@ -49,7 +49,7 @@ class SystemBuilder {
   }
 
  private:
-  // Of stiffness or shapes.
+  // Finds which motion each row of stiffness or shapes is.
   std::vector<Freedom> given_rows() {
     if (const auto& condensed = structure_.condensed) {
       system_.in_plan = condensed->in_plan;

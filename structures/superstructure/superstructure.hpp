@@ -94,7 +94,7 @@ StructureModes structure_modes(const ModesFromFile& file, const StructureModes& 
 struct Superstructure {
   /// Put before the names of all parts where a model has several buildings.
   std::string name{};
-  /// Of the floors, held at the base; or give `modes`, `condensed` or `storeys`.
+  /// Stiffness of the floors, held at the base; or give `modes`, `condensed` or `storeys`.
   std::optional<MatrixInUnits> stiffness{};
   std::optional<StructureModes> modes{};  ///< Instead of stiffness.
   /// Instead of stiffness and freedoms: that of a Frame or FiniteElements. Floors that are left out come from it, and a
@@ -103,11 +103,11 @@ struct Superstructure {
   /// Instead of stiffness, freedoms and floors: springs between floors in plan. Its row `base`, if it has one, is the
   /// base.
   std::optional<StoreyTable> storeys{};
-  /// Of the floors; left out: diagonal, from `floors`.
+  /// Mass of the floors; left out: diagonal, from `floors`.
   std::optional<MatrixInUnits> mass{};
   FreedomOrder freedoms = per_floor(Freedoms::x_y_rotation);  ///< Of the rows of all matrices and shapes.
   std::vector<SuperstructureFloor> floors{};                  ///< From the lowest up.
-  /// Of the superstructure held at its base; left out: the ratios of `modes`, or none.
+  /// Damping of the superstructure held at its base; left out: the ratios of `modes`, or none.
   std::variant<std::monostate, ModalDamping, RayleighDamping, MatrixInUnits> damping{};
   std::optional<SuperstructureBase> base{};  ///< Left out: it stands on the ground, or `on`.
   /// Bases that were added before: that of another building, for several superstructures on one base, or several slabs

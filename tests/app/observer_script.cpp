@@ -1,6 +1,7 @@
 // Attaches two observers: one that offers a quantity, and one that counts steps. With MOAT_TEST_PAUSE the run takes
 // longer than a second, so that it writes its progress to a log; with MOAT_TEST_INTEGRATOR it gives an integrator; with
-// MOAT_TEST_NAME this text ends every name; with MOAT_TEST_MEMORY there is no memory after this number of steps.
+// MOAT_TEST_NAME this text ends every name; with MOAT_TEST_MEMORY there is no memory after this number of steps; with
+// MOAT_TEST_SHEET there is a design sheet.
 #include <moat.hpp>
 
 #include <chrono>
@@ -9,6 +10,8 @@
 #include <new>
 #include <string>
 #include <thread>
+
+#include "design/design_sheet.hpp"
 
 using namespace moat;
 using namespace moat::units;
@@ -47,6 +50,7 @@ int main(int argc, char** argv) {
   TransientOptions options;
   if (std::getenv("MOAT_TEST_INTEGRATOR") != nullptr) options.integrator = GeneralizedAlpha{.spectral_radius = 0.7};
   StepObserver* const observer = std::getenv("MOAT_TEST_NULL_OBSERVER") != nullptr ? nullptr : &momentum;
+  if (std::getenv("MOAT_TEST_SHEET") != nullptr) script.design_sheet({.name = "body", .code = "a code"});
   const int exit_code = script.run(model, push, options, {observer});
   std::printf("%d steps\n", count.steps);
   return exit_code;

@@ -199,6 +199,8 @@ TEST_F(ScriptOptions, HelpListsEveryOptionWithItsUnitAndDefault) {
                            "a plain number",
                            "--record FILE",
                            "--record-unit UNIT",
+                           "--record-step TIME",
+                           "--record-columns WORDS",
                            "--out TEXT=",
                            "--force",
                            "--step [s]=",

@@ -16,6 +16,12 @@ void write(const fs::path& path, const std::string& text) {
   std::ofstream{path} << text;
 }
 
+fs::path any_picture(const fs::path& pictures) {
+  for (const fs::directory_entry& each : fs::directory_iterator{pictures})
+    if (each.path().extension() == ".svg") return each.path();
+  return {};
+}
+
 const std::vector<std::string> in_a{"--out", "a", "--gaps", "3"};
 
 TEST_F(StudyInFolder, ReplacesNoFileOfAnother) {
@@ -44,6 +50,25 @@ TEST_F(StudyInFolder, ReplacesNoFileOfAnother) {
   EXPECT_EQ(text_of(folder / "a/study.csv"), "mine");
 }
 
+TEST_F(StudyInFolder, HasDesignSheets) {
+  ::setenv("MOAT_TEST_SHEET", "1", 1);
+  for (int i = 0; i < 2; ++i) {  // the second replaces the first
+    const ProgramResult result = run(in_a);
+    EXPECT_EQ(result.exit_code, 0) << result.errors;
+    EXPECT_NE(result.output.find("gap needed: 1 m\n"), std::string::npos) << result.output;
+    EXPECT_NE(result.output.find(", design_sheet.html)"), std::string::npos) << result.output;
+  }
+  const std::string page = text_of(folder / "a/design_sheet.html");
+  EXPECT_LT(page.find("<h2>first: a code</h2>"), page.find("<h2>second: another code</h2>"));
+  EXPECT_NE(text_of(folder / "a/report.html").find("<p>gap needed: 1 m</p>"), std::string::npos);
+  write(folder / "a/design_sheet.html", "mine");
+  const ProgramResult refused = run(in_a);
+  EXPECT_EQ(refused.exit_code, 1);
+  EXPECT_NE(refused.errors.find("a/design_sheet.html was not written by a study of moat"), std::string::npos);
+  EXPECT_EQ(text_of(folder / "a/design_sheet.html"), "mine");
+  ::unsetenv("MOAT_TEST_SHEET");
+}
+
 TEST_F(StudyInFolder, IsNotThatOfARun) {
   const ProgramResult ran = run_program(OBSERVER_SCRIPT, {"--out", "a", "--quiet"}, folder);
   ASSERT_TRUE(fs::exists(folder / "a/report.html")) << ran.errors;
@@ -66,7 +91,7 @@ TEST_F(StudyInFolder, IsNotLeftThroughLinks) {
   }
   // A picture is replaced where it is.
   ASSERT_EQ(run(in_a).exit_code, 0);
-  const fs::path picture = fs::directory_iterator { folder / "a/pictures" } -> path();
+  const fs::path picture = any_picture(folder / "a/pictures");
   fs::remove(picture);
   fs::create_symlink(folder / "victim/new", picture);
   ASSERT_EQ(run(in_a).exit_code, 0);
@@ -76,7 +101,7 @@ TEST_F(StudyInFolder, IsNotLeftThroughLinks) {
 
 TEST_F(StudyInFolder, KeepsPicturesOfAnother) {
   ASSERT_EQ(run(in_a).exit_code, 0);
-  const fs::path picture = fs::directory_iterator { folder / "a/pictures" } -> path();
+  const fs::path picture = any_picture(folder / "a/pictures");
   const std::string drawn = text_of(picture);
   write(picture, "mine");
   for (int i = 0; i < 2; ++i) {
@@ -121,15 +146,15 @@ TEST_F(StudyInFolder, DamagedCasesAreComputedAgain) {
 }
 
 TEST_F(StudyInFolder, NamesTheFilesOfRecordsThatItLeavesOut) {
-  for (const char* name : {"r/A000.AT2", "r/A090.AT2", "r/A-UP.AT2", "r/B000.AT2", "r/notes.md"}) {
-    fs::create_directories(folder / "r");
+  fs::create_directories(folder / "r");
+  for (const char* name : {"r/A000.AT2", "r/A090.AT2", "r/A-UP.AT2", "r/B000.AT2"})
     write_record(name, "0.0 0.1 -0.1 0.0");
-  }
+  write(folder / "r/notes.md", "Records of two stations.\n");
   const ProgramResult result = run({"--out", "a", "--pairs", "r"});
   ASSERT_EQ(result.exit_code, 0) << result.errors;
   const std::string report = text_of(folder / "a/report.html");
-  for (const char* words : {"A-UP.AT2 is left out: its name says", "B000.AT2 is left out", "notes.md is left out",
-                            "A000.AT2 and A090.AT2 are a pair"}) {
+  for (const char* words :
+       {"A-UP.AT2 is left out: its name says", "B000.AT2 is left out", "notes.md is left out", "A090.AT2 is x of"}) {
     EXPECT_NE(result.output.find(words), std::string::npos) << result.output;
     EXPECT_NE(report.find(words), std::string::npos) << words;
   }

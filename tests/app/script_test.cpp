@@ -176,6 +176,19 @@ TEST_F(ScriptRun, ObserversOfTheScriptAreInHistoriesAndReport) {
   EXPECT_NE(text_of(folder / "out/report.html").find("momentum [kg m/s]"), std::string::npos);
 }
 
+TEST_F(ScriptRun, DesignSheetsAreResults) {
+  setenv("MOAT_TEST_SHEET", "1", 1);
+  for (int i = 0; i < 2; ++i) {
+    const ProgramResult result = testing::run_program(OBSERVER_SCRIPT, {"--out", "out", "--force"}, folder);
+    EXPECT_EQ(result.exit_code, 0) << result.errors;
+    EXPECT_NE(text_of(folder / "out/design_sheet.html").find("<h2>body: a code</h2>"), std::string::npos);
+  }
+  unsetenv("MOAT_TEST_SHEET");
+  // Overwritten results leave no sheet of old ones.
+  EXPECT_EQ(testing::run_program(OBSERVER_SCRIPT, {"--out", "out", "--force"}, folder).exit_code, 0);
+  EXPECT_FALSE(exists("out/design_sheet.html"));
+}
+
 TEST_F(ScriptRun, ProgressIsALineForEveryTenPercentWithoutATerminal) {
   std::vector<std::string> expected;
   const auto expect_lines_of = [&](const char* run) {
@@ -280,6 +293,10 @@ TEST_F(ScriptRun, RefusesARecordItCannotUnderstand) {
   EXPECT_NE(refusal({"--record", "synthetic.txt"}).find("--record-unit g"), std::string::npos);
   EXPECT_EQ(refusal({"--record", "huge.AT2"}).find("--record-unit"), std::string::npos) << "a unit would not help";
   EXPECT_NE(refusal({"--record", "missing.AT2"}).find("missing.AT2"), std::string::npos);
+  std::ofstream{folder / "pair.txt"} << "0.1 0.2\n-0.1 0.1\n";
+  EXPECT_NE(refusal({"--record", "pair.txt", "--record-unit", "gal"}).find("Name them: --record-columns x,y"),
+            std::string::npos);
+  EXPECT_EQ(refusal({"--record-step", "1s"}), "moat: error: --record-step: give it together with --record FILE.\n");
   EXPECT_EQ(refusal({"--record-unit", "g"}), "moat: error: --record-unit: give it together with --record FILE.\n");
   EXPECT_NE(refusal({"--record", "synthetic.txt", "--record-unit", "cm/s"}).find("it must be in m/s^2"),
             std::string::npos);

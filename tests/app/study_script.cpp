@@ -1,11 +1,13 @@
 // A study of many short cases: a pulse on an isolated mass beside a wall. With MOAT_TEST_LOG every case that is
 // computed adds a character to this file, and then takes longer, so that a test can disturb the study after a certain
-// case.
+// case. With MOAT_TEST_SHEET there are two design sheets.
 #include <chrono>
 #include <cstdlib>
 #include <fstream>
 #include <moat.hpp>
 #include <thread>
+
+#include "design/design_sheet.hpp"
 
 using namespace moat;
 using namespace moat::units;
@@ -80,5 +82,11 @@ int main(int argc, char** argv) {
   double impacts = 0.0;
   for (const double each : study.values("impacts", "")) impacts += each;
   std::printf("%.17g impacts\n", impacts);
+  if (std::getenv("MOAT_TEST_SHEET") != nullptr) {
+    script.design_sheet({.name = "first",
+                         .code = "a code",
+                         .lines = {{.symbol = "gap", .formula = "D", .verdict = "gap needed: 1 m"}}});
+    script.design_sheet({.name = "second", .code = "another code"});
+  }
   return script.finish();
 }

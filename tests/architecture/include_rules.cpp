@@ -30,6 +30,9 @@ const std::map<std::string, std::set<std::string>> allowed{
     {"src/report", {"src/base", "src/motions", "src/output"}},
     {"src/study", {"src/base", "src/output", "src/report"}},
     {"analyses", {"src/base", "src/model", "src/solvers", "src/motions", "src/output", "src/study"}},
+    {"src/design",
+     {"src/base", "src/model", "src/output", "src/motions", "src/report", "src/study", "materials", "elements",
+      "analyses"}},
 };
 const std::string top = "src/app or src/moat.hpp";
 

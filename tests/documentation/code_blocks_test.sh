@@ -21,7 +21,7 @@ for script in script_*.cpp; do
   "${compile[@]}" "$script" -o "${script%.cpp}" "${link[@]}"
   options=(--quiet --out results)
   # Studies have no end and no frames.
-  if ! grep -q "script.study" "$script"; then options+=(--force --end "0.2 s" --frame-interval "0 s"); fi
+  if ! grep -q "script.study\|script.suite" "$script"; then options+=(--force --end "0.2 s" --frame-interval "0 s"); fi
   if grep -q "read_record_folder" "$script"; then continue; fi
   "./${script%.cpp}" "${options[@]}" || { echo "FAILED: $script of $document" && exit 1; }
   [[ -s results/report.html ]] || { echo "FAILED: $script left no report" && exit 1; }

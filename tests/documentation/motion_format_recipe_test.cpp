@@ -3,39 +3,42 @@
 #include <gtest/gtest.h>
 
 #include "base/error.hpp"
+#include "base/text/text_file.hpp"
 #include "message_of.hpp"
-#include "motions/readers/knet_text.hpp"
+#include "motions/readers/record_channel.hpp"
 
-namespace moat::testing {
+namespace moat {
+
+// The recipe declares them in a header of the library.
+bool is_laboratory(const TextFile& file);
+std::vector<RecordChannel> read_laboratory(const TextFile& file);
+
+namespace testing {
 namespace {
 
-TextFile synthetic(const std::string& scale, const std::string& counts) {
-  return {.path = "synthetic.EW",
-          .text = "Origin Time       none\nSampling Freq(Hz) 100Hz\n" + scale + "Memo.\n" + counts,
-          .sha256 = {}};
+TextFile synthetic(const std::string& rate, const std::string& values) {
+  return {.path = "table.txt", .text = "LABORATORY: A\nDIRECTION: N80W\nLARGEST: 300\n" + rate + values, .sha256 = {}};
 }
-const std::string scale = "Scale Factor      2000(gal)/4000\n";
 
 TEST(MotionFormatRecipe, ReadsAFileOfTheFormat) {
-  const TextFile file = synthetic(scale, " 100 300 -100\n 100\n");
-  ASSERT_TRUE(is_knet(file));
-  const GroundMotion motion = parse_knet(file);
-  EXPECT_EQ(motion.name(), "synthetic");
-  EXPECT_DOUBLE_EQ(motion.time_step(), 0.01);
-  ASSERT_EQ(motion.samples().size(), 4U);
-  // Half a gal per count, and the mean of 100 counts taken off.
-  EXPECT_DOUBLE_EQ(motion.samples()[0], 0.0);
-  EXPECT_DOUBLE_EQ(motion.samples()[1], 1.0);
-  EXPECT_DOUBLE_EQ(motion.samples()[2], -1.0);
+  const TextFile file = synthetic("RATE: 100 Hz\n", "100\n -300\n 0\n");
+  ASSERT_TRUE(is_laboratory(file));
+  const RecordChannel channel = read_laboratory(file).at(0);
+  EXPECT_EQ(channel.station, "A");
+  EXPECT_EQ(channel.azimuth, 280.0);
+  EXPECT_DOUBLE_EQ(channel.step, 0.01);
+  EXPECT_EQ(channel.samples, (std::vector<double>{1.0, -3.0, 0.0}));
+  EXPECT_DOUBLE_EQ(channel.stated_peak, 3.0);
 }
 
 TEST(MotionFormatRecipe, RefusesWhatIsNotOfTheFormat) {
-  EXPECT_FALSE(is_knet({.path = "columns.txt", .text = "0.0 0.1\n", .sha256 = {}}));
-  EXPECT_EQ(message_of<FileError>([] { parse_knet(synthetic("", "1 2\n")); }),
-            "synthetic.EW: the header must give \"Scale Factor 3920(gal)/6182761\".");
-  EXPECT_EQ(message_of<FileError>([] { parse_knet(synthetic(scale, "1 x\n")); }),
-            "synthetic.EW, line 5: \"x\" is not a number.");
+  EXPECT_FALSE(is_laboratory({.path = "columns.txt", .text = "0.0 0.1\n", .sha256 = {}}));
+  EXPECT_NE(message_of<FileError>([] { read_laboratory(synthetic("", "1\n")); }).find("does not give RATE"),
+            std::string::npos);
+  EXPECT_EQ(message_of<FileError>([] { read_laboratory(synthetic("RATE: 100 Hz\n", "x\n")); }),
+            "table.txt, line 5: \"x\" is not a number. Each line must hold one acceleration.");
 }
 
 }  // namespace
-}  // namespace moat::testing
+}  // namespace testing
+}  // namespace moat

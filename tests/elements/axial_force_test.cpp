@@ -80,5 +80,32 @@ TEST(AxialForces, ReachTheLawOfABearingInPlan) {
   }
 }
 
+// N falls through zero and rises again inside one step: the bearing lifted, though it presses at both ends.
+TEST(AxialForces, ThatVanishInsideAStepAreSeen) {
+  for (const double rate : {-2e6, -6e6}) {
+    Model model;
+    const NodeId a = add(model, Node{.name = "a", .mass = 1 * tonne});
+    const FrictionPendulum pendulum{.radius = 2 * m, .friction = 0.05};
+    add(model, Spring<SlidingUnderWeight>{
+                   .name = "bearing", .lower = ground, .upper = a, .law = pendulum.under_changing_weight(50 * kN)});
+    AnalysisState state{model};
+    const AxialActions axial = state.elements(0).axial_actions();
+    const double step = 0.05;
+    axial.compressions[0] = 50e3;
+    axial.rates[0] = rate;
+    state.evaluate();
+    state.commit();
+    // The cubic through these values and rates is lowest in the middle: 50 kN + rate/4 step.
+    axial.compressions[0] = 50e3;
+    axial.rates[0] = -rate;
+    testing::move_to(state, Vector{{0.0}}, Vector{{0.0}}, step);
+    const RegimeScan scan = state.scan_regimes(step, -1e-13);
+    const bool lifts = 50e3 + 0.25 * rate * step < 0.0;
+    EXPECT_EQ(scan.crossed_back, lifts) << rate;
+    EXPECT_EQ(scan.crossed, lifts) << rate;
+    EXPECT_EQ(scan.fraction < 0.5, lifts) << rate;
+  }
+}
+
 }  // namespace
 }  // namespace moat

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 
 #include "materials/carrying.hpp"
@@ -99,6 +100,36 @@ TEST(HeatedUnderWeight, ShedsMostInsideTheStep) {
   const Response response = law.evaluate(state, -1e-3, -0.4, {0.01, 1e-3, 0.0}, {1e-3}, next);
   EXPECT_NEAR(next.slider.slip, 0.125e-3, 1e-11);
   EXPECT_LT(std::abs(response.force), 57e3);
+}
+
+// The rate of the force on a path of d and N against central differences of the force, sliding and shedding.
+TEST(HeatedUnderWeight, KnowsTheRateOfItsForce) {
+  const HeatedUnderWeight law = HeatedFrictionPendulum::typical().under_changing_weight(2 * MN);
+  const double h = 1e-5, load_rate = -8e6;
+  for (const int direction : {1, 0}) {
+    HeatedUnderWeight::State state{.compression = 2e6}, next;
+    const double d0 = 0.02, v0 = direction == 0 ? -1e-4 : 0.3, a0 = direction == 0 ? -0.01 : 2.0;
+    if (direction == 1) {
+      state = law.next_regime(state, d0, v0);
+    } else {
+      state.slider.friction_force = 1e6;  // beyond its limit at every weight below, so that it sheds
+      state.slider.slip = d0 - state.slider.friction_force / law.line.elastic_stiffness;
+    }
+    ASSERT_EQ(state.slider.direction, direction);
+    std::array<double, 5> force{};
+    double rate_at_middle = 0.0;
+    for (int i = 0; i < 5; ++i) {
+      const double t = (i + 1) * h, from = t - h;
+      const auto d = [&](double time) { return d0 + time * (v0 + 0.5 * time * a0); };
+      const double v = v0 + a0 * t, weight = 2e6 + load_rate * t;
+      force[static_cast<std::size_t>(i)] =
+          law.evaluate(state, d(t), v, {h, d(from), v0 + a0 * from}, {weight, load_rate}, next).force;
+      state = next;
+      EXPECT_EQ(state.sheds, direction == 0 ? 1 : 0);
+      if (i == 2) rate_at_middle = law.force_rate(state, d(t), v, a0, load_rate);
+    }
+    EXPECT_NEAR((force[3] - force[1]) / (2.0 * h), rate_at_middle, 2e-3 * std::abs(rate_at_middle)) << direction;
+  }
 }
 
 TEST(HeatedUnderWeight, HasExactTangentsAndBalancesItsEnergy) {

@@ -210,20 +210,5 @@ TEST(AnalysisState, RefusesNodesThatHaveNone) {
   EXPECT_EQ(state.velocity(ground), 0.0);
 }
 
-// A message that names an element must not name its neighbour.
-TEST(AnalysisState, AScanOfABlockKnowsTheNearestElement) {
-  const Model model = isolated_storey().model;
-  AnalysisState state{model};
-  for (const double displacement : {0.03, -0.03}) {
-    testing::move_to(state, Vector{{displacement}}, {}, 0.01);
-    for (std::size_t b = 0; b < model.blocks().size(); ++b) {
-      if (!model.blocks()[b]->kind().contacts) continue;
-      RegimeScan scan;
-      state.elements(b).scan(0.01, -1e-13, scan);
-      EXPECT_EQ(model.blocks()[b]->info(scan.nearest).name, displacement > 0.0 ? "right" : "left");
-    }
-  }
-}
-
 }  // namespace
 }  // namespace moat

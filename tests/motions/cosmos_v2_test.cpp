@@ -1,7 +1,5 @@
 // Synthetic files in the layout of the COSMOS format, version 1.20.
 
-#include "motions/readers/record_formats.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -76,7 +74,7 @@ TEST_F(Cosmos, ReadsValuesIntervalAndNotes) {
   ASSERT_EQ(motion.samples().size(), file.values.size());
   for (std::size_t i = 0; i < file.values.size(); ++i)
     EXPECT_DOUBLE_EQ(motion.samples()[i], 0.01 * file.values[i]) << i;
-  ASSERT_EQ(motion.notes().size(), 13u);
+  ASSERT_EQ(motion.notes().size(), 14u) << "the mean is far from 0";
   EXPECT_EQ(motion.notes()[12], "Line 13 of a synthetic file");
 }
 
@@ -190,19 +188,60 @@ TEST_F(Cosmos, RefusesWrongIntervalsFormatsAndNumbers) {
   EXPECT_NE(refusal(file).find("1 values are not enough"), std::string::npos) << refusal(file);
 }
 
-TEST_F(Cosmos, RefusesACutFileAndASecondChannel) {
+TEST_F(Cosmos, RefusesACutFile) {
   const SyntheticFile file;
   const std::string text = file.text();
   for (std::size_t i = 1; i < text.size(); i += 97) {
     const auto cut = write("CUT.V2", text.substr(0, text.size() - i));
-    EXPECT_FALSE(message_of<FileError>([&] { (void)read_cosmos(cut); }).empty()) << i;
+    EXPECT_FALSE(message_of<FileError>([&] { (void)read_motion(cut); }).empty()) << i;
   }
   SyntheticFile no_end;
   no_end.end = "";
   EXPECT_NE(refusal(no_end).find("expected \"End-of-data\""), std::string::npos) << refusal(no_end);
   SyntheticFile two;
-  two.end += text;
-  EXPECT_NE(refusal(two).find("one file per channel"), std::string::npos) << refusal(two);
+  two.end += "text\n";
+  EXPECT_NE(refusal(two).find("expected \"(Format v01.20 with 13 text lines)\""), std::string::npos) << refusal(two);
+}
+
+TEST_F(Cosmos, ReadsSeveralSeries) {
+  SyntheticFile one, two, three;
+  one.integers[53] = 45;
+  one.reals[63] = -250.25;
+  one.end = "/&  ----------  End of data for channel  1  ----------\n\n";
+  two.integers[53] = 401;
+  three.integers[53] = 2000;
+  three.comments = "   1 Comment line(s) follow, each starting with a \"|\":\n|<SCNL>BMR.BNZ.AK.--    <AUTH> 2019\n";
+  const std::vector<RecordChannel> channels =
+      read_channels(write("a.v1", one.text() + two.text() + three.text() + "\n"));
+  ASSERT_EQ(channels.size(), 3u);
+  EXPECT_EQ(channels[0].azimuth, 45.0);
+  EXPECT_DOUBLE_EQ(channels[0].stated_peak, 2.5025);
+  EXPECT_TRUE(channels[1].vertical);
+  EXPECT_DOUBLE_EQ(channels[1].samples[1], -0.015) << "down becomes up";
+  EXPECT_TRUE(channels[2].vertical) << "by the channel BNZ";
+  EXPECT_EQ(channels[2].station + channels[2].network, "BMRAK");
+}
+
+// 0 and -999 are no azimuths.
+TEST_F(Cosmos, TakesAnUnknownAzimuthFromTheText) {
+  for (const int code : {0, -999, 2000}) {
+    SyntheticFile file;
+    file.integers[53] = code;
+    std::string text = file.text();
+    const std::string old = "Line 9 of a synthetic file";
+    EXPECT_EQ(read_channels(write("a.v1", text))[0].azimuth, std::nullopt);
+    text.replace(text.find(old), old.size(), "Sta Chan  1: 340 deg (Rcrdr Chan  1)");
+    EXPECT_EQ(read_channels(write("a.v1", text))[0].azimuth, 340.0);
+  }
+}
+
+TEST_F(Cosmos, LeavesOutOtherSeriesByName) {
+  SyntheticFile one, two;
+  two.integers[2] = 25;
+  two.data_line = "      11 acceleration pts, approx    0 secs, units=deg/sec (25),Format=(8F10.5)";
+  const std::vector<RecordChannel> channels = read_channels(write("a.v1", one.text() + two.text()));
+  ASSERT_EQ(channels.size(), 1u);
+  EXPECT_NE(channels[0].warnings[0].find("channel 2 is left out: unit number 25"), std::string::npos);
 }
 
 }  // namespace

@@ -1,7 +1,5 @@
 // Synthetic files in the layout of the Engineering Strong Motion database, header format DYNA 1.2.
 
-#include "motions/readers/record_formats.hpp"
-
 #include <gtest/gtest.h>
 
 #include <map>
@@ -36,7 +34,7 @@ std::string esm(const std::map<std::string, std::string>& changed,
 class Esm : public MotionFiles {
  protected:
   [[nodiscard]] std::string refusal(const std::string& text) const {
-    const std::string message = message_of<FileError>([&] { (void)read_esm(write("A.ASC", text)); });
+    const std::string message = message_of<FileError>([&] { (void)read_motion(write("A.ASC", text)); });
     const std::string name = path("A.ASC").string();
     return message.starts_with(name) ? message.substr(name.size()) : message;
   }
@@ -50,8 +48,8 @@ TEST_F(Esm, ReadsValuesIntervalAndNotes) {
   EXPECT_DOUBLE_EQ(motion.samples()[0], 0.005);
   EXPECT_DOUBLE_EQ(motion.samples()[1], -0.980665);
   EXPECT_EQ(motion.notes().front(), "EVENT_NAME: synthetic");
-  // The first line and seven others have a value.
-  EXPECT_EQ(motion.notes().size(), 8u);
+  // The first line and seven others have a value; the mean is far from 0.
+  EXPECT_EQ(motion.notes().size(), 9u);
 }
 
 TEST_F(Esm, ReadsAnOlderHeaderAndUnprocessedAcceleration) {
@@ -59,6 +57,24 @@ TEST_F(Esm, ReadsAnOlderHeaderAndUnprocessedAcceleration) {
   EXPECT_EQ(read_motion(write("A.ASC", text)).samples().size(), 3u);
   const std::string raw = esm({{"DATA_TYPE", " UNPROCESSED ACCELERATION"}});
   EXPECT_EQ(read_motion(write("A.ASC", raw)).samples().size(), 3u);
+}
+
+TEST_F(Esm, ReadsTheStationAndTheStream) {
+  const std::string text = esm({{"HEADER_FORMAT", " DYNA 1.0"},
+                                {"STREAM", " HNE"},
+                                {"DATA_TYPE", " Acceleration"},
+                                {"STATION_CODE", " ARS1"},
+                                {"DATE_TIME_FIRST_SAMPLE_YYYYMMDD_HHMMSS", " 20190728_160919.870"}});
+  const RecordChannel channel = read_channels(write("A.ASC", text))[0];
+  EXPECT_EQ(channel.azimuth, 90.0);
+  EXPECT_EQ(channel.station, "ARS1");
+  EXPECT_DOUBLE_EQ(channel.start.value(), 1564330159.87);
+  EXPECT_DOUBLE_EQ(channel.stated_peak, 0.980665);
+  const std::string afad = esm({{"HEADER_FORMAT", " DYNA 1.0"},
+                                {"STREAM", " HNZ"},
+                                {"DATE_TIME_FIRST_SAMPLE_YYYYMMDD_HHMMSS", " 28/07/2019 16:09:19.870"}});
+  EXPECT_DOUBLE_EQ(read_channels(write("A.ASC", afad))[0].start.value(), 1564330159.87);
+  EXPECT_TRUE(read_channels(write("A.ASC", afad))[0].vertical);
 }
 
 TEST_F(Esm, RefusesAMissingKey) {
@@ -77,7 +93,8 @@ TEST_F(Esm, RefusesAnotherUnitOrQuantity) {
             ": the header says UNITS: cm/s. Only cm/s^2 is read; take the file of accelerations, or convert it.");
   for (const char* type : {"VELOCITY", "ACCELERATION RESPONSE SPECTRUM"})
     EXPECT_EQ(refusal(esm({{"DATA_TYPE", std::string{" "} + type}})),
-              std::string{": the header says DATA_TYPE: "} + type + ". Only histories of ACCELERATION are read.");
+              std::string{": the header says DATA_TYPE: "} + type +
+                  ". Only histories of ACCELERATION are read; take the file of accelerations.");
 }
 
 TEST_F(Esm, RefusesWrongCounts) {

@@ -7,8 +7,8 @@
 #include "base/text/text_file.hpp"
 #include "base/units.hpp"
 #include "motion_files.hpp"
+#include "motions/readers/layouts/layouts.hpp"
 #include "motions/readers/read_motion.hpp"
-#include "motions/readers/record_formats.hpp"
 
 namespace moat {
 namespace {
@@ -45,17 +45,17 @@ std::string cosmos() {
 
 struct Reader {
   std::string name, text;
-  GroundMotion (*read)(const TextFile& file);
+  std::vector<RecordChannel> (*read)(const TextFile& file);
 };
 
 const std::vector<Reader> readers{
-    {"COSMOS", cosmos(), parse_cosmos},
+    {"COSMOS", cosmos(), read_cosmos},
     {"PEER AT2", "SYNTHETIC\nTest\nACCELERATION TIME SERIES IN UNITS OF G\nNPTS= 2, DT= .02 SEC\n  .5E+00  .1E+01\n",
-     parse_peer_at2},
+     read_peer_at2},
     {"ESM", "EVENT_NAME: test\nUNITS: cm/s^2\nDATA_TYPE: ACCELERATION\nSAMPLING_INTERVAL_S: 0.01\nNDATA: 2\n1.0\n2.0\n",
-     parse_esm},
+     read_dyna},
     {"two columns", "time acceleration\n0 0.5\n0.02 1\n",
-     [](const TextFile& file) { return parse_two_columns(file, 1.0 * units::g); }}};
+     [](const TextFile& file) { return read_plain_text(file, {.unit = 1.0 * units::g}); }}};
 
 // The message of a refusal, or nothing where the reader takes the text.
 std::string refusal_of(const Reader& reader, const std::string& text) {
@@ -99,7 +99,7 @@ TEST(LongLines, OfValuesAreRead) {
   const std::string values = repeated("1.0E-01-1.0E-01 .1 ");
   const std::size_t count = 3 * values.size() / 19;
   const std::string header = "a\nb\nACCELERATION IN UNITS OF G\nNPTS= " + std::to_string(count) + ", DT= .02 SEC\n";
-  EXPECT_EQ(parse_peer_at2({"record", header + values + "\n", ""}).samples().size(), count);
+  EXPECT_EQ(read_peer_at2({"record", header + values + "\n", ""})[0].samples.size(), count);
 }
 
 class LongLinesOfFiles : public MotionFiles {};

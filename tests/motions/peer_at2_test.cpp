@@ -1,4 +1,4 @@
-#include "motions/readers/record_formats.hpp"
+#include "motions/readers/read_motion.hpp"
 
 #include <gtest/gtest.h>
 
@@ -23,14 +23,14 @@ class PeerAt2 : public MotionFiles {
 
   /// The values of a file, back in g.
   [[nodiscard]] static std::vector<double> values_in_g(const std::filesystem::path& path) {
-    const GroundMotion motion = read_peer_at2(path);
+    const GroundMotion motion = read_motion(path);
     std::vector<double> values(motion.samples().begin(), motion.samples().end());
     for (double& value : values) value /= standard_gravity;
     return values;
   }
 
   [[nodiscard]] static std::string refusal(const std::filesystem::path& path) {
-    return message_of<FileError>([&] { (void)read_peer_at2(path); });
+    return message_of<FileError>([&] { (void)read_motion(path); });
   }
 };
 
@@ -44,7 +44,7 @@ TEST_F(PeerAt2, ReadsCountAndTimeStepInAnyLayout) {
        {"NPTS=      3, DT=   .0050 SEC", "NPTS=      3  DT=   .0050 SEC,                ", "npts = 3, dt = 0.005",
         "NPTS=3,DT=.0050SEC", "NPTS=   3, DT=   .0050 SEC,   4 POLE @    30.00000 HZ,  -5 POLE @      .05000",
         "3    0.0050    NPTS, DT", "   3  .5E-02  NPTS, DT  (SEC)"}) {
-    const GroundMotion motion = read_peer_at2(file(line, "  .1  -.2\n  .3\n"));
+    const GroundMotion motion = read_motion(file(line, "  .1  -.2\n  .3\n"));
     EXPECT_EQ(motion.time_step(), 0.005) << line;
     ASSERT_EQ(motion.samples().size(), 3u) << line;
     EXPECT_DOUBLE_EQ(motion.samples()[1], -0.2 * 9.80665) << line;
@@ -52,7 +52,7 @@ TEST_F(PeerAt2, ReadsCountAndTimeStepInAnyLayout) {
 }
 
 TEST_F(PeerAt2, KeepsNameAndHeader) {
-  const GroundMotion motion = read_peer_at2(file("NPTS= 2, DT= .01 SEC   ", "0 1\n"));
+  const GroundMotion motion = read_motion(file("NPTS= 2, DT= .01 SEC   ", "-1 1\n"));
   EXPECT_EQ(motion.name(), "synthetic");
   EXPECT_EQ(motion.notes(),
             (std::vector<std::string>{"SYNTHETIC TEST RECORD", "Nowhere, 1/1/2000, Test, 0",
@@ -63,7 +63,7 @@ TEST_F(PeerAt2, AcceptsOlderWordsOfTheUnitsLine) {
   for (const char* line : {"ACCELERATION TIME HISTORY IN UNITS OF G", "Acceleration time history in units of g  ",
                            "ACCELERATION TIME HISTORY IN UNITS OF G. FILTER POINTS: HP=0.1 Hz LP=30.0 Hz"}) {
     const auto path = write("synthetic.AT2", "A\nB\n" + std::string{line} + "\n2 0.01 NPTS, DT\n0 1\n");
-    EXPECT_EQ(read_peer_at2(path).samples().size(), 2u) << line;
+    EXPECT_EQ(read_motion(path).samples().size(), 2u) << line;
   }
 }
 
@@ -72,7 +72,7 @@ TEST_F(PeerAt2, AcceptsWindowsLineEndingsTrailingBlankLinesAndAByteOrderMark) {
                           "\xEF\xBB\xBFSYNTHETIC\r\nB\r\nACCELERATION TIME SERIES IN UNITS OF G\r\n"
                           "NPTS= 4, DT= .01 SEC,     \r\n  .1E+00  .2E+00\r\n  .3E+00   .4E+00   \r\n  \r\n\r\n\r\n");
   expect_values(values_in_g(path), {0.1, 0.2, 0.3, 0.4});
-  EXPECT_EQ(read_peer_at2(path).notes()[0], "SYNTHETIC");
+  EXPECT_EQ(read_motion(path).notes()[0], "SYNTHETIC");
 }
 
 TEST_F(PeerAt2, NeedsNoLineEndAtTheEnd) {
@@ -122,15 +122,14 @@ TEST_F(PeerAt2, RefusesACountThatDiffersFromTheHeader) {
 }
 
 TEST_F(PeerAt2, RefusesOtherUnits) {
-  for (const char* line : {"VELOCITY TIME SERIES IN UNITS OF CM/S", "ACCELERATION TIME SERIES IN UNITS OF GAL",
+  for (const char* line : {"SPEED TIME SERIES IN UNITS OF CM/S", "ACCELERATION TIME SERIES IN UNITS OF GAL",
                            "ACCELERATION TIME SERIES IN UNITS OF G/10", "ACCELERATION TIME SERIES IN UNITS OF"}) {
     const auto path = write("synthetic.AT2", "A\nB\n" + std::string{line} + "\n2 0.01 NPTS, DT\n0 1\n");
     EXPECT_EQ(refusal(path), path.string() +
                                  ", line 3: this line of a PEER AT2 file must say \"ACCELERATION TIME SERIES IN UNITS "
                                  "OF G\", but it says \"" +
                                  line +
-                                 "\". Only accelerations in g are read; convert the file, or read other text with "
-                                 "read_two_columns.");
+                                 "\". Only accelerations in g are read; convert the file, or save it as two columns.");
   }
 }
 

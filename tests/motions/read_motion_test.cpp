@@ -66,7 +66,9 @@ TEST_F(ReadMotion, NotesAVerticalRecord) {
 }
 
 TEST_F(ReadMotion, SaysItsFormats) {
-  EXPECT_EQ(motion_formats(), "PEER AT2, COSMOS, ESM, or two columns of time in s and acceleration");
+  EXPECT_EQ(motion_formats(),
+            "K-NET, AFAD, ESM (DYNA), CWA, GeoNet, COSMOS, RENADIC, BHRC, SMC, CSMIP V2, UNAM, PEER AT2, or columns of "
+            "text");
 }
 
 TEST_F(ReadMotion, AsksForTheUnitOfTwoColumns) {
@@ -75,18 +77,19 @@ TEST_F(ReadMotion, AsksForTheUnitOfTwoColumns) {
     EXPECT_EQ(
         message_of<MissingUnit>([&] { (void)read_motion(file); }),
         "read_motion \"" + file.string() +
-            "\": this is not a PEER AT2, COSMOS or ESM file; as two columns of text it does not say the unit of its "
-            "accelerations. Give the unit: read_motion(file, 1 * g), or 1 * m / s / s.");
+            "\": plain text does not say the unit of its accelerations. Give the unit: read_motion(file, 1 * g), or 1 "
+            "* m / s / s.");
   }
 }
 
 TEST_F(ReadMotion, RefusesAnotherUnitThanTheHeaderSays) {
   const auto file = write("a.AT2", synthetic_at2);
   EXPECT_DOUBLE_EQ(read_motion(file, 1 * g).samples()[0], 0.5 * 9.80665);
-  EXPECT_EQ(message_of<InputError>([&] { (void)read_motion(file, m / s / s); }),
-            "read_motion \"" + file.string() +
-                "\": a unit of 1 m/s^2 was given, but PEER AT2 files hold accelerations in g. Leave the unit out, and "
-                "use scaled_by() if the values are to be multiplied.");
+  EXPECT_EQ(
+      message_of<InputError>([&] { (void)read_motion(file, m / s / s); }),
+      "read_motion \"" + file.string() +
+          "\": a unit of 1 m/s^2 was given, but this file (PEER AT2) holds accelerations in g. Leave the unit out, "
+          "and use scaled_by() if the values are to be multiplied.");
 }
 
 TEST_F(ReadMotion, ExplainsABrokenAt2HeaderAsSuch) {

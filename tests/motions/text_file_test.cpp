@@ -11,7 +11,6 @@
 #include "base/units.hpp"
 #include "motion_files.hpp"
 #include "motions/readers/read_motion.hpp"
-#include "motions/readers/record_formats.hpp"
 
 namespace moat {
 namespace {
@@ -73,10 +72,6 @@ TEST_F(ReadTextFile, RefusesFilesThatAreNoPlainText) {
         "(gunzip, unzip, tar) and give the file in it; else save it as text in UTF-8.";
     EXPECT_EQ(message_of<FileError>([&] { (void)read_motion(file); }), message);
     EXPECT_EQ(message_of<FileError>([&] { (void)read_motion(file, 1.0 * units::g); }), message);
-    EXPECT_EQ(message_of<FileError>([&] { (void)read_peer_at2(file); }), message);
-    EXPECT_EQ(message_of<FileError>([&] { (void)read_cosmos(file); }), message);
-    EXPECT_EQ(message_of<FileError>([&] { (void)read_esm(file); }), message);
-    EXPECT_EQ(message_of<FileError>([&] { (void)read_two_columns(file, 1.0 * units::g); }), message);
   }
 }
 

@@ -15,38 +15,15 @@ namespace moat {
 namespace {
 
 using namespace units;
-using Side = VerticalMotion::Side;
 
 GroundMotion upwards(double interval, const std::vector<double>& samples) {
   return GroundMotion{"up", interval, std::vector<double>(samples.size(), 0.0)}.with_component_z(samples);
 }
 
-TEST(VerticalMotion, RigidIsTheGround) {
-  const GroundMotion motion = upwards(0.02, {1.0, 3.0, -2.0, 0.5});
-  const VerticalMotion rigid{motion, 0 * s, 0.0};
-  for (const double time : {0.0, 0.004, 0.02, 0.031, 0.06})
-    EXPECT_NEAR(rigid.acceleration(time), motion.components_at(time).z, 1e-14);
-  EXPECT_EQ(rigid.acceleration(-0.01), 0.0);
-  EXPECT_EQ(rigid.acceleration(0.061), 0.0);
-  EXPECT_NEAR(rigid.rate(0.01, Side::before), 100.0, 1e-11);
-  EXPECT_NEAR(rigid.rate(0.01, Side::after), 100.0, 1e-11);
-  // At a sample each side has its own; a time that adds up from steps is at the sample too.
-  for (const double time : {0.04, 0.04 * (1.0 + 1e-14), 0.04 * (1.0 - 1e-14)}) {
-    EXPECT_NEAR(rigid.rate(time, Side::before), -250.0, 1e-11);
-    EXPECT_NEAR(rigid.rate(time, Side::after), 125.0, 1e-11);
-    EXPECT_NEAR(rigid.acceleration(time), -2.0, 1e-11);
-  }
-  EXPECT_EQ(rigid.rate(0.0, Side::before), 0.0);
-  EXPECT_NEAR(rigid.rate(0.0, Side::after), 100.0, 1e-11);
-  EXPECT_NEAR(rigid.rate(0.06, Side::before), 125.0, 1e-11);
-  EXPECT_EQ(rigid.rate(0.06, Side::after), 0.0);
-  EXPECT_TRUE(rigid.kinks_at_samples());
-  EXPECT_TRUE(std::isinf(rigid.longest_step()));
-
-  const VerticalMotion none{GroundMotion{"along", 0.02, {1.0, 2.0}}, 0 * s, 0.0};
+TEST(VerticalMotion, NothingMovesWithoutAVerticalComponent) {
+  const VerticalMotion none{GroundMotion{"along", 0.02, {1.0, 2.0}}, 0.1 * s, 0.05};
   EXPECT_EQ(none.acceleration(0.01), 0.0);
-  EXPECT_EQ(none.rate(0.01, Side::after), 0.0);
-  EXPECT_FALSE(none.kinks_at_samples());
+  EXPECT_EQ(none.rate(0.01), 0.0);
 }
 
 TEST(VerticalMotion, ModeHasTheComputedAccelerations) {
@@ -56,7 +33,6 @@ TEST(VerticalMotion, ModeHasTheComputedAccelerations) {
   } const expected[] = {{0.05, 1.2469297662}, {0.1, 3.3838208052}, {0.15, 0.7875087554}, {0.2, -2.7314658369},
                         {0.3, 1.2395667091},  {0.4, 0.1038389197}, {0.5, 0.0650375239}};
   for (const auto& each : expected) EXPECT_NEAR(mode.acceleration(each.time), each.acceleration, 6e-11) << each.time;
-  EXPECT_FALSE(mode.kinks_at_samples());
   EXPECT_NEAR(mode.longest_step(), 0.006, 1e-15);
 }
 
@@ -99,8 +75,7 @@ TEST(VerticalMotion, ModeIsTheDuhamelIntegral) {
         ASSERT_NEAR(mode.acceleration(time), expected.acceleration, 1e-9) << period << " " << z << " " << time;
         const double scale = 2.0 * std::numbers::pi / period;
         if (time != 1.49) {
-          ASSERT_NEAR(mode.rate(time, Side::before) / scale, expected.rate / scale, 1e-9) << period << " " << z;
-          ASSERT_NEAR(mode.rate(time, Side::before) / scale, mode.rate(time, Side::after) / scale, 1e-9);
+          ASSERT_NEAR(mode.rate(time) / scale, expected.rate / scale, 1e-9) << period << " " << z;
         }
       }
     }
@@ -110,21 +85,16 @@ TEST(VerticalMotion, RateIsThatOfTheAcceleration) {
   const VerticalMotion mode{upwards(0.05, {2.0, 3.0, -2.0, 1.0}), 0.2 * s, 0.1};
   const double step = 1e-6;
   for (const double time : {0.0, 0.02, 0.05, 0.13, 0.15, 0.4}) {
-    const auto difference = [&](double sign) {
-      const auto at = [&](double steps) { return mode.acceleration(time + sign * steps * step); };
-      return sign * (4.0 * at(1.0) - 3.0 * at(0.0) - at(2.0)) / (2.0 * step);
-    };
-    EXPECT_NEAR(mode.rate(time, Side::after), difference(1.0), 2e-5) << time;
-    if (time > 0.0) {
-      EXPECT_NEAR(mode.rate(time, Side::before), difference(-1.0), 2e-5) << time;
-    }
+    const auto at = [&](double steps) { return mode.acceleration(time + steps * step); };
+    EXPECT_NEAR(mode.rate(time), (4.0 * at(1.0) - 3.0 * at(0.0) - at(2.0)) / (2.0 * step), 2e-5) << time;
   }
   // The ground's acceleration jumps at both ends, by 2 and by 1 m/s^2: the dashpot's force follows.
   const double damping = 2.0 * 0.1 * 2.0 * std::numbers::pi / 0.2;
-  EXPECT_EQ(mode.rate(0.0, Side::before), 0.0);
-  EXPECT_NEAR(mode.rate(0.0, Side::after), damping * 2.0, 1e-12);
-  EXPECT_NEAR(mode.rate(0.15, Side::after) - mode.rate(0.15, Side::before), -damping * 1.0, 1e-10);
-  EXPECT_NEAR(mode.rate(0.05, Side::after), mode.rate(0.05, Side::before), 1e-11);
+  const double close = 1e-8;
+  EXPECT_EQ(mode.rate(-close), 0.0);
+  EXPECT_NEAR(mode.rate(0.0), damping * 2.0, 1e-12);
+  EXPECT_NEAR(mode.rate(0.15) - mode.rate(0.15 - close), -damping * 1.0, 1e-4);
+  EXPECT_NEAR(mode.rate(0.05), mode.rate(0.05 - close), 1e-4);
 }
 
 TEST(VerticalMotion, WithoutDampingItKeepsItsEnergy) {

@@ -2,55 +2,53 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
-#include <numbers>
-
 #include "report_testing.hpp"
 
 namespace moat {
 namespace {
 
-using testing_report::result_with;
+FloorSpectrum spectrum_of(const std::string& floor, const std::string& corner, const std::string& direction,
+                          double damping_ratio) {
+  return {floor, corner, direction, {damping_ratio, {0.1, 1.0}, {}, {4.0, 2.0}, {}}};
+}
 
-// A floor that shakes with one period for a long time.
-CaseResult shaken(double period, double interval, int rows) {
-  std::vector<double> time, acceleration;
-  for (int i = 0; i < rows; ++i) {
-    time.push_back(interval * i);
-    acceleration.push_back(std::sin(2.0 * std::numbers::pi * interval * i / period));
+TEST(FloorSpectraCharts, OneForEachDampingShowsAllFloors) {
+  CaseResult result;
+  EXPECT_TRUE(floor_spectra(result).empty());
+  for (const char* floor : {"base", "floor 5"})
+    for (const double damping_ratio : {0.02, 0.05})
+      result.floor_spectra.push_back(spectrum_of(floor, "", "", damping_ratio));
+  const std::vector<Chart> charts = floor_spectra(result);
+  ASSERT_EQ(charts.size(), 2u);
+  EXPECT_EQ(charts[0].title, "Floor response spectra");
+  EXPECT_EQ(charts[0].x_label, "period of an oscillator with 2 % damping [s]");
+  EXPECT_EQ(charts[1].x_label, "period of an oscillator with 5 % damping [s]");
+  for (const Chart& chart : charts) {
+    ASSERT_EQ(chart.series.size(), 2u);
+    EXPECT_EQ(chart.series[1].name, "floor 5");
+    EXPECT_EQ(chart.series[1].x, (std::vector<double>{0.1, 1.0}));
+    EXPECT_EQ(chart.series[1].y, (std::vector<double>{4.0, 2.0}));
   }
-  CaseResult result = result_with({{"time", "", "s", time}, {"absolute_acceleration", "roof", "m/s^2", acceleration}});
-  result.buildings = {{.name = "tower", .floors = {"roof"}}};
-  return result;
 }
 
-TEST(FloorSpectra, AreThoseOfOscillatorsOnTheFloor) {
-  const std::vector<Chart> charts = floor_spectra(shaken(0.5, 0.005, 8000));
-  ASSERT_EQ(charts.size(), 1u);
-  ASSERT_EQ(charts[0].series.size(), 1u);
-  const Series& spectrum = charts[0].series[0];
-  EXPECT_DOUBLE_EQ(spectrum.x.front(), 0.05);
-  EXPECT_DOUBLE_EQ(spectrum.x.back(), 5.0);
-  // Of the steady vibration with r = period of the oscillator / period of the floor, and for a stiff oscillator at most
-  // r times as much more of the free vibration at the start.
-  const auto amplification = [](double r) { return 1.0 / std::hypot(1.0 - r * r, 2.0 * 0.05 * r); };
-  const double stiff = spectrum.x.front() / 0.5;
-  EXPECT_GE(spectrum.y.front(), amplification(stiff) * 0.999);
-  EXPECT_LE(spectrum.y.front(), amplification(stiff) * (1.0 + stiff));
-  const auto largest = std::ranges::max_element(spectrum.y);
-  const double resonant = spectrum.x[static_cast<std::size_t>(largest - spectrum.y.begin())] / 0.5;
-  EXPECT_NEAR(resonant, 1.0, 0.05);
-  EXPECT_NEAR(*largest, amplification(resonant), 0.01 * *largest);
-}
-
-TEST(FloorSpectra, NeedALongHistory) { EXPECT_TRUE(floor_spectra(shaken(0.5, 0.005, 99)).empty()); }
-
-TEST(FloorSpectra, HaveOneChartForEachComponentInPlan) {
-  const std::vector<Chart> charts = floor_spectra(testing_report::plan_result());
+TEST(FloorSpectraCharts, OneForEachDirectionShowsCentresInPlan) {
+  CaseResult result;
+  for (const char* corner : {"", "corner 1"})
+    for (const char* direction : {"x", "y"})
+      result.floor_spectra.push_back(spectrum_of("base", corner, direction, 0.05));
+  const std::vector<Chart> charts = floor_spectra(result);
   ASSERT_EQ(charts.size(), 2u);
   EXPECT_EQ(charts[0].title, "Floor response spectra along x");
-  EXPECT_EQ(charts[0].x_label, "period of an oscillator with 5 % damping [s]");
-  EXPECT_EQ(charts[1].series.size(), 2u) << "base and top";
+  EXPECT_EQ(charts[1].title, "Floor response spectra along y");
+  EXPECT_EQ(charts[0].series.size(), 1u);
+}
+
+TEST(FloorSpectraCharts, ARunHasThemOfBaseAndTop) {
+  const std::vector<Chart> charts = floor_spectra(testing_report::plan_result());
+  ASSERT_EQ(charts.size(), 2u);
+  ASSERT_EQ(charts[1].series.size(), 2u);
+  EXPECT_EQ(charts[1].series[0].name, "base");
+  EXPECT_EQ(charts[1].series[1].name, "floor 1");
 }
 
 }  // namespace

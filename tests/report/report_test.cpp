@@ -31,6 +31,8 @@ CaseResult example() {
   result.impacts = {{.where = "moat left", .start = 3.25, .largest_force = 2.5e7}};
   result.solver.accepted_steps = 11'213;
   result.assumptions = {"Average acceleration."};
+  for (const char* floor : {"base", "floor 5"})
+    result.floor_spectra.push_back({.floor = floor, .spectrum = {0.05, {0.1, 1.0}, {}, {2.0, 1.0}, {}}});
   Table& table = result.histories;
   table.columns = {{"time", "", "s", {}},
                    {"displacement", "base", "m", {}},
@@ -186,6 +188,7 @@ TEST_F(Report, LeavesOutChartsWithoutColumns) {
   result.histories.columns.pop_back();
   EXPECT_EQ(count(written(result), "<svg "), 4u);
   result.histories = {};
+  result.floor_spectra.clear();
   result.impacts.clear();
   const std::string html = written(result);
   EXPECT_EQ(count(html, "<svg "), 0u);

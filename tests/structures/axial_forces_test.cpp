@@ -1,7 +1,9 @@
 // Axial forces of bearings that follow overturning and vertical motion: statics by hand, and coupled motions.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <string>
 #include <vector>
 
 #include "message_of.hpp"
@@ -118,6 +120,75 @@ TEST(AxialForces, ABlockThatRocksEndsTheAnalysisOrGoesOnByOption) {
       EXPECT_GT(analysis.state().weights()[0].rocking_time(), 0.0);
       EXPECT_EQ(analysis.warnings().size(), 1U);
     }
+  }
+}
+
+// Three bearings carry a moment while one of them is lifted.
+TEST(AxialForces, LiftedRubberIsReported) {
+  for (const Force may_pull : {0 * N, 1 * MN}) {
+    const auto rubber = [](const char* name, Length at) {
+      return Isolator<Bilinear>{
+          .name = name,
+          .law = {.yield_force = 0.6 * MN, .yield_displacement = 1 * cm, .post_yield_stiffness = 50 * kN / m},
+          .at = at};
+    };
+    Model model;
+    add(model,
+        ShearBuilding{.storeys = 1,
+                      .floor_mass = 500 * tonne,
+                      .storey_stiffness = 1 * GN / m,
+                      .base_mass = 100 * tonne,
+                      .isolation = Isolation{rubber("left", -4 * m), rubber("middle", 0 * m), rubber("right", 4 * m)},
+                      .storey_height = 12 * m,
+                      .axial_forces = AxialForces{.may_pull = may_pull, .rocking = AxialForces::Rocking::continues}});
+    Transient analysis{model, constant_acceleration(3.2), {}};
+    analysis.run();
+    const auto bearing = analysis.state().weights()[0].bearings();
+    EXPECT_EQ(bearing[0].uplifts + bearing[2].uplifts > 0, may_pull.si() == 0.0);
+    const std::vector<std::string> warnings = analysis.warnings();
+    EXPECT_EQ(std::ranges::any_of(warnings,
+                                  [](const std::string& each) {
+                                    return each.find("kept their horizontal force") != std::string::npos;
+                                  }),
+              may_pull.si() == 0.0);
+  }
+}
+
+// Rubber that pulls, in plan: pushed to the other side, the bearings of both sides change their parts.
+TEST(AxialForces, BearingsThatPullInPlanMirror) {
+  const auto compressions = [](double push) {
+    Model model;
+    add(model, PlanBuilding{.outline = rectangle(8 * m, 6 * m),
+                            .storeys = 1,
+                            .floor_mass = 300 * tonne,
+                            .columns = grid(2, 2, StoreyColumn{.stiffness = 200 * MN / m}),
+                            .damping = {.ratio = 0.05},
+                            .base_mass = 100 * tonne,
+                            .bearings = grid(2, 2,
+                                             LeadRubberBearing{.yield_force = 0.4 * MN,
+                                                               .yield_displacement = 1 * cm,
+                                                               .post_yield_stiffness = 200 * kN / m}),
+                            .storey_height = 12 * m,
+                            .axial_forces = AxialForces{.may_pull = 0.3 * MN}});
+    Transient analysis{model, constant_acceleration(push), {}};
+    std::vector<double> all;
+    while (!analysis.finished()) {
+      analysis.advance();
+      double sum = 0.0;
+      for (std::size_t i = 0; i < 4; ++i) {
+        all.push_back(compression(analysis.state(), i));
+        sum += all.back();
+      }
+      EXPECT_NEAR(sum, 400e3 * gravity, 1e-3) << "the bearings carry the weight";
+    }
+    return all;
+  };
+  const std::vector<double> right = compressions(4.0), left = compressions(-4.0);
+  ASSERT_EQ(right.size(), left.size());
+  EXPECT_LT(std::ranges::min(right), -0.03e6) << "they pull";
+  for (std::size_t i = 0; i < right.size(); i += 2) {
+    ASSERT_NEAR(right[i], left[i + 1], 1.0) << i;
+    ASSERT_NEAR(right[i + 1], left[i], 1.0) << i;
   }
 }
 

@@ -233,7 +233,7 @@ TEST(PlanBuilding, BearingsShareADesign) {
   for (const auto& block : model.blocks())
     for (std::size_t e = 0; e < block->size(); ++e) {
       if (!block->info(e).isolates) continue;
-      const auto parameters = block->law(e).parameters;
+      const auto parameters = block->law_of_block(e).parameters;
       const double post_yield = block->linear_stiffness(e, StiffnessStage::post_yield);
       stiffness += post_yield;
       strength += parameters[0].value - post_yield * parameters[1].value;

@@ -153,8 +153,11 @@ void expect_energy_balance(const Law& law, const PlanarTrial& trial) {
     const PlanVector from = path.deformation, target = from + random_vector(draws, trial.move);
     for (int k = 1; k <= trial.pieces_of_work; ++k) {
       const PlanVector before = path.deformation;
+      [[maybe_unused]] const typename Law::State at_start = path.state;
       const PlanVector after = path.to(from + double(k) / trial.pieces_of_work * (target - from), rate).force;
       work += dot(0.5 * (force + after), path.deformation - before);
+      if constexpr (GivesWeightWork<Law, PlanVector>)
+        work += law.weight_work(at_start, before, path.state, path.deformation);
       force = after;
     }
     scale = std::max(scale, std::abs(work));

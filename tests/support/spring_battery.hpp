@@ -115,6 +115,14 @@ class LawPath {
         const double to = deformation_ + std::ldexp(target - deformation_, -panel);
         work_ += integral(force, from, to);
         if constexpr (!requires { law_.dissipated_energy(state_, state_); }) dissipated_ += integral(power, from, to);
+        // A stiffness that falls gives up a part of its store.
+        if constexpr (GivesWeightWork<Law, double>)
+          dissipated_ -= integral(
+              [&](double d) {
+                force(d);
+                return law_.weight_power(trial, d, rate, 0.0) / rate;
+              },
+              from, to);
         from = to;
       }
     }

@@ -20,8 +20,12 @@
 #include "base/check.hpp"
 #include "base/error.hpp"
 #include "base/text/terminal.hpp"
+#include "design/sheet_page.hpp"
+#include "motions/readers/record.hpp"
 #include "motions/readers/record_folder.hpp"
+#include "output/charts/suite_charts.hpp"
 #include "output/files/results_folder.hpp"
+#include "study/statistics.hpp"
 
 namespace moat {
 namespace {
@@ -91,9 +95,29 @@ ScriptStudy& Script::study_parts() {
 
 StudyResult Script::study(const StudyCases& cases, const std::function<StudyModel(const StudyCase&)>& make,
                           const StudyOptions& options, const std::string& name) {
-  return study_parts().run(
+  StudyResult result = study_parts().run(
       cases, [&](const StudyOptions& each) { return run_study(cases, make, each); }, options, name, parts_->origin,
       parts_->line.title());
+  if (parts_->speaks() && !axis_of_records(result).empty())
+    parts_->study->add_profiles(make(StudyCase{cases, 0}).model);
+  return result;
+}
+
+StudyResult Script::suite(const Suite& suite, const std::function<Model(const SuiteCase&)>& make,
+                          const std::string& name) {
+  const std::function<StudyModel(const StudyCase&)> model = [&](const StudyCase& each) {
+    return suite.model(each, make);
+  };
+  StudyResult result = study(suite.cases(), model, suite.study(), name);
+  if (const std::optional<ScaledSuite>& scaled = suite.records().scaled()) {
+    std::string scaling;
+    for (const std::string& line : scaled->description()) scaling += line + ". ";
+    answer(scaling.substr(0, scaling.size() - 1));
+    for (const std::string& warning : scaled->warnings) answer(warning);
+    show("Scaling", scaling_table(*scaled));
+    for (const Chart& chart : suite_charts(*scaled)) show(chart);
+  }
+  return result;
 }
 
 StudyResult Script::study(const StudyCases& cases, const std::function<StudyRecord(const StudyCase&)>& compute,
@@ -105,17 +129,23 @@ StudyResult Script::study(const StudyCases& cases, const std::function<StudyReco
 
 void Script::answer(const std::string& sentence) { studies_done().answer(sentence); }
 
-void Script::show(const Chart& chart) { studies_done().show({chart.title, svg_text({chart}, 1000, 420)}); }
+void Script::show(const Chart& chart) {
+  studies_done().show(StudyPicture{chart.title, svg_text({chart}, 1000, 420), table_of(chart)});
+}
 
-void Script::show(const HeatMap& map) { studies_done().show({map.title, svg_text(map)}); }
+void Script::show(const std::string& title, const Table& table) { studies_done().show(StudyTable{title, table}); }
+
+void Script::show(const HeatMap& map) { studies_done().show(StudyPicture{map.title, svg_text(map)}); }
 
 ScriptStudy& Script::studies_done() {
   if (!parts_->study) throw InputError{"Script: answers and pictures belong to a study. Call study() before."};
   return *parts_->study;
 }
 
+void Script::design_sheet(const DesignSheet& sheet) { parts_->sheets.push_back(sheet); }
+
 int Script::finish() {
-  if (parts_->study) return parts_->study->finish();
+  if (parts_->study) return parts_->study->finish(parts_->sheets);
   check_options();
   return 0;
 }
@@ -182,6 +212,8 @@ int Script::run(const Model& model, const GroundMotion& motion, const TransientO
     if (!options.quiet) print_text(std::cout, terminal_summary(outcome.result));
     write_results(outcome.result, folder.path(),
                   takes_time && !options.quiet ? WritingProgress{ProgressBar{"writing", "parts"}} : WritingProgress{});
+    if (!parts_->sheets.empty()) write_design_sheets(parts_->sheets, folder.path() / results_file::design_sheet);
+    if (!record_folder_notes().empty()) write_record_table(folder.path() / results_file::records);
   } catch (const std::exception& error) {
     const std::string reason = reason_of(error);
     outcome.fail(reason, exit_error, "Files of these results are missing: " + reason);

@@ -9,6 +9,7 @@
 #include <string>
 
 #include "analyses/questions/study.hpp"
+#include "analyses/questions/suite.hpp"
 #include "analyses/time_history/transient_options.hpp"
 #include "base/quantity.hpp"
 #include "model/model.hpp"
@@ -23,6 +24,7 @@ namespace moat {
 class CaseRun;
 class ResultsFolder;
 class ScriptStudy;
+struct DesignSheet;
 
 /// From now on an exception that leaves main() is printed as one message to standard error, and ends the program with
 /// exit code 1. Returns true. Every Script does it.
@@ -74,12 +76,14 @@ class Script {
   int integer(const std::string& name, int preset, const std::string& help);                      ///< --name 5
   std::string text(const std::string& name, const std::string& preset, const std::string& help);  ///< --name word
 
-  /// Adds --record FILE (PEER AT2, COSMOS, ESM, or two columns with --record-unit g) and --record-up FILE, the vertical
-  /// component, and returns that motion, else the preset.
+  /// Adds --record FILE (read_channels() lists the formats; plain text needs --record-unit g, and may need
+  /// --record-step and --record-columns) and --record-up FILE, the vertical component, and returns that motion, else
+  /// the preset.
   GroundMotion motion(const GroundMotion& preset);
 
-  /// Adds --record FILE and --record-2 FILE, to be given together, --record-up FILE, and --incidence NUMBER, the angle
-  /// in degrees from +x to the first component, and returns the motion of both components, else the preset.
+  /// Adds --record FILE, with both components in it (or a folder with the files of one record, read_record(), with
+  /// --records-table FILE.csv), or with --record-2 FILE for the second one; --record-up FILE, and --incidence NUMBER,
+  /// the angle in degrees from +x to the first component. Returns the motion of all components, else the preset.
   PlanMotion plan_motion(const PlanMotion& preset);
 
   /// Before run(): calls the observer too, at every step; it must outlive the run. The quantities of a QuantityRecorder
@@ -122,11 +126,26 @@ class Script {
   StudyResult study(const StudyCases& cases, const std::function<StudyRecord(const StudyCase&)>& compute,
                     const StudyOptions& options = {}, const std::string& name = "study");
 
+  /// Computes a suite as a study: records with bounds, eccentricities and directions. As of every study over records,
+  /// the report has statistics and profiles over them, and NAME_statistics.csv has those of all results; of a
+  /// ScaledSuite also factors and spectra.
+  ///
+  ///     const StudyResult result = script.suite({pairs, {.bounds = bounds, .eccentricity = 0.05}},
+  ///                                             [&](const SuiteCase& each) { ... return model; });
+  StudyResult suite(const Suite& suite, const std::function<Model(const SuiteCase&)>& make,
+                    const std::string& name = "suite");
+
   /// Puts a sentence, and prints it; or a picture, into the report of the studies. Pictures are written as SVG too.
   /// Call them after the first study; before it they throw InputError.
   void answer(const std::string& sentence);
   void show(const Chart& chart);  ///< A picture for the report.
   void show(const HeatMap& map);  ///< A map for the report.
+  /// A table for the report; columns in SI units.
+  void show(const std::string& title, const Table& table);
+
+  /// Puts a sheet into design_sheet.html of the results folder, one behind the other, and its verdict among the answers
+  /// of a study. Before run(), or before finish().
+  void design_sheet(const DesignSheet& sheet);
 
   /// After the last study: writes report.html with all answers, prints where the results are. With --json standard
   /// output holds { "title", "results_folder", "studies": [ { "name", "file", "cases", "done", "not_converged",
@@ -150,7 +169,6 @@ class Script {
   ScriptStudy& studies_done();
   template <class Q>
   Q quantity(const std::string& name, Q preset, const std::string& help);
-  [[nodiscard]] GroundMotion read(const std::string& file, const std::optional<std::string>& unit) const;
   std::unique_ptr<Parts> parts_;
 };
 

@@ -7,6 +7,7 @@
 #include "base/error.hpp"
 #include "base/parse_quantity.hpp"
 #include "motions/readers/read_motion.hpp"
+#include "motions/readers/record.hpp"
 
 namespace moat {
 
@@ -58,44 +59,67 @@ std::string Script::text(const std::string& name, const std::string& preset, con
   return parts_->line.look_up(name, preset, help, "TEXT").value_or(preset);
 }
 
-GroundMotion Script::motion(const GroundMotion& preset) {
-  const auto file = parts_->line.look_up("record", "", "accelerogram: " + motion_formats(), "FILE");
-  const auto unit = parts_->line.look_up("record-unit", "", "unit of a two-column record: g, cm/s^2 ...", "UNIT");
-  const auto up = parts_->line.look_up("record-up", "", "accelerogram of the vertical component, upwards", "FILE");
-  if (!file) {
-    if (unit) throw InputError{"--record-unit: give it together with --record FILE."};
-    if (up) throw InputError{"--record-up: give it together with --record FILE."};
-    return preset;
+namespace {
+
+/// The options about files of records.
+struct RecordLine {
+  explicit RecordLine(CommandLine& line, const std::string& help)
+      : file{line.look_up("record", "", help + ": " + motion_formats(), "FILE")},
+        up{line.look_up("record-up", "", "accelerogram of the vertical component, upwards", "FILE")},
+        unit{line.look_up("record-unit", "", "unit of records in plain text: g, gal, cm/s^2 ...", "UNIT")},
+        step{line.look_up("record-step", "", "time step of plain text without times: 0.01 s", "TIME")},
+        columns{line.look_up("record-columns", "", "columns of plain text: time,x or x,y,z or series ...", "WORDS")} {
+    if (file) return;
+    for (const auto& [name, value] : {std::pair{"unit", &unit}, {"step", &step}, {"columns", &columns}, {"up", &up}})
+      if (*value) throw InputError{"--record-" + std::string{name} + ": give it together with --record FILE."};
   }
-  const GroundMotion horizontal = read(*file, unit);
-  return up ? with_vertical(horizontal, read(*up, unit)) : horizontal;
+  [[nodiscard]] TextColumns text() const {
+    TextColumns text{.columns = columns.value_or("")};
+    if (step) text.step = parse<Time>(*step, "--record-step");
+    if (!unit) return text;
+    const std::optional<double> known = acceleration_unit(*unit);
+    text.unit = known ? Acceleration{*known} : parse<Acceleration>("1 " + *unit, "--record-unit");
+    return text;
+  }
+  /// Calls a function that reads files.
+  template <class Read>
+  auto reading(Read read) const {
+    try {
+      return read();
+    } catch (const MissingUnit& error) {
+      throw InputError{error.problem() + " Give the unit: --record-unit g, or --record-unit cm/s^2."};
+    }
+  }
+
+  std::optional<std::string> file, up, unit, step, columns;
+};
+
+}  // namespace
+
+GroundMotion Script::motion(const GroundMotion& preset) {
+  const RecordLine record{parts_->line, "accelerogram"};
+  if (!record.file) return preset;
+  return record.reading([&] {
+    const GroundMotion horizontal = read_motion(*record.file, record.text());
+    return record.up ? with_vertical(horizontal, read_motion(*record.up, record.text())) : horizontal;
+  });
 }
 
 PlanMotion Script::plan_motion(const PlanMotion& preset) {
-  const auto first =
-                 parts_->line.look_up("record", "", "accelerogram of the first component: " + motion_formats(), "FILE"),
-             second = parts_->line.look_up("record-2", "", "accelerogram of the second component", "FILE"),
-             up = parts_->line.look_up("record-up", "", "accelerogram of the vertical component, upwards", "FILE"),
-             unit = parts_->line.look_up("record-unit", "", "unit of two-column records: g, cm/s^2 ...", "UNIT");
+  const auto second = parts_->line.look_up("record-2", "", "accelerogram of the second component", "FILE"),
+             table =
+                 parts_->line.look_up("records-table", "", "table of the channels and their components", "FILE.csv");
   const double degrees = number("incidence", preset.incidence / (units::pi / 180.0),
                                 "angle in degrees from +x to the first component, counter-clockwise");
-  if (first.has_value() != second.has_value())
-    throw InputError{"--record and --record-2: give both components, or none."};
-  if (unit && !first) throw InputError{"--record-unit: give it together with --record FILE."};
-  if (up && !first) throw InputError{"--record-up: give it together with --record and --record-2."};
-  PlanMotion motion = first ? PlanMotion{read(*first, unit), read(*second, unit)} : preset;
+  const RecordLine record{parts_->line, "accelerogram of the first component, or of all in a file or folder"};
+  if (second && !record.file) throw InputError{"--record and --record-2: give both components, or none."};
+  PlanMotion motion = !record.file ? preset : record.reading([&] {
+    if (second) return PlanMotion{read_motion(*record.file, record.text()), read_motion(*second, record.text()), {}};
+    return read_record({*record.file}, {.table = table.value_or(""), .text = record.text()}).plan();
+  });
   motion.incidence = degrees * units::deg;
-  if (up) motion.vertical = read(*up, unit);
+  if (record.up) motion.vertical = record.reading([&] { return read_motion(*record.up, record.text()); });
   return motion;
-}
-
-GroundMotion Script::read(const std::string& file, const std::optional<std::string>& unit) const {
-  if (unit) return read_motion(file, parse<Acceleration>("1 " + *unit, "--record-unit"));
-  try {
-    return read_motion(file);
-  } catch (const MissingUnit& error) {
-    throw InputError{error.problem() + " Give the unit: --record-unit g, or --record-unit cm/s^2."};
-  }
 }
 
 }  // namespace moat

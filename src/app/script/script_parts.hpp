@@ -12,6 +12,7 @@
 #include "app/script/script_origin.hpp"
 #include "app/script/script_study.hpp"
 #include "app/script/stop_signals.hpp"
+#include "design/design_sheet.hpp"
 #include "study/ranks/ranks.hpp"
 
 namespace moat {
@@ -31,6 +32,7 @@ struct Script::Parts {
   [[nodiscard]] bool speaks() const { return ranks == nullptr || ranks->rank() == 0; }
   std::optional<JsonOutput> json{};  // with --json
   std::optional<ScriptStudy> study{};
+  std::vector<DesignSheet> sheets{};
 };
 
 }  // namespace moat

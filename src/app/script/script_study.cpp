@@ -12,8 +12,14 @@
 #include "app/script/stop_signals.hpp"
 #include "base/check.hpp"
 #include "base/text/terminal.hpp"
+#include "design/sheet_page.hpp"
+#include "motions/readers/record.hpp"
 #include "motions/readers/record_folder.hpp"
+#include "output/files/building_parts.hpp"
 #include "output/files/csv_writer.hpp"
+#include "output/files/results_folder.hpp"
+#include "study/profiles.hpp"
+#include "study/statistics.hpp"
 
 namespace moat {
 namespace {
@@ -138,6 +144,12 @@ void ScriptStudy::keep(const StudyResult& result, const std::string& name) {
   study.pictures = std::move(answers.pictures);
   require_own(options_.folder / (name + ".csv"));
   write_csv(result.case_table(), options_.folder / (name + ".csv"));
+  if (const std::string axis = axis_of_records(result); !axis.empty())
+    write_own_csv(table_of(statistics_over(result, axis)), options_.folder / (name + "_statistics.csv"));
+  if (!report_.records.empty()) {
+    require_own_table(options_.folder / results_file::records, "file,channel,record,component");
+    write_record_table(options_.folder / results_file::records);
+  }
   write_study_report(report_, options_.folder);
 }
 
@@ -167,6 +179,13 @@ void ScriptStudy::end_at_stop(const StudyStopped& stopped, const fs::path& file,
   end_program(StopSignals::exit_code());
 }
 
+void ScriptStudy::add_profiles(const Model& like) {
+  CaseResult result;
+  result.model = facts_of(like);
+  result.buildings = parts_of_buildings(like);
+  report_.studies.back().profiles = profiles_over_records(report_.studies.back().result, std::move(result));
+}
+
 void ScriptStudy::answer(const std::string& sentence) {
   report_.answers.push_back(sentence);
   print_text(std::cout, sentence + "\n");
@@ -176,7 +195,7 @@ void ScriptStudy::write_json() const {
   if (json_ != nullptr && speaks()) json_->write(json_of(report_, options_.folder));
 }
 
-int ScriptStudy::finish() {
+int ScriptStudy::finish(const std::vector<DesignSheet>& sheets) {
   std::size_t failed = 0, without_solution = 0;
   std::string files = "report.html";
   for (const NamedStudy& study : report_.studies) {
@@ -184,7 +203,16 @@ int ScriptStudy::finish() {
     without_solution += study.result.count(CaseState::not_converged);
     files += ", " + study.name + ".csv, " + study.name + ".db";
   }
-  if (speaks()) write_study_report(report_, options_.folder);
+  if (!sheets.empty()) files += std::string{", "} + results_file::design_sheet;
+  if (speaks()) {
+    if (const fs::path file = options_.folder / results_file::design_sheet; !sheets.empty()) {
+      require_own(file);
+      write_design_sheets(sheets, file);
+    }
+    for (const DesignSheet& sheet : sheets)
+      if (const auto rules = sheet.rules(); !rules.empty()) answer(rules.front()->verdict);
+    write_study_report(report_, options_.folder);
+  }
   write_json();
   if (!options_.quiet) print_text(std::cout, "Results: " + options_.folder.string() + "/  (" + files + ")\n");
   return exit_code_of(failed, without_solution);

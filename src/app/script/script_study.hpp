@@ -5,11 +5,13 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "analyses/questions/study.hpp"
 #include "app/command_line.hpp"
 #include "app/json_output.hpp"
 #include "app/script/script_study_options.hpp"
+#include "design/design_sheet.hpp"
 #include "output/files/provenance.hpp"
 #include "study/study_report.hpp"
 
@@ -31,9 +33,12 @@ class ScriptStudy {
   /// For the report; a sentence is printed too.
   void answer(const std::string& sentence);
   void show(StudyPicture picture) { report_.pictures.push_back(std::move(picture)); }
+  void show(StudyTable table) { report_.tables.push_back(std::move(table)); }
+  /// Adds the profiles of the last study, whose models are like this one.
+  void add_profiles(const Model& like);
 
-  /// Writes the report with the answers and prints where it is.
-  int finish();
+  /// Writes the sheets, and the report with the answers and their verdicts, and prints where it is.
+  int finish(const std::vector<DesignSheet>& sheets);
 
  private:
   void check_name(const std::string& name) const;

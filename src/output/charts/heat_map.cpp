@@ -31,28 +31,6 @@ std::string cell_number(double value) {
   return to_fixed(std::round(value / unit) * unit, 0);
 }
 
-/// The colour of viridis at a share of its range from 0 to 1.
-std::string colour_at(double share) {
-  constexpr std::array<std::array<double, 3>, 9> viridis{{{68, 1, 84},
-                                                          {71, 44, 122},
-                                                          {59, 81, 139},
-                                                          {44, 113, 142},
-                                                          {33, 144, 141},
-                                                          {39, 173, 129},
-                                                          {92, 200, 99},
-                                                          {170, 220, 50},
-                                                          {253, 231, 37}}};
-  const double place = std::clamp(share, 0.0, 1.0) * (viridis.size() - 1);
-  const auto below = std::min(static_cast<std::size_t>(place), viridis.size() - 2);
-  std::array<unsigned, 3> colour{};
-  for (std::size_t i = 0; i < colour.size(); ++i)
-    colour[i] = static_cast<unsigned>(
-        std::lround(std::lerp(viridis[below][i], viridis[below + 1][i], place - static_cast<double>(below))));
-  std::array<char, 16> text{};
-  std::snprintf(text.data(), text.size(), "#%02x%02x%02x", colour[0], colour[1], colour[2]);
-  return text.data();
-}
-
 struct ColourRange {
   double low = std::numeric_limits<double>::infinity(), high = -std::numeric_limits<double>::infinity();
   [[nodiscard]] double share(double value) const { return high > low ? (value - low) / (high - low) : 0.5; }
@@ -90,7 +68,7 @@ std::size_t every(std::size_t count, double room_for_each, double most) {
 void draw_cell(SvgWriter& svg, double value, const ColourRange& range, Pixel corner, double width, double height) {
   const bool known = std::isfinite(value);
   // Cells overlap by a little, so that no line shows between them.
-  svg.rectangle(corner, width + 0.3, height + 0.3, known ? colour_at(range.share(value)) : no_value);
+  svg.rectangle(corner, width + 0.3, height + 0.3, known ? viridis(range.share(value)) : no_value);
   const std::string number = known ? cell_number(value) : "";
   constexpr double plate_margin = 3.0, plate_height = 16.0;
   const double room = text_width(number, tick_size) + 4.0 * plate_margin;
@@ -105,7 +83,7 @@ void draw_scale(SvgWriter& svg, const HeatMap& map, const ColourRange& range, Pi
   constexpr int bands = 64;
   for (int i = 0; i < bands; ++i)
     svg.rectangle({corner.x, corner.y + height * (bands - 1 - i) / bands}, scale_width, height / bands + 0.5,
-                  colour_at((i + 0.5) / bands));
+                  viridis((i + 0.5) / bands));
   const std::vector<AxisTick> ticks = range.high > range.low
                                           ? axis_over({range.low, range.high}, false, AxisSide::left, height).ticks
                                           : std::vector{AxisTick{range.low, to_significant(range.low, digits)}};
@@ -117,6 +95,27 @@ void draw_scale(SvgWriter& svg, const HeatMap& map, const ColourRange& range, Pi
 }
 
 }  // namespace
+
+std::string viridis(double share) {
+  constexpr std::array<std::array<double, 3>, 9> knots{{{68, 1, 84},
+                                                        {71, 44, 122},
+                                                        {59, 81, 139},
+                                                        {44, 113, 142},
+                                                        {33, 144, 141},
+                                                        {39, 173, 129},
+                                                        {92, 200, 99},
+                                                        {170, 220, 50},
+                                                        {253, 231, 37}}};
+  const double place = std::clamp(share, 0.0, 1.0) * (knots.size() - 1);
+  const auto below = std::min(static_cast<std::size_t>(place), knots.size() - 2);
+  std::array<unsigned, 3> colour{};
+  for (std::size_t i = 0; i < colour.size(); ++i)
+    colour[i] = static_cast<unsigned>(
+        std::lround(std::lerp(knots[below][i], knots[below + 1][i], place - static_cast<double>(below))));
+  std::array<char, 16> text{};
+  std::snprintf(text.data(), text.size(), "#%02x%02x%02x", colour[0], colour[1], colour[2]);
+  return text.data();
+}
 
 std::string svg_text(const HeatMap& map, int width, int height) {
   const ColourRange range = checked_range(map, width, height);

@@ -18,9 +18,12 @@ struct HeatMap {
   std::vector<std::vector<double>> values;
 };
 
-/// The map as SVG text with a colour scale, `width` x `height` pixels; wide cells show their value. Colours grow in
-/// brightness and stay apart for colour-blind readers (viridis). Throws InputError where rows or columns do not fit
-/// their names, where no value is finite, and for a size below 300 x 200 pixels.
+/// The colour at a share from 0 to 1 of a range, "#rrggbb". Colours grow in brightness and stay apart for colour-blind
+/// readers (viridis).
+std::string viridis(double share);
+
+/// The map as SVG text with a colour scale, `width` x `height` pixels; wide cells show their value. Throws InputError
+/// where rows or columns do not fit their names, where no value is finite, and for a size below 300 x 200 pixels.
 std::string svg_text(const HeatMap& map, int width = 800, int height = 480);
 
 }  // namespace moat

@@ -79,10 +79,12 @@ BuildingCell peak_cell(const CaseResult& result, const BuildingParts& building,
   const PeakGroup group = group_peaks({positive}).front();
   const PeakRow& row = group.rows.front();
   const std::string value = with_error(row, group.unit);
-  const bool is_element = !row.side.empty() && row.side != "left" && row.side != "right";
+  // Behind it a peak may have a mark.
+  const std::string side = row.side.substr(0, std::min(row.side.find(", rocked"), row.side.size()));
+  const bool is_element = !side.empty() && side != "left" && side != "right" && side != "rocked";
   return {.value = row.second.empty() ? value : row.second + " " + group.second_unit,
           .more = row.second.empty() ? "" : value,
-          .where = (is_element ? row.side : row.where) + " at " + row.time + " s",
+          .where = (is_element ? side : row.where) + " at " + row.time + " s",
           .unsettled = std::ranges::any_of(result.error_bars.unsettled, [&](const Peak& each) {
             // The companion knows no ratios, but the drifts behind them.
             return each.where == largest->where && each.time == largest->time;

@@ -9,10 +9,12 @@
 #include <string>
 #include <vector>
 
+#include "base/check.hpp"
 #include "base/parameter.hpp"
 #include "materials/bearings/bearing_checks.hpp"
 #include "model/building.hpp"
 #include "motions/ground_motion.hpp"
+#include "motions/response_spectrum.hpp"
 #include "output/files/model_facts.hpp"
 #include "output/files/provenance.hpp"
 #include "output/files/table.hpp"
@@ -93,7 +95,7 @@ struct DissipatedEnergy {
 struct EnergyBalance {
   double input = 0.0;  ///< work of the inertia forces of the ground motion: - sum of m a_g du
   /// Sum over pendulums of the integral of d^2/(2 R) dN, where weights change: the slab is higher by d^2/(2 R) when its
-  /// load rises. The vertical component of the ground enters through it.
+  /// load rises. The vertical component of the ground enters through it. Of rubber that softens, that of d^2/2 dk_2.
   double weight_work = 0.0;
   double kinetic = 0.0;         ///< of motion relative to the ground, now less that at the start
   double strain = 0.0;          ///< recoverable, now less that at the start
@@ -102,7 +104,7 @@ struct EnergyBalance {
   double impact = 0.0;          ///< lost in impacts
   double friction = 0.0;        ///< lost in impacts by friction along walls; in plan
   bool in_plan = false;         ///< of a model in plan
-  bool weights_change = false;  ///< of a model with AxialForces
+  bool weights_change = false;  ///< of a model with AxialForces, or where weight_work is not 0
 
   /// kinetic + work of all elements - input. Average acceleration: zero but for round-off and the force tolerance.
   /// Fourth-order steps: of fourth order. Exact steps: of sixth order. Newmark's method with another beta: of second.
@@ -227,6 +229,22 @@ struct BearingCheckRow {
   BearingDemand demand;       ///< with the largest ratio
 };
 
+/// The response spectrum of the absolute acceleration at one place of a floor (FloorSpectra).
+struct FloorSpectrum {
+  std::string floor;            ///< "base", "floor 5"
+  std::string corner{};         ///< "corner 2"; empty at the centre of mass and on a line
+  std::string direction{};      ///< "x" or "y" in plan; empty on a line
+  ResponseSpectrum spectrum{};  ///< Without absolute accelerations unless they were wanted.
+
+  /// "floor 5, corner 2, x, 5 %"
+  [[nodiscard]] std::string where() const {
+    std::string text = floor;
+    for (const std::string& part : {corner, direction, to_text(100.0 * spectrum.damping_ratio) + " %"})
+      if (!part.empty()) text += ", " + part;
+    return text;
+  }
+};
+
 /// Everything that one run produced.
 struct CaseResult {
   std::string title;         ///< Title of the script.
@@ -244,9 +262,8 @@ struct CaseResult {
   std::vector<BuildingTorsion> torsion{};  ///< in plan, of every building on bearings
   /// One for every check of every bearing with capacities (BearingCheckRecorder).
   std::vector<BearingCheckRow> bearing_checks{};
-  Table histories;  ///< Every quantity at every sample of the motion.
-  /// HistoryRecorder::floors, of a run with impacts; else empty.
-  Table floor_accelerations{};
+  Table histories;                             ///< Every quantity at every sample of the motion.
+  std::vector<FloorSpectrum> floor_spectra{};  ///< FloorSpectra of the script; where it has none, of base and top.
   /// Quantities in `histories` that recorders of the script offered (output/recorders/quantity_recorder.hpp).
   std::vector<OfferedQuantity> offered{};
   EnergyBalance energy;                  ///< At the end.

@@ -39,15 +39,20 @@ void end_line(std::string& out) {
 
 }  // namespace
 
+std::string csv_heading(const Table& table) {
+  std::string out;
+  for (const Column& column : table.columns) {
+    append_text(out, column.labels.empty() ? column_name(column) : column.quantity);
+    out += ',';
+  }
+  if (!out.empty()) out.pop_back();
+  return out;
+}
+
 void write_csv(const Table& table, const std::filesystem::path& path) {
   require_equal_lengths(table);
   write_file(path, [&](std::ostream& file) {
-    std::string out;
-    for (const Column& column : table.columns) {
-      append_text(out, column.labels.empty() ? column_name(column) : column.quantity);
-      out += ',';
-    }
-    end_line(out);
+    std::string out = csv_heading(table) + '\n';
     for (std::size_t row = 0; row < table.rows(); ++row) {
       for (const Column& column : table.columns) {
         if (column.labels.empty())
@@ -151,6 +156,25 @@ void write_bearing_checks_csv(const CaseResult& result, const std::filesystem::p
     out += '\n';
   }
   if (!result.bearing_checks.empty()) write_file(path, out);
+}
+
+void write_floor_spectra_csv(const CaseResult& result, const std::filesystem::path& path) {
+  std::string out =
+      "floor,place,direction,damping [1],period [s],pseudo_acceleration [m/s^2],absolute_acceleration [m/s^2]\n";
+  for (const auto& [floor, corner, direction, spectrum] : result.floor_spectra)
+    for (std::size_t i = 0; i < spectrum.period.size(); ++i) {
+      for (const std::string& text : {floor, corner.empty() ? "centre" : corner, direction.empty() ? "x" : direction}) {
+        append_text(out, text);
+        out += ',';
+      }
+      for (const double number : {spectrum.damping_ratio, spectrum.period[i], spectrum.pseudo_acceleration[i]}) {
+        append_number(out, number);
+        out += ',';
+      }
+      if (!spectrum.absolute_acceleration.empty()) append_number(out, spectrum.absolute_acceleration[i]);
+      out += '\n';
+    }
+  if (!result.floor_spectra.empty()) write_file(path, out);
 }
 
 }  // namespace moat

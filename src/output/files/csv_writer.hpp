@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 #include <vector>
 
 #include "output/files/case_result.hpp"
@@ -15,6 +16,8 @@ namespace moat {
 /// is quoted as in RFC 4180. Throws InputError where columns differ in length, FileError where the file cannot be
 /// written.
 void write_csv(const Table& table, const std::filesystem::path& path);
+/// Its header row.
+std::string csv_heading(const Table& table);
 
 /// One row per impact: `where,start [s],duration [s],approach_speed [m/s],largest_indentation [m],largest_force [N],
 /// rebound_ratio [1],restitution [1],energy_lost [J]`. Without impacts only the header is written. Throws FileError.
@@ -33,5 +36,10 @@ void write_participating_masses_csv(const CaseResult& result, const std::filesys
 /// in SI units; capacity and ratio are `nan` where it is not judged. Nothing is written without checks. Throws
 /// FileError.
 void write_bearing_checks_csv(const CaseResult& result, const std::filesystem::path& path);
+
+/// floor_spectra.csv: `floor,place,direction,damping [1],period [s],pseudo_acceleration [m/s^2],absolute_acceleration
+/// [m/s^2]`, one row per period; the place is "centre" or a corner, the direction "x" or "y". Absolute accelerations
+/// are empty unless they were wanted. Nothing is written without spectra. Throws FileError.
+void write_floor_spectra_csv(const CaseResult& result, const std::filesystem::path& path);
 
 }  // namespace moat

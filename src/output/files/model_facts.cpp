@@ -25,6 +25,8 @@ ElementFacts facts_of(const Model& model, const ElementBlock& block, std::size_t
                      .second = std::string{model.body_name(info.second)},
                      .parameters = {}};
   facts.place = info.listed_under();
+  if (const BearingOnSlab* bearing = info.detail(&ElementDetails::bearing_on_slab))
+    facts.static_weight = bearing->static_weight;
   if (const PlanPlaces* places = info.plan_places()) facts.plan_places = *places;
   if (const MemberEnds* ends = info.member_ends()) {
     const auto& [first, second, height] = *ends;

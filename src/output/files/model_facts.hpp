@@ -43,6 +43,7 @@ struct ElementFacts {
   std::optional<PlanPlaces> plan_places{};
   /// Where its peaks are listed together with those of others; its name if it is listed alone.
   std::string place{};
+  double static_weight = 0.0;  ///< N, on a bearing of a building with AxialForces at rest; else 0
 };
 
 /// A floor in plan.

@@ -20,9 +20,14 @@ inline constexpr const char* peaks = "peaks.csv";              ///< A row for ev
 inline constexpr const char* participating_masses = "participating_masses.csv";
 /// A row for every check of a bearing with capacities.
 inline constexpr const char* bearing_checks = "bearing_checks.csv";
-inline constexpr const char* report = "report.html";  ///< The report.
-inline constexpr const char* charts = "charts.svg";   ///< All histories as pictures.
-inline constexpr const char* frames = "frames.pvd";   ///< The frames, for ParaView.
+/// A row for every period of every floor spectrum.
+inline constexpr const char* floor_spectra = "floor_spectra.csv";
+/// The channels of records, as they were understood.
+inline constexpr const char* records = "records_read.csv";
+inline constexpr const char* report = "report.html";              ///< The report.
+inline constexpr const char* design_sheet = "design_sheet.html";  ///< Design sheets by a code.
+inline constexpr const char* charts = "charts.svg";               ///< All histories as pictures.
+inline constexpr const char* frames = "frames.pvd";               ///< The frames, for ParaView.
 /// Draws the frames in ParaView.
 inline constexpr const char* paraview_script = "moat.py";
 /// Sub-folder of the frames frame_000000.vtu, frame_000001.vtu ...
@@ -35,9 +40,9 @@ inline constexpr const char* unfinished = "unfinished";
 inline constexpr const char* list = ".moat";
 /// All files and sub-folders of results.
 inline constexpr std::array all_names{
-    summary,        histories_csv, histories_vtt, impacts, peaks,           participating_masses,
-    bearing_checks, report,        charts,        frames,  paraview_script, frames_folder,
-    charts_folder,  unfinished,    list};
+    summary,         histories_csv, histories_vtt, impacts,      peaks,  participating_masses,
+    bearing_checks,  floor_spectra, report,        design_sheet, charts, frames,
+    paraview_script, frames_folder, charts_folder, unfinished,   list};
 }  // namespace results_file
 
 /// How a folder is treated that already holds something.

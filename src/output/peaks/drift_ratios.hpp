@@ -8,9 +8,8 @@
 
 namespace moat {
 
-/// For every peak `drift` [m] of a storey, and in plan `corner_drift`, `drift_x` and `drift_y`, a peak `drift_ratio`
-/// ...
-/// [%]: 100 drift/height, with its error, time and side. The height is that between the floors of the storey; storeys
+/// Returns a peak `drift_ratio` [%] for every peak `drift` [m] of a storey, and in plan `corner_drift_ratio` and so on:
+/// 100 drift/height, with its error, time and side. The height is that between the floors of the storey; storeys
 /// whose floors have no different heights have no ratio.
 std::vector<Peak> drift_ratios(const Model& model, const std::vector<Peak>& peaks);
 

@@ -42,8 +42,11 @@ void PeakRecorder::finish(const StepView& view) {
   uplifts_.clear();
   for (const WeightOnBearings& weight : view.state.weights()) {
     for (const WeightOnBearings::Bearing& bearing : weight.bearings()) {
-      if (bearing.uplifts == 0) continue;
       const std::string& name = model_->blocks()[bearing.element.block]->info(bearing.element.element).name;
+      if (bearing.instabilities > 0)
+        uplifts_.push_back(
+            {"bearing_unstable", name, static_cast<double>(bearing.instabilities), "1", bearing.first_unstable});
+      if (bearing.uplifts == 0) continue;
       const double time = view.state.time();
       uplifts_.push_back({"uplift_time", name, bearing.uplift_time, "s", time});
       uplifts_.push_back({"uplifts", name, static_cast<double>(bearing.uplifts), "1", time});

@@ -14,7 +14,8 @@ namespace moat {
 /// Follows every channel and lists its peak with its sign; channels of one quantity and place share one, and bearings
 /// have one of deformation and of force for each besides. Adds the `sum_of_floor_inertia_maxima` of every building: the
 /// sum of mass times peak absolute acceleration. The axial force of a bearing has its smallest value besides,
-/// `smallest_bearing_compression`, and where it lifted `uplift_time` [s], `uplifts` and `uplift_deficit` [N].
+/// `smallest_bearing_compression`, and where it lifted `uplift_time` [s], `uplifts` and `uplift_deficit` [N];
+/// `bearing_unstable` says how often it exceeded the critical load of its rubber, at the time of the first.
 class PeakRecorder final : public StepObserver {
  public:
   /// The model must be complete.

@@ -173,6 +173,11 @@ void Channels::add_coupled_inertia(const MassMatrix& mass, double* values) const
 }
 
 void Channels::sample(const ElementStates& elements, const BlockChannels& channels, double* values, double* rates) {
+  for (const auto& [element, channel, quantity] : channels.law_quantities) {
+    const ReportedValue now = elements.law_quantity(element, quantity);
+    values[channel] = now.value;
+    rates[channel] = now.rate;
+  }
   const ElementResults results = elements.results();
   if (!results.plan.forces.empty()) {
     for (const auto& [element, channel] : channels.forces) {
@@ -200,11 +205,6 @@ void Channels::sample(const ElementStates& elements, const BlockChannels& channe
     const bool closed = deformations[element] >= 0.0;
     values[channel] = closed ? deformations[element] : 0.0;
     rates[channel] = closed ? deformation_rates[element] : 0.0;
-  }
-  for (const auto& [element, channel, quantity] : channels.law_quantities) {
-    const ReportedValue now = elements.law_quantity(element, quantity);
-    values[channel] = now.value;
-    rates[channel] = now.rate;
   }
 }
 

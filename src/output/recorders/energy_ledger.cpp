@@ -78,7 +78,7 @@ EnergyBalance EnergyLedger::totals(const AnalysisState& state) const {
   balance.impact = sums.by_impact;
   balance.friction = sums.by_friction;
   balance.in_plan = model.is_plan();
-  balance.weights_change = !state.weights().empty();
+  balance.weights_change = !state.weights().empty() || sums.weight_work != 0.0;
   balance.weight_work = sums.weight_work;
   balance.equation_residual = balance.kinetic + sums.work - balance.input;
   return balance;

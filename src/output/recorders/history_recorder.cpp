@@ -10,12 +10,6 @@
 #include "output/recorders/energy_columns.hpp"
 
 namespace moat {
-namespace {
-
-constexpr double longest_between_floors = 1e-3;  // s
-
-}  // namespace
-
 HistoryRecorder::HistoryRecorder(const Model& model, double interval, const EnergyLedger* ledger, bool inside_steps)
     : channels_{model},
       interval_{interval},
@@ -44,34 +38,6 @@ HistoryRecorder::HistoryRecorder(const Model& model, double interval, const Ener
   if (ledger_ != nullptr)
     for (const EnergyColumn& column : energy_columns(in_plan_, weights_change_))
       columns_.push_back({std::string{column.name} + "_energy", "structure", "J", {}});
-  if (gaps_.empty() || interval_ <= longest_between_floors) return;
-  constexpr std::size_t most_buildings = 3;
-  floors_.columns.push_back(columns_.front());
-  const std::vector<Building> buildings = all_buildings(model);
-  for (std::size_t b = 0; b < std::min(buildings.size(), most_buildings); ++b)
-    for (const NodeId floor : {buildings[b].base, buildings[b].top()})
-      for (const NodeId node : model.nodes_of_body(floor)) {
-        channels_of_floors_.push_back(Channels::of_node(model, node) + 2);
-        const Channel& acceleration = channels_.list()[channels_of_floors_.back()];
-        floors_.columns.push_back({acceleration.quantity, acceleration.where, acceleration.unit, {}});
-      }
-}
-
-void HistoryRecorder::add_rows_of_floors() {
-  if (channels_of_floors_.empty()) return;
-  std::vector<double>& times = floors_.columns.front().values;
-  const double step = now_.time - before_.time, first = times.empty() ? before_.time : times.front();
-  const double interval = interval_ / std::ceil(interval_ / longest_between_floors);
-  for (double time; (time = first + static_cast<double>(times.size()) * interval) <= now_.time;) {
-    const double x = (time - before_.time) / step;
-    times.push_back(time);
-    for (std::size_t k = 0; k < channels_of_floors_.size(); ++k) {
-      const std::size_t i = channels_of_floors_[k];
-      const HermiteCubic cubic{before_.values[i], before_.rates[i], now_.values[i], now_.rates[i], step};
-      floors_.columns[k + 1].values.push_back(
-          cubic.is_smooth() ? cubic.value(x) : before_.values[i] + x * (now_.values[i] - before_.values[i]));
-    }
-  }
 }
 
 void HistoryRecorder::add(const OfferedQuantities& quantities) {
@@ -106,7 +72,6 @@ void HistoryRecorder::step(const StepView& view) {
   before_.time = now_.time;
   before_.ground_acceleration = now_.ground_acceleration;
   take(view, due || inside_steps_);
-  add_rows_of_floors();
   for (; time >= next_time() - coincident * interval_; ++next_)
     add_row(std::abs(time - next_time()) <= coincident * interval_ ? now_ : between(view, next_time()));
 }

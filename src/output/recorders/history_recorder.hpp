@@ -41,9 +41,6 @@ class HistoryRecorder final : public StepObserver {
   [[nodiscard]] Table table() const { return {columns_}; }
   /// Returns all columns; the recorder then no longer has their rows.
   [[nodiscard]] Table take_table();
-  /// Absolute accelerations of the bases and tops of three buildings every 1 ms or less, because rows of `interval`
-  /// miss peaks of impacts. Empty for a model without gaps, and where `interval` is as short.
-  [[nodiscard]] const Table& floors() const { return floors_; }
 
  private:
   // Everything at one instant.
@@ -55,7 +52,6 @@ class HistoryRecorder final : public StepObserver {
 
   void take(const StepView& view, bool with_energies);
   void add_row(const Sample& sample);
-  void add_rows_of_floors();
   [[nodiscard]] const Sample& between(const StepView& view, double time);
   [[nodiscard]] double next_time() const { return static_cast<double>(next_) * interval_; }
 
@@ -71,8 +67,6 @@ class HistoryRecorder final : public StepObserver {
   long next_ = 0;  // multiple of the interval
   Sample before_, now_, inside_;
   std::vector<Column> columns_;
-  std::vector<std::size_t> channels_of_floors_;
-  Table floors_;  // time, then these channels
 };
 
 }  // namespace moat

@@ -11,7 +11,7 @@ namespace {
 constexpr auto on_ground = static_cast<std::size_t>(-1);
 
 // Quantities of a node, in the order of its channels.
-constexpr std::size_t displacement = 0, acceleration = 2, per_node = 3;
+constexpr std::size_t of_displacement = 0, of_acceleration = 2, per_node = 3;
 
 void write_length(PlanVector vector, PlanVector vector_rate, double*& value, double*& rate) {
   const double size = length(vector);
@@ -138,10 +138,10 @@ void PlanChannels::sample(const StepView& view, double* values, double* rates) c
     return point.floor == on_ground ? 0.0 : channels[point.floor + 2 * per_node + quantity];
   };
   for (const Point& point : points_)
-    for (const std::size_t quantity : {displacement, acceleration})
+    for (const std::size_t quantity : {of_displacement, of_acceleration})
       write_length(at(point, values, quantity), at(point, rates, quantity), value, rate);
   const auto drift_of = [&](const Drift& drift, const double* channels) {
-    return at(drift.upper, channels, displacement) - at(drift.lower, channels, displacement);
+    return at(drift.upper, channels, of_displacement) - at(drift.lower, channels, of_displacement);
   };
   for (const Drift& drift : corner_drifts_) write_length(drift_of(drift, values), drift_of(drift, rates), value, rate);
   for (const Drift& drift : centre_drifts_) {
@@ -149,7 +149,7 @@ void PlanChannels::sample(const StepView& view, double* values, double* rates) c
     write(difference.x, speed.x, value, rate);
     write(difference.y, speed.y, value, rate);
     const auto turn = [&](const double* channels) {
-      return rotation(drift.upper, channels, displacement) - rotation(drift.lower, channels, displacement);
+      return rotation(drift.upper, channels, of_displacement) - rotation(drift.lower, channels, of_displacement);
     };
     write(turn(values), turn(rates), value, rate);
   }
@@ -182,8 +182,8 @@ void PlanChannels::sample(const StepView& view, double* values, double* rates) c
       const PlacedDiaphragm& floor = *model.diaphragm_of(id.x);
       const Point centre{Channels::of_node(model, id.x), {}};
       const auto add = [&](const double* channels, const Vector& coupled_inertia, PlanVector& sum, double& moment) {
-        PlanVector own = floor.mass * at(centre, channels, acceleration);
-        double turning = floor.mass * floor.gyration * floor.gyration * rotation(centre, channels, acceleration);
+        PlanVector own = floor.mass * at(centre, channels, of_acceleration);
+        double turning = floor.mass * floor.gyration * floor.gyration * rotation(centre, channels, of_acceleration);
         if (coupled && !follows) {
           own = {coupled_inertia[id.x.index], coupled_inertia[id.y.index]};
           turning = floor.gyration * coupled_inertia[id.r.index];

@@ -28,7 +28,7 @@ class StoreyShears {
     std::size_t block, element, storey;
   };
   std::vector<Part> parts_;
-  // Of a building that is given by its matrix.
+  // The shear of a storey in a building that is given by its matrix.
   struct SumOfMotion {
     std::size_t storey;
     PlanVector along;

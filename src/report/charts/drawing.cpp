@@ -3,12 +3,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <string_view>
 #include <utility>
 #include <vector>
 
 #include "base/text/number_format.hpp"
 #include "output/charts/chart_axis.hpp"
+#include "output/charts/heat_map.hpp"
 #include "report/charts/chart_columns.hpp"
 #include "report/html.hpp"
 
@@ -36,6 +38,8 @@ struct Shape {
   std::string kind;  // of the style sheet
   std::string name;
   std::vector<ScenePoint> points;
+  std::string colour{};  // of the style sheet if empty
+  std::string remark{};  // behind its name
 };
 
 // How a scene is projected: seen from the side, or from above.
@@ -52,6 +56,41 @@ struct View {
     return {{point.node, {1.0, 0.0}}, {point.node + 1, {0.0, -1.0}}, {point.node + 2, {-point.arm.y, -point.arm.x}}};
   }
 };
+
+double peak_of(const CaseResult& result, std::string_view quantity, const std::string& where) {
+  const auto found = std::ranges::find_if(
+      result.peaks, [&](const Peak& each) { return each.quantity == quantity && each.where == where; });
+  return found == result.peaks.end() ? 0.0 : found->value;
+}
+
+// Bearings under a weight that changes: brightness shows the smallest share of that at rest, and a cross those that
+// lifted. Returns whether there are any.
+bool add_weights(const CaseResult& result, std::vector<Shape>& shapes) {
+  std::vector<Shape> crosses;
+  bool any = false;
+  for (Shape& shape : shapes) {
+    const auto bearing = std::ranges::find(result.model.elements, shape.name, &ElementFacts::name);
+    if (shape.kind != "bearing" || bearing == result.model.elements.end() || bearing->static_weight == 0.0) continue;
+    any = true;
+    const double share = peak_of(result, "smallest_bearing_compression", shape.name) / bearing->static_weight,
+                 time = peak_of(result, "uplift_time", shape.name);
+    shape.colour = viridis(std::clamp(share, 0.0, 1.0));
+    shape.remark = ", at least " + to_significant(100.0 * share, 3) + " % of its weight at rest" +
+                   (time > 0.0 ? ", lifted for " + to_significant(time, 3) + " s" : "");
+    if (time == 0.0) continue;
+    constexpr double size = 0.4;  // m
+    for (const double slope : {1.0, -1.0}) {
+      Shape& line = crosses.emplace_back(Shape{"lifted", shape.name, {shape.points[0], shape.points[0]}});
+      for (const std::size_t end : {0, 1}) {
+        const double away = end == 0 ? -size : size;
+        line.points[end].x += away;
+        line.points[end].y += slope * away;
+      }
+    }
+  }
+  std::ranges::move(crosses, std::back_inserter(shapes));
+  return any;
+}
 
 // All cells, those behind first. From above walls, bases as areas, outlines of the floors above them, bearings as
 // points that become lines when they deform, and gaps.
@@ -136,7 +175,8 @@ std::string svg_of(const Shape& shape, const View& view) {
                     "\" points=\"" + points + "\"";
   if (spreads_out) svg += " data-spread=\"" + spreads + "\"";
   if (moves) svg += " data-move=\"" + motions + "\"";
-  return svg + "><title>" + escaped(shape.name) + "</title></" + element + ">\n";
+  if (!shape.colour.empty()) svg += " style=\"stroke:" + shape.colour + "\"";
+  return svg + "><title>" + escaped(shape.name + shape.remark) + "</title></" + element + ">\n";
 }
 
 // Upper left and lower right corner at rest.
@@ -188,6 +228,7 @@ std::string drawing_section(const CaseResult& result) {
   const View view{in_plan};
   std::vector<Shape> shapes = shapes_of(result, in_plan);
   if (shapes.empty()) return "";
+  const bool weights_change = in_plan && add_weights(result, shapes);
   if (in_plan)
     add_orbits(result, shapes);
   else
@@ -203,7 +244,10 @@ std::string drawing_section(const CaseResult& result) {
   return html + "</svg>\n" + controls(exaggeration(result, high.x - low.x)) + "<figcaption data-true-scale=\"" + kind +
          ", to scale.\" data-exaggerated=\"" + kind +
          ", displacements and gaps drawn {} times larger: bodies touch here when they touch in the model.\">" + kind +
-         " at rest, to scale.</figcaption>\n</figure>\n";
+         " at rest, to scale.</figcaption>\n</figure>\n" +
+         (weights_change ? "<p>Bearings are bright while they carry their weight at rest or more, the darker the less "
+                           "they carried at least, and crossed where they lifted.</p>\n"
+                         : "");
 }
 
 }  // namespace moat::html

@@ -42,10 +42,8 @@ std::string title_of(const Impact& impact);
 /// but for errors. None where the histories have no energies.
 std::optional<Chart> energy_chart(const CaseResult& result);
 
-/// Pseudo-acceleration spectra, with 5 % damping, of the absolute acceleration of base and top of up to three
-/// buildings: the demand on equipment and contents that stand there. In plan one chart for each component. After
-/// impacts from rows of at most 1 ms (CaseResult::floor_accelerations), else from the histories. Periods from 0.05 s,
-/// but at least two intervals of these rows, to 5 s. Left out for less than a hundred rows.
+/// Pseudo-acceleration spectra of floors (CaseResult::floor_spectra), in plan at centres of mass: a chart for each
+/// direction and damping.
 std::vector<Chart> floor_spectra(const CaseResult& result);
 
 /// For every base of a model in plan its displacement along y over that along x, at the centre of mass and at every

@@ -267,6 +267,24 @@ TEST(Study, HasThePeaksErrorsClearancesAndImpactsOfASingleRun) {
   }
 }
 
+TEST(Study, HasFloorSpectraIfAsked) {
+  const FloorSpectraOptions options{
+      .floors = {"floor 2"}, .dampings = {0.02, 0.05}, .periods = {0.05 * s, 0.3 * s}, .absolute_acceleration = true};
+  const StudyResult all = run_study(gaps, pounding_building, {.floor_spectra = options});
+  EXPECT_THROW((void)run_study(gaps, pounding_building).values("floor_sa", "floor 2, 5 %, 0.3 s"), InputError);
+  for (std::size_t i = 0; i < gaps.count(); ++i) {
+    const StudyModel study = pounding_building(StudyCase{gaps, i});
+    FloorSpectra spectra{options};
+    Transient analysis{study.model, study.motion};
+    analysis.attach(spectra);
+    analysis.run();
+    const ResponseSpectrum of_2 = spectra.spectra().at(0).spectrum, of_5 = spectra.spectra().at(1).spectrum;
+    EXPECT_EQ(all.values("floor_sa", "floor 2, 2 %, 0.05 s")[i], of_2.pseudo_acceleration[0]);
+    EXPECT_EQ(all.values("floor_sa", "floor 2, 5 %, 0.3 s")[i], of_5.pseudo_acceleration[1]);
+    EXPECT_EQ(all.values("floor_sa_absolute", "floor 2, 5 %, 0.3 s")[i], of_5.absolute_acceleration[1]);
+  }
+}
+
 TEST(Study, HasEnergiesThatBalanceIfAsked) {
   const StudyResult without = run_study(gaps, pounding_building);
   const StudyResult with = run_study(gaps, pounding_building, {.energies = true});

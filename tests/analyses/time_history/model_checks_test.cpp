@@ -280,5 +280,21 @@ TEST(MotionInPlan, IsRefusedByAModelOnALine) {
             std::string::npos);
 }
 
+// Such a bearing would stay lifted for ever.
+TEST(AxialForces, AreRefusedWhereNoBuildingGivesThem) {
+  Model model;
+  const NodeId base = add_node(model, "base");
+  add_spring(model, ground, base);
+  add(model, Isolator<FlatSlider>{.name = "slider",
+                                  .upper = base,
+                                  .law = {.friction = 0.1, .yield_displacement = 1 * mm},
+                                  .weight = 1 * MN,
+                                  .weight_changes = true});
+  EXPECT_EQ(refusal(model),
+            "Transient \"still ground\": the law of the element \"slider\" takes an axial force, and none acts on it: "
+            "it would stay "
+            "lifted. Give .axial_forces to its building, or a law under a constant weight.");
+}
+
 }  // namespace
 }  // namespace moat

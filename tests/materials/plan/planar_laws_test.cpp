@@ -24,5 +24,18 @@ TEST(EveryPlanarLaw, PassesTheBattery) {
   });
 }
 
+// A design becomes a law in plan: its own parameters are checked before.
+TEST(DesignsInPlan, RefuseBadParameters) {
+  using namespace units;
+  const FlatSlider rigid{.friction = 0.05, .yield_displacement = 0 * mm};
+  EXPECT_TRUE(message_of([&] { in_plan(rigid, 1 * MN); }).starts_with("FlatSlider: yield_displacement = 0 m"));
+  EXPECT_TRUE(message_of([&] { in_plan_under_changing_weight(rigid, 1 * MN); }).starts_with("FlatSlider: yield"));
+  const FrictionPendulum flat{.radius = 0 * m, .friction = 0.05};
+  EXPECT_TRUE(message_of([&] { in_plan_under_changing_weight(flat, 1 * MN); }).starts_with("FrictionPendulum: radius"));
+  DoublePendulum two = DoublePendulum::typical();
+  two.first_radius = -1 * m;
+  EXPECT_TRUE(message_of([&] { in_plan(two, 1 * MN); }).starts_with("DoublePendulum: first_radius = -1 m"));
+}
+
 }  // namespace
 }  // namespace moat::testing

@@ -58,6 +58,19 @@ TEST(BuildingTable, SaysWhichShareOfTheClearanceIsLeft) {
   EXPECT_TRUE(margin.where.starts_with("passage at "));
 }
 
+// A peak after its building rocked has a mark, which is no name of an element.
+TEST(BuildingTable, NamesThePlaceOfPeaksThatRocked) {
+  CaseResult result;
+  result.buildings = {{.name = "house", .floors = {"floor 1"}, .places = {"floor 1", "storey 1"}}};
+  result.peaks = {{"absolute_acceleration", "floor 1", -4.903325, "m/s^2", 1.5, 0.0, "rocked"},
+                  {"drift_ratio", "storey 1", 0.5, "%", 2.5, 0.0, "column 3, rocked"}};
+  const BuildingTable table = building_table(result);
+  ASSERT_EQ(table.rows.size(), 1u);
+  std::vector<std::string> where;
+  for (const BuildingCell& cell : table.rows[0].cells) where.push_back(cell.where);
+  EXPECT_EQ(where, (std::vector<std::string>{"column 3 at 2.500 s", "floor 1 at 1.500 s"}));
+}
+
 TEST(BuildingTable, IsTextForTheTerminal) {
   CaseResult result;
   EXPECT_EQ(text_of(building_table(result)), "");

@@ -111,6 +111,21 @@ TEST_F(CsvWriter, ChecksOfBearingsSayWhyTheyAreNotJudged) {
             "tension,bearing 1,\"LRB, large\",N,1e+05,nan,nan,3,not judged: no tension_capacity\n");
 }
 
+TEST_F(CsvWriter, FloorSpectraHaveARowForEachPeriod) {
+  CaseResult result;
+  write_floor_spectra_csv(result, folder / "none.csv");
+  EXPECT_FALSE(std::filesystem::exists(folder / "none.csv"));
+  result.floor_spectra = {
+      {.floor = "base", .spectrum = {0.05, {0.5, 1.0}, {}, {4.0, 2.0}, {}}},
+      {.floor = "floor 1", .corner = "corner 2", .direction = "y", .spectrum = {0.25, {0.5}, {}, {3.0}, {3.5}}}};
+  write_floor_spectra_csv(result, folder / "spectra.csv");
+  EXPECT_EQ(read_file(folder / "spectra.csv"),
+            "floor,place,direction,damping [1],period [s],pseudo_acceleration [m/s^2],absolute_acceleration [m/s^2]\n"
+            "base,centre,x,0.05,0.5,4,\n"
+            "base,centre,x,0.05,1,2,\n"
+            "floor 1,corner 2,y,0.25,0.5,3,3.5\n");
+}
+
 TEST_F(CsvWriter, ParticipatingMassesHaveARowForEachModeWithSums) {
   CaseResult result;
   write_participating_masses_csv(result, folder / "none.csv");

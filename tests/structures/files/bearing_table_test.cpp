@@ -11,6 +11,7 @@
 #include "base/error.hpp"
 #include "base/units.hpp"
 #include "message_of.hpp"
+#include "moved_model.hpp"
 #include "structures/plan_building.hpp"
 #include "written_files.hpp"
 
@@ -74,6 +75,38 @@ TEST_F(ReadBearings, PutsWeightsOnThem) {
   EXPECT_DOUBLE_EQ(placed[1].at.y.si(), 1.0);
   EXPECT_EQ(placed[1].name, "b");
   EXPECT_EQ(placed[1].type, "FPS");
+}
+
+// The weight of a row wins over that of its type, and reports show both.
+TEST_F(ReadBearings, PutsWeightsOnDesignsThatHaveOne) {
+  FrictionPendulum single = pendulum;
+  single.weight = 1 * MN;
+  DoublePendulum two = DoublePendulum::typical();
+  two.weight = 1 * MN;
+  Model model;
+  add(model, on(read("name,x [m],y [m],type,weight [MN]\n"
+                     "B1,-9,-5,FPS,4\nB2,9,-5,FPS,4\nB3,9,5,double,3\nB4,-9,5,double,3\n",
+                     {.types = {{"FPS", single}, {"double", two}}})));
+  AnalysisState state{model};
+  // Under the weight W it slides with W (d/R + mu), in the direction of the motion.
+  const double d = 0.02, sliding = 4e6 * (d / 2.0 + 0.05);
+  testing::move_to(state, Vector{{d}}, Vector{{0.1}}, 0.1);
+  int seen = 0;
+  for (std::size_t b = 0; b < model.blocks().size(); ++b)
+    for (std::size_t e = 0; e < model.blocks()[b]->infos().size(); ++e) {
+      const LawAsGiven law = model.blocks()[b]->law(e);
+      const std::string name = model.blocks()[b]->info(e).name;
+      if (!name.starts_with("north B")) continue;
+      const bool is_single = name < "north B3";
+      EXPECT_EQ(law.name, is_single ? "FrictionPendulum" : "DoublePendulum") << name;
+      EXPECT_EQ(law.parameters.back().name, "weight") << name;
+      EXPECT_EQ(law.parameters.back().value, is_single ? 4e6 : 3e6) << name;
+      if (is_single) {
+        EXPECT_NEAR(state.elements(b).results()[e].force, sliding, 1e-9 * sliding) << name;
+      }
+      ++seen;
+    }
+  EXPECT_EQ(seen, 4);
 }
 
 TEST_F(ReadBearings, NotesTypesWithoutBearingsAndOtherColumns) {

@@ -1,15 +1,11 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
-#include <optional>
-#include <string>
-#include <utility>
-#include <vector>
 
 #include "base/check.hpp"
-#include "base/text/text_file.hpp"
-#include "base/units.hpp"
-#include "motions/readers/record_formats.hpp"
+#include "motions/readers/channel_parts.hpp"
+#include "motions/readers/layouts/layouts.hpp"
+#include "motions/readers/record_lines.hpp"
 
 namespace moat {
 namespace {
@@ -18,7 +14,7 @@ constexpr std::size_t header_lines = 4;
 constexpr std::size_t units_line = 3;
 constexpr std::size_t count_line = 4;
 
-struct Sampling {
+struct PeerSampling {
   std::size_t count = 0;
   double time_step = 0.0;
 };
@@ -42,7 +38,7 @@ std::optional<double> take_number(std::string_view& text) {
 bool take_key(std::string_view& text, std::string_view word) { return take_behind(text, word) && take(text, "="); }
 
 /// NPTS=   5600, DT=   .0050 SEC
-std::optional<Sampling> sampling_from_keys(std::string_view line) {
+std::optional<PeerSampling> sampling_from_keys(std::string_view line) {
   if (!take_key(line, "NPTS")) return std::nullopt;
   const std::optional<std::size_t> count = take_count(line);
   if (!count || !take_key(line, "DT")) return std::nullopt;
@@ -54,17 +50,17 @@ std::optional<Sampling> sampling_from_keys(std::string_view line) {
   const std::string_view word{line.begin(), word_end};
   constexpr std::array<std::string_view, 5> seconds{"", "S", "SEC", "SECS", "SECONDS"};
   if (std::find(seconds.begin(), seconds.end(), word) == seconds.end()) return std::nullopt;
-  return Sampling{*count, *time_step};
+  return PeerSampling{*count, *time_step};
 }
 
 /// 4000    0.0050    NPTS, DT
-std::optional<Sampling> sampling_before_words(std::string_view line) {
+std::optional<PeerSampling> sampling_before_words(std::string_view line) {
   const std::optional<std::size_t> count = take_count(line);
   if (!count) return std::nullopt;
   const std::optional<double> time_step = take_number(line);
   if (!time_step) return std::nullopt;
   if (!take(line, "NPTS") || !take_behind(line, "DT")) return std::nullopt;
-  return Sampling{*count, *time_step};
+  return PeerSampling{*count, *time_step};
 }
 
 /// "... UNITS OF G", possibly followed by punctuation and other remarks ("UNITS OF G. FILTER POINTS: ...").
@@ -79,12 +75,12 @@ void require_units_of_g(const LineReader& lines, std::string_view line) {
   if (says_units_of_g(line)) return;
   lines.refuse("this line of a PEER AT2 file must say \"ACCELERATION TIME SERIES IN UNITS OF G\", but it says " +
                quoted(trimmed(line)) +
-               ". Only accelerations in g are read; convert the file, or read other text with read_two_columns.");
+               ". Only accelerations in g are read; convert the file, or save it as two columns.");
 }
 
-Sampling parse_sampling(const LineReader& lines, std::string_view line) {
+PeerSampling parse_sampling(const LineReader& lines, std::string_view line) {
   const std::string capitals = upper_case(line);
-  std::optional<Sampling> sampling = sampling_from_keys(capitals);
+  std::optional<PeerSampling> sampling = sampling_from_keys(capitals);
   if (!sampling) sampling = sampling_before_words(capitals);
   if (!sampling) {
     lines.refuse(
@@ -99,7 +95,7 @@ Sampling parse_sampling(const LineReader& lines, std::string_view line) {
   return *sampling;
 }
 
-/// Appends the values of one line, in m/s^2.
+/// Appends the values of one line.
 void append_values(const LineReader& lines, std::string_view line, std::vector<double>& values) {
   for (line = trimmed(line); !line.empty(); line = without_leading_blanks(line)) {
     const ScannedNumber number = scan_number(line);
@@ -116,12 +112,10 @@ void append_values(const LineReader& lines, std::string_view line, std::vector<d
                    " is not one number, and where one ends and the next begins is not certain. Separate the values "
                    "with blanks.");
     }
-    values.push_back(number.value * standard_gravity);
+    values.push_back(number.value);
     line.remove_prefix(number.length);
   }
 }
-
-}  // namespace
 
 bool has_peer_at2_header(const TextFile& file) {
   LineReader lines{file};
@@ -136,13 +130,18 @@ bool has_peer_at2_header(const TextFile& file) {
   return false;
 }
 
-GroundMotion read_peer_at2(const std::filesystem::path& path) { return parse_peer_at2(read_text_file(path)); }
+}  // namespace
 
-GroundMotion parse_peer_at2(const TextFile& file) {
+bool is_peer_at2(const TextFile& file) {
+  return has_peer_at2_header(file) || (upper_case(file.path.extension().string()) == ".AT2" && !is_plain_text(file));
+}
+
+std::vector<RecordChannel> read_peer_at2(const TextFile& file) {
   const std::filesystem::path& path = file.path;
   LineReader lines{file};
   std::string_view line;
-  std::vector<std::string> header;
+  RecordChannel channel{.format = "PEER AT2", .unit = "g"};
+  std::vector<std::string>& header = channel.notes;
   while (header.size() < header_lines && lines.next(line)) {
     header.emplace_back(trimmed(line));
     if (header.size() == units_line) require_units_of_g(lines, line);
@@ -150,7 +149,18 @@ GroundMotion parse_peer_at2(const TextFile& file) {
   if (header.size() < header_lines)
     refuse_file(path, "a PEER AT2 file begins with " + std::to_string(header_lines) +
                           " header lines, but this file has only " + std::to_string(header.size()) + ".");
-  const Sampling sampling = parse_sampling(lines, line);
+  const PeerSampling sampling = parse_sampling(lines, line);
+  // A remark may follow the component: "230 (USGS STATION 5028)".
+  const std::string& second = header[1];
+  if (const std::size_t comma = second.rfind(','); comma != std::string::npos)
+    if (set_component(channel, second.substr(comma + 1, second.find('(', comma) - comma - 1))) {
+      const std::size_t station = second.rfind(',', comma - 1);
+      const bool has_event = comma > 0 && station != std::string::npos;
+      channel.station =
+          trimmed(std::string_view{second}.substr(has_event ? station + 1 : 0, comma - (has_event ? station + 1 : 0)));
+      if (has_event) channel.event = second.substr(0, station);
+    }
+  channel.step = sampling.time_step;
 
   std::vector<double> values;
   // A wrong count in the header must not reserve more than the file can hold.
@@ -160,7 +170,8 @@ GroundMotion parse_peer_at2(const TextFile& file) {
     refuse_file(path, "the header announces NPTS = " + std::to_string(sampling.count) + " values, but the file holds " +
                           std::to_string(values.size()) + ". The file is damaged or was cut; fetch it again.");
   }
-  return GroundMotion{path.stem().string(), sampling.time_step, std::move(values), std::move(header), file_of(file)};
+  set_samples(channel, values);
+  return {channel};
 }
 
 }  // namespace moat

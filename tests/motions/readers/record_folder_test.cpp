@@ -27,10 +27,16 @@ class RecordFolder : public testing::InTemporaryFolder {
   }
 };
 
+/// Whether one of the notes has the words.
+bool notes_have(const std::string& words) {
+  return std::ranges::any_of(record_folder_notes(),
+                             [&](const std::string& note) { return note.find(words) != std::string::npos; });
+}
+
 TEST_F(RecordFolder, ReadsHorizontalRecordsInTheOrderOfTheirNames) {
-  for (const char* name :
-       {"RSN2_B090.AT2", "RSN1_A000.at2", "RSN1_A-UP.AT2", "RSN3_CUP.AT2", "RSN4_D-V.AT2", "notes.md"})
+  for (const char* name : {"RSN2_B090.AT2", "RSN1_A000.at2", "RSN1_A-UP.AT2", "RSN3_CUP.AT2", "RSN4_D-V.AT2"})
     put(name);
+  std::ofstream{folder / "notes.md"} << "Notes about\nthese records\n";
   const std::vector<GroundMotion> motions = read_record_folder(folder);
   ASSERT_EQ(motions.size(), 2u);
   EXPECT_EQ(motions[0].file().path, (folder / "RSN1_A000.at2").string());
@@ -43,9 +49,11 @@ TEST_F(RecordFolder, FindsPairsByTheirNames) {
     put(name);
   const std::vector<PlanMotion> pairs = read_record_pairs(folder);
   ASSERT_EQ(pairs.size(), 2u);
-  EXPECT_NE(pairs[0].first.file().path.find("NWH090"), std::string::npos);
+  EXPECT_NE(pairs[0].first.file().path.find("NWH090"), std::string::npos) << "90 degrees clockwise of the other";
   EXPECT_NE(pairs[0].second.file().path.find("NWH360"), std::string::npos);
   EXPECT_NE(pairs[1].second.file().path.find("TCU068-N"), std::string::npos);
+  EXPECT_TRUE(notes_have("RSN1_NWH-UP.AT2 is left out: its name says \"UP\"."));
+  EXPECT_FALSE(pairs[0].vertical);
 }
 
 TEST_F(RecordFolder, RefusesFoldersWithoutThem) {
@@ -55,14 +63,12 @@ TEST_F(RecordFolder, RefusesFoldersWithoutThem) {
   EXPECT_THROW(read_record_pairs(folder), FileError);
   put("RSN1_A090.AT2");
   put("RSN1_A180.AT2");
-  EXPECT_NE(testing::message_of<FileError>([&] { read_record_pairs(folder); }).find("RSN1_A has 3"), std::string::npos);
+  EXPECT_NE(testing::message_of<FileError>([&] {
+              read_record_pairs(folder);
+            }).find("RSN1_A has 3 horizontal components (000, 090, 180)"),
+            std::string::npos);
 }
 
-/// Whether one of the notes has the words.
-bool notes_have(const std::string& words) {
-  return std::ranges::any_of(record_folder_notes(),
-                             [&](const std::string& note) { return note.find(words) != std::string::npos; });
-}
 std::vector<std::string> names_of(const std::vector<GroundMotion>& motions) {
   std::vector<std::string> names;
   for (const GroundMotion& motion : motions) names.push_back(motion.name());
@@ -77,12 +83,14 @@ TEST_F(RecordFolder, BelievesHeadersBeforeNames) {
   put("fifth-N.AT2", "Kobe Japan, 1/16/1995, Takatori, N");
   EXPECT_EQ(names_of(read_record_folder(folder)), (std::vector<std::string>{"fifth-N", "first", "second-UP"}));
   EXPECT_TRUE(notes_have(folder.string() + ": third090.AT2 is left out: its header says \"UP\""));
-  EXPECT_TRUE(notes_have("fourth.AT2 is left out: its header says \"VERT\""));
+  EXPECT_TRUE(notes_have("fourth.AT2 is left out: its header says \"vert\""));
   const std::vector<PlanMotion> pairs = read_record_pairs(folder);
   ASSERT_EQ(pairs.size(), 1u);
-  EXPECT_EQ(pairs[0].first.name() + pairs[0].second.name(), "firstsecond-UP");
-  EXPECT_TRUE(notes_have("first.AT2 and second-UP.AT2 are a pair: components 0 and 90"));
-  EXPECT_TRUE(notes_have("fifth-N.AT2 is left out: its header says that it is a component of"));
+  EXPECT_EQ(pairs[0].first.name() + pairs[0].second.name(), "second-UPfirst");
+  EXPECT_TRUE(notes_have("second-UP.AT2 is x of \"KJMA\": its header says \"90\"."));
+  EXPECT_TRUE(notes_have("first.AT2 is y of \"KJMA\": its header says \"0\"."));
+  EXPECT_TRUE(notes_have(
+      "fifth-N.AT2 is left out: its header says \"N\", 0 deg, and Takatori has no second horizontal component."));
 }
 
 TEST_F(RecordFolder, KnowsTheWordsAtTheEndOfNames) {
@@ -95,11 +103,11 @@ TEST_F(RecordFolder, KnowsTheWordsAtTheEndOfNames) {
 
 TEST_F(RecordFolder, ListsEveryFileThatItLeavesOut) {
   put("RSN1_A000.AT2");
-  put("knet.EW");
+  std::filesystem::create_directories(folder / "folder");
   std::filesystem::create_directories(folder / "more.AT2");
   read_record_folder(folder);
-  for (const char* name : {"knet.EW", "more.AT2"})
-    EXPECT_TRUE(notes_have(folder.string() + ": " + name + " is left out: it is no .AT2 file"));
+  for (const char* name : {"folder", "more.AT2"})
+    EXPECT_TRUE(notes_have(folder.string() + ": " + name + " is left out: it is no file")) << name;
   const std::size_t count = record_folder_notes().size();
   read_record_folder(folder);
   EXPECT_EQ(record_folder_notes().size(), count) << "once";
@@ -113,7 +121,7 @@ TEST_F(RecordFolder, RefusesToGuess) {
     EXPECT_NE(message.find("neither header nor name says whether " + std::string{name} + ".AT2"), std::string::npos)
         << message;
     EXPECT_NE(message.find((folder / "records.csv").string()), std::string::npos) << message;
-    EXPECT_NE(message.find("file,record,component"), std::string::npos) << message;
+    EXPECT_NE(message.find("file,channel,record,component"), std::string::npos) << message;
     std::filesystem::remove(folder / (name + std::string{".AT2"}));
   }
 }
@@ -127,12 +135,15 @@ TEST_F(RecordFolder, RefusesPairsThatAreParallel) {
                                                                {"000", "360", false},
                                                                {"090", "151", true}}) {
     const std::string first = "A" + one + ".AT2", second = "A" + two + ".AT2";
+    const bool is_same = two == "360";
     put(first);
     put(second);
     if (is_pair)
       EXPECT_EQ(read_record_pairs(folder).size(), 1u) << first << second;
     else
-      EXPECT_NE(testing::message_of<FileError>([&] { read_record_pairs(folder); }).find("no pair at right angles"),
+      EXPECT_NE(testing::message_of<FileError>([&] {
+                  read_record_pairs(folder);
+                }).find(is_same ? "no record has two components" : "no pair at right angles"),
                 std::string::npos)
           << first << second;
     std::filesystem::remove(folder / first);
@@ -162,7 +173,7 @@ TEST_F(RecordFolder, HasATableThatDecides) {
            {"none.AT2,Kobe,first\n", "names a file that is not there"},
            {"../kobe1.AT2,Kobe,first\n", "names a file that is not there"},
            {"A000.AT2,A,out\nA000.AT2,A,first\n", "line 3 of its table"},
-           {"kobe1.AT2,K,first\nkobe2.AT2,K,first\n", "no pair at right angles"}}) {
+           {"kobe1.AT2,K,first\nkobe2.AT2,K,first\n", "K has two components x, kobe1.AT2 and kobe2.AT2"}}) {
     table(rows);
     const std::string message = testing::message_of<FileError>([&] { read_record_pairs(folder); });
     EXPECT_NE(message.find(problem), std::string::npos) << message;

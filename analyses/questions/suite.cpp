@@ -1,0 +1,73 @@
+#include "analyses/questions/suite.hpp"
+
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include "base/check.hpp"
+#include "base/text/number_format.hpp"
+
+namespace moat {
+namespace {
+
+constexpr const char *of_bounds = "bounds", *of_eccentricity = "eccentricity", *of_direction = "direction";
+constexpr std::array<PlanVector, 5> shifts{{{0.0, 0.0}, {1.0, 0.0}, {-1.0, 0.0}, {0.0, 1.0}, {0.0, -1.0}}};
+
+}  // namespace
+
+SuiteRecords::SuiteRecords(ScaledSuite scaled) : scaled_{std::move(scaled)} {
+  for (const NamedPair& pair : scaled_->pairs) pairs_.push_back(pair.motion);
+}
+
+StudyAxis SuiteRecords::axis() const {
+  StudyAxis axis = are_pairs() ? record_axis("record", pairs_) : record_axis("record", motions_);
+  for (std::size_t i = 0; scaled_ && i < axis.labels.size(); ++i) axis.labels[i] = scaled_->pairs[i].name;
+  return axis;
+}
+
+GroundMotion SuiteRecords::motion(std::size_t record, Angle turned_by) const {
+  return are_pairs() ? pairs_[record].rotated(turned_by).resolved() : motions_[record];
+}
+
+Suite::Suite(SuiteRecords records, SuiteOptions options) : records_{std::move(records)}, options_{std::move(options)} {
+  const Check check{"Suite", ""};
+  check.that(!records_.axis().values.empty(), "there are no records.", "Give at least one.");
+  check.that(options_.eccentricity >= 0.0 && options_.eccentricity < 0.5, "eccentricity", options_.eccentricity, "1",
+             ">= 0 and < 0.5", "5 % is 0.05.");
+  check.that(records_.are_pairs() || options_.directions.empty(), "directions are given of motions on a line.",
+             "Give pairs of components.");
+  if (options_.bounds) check_factors(*options_.bounds);
+  static_cast<void>(cases());
+}
+
+StudyCases Suite::cases() const {
+  std::vector<StudyAxis> axes{records_.axis()};
+  if (options_.bounds) axes.push_back(StudyAxis::of_names(of_bounds, {"lower", "nominal", "upper"}));
+  if (options_.eccentricity > 0.0)
+    axes.push_back(StudyAxis::of_names(of_eccentricity, {"none", "+x", "-x", "+y", "-y"}));
+  if (!options_.directions.empty()) {
+    StudyAxis axis{.name = of_direction, .unit = "deg", .values = {}};
+    for (const Angle direction : options_.directions) axis.values.push_back(direction / units::deg);
+    axes.push_back(std::move(axis));
+  }
+  return axes;
+}
+
+StudyModel Suite::model(const StudyCase& each, const std::function<Model(const SuiteCase&)>& make) const {
+  SuiteCase of;
+  if (options_.bounds)
+    of.factors =
+        std::array{options_.bounds->lower, PropertyFactors{}, options_.bounds->upper}[each.position(of_bounds)];
+  if (options_.eccentricity > 0.0) of.eccentricity = options_.eccentricity * shifts[each.position(of_eccentricity)];
+  const Angle turned_by = options_.directions.empty() ? Angle{} : options_.directions[each.position(of_direction)];
+  return {make(of), records_.motion(each.position("record"), turned_by)};
+}
+
+StudyResult run_suite(const Suite& suite, const std::function<Model(const SuiteCase&)>& make) {
+  const std::function<StudyModel(const StudyCase&)> model = [&](const StudyCase& each) {
+    return suite.model(each, make);
+  };
+  return run_study(suite.cases(), model, suite.study());
+}
+
+}  // namespace moat
