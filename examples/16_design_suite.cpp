@@ -43,14 +43,12 @@ int main(int argc, char** argv) {
   SheetBuilding building{
       .name = "Hospital",
       .weight = 6 * floor * g,
-      .floors = {},
       .isolation = LeadRubberBearing{.yield_force = 15 * bearing.yield_force.value(),
                                      .yield_displacement = bearing.yield_displacement,
                                      .post_yield_stiffness = 15 * bearing.post_yield_stiffness.value()},
       .bounds = bounds,
       .shorter_side = 20 * m,
       .longer_side = 32 * m,
-      .bearings = {},
       .fixed_base_period = 0.5 * s,
       .clearance = gap};
   for (int i = 1; i <= 5; ++i) building.floors.push_back({floor * g, i * 3.5 * m});

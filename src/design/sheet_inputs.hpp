@@ -97,7 +97,7 @@ struct SheetBuilding {
   /// W > 0 N, of everything on the isolators, with the base level.
   Required<Force> weight;
   /// From the first above the base upwards. The sum of their weights is W_s <= W.
-  std::vector<SheetFloor> floors;
+  std::vector<SheetFloor> floors{};
   /// All isolators together.
   Required<SheetIsolation> isolation;
   /// Factors of lower and upper bounds.
@@ -105,7 +105,7 @@ struct SheetBuilding {
   /// b > 0 m and d >= b m: the sides of the plan.
   Required<Length> shorter_side, longer_side;
   /// Places of all isolators, which are taken as alike. Distances count from their centre.
-  std::vector<PlanPosition> bearings;
+  std::vector<PlanPosition> bearings{};
   /// Distance from the centre of mass to that of the isolators, >= 0 m; 5 % of d are added to it.
   Length eccentricity{};
   /// y > 0 m, from the centre of the isolators to the corner, across the load; 0: d/2.

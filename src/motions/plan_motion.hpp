@@ -21,8 +21,8 @@ namespace moat {
 ///
 ///     script.run(model, PlanMotion{fault_normal, fault_parallel, 30 * deg});
 ///
-/// The user names which component is first; read_record() (motions/readers/record.hpp) finds it by azimuths. All start at
-/// time 0. Of unequal sampling intervals the longer must be a multiple of the shortest, so that linear resampling is
+/// The user names which component is first; read_record() (motions/readers/record.hpp) finds it by azimuths. All start
+/// at time 0. Of unequal sampling intervals the longer must be a multiple of the shortest, so that linear resampling is
 /// exact; a shorter motion is continued by zeros.
 struct PlanMotion {
   /// The horizontal components.

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdlib>
 #include <fstream>
 
 #include "study_runs.hpp"
@@ -192,6 +193,14 @@ TEST_F(ScriptStudyRun, ChecksItsOptions) {
   EXPECT_EQ(help.exit_code, 0);
   for (const char* option : {"--last-gap", "--cases", "--threads", "--retry", "--record", "--accept-changes"})
     EXPECT_NE(help.output.find(option), std::string::npos) << option;
+  // Files that a script reads before its study may be missing.
+  ::setenv("MOAT_TEST_RECORDS", "nowhere", 1);
+  const ProgramResult early = run({"--help"});
+  EXPECT_EQ(run({}).exit_code, 1);
+  ::unsetenv("MOAT_TEST_RECORDS");
+  EXPECT_EQ(early.exit_code, 0) << early.errors;
+  EXPECT_NE(early.output.find("--records"), std::string::npos) << early.output;
+  EXPECT_NE(early.output.find("nowhere"), std::string::npos) << early.output;
   EXPECT_EQ(run({"--nonsense"}).exit_code, 2);
   EXPECT_EQ(run({"--gaps", "x"}).exit_code, 1);
   for (const char* wrong : {"-1", "two", "100000", "99999999999999999999"}) {

@@ -1,6 +1,6 @@
 // A study of many short cases: a pulse on an isolated mass beside a wall. With MOAT_TEST_LOG every case that is
 // computed adds a character to this file, and then takes longer, so that a test can disturb the study after a certain
-// case. With MOAT_TEST_SHEET there are two design sheets.
+// case. With MOAT_TEST_SHEET there are two design sheets; with MOAT_TEST_RECORDS it reads a folder before its study.
 #include <chrono>
 #include <cstdlib>
 #include <fstream>
@@ -54,6 +54,7 @@ int main(int argc, char** argv) {
                     pairs = script.text("pairs", "", "folder of pairs of records, a case for each");
   const int pulses = script.integer("pulses", 0, "a case for each");
   const int times = script.integer("times", 1, "studies of one name");
+  if (const char* folder = std::getenv("MOAT_TEST_RECORDS")) static_cast<void>(read_record_folder(folder));
   if (!pairs.empty()) {
     const std::vector<PlanMotion> motions = read_record_pairs(pairs);
     script.study({record_axis("pair", motions)}, [&](const StudyCase& each) {

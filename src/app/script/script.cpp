@@ -30,7 +30,10 @@
 namespace moat {
 namespace {
 
-// An exception that leaves main() ends here. The user sees only its message.
+// Of the script that runs, for an error before all of its options are known.
+const CommandLine* line_of_script = nullptr;
+
+// An exception that leaves main() ends here. The user sees only its message, or the help that was asked for.
 [[noreturn]] void report_and_exit() {
   std::cout.flush();
   try {
@@ -39,6 +42,12 @@ namespace {
   } catch (const std::bad_alloc& error) {  // without memory for printable text
     std::cerr << "moat: error: " << reason_of(error) << "\n";
   } catch (const std::exception& error) {
+    if (line_of_script != nullptr && line_of_script->help_wanted()) {
+      print_text(std::cout, line_of_script->help() + "\nThe script adds further options once this is right: " +
+                                error.what() + "\n");
+      std::cout.flush();
+      std::_Exit(0);
+    }
     print_text(std::cerr, std::string{"moat: error: "} + error.what() + "\n");
   } catch (...) {
     std::cerr << "moat: error: an exception that is not a std::exception\n";
@@ -57,6 +66,7 @@ bool report_exceptions_that_leave_main() {
 Script::Script(int argc, char** argv, std::string title)
     : parts_{std::make_unique<Parts>(argc, argv, std::move(title))} {
   report_exceptions_that_leave_main();
+  line_of_script = &parts_->line;
   parts_->ranks = ranks_of_this_job();
   // Until every rank has reached the study, the default action of a signal would end the job without order.
   if (parts_->ranks != nullptr) parts_->signals_of_ranks.emplace();
@@ -66,6 +76,7 @@ Script::Script(int argc, char** argv, std::string title)
 }
 
 Script::~Script() {
+  line_of_script = nullptr;
   if (parts_->checked || parts_->line.arguments().empty() || std::uncaught_exceptions() > 0) return;
   // Neither run() nor study() nor check_options() read the line.
   try {
