@@ -208,7 +208,9 @@ class Asce7Lines : SheetLines {
     }
     const bool is_dynamic = std::ranges::max(corner) > 0.0;
     add_gap(is_dynamic ? "D_TM,dyn" : "D_TM", "17.2.5.2", by_bound([&](std::size_t i) {
-              return is_dynamic ? std::max(corner[i], least[i]) : amplification_ * d_[i];
+              // A bound without histories has the displacement of the formula; nominal properties lie between.
+              const bool by_histories = is_dynamic && (corner[i] > 0.0 || static_cast<Bound>(i) == Bound::nominal);
+              return by_histories ? std::max(corner[i], least[i]) : amplification_ * d_[i];
             }));
   }
 

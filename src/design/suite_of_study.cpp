@@ -1,6 +1,7 @@
 #include "design/suite_of_study.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <initializer_list>
 #include <string_view>
 #include <vector>
@@ -30,8 +31,11 @@ SuiteForSheet suite_for_sheet(const StudyResult& study, const std::string& base)
   check.that(!axis.empty(), "the study has no axis of records.", "Use a suite, or an axis of record_axis().");
   const std::vector<RecordStatistics> list = statistics_over(study, axis);
   const std::size_t records = study.axes()[study.cases().index_of(axis)].values.size();
-  SuiteForSheet suite{.statistic = (records >= fewest_for_mean ? "mean of " : "largest of ") + std::to_string(records) +
-                                   " records"};
+  std::size_t solved = records;
+  for (const RecordStatistics& each : list)
+    if (!each.envelope && each.quantity == "displacement" && each.where == base) solved = std::min(solved, each.solved);
+  SuiteForSheet suite{.statistic = (solved >= fewest_for_mean ? "mean of " : "largest of ") + std::to_string(solved) +
+                                   (solved < records ? " of " + std::to_string(records) : "") + " records"};
   const bool has_bounds =
       std::ranges::any_of(study.axes(), [](const StudyAxis& each) { return each.name == "bounds"; });
   const auto values_of = [&](const std::string& bound) {
@@ -49,8 +53,19 @@ SuiteForSheet suite_for_sheet(const StudyResult& study, const std::string& base)
     suite.lower = values_of("bounds = lower");
     suite.upper = values_of("bounds = upper");
   }
-  check.that(std::max({suite.lower.displacement, suite.nominal.displacement, suite.upper.displacement}).si() > 0.0,
-             "no case has a displacement of \"" + base + "\".", "Give the name of the base.");
+  // Nothing is kept by a record that collapsed, nor by a bound without results.
+  const auto has_value = [&](const SuiteValues& of, const char* bound) {
+    const double displacement = of.displacement.si();
+    check.that(displacement > 0.0, std::string{"no case"} + bound + " has a displacement of \"" + base + "\".",
+               "Give the name of the base, or compute its cases again.");
+    check.that(std::isfinite(displacement),
+               std::string{"records"} + bound + " collapsed, so that there is no design value.",
+               "Change the design, or give the sheet without a suite.");
+  };
+  has_value(suite.nominal, has_bounds ? " of nominal properties" : "");
+  if (!has_bounds) return suite;
+  has_value(suite.lower, " of lower bounds");
+  has_value(suite.upper, " of upper bounds");
   return suite;
 }
 

@@ -178,8 +178,11 @@ void AnalysisState::balance(GroundVector ground_acceleration) {
     coupling_.correct(change);
     trial_.acceleration = before + change;
     evaluate_under_weight();
-    missing = change.lpNorm<Eigen::Infinity>() / trial_.acceleration.lpNorm<Eigen::Infinity>();
-    if (!(missing > round_off)) return;
+    const double size = trial_.acceleration.lpNorm<Eigen::Infinity>(), off = change.lpNorm<Eigen::Infinity>();
+    // A law that has no answer gives numbers that are not finite.
+    const bool finite = trial_.acceleration.allFinite() && change.allFinite();
+    if (finite && off <= round_off * size) return;
+    missing = finite ? off / size : std::numeric_limits<double>::quiet_NaN();
   }
   if (!(missing <= settled))
     throw ConvergenceError{

@@ -170,6 +170,15 @@ TEST_F(ScriptStudyRun, PartsMergedAreTheWhole) {
   }
 }
 
+// Profiles and statistics are those of the other records.
+TEST_F(ScriptStudyRun, TheFirstRecordMayFail) {
+  const ProgramResult result = run({"--pulses", "3", "--failing", "0", "--out", "a"});
+  EXPECT_EQ(result.exit_code, 1);
+  EXPECT_NE(result.output.find("Results: a/"), std::string::npos) << result.output << result.errors;
+  EXPECT_NE(text_of(folder / "a/report.html").find("1 have no result"), std::string::npos);
+  EXPECT_NE(text_of(folder / "a/study_statistics.csv").find(",2,0,1,"), std::string::npos) << "solved, unsolved";
+}
+
 TEST_F(ScriptStudyRun, FailuresAreStatesAndCanBeRetried) {
   const ProgramResult result = run({"--failing", "3", "--stuck", "7", "--out", "a"});
   EXPECT_EQ(result.exit_code, 3);

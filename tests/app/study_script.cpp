@@ -65,6 +65,7 @@ int main(int argc, char** argv) {
   if (const std::vector<GroundMotion> motions = motions_of(records, pulses); !motions.empty()) {
     for (int i = 0; i < times; ++i)
       script.study({record_axis("motion", motions)}, [&](const StudyCase& each) {
+        if (each.position("motion") == static_cast<std::size_t>(failing)) throw InputError{"this motion fails."};
         return mass_in_a_moat(motions[each.position("motion")], 10 * cm, 1e9);
       });
     return script.finish();

@@ -264,6 +264,9 @@ TEST(Asce7Sheet, ComparesHistoriesWithTheirMinima) {
   const DesignSheet low = sheet_of(building);
   EXPECT_EQ(low.line("gap").verdict, "clearance 0.5 m >= D_TM,dyn 0.4474 m (lower bounds)");
   EXPECT_EQ(low.line("D_TM,dyn").verdict, "D_TM,dyn 0.4 m (lower bounds) < 0.4474 m: multiply the results by 1.118");
+  // Histories of nominal properties alone do not replace the displacement by lower bounds.
+  building.suite = {.statistic = "mean of 7 records", .nominal = {0.42 * m, 0.48 * m, 7.5 * MN, 7 * MN, 0.012}};
+  EXPECT_EQ(made(sheet_of(building)).line("gap").verdict, "clearance 0.5 m < D_TM,dyn 0.5717 m (lower bounds)");
   // A suite without results changes nothing.
   building.suite = SuiteForSheet{};
   EXPECT_EQ(made(sheet_of(building)).lines.size(), made(sheet_of()).lines.size());

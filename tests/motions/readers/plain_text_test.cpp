@@ -132,9 +132,9 @@ TEST_F(PlainText, ReadsSeriesWithAStep) {
 }
 
 TEST_F(PlainText, ReadsTheStepInItsWords) {
-  for (const char* words :
-       {"# dt = 0.02", "% DT=0.02 s", "# time step: 0.02 s", "# time step (s) = .02", "! 50 Hz",
-        "# sampling rate: 50 Hz", "NPTS= 3, DT= .02 SEC", "# Delta t 20 ms", "3 0.02", "// Time interval 2.0E-02"})
+  for (const char* words : {"# dt = 0.02", "% DT=0.02 s", "# time step: 0.02 s", "# time step (s) = .02",
+                            "# time step (ms) = 20", "# DT = 20 milliseconds", "! 50 Hz", "# sampling rate: 50 Hz",
+                            "NPTS= 3, DT= .02 SEC", "# Delta t 20 ms", "3 0.02", "// Time interval 2.0E-02"})
     EXPECT_NEAR(read(std::string{words} + "\n1\n-2\n1\n").time_step(), 0.02, 1e-15) << words;
   for (const char* words : {"# width = 0.02", "# low-pass filter at 25 Hz", "# dtt 3"})
     expect_refused(std::string{words} + "\n1\n-2\n1\n", "it does not say its time step");

@@ -149,7 +149,9 @@ void set_cosmos_component(RecordChannel& channel, double code, const std::vector
     const bool has_text = take_behind(text, "Chan") && take_behind(text, ":");
     if (!has_text || !set_component(channel, text.substr(0, text.find('(')))) set_component(channel, code_of_channel);
   }
-  if (channel.component.empty() || (is_vertical && !code_of_channel.empty())) channel.component = code_of_channel;
+  // The word "DOWN" turns the samples, and stays.
+  if (channel.component.empty() || (is_vertical && code != 401.0 && !code_of_channel.empty()))
+    channel.component = code_of_channel;
 }
 
 /// A channel; the reason why it is left out where it holds something else than acceleration.

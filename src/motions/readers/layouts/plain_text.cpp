@@ -57,13 +57,16 @@ std::optional<double> step_in(std::string_view words) {
       std::string_view rest = text.substr(at + word.size());
       // Nothing but a sign of equality, and the unit of the time in brackets, may stand between.
       rest.remove_prefix(std::min(rest.find_first_not_of(" \t=:"), rest.size()));
-      if (take(rest, "(") || take(rest, "["))
+      bool in_milliseconds = false;
+      if (take(rest, "(") || take(rest, "[")) {
+        in_milliseconds = rest.starts_with("MS") || rest.starts_with("MILLI");
         rest.remove_prefix(std::min(rest.find_first_of("0123456789."), rest.size()));
+      }
       rest = without_leading_blanks(rest);
       const ScannedNumber number = scan_number(rest);
       if (number.problem || !(number.value > 0.0)) continue;
       rest.remove_prefix(number.length);
-      return take(rest, "MS") ? 1e-3 * number.value : number.value;
+      return in_milliseconds || take(rest, "MS") || take(rest, "MILLI") ? 1e-3 * number.value : number.value;
     }
   const std::size_t hertz = std::min(text.find("HZ"), text.find("SAMPLES PER SEC"));
   if (hertz == std::string_view::npos) return std::nullopt;
