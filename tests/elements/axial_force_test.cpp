@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <string>
+
 #include "elements/line/isolator.hpp"
 #include "elements/line/spring.hpp"
 #include "elements/plan/planar_spring.hpp"
@@ -78,6 +80,27 @@ TEST(AxialForces, ReachTheLawOfABearingInPlan) {
     EXPECT_NEAR(forces[1], 0.8 * expected, 1e-9 * expected) << weight;
     state.commit();
   }
+}
+
+// Four equal pendulums slide along y under a moment M_x: N = W/4 + M_x x/100, so that they turn the slab by
+// M_x (mu + d/R) = 1 MN m, the sum of their forces times their arms.
+TEST(AxialForces, ThatDifferTurnASlab) {
+  Model model;
+  const DiaphragmId slab = add(model, Diaphragm{.name = "slab", .mass = 1000 * tonne, .size = {12 * m, 8 * m}});
+  const FrictionPendulum pendulum{.radius = 2 * m, .friction = 0.05};
+  const PlanVector places[]{{-5.0, -3.0}, {5.0, -3.0}, {-5.0, 3.0}, {5.0, 3.0}};
+  for (int i = 0; i < 4; ++i)
+    add(model, PlanBearing<PlanarSliderUnderWeight>{.name = "bearing " + std::to_string(i),
+                                                    .under = slab,
+                                                    .at = {places[i].x * m, places[i].y * m},
+                                                    .law = in_plan_under_changing_weight(pendulum, 2.5 * MN)});
+  AnalysisState state{model};
+  const auto compressions = state.elements(0).axial_actions().compressions;
+  for (std::size_t i = 0; i < 4; ++i) compressions[i] = 2.5e6 + 10e6 * places[i].x / 100.0;
+  const Vector forces = testing::forces_at(state, Vector{{0.0, 0.1, 0.0}}, Vector{{0.0, 0.1, 0.0}}, 0.1);
+  EXPECT_NEAR(forces[0], 0.0, 1e-3);
+  EXPECT_NEAR(forces[1], 10e6 * (0.05 + 0.1 / 2.0), 1e-3);
+  EXPECT_NEAR(forces[2] * model.diaphragm(slab).gyration, 10e6 * (0.05 + 0.1 / 2.0), 1e-3);
 }
 
 // N falls through zero and rises again inside one step: the bearing lifted, though it presses at both ends.
