@@ -14,3 +14,11 @@ add_custom_target(moat_api_reference
   COMMAND doxygen ${CMAKE_BINARY_DIR}/Doxyfile
   WORKING_DIRECTORY ${PROJECT_SOURCE_DIR}
   COMMENT "Writing ${CMAKE_BINARY_DIR}/reference/html" VERBATIM)
+
+# `cmake --build build/release --target moat_site`: the documents and the reference with formulas, in
+# build/release/site/html/index.html.
+configure_file(${PROJECT_SOURCE_DIR}/docs/Site.doxyfile ${CMAKE_BINARY_DIR}/Site.doxyfile @ONLY)
+add_custom_target(moat_site
+  COMMAND doxygen ${CMAKE_BINARY_DIR}/Site.doxyfile
+  WORKING_DIRECTORY ${PROJECT_SOURCE_DIR}
+  COMMENT "Writing ${CMAKE_BINARY_DIR}/site/html/index.html" VERBATIM)

@@ -53,7 +53,7 @@ int main(int argc, char** argv) {
                                .yield_displacement = 1 * cm,
                                .post_yield_stiffness = 19.3 * MN / m});
 
-  const HertzDamp concrete{.stiffness = 2.95e9 * N / m_3_2, .restitution = 0.65};
+  const ExactHertzDamp concrete{.stiffness = 1e10 * N / m_3_2, .restitution = 0.65};
   add(model,
       Gap{.name = "moat left", .place = "moat", .left = ground, .right = base, .clearance = gap, .law = concrete});
   add(model,

@@ -8,7 +8,7 @@
 //         [  base   ] <-------gap---->[  base   ]
 //
 //     ./moat run examples/03_neighbours.cpp
-//     ./moat run examples/03_neighbours.cpp --law exact_hertz_damp --restitution 0.5 --gap "15 cm"
+//     ./moat run examples/03_neighbours.cpp --law hertz_damp --restitution 0.5 --gap "15 cm"
 #include <moat.hpp>
 
 using namespace moat;
@@ -17,10 +17,11 @@ using namespace moat::units;
 int main(int argc, char** argv) {
   Script script{argc, argv, "Two isolated buildings, floors at unequal heights"};
   const Length gap = script.length("gap", 12 * cm, "clearance between the buildings");
-  const NamedImpactLaw law{.name = script.text("law", "hertz_damp", "impact law (materials/contact/impact_laws.hpp)"),
-                           .linear_stiffness = 5.8e8 * N / m,
-                           .hertz_stiffness = 2.95e9 * N / m_3_2,
-                           .restitution = script.number("restitution", 0.65, "coefficient of restitution")};
+  const NamedImpactLaw law{
+      .name = script.text("law", "exact_hertz_damp", "impact law (materials/contact/impact_laws.hpp)"),
+      .linear_stiffness = 1.8e9 * N / m,
+      .hertz_stiffness = 1e10 * N / m_3_2,
+      .restitution = script.number("restitution", 0.65, "coefficient of restitution")};
   const GroundMotion motion =
       script.motion(near_fault_pulse()).scaled_to_pga(script.acceleration("pga", 0.4 * g, "peak ground acceleration"));
 

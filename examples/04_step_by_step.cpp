@@ -88,7 +88,7 @@ int main() {
                                      .law = {.stiffness = 0.8 * MN / m, .scale = 20 * cm, .damping = 8 * kN * s / m}});
   add(model, Moat{.around = building.base,
                   .clearance = 25 * cm,
-                  .law = ExactHertzDamp{.stiffness = 2.95e9 * N / m_3_2, .restitution = 0.65},
+                  .law = ExactHertzDamp{.stiffness = 1e10 * N / m_3_2, .restitution = 0.65},
                   .sides = Sides::right});
 
   const GroundMotion motion = near_fault_pulse().scaled_to_pga(0.4 * g);

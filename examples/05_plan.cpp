@@ -36,7 +36,7 @@ int main(int argc, char** argv) {
                                                                                 .post_yield_stiffness = 2 * MN / m})});
   add(model, PlanMoat{.around = tower.base,
                       .clearance = clearance,
-                      .law = HertzDamp{.stiffness = 1e9 * N / m_3_2, .restitution = 0.65},
+                      .law = ExactHertzDamp{.stiffness = 1e9 * N / m_3_2, .restitution = 0.65},
                       .friction = friction});
 
   return script.run(model, motion);

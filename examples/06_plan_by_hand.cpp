@@ -96,22 +96,22 @@ int main(int argc, char** argv) {
 
   // Every corner faces two walls: its own, which begins near it, and the one before, which ends there.
   const PlanOutline walls = offset_outwards(outline, clearance);
-  const HertzDamp concrete{.stiffness = 1e9 * N / m_3_2, .restitution = 0.65};
+  const ExactHertzDamp concrete{.stiffness = 1e9 * N / m_3_2, .restitution = 0.65};
   for (std::size_t wall = 0; wall < 4; ++wall)
     for (std::size_t corner = 0; corner < 4; ++corner) {
       if (corner != wall && corner != (wall + 1) % 4) continue;
       const std::string wall_name = "moat wall " + std::to_string(wall + 1),
                         corner_name = "corner " + std::to_string(corner + 1);
-      add(model, CornerGap<HertzDamp>{.name = wall_name + " " + corner_name,
-                                      .place = "moat",
-                                      .corner = PlanPoint{base, outline.corners[corner]},
-                                      .edge_of = ground,
-                                      .edge_begin = walls.corners[wall],
-                                      .edge_end = walls.corners[(wall + 1) % 4],
-                                      .law = concrete,
-                                      .friction = friction,
-                                      .corner_name = "base " + corner_name,
-                                      .edge_name = wall_name});
+      add(model, CornerGap<ExactHertzDamp>{.name = wall_name + " " + corner_name,
+                                           .place = "moat",
+                                           .corner = PlanPoint{base, outline.corners[corner]},
+                                           .edge_of = ground,
+                                           .edge_begin = walls.corners[wall],
+                                           .edge_end = walls.corners[(wall + 1) % 4],
+                                           .law = concrete,
+                                           .friction = friction,
+                                           .corner_name = "base " + corner_name,
+                                           .edge_name = wall_name});
     }
 
   return script.run(model, motion);

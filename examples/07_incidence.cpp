@@ -35,7 +35,7 @@ int main(int argc, char** argv) {
     const auto tower = add(model, each);
     add(model, PlanMoat{.around = tower.base,
                         .clearance = clearance,
-                        .law = HertzDamp{.stiffness = 1e9 * N / m_3_2, .restitution = 0.65},
+                        .law = ExactHertzDamp{.stiffness = 1e9 * N / m_3_2, .restitution = 0.65},
                         .friction = 0.4});
     return model;
   };

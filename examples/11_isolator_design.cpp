@@ -32,7 +32,7 @@ int main(int argc, char** argv) {
                                          .post_yield_stiffness = each.value("post-yield stiffness") * MN / m}});
     add(one.model, Moat{.around = building.base,
                         .clearance = gap,
-                        .law = HertzDamp{.stiffness = 2.95e9 * N / m_3_2, .restitution = 0.65}});
+                        .law = ExactHertzDamp{.stiffness = 1e10 * N / m_3_2, .restitution = 0.65}});
     return one;
   });
 

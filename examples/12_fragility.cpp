@@ -50,7 +50,7 @@ int main(int argc, char** argv) {
                                                                       .post_yield_stiffness = 19.3 * MN / m}});
           add(model, Moat{.around = building.base,
                           .clearance = gap,
-                          .law = HertzDamp{.stiffness = 2.95e9 * N / m_3_2, .restitution = 0.65}});
+                          .law = ExactHertzDamp{.stiffness = 1e10 * N / m_3_2, .restitution = 0.65}});
           return value_of(peaks_of(model, motions[each.position("record")].scaled_by(level)), "drift", "storey 1");
         },
         levels));
@@ -72,6 +72,6 @@ int main(int argc, char** argv) {
   script.answer(text);
   script.show(fragility_chart(fragility, {}, "Fragility", "Sa(2.5 s) [g]"));
   script.show(
-      ida_chart(curves, "Incremental dynamic analysis", "Sa(2.5 s) [g]", "drift of the first storey [cm]", 0.01));
+      ida_chart(curves, "Incremental dynamic analysis", "Sa(2.5 s) [g]", "drift of the first storey [cm]", 1 * cm));
   return script.finish();
 }

@@ -2,7 +2,7 @@
 //
 // A frame bends: shear springs between its floors have its first period, and miss the others by 6 to 25 %. Its
 // stiffness, condensed to the twelve floors, has them all. The file is a table of 12 x 12 numbers in kN/m; how SAP2000,
-// ETABS and OpenSees write one stands in docs/coming_from.md. Damping is 5 % in every mode.
+// ETABS and OpenSees write one stands in docs/explanation/coming_from.md. Damping is 5 % in every mode.
 //
 //     ./moat run examples/13_from_matrices.cpp
 //     ./moat run examples/13_from_matrices.cpp --gap "30 cm" --out results/wider

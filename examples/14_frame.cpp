@@ -46,7 +46,7 @@ int main(int argc, char** argv) {
                                                                                  .post_yield_stiffness = 1 * MN / m}});
   add(model, Moat{.around = building.base,
                   .clearance = gap,
-                  .law = HertzDamp{.stiffness = 5e8 * N / m_3_2, .restitution = 0.65}});
+                  .law = ExactHertzDamp{.stiffness = 1e10 * N / m_3_2, .restitution = 0.65}});
 
-  return script.run(model, script.motion(near_fault_pulse({.pulse_period = 2 * s})).scaled_to_pga(0.4 * g));
+  return script.run(model, script.motion(near_fault_pulse({.pulse_period = 1.2 * s})).scaled_to_pga(0.3 * g));
 }

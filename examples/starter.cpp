@@ -2,7 +2,7 @@
 //
 //      wall |<-gap->[ base ]<-gap->| wall      floors above the base, bearings under it
 //
-// Options of this script: --help after its name. All that can stand here: docs/guide.md of moat.
+// Options of this script: --help after its name. All that can stand here: docs/README.md of moat.
 #include <moat.hpp>
 
 using namespace moat;
@@ -24,7 +24,7 @@ int main(int argc, char** argv) {
                                                                                 .post_yield_stiffness = 10 * MN / m}});
   add(model, Moat{.around = building.base,
                   .clearance = gap,
-                  .law = ExactHertzDamp{.stiffness = 2e9 * N / m_3_2, .restitution = 0.6}});
+                  .law = ExactHertzDamp{.stiffness = 1e10 * N / m_3_2, .restitution = 0.65}});
 
   return script.run(model, motion);
 }

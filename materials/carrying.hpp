@@ -1,6 +1,7 @@
 // A law that takes an axial force, under a constant weight.
 #pragma once
 
+#include <span>
 #include <string_view>
 #include <vector>
 
@@ -13,7 +14,7 @@ template <class Law>
 struct Carrying {
   static constexpr std::string_view name = Law::name;
 
-  Law law;                   ///< With changing weight.
+  Law law;                   ///< Knows the force under a changing weight.
   double compression = 0.0;  ///< > 0 N
 
   using State = typename Law::State;
@@ -27,6 +28,7 @@ struct Carrying {
       -> decltype(law.evaluate(committed, deformation, rate, time, AxialForce{}, trial)) {
     return law.evaluate(committed, deformation, rate, time, AxialForce{compression}, trial);
   }
+  /// Returns the recoverable energy, J.
   template <class Vector>
   auto stored_energy(const State& committed, Vector deformation) const
       -> decltype(law.stored_energy(committed, deformation)) {
@@ -46,13 +48,31 @@ struct Carrying {
                       double compression_rate) const requires GivesWeightWork<Law, Vector> {
     return law.weight_power(state, deformation, rate, compression_rate);
   }
+  template <class Vector>
+  ReportedValue quantity(std::size_t index, const State& state, Vector deformation, Vector rate,
+                         Vector second_rate) const requires requires {
+    Law::quantities;
+  }
+  { return law.quantity(index, state, deformation, rate, second_rate); }
   double linear_stiffness(StiffnessStage stage) const { return law.linear_stiffness(stage); }
   double regime_margin(const State& committed, double deformation, double rate) const requires AxialForceLaw<Law> {
-    return law.regime_margin(committed, deformation, rate, AxialForce{compression});
+    if constexpr (MarginUnderAxialForce<Law>) {
+      return law.regime_margin(committed, deformation, rate, AxialForce{compression});
+    } else {
+      State there;
+      evaluate(committed, deformation, rate, Interval{}, there);
+      return law.regime_margin(there, deformation, rate);
+    }
   }
   State next_regime(const State& committed, double deformation, double rate) const requires AxialForceLaw<Law> {
     return law.next_regime(committed, deformation, rate);
   }
 };
+
+/// Returns the quantities of the law.
+template <class Law>
+constexpr std::span<const ReportedQuantity> quantities_of(const Carrying<Law>& carrying) {
+  return quantities_of(carrying.law);
+}
 
 }  // namespace moat

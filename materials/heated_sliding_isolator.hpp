@@ -114,11 +114,13 @@ struct HeatedSlidingIsolator {
 
   /// Friction of the surface: mu, dmu/d|v| and dmu/dN.
   struct Surface {
+    /// Friction, its slope with the speed, and with the compression.
     double coefficient, slope, by_compression;
   };
 
   /// Rates of friction and temperature, 1/s and K/s.
   struct Rates {
+    /// Rates of the friction and of the temperature rise.
     double coefficient, rise;
   };
   /// At a speed and its rate.
@@ -150,6 +152,7 @@ struct HeatedSlidingIsolator {
     return {coefficient, factor() * friction.speed_slope(speed) * of_temperature,
             coefficient * friction.pressure_slope() / area()};
   }
+  /// Returns the friction at which it slides, N.
   [[nodiscard]] double limit(const State& state, double speed) const {
     return unheated(state, speed).coefficient * normal_force;
   }

@@ -11,16 +11,17 @@ namespace moat {
 /// HeatedSlidingIsolator under the weight N of the instant: restoring stiffness N/R, friction mu N with the pressure of
 /// N; the elastic stiffness k_0 is that of the static weight.
 ///
-/// It slides, and ends to slide, as under a constant weight; sliding begins only while the rate pushes, o v > 0 with
-/// o = sgn q. Where it sticks and N falls, so that |q| would exceed mu N while the rate does not push, the slip
-/// follows: o s becomes the largest o d - mu N/k_0 in the step, of the parabola through value and rate at its start and
-/// value at its end. Zero friction where it lifts, N <= 0.
+/// It slides, and ends to slide, as under a constant weight; sliding begins only while the rate pushes, o v > 0 with o
+/// = sgn q. Where it sticks and N falls, so that |q| would exceed mu N while the rate does not push, the slip follows.
+/// The product o s becomes the largest o d - mu N/k_0 in the step, of the parabola through value and rate at its start
+/// and value at its end. Zero friction where it lifts, N <= 0.
 struct HeatedUnderWeight {
   static constexpr std::string_view name = "HeatedUnderWeight";
 
   HeatedSlidingIsolator line;  ///< The law under the static weight.
 
   struct State {
+    /// History of the slider.
     HeatedSlidingIsolator::State slider{};
     double compression = 0.0;  ///< N, of the instant
     signed char sheds = 0;     ///< sign of q where it sheds at the instant; else 0

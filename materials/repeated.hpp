@@ -10,6 +10,9 @@ namespace moat {
 /// `count` equal laws side by side: the same deformation, `count` times the force, stiffness and energies. States,
 /// regimes and reported quantities are those of one of them. A count below 1 is a share: several points of a face
 /// divide the law of the face among them.
+///
+/// The axial force of evaluate(), and its rates, are those on all of them; each carries an equal share of it. The
+/// compression in a state, and that of regime_margin(), is the share of one.
 template <ForceLaw Law>
 struct Repeated {
   Law law;             ///< one of them
@@ -33,7 +36,6 @@ struct Repeated {
                     State& trial) const requires TimeDependentLaw<Law> {
     return times(law.evaluate(committed, deformation, rate, interval, trial));
   }
-  /// The axial force is that on all of them.
   Response evaluate(const State& committed, double deformation, double rate, Interval interval, AxialForce axial,
                     State& trial) const requires AxialForceLaw<Law> {
     Response all = times(law.evaluate(committed, deformation, rate, interval,
@@ -41,7 +43,7 @@ struct Repeated {
     all.by_compression /= count;
     return all;
   }
-  /// As of one of them, because each has its share of N.
+  /// Answers as one of them, because each has its share of N.
   double weight_lever(const State& from, double deformation, const State& to, double end_deformation) const
       requires(AxialForceLaw<Law> && !GivesWeightWork<Law, double>) {
     return law.weight_lever(from, deformation, to, end_deformation);
@@ -59,6 +61,11 @@ struct Repeated {
     each.force_rate(state, deformation, rate, second_rate);
   }
   { return count * law.force_rate(state, deformation, rate, second_rate); }
+  double force_rate(const State& state, double deformation, double rate, double second_rate,
+                    double compression_rate) const requires requires(const Law& each) {
+    each.force_rate(state, deformation, rate, second_rate, compression_rate);
+  }
+  { return count * law.force_rate(state, deformation, rate, second_rate, compression_rate / count); }
 
   double stored_energy(const State& committed, double deformation) const {
     return count * law.stored_energy(committed, deformation);
@@ -73,7 +80,7 @@ struct Repeated {
   double linear_stiffness(StiffnessStage stage) const { return count * law.linear_stiffness(stage); }
 
   static constexpr bool linear_within_regimes = LinearWithinRegimes<Law>;
-  /// That of the law.
+  /// Returns the answer of the law.
   [[nodiscard]] bool is_linear_within_regimes() const requires requires(const Law& each) {
     each.is_linear_within_regimes();
   }
@@ -85,7 +92,7 @@ struct Repeated {
   }
   double regime_margin(const State& committed, double deformation, double rate,
                        AxialForce axial) const requires MarginUnderAxialForce<Law> {
-    return law.regime_margin(committed, deformation, rate, {axial.compression / count});
+    return law.regime_margin(committed, deformation, rate, axial);
   }
   State next_regime(const State& committed, double deformation, double rate) const requires LawWithRegimes<Law> {
     return law.next_regime(committed, deformation, rate);
@@ -96,8 +103,8 @@ struct Repeated {
   }
   { return law.contact_duration(effective_mass / count, approach_speed); }
   ReportedValue quantity(std::size_t index, const State& state, double deformation, double rate,
-                         double second_rate) const requires requires {
-    Law::quantities;
+                         double second_rate) const requires requires(const Law& each) {
+    each.quantity(index, state, deformation, rate, second_rate);
   }
   { return law.quantity(index, state, deformation, rate, second_rate); }
 
@@ -107,7 +114,7 @@ struct Repeated {
   }
 };
 
-/// Those of the law.
+/// Returns the quantities of the law.
 template <class Law>
 constexpr std::span<const ReportedQuantity> quantities_of(const Repeated<Law>& repeated) {
   return quantities_of(repeated.law);

@@ -174,10 +174,10 @@ constexpr std::span<const ReportedQuantity> quantities_of(const Law&) {
 ///
 /// regime_margin(), m, is positive while the committed regime lasts and reaches zero where the next one begins; within
 /// a regime evaluate() is smooth. It is a length for all laws, because changes are located until it is zero to
-/// TransientOptions::location_tolerance: a gap is its own length, a force counts as a deformation of the law's spring,
-/// a rate as the distance in a time constant of the law. next_regime() gives the state on the other side.
-/// A law under an axial force may take that of the instant as well, beside the committed state, where its margin is not
-/// that of the state at the instant:
+/// TransientOptions::location_tolerance. A gap is its own length, a force counts as a deformation of the law's spring,
+/// a rate as the distance in a time constant of the law. next_regime() gives the state on the other side. A law under
+/// an axial force may take the state of the instant as well, beside the committed state, where its margin does not
+/// follow from the state at the instant. It is the compression in the state of that instant (of one, if Repeated):
 ///
 ///     double regime_margin(State const& committed, double deformation, double rate, AxialForce axial) const
 template <class Law>

@@ -51,7 +51,7 @@ struct RubberLoop {
     return {0.5 * (1.0 - share) * skeleton * (x + std::copysign(std::pow(size, exponent), x)),
             0.5 * (1.0 - share) * skeleton * (1.0 + exponent * std::pow(size, exponent - 1.0)) / largest};
   }
-  /// Its integral over the strain, from 0.
+  /// Returns the integral of the elastic force over the strain, from 0.
   [[nodiscard]] double elastic_energy(double x) const {
     const double size = std::abs(x);
     return 0.5 * (1.0 - share) * skeleton * largest *

@@ -36,6 +36,7 @@ struct SofteningLaw {
   }
 
   struct State {
+    /// History of the yielding part.
     typename Yielding::State yielding{};
     Vector farthest{};         ///< the displacement with the smallest overlap so far, m
     bool grows = false;        ///< whether that is the present displacement
@@ -68,15 +69,19 @@ struct SofteningLaw {
   }
 
  protected:
+  /// Returns the vector along the line.
   static PlanVector plan_vector(double along) { return {along, 0.0}; }
+  /// Returns the vector itself.
   static PlanVector plan_vector(PlanVector vector) { return vector; }
+  /// Returns the stiffness after yield without weight, N/m.
   [[nodiscard]] double k_20() const { return bilinear.post_yield_stiffness.si(); }
+  /// Returns the softening of a state.
   [[nodiscard]] AxialSoftening at(const State& state) const {
     return {rubber, state.compression, plan_vector(state.farthest)};
   }
-  // k_2 - k_20, N/m
+  /// Returns k_2 - k_20, N/m.
   [[nodiscard]] double change(const State& state) const { return k_20() * (at(state).factor - 1.0); }
-  // The rate of a number with this slope, which falls while the farthest displacement grows.
+  /// Returns the rate of a number with this slope, which falls while the farthest displacement grows.
   static double fall(const State& state, PlanVector slope, Vector rate) {
     return state.grows ? std::min(dot(slope, plan_vector(rate)), 0.0) : 0.0;
   }

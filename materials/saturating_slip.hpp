@@ -46,10 +46,11 @@ class SaturatingSlip {
   /// Where the step begins: at the z of its start, or on the circle |z| = 1.
   enum class Begins { from_the_start, on_the_circle };
 
-  /// `reach`: d_y > 0, m. Of a circle that grows or shrinks in the step it is that of the mean circle, and
+  /// `reach`: d_y > 0, m. Where a circle grows or shrinks in the step, it belongs to the mean circle, and
   /// `elastic_reach` > 0 m that of the circle at the end, over which z grows elastically.
   SaturatingSlip(Begins begins, double reach, double elastic_reach)
       : begins_{begins}, reach_{reach}, stretch_{elastic_reach / reach} {}
+  /// Has the same reach on both sides.
   SaturatingSlip(Begins begins, double reach) : SaturatingSlip{begins, reach, reach} {}
 
   /// The end of a step, and its derivatives.

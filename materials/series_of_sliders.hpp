@@ -23,7 +23,7 @@ namespace moat {
 /// Both are exact for any length of a monotone step. Turns and all corners are located. Tension positive.
 struct SeriesOfSliders {
   static constexpr std::string_view name = "SeriesOfSliders";
-  static constexpr std::size_t most = 3;  ///< Branches, at most.
+  static constexpr std::size_t most = 3;  ///< Largest number of branches.
 
   /// One slider: a spring beside friction, with a stop.
   struct Branch {

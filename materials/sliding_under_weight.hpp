@@ -42,11 +42,13 @@ struct SlidingUnderWeight {
     return list;
   }
 
+  /// How the surfaces meet.
   enum class Contact : signed char { slides_back = -1, sticks = 0, slides_on = 1, lifted = 2 };
   struct State {
     double slip = 0.0;            ///< s, m
     double friction_force = 0.0;  ///< q, N
     double compression = 0.0;     ///< N, N
+    /// How the surfaces meet.
     Contact contact = Contact::sticks;
     signed char sheds = 0;  ///< sign of q while it sheds; else 0
 
@@ -158,7 +160,7 @@ struct SlidingUnderWeight {
   [[nodiscard]] double limit(double speed, double compression) const {
     return compression > 0.0 ? coefficient(speed, compression).value * compression : 0.0;
   }
-  // As that of SlidingIsolator.
+  // Returns the coefficient as SlidingIsolator does.
   [[nodiscard]] FrictionCoefficient coefficient(double speed, double compression) const {
     FrictionCoefficient mu = friction.at(std::max(speed, 0.0), compression);
     if (speed < 0.0) mu.value += mu.slope * speed;

@@ -23,7 +23,7 @@
 namespace moat {
 
 /// Every law of isolators, dampers, storeys and soil with a folder of its own, in the order of the guide. A law in this
-/// list stands in the table of docs/guide.md. CONTRIBUTING.md shows how to add one.
+/// list stands in the table of docs/reference/isolators_and_storeys.md. CONTRIBUTING.md shows how to add one.
 using AllSpringLaws =
     LawList<BoucWen, HeatedLeadRubber, GrantRubber, KikuchiAikenRubber, FrictionPendulum, HeatedFrictionPendulum,
             DoublePendulum, TriplePendulum, FlatSlider, StiffeningSpring, NonlinearViscous, MaxwellDamper,

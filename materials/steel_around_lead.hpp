@@ -7,7 +7,8 @@
 
 namespace moat {
 
-/// The flow of heat J from a lead core into end plates and shims, by the history of its temperature T (docs/theory.md):
+/// The flow of heat J from a lead core into end plates and shims, by the history of its temperature T
+/// (docs/explanation/equations.md):
 ///
 ///     J(t) = (k_s A/a) integral of y(t+ - s+) dT(s),   y(t+) = c + sum of c_j exp(-t+/tau_j),   t+ = alpha_s t/a^2
 ///          = (k_s A/a) [c T + sum of c_j (T - x_j)],   dx_j/dt+ = (T - x_j)/tau_j     x_j: temperatures of layers
@@ -27,6 +28,7 @@ struct SteelAroundLead {
   /// A step, s, in which the layers follow the mean of T at both ends. The lead loses lost() + share() (T1 - T0), K.
   class Step {
    public:
+    /// A step of `length` s.
     Step(const SteelAroundLead& steel, double length) : flow_{steel.share(size) * length} {
       double tau = steel.time * shortest;
       for (std::size_t j = 0; j < size; ++j, tau *= ratio) {
@@ -35,12 +37,15 @@ struct SteelAroundLead {
         flow_ += flows_[j];
       }
     }
+    /// Returns the flow out of the lead, W.
     [[nodiscard]] double lost(double temperature, const Temperatures& layers) const {
       double sum = flow_ * temperature;
       for (std::size_t j = 0; j < size; ++j) sum -= flows_[j] * layers[j];
       return sum;
     }
+    /// Returns the share of the last temperature.
     [[nodiscard]] double share() const { return 0.5 * flow_; }
+    /// Moves on by one step.
     void advance(double from, double to, Temperatures& layers) const {
       for (std::size_t j = 0; j < size; ++j) layers[j] += followed_[j] * (0.5 * (from + to) - layers[j]);
     }

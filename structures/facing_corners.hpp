@@ -41,8 +41,9 @@ struct Facing {
 std::vector<FacingCorner> corners_facing_walls(const Check& check, const PlanOutline& outline, const PlanOutline& walls,
                                                const Facing& facing, const std::string& inner);
 
-/// Corners of two bodies beside each other. Where two corners of parallel faces stand opposite each other, that of the
-/// shorter face counts, of equal faces that of the first body. Throws InputError if the outlines overlap.
+/// Corners of two bodies beside each other. Where two corners of parallel faces stand opposite each other, the corner
+/// of the shorter face counts; where the faces are equal, the corner of the first body. Throws InputError if the
+/// outlines overlap.
 std::vector<FacingCorner> corners_facing_each_other(const Check& check, const PlanOutline& first,
                                                     const PlanOutline& second, Length reach, const std::string& names);
 

@@ -19,7 +19,6 @@ void Isolation::add_to(Model& model, const std::string& prefix, NodeId base, For
       places.push_back(*part.place);
     }
     const std::vector<Force> shares = static_weights(check, *axial_forces, places, weight, {}, false);
-    note_eccentric_load(model, prefix, places, shares, {});
     std::size_t next = 0;
     for (std::size_t i = 0; i < parts_.size(); ++i)
       if (parts_[i].carries) weights[i] = shares[next++];

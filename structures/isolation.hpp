@@ -41,7 +41,7 @@ class Isolation {
   Isolation(Isolator<Law> isolator) {
     take(std::move(isolator));
   }
-  /// A law alone.
+  /// Takes a law alone.
   template <IsolatorLaw Law>
   Isolation(Law law) {
     if constexpr (DamperLaw<Law>)
@@ -94,7 +94,8 @@ class Isolation {
          });
     parts_.back().carries = !requires { element.force_quantity; };
     if constexpr (requires { element.at; })
-      parts_.back().place = BearingPlace{{element.at.si(), 0.0}, element.own_weight(), element.vertical_stiffness};
+      parts_.back().place =
+          BearingPlace{{element.at.si(), 0.0}, element.own_weight(), element.vertical_stiffness, element.count};
   }
   void take(const std::string& name, NodeId lower, NodeId upper, Add add);
   void join(Isolation other);

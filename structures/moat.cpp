@@ -7,6 +7,15 @@
 namespace moat {
 namespace {
 
+void change_soil(ElementBlock& block, std::size_t e, const ContactChange& change) {
+  auto& soils = dynamic_cast<LinkBlock<HyperbolicBackfill>&>(block);
+  HyperbolicBackfill soil = soils.laws()[e];
+  soil.initial_stiffness = change.soil_factor * soil.initial_stiffness;
+  soil.ultimate_force = change.soil_factor * soil.ultimate_force;
+  soil.unloading_stiffness *= change.soil_factor;
+  soils.replace(e, soils.info(e), soil);
+}
+
 // Soil resists where the wall moves away from the building. Its deformation counts towards the soil.
 void add_backfill(Model& model, const HyperbolicBackfill& soil, const std::string& wall, NodeId node, bool on_left) {
   add_link(model, "HyperbolicBackfill",
@@ -14,7 +23,9 @@ void add_backfill(Model& model, const HyperbolicBackfill& soil, const std::strin
             .first = on_left ? node : ground,
             .second = on_left ? ground : node,
             .deformation_quantity = "backfill_deformation",
-            .force_quantity = "backfill_force"},
+            .force_quantity = "backfill_force",
+            .details = std::make_shared<const ElementDetails>(
+                ElementDetails{.changeable_contact = ChangeableContact{.change = change_soil}})},
            soil);
 }
 

@@ -62,10 +62,10 @@ struct FlexibleWall {
     return law || yield_force.si() > 0.0 ? damping : DampingCoefficient{};
   }
 
-  /// The wall hit at its top: k = 1/(h^3/(3 E I) + h^2/k_r) with I = share b t^3/12; mass 33/140 rho b t h of a clamped
-  /// cantilever, or rho b t h/3 of a stiff wall that turns about its base where k_r is the softer part; yield force
-  /// M_y/h. The frequency of a clamped cantilever comes out 1.5 % too high. Throws InputError for a value out of its
-  /// range.
+  /// The wall hit at its top: k = 1/(h^3/(3 E I) + h^2/k_r) with I = share b t^3/12. The mass is 33/140 rho b t h of a
+  /// clamped cantilever, or rho b t h/3 of a stiff wall that turns about its base where k_r is the softer part. The
+  /// yield force is M_y/h. The frequency of a clamped cantilever comes out 1.5 % too high. Throws InputError for a
+  /// value out of its range.
   static FlexibleWall from_geometry(const WallGeometry& geometry);
 };
 
@@ -76,9 +76,9 @@ enum class Sides { left, right, both };
 ///
 ///     wall |<- clearance ->[ around ]<- clearance ->| wall
 ///
-/// Gaps "NAME left" and "NAME right", whose impact forces share the place NAME; a moat on one side alone is one
-/// gap "<name>". The walls are fixed to the ground, or nodes "<name> left wall", "<name> right wall" or "<name> wall"
-/// on springs where `wall` is given; then `wall_force` [N] and `wall_deformation` [m] are reported too, and
+/// Gaps "NAME left" and "NAME right", whose impact forces share the place NAME; a moat on one side alone is one gap
+/// "<name>". The walls are fixed to the ground, or nodes "<name> left wall", "<name> right wall" or "<name> wall" on
+/// springs where `wall` is given. Then `wall_force` [N] and `wall_deformation` [m] are reported too, and
 /// `backfill_force` [N] and `soil_gap` [m] of "<name> left backfill" and so on where soil is behind.
 template <ImpactLaw Law>
 struct Moat {
@@ -86,9 +86,9 @@ struct Moat {
   Required<NodeId> around;    ///< The floor that hits the walls.
   /// >= 0 m, on each side at rest; 0 is wall to wall.
   Required<Length> clearance;
-  Law law;                             ///< Its force.
+  Law law;                             ///< Gives the force from the indentation.
   Sides sides = Sides::both;           ///< Where there are walls.
-  std::optional<FlexibleWall> wall{};  ///< Rigid without.
+  std::optional<FlexibleWall> wall{};  ///< The wall is rigid if left out.
 };
 
 /// Adds a flexible wall whose face is `offset` to the right of the floor, and returns its node.

@@ -26,12 +26,11 @@ namespace moat {
 ///
 /// Floors have one outline, or each its own, which makes setbacks. Their masses are uniform over it but for
 /// `mass_offset`, so that the rotary inertia about the centre of mass is that of the outline, unless it is given.
-/// Rayleigh damping acts on the motion of the superstructure relative
-/// to its base: the stiffness part in every storey; the mass part on the motion of every floor relative to the rigid
-/// motion of the base, at the floor's centre of mass, and on its rotation relative to the base, reacting on the base.
-/// Its ratio holds in the lowest translational mode of the superstructure held at its base, and in the next
-/// translational mode along the same direction; one storey has one such mode, and then only the stiffness part. A
-/// symmetric building has the factors of a ShearBuilding.
+/// Rayleigh damping acts on the motion of the superstructure relative to its base: the stiffness part in every storey.
+/// The mass part acts on the motion of every floor relative to the rigid motion of the base, at the floor's centre of
+/// mass, and on its rotation relative to the base, reacting on the base. Its ratio holds in the lowest translational
+/// mode of the superstructure held at its base, and in the next translational mode along the same direction; one storey
+/// has one such mode, and then only the stiffness part. A symmetric building has the factors of a ShearBuilding.
 struct PlanBuilding {
   /// Put before the names of all parts ("north base", "north floor 1") where a model has several buildings.
   std::string name{};

@@ -34,7 +34,7 @@ struct PlanMoat {
   std::optional<Length> clearance{};
   /// A polygon around the outline, counter-clockwise.
   PlanOutline walls{};
-  Law law;                    ///< Its force.
+  Law law;                    ///< Gives the force from the indentation.
   CornerFriction friction{};  ///< Along the walls.
   /// Whether the law is that of a corner or of a whole face.
   Share share = Share::per_corner;
@@ -42,7 +42,7 @@ struct PlanMoat {
   int points_per_face = 0;
   /// > 0 m: walls farther away from a corner are left out.
   Length reach = 1.0 * units::m;
-  std::optional<FlexibleWall> wall{};  ///< Rigid without.
+  std::optional<FlexibleWall> wall{};  ///< The wall is rigid if left out.
 };
 
 /// The pairs of a moat; adds its walls where they are flexible. Throws InputError for a clearance that is < 0 m or

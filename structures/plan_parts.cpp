@@ -56,7 +56,6 @@ void PlanBearings::add_under(Model& model, const Check& check, const std::string
     for (const Placed& bearing : bearings)
       places.push_back({bearing.at.si(), bearing.weight, bearing.vertical_stiffness});
     weights = static_weights(check, *axial_forces, places, weight_of_building, centre_of_mass, true);
-    note_eccentric_load(model, prefix, places, weights, centre_of_mass);
   }
   for (std::size_t i = 0; i < bearings.size(); ++i) {
     const Placed& bearing = bearings[i];

@@ -173,7 +173,7 @@ class PlanBearings {
       };
     }
 
-    PlanPosition at;     ///< On the floor.
+    PlanPosition at;     ///< Place on the floor, m.
     std::string name{};  ///< Unique in its building; left out: its number.
     std::string type{};  ///< Common to equal bearings; left out: "bearings".
     Force weight{};      ///< > 0 N on it; left out: the same share of the building's weight for every bearing.

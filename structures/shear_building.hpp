@@ -24,8 +24,8 @@ namespace moat {
 ///
 /// Masses, stiffnesses and heights are one value for all storeys or one for each (structures/per_storey.hpp). Rayleigh
 /// damping has its ratio in the first two modes of this chain held at its base, and acts on the motion of the
-/// superstructure relative to its base: the stiffness part as a dashpot in every storey, the mass part as a dashpot
-/// from every floor to the base, reacting on it.
+/// superstructure relative to its base. The stiffness part is a dashpot in every storey, the mass part a dashpot from
+/// every floor to the base, reacting on it.
 struct ShearBuilding {
   /// Put before the names of all parts ("north base", "north floor 1") where a model has several buildings.
   std::string name{};

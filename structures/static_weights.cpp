@@ -1,10 +1,9 @@
 #include "structures/static_weights.hpp"
 
-#include <algorithm>
 #include <cmath>
 
 #include "base/units.hpp"
-#include "model/axial_distribution.hpp"
+#include "model/weight/axial_distribution.hpp"
 
 namespace moat {
 
@@ -12,12 +11,15 @@ std::vector<Force> static_weights(const Check& check, const AxialForces& options
                                   const std::vector<BearingPlace>& bearings, Force weight, PlanVector centre,
                                   bool in_plan) {
   using Span = AxialDistribution::Span;
+  int count = 0;
+  for (const BearingPlace& bearing : bearings) count += bearing.count;
   const auto all_or_none = [&](const char* field, auto value) {
-    const auto given =
-        std::ranges::count_if(bearings, [&](const BearingPlace& each) { return (each.*value).si() > 0.0; });
-    check.that(given == 0 || given == std::ssize(bearings),
-               "axial_forces: " + std::to_string(given) + " of " + std::to_string(bearings.size()) +
-                   " bearings have a " + field + " of their own.",
+    int given = 0;
+    for (const BearingPlace& bearing : bearings)
+      if ((bearing.*value).si() > 0.0) given += bearing.count;
+    check.that(given == 0 || given == count,
+               "axial_forces: " + std::to_string(given) + " of " + std::to_string(count) + " bearings have a " + field +
+                   " of their own.",
                std::string{"Give the "} + field + " of every bearing, or of none.");
     return given > 0;
   };
@@ -30,10 +32,10 @@ std::vector<Force> static_weights(const Check& check, const AxialForces& options
   for (const BearingPlace& bearing : bearings) {
     check.not_negative("weight of a bearing", bearing.own_weight);
     check.not_negative("vertical_stiffness of a bearing", bearing.vertical_stiffness);
-    weights.push_back(given ? bearing.own_weight : weight / static_cast<double>(bearings.size()));
+    weights.push_back(given ? bearing.own_weight : double(bearing.count) / count * weight);
     sum += weights.back();
     places.push_back(bearing.at);
-    stiffnesses.push_back(stiff ? bearing.vertical_stiffness.si() : 1.0);
+    stiffnesses.push_back(stiff ? bearing.vertical_stiffness.si() : bearing.count);
   }
   check.that(std::abs((sum - weight).si()) <= 1e-6 * weight.si(), "axial_forces: the weights on its bearings", sum.si(),
              "N", "that of its floors and base, " + to_text(weight.si()) + " N",
@@ -54,22 +56,6 @@ std::vector<Force> static_weights(const Check& check, const AxialForces& options
     weights[i] = balanced[i] * units::N;
   }
   return weights;
-}
-
-void note_eccentric_load(Model& model, const std::string& prefix, const std::vector<BearingPlace>& bearings,
-                         const std::vector<Force>& weights, PlanVector centre) {
-  PlanVector moment{};
-  double weight = 0.0, extent = 0.0;
-  for (std::size_t i = 0; i < bearings.size(); ++i) {
-    moment += weights[i].si() * bearings[i].at;
-    weight += weights[i].si();
-    extent = std::max(extent, length(bearings[i].at - bearings[0].at));
-  }
-  const double distance = length(moment / weight - centre);
-  constexpr double noticeable = 0.01;
-  if (distance > noticeable * extent)
-    model.add_note(prefix + "bearings: their weights put the load " + to_text(distance) +
-                   " m from the centre of mass.");
 }
 
 void check_axial_forces(const Check& check, const AxialForces& options, bool heights_are_given) {

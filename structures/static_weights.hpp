@@ -5,16 +5,17 @@
 #include <vector>
 
 #include "base/check.hpp"
-#include "model/axial_forces.hpp"
 #include "model/model.hpp"
+#include "model/weight/axial_forces.hpp"
 
 namespace moat {
 
-/// A bearing as the sharing of a weight needs it.
+/// A bearing, or equal ones at one place, as the sharing of a weight needs it.
 struct BearingPlace {
   PlanVector at{};                 ///< m
   Force own_weight{};              ///< > 0 N where it is given.
   Stiffness vertical_stiffness{};  ///< > 0 N/m where it is given.
+  int count = 1;                   ///< of equal bearings side by side
 };
 
 /// Returns the weight at rest of every bearing of a building, whose centre of mass is at `centre`, m: those given, else
@@ -23,10 +24,6 @@ struct BearingPlace {
 std::vector<Force> static_weights(const Check& check, const AxialForces& options,
                                   const std::vector<BearingPlace>& bearings, Force weight, PlanVector centre,
                                   bool in_plan);
-
-/// Adds a note where the load of these weights is beside the centre of mass by more than 1 % of the bearings' extent.
-void note_eccentric_load(Model& model, const std::string& prefix, const std::vector<BearingPlace>& bearings,
-                         const std::vector<Force>& weights, PlanVector centre);
 
 /// Checks options of a building that stands on bearings. Throws InputError.
 void check_axial_forces(const Check& check, const AxialForces& options, bool heights_are_given);

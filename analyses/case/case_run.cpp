@@ -87,11 +87,23 @@ std::string_view name_of(ErrorBarMode mode) {
   }
 }
 
+std::string_view name_of(ContactSensitivityMode mode) {
+  switch (mode) {
+    case ContactSensitivityMode::always:
+      return "always";
+    case ContactSensitivityMode::automatic:
+      return "automatic";
+    default:
+      return "never";
+  }
+}
+
 AnalysisFacts facts_of(const CaseOptions& options) {
   // An option that is missing here does not compile.
-  const auto& [title, transient, history_interval, warn_above_energy_error, error_bars] = options;
+  const auto& [title, transient, history_interval, warn_above_energy_error, error_bars, contact_sensitivity] = options;
   AnalysisFacts facts = facts_of(transient);
   facts.error_bars = name_of(error_bars);
+  facts.contact_sensitivity = name_of(contact_sensitivity);
   facts.options.push_back({"history_interval", history_interval.si(), "s"});
   facts.options.push_back({"warn_above_energy_error", warn_above_energy_error, "1"});
   return facts;
@@ -143,6 +155,14 @@ void CaseRun::run() {
   stopped_ = !transient_.finished();
   if (stopped_) return;
   run_companion();
+  contact_sensitivity_ =
+      contact_sensitivity(transient_.model(), transient_.motion(), options_.transient, options_.contact_sensitivity,
+                          main_run(), changed_contacts_observer_, stop_);
+}
+
+PeaksAndImpacts CaseRun::main_run() const {
+  return {peaks_.peaks(), impacts_.impacts(), transient_.statistics(), clearances_.clearances(),
+          transient_.collapsed()};
 }
 
 void CaseRun::run_companion() {
@@ -214,6 +234,10 @@ CaseResult CaseRun::result_with(Table histories) const {
   for (std::string& warning : offered_peaks_.warnings()) result.warnings.push_back(std::move(warning));
   if (transient_.model().is_plan() && transient_.state().weights().empty())
     result.assumptions.emplace_back(weight_is_constant);
+  else if (transient_.model().is_plan())
+    for (const Building& building : transient_.model().buildings())
+      if (!building.axial_forces && !building.shares_base)
+        result.assumptions.push_back("\"" + building.name + "\": " + weight_is_constant);
   if (transient_.model().is_plan())
     result.assumptions.insert(result.assumptions.end(), plan_assumptions.begin(), plan_assumptions.end());
   else
@@ -224,7 +248,7 @@ CaseResult CaseRun::result_with(Table histories) const {
 void CaseRun::add_errors(CaseResult& result) const {
   if (companion_) {
     const double least_share = least_share_of_errors(transient_.model(), options_.transient);
-    PeaksAndImpacts main{result.peaks, result.impacts, result.solver, result.clearances};
+    PeaksAndImpacts main = main_run();
     result.error_bars =
         estimate_errors(result.peaks, main.touches, *companion_, least_share,
                         scales_of_run(result.peaks, transient_.model(), transient_.motion(), options_.transient));
@@ -232,8 +256,12 @@ void CaseRun::add_errors(CaseResult& result) const {
     result.clearances = std::move(main.clearances);
   }
   result.error_bars.companion = about_companion_;
-  if (result.error_bars.sensitive)
-    result.warnings.push_back(sensitivity_warning(result.error_bars, result.impacts.size(), options_.transient));
+  result.contact_sensitivity = contact_sensitivity_;
+  result.contact_sensitivity.unsettled = result.error_bars.unsettled;
+  for (std::size_t i = 0; i < result.contact_sensitivity.peaks.size(); ++i)
+    result.contact_sensitivity.peaks[i].error = result.peaks[i].error;
+  if (result.error_bars.unsettled)
+    result.warnings.push_back(unsettled_warning(result.error_bars, result.impacts.size(), options_.transient));
   if (!companion_failure_.empty())
     result.warnings.push_back("There are no error bars, because the second run with finer steps failed: " +
                               companion_failure_);

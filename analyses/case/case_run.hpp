@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "analyses/case/contact_sensitivity.hpp"
 #include "analyses/case/error_bars.hpp"
 #include "analyses/time_history/transient.hpp"
 #include "output/files/case_result.hpp"
@@ -30,7 +31,7 @@ enum class ErrorBarMode {
 
 /// Options of one case.
 struct CaseOptions {
-  std::string title{};           ///< In reports.
+  std::string title{};           ///< Reports show it.
   TransientOptions transient{};  ///< Options of the analysis: step, tolerance, end.
   /// >= 0 s. Interval of the histories, which have rows exactly at its multiples; 0: that of the motion's samples.
   Time history_interval{};
@@ -38,6 +39,8 @@ struct CaseOptions {
   /// which there is a warning.
   double warn_above_energy_error = 1e-3;
   ErrorBarMode error_bars = ErrorBarMode::automatic;  ///< When the second run is made.
+  /// When runs with changed contacts are made. A script makes them where they are cheap; in code they are asked for.
+  ContactSensitivityMode contact_sensitivity = ContactSensitivityMode::never;
 };
 
 /// A time history with peaks, clearances and their errors, impacts, histories, periods and solver statistics.
@@ -60,11 +63,14 @@ class CaseRun {
   void attach(StepObserver& observer);
   /// Calls the observer for the steps of the companion, if there is one; it must outlive the run.
   void attach_to_companion(StepObserver& observer) { companion_observer_ = &observer; }
-  /// stop: asked before every step of run(), also of the companion; true ends it there, with all results up to then.
+  /// Calls the observer for the steps of the runs with changed contacts, if there are any; it must outlive the run.
+  void attach_to_changed_contacts(StepObserver& observer) { changed_contacts_observer_ = &observer; }
+  /// stop: asked before every step of run(), also of the other runs; true ends it there, with all results up to then.
   void stop_when(std::function<bool()> stop) { stop_ = std::move(stop); }
   /// Whether the main run ended before its end because it was asked to.
   [[nodiscard]] bool stopped() const { return stopped_; }
-  /// The main run, then the companion. Throws as Transient::run does in the main run.
+  /// The main run, then the companion and the runs with changed contacts. Throws as Transient::run does in the main
+  /// run.
   void run();
 
   [[nodiscard]] const Transient& transient() const { return transient_; }  ///< The analysis behind the case.
@@ -75,6 +81,7 @@ class CaseRun {
 
  private:
   void run_companion();
+  [[nodiscard]] PeaksAndImpacts main_run() const;
   [[nodiscard]] CaseResult result_with(Table histories) const;
   void add_errors(CaseResult& result) const;
 
@@ -97,6 +104,8 @@ class CaseRun {
   std::optional<PeaksAndImpacts> companion_;
   std::string about_companion_ = "No error bars: the run did not reach its end.";
   std::string companion_failure_;
+  StepObserver* changed_contacts_observer_ = nullptr;
+  ContactSensitivity contact_sensitivity_{.reason = "The run did not reach its end."};
 };
 
 /// Runs one case and returns its result.

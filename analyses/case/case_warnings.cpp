@@ -276,9 +276,9 @@ std::vector<std::string> energy_warnings(const EnergyBalance& energy, double bou
   return warnings;
 }
 
-std::string sensitivity_warning(const ErrorBars& bars, std::size_t impacts, const TransientOptions& options) {
+std::string unsettled_warning(const ErrorBars& bars, std::size_t impacts, const TransientOptions& options) {
   const bool pounds = impacts > 0 || bars.companion_impacts > 0;
-  return "The case is sensitive: " + bars.reason + ". " + finer(options) +
+  return "The case is not settled: " + bars.reason + ". " + finer(options) +
          (pounds ? ". Impacts amplify every small difference: where finer steps do not help, the numbers are known to "
                    "their error bars only."
                  : ".");

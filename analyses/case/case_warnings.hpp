@@ -12,7 +12,7 @@ namespace moat {
 /// An acceleration of the ground beyond all records.
 std::vector<std::string> motion_warnings(const GroundMotion& motion);
 
-/// Isolators whose strength is above 30 % of the weight on them, so that they hardly ever slide or yield; gaps whose
+/// Isolators whose strength is above 30 % of the weight on them, so that they hardly ever slide or yield. Gaps whose
 /// left side is drawn to the right of their right side; in plan, corners that can jam, and bearings and centres of mass
 /// outside the outline of their floor.
 std::vector<std::string> model_warnings(const Model& model);
@@ -37,7 +37,7 @@ std::vector<std::string> strain_warnings(const std::vector<Peak>& peaks);
 /// largest input or kinetic energy. Empty if all is well.
 std::vector<std::string> energy_warnings(const EnergyBalance& energy, double bound, const TransientOptions& options);
 
-/// That a case is sensitive, and why. `impacts`: of the main run.
-std::string sensitivity_warning(const ErrorBars& bars, std::size_t impacts, const TransientOptions& options);
+/// That a case is not settled, and why. `impacts`: of the main run.
+std::string unsettled_warning(const ErrorBars& bars, std::size_t impacts, const TransientOptions& options);
 
 }  // namespace moat

@@ -18,7 +18,7 @@ namespace moat {
 namespace {
 
 // Constants of the bars. They were chosen on the random models of ./moat bench accuracy, whose tables in
-// docs/verification.md show how many true errors lie within the bars and how wide these are.
+// docs/verification show how many true errors lie within the bars and how wide these are.
 
 /// Richardson's estimate is multiplied by it, because not all errors shrink to a quarter.
 constexpr double caution = 4.0;
@@ -39,7 +39,7 @@ constexpr double round_off = 1e-8;
 constexpr double settled_within = 0.01;
 /// A peak below this share of the largest of its unit is round-off, for example at a node that symmetry keeps at rest.
 /// It is judged relative to this share of the largest, and no other peak is judged by it. EstimateErrors.
-/// DoesNotCallRoundOffSensitive guards it from both sides.
+/// DoesNotCallRoundOffUnsettled guards it from both sides.
 constexpr double negligible = 1e-6;
 
 double median(std::vector<double> values) {
@@ -255,9 +255,9 @@ ErrorBars estimate_errors(std::vector<Peak>& peaks, std::span<const Impact> touc
   bars.checked = true;
   bars.companion_impacts = impacts.companion_count;
   bars.companion_solver = companion.solver;
-  bars.unsettled = unsettled_of(peaks, of_unit);
-  bars.sensitive = !impacts.same || !bars.unsettled.empty();
-  bars.reason = reason_of(impacts, bars.unsettled, peaks.size());
+  bars.unsettled_peaks = unsettled_of(peaks, of_unit);
+  bars.unsettled = !impacts.same || !bars.unsettled_peaks.empty();
+  bars.reason = reason_of(impacts, bars.unsettled_peaks, peaks.size());
   return bars;
 }
 

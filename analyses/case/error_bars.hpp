@@ -62,10 +62,10 @@ PeaksAndImpacts compute_peaks(const Model& model, const GroundMotion& motion, co
 /// at least `least_share` >= 0 of the value. A peak that the companion does not have, or that is not finite, has the
 /// error NaN. `scales` of units count where they exceed the largest peak.
 ///
-/// Returns the verdict with the companion's impacts and cost. The case is sensitive if the numbers of impacts differ,
-/// if the speeds of an impact differ by more than 1 % of the fastest approach (from then on the two runs are two
-/// motions, whose peaks may agree by chance), or if any error is not within 1 % of its peak. `touches` are those of the
-/// main run.
+/// Returns the verdict with the companion's impacts and cost. The case is not settled if the numbers of impacts differ,
+/// if the speeds of an impact differ by more than 1 % of the fastest approach, or if any error is not within 1 % of its
+/// peak. From such an impact on the two runs are two motions, whose peaks may agree by chance. `touches` are those of
+/// the main run.
 ErrorBars estimate_errors(std::vector<Peak>& peaks, std::span<const Impact> touches, const PeaksAndImpacts& companion,
                           double least_share = 0.0, const ScalesOfUnits& scales = {});
 

@@ -12,7 +12,7 @@ namespace moat {
 namespace {
 
 // Trials on 200 random models: without a bound of a quarter of the largest scale in the building the median error fell
-// by a third for 0.4 % more steps; without one of sixteen times the acceleration of an impact for nodes in contact it
+// by a third for 0.4 % more steps. Without one of sixteen times the acceleration of an impact for nodes in contact it
 // halved, for 5 % more steps. There is neither.
 
 // A node with an acceleration below this share of the ground's peak is at rest, or free.

@@ -32,6 +32,7 @@ struct Automatic {
   static constexpr std::string_view name = "automatic";
   static constexpr int most_degrees_of_freedom = 16;  ///< Limit of exact steps; Newmark's method solves larger models.
 
+  /// Returns the methods between which every step chooses.
   [[nodiscard]] StepMethods methods(AnalysisState& state, const StepSettings& settings) const;
   void check(const Check&) const {}
   [[nodiscard]] std::string description() const { return "Exact between events, or Newmark's method"; }

@@ -15,7 +15,7 @@ namespace moat {
 
 /// Steps of a model that is linear between touches, yields and unloadings, by its exact motion
 /// (analyses/integrators/linear_path.hpp). The only error is that of the cubic by which elements, changes of regime and
-/// peaks are looked at from end to end of a step: a step is so short beside the fastest vibration that this cubic meets
+/// peaks are looked at from end to end of a step. A step is so short beside the fastest vibration that this cubic meets
 /// it, and within one interval of the motion's samples. It does not apply while a gap is closed.
 class ExactMethod final : public StepMethod {
  public:

@@ -30,7 +30,7 @@ std::string integrator_names();
 
 /// Returns the numbers of its steps; none if it is not of Newmark's family, or chooses them step by step.
 std::optional<StepScheme> scheme_of(const Integrator& integrator);
-/// That of the option `--integrator`.
+/// Returns the name that the option `--integrator` takes.
 std::string_view name_of(const Integrator& integrator);
 /// Whether it is ExactBetweenEvents.
 inline bool is_exact(const Integrator& integrator) { return std::holds_alternative<ExactBetweenEvents>(integrator); }

@@ -9,8 +9,8 @@
 
 namespace moat {
 
-/// The motion of a linear system over one step, under a ground acceleration that is linear in it: by the exponential of
-/// the system where the step has its length, else by the Taylor series from the start of the step.
+/// The motion of a linear system over one step, under a ground acceleration that is linear in it. It follows by the
+/// exponential of the system where the step has its length, else by the Taylor series from the start of the step.
 class LinearPath {
  public:
   /// Begins at this state; `offset` is -M^-1 f0, m/s^2. The step is no longer than that of the system, which must exist

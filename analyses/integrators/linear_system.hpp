@@ -37,9 +37,9 @@ class LinearSystem {
   [[nodiscard]] bool is_of(const SparseMatrix& stiffness, const SparseMatrix& damping) const {
     return (stiffness_.coeffs() == stiffness.coeffs()).all() && (damping_.coeffs() == damping.coeffs()).all();
   }
-  /// h, s.
+  /// Returns h, s.
   [[nodiscard]] double step() const { return step_; }
-  /// A.
+  /// Returns A.
   [[nodiscard]] const Eigen::MatrixXd& rates() const { return rates_; }
   /// The rows of exp(A) that belong to u and h u'.
   [[nodiscard]] const Eigen::MatrixXd& over_step() const { return over_step_; }

@@ -10,8 +10,8 @@ namespace moat {
 namespace {
 
 // Trials below changed one constant of an earlier set, of 200 random models of ./moat bench accuracy whose worst peaks
-// had an error of 0.0056 % in the 90th percentile and of 0.030 % in the 99th; or of two floors joined by a spring many
-// times as stiff as their storey, or by a dashpot.
+// had an error of 0.0056 % in the 90th percentile and of 0.030 % in the 99th. Other trials were of two floors joined by
+// a spring many times as stiff as their storey, or by a dashpot.
 
 // Further halvings of the first step after a touch. Trial: with 4 both errors double; 8 gains nothing.
 constexpr int at_touch = 6;

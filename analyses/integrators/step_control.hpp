@@ -22,15 +22,15 @@ namespace moat {
 ///     average acceleration:  8 h/12 |j1 - j0|                =  8 (w h)^2/12
 ///
 /// divided by the scale of the acceleration of the node (acceleration_scales.hpp); of the translations of a diaphragm
-/// the resultants count. The largest of all nodes is compared with the tolerance. The factor 8 is there because
-/// (w h)^2/12 is itself the error of period of average acceleration. Where the stiffness of a law without located
-/// regimes jumps inside a step, the error of the fourth-order scheme is at least h/12 |j1 - j0|; the force that such a
-/// law loses where its path turns inside the step, over the mass, is added (ElementStates::find_corners). A step with
-/// more than twice the tolerance is repeated. Differences that are round-off of forces do not count.
+/// the resultants count. The largest of all nodes is compared with the tolerance. The factor 8 is there because (w
+/// h)^2/12 is itself the error of period of average acceleration. Where the stiffness of a law without located regimes
+/// jumps inside a step, the error of the fourth-order scheme is at least h/12 |j1 - j0|. The force that such a law
+/// loses where its path turns inside the step, over the mass, is added (ElementStates::find_corners). A step with more
+/// than twice the tolerance is repeated. Differences that are round-off of forces do not count.
 ///
 /// In contact, the duration of the contact divided by steps_per_contact. After four such durations without an event the
 /// contact is sustained; from then on the error of acceleration alone sets the step. The first steps after a located
-/// touch are shorter, double from one to the next, and are not judged; up to the first that is not cut to less than a
+/// touch are shorter, double from one to the next, and are not judged. Up to the first that is not cut to less than a
 /// quarter they take average acceleration: some laws' forces rise with infinite slope there (like d^1/4).
 ///
 /// The scheme is that of fourth order where a step is inside its bound of stability. A model that needs more than one

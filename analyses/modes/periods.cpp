@@ -6,7 +6,6 @@
 #include <numbers>
 
 #include "analyses/modes/plan_modes.hpp"
-#include "model/building.hpp"
 #include "solvers/modes.hpp"
 
 namespace moat {
@@ -51,6 +50,13 @@ SparseMatrix part_of(const SparseMatrix& matrix, const std::vector<int>& nodes) 
 double first_period(const SparseMatrix& stiffness, const SparseMatrix& mass, const std::vector<int>& nodes) {
   if (nodes.empty()) return 0.0;
   return slowest_modes(part_of(stiffness, nodes), part_of(mass, nodes), 1).front().period();
+}
+
+// The degrees of freedom of `nodes` that are not held, both ascending.
+std::vector<int> without(const std::vector<int>& nodes, const std::vector<int>& held) {
+  std::vector<int> rest;
+  std::ranges::set_difference(nodes, held, std::back_inserter(rest));
+  return rest;
 }
 
 // The first three modes, with both stiffnesses of bearings that yield; once where they are the same.
@@ -100,19 +106,26 @@ std::vector<NamedPeriod> characteristic_periods(const Model& model, std::size_t 
       report("first mode", first_period(initial, masses, nodes));
       continue;
     }
-    std::vector<int> superstructure;
-    std::ranges::set_difference(nodes, held, std::back_inserter(superstructure));
     // With the building rigid only its isolators deform: it moves by 1, as on the moving ground.
     Vector rigid = Vector::Zero(masses.rows());
     for (const int node : nodes) rigid[node] = model.ground_influence().x[node];
     const double mass = rigid.dot(masses * rigid), isolation_stiffness = rigid.dot(post_yield * rigid);
-    report("fixed base", first_period(initial, masses, superstructure));
+    report("fixed base", first_period(initial, masses, without(nodes, held)));
     if (isolation_stiffness > 0.0)
       report("isolation, rigid building", 2.0 * std::numbers::pi * std::sqrt(mass / isolation_stiffness));
     report("first mode, post-yield bearings", first_period(post_yield, masses, nodes));
     report("first mode, initial bearings", first_period(initial, masses, nodes));
   }
   return periods;
+}
+
+double fixed_base_period(const Model& model, const Building& building) {
+  SparseMatrix masses = model.zero_matrix();
+  model.mass_matrix().add_to(1.0, masses);
+  const std::vector<ElementId> isolators = isolators_of(model, {&building, 1}).front();
+  return first_period(
+      model.linear_stiffness(StiffnessStage::initial), masses,
+      without(indices_of(model, carried_nodes(model, building)), indices_of(model, isolated_nodes(model, isolators))));
 }
 
 }  // namespace moat

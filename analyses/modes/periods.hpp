@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "model/building.hpp"
 #include "model/model.hpp"
 #include "output/files/case_result.hpp"
 
@@ -19,5 +20,9 @@ namespace moat {
 /// With several buildings each name starts with that of the building. Free bodies have no period and are
 /// left out. Only the first `most_buildings` are computed.
 std::vector<NamedPeriod> characteristic_periods(const Model& model, std::size_t most_buildings = 8);
+
+/// Returns the first period, s, of a building and those on its base, in the initial state, with all floors on isolators
+/// held; on a line and in plan. 0 where nothing is left to move.
+double fixed_base_period(const Model& model, const Building& building);
 
 }  // namespace moat

@@ -19,6 +19,13 @@ Chart fragility_chart(const LognormalFit& fit, const std::vector<EventCount>& co
 /// A curve ends where the model collapsed. per_unit: value of one unit of the response in SI, 0.01 for cm.
 Chart ida_chart(const std::vector<IdaCurve>& curves, const std::string& title, const std::string& level_label,
                 const std::string& response_label, double per_unit = 1.0);
+/// Draws the response in this unit, for example 1 * cm.
+template <class Q>
+requires requires { Q::mass_exponent; }
+Chart ida_chart(const std::vector<IdaCurve>& curves, const std::string& title, const std::string& level_label,
+                const std::string& response_label, Q per_unit) {
+  return ida_chart(curves, title, level_label, response_label, per_unit.si());
+}
 
 /// The probability of pounding against the gap, in cm, with its confidence band, and the share of the records that
 /// need more, as far as it is known. The legend says how many need more than the largest gap.

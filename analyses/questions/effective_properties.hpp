@@ -8,7 +8,7 @@ namespace moat {
 /// Effective stiffness k = (|F+| + |F-|)/(|D+| + |D-|) and damping ratio beta = E/(2 pi k D^2), D = (|D+| + |D-|)/2, of
 /// one closed loop with the area E; D+ and D- are its extreme deformations, F+ and F- the forces there.
 ///
-/// For a bilinear loop k = k2 + Q/D and beta = 2 Q (D - d_y)/(pi k D^2). Source: ASCE/SEI 7, 17.2.8.3.
+/// For a bilinear loop k = k2 + Q/D and beta = 2 Q (D - d_y)/(pi k D^2). Source: ASCE/SEI 7, chapter 17 (recalled).
 struct EffectiveProperties {
   double stiffness = 0.0;      ///< N/m
   double damping_ratio = 0.0;  ///< 1

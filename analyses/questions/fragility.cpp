@@ -46,6 +46,16 @@ StudyEvent exceeds(std::string quantity, std::string where, double threshold) {
   };
 }
 
+StudyEvent exceeds(std::string quantity, std::string where, double threshold, std::string unit) {
+  return [event = exceeds(quantity, where, threshold), quantity, where, unit](const CaseOutcome& outcome) {
+    for (const NamedNumber& each : outcome.results)
+      if (each.quantity == quantity && each.where == where && each.unit != unit)
+        throw InputError{"exceeds: " + quantity + " of " + where + " is in " + each.unit + ", the threshold in " +
+                         unit + ". Give a threshold of its dimension, or a number where it has none."};
+    return event(outcome);
+  };
+}
+
 StudyEvent pounds() { return exceeds("impacts", "", 0.0); }
 
 std::vector<EventCount> event_counts(const StudyResult& study, std::string_view axis, const StudyEvent& event) {

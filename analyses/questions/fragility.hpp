@@ -18,6 +18,15 @@ using StudyEvent = std::function<bool(const CaseOutcome&)>;
 /// The event that a result exceeds a threshold, in the result's SI unit. The event throws InputError for a case without
 /// this result.
 StudyEvent exceeds(std::string quantity, std::string where, double threshold);
+/// The event that a result exceeds a threshold with its dimension: exceeds("drift", "storey 1", 2 * cm). It throws
+/// InputError too for a result that has another unit than `unit`, the SI unit of the threshold.
+StudyEvent exceeds(std::string quantity, std::string where, double threshold, std::string unit);
+/// As the function above, whose unit is that of the threshold.
+template <class Q>
+requires requires { Q::mass_exponent; }
+StudyEvent exceeds(std::string quantity, std::string where, Q threshold) {
+  return exceeds(std::move(quantity), std::move(where), threshold.si(), unit_symbol<Q>());
+}
 /// The event that anything hit anything: `impacts` > 0.
 StudyEvent pounds();
 
@@ -63,7 +72,7 @@ class GapDemand {
   /// gap.
   explicit GapDemand(const StudyResult& study, double confidence = 0.95);
 
-  /// Those that were found, ascending, m.
+  /// Returns the gaps that were found, ascending, m.
   [[nodiscard]] const std::vector<double>& gaps() const { return gaps_; }
   /// The largest gaps of the records that need more, ascending, m.
   [[nodiscard]] const std::vector<double>& beyond() const { return beyond_; }
@@ -76,14 +85,14 @@ class GapDemand {
   [[nodiscard]] const LognormalFit& fit() const { return fit_; }
   /// The gap at which pounding has this probability, > 0 and < 1, by the fit.
   [[nodiscard]] Length gap(double probability_of_pounding) const;
-  /// Its confidence bounds, m.
+  /// Returns the confidence bounds of gap(), m.
   [[nodiscard]] Bounds gap_bounds(double probability_of_pounding) const;
   /// The smallest gap that is too narrow for at most this share of the records, without a distribution; infinite where
   /// more records than that need more than the largest gap.
   [[nodiscard]] Length empirical_gap(double share_that_pounds) const;
   /// Returns the probability of pounding in this gap, > 0, by the fit.
   [[nodiscard]] double probability(Length gap) const;
-  [[nodiscard]] Bounds probability_bounds(Length gap) const;  ///< Its confidence bounds.
+  [[nodiscard]] Bounds probability_bounds(Length gap) const;  ///< Confidence bounds of probability().
 
  private:
   std::vector<double> gaps_, beyond_;  // m

@@ -15,7 +15,7 @@ namespace moat {
 
 /// The response to one record, at ascending levels.
 struct IdaCurve {
-  std::string record;  ///< Its name.
+  std::string record;  ///< Name of the record.
   /// Intensities and largest responses, one beside the other; infinite where the model collapsed.
   std::vector<double> levels, responses;
   /// Levels whose analysis failed or did not converge. They are no points: neither safe nor collapsed.

@@ -28,14 +28,15 @@ class LognormalFit {
  public:
   /// Maximises the likelihood, the product of F(up_to) - F(above) over all intervals and of the density for exact
   /// values. In 1 / dispersion and ln(median) / dispersion its logarithm is concave (Pratt 1981), so that Newton's
-  /// method finds the one maximum. Bounds are those of the profile likelihood (Wilks 1938), which hold in small samples
-  /// better than those of the curvature.
+  /// method finds the one maximum. Bounds come from the profile likelihood (Wilks 1938), which holds in small samples
+  /// better than the curvature does.
   ///
   /// confidence: > 0, < 1, of all bounds. what: how messages call the values.
   ///
-  /// Throws InputError for an interval that cannot be, and where there is no finite maximum: where one value of x
-  /// splits all intervals (the dispersion would be zero: more or closer levels are needed), where no value has an upper
-  /// end, or where values above high levels and below low ones leave no increasing curve.
+  /// Throws InputError for an interval that cannot be, and where there is no finite maximum. There is none where one
+  /// value of x splits all intervals (the dispersion would be zero: more or closer levels are needed), or where no
+  /// value has an upper end. Nor is there one where values above high levels and below low ones leave no increasing
+  /// curve.
   explicit LognormalFit(std::vector<KnownInterval> intervals, double confidence = 0.95,
                         const std::string& what = "values");
 

@@ -12,7 +12,7 @@ namespace moat {
 
 /// The largest value of one result over the cases of a study.
 struct EnvelopeEntry {
-  std::string quantity, where, unit;  ///< Those of a Peak.
+  std::string quantity, where, unit;  ///< As in Peak.
   double value = 0.0;                 ///< In `unit`.
   std::string at;                     ///< the case that reached it: "incidence = 30 deg"
 };

@@ -25,8 +25,8 @@ struct PropertyBounds {
   PropertyFactors upper;
 
   /// lambda_max = [1 + 0.75 (lambda_ae,max - 1)] lambda_test,max lambda_spec,max and lambda_min likewise, at least 1.8
-  /// and at most 0.6 unless the isolators are qualified by tests. Source: ASCE/SEI 7-16, 17.2.8.4 (from memory: check
-  /// it).
+  /// and at most 0.6 unless the isolators are qualified by tests. Source: ASCE/SEI 7-16, chapter 17 (recalled, not read
+  /// in the code).
   struct Lambda {
     /// Factors for ageing and environment, for heating and cycles, for scatter of production.
     double ageing = 1.0, test = 1.0, specification = 1.0;

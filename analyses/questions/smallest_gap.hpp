@@ -26,7 +26,7 @@ struct SmallestGap {
 
 /// The gap at which the closest approach is zero: the root of clearance_left(gap), the smallest opening of all gaps
 /// over time where they have this clearance at rest, negative where they are indented. Without contact the motion does
-/// not depend on the gap, so that one analysis with a wide gap gives the root and a second confirms it; otherwise the
+/// not depend on the gap, so that one analysis with a wide gap gives the root and a second confirms it. Otherwise the
 /// root is bracketed and found by the method of Alefeld, Potra and Shi.
 ///
 /// Throws InputError for a parameter outside its range.

@@ -3,12 +3,15 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <initializer_list>
 #include <iterator>
 #include <limits>
 #include <span>
 #include <string>
+#include <string_view>
 #include <thread>
 #include <tuple>
+#include <utility>
 #include <vector>
 
 #include "analyses/case/case_warnings.hpp"
@@ -19,6 +22,7 @@
 #include "output/peaks/drift_ratios.hpp"
 #include "output/recorders/energy_columns.hpp"
 #include "output/recorders/energy_ledger.hpp"
+#include "output/recorders/isolator_forces.hpp"
 
 namespace moat {
 namespace {
@@ -153,9 +157,14 @@ CaseOutcome outcome_of_model(const Model& model, const GroundMotion& motion, con
   if (options.energies) energy.emplace();
   std::optional<FloorSpectra> floors;
   if (options.floor_spectra) floors.emplace(*options.floor_spectra);
+  // Without impacts the total base shear says the same.
+  std::optional<IsolatorForces> isolators;
+  if (std::ranges::any_of(model.blocks(), [](const auto& block) { return block->kind().contacts; }))
+    isolators.emplace(model);
   PeaksAndImpacts main =
-      compute_peaks(model, motion, options.transient, {energy ? &*energy : nullptr, floors ? &*floors : nullptr});
-  double sensitive = std::numeric_limits<double>::quiet_NaN();
+      compute_peaks(model, motion, options.transient,
+                    {energy ? &*energy : nullptr, floors ? &*floors : nullptr, isolators ? &*isolators : nullptr});
+  double unsettled = std::numeric_limits<double>::quiet_NaN();
   // Peaks of a fall depend on where it is stopped.
   if (options.error_bars && !main.collapsed) {
     try {
@@ -163,7 +172,7 @@ CaseOutcome outcome_of_model(const Model& model, const GroundMotion& motion, con
           compute_peaks(model, motion, companion_options(options.transient, main.solver.longest_step));
       const double least_share = least_share_of_errors(model, options.transient);
       const ScalesOfUnits scales = scales_of_run(main.peaks, model, motion, options.transient);
-      sensitive = estimate_errors(main.peaks, main.touches, companion, least_share, scales).sensitive ? 1.0 : 0.0;
+      unsettled = estimate_errors(main.peaks, main.touches, companion, least_share, scales).unsettled ? 1.0 : 0.0;
       estimate_clearance_errors(main, companion, least_share);
     } catch (const Error&) {
       // The case itself is computed; its errors stay unknown.
@@ -176,6 +185,9 @@ CaseOutcome outcome_of_model(const Model& model, const GroundMotion& motion, con
     record.push_back({peak.quantity, peak.where, peak.unit, peak.magnitude()});
     if (options.error_bars) record.push_back({peak.quantity + "_error", peak.where, peak.unit, peak.error});
   }
+  if (isolators)
+    for (const Peak& peak : isolators->peaks())
+      record.push_back({peak.quantity, peak.where, peak.unit, peak.magnitude()});
   for (const GapClearance& gap : main.clearances) {
     record.push_back({"clearance_left", gap.where, "m", gap.left});
     if (options.error_bars) record.push_back({"clearance_left_error", gap.where, "m", gap.error});
@@ -183,7 +195,7 @@ CaseOutcome outcome_of_model(const Model& model, const GroundMotion& motion, con
   record.push_back({"impacts", "", "1", static_cast<double>(main.touches.size())});
   const bool collapsed = main.collapsed || !collapse_warnings(main.peaks).empty();
   record.push_back({"collapsed", "", "1", collapsed ? 1.0 : 0.0});
-  if (options.error_bars) record.push_back({"sensitive", "", "1", sensitive});
+  if (options.error_bars) record.push_back({"unsettled", "", "1", unsettled});
   if (energy) add_energies(outcome, energy->at_end());
   if (floors) add_floor_spectra(record, floors->spectra());
   return outcome;
@@ -207,6 +219,18 @@ StudyAxis record_axis(std::string name, const std::vector<PlanMotion>& pairs) {
     axis.hashes.push_back(sha256_of(hash_of(pair.first) + hash_of(pair.second) +
                                     (pair.vertical ? hash_of(*pair.vertical) : std::string{})));
   return axis;
+}
+
+ContactChange contact_change(const StudyCase& each) {
+  ContactChange change;
+  for (const auto& [name, value] : std::initializer_list<std::pair<std::string_view, double&>>{
+           {"contact_stiffness_factor", change.stiffness_factor},
+           {"restitution_change", change.restitution_change},
+           {"clearance_factor", change.clearance_factor},
+           {"soil_factor", change.soil_factor}})
+    if (std::ranges::find(each.cases().axes(), name, &StudyAxis::name) != each.cases().axes().end())
+      value = each.value(name);
+  return change;
 }
 
 StudyResult run_study(const StudyCases& cases, const std::function<StudyRecord(const StudyCase&)>& compute,

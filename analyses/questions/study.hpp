@@ -10,6 +10,7 @@
 
 #include "analyses/time_history/transient.hpp"
 #include "model/model.hpp"
+#include "model/with_contacts.hpp"
 #include "motions/ground_motion.hpp"
 #include "motions/plan_motion.hpp"
 #include "output/recorders/floor_spectra.hpp"
@@ -34,6 +35,12 @@ StudyAxis record_axis(std::string name, const std::vector<GroundMotion>& motions
 /// An axis of pairs of records under the same rules; a pair is called "NWH090 + NWH360".
 StudyAxis record_axis(std::string name, const std::vector<PlanMotion>& pairs);
 
+/// The change of all contacts that a case of a study asks for by the axes "contact_stiffness_factor",
+/// "restitution_change", "clearance_factor" and "soil_factor", all without unit; a parameter without axis stays.
+///
+///     study.model = with_contacts(study.model, contact_change(each));   // last in the function that makes the model
+ContactChange contact_change(const StudyCase& each);
+
 /// Options of run_study().
 struct StudyOptions {
   /// >= 0. Threads that compute cases; 0: one per core. Results do not depend on it.
@@ -42,7 +49,7 @@ struct StudyOptions {
   TransientOptions transient{};
   /// Whether every StudyModel runs a second time with finer steps (analyses/case/error_bars.hpp), which costs two to
   /// three times as much again. Every peak then has its error, as a result of its own ("displacement_error" of "base"),
-  /// and every case the result "sensitive": 1 if it is, 0 if not. Both are NaN where the second run failed.
+  /// and every case the result "unsettled": 1 if it is, 0 if not. Both are NaN where the second run failed.
   bool error_bars = false;
   /// Whether the results of every StudyModel have its energies ("energy_input" ...), and its outcome the error of the
   /// energy balance. They cost about a third of an analysis.
@@ -88,21 +95,22 @@ StudyResult run_study(const StudyCases& cases, const std::function<StudyRecord(c
                       const StudyOptions& options = {});
 
 /// Computes the models of a study in the same way. The results are the magnitudes of all peaks, as PeakRecorder names
-/// them, the `clearance_left` of every gap (negative: indented by so much), the number of `impacts`, and `collapsed`: 1
-/// where a storey or an isolator was deformed by more than 3 m or a collapse ended the analysis, else 0; with
-/// StudyOptions::error_bars also their errors:
+/// them. Models with gaps also have the `total_isolator_force` of every building (IsolatorForces), the `clearance_left`
+/// of every gap (negative: indented by so much), and the number of `impacts`. `collapsed` is 1 where a storey or an
+/// isolator was deformed by more than 3 m or a collapse ended the analysis, else 0. With StudyOptions::error_bars there
+/// are also the errors of peaks and clearances:
 ///
 ///     result.values("impact_force", "moat");           // N
 ///     result.values("impact_force_error", "moat");     // N, the first holds to +- this
 ///     result.values("clearance_left", "moat right");   // m
-///     result.values("sensitive", "");                  // 0 or 1
+///     result.values("unsettled", "");                  // 0 or 1
 ///
 /// No histories are kept.
 StudyResult run_study(const StudyCases& cases, const std::function<StudyModel(const StudyCase&)>& make,
                       const StudyOptions& options = {});
 
 /// The results of one case of a study: magnitudes of the peaks of one model under one motion, clearances left, the
-/// number of impacts, and `collapsed`. With error_bars also "..._error" of peaks and clearances, and "sensitive"
+/// number of impacts, and `collapsed`. With error_bars also "..._error" of peaks and clearances, and "unsettled"
 /// (StudyOptions).
 StudyRecord peaks_of(const Model& model, const GroundMotion& motion, const TransientOptions& options = {},
                      bool error_bars = false);

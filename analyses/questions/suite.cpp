@@ -1,7 +1,10 @@
 #include "analyses/questions/suite.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
+#include <tuple>
 #include <utility>
 
 #include "base/check.hpp"
@@ -10,20 +13,23 @@
 namespace moat {
 namespace {
 
-constexpr const char *of_bounds = "bounds", *of_eccentricity = "eccentricity", *of_direction = "direction";
+constexpr const char *of_record = "record", *of_bounds = "bounds", *of_eccentricity = "eccentricity",
+                     *of_direction = "direction";
 constexpr std::array<PlanVector, 5> shifts{{{0.0, 0.0}, {1.0, 0.0}, {-1.0, 0.0}, {0.0, 1.0}, {0.0, -1.0}}};
 
 }  // namespace
 
 SuiteRecords::SuiteRecords(ScaledSuite scaled) : scaled_{std::move(scaled)} {
   for (const NamedPair& pair : scaled_->pairs) pairs_.push_back(pair.motion);
+  axis_ = record_axis(of_record, pairs_);
+  for (std::size_t i = 0; i < axis_.labels.size(); ++i) axis_.labels[i] = scaled_->pairs[i].name;
 }
 
-StudyAxis SuiteRecords::axis() const {
-  StudyAxis axis = are_pairs() ? record_axis("record", pairs_) : record_axis("record", motions_);
-  for (std::size_t i = 0; scaled_ && i < axis.labels.size(); ++i) axis.labels[i] = scaled_->pairs[i].name;
-  return axis;
-}
+SuiteRecords::SuiteRecords(std::vector<GroundMotion> motions)
+    : motions_{std::move(motions)}, axis_{record_axis(of_record, motions_)} {}
+
+SuiteRecords::SuiteRecords(std::vector<PlanMotion> pairs)
+    : pairs_{std::move(pairs)}, axis_{record_axis(of_record, pairs_)} {}
 
 GroundMotion SuiteRecords::motion(std::size_t record, Angle turned_by) const {
   return are_pairs() ? pairs_[record].rotated(turned_by).resolved() : motions_[record];
@@ -60,7 +66,7 @@ StudyModel Suite::model(const StudyCase& each, const std::function<Model(const S
         std::array{options_.bounds->lower, PropertyFactors{}, options_.bounds->upper}[each.position(of_bounds)];
   if (options_.eccentricity > 0.0) of.eccentricity = options_.eccentricity * shifts[each.position(of_eccentricity)];
   const Angle turned_by = options_.directions.empty() ? Angle{} : options_.directions[each.position(of_direction)];
-  return {make(of), records_.motion(each.position("record"), turned_by)};
+  return {make(of), records_.motion(each.position(of_record), turned_by)};
 }
 
 StudyResult run_suite(const Suite& suite, const std::function<Model(const SuiteCase&)>& make) {
@@ -68,6 +74,25 @@ StudyResult run_suite(const Suite& suite, const std::function<Model(const SuiteC
     return suite.model(each, make);
   };
   return run_study(suite.cases(), model, suite.study());
+}
+
+std::vector<std::size_t> cases_with_largest_deformation(const StudyResult& suite) {
+  const bool has_bounds = std::ranges::find(suite.axes(), of_bounds, &StudyAxis::name) != suite.axes().end();
+  std::map<std::size_t, std::pair<double, std::size_t>> largest;  // by bound: deformation and case
+  for (std::size_t number = 0; number < suite.outcomes().size(); ++number) {
+    double deformation = 0.0;
+    bool collapsed = false;
+    for (const NamedNumber& each : suite.outcomes()[number].results) {
+      if (each.quantity == "isolator_deformation") deformation = std::max(deformation, each.value);
+      if (each.quantity == "collapsed" && each.value > 0.0) collapsed = true;
+    }
+    if (collapsed || !(deformation > 0.0)) continue;
+    auto& [value, of_case] = largest[has_bounds ? StudyCase{suite.cases(), number}.position(of_bounds) : 0];
+    if (deformation > value) std::tie(value, of_case) = std::pair{deformation, number};
+  }
+  std::vector<std::size_t> numbers;
+  for (const auto& [bound, found] : largest) numbers.push_back(found.second);
+  return numbers;
 }
 
 }  // namespace moat

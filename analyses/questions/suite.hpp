@@ -1,6 +1,7 @@
 // Suites: every record with every bound of the isolators, every accidental eccentricity and every direction.
 #pragma once
 
+#include <cstddef>
 #include <functional>
 #include <optional>
 #include <string>
@@ -16,7 +17,7 @@ namespace moat {
 
 /// One case of a suite, for the function that makes its model.
 struct SuiteCase {
-  PropertyFactors factors{};  ///< Of the isolators: those of the bound, or 1.
+  PropertyFactors factors{};  ///< Factors of the isolators: those of the bound, or 1.
   PlanVector eccentricity{};  ///< Shares of the extent along x and y that centres of mass are moved by.
 };
 
@@ -24,7 +25,7 @@ struct SuiteCase {
 struct SuiteOptions {
   /// Lower, nominal and upper properties of the isolators; nominal ones alone if left out.
   std::optional<PropertyBounds> bounds{};
-  /// >= 0, < 0.5: share of the extent. Five cases where it is > 0: none, +x, -x, +y, -y (ASCE/SEI 7, 12.8.4.2: 5 %).
+  /// >= 0, < 0.5: share of the extent. Five cases where it is > 0: none, +x, -x, +y, -y (ASCE/SEI 7, recalled: 5 %).
   double eccentricity = 0.0;
   /// Added to the incidence of pairs, > -360 deg, < 360 deg; the pair as it is if left out.
   std::vector<Angle> directions{};
@@ -35,21 +36,22 @@ struct SuiteOptions {
 class SuiteRecords {
  public:
   SuiteRecords(ScaledSuite scaled);  ///< Pairs that are scaled to a target spectrum, by their names there.
-  SuiteRecords(std::vector<GroundMotion> motions) : motions_{std::move(motions)} {}  ///< For models on a line.
-  SuiteRecords(std::vector<PlanMotion> pairs) : pairs_{std::move(pairs)} {}          ///< For models in plan.
+  SuiteRecords(std::vector<GroundMotion> motions);  ///< For models on a line.
+  SuiteRecords(std::vector<PlanMotion> pairs);      ///< For models in plan.
 
   [[nodiscard]] bool are_pairs() const { return !pairs_.empty(); }  ///< Whether they have two components.
-  [[nodiscard]] StudyAxis axis() const;                             ///< Named "record".
+  [[nodiscard]] const StudyAxis& axis() const { return axis_; }     ///< Named "record".
   /// The motion of a record, a pair turned by this angle.
   [[nodiscard]] GroundMotion motion(std::size_t record, Angle turned_by) const;
 
-  /// As given; none for motions that were scaled otherwise.
+  /// Returns the scaled suite that was given; none for motions that were scaled otherwise.
   [[nodiscard]] const std::optional<ScaledSuite>& scaled() const { return scaled_; }
 
  private:
   std::vector<GroundMotion> motions_;
   std::vector<PlanMotion> pairs_;
   std::optional<ScaledSuite> scaled_{};
+  StudyAxis axis_;  // hashes take time
 };
 
 /// The cases of a suite: axes "record", "bounds", "eccentricity" and "direction", of which those with one value are
@@ -63,8 +65,8 @@ class Suite {
   [[nodiscard]] StudyCases cases() const;  ///< In the order of the axes, the last one fastest.
   /// Makes the model of a case under its motion.
   [[nodiscard]] StudyModel model(const StudyCase& each, const std::function<Model(const SuiteCase&)>& make) const;
-  [[nodiscard]] const StudyOptions& study() const { return options_.study; }  ///< As given.
-  [[nodiscard]] const SuiteRecords& records() const { return records_; }      ///< As given.
+  [[nodiscard]] const StudyOptions& study() const { return options_.study; }  ///< The options as given.
+  [[nodiscard]] const SuiteRecords& records() const { return records_; }      ///< The records as given.
 
  private:
   SuiteRecords records_;
@@ -82,5 +84,9 @@ class Suite {
 ///       return model;
 ///     });
 StudyResult run_suite(const Suite& suite, const std::function<Model(const SuiteCase&)>& make);
+
+/// The case with the largest deformation of an isolator for each bound, or of all cases where there are no bounds; of
+/// cases that collapsed or have no result none. Empty for models without isolators.
+[[nodiscard]] std::vector<std::size_t> cases_with_largest_deformation(const StudyResult& suite);
 
 }  // namespace moat

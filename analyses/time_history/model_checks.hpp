@@ -16,8 +16,8 @@ void check_held(const AnalysisState& state);
 /// their x puts it, may have gaps on both sides.
 void check_gap_directions(const Model& model);
 
-/// Throws InputError for a motion of two components on a line, and for a state that is not of this model as it is now,
-/// stands at or beyond `end` s, or came to its time under other accelerations of the ground.
+/// Throws InputError for a motion of two components on a line. It throws too for a state that is not of this model as
+/// it is now, stands at or beyond `end` s, or came to its time under other accelerations of the ground.
 void check_start(const Model& model, const AnalysisState& state, const GroundMotion& motion, double end);
 
 }  // namespace moat

@@ -36,7 +36,7 @@ class StepSolver {
   /// m, > 0: the band of margins in which a located step ends.
   [[nodiscard]] double location_tolerance() const { return location_tolerance_; }
 
-  /// As given.
+  /// Returns the state that was given.
   [[nodiscard]] AnalysisState& state() const { return *state_; }
   /// Counts of the steps solved here.
   [[nodiscard]] SolverStatistics& statistics() const { return *statistics_; }

@@ -15,6 +15,24 @@
 namespace moat {
 namespace {
 
+// Warnings of rubber whose critical load fell, with its displacement, below a weight that is constant.
+void warn_of_unstable_rubber(const AnalysisState& state, std::vector<std::string>& list) {
+  const auto& blocks = state.model().blocks();
+  for (std::size_t b = 0; b < blocks.size(); ++b)
+    for (std::size_t e = 0; e < blocks[b]->size(); ++e) {
+      const std::vector<Parameter> given = blocks[b]->law(e).parameters;
+      const auto weight = std::ranges::find(given, "weight", &Parameter::name);
+      const auto quantities = blocks[b]->quantities(e);
+      const auto critical = std::ranges::find(quantities, "critical_load", &ReportedQuantity::name);
+      if (weight == given.end() || critical == quantities.end()) continue;
+      const double load =
+          state.elements(b).law_quantity(e, static_cast<std::size_t>(critical - quantities.begin())).value;
+      if (weight->value > load)
+        list.push_back("\"" + blocks[b]->info(e).name + "\" became unstable: its weight of " + to_text(weight->value) +
+                       " N exceeds the critical load of the displaced rubber, " + to_text(load) + " N.");
+    }
+}
+
 double process_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
 }  // namespace
@@ -79,11 +97,17 @@ void Transient::take_and_report_step() {
   method_ = std::ranges::find_if(methods_.by_preference, [](const auto& each) { return each->applies(); })->get();
   double h = step_.solve_next(*method_);
   const RegimeScan seen = step_.scan(h);
-  if (seen.crossed && options_.events == EventTreatment::located && !is_located(seen, step_.location_tolerance()))
-    h = locate_change(step_, h, seen);
+  // A cut step may end before its change, so that the next one finds it. A change that several cuts do not reach, or
+  // that does not happen where it is located, is passed by a whole step.
+  constexpr int most_vain_cuts = 8;
+  const long events = statistics_.events;
+  const bool cuts = seen.crossed && options_.events == EventTreatment::located &&
+                    !is_located(seen, step_.location_tolerance()) && vain_cuts_ < most_vain_cuts;
+  if (cuts) h = locate_change(step_, h, seen);
   commit(step_.first_part(h));
   observers_.step(view(h == step_.whole().length));
   if (seen.crossed) change_regimes_at_end();
+  vain_cuts_ = cuts && statistics_.events == events ? vain_cuts_ + 1 : 0;
 }
 
 void Transient::commit(const StepTask& step) {
@@ -172,23 +196,28 @@ std::vector<std::string> Transient::assumptions() const {
         "Axial forces of bearings follow overturning and vertical motion: rigid slab on vertical springs, no vertical "
         "degree of freedom of a bearing, no impact where a lifted bearing lands, no rotary inertia of floors about "
         "horizontal axes.");
+  for (const WeightOnBearings& weight : state_.weights())
+    if (weight.eccentricity() > 0.0)
+      list.push_back(weight.building() + (weight.building().empty() ? "" : " ") +
+                     "bearings: their weights put the load " + to_text(weight.eccentricity()) +
+                     " m from the centre of mass.");
   return list;
 }
 
 std::vector<std::string> Transient::warnings() const {
   std::vector<std::string> list;
   if (collapse_.collapsed()) list.push_back(collapse_.warning());
+  warn_of_unstable_rubber(state_, list);
   for (const WeightOnBearings& weight : state_.weights()) {
     const std::string building = weight.building().empty() ? "The building" : "\"" + weight.building() + "\"";
     if (weight.rocking_time() > 0.0)
       list.push_back(building + " rocked for " + to_text(weight.rocking_time()) +
                      " s, first at t = " + to_text(weight.first_rocking()) +
                      " s: the moment that its bearings cannot balance was dropped. Do not trust later peaks.");
-    const auto is_lifted_rubber = [](const WeightOnBearings::Bearing& bearing) {
-      return !bearing.on_slab.slides && bearing.uplifts > 0;
-    };
-    if (const auto lifted = std::ranges::count_if(weight.bearings(), is_lifted_rubber);
-        lifted > 0 && weight.options().may_pull.si() == 0.0)
+    int lifted = 0;  // of rubber
+    for (const WeightOnBearings::Bearing& bearing : weight.bearings())
+      if (!bearing.on_slab.slides && bearing.uplifts > 0) lifted += bearing.on_slab.count;
+    if (lifted > 0 && weight.options().may_pull.si() == 0.0)
       list.push_back(building + " lifted from " + std::to_string(lifted) +
                      " of its bearings that do not slide. They kept their horizontal force. Give .may_pull where "
                      "bearings are bolted; others lose that force in the air.");
@@ -196,9 +225,9 @@ std::vector<std::string> Transient::warnings() const {
     if (first.instabilities > 0)
       list.push_back(
           "\"" + state_.model().blocks()[first.element.block]->info(first.element.element).name +
-          "\" is unstable from t = " + to_text(first.first_unstable) +
-          " s on: its axial force exceeds the critical load of the displaced rubber. Peaks of bearing_unstable "
-          "list all such bearings.");
+          "\" is unstable for the first time at t = " + to_text(first.first_unstable) +
+          " s: its axial force exceeds the critical load of the displaced rubber. Peaks of bearing_unstable list all "
+          "such bearings.");
   }
   for (const auto& method : methods_.by_preference)
     for (std::string& warning : method->warnings()) list.push_back(std::move(warning));

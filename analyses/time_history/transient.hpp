@@ -23,8 +23,8 @@ namespace moat {
 ///
 /// The methods of the integrator (analyses/integrators/integrators.hpp, step_method.hpp) take the steps. Touch and
 /// separation of gaps, and yield and unloading of located bearings, are events. A located one ends its step
-/// (analyses/events/event_location.hpp): the step that would cross it is solved again, shorter, until it ends there;
-/// then the acceleration is computed again from the forces after the change, and one step of another length ends on the
+/// (analyses/events/event_location.hpp): the step that would cross it is solved again, shorter, until it ends there.
+/// Then the acceleration is computed again from the forces after the change, and one step of another length ends on the
 /// time grid. With EventTreatment::at_end_of_step elements change at the end of the step instead. The end of the motion
 /// is an event too: the ground's acceleration drops to zero there. The step follows the physics, as the method
 /// proposes, unless it is fixed.
@@ -65,7 +65,7 @@ class Transient {
   /// step; true ends the run there.
   void run(const std::function<bool()>& stop = {});
 
-  [[nodiscard]] const Model& model() const { return state_.model(); }    ///< As given.
+  [[nodiscard]] const Model& model() const { return state_.model(); }    ///< The model that is analysed.
   [[nodiscard]] const AnalysisState& state() const { return state_; }    ///< At the time reached.
   [[nodiscard]] const GroundMotion& motion() const { return *motion_; }  ///< As it is applied.
   [[nodiscard]] SolverStatistics statistics() const;                     ///< Cost up to now.
@@ -94,6 +94,7 @@ class Transient {
   StepSolver step_;
   ChatterGuard chatter_;
   CollapseGuard collapse_;
+  int vain_cuts_ = 0;  // in succession: steps that event location cut, without a change at their end
   Observers observers_;
   std::vector<RegimeChange> changes_;  // of the last step that had any
 };

@@ -141,7 +141,7 @@ std::string table_of(const Motion& motion, const Curves& curves) {
   return text + "\n";
 }
 
-void run_all(const std::filesystem::path& folder, const std::string& documentation) {
+void run_all(const std::filesystem::path& folder, const std::filesystem::path& documentation) {
   const std::vector<Motion> list = motions();
   if (!documentation.empty() && list.size() < 4) throw InputError{"--write-docs needs the recorded motions."};
   std::filesystem::create_directories(folder);
@@ -160,9 +160,8 @@ void run_all(const std::filesystem::path& folder, const std::string& documentati
   write_svg(charts, folder / "accuracy.svg", 1000, 340);
   std::printf("%s\nFigure: %s\n", tables.c_str(), (folder / "accuracy.svg").c_str());
   if (!documentation.empty()) {
-    replace_section(documentation, "accuracy", tables);
-    std::filesystem::copy_file(folder / "accuracy.svg",
-                               std::filesystem::path{documentation}.parent_path() / "images/accuracy.svg",
+    replace_section(documentation / "models.md", "accuracy", tables);
+    std::filesystem::copy_file(folder / "accuracy.svg", documentation.parent_path() / "images/accuracy.svg",
                                std::filesystem::copy_options::overwrite_existing);
   }
 }
@@ -174,7 +173,7 @@ int main(int argc, char** argv) {
   std::string folder = "results/accuracy";
   bool write_docs = false;
   app.add_option("--out", folder, "folder for the figure")->capture_default_str();
-  app.add_flag("--write-docs", write_docs, "also bring docs/verification.md and its figure up to date");
+  app.add_flag("--write-docs", write_docs, "also bring docs/verification and its figure up to date");
   RandomModelsOptions random;
   bool only_random = false;
   app.add_option("--models", random.models, "number of random models, 0 for none")
@@ -190,17 +189,17 @@ int main(int argc, char** argv) {
   app.add_option("--csv", random.csv, "file for a row per random model and setting");
   app.add_flag("--only-random", only_random, "random models alone");
   return run_command(app, "moat bench accuracy", argc, argv, [&] {
-    const std::string documentation = write_docs ? MOAT_VERIFICATION : "";
+    const std::filesystem::path documentation = write_docs ? MOAT_VERIFICATION : "";
     if (!only_random) {
       run_all(folder, documentation);
       const std::string table = run_streets();
       std::printf("%s\n", table.c_str());
-      if (write_docs) replace_section(documentation, "streets", table);
+      if (write_docs) replace_section(documentation / "random_models.md", "streets", table);
     }
     if (random.models > 0) {
       const std::string tables = run_random_models(random);
       std::printf("%s\n", tables.c_str());
-      if (write_docs) replace_section(documentation, "random models", tables);
+      if (write_docs) replace_section(documentation / "random_models.md", "random models", tables);
     }
     return 0;
   });

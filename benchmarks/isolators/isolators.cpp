@@ -1,5 +1,5 @@
 // Isolators under given motions, against published measurements and comparisons: writes the tables of
-// docs/verification.md.
+// docs/verification/models.md.
 
 #include <CLI/CLI.hpp>
 
@@ -179,7 +179,7 @@ std::string friction_heating() {
 int main(int argc, char** argv) {
   CLI::App app{"Isolators under given motions, against measurements and other programs", "moat bench isolators"};
   bool write_docs = false;
-  app.add_flag("--write-docs", write_docs, "write the tables of docs/verification.md");
+  app.add_flag("--write-docs", write_docs, "write the tables of docs/verification/models.md");
   return moat::run_command(app, "moat bench isolators", argc, argv, [&] {
     const std::string lead = moat::lead_heating(), friction = moat::friction_heating();
     std::cout << lead << "\n" << friction;

@@ -15,16 +15,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// Processor, compiler and flags.
-std::string machine() {
-  std::string processor = "unknown processor";
-  std::ifstream info{"/proc/cpuinfo"};
-  for (std::string line; std::getline(info, line);)
-    if (line.starts_with("model name")) processor = line.substr(line.find(':') + 2);
-  return processor + ", " + std::to_string(std::thread::hardware_concurrency()) + " cores, GCC " __VERSION__ ", " +
-         MOAT_COMPILE_FLAGS;
-}
-
 // Its first digits, with "-dirty" behind them where files had been changed.
 std::string commit() {
   constexpr std::size_t digits = 40, shown = 7;
@@ -47,6 +37,15 @@ Json json_of(const Figure& figure) {
 }
 
 }  // namespace
+
+std::string machine() {
+  std::string processor = "unknown processor";
+  std::ifstream info{"/proc/cpuinfo"};
+  for (std::string line; std::getline(info, line);)
+    if (line.starts_with("model name")) processor = line.substr(line.find(':') + 2);
+  return processor + ", " + std::to_string(std::thread::hardware_concurrency()) + " cores, GCC " __VERSION__ ", " +
+         MOAT_COMPILE_FLAGS;
+}
 
 bool Figure::held() const {
   if (!target) return true;

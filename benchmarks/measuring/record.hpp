@@ -37,6 +37,8 @@ struct Figure {
   [[nodiscard]] bool held() const;
 };
 
+/// Processor, number of cores, compiler and flags.
+std::string machine();
 /// Three digits.
 std::string short_text(double value);
 /// Without its unit; "**missed**" behind it where a target is.

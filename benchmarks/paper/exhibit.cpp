@@ -56,14 +56,13 @@ std::string name_of(Verdict verdict) {
   return verdict == Verdict::holds ? "holds" : verdict == Verdict::partly ? "partly" : "does not hold";
 }
 
-void Exhibit::text(const std::string& paragraph) {
-  as_html += "<p>" + escaped(paragraph) + "</p>\n";
-  as_markdown += paragraph + "\n\n";
-}
+void Exhibit::text(const std::string& paragraph) { as_html += "<p>" + escaped(paragraph) + "</p>\n"; }
 
-void Exhibit::table(const ShownTable& table) {
-  as_html += html_table(table);
-  as_markdown += "**" + table.caption + "**\n\n" + markdown_table(table);
+void Exhibit::table(const ShownTable& table) { as_html += html_table(table); }
+
+void Exhibit::documented_table(const ShownTable& shown) {
+  table(shown);
+  as_markdown += "**" + shown.caption + "**\n\n" + markdown_table(shown);
 }
 
 void Exhibit::figure(const ShownFigure& figure) {
@@ -72,7 +71,6 @@ void Exhibit::figure(const ShownFigure& figure) {
   as_html += "<figure id=\"" + figure.name + "\">\n" +
              svg_text(figure.charts, figure_width, figure.panel_height, figure.columns) + "<figcaption>" +
              escaped(figure.caption) + "</figcaption></figure>\n";
-  as_markdown += "Figure `" + file + "`: " + figure.caption + "\n\n";
 }
 
 void Exhibit::numbers(const std::string& name, const Table& table) {
@@ -108,6 +106,7 @@ std::string Exhibit::html() const {
 }
 
 std::string Exhibit::markdown() const {
+  if (as_markdown.empty() && held() == assertions.size()) return "";
   std::string text = "### " + title + "\n\nComputed by `benchmarks/paper/" + source + ".cpp`.";
   if (!assertions.empty()) text += " " + counts();
   text += "\n\n";

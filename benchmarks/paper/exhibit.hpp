@@ -29,6 +29,7 @@ struct Finding {
   std::string criterion;  ///< the computed number that decides
   std::string found;      ///< numbers
   Verdict verdict;
+  std::string in_short{};  ///< takes the place of `found` in the documentation, where it is given
 };
 
 struct ShownFigure {
@@ -55,12 +56,15 @@ struct Exhibit {
   std::vector<Assertion> assertions{};
   std::size_t reported = 0;  ///< numbers that were put beside the paper's without a bound
   std::vector<Finding> findings{};
-  std::string skipped{};                 ///< why nothing of this was computed
-  std::string failure{};                 ///< the error with which it ended
-  std::string as_html{}, as_markdown{};  ///< texts, tables and figures
+  std::string skipped{};      ///< why nothing of this was computed
+  std::string failure{};      ///< the error with which it ended
+  std::string as_html{};      ///< texts, tables and figures
+  std::string as_markdown{};  ///< tables of the documentation
 
   void text(const std::string& paragraph);
   void table(const ShownTable& table);
+  /// Shows a table on the page and in the documentation.
+  void documented_table(const ShownTable& table);
   void figure(const ShownFigure& figure);
   /// Writes <name>.csv and names it on the page.
   void numbers(const std::string& name, const Table& table);
@@ -72,8 +76,9 @@ struct Exhibit {
   [[nodiscard]] std::size_t held() const;
   /// "30 asserted, 30 held."
   [[nodiscard]] std::string counts() const;
-  /// Its section of the page, and of the documentation.
+  /// Its section of the page.
   [[nodiscard]] std::string html() const;
+  /// Its section of the documentation; empty where it has no documented table and all assertions held.
   [[nodiscard]] std::string markdown() const;
 };
 
@@ -97,7 +102,7 @@ Totals totals_of(const std::vector<Exhibit>& exhibits);
 /// Writes <folder>/index.html, with all figures inside. Throws FileError.
 void write_page(const std::filesystem::path& folder, const std::vector<Exhibit>& exhibits);
 
-/// The tables, checks and findings as Markdown, with headings of third level.
+/// The documented tables, checks and findings in short as Markdown, with headings of third level.
 std::string documentation(const std::vector<Exhibit>& exhibits);
 
 // The tables and figures; those but table1 and pulse need the records.

@@ -203,7 +203,8 @@ void show_fig5(Exhibit& exhibit) {
                    "with walls over without: lowest floor or storey more than highest", found,
                    held == 4  ? Verdict::holds
                    : held > 0 ? Verdict::partly
-                              : Verdict::fails});
+                              : Verdict::fails,
+                   std::to_string(held) + " of 4 comparisons"});
 }
 
 }  // namespace moat::paper

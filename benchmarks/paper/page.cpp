@@ -26,8 +26,17 @@ figcaption, .note { font-size: 14px; color: #444; }
 ShownTable findings_of(const std::vector<Exhibit>& exhibits) {
   ShownTable table{"", {"where", "claim", "criterion", "found", "verdict"}, {}};
   for (const Exhibit& exhibit : exhibits)
-    for (const auto& [source, claim, criterion, found, verdict] : exhibit.findings)
-      table.rows.push_back({source, claim, criterion, found, name_of(verdict)});
+    for (const Finding& each : exhibit.findings)
+      table.rows.push_back({each.source, each.claim, each.criterion, each.found, name_of(each.verdict)});
+  return table;
+}
+
+ShownTable short_findings_of(const std::vector<Exhibit>& exhibits) {
+  ShownTable table{"", {"where", "claim", "found", "verdict"}, {}};
+  for (const Exhibit& exhibit : exhibits)
+    for (const Finding& each : exhibit.findings)
+      table.rows.push_back(
+          {each.source, each.claim, each.in_short.empty() ? each.found : each.in_short, name_of(each.verdict)});
   return table;
 }
 
@@ -75,10 +84,10 @@ std::string documentation(const std::vector<Exhibit>& exhibits) {
       "**" + totals_of(exhibits).in_words() +
       ".** Asserted are Table 1 against the laws its columns were computed with, the\n"
       "paper's building against peaks of an independent program, and the displacements and the number of impacts of\n"
-      "Table 2. Everything else stands beside the paper's number with its ratio.\n\n";
+      "Table 2. All other numbers and all figures are on the page that the command makes.\n\n";
   for (const Exhibit& exhibit : exhibits) text += exhibit.markdown();
   text += std::string{"### Claims of the paper, and findings of moat\n\n"} + about_findings + "\n\n" +
-          markdown_table(findings_of(exhibits));
+          markdown_table(short_findings_of(exhibits));
   while (text.ends_with("\n\n")) text.pop_back();
   return text;
 }

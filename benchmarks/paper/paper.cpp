@@ -90,7 +90,7 @@ int main(int argc, char** argv) {
   std::vector<std::string> ids;
   for (const Entry& entry : entries) ids.emplace_back(entry.id);
   app.add_option("--only", only, "one table or figure alone")->check(CLI::IsMember(ids));
-  app.add_flag("--write-docs", write_docs, "also bring docs/verification.md up to date");
+  app.add_flag("--write-docs", write_docs, "also bring docs/verification/paper.md up to date");
   app.add_flag("--coarse", coarse, "five points per curve, to try the page");
   app.footer(
       "Recorded motions are looked for in the folder MOAT_RECORDS; exhibits that need them are skipped without.\n"

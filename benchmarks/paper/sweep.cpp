@@ -127,7 +127,8 @@ void judge_motions(Exhibit& exhibit, const SweepResult& result, const Claim& cla
         (found.empty() ? "" : "; ") + result.labels[motion] + (each.holds ? " yes" : " no") + " (" + each.number + ")";
   }
   const Verdict verdict = held == result.labels.size() ? Verdict::holds : held > 0 ? Verdict::partly : Verdict::fails;
-  exhibit.finding({claim.source, claim.text, claim.criterion, found, verdict});
+  exhibit.finding({claim.source, claim.text, claim.criterion, found, verdict,
+                   std::to_string(held) + " of " + std::to_string(result.labels.size()) + " records"});
 }
 
 }  // namespace moat::paper

@@ -1,17 +1,29 @@
-// The five-storey building in its moat, and the motions that shake it.
+// A model that both programs compute, the five-storey building in its moat, and the motions that shake it.
 #pragma once
 
 #include <moat.hpp>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "measuring/five_peaks.hpp"
 #include "paper/paper_building.hpp"
 #include "paper/records.hpp"
 
 namespace moat::peers {
 
+using namespace units;
+
 inline AnalysisState at_rest(const Model& model) { return AnalysisState{model}; }
+
+/// The five values by which a model is judged.
+enum class Compared {
+  impacts,  ///< displacements and absolute accelerations of base and top, and the force of gaps or of the first storey
+  isolation,  ///< displacements of both, velocity of the base, acceleration of the top, and shear of the first storey
+  plan,       ///< base: displacements along x and y; top: absolute accelerations along x and y; base: rotation
+  rebounds,   ///< velocities at the end of the five nodes from base to top, m/s
+};
 
 /// A model with the nodes whose peaks are compared, and its motion from start(model) up to `end`, s.
 struct Case {
@@ -21,6 +33,8 @@ struct Case {
   GroundMotion motion;
   double end;
   AnalysisState (*start)(const Model&) = at_rest;
+  Compared compared = Compared::impacts;
+  std::optional<performance::Peaks> exact{};  ///< where a closed form gives them
 };
 
 /// The building of benchmarks/paper in its moat of 10 cm, over a whole motion.

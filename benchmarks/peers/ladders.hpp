@@ -27,14 +27,18 @@ struct Ladder {
 };
 
 struct Cost {
-  std::string name;             ///< of the ladder
-  std::string settings;         ///< the two between which the error is read off
-  std::vector<double> seconds;  ///< for this error, in every round; empty where no setting is so exact
+  std::string name;              ///< of the ladder
+  std::string settings;          ///< the two between which the error is read off
+  std::vector<double> seconds;   ///< for this error, in every round; empty where no setting is so exact
+  std::vector<double> errors{};  ///< of the settings that were tried
 };
 
-/// The costs of an error, relative to the reference. Every setting runs once; the settings between which the error is
-/// read off (error_curve.hpp) then run in turns, `rounds` >= 1 rounds after one to warm up. Neighbouring ladders with
-/// one name count as one, the cheapest.
+/// Whether the median of `a` is the smaller one; a cost without times is dear.
+bool cheaper(const Cost& a, const Cost& b);
+
+/// The costs of an error, relative to the reference. Every setting runs once, up to two that are three times as exact;
+/// the settings between which the error is read off (error_curve.hpp) then run in turns, `rounds` >= 1 rounds after one
+/// to warm up. Neighbouring ladders with one name count as one, the cheapest.
 std::vector<Cost> costs(const std::vector<Ladder>& ladders, const performance::Peaks& reference, double error,
                         int rounds);
 

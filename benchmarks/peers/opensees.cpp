@@ -1,10 +1,12 @@
 #include "peers/opensees.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdlib>
 #include <fstream>
 #include <iomanip>
+#include <span>
 #include <sstream>
 
 #include "base/error.hpp"
@@ -43,26 +45,37 @@ std::optional<OpenSees> OpenSees::find(const std::filesystem::path& folder) {
   return OpenSees{program, folder};
 }
 
-OpenSeesRun OpenSees::run(const AnalysisState& start, const GroundMotion& motion, double step, double end,
-                          const OpenSeesSetting& setting, NodeId base, NodeId top) const {
-  const std::filesystem::path model_file = folder_ / "model.tcl", motion_file = folder_ / "motion.txt",
-                              messages = folder_ / "opensees_messages.txt";
+OpenSeesRun OpenSees::run(const AnalysisState& start, const Case& of, double step,
+                          const OpenSeesSetting& setting) const {
+  const std::filesystem::path model_file = folder_ / "model.tcl", messages = folder_ / "opensees_messages.txt";
   std::ofstream tcl = opened(model_file);
-  const std::vector<int> tags = write_opensees_model(start, tcl);
+  std::vector<int> tags;
+  if (of.model.is_plan())
+    write_opensees_plan(of.model, tcl);
+  else
+    tags = write_opensees_model(start, setting, tcl);
   finish(tcl, model_file);
-  std::ofstream samples = opened(motion_file);
-  samples << std::setprecision(17);
-  for (const double sample : motion.samples()) samples << sample << '\n';
-  finish(samples, motion_file);
+  const GroundMotion& motion = of.motion;
+  std::string motions;
+  for (const std::span<const double> component : {motion.samples(), motion.samples_y()}) {
+    if (component.empty()) continue;
+    const std::filesystem::path file = folder_ / ("motion_" + std::to_string(motions.empty() ? 1 : 2) + ".txt");
+    std::ofstream samples = opened(file);
+    samples << std::setprecision(17);
+    for (const double sample : component) samples << sample << '\n';
+    finish(samples, file);
+    motions += "{" + file.string() + "} ";
+  }
 
-  std::ostringstream command, gaps;
-  for (const int tag : tags) gaps << tag << ' ';
-  const long count = std::lround(std::min(end, motion.duration()) / step);
+  constexpr std::array compared{"impacts", "isolation", "plan", "rebounds"};
+  std::ostringstream command, elements;
+  for (const int tag : tags) elements << tag << ' ';
+  const long count = std::lround(std::min(of.end, motion.duration()) / step);
   command << std::setprecision(17) << shell_quoted(program_) << ' ' << shell_quoted(MOAT_OPENSEES_HISTORY) << ' '
-          << shell_quoted(model_file.string()) << ' ' << shell_quoted(motion_file.string()) << ' ' << motion.time_step()
-          << ' ' << step << ' ' << count << ' ' << setting.name << ' ' << shell_quoted((folder_ / "peaks").string())
-          << ' ' << base.index + 1 << ' ' << top.index + 1 << ' ' << shell_quoted(gaps.str()) << " 2>"
-          << shell_quoted(messages.string());
+          << shell_quoted(model_file.string()) << ' ' << shell_quoted(motions) << ' ' << motion.time_step() << ' '
+          << step << ' ' << count << ' ' << setting.name << ' ' << shell_quoted((folder_ / "peaks").string()) << ' '
+          << compared.at(static_cast<std::size_t>(of.compared)) << ' ' << of.base.index + 1 << ' ' << of.top.index + 1
+          << ' ' << shell_quoted(elements.str()) << " 2>" << shell_quoted(messages.string());
   performance::output_of(command.str());
 
   std::ifstream printed{messages};
@@ -79,6 +92,13 @@ OpenSeesRun OpenSees::run(const AnalysisState& start, const GroundMotion& motion
   throw Error{"OpenSees printed no result; see " + messages.string() + "."};
 }
 
+std::string OpenSees::version() const {
+  std::istringstream banner{performance::output_of("echo exit | " + shell_quoted(program_) + " 2>&1")};
+  for (std::string line; std::getline(banner, line);)
+    if (const std::size_t begin = line.find("Version"); begin != std::string::npos) return line.substr(begin);
+  throw Error{program_ + " does not name its version."};
+}
+
 const std::vector<OpenSeesSetting>& opensees_settings() {
   static const std::vector<OpenSeesSetting> list{
       {"textbook", "Newmark, Newton, test on displacements"},
@@ -90,16 +110,18 @@ const std::vector<OpenSeesSetting>& opensees_settings() {
 
 History opensees_history(const OpenSees& opensees, const Case& of, const OpenSeesSetting& setting, double step) {
   const Transient at_start{of.model, of.motion, of.start(of.model)};
-  const OpenSeesRun run = opensees.run(at_start.state(), of.motion, step, of.end, setting, of.base, of.top);
+  const OpenSeesRun run = opensees.run(at_start.state(), of, step, setting);
   History history{{}, run.cpu_seconds};
   if (run.solved && run.peaks.size() == history.peaks.size()) std::ranges::copy(run.peaks, history.peaks.begin());
   return history;
 }
 
 Ladder opensees_ladder(const std::string& name, const OpenSees& opensees, const Case& of,
-                       const OpenSeesSetting& setting) {
+                       const OpenSeesSetting& setting, bool finer) {
   Ladder ladder{name, {}};
-  for (const int divisions : {1, 2, 3, 4, 5, 8, 12, 20})
+  std::vector<int> list{1, 2, 3, 4, 5, 8, 12, 20};
+  if (finer) list.insert(list.end(), {32, 50, 80});
+  for (const int divisions : list)
     ladder.settings.push_back(
         {setting.description + ", interval/" + std::to_string(divisions), [&opensees, &of, setting, divisions] {
            return opensees_history(opensees, of, setting, of.motion.time_step() / divisions);

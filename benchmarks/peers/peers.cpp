@@ -13,10 +13,15 @@
 #include "measuring/measure.hpp"
 #include "measuring/record.hpp"
 #include "measuring/street.hpp"
-#include "output/peaks/peak_recorder.hpp"
+#include "peers/bouc_wen.hpp"
 #include "peers/building.hpp"
+#include "peers/contest.hpp"
 #include "peers/ladders.hpp"
+#include "peers/moat_histories.hpp"
 #include "peers/opensees.hpp"
+#include "peers/pendulum.hpp"
+#include "peers/plan.hpp"
+#include "peers/rebound.hpp"
 
 namespace moat::peers {
 namespace {
@@ -31,41 +36,10 @@ NodeId node_named(const Model& model, const std::string& name) {
   throw InputError{"The model has no node " + name + "."};
 }
 
-History moat_history(const Case& of, TransientOptions options) {
-  options.end = of.end * s;
-  AnalysisState at_start = of.start(of.model);
-  const double start = performance::seconds();
-  Transient analysis{of.model, of.motion, std::move(at_start), options};
-  PeakRecorder recorder{of.model};
-  analysis.attach(recorder);
-  analysis.run();
-  History history{{}, performance::seconds() - start};
-  const std::string base{of.model.node_name(of.base)}, top{of.model.node_name(of.top)};
-  for (const Peak& peak : recorder.peaks()) {
-    const bool of_base = peak.where == base, of_top = peak.where == top;
-    if (peak.quantity == "displacement" && (of_base || of_top)) history.peaks[of_base ? 0 : 1] = peak.magnitude();
-    if (peak.quantity == "absolute_acceleration" && (of_base || of_top))
-      history.peaks[of_base ? 2 : 3] = peak.magnitude();
-    if (peak.quantity == "impact_force") history.peaks[4] = std::max(history.peaks[4], peak.magnitude());
-  }
-  return history;
-}
-
-// Contacts are divided in step with the tolerance.
-Ladder moat_ladder(const Case& of, const std::string& name, Integrator integrator) {
-  Ladder ladder{name, {}};
-  for (const int steps : {4, 6, 8, 11, 16, 23, 32, 45, 64})
-    ladder.settings.push_back(
-        {std::to_string(steps) + " steps per contact", [&of, integrator, steps] {
-           const double tolerance = std::min(0.12 / (static_cast<double>(steps) * steps), 1e-2);
-           return moat_history(of, {.integrator = integrator, .tolerance = tolerance, .steps_per_contact = steps});
-         }});
-  return ladder;
-}
-
 struct Options {
   std::filesystem::path records, folder = "results/peers";
   int rounds = 9;
+  std::vector<std::string> only = {"building", "rebound", "models", "street"};
 };
 
 std::vector<Case> buildings(const Options& options) {
@@ -78,39 +52,27 @@ std::vector<Case> buildings(const Options& options) {
   return cases;
 }
 
-void compare_buildings(performance::Record& record, const OpenSees& opensees, const Options& options) {
-  record.section("peers-building");
-  constexpr double error = 1e-3;
-  const std::vector<Case> cases = buildings(options);
-  std::vector<std::string> header{"CPU time in ms for an error of 0.1 %"};
-  for (const Case& each : cases) header.push_back(each.name);
-  performance::Table table{header};
-  for (const Case& each : cases) {
-    std::vector<Ladder> ladders{moat_ladder(each, "moat adaptive", Newmark{}),
-                                moat_ladder(each, "moat --integrator automatic", Automatic{})};
-    for (const OpenSeesSetting& setting : opensees_settings())
-      ladders.push_back(opensees_ladder("OpenSees, " + setting.description, opensees, each, setting));
-    const Peaks reference = moat_history(each, {.tolerance = 1e-8, .steps_per_contact = 2048}).peaks;
-    const std::vector<Cost> found = costs(ladders, reference, error, options.rounds);
-    const Cost& first = found.front();
-    for (const Cost& cost : found) {
-      if (cost.seconds.empty()) {
-        record.note(each.name + ", " + cost.name + ": no setting that was tried is as exact as 0.1 %.");
-        continue;
-      }
-      const Figure& figure = record.add(
-          {each.name + ", " + cost.name, performance::scaled(performance::spread_of(cost.seconds), 1e3), "ms"});
-      table.put(cost.name, each.name, performance::cell(figure));
-      if (&cost == &first || first.seconds.empty()) continue;
-      const Figure& ratio = record.add(
-          {each.name + ", " + cost.name + " / " + first.name, performance::ratio_of(cost.seconds, first.seconds)});
-      table.put("ratio of " + cost.name + " to " + first.name, each.name, performance::cell(ratio));
-    }
+// The models of isolators and storeys, under the pulse and two records; in plan, where OpenSees is slowest, one.
+std::vector<Case> models(const Options& options) {
+  std::vector<Case> cases;
+  for (const auto& [name, motion] : motions(!options.records.empty())) {
+    if (name == "WVC270") continue;
+    cases.push_back(on_pendulums(name + ", friction pendulums", motion));
+    if (name == "pulse")
+      cases.push_back(on_pendulums(name + ", the same by the base's acceleration too", motion, Compared::impacts));
+    if (name != "GBZ000") cases.push_back(on_bearings_in_plan(name + ", LRB in plan", motion));
+    cases.push_back(bouc_wen_storeys(name + ", Bouc-Wen storeys", motion));
   }
-  record.table(table);
+  return cases;
 }
 
-void compare_streets(performance::Record& record, const OpenSees& opensees, const Options& options) {
+std::vector<Case> rebound_cases() {
+  return {rebounds("rebound, Hertz-damp", hertz_damp()),
+          rebounds("rebound, bilinear", BilinearImpact::from_stiffnesses(1 * GN / m, 0.25 * GN / m, 5 * mm))};
+}
+
+std::vector<Outcome> compare_streets(performance::Record& record, const OpenSees& opensees, const Options& options) {
+  std::vector<Outcome> outcomes;
   record.section("peers-street");
   constexpr double end = 1.0, step = 0.0025;  // s
   performance::Table table{
@@ -141,8 +103,18 @@ void compare_streets(performance::Record& record, const OpenSees& opensees, cons
           {size + ", " + all[i].name + ", largest error of five peaks", performance::single(100.0 * errors[i]), "%"});
       table.put(all[i].name, size + ", error", performance::cell(error) + " %");
     }
+    Outcome& outcome = outcomes.emplace_back(Outcome{"street, " + size});
+    outcome.textbook = performance::ratio_of(seconds[1], seconds[0]);
+    std::size_t best = 1;
+    for (std::size_t i = 2; i < all.size(); ++i)
+      if (performance::spread_of(seconds[i]).median < performance::spread_of(seconds[best]).median) best = i;
+    outcome.best = performance::ratio_of(seconds[best], seconds[0]);
+    outcome.best_setting = opensees_settings()[best - 1].description;
+    outcome.remark = "errors " + performance::short_text(100.0 * errors[best]) + " % and " +
+                     performance::short_text(100.0 * errors[0]) + " %";
   }
   record.table(table);
+  return outcomes;
 }
 
 int run(const Options& options, bool write_docs) {
@@ -155,9 +127,28 @@ int run(const Options& options, bool write_docs) {
   }
   if (write_docs && options.records.empty())
     throw InputError{"--write-docs needs the recorded motions (MOAT_RECORDS)."};
+  const char* commit = std::getenv("OPENSEES_COMMIT");
+  const std::string version = "OpenSees " + opensees->version() + ", " +
+                              (commit != nullptr ? std::string{"commit "} + commit : "commit unknown");
+  std::printf("%s\n%s\n", version.c_str(), performance::machine().c_str());
   performance::Record record;
-  compare_buildings(record, *opensees, options);
-  compare_streets(record, *opensees, options);
+  std::vector<Outcome> outcomes;
+  const auto append = [&](const std::vector<Outcome>& more) {
+    outcomes.insert(outcomes.end(), more.begin(), more.end());
+  };
+  const auto asked = [&](const char* part) { return std::ranges::find(options.only, part) != options.only.end(); };
+  if (asked("building"))
+    append(compare(record, *opensees, buildings(options),
+                   {.section = "peers-building", .rounds = options.rounds, .textbook = 35.0, .best = 10.0}));
+  if (asked("rebound"))
+    append(compare(record, *opensees, rebound_cases(),
+                   {.section = "peers-rebound", .rounds = options.rounds, .finer = true}));
+  if (asked("models"))
+    append(compare(record, *opensees, models(options),
+                   {.section = "peers-models", .rounds = options.rounds, .finer = true}));
+  if (asked("street")) append(compare_streets(record, *opensees, options));
+  summarise(record, outcomes);
+  record.note(version + ".");
   record.write(options.folder);
   if (write_docs) record.write_documentation(MOAT_PERFORMANCE_DOCUMENT);
   std::printf("\nNumbers: %s\n", options.folder.c_str());
@@ -171,13 +162,17 @@ int main(int argc, char** argv) {
   CLI::App app{"moat beside OpenSees on the same models, in turns", "moat bench peers"};
   app.footer(
       "OpenSees is the program that OPENSEES names, else `OpenSees` on the path. It is given moat's own models,\n"
-      "written in Tcl, and the steps that benchmarks/peers/history.tcl describes. Without it nothing is compared.");
+      "written in Tcl, and the steps that benchmarks/peers/history.tcl describes. OPENSEES_COMMIT names the commit it "
+      "was\n"
+      "built from. Without OpenSees nothing is compared.");
   moat::peers::Options options;
   bool write_docs = false;
   app.add_option("--out", options.folder, "folder for the figures and OpenSees' files")->capture_default_str();
   app.add_option("--rounds", options.rounds, "interleaved rounds whose median counts")
       ->capture_default_str()
       ->check(CLI::Range(1, 1000));
+  app.add_option("--only", options.only, "building, rebound, models, street: some of them")
+      ->check(CLI::IsMember(moat::peers::Options{}.only));
   app.add_flag("--write-docs", write_docs, "also bring docs/performance.md up to date");
   return moat::run_command(app, "moat bench peers", argc, argv, [&] {
     if (const char* records = std::getenv("MOAT_RECORDS")) options.records = records;

@@ -17,7 +17,7 @@ namespace moat {
 class ContactLog {
  public:
   ContactLog() = default;
-  /// All open.
+  /// All contacts are open at first.
   explicit ContactLog(std::size_t count) : contacts_(count) {}
 
   /// A contact enters a phase: notes in `change`, which has the rate of indentation, whether it touched or opened.

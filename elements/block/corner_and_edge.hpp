@@ -49,10 +49,11 @@ struct CornerAndEdge {
   [[nodiscard]] double difference(const double* v) const { return ends.along().difference(v); }  ///< Along n.
   void add_force(double force, double* forces) const { ends.along().add_force(force, forces); }  ///< Along n.
 
-  /// As NodePair::Slots.
+  /// Stands for NodePair::Slots in plan.
   struct Slots {
     PlanEnds::Slots both;  ///< along n and t
 
+    /// Finds the places of the ends in the matrix.
     Slots(const CornerAndEdge& corner, const SparseMatrix& matrix) : both{corner.ends, matrix} {}
     /// Adds a stiffness along the normal, N/m.
     void add_stiffness(const CornerAndEdge& corner, double stiffness, double* values) const {

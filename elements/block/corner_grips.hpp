@@ -23,15 +23,17 @@ struct CornerGripEnergy {
   double stored_at_start = 0.0;  ///< in the tangential spring when the account started
 
   /// Adds a step of `step` s between these grips; 0: the same instant again, after a change of the normal force.
-  void add_step(const CornerGrip& start, const CornerGrip& now, ContactFriction law, double step, WorkRule rule) {
+  void add_step(const CornerGrip& start, const CornerGrip& now, double step, WorkRule rule) {
     if (step == 0.0) {
       // Where the normal force jumped down, the grip gives up its energy.
-      friction += std::max(start.stored(law) - now.stored(law), 0.0);
+      friction += std::max(start.stored() - now.stored(), 0.0);
       return;
     }
     if (start.force == 0.0 && now.force == 0.0) return;
     const double mean = 0.5 * (start.force + now.force);
-    friction += mean * (now.slip - start.slip);
+    // The work of the mean force less the change of k_t stretch^2/2.
+    friction += mean * (now.slip - start.slip) +
+                0.5 * (start.spring - now.spring) * (start.path - start.slip) * (now.path - now.slip);
     work += mean * (now.path - start.path);
     if (rule == WorkRule::mean_force) return;
     // The power is smooth but for kinks: the trapezoidal rule with its correction by the rates at the ends.
@@ -58,19 +60,24 @@ class CornerGrips {
   }
 
   /// After the normal forces, N: the friction at a trial state; adds it to `force` unless that is null. Corners that
-  /// miss their edges stay open in `motion`. Returns whether tangents changed.
+  /// miss their edges stay open in `motion`. `at_rest(i, d)` is the response of a normal law at an indentation, m, and
+  /// zero rate. Returns whether tangents changed.
+  template <class AtRest>
   bool evaluate(double step, const double* displacement, const double* velocity,
                 const std::vector<double>& normal_forces, const ContactLog& contacts, LinkMotion<double>& motion,
-                double* force) {
+                double* force, AtRest at_rest) {
     bool changed = false;
     for (std::size_t i = 0; i < corners_.size(); ++i) {
       Corner& corner = corners_[i];
       const WeightedEnds& across = corner.geometry.ends.across();
-      const double stiffness = corner.now.stiffness(corner.friction());
+      const double stiffness = corner.now.stiffness;
       corner.now.path = across.difference(displacement);
       corner.now.rate = across.difference(velocity);
-      corner.now.follow(corner.start, step, corner.friction(), normal_forces[i]);
-      changed |= stiffness != corner.now.stiffness(corner.friction()) || corner.now.follows > 0.0;
+      ElasticNormal elastic;
+      if (corner.friction().tangential_ratio > 0.0 && normal_forces[i] > 0.0)
+        elastic = elastic_normal([&](double d) { return at_rest(i, d); }, motion.deformations[i], motion.rates[i]);
+      corner.now.follow(corner.start, step, corner.friction(), normal_forces[i], elastic);
+      changed |= stiffness != corner.now.stiffness || corner.now.follows > 0.0;
       if (force != nullptr && corner.now.force != 0.0) across.add_force(corner.now.force, force);
       corner.gap = {-motion.deformations[i], -motion.rates[i]};
       if (corner.misses && !contacts.touching(i)) {
@@ -96,19 +103,21 @@ class CornerGrips {
   /// Along n and t, from the weighted tangent of the normal force, N/m.
   [[nodiscard]] PlanMatrix tangent(std::size_t i, double normal, double displacement_weight) const {
     const Corner& corner = corners_[i];
-    return {normal, 0.0, corner.now.follows * corner.now.sense * corner.friction().coefficient * normal,
-            displacement_weight * corner.now.stiffness(corner.friction())};
+    return {normal, 0.0,
+            corner.now.follows * corner.now.sense * corner.friction().coefficient * normal +
+                displacement_weight * corner.now.by_indentation,
+            displacement_weight * corner.now.stiffness};
   }
   /// Whether one of them begins to slide in the trial step.
   [[nodiscard]] bool begin_to_slide() const {
     return std::ranges::any_of(corners_, [](const Corner& each) { return each.now.begins_to_slide(each.start); });
   }
 
-  /// As ElementStates::commit(); before the contacts change.
+  /// Commits the grips as ElementStates::commit() does; before the contacts change.
   void commit(double step, WorkRule rule, bool keeps_energy, const ContactLog& contacts) {
     for (std::size_t i = 0; i < corners_.size(); ++i) {
       Corner& corner = corners_[i];
-      if (keeps_energy) corner.energy.add_step(corner.start, corner.now, corner.friction(), step, rule);
+      if (keeps_energy) corner.energy.add_step(corner.start, corner.now, step, rule);
       // An open corner beyond an end misses the edge. If it then moves behind the line of the edge, it misses the edge
       // until it is in front of the line again.
       const bool behind = corner.misses && corner.gap.value < 0.0;
@@ -117,18 +126,18 @@ class CornerGrips {
       corner.start = corner.now;
     }
   }
-  /// As ElementStates::start_energy_accounts().
+  /// Starts the accounts as ElementStates::start_energy_accounts() does.
   void start_energy_accounts() {
     for (Corner& corner : corners_) {
       corner.start = corner.now;
-      corner.energy = {.stored_at_start = corner.now.stored(corner.friction())};
+      corner.energy = {.stored_at_start = corner.now.stored()};
     }
   }
   /// Adds that of friction.
   void add_energy(std::size_t i, ElementEnergy& energy) const {
     const Corner& corner = corners_[i];
     energy.work += corner.energy.work;
-    energy.stored += corner.start.stored(corner.friction()) - corner.energy.stored_at_start;
+    energy.stored += corner.start.stored() - corner.energy.stored_at_start;
     energy.friction = corner.energy.friction;
   }
 
@@ -145,7 +154,7 @@ class CornerGrips {
       scan.fraction = std::min(scan.fraction, std::clamp((before - aim) / (before - margin), 0.0, 1.0));
     }
   }
-  /// As ElementStates::next_fall(), of these margins.
+  /// Answers as ElementStates::next_fall(), for these margins.
   [[nodiscard]] double next_fall(double aim, const ContactLog& contacts) const {
     double first = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < corners_.size(); ++i) {
@@ -179,9 +188,12 @@ class CornerGrips {
   [[nodiscard]] double shortest_contact(const ContactLog& contacts) const {
     double shortest = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < corners_.size(); ++i)
-      if (const Corner& corner = corners_[i]; contacts.touching(i) && corner.friction().coefficient > 0.0)
-        shortest = std::min(shortest, std::numbers::pi * std::sqrt(corner.geometry.tangential_mass /
-                                                                   corner.friction().tangential_stiffness));
+      if (const Corner& corner = corners_[i]; contacts.touching(i) && corner.friction().coefficient > 0.0) {
+        // Also before the first evaluation in contact, where a constant spring is known.
+        const double spring = std::max(corner.now.spring, corner.friction().tangential_stiffness);
+        if (spring > 0.0)
+          shortest = std::min(shortest, std::numbers::pi * std::sqrt(corner.geometry.tangential_mass / spring));
+      }
     return shortest;
   }
   /// Completes the view of a contact.
@@ -199,6 +211,17 @@ class CornerGrips {
   }
 
  private:
+  // The normal contact at rest, with the slope of its stiffness by central differences.
+  template <class AtRest>
+  static ElasticNormal elastic_normal(AtRest at_rest, double indentation, double rate) {
+    const Response here = at_rest(indentation);
+    ElasticNormal normal{indentation, rate, here.force, here.stiffness};
+    constexpr double width = 1e-4;  // of the indentation: of the root of a Hertz contact it gives 9 digits
+    if (const double h = width * indentation; h > 0.0)
+      normal.curvature = (at_rest(indentation + h).stiffness - at_rest(indentation - h).stiffness) / (2.0 * h);
+    return normal;
+  }
+
   struct Corner {
     CornerAndEdge geometry;
     CornerGrip now{}, start{};                                      // at the last evaluate(), and at the last commit

@@ -108,27 +108,28 @@ class EndsOf {
     return mass.mobility(indices, weights, weights);
   }
 
-  /// As NodePair.
+  /// Couples all degrees of freedom with each other, as NodePair does.
   void add_couplings(Couplings& couplings) const {
     for (const Term& a : terms_)
       for (const Term& b : terms_) couplings.couple(a.index, b.index);
   }
   /// Nothing to do: the ground is never among the degrees of freedom.
   void put_ground_at(int) {}
-  /// As NodePair.
+  /// Returns the weighted sum of the values, as NodePair does.
   [[nodiscard]] Weight difference(const double* values) const {
     Weight sum{};
     for (const Term& term : terms_) sum += values[term.index] * term.weight;
     return sum;
   }
-  /// As NodePair.
+  /// Adds the force by its weights, as NodePair does.
   void add_force(Weight force, double* forces) const {
     for (const Term& term : terms_) forces[term.index] += dot(term.weight, force);
   }
 
-  /// As NodePair::Slots.
+  /// Stands for NodePair::Slots.
   class Slots {
    public:
+    /// Finds the places of the ends in the matrix.
     Slots(const EndsOf& ends, const SparseMatrix& matrix) {
       for (const Term& row : ends.terms_)
         for (const Term& column : ends.terms_) positions_.push_back(entry_position(matrix, row.index, column.index));

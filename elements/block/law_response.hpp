@@ -38,7 +38,14 @@ ResponseOf<Law> respond_over(const Law& law, const typename Law::State& committe
     return respond(law, committed, now.deformation, now.rate, {length, start.deformation, start.rate}, trial, axial);
 }
 
-/// Keeps a response, number by number: a copy of the whole from memory that was just written so stalls.
+/// Evaluates the law of a contact at zero rate.
+template <class Law>
+Response respond_at_rest(const Law& law, const typename Law::State& committed, double indentation) {
+  typename Law::State after;
+  return law.evaluate(committed, indentation, 0.0, after);
+}
+
+/// Keeps a response, number by number: to copy the whole would read memory that was just written, and stall.
 template <class Law>
 void keep(const Response& answer, Response& kept) {
   kept.force = answer.force;
@@ -46,6 +53,7 @@ void keep(const Response& answer, Response& kept) {
   kept.damping = answer.damping;
   if constexpr (AxialForceLaw<Law>) kept.by_compression = answer.by_compression;
 }
+/// Keeps a response of two components.
 template <class Law, std::derived_from<PlanarResponse> Any>
 void keep(const Any& answer, Any& kept) {
   kept = answer;
@@ -72,10 +80,12 @@ VectorOf<Law> rate_of_force([[maybe_unused]] const Law& law, [[maybe_unused]] co
 
 /// The size of a stiffness, N/m; in plan the root of the sum of squares.
 inline double norm(double stiffness) { return std::abs(stiffness); }
+/// Returns the root of the sum of squares.
 inline double norm(PlanMatrix a) { return std::sqrt(a.xx * a.xx + a.xy * a.xy + a.yx * a.yx + a.yy * a.yy); }
 
 /// A force with one component as it is, of one with two the length, N.
 inline double value_or_length(double force) { return force; }
+/// Returns the length of a force in plan.
 inline double value_or_length(PlanVector force) { return length(force); }
 
 }  // namespace moat

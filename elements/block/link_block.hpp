@@ -44,15 +44,27 @@ class LinkBlock final : public ElementBlock {
     ends_.push_back(ends);
     effective_masses_.push_back(effective_mass);
   }
-  /// As above, between the nodes of `info`.
+  /// Adds an element between the nodes of `info`.
   void add(ElementInfo info, const Law& law,
            double effective_mass = 0.0) requires std::constructible_from<Ends, const ElementInfo&> {
     const Ends ends{info};
     add(std::move(info), law, ends, effective_mass);
   }
 
-  [[nodiscard]] const std::vector<Law>& laws() const { return laws_; }                       ///< As added.
-  [[nodiscard]] const std::vector<Ends>& ends() const { return ends_; }                      ///< As added.
+  /// Puts another law of the type in the place of that of an element, with another description. States that were made
+  /// before do not follow.
+  void replace(std::size_t e, ElementInfo info, const Law& law) {
+    infos_[e] = std::move(info);
+    laws_[e] = law;
+  }
+  /// Replaces the law, and the ends by others between the same bodies.
+  void replace(std::size_t e, ElementInfo info, const Law& law, const Ends& ends) {
+    replace(e, std::move(info), law);
+    ends_[e] = ends;
+  }
+
+  [[nodiscard]] const std::vector<Law>& laws() const { return laws_; }   ///< In the order in which they were added.
+  [[nodiscard]] const std::vector<Ends>& ends() const { return ends_; }  ///< In the order in which they were added.
   [[nodiscard]] double effective_mass(std::size_t e) const { return effective_masses_[e]; }  ///< kg.
 
   std::unique_ptr<ElementBlock> clone() const override { return std::make_unique<LinkBlock>(*this); }

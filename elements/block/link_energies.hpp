@@ -29,7 +29,7 @@ template <class Law>
 class LinkEnergies {
  public:
   using State = typename Law::State;  ///< History of one element.
-  using Vector = VectorOf<Law>;       ///< Of deformations and forces.
+  using Vector = VectorOf<Law>;       ///< Deformations and forces.
 
   /// Whether the law computes its dissipation from its states: it slides, independent of the rate.
   static constexpr bool hysteretic = requires(const Law& law, const State& state) {

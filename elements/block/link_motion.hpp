@@ -55,6 +55,7 @@ inline HermiteQuintic path_between(const LinkMotion<double>& start, const LinkMo
           end.second_rates[link],
           step};
 }
+/// Returns the path of a link in plan.
 inline PlanPath path_between(const LinkMotion<PlanVector>& start, const LinkMotion<PlanVector>& end, std::size_t link,
                              double step) {
   const PlanVector d0 = start.deformations[link], v0 = start.rates[link], a0 = start.second_rates[link],
@@ -73,6 +74,7 @@ inline HermiteCubic cubic_between(const LinkMotion<double>& start, const LinkMot
 inline double turning_point(double start_rate, double end_rate) {
   return start_rate * end_rate < 0.0 ? start_rate / (start_rate - end_rate) : 0.0;
 }
+/// Returns the fraction at which a motion in plan turns.
 inline double turning_point(PlanVector start_rate, PlanVector end_rate) {
   const PlanVector change = end_rate - start_rate;
   const double turn = -dot(start_rate, change) / dot(change, change);

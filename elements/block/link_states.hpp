@@ -34,10 +34,11 @@ class LinkStates final : public ElementStates {
   static constexpr bool takes_axial_force = LinkStep<Law>::takes_axial_force;
   // Energies alone need the motion at the last commit of such a law, and nobody the one before.
   static constexpr bool has_constant_tangents = !in_plan && LawWithConstantTangents<Law>;
-  // Its force has corners inside steps, which nobody locates.
+  // The force of such a law has corners inside steps, which nobody locates.
   static constexpr bool has_unlocated_corners = in_plan || !(has_constant_tangents || LawWithRegimes<Law>);
 
  public:
+  /// Makes the states of all links at rest.
   LinkStates(const Block& block, const SparseMatrix& matrix) : block_{&block}, ends_{block.ends()} {
     const std::size_t count = block.size();
     for (Ends& ends : ends_) {
@@ -90,7 +91,9 @@ class LinkStates final : public ElementStates {
       forces[i] = answer.force;
       if (force != nullptr) ends[i].add_force(answer.force, force);
     }
-    if constexpr (is_corner) changed |= grips_.evaluate(step, displacement, velocity, forces_, contacts_, now_, force);
+    if constexpr (is_corner)
+      changed |= grips_.evaluate(step, displacement, velocity, forces_, contacts_, now_, force,
+                                 [&](std::size_t i, double d) { return respond_at_rest(laws[i], committed[i], d); });
     return changed;
   }
 
@@ -211,14 +214,13 @@ class LinkStates final : public ElementStates {
   }
 
   void change([[maybe_unused]] std::size_t block_index, [[maybe_unused]] std::vector<RegimeChange>& changes) override {
-    if constexpr (is_corner) {
+    if constexpr (is_corner)
       for (std::size_t i = 0; i < ends_.size(); ++i) {
         if (!grips_.leaves_edge(i, contacts_)) continue;
         changes.push_back({.block = block_index, .element = i, .rate = start_.rates[i]});
         enter(i, {}, changes.back());
         grips_.leave_edge(i, start_);
       }
-    }
     if constexpr (has_regimes) {
       for (std::size_t i = 0; i < ends_.size(); ++i) {
         const double deformation = start_.deformations[i], rate = start_.rates[i];
@@ -236,15 +238,14 @@ class LinkStates final : public ElementStates {
   }
 
   ContactView contact([[maybe_unused]] std::size_t i) const override {
+    ContactView view;
     if constexpr (is_contact) {
-      ContactView view = contacts_.view(i, block_->effective_mass(i), committed_[i].approach_speed);
+      view = contacts_.view(i, block_->effective_mass(i), committed_[i].approach_speed);
       view.distance = -now_.deformations[i];
       view.distance_rate = -now_.rates[i];
-      if constexpr (is_corner) grips_.complete(i, view);
-      return view;
-    } else {
-      return {};
     }
+    if constexpr (is_corner) grips_.complete(i, view);
+    return view;
   }
 
   double shortest_contact() const override {
@@ -269,9 +270,9 @@ class LinkStates final : public ElementStates {
     if constexpr (is_contact) {
       const double mass = block_->effective_mass(i);
       if (contacts_.enter(i, next.phase, change)) {
-        // A gap that is closed at the start has no approach. Its law uses the speed of an elastic impact that reaches
-        // this depth. At a located touch the depth is so small that this speed is negligible.
-        committed_[i].approach_speed = std::max(next.approach_speed, std::sqrt(2.0 * stored(i) / mass));
+        // A gap that is closed at the start has no approach; its law uses the speed of an elastic impact of this depth.
+        if (const double speed = std::sqrt(2.0 * stored(i) / mass); speed > next.approach_speed)
+          committed_[i] = block_->laws()[i].next_regime({}, start_.deformations[i], speed);
         if constexpr (is_corner) grips_.touch(i);
       }
       if (contacts_.touching(i))

@@ -21,8 +21,10 @@ namespace moat {
 template <class Law>
 struct LinkStep {
   using State = typename Law::State;  ///< History of one link.
-  using Vector = VectorOf<Law>;       ///< Of deformations and forces.
+  using Vector = VectorOf<Law>;       ///< Deformations and forces.
+  /// The motion at one instant.
   using Motion = DeformationAndRate<Vector>;
+  /// Whether the law takes an axial force.
   static constexpr bool takes_axial_force = AxialForceLaw<Law> || PlanarAxialForceLaw<Law>;
 
   const std::vector<Law>& laws;         ///< of all links
@@ -40,7 +42,7 @@ struct LinkStep {
     if constexpr (takes_axial_force) return {end_axial.values[i], start_axial.rates[i]};
     return {};
   }
-  /// Its rate, N/s.
+  /// Returns the rate of the compression, N/s.
   [[nodiscard]] double compression_rate_at_end([[maybe_unused]] std::size_t i) const {
     if constexpr (takes_axial_force) return end_axial.rates[i];
     return 0.0;
@@ -76,7 +78,8 @@ struct LinkStep {
     }
   }
 
-  /// The margin of a law at an instant, from the committed state and the state there.
+  /// The margin of a law at an instant, from the committed state and the state there. It takes the compression of that
+  /// state, on one of equal laws.
   static double margin_at(const Law& law, const State& committed, [[maybe_unused]] const State& there,
                           double deformation, double rate) {
     if constexpr (MarginUnderAxialForce<Law>)
@@ -124,13 +127,13 @@ struct LinkStep {
   /// The time after the end, s, near which the margin of a link falls to `aim`; infinite if it does not.
   [[nodiscard]] double next_fall(std::size_t i, double aim) const {
     const double deformation = end.deformations[i], rate = end.rates[i], second_rate = end.second_rates[i];
-    // The state at that time, of laws that hold their compression in it.
-    State state = takes_axial_force ? trial[i] : committed[i];
+    State there;
     const auto margin_above_aim = [&](double time) {
-      if constexpr (takes_axial_force) state.compression = end_axial.values[i] + time * end_axial.rates[i];
-      return margin_at(laws[i], committed[i], state, deformation + time * (rate + 0.5 * time * second_rate),
-                       rate + time * second_rate) -
-             aim;
+      const Motion motion{deformation + time * (rate + 0.5 * time * second_rate), rate + time * second_rate};
+      if constexpr (takes_axial_force)
+        respond_over(laws[i], committed[i], motion, {start.deformations[i], start.rates[i]}, length + time,
+                     {end_axial.values[i] + time * end_axial.rates[i], start_axial.rates[i]}, there);
+      return margin_at(laws[i], committed[i], there, motion.deformation, motion.rate) - aim;
     };
     return fall_near(margin_above_aim);
   }

@@ -35,39 +35,53 @@ CornerGeometry check_corner(const Model& model, const CornerPlace& gap) {
   const CornerFriction& friction = gap.friction;
   check.between("friction", friction.coefficient, 0.0, 1.0, "1",
                 "Concrete on concrete has 0.4 to 0.6, steel 0.2 to 0.3.");
-  if (friction.tangential_stiffness)
-    check.positive("tangential_stiffness", *friction.tangential_stiffness,
+  motion.friction.coefficient = friction.coefficient;
+  if (const auto& stiffness = friction.tangential_stiffness; stiffness && stiffness->ratio != 0.0) {
+    check.above_up_to(
+        "tangential_stiffness", stiffness->ratio, 0.0, 1.0, "1",
+        "A number is the ratio to the tangent of the normal law, 0.85 for example; a constant has a unit, "
+        "N/m.");
+    motion.friction.tangential_ratio = stiffness->ratio;
+  } else if (stiffness) {
+    check.positive("tangential_stiffness", stiffness->constant,
                    "Give the stiffness before sliding, or leave it out for 0.85 times that of the normal law.");
-  motion.friction = {friction.coefficient, friction.tangential_stiffness.value_or(Stiffness{}).si()};
+    motion.friction.tangential_stiffness = stiffness->constant.si();
+  }
   check.above_up_to("share", gap.share, 0.0, 1.0, "1");
   check.not_negative("effective_mass", gap.effective_mass);
   return geometry;
 }
 
-ElementInfo register_corner(Model& model, const CornerPlace& gap, const CornerGeometry& geometry, std::string_view law,
-                            std::vector<Parameter> parameters) {
+std::optional<LawAsGiven> with_friction(std::optional<LawAsGiven> law, const ContactFriction& friction, double share) {
+  if (!law || law->parameters.empty()) return std::nullopt;
+  law->parameters.push_back({"friction", friction.coefficient, "1"});
+  law->parameters.push_back(friction.tangential_ratio > 0.0
+                                ? Parameter{"tangential_stiffness_ratio", friction.tangential_ratio, "1"}
+                                : Parameter{"tangential_stiffness", friction.tangential_stiffness, "N/m"});
+  if (share != 1.0) law->parameters.push_back({"share", share, "1"});
+  return law;
+}
+
+ElementInfo register_corner(Model& model, const CornerPlace& gap, const CornerGeometry& geometry,
+                            std::optional<LawAsGiven> law, ChangeableContact contact) {
   model.register_element("CornerGap", gap.name);
   const CornerAndEdge& motion = geometry.motion;
-  ElementDetails details{.corner_pair =
-                             CornerPair{.corner = gap.corner_name,
-                                        .edge = gap.edge_name,
-                                        .position = gap.corner.at.si(),
-                                        .edge_begin = gap.edge_begin.si(),
-                                        .edge_end = gap.edge_end.si(),
-                                        .normal = geometry.normal,
-                                        .distance_at_rest = motion.distance({geometry.clearance, 0.0}, 0.0, 0.0).value,
-                                        .may_jam = 1.0 <= motion.normal_mass * motion.friction.coefficient *
-                                                              std::abs(geometry.cross_mobility)}};
+  ElementDetails details{
+      .law_as_given = std::move(law),
+      .corner_pair = CornerPair{.corner = gap.corner_name,
+                                .edge = gap.edge_name,
+                                .position = gap.corner.at.si(),
+                                .edge_begin = gap.edge_begin.si(),
+                                .edge_end = gap.edge_end.si(),
+                                .normal = geometry.normal,
+                                .distance_at_rest = motion.distance({geometry.clearance, 0.0}, 0.0, 0.0).value,
+                                .may_jam = 1.0 <= motion.normal_mass * motion.friction.coefficient *
+                                                      std::abs(geometry.cross_mobility)},
+      .changeable_contact = std::move(contact)};
   if (const PlanPoint& corner = gap.corner; !corner.is_on_body()) {
     const auto height = [&](NodeId body) { return body == ground ? 0.0 : model.body(body).height; };
     details.member_ends = MemberEnds{gap.edge_of, MemberPoint{corner.of, corner.other, corner.share},
                                      (1.0 - corner.share) * height(corner.of) + corner.share * height(corner.other)};
-  }
-  if (!parameters.empty()) {
-    parameters.push_back({"friction", motion.friction.coefficient, "1"});
-    parameters.push_back({"tangential_stiffness", motion.friction.tangential_stiffness, "N/m"});
-    if (gap.share != 1.0) parameters.push_back({"share", gap.share, "1"});
-    details.law_as_given = LawAsGiven{std::string{law}, std::move(parameters)};
   }
   return {.name = gap.name,
           .place = gap.place,

@@ -1,5 +1,8 @@
 #include "elements/contact/gap.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 namespace moat {
 namespace {
 
@@ -47,7 +50,7 @@ double effective_mass(const Model& model, const Check& check, const MemberPoint&
   return 1.0 / mobility;
 }
 
-ElementInfo register_gap(Model& model, const GapPlace& gap, std::optional<LawAsGiven> law) {
+ElementInfo register_gap(Model& model, const GapPlace& gap, std::optional<LawAsGiven> law, ChangeableContact contact) {
   model.register_element("Gap", gap.name);
   return {.name = gap.name,
           .place = gap.place,
@@ -57,9 +60,32 @@ ElementInfo register_gap(Model& model, const GapPlace& gap, std::optional<LawAsG
           .force_quantity = "impact_force",
           .offset = gap.clearance.si(),
           .details = std::make_shared<const ElementDetails>(
-              ElementDetails{.law_as_given = std::move(law), .member_ends = member_ends(model, gap.left, gap.right)})};
+              ElementDetails{.law_as_given = std::move(law),
+                             .member_ends = member_ends(model, gap.left, gap.right),
+                             .changeable_contact = std::move(contact)})};
+}
+
+ElementInfo changed_gap(ElementInfo gap, const ContactChange& change, std::optional<LawAsGiven> law,
+                        ChangeableContact contact) {
+  ElementDetails details = *gap.details;
+  details.law_as_given = std::move(law);
+  details.changeable_contact = std::move(contact);
+  const double before = gap.offset;
+  gap.offset *= change.clearance_factor;
+  if (details.corner_pair && gap.offset != before) {
+    CornerPair& pair = *details.corner_pair;
+    const PlanVector shift = (gap.offset - before) * pair.normal;
+    pair.edge_begin = pair.edge_begin + shift;
+    pair.edge_end = pair.edge_end + shift;
+    // Along the edge it stays where it is.
+    const double beside = std::sqrt(std::max(pair.distance_at_rest * pair.distance_at_rest - before * before, 0.0));
+    pair.distance_at_rest = std::hypot(gap.offset, beside);
+  }
+  gap.details = std::make_shared<const ElementDetails>(std::move(details));
+  return gap;
 }
 
 template void add_contact(Model&, ElementInfo, const AnyContact&, double, const MemberPoint&, const MemberPoint&);
+template void replace_contact(ElementBlock&, std::size_t, ElementInfo, const AnyContact&);
 
 }  // namespace moat

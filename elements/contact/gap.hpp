@@ -5,6 +5,8 @@
 
 #include "elements/block/link_checks.hpp"
 #include "materials/contact/any_contact.hpp"
+#include "materials/contact/changed_law.hpp"
+#include "model/with_contacts.hpp"
 
 namespace moat {
 
@@ -38,7 +40,7 @@ struct Gap {
   Required<MemberPoint> right;  ///< The body on the right.
   /// >= 0 m, free distance at rest; 0 is wall to wall.
   Required<Length> clearance;
-  Law law;  ///< Its force.
+  Law law;  ///< Gives the force from the indentation.
 };
 
 /// A gap without its law.
@@ -58,7 +60,11 @@ double effective_mass(const Model& model, const Check& check, const MemberPoint&
 
 /// Registers the gap, and describes its element. A gap at a point between nodes is drawn at the height of the end that
 /// is a node, else of the left one. `law`: as reports show it, none for the contact's own.
-ElementInfo register_gap(Model& model, const GapPlace& gap, std::optional<LawAsGiven> law);
+ElementInfo register_gap(Model& model, const GapPlace& gap, std::optional<LawAsGiven> law, ChangeableContact contact);
+
+/// Returns a gap with another law, and with its clearance changed; the edge of a corner moves along its normal.
+ElementInfo changed_gap(ElementInfo gap, const ContactChange& change, std::optional<LawAsGiven> law,
+                        ChangeableContact contact);
 
 /// Adds the element to the block of its law.
 template <ContactLaw Contact>
@@ -71,6 +77,44 @@ void add_contact(Model& model, ElementInfo info, const Contact& law, double effe
                                                         effective_mass);
 }
 
+/// Puts another contact into the place of that of a gap which add_contact() has added.
+template <ContactLaw Contact>
+void replace_contact(ElementBlock& block, std::size_t element, ElementInfo info, const Contact& law) {
+  if (auto* between_nodes = dynamic_cast<LinkBlock<Contact>*>(&block))
+    between_nodes->replace(element, std::move(info), law);
+  else
+    dynamic_cast<LinkBlock<Contact, WeightedEnds>&>(block).replace(element, std::move(info), law);
+}
+
+/// Returns the law as the script gave it. Reports show it with its restitution, and not the contact made of it.
+template <ImpactLaw Law>
+std::optional<LawAsGiven> law_as_given(const Law& law) {
+  if constexpr (requires { law.parameters(); })
+    return LawAsGiven{std::string{name_of(law)}, law.parameters()};
+  else
+    return std::nullopt;
+}
+
+/// Returns the law with another stiffness and restitution. Throws InputError where it refuses them.
+template <ImpactLaw Law>
+Law changed_law(const Law& law, const ContactChange& change, const std::string& gap) {
+  Law changed = with_restitution_change(with_stiffness_factor(law, change.stiffness_factor), change.restitution_change);
+  changed.check(Check{"Gap", gap});
+  return changed;
+}
+
+/// Returns the parameters of a gap with this law that can be changed. effective_mass: of its two bodies, kg.
+template <ImpactLaw Law>
+ChangeableContact changeable_gap(const Law& law, double effective_mass) {
+  const auto change = [law, effective_mass](ElementBlock& block, std::size_t e, const ContactChange& wanted) {
+    const Law changed = changed_law(law, wanted, block.info(e).name);
+    replace_contact(block, e,
+                    changed_gap(block.info(e), wanted, law_as_given(changed), changeable_gap(changed, effective_mass)),
+                    as_any_contact(changed.between(effective_mass)));
+  };
+  return {std::string{name_of(law)}, has_stiffness(law), restitution_of_law(law), change};
+}
+
 /// Throws InputError for a bad parameter of gap or law, unknown nodes, two ends at the same point, or a name that is
 /// taken.
 template <ImpactLaw Law>
@@ -79,16 +123,13 @@ void add(Model& model, const Gap<Law>& gap) {
   const Check check = check_gap(model, place);
   gap.law.check(check);
   const double mass = effective_mass(model, check, place.left, place.right);
-  const auto law = as_any_contact(gap.law.between(mass));
-  // Reports show the law as the script gave it, with its restitution, and not the contact made of it.
-  std::optional<LawAsGiven> as_given;
-  if constexpr (requires { gap.law.parameters(); })
-    as_given = LawAsGiven{std::string{name_of(gap.law)}, gap.law.parameters()};
-  add_contact(model, register_gap(model, place, std::move(as_given)), law, mass, place.left, place.right);
+  add_contact(model, register_gap(model, place, law_as_given(gap.law), changeable_gap(gap.law, mass)),
+              as_any_contact(gap.law.between(mass)), mass, place.left, place.right);
 }
 
 // Compiled in the library for moat's contacts, so that a script compiles in a third of the time.
 extern template void add_contact(Model&, ElementInfo, const AnyContact&, double, const MemberPoint&,
                                  const MemberPoint&);
+extern template void replace_contact(ElementBlock&, std::size_t, ElementInfo, const AnyContact&);
 
 }  // namespace moat

@@ -28,22 +28,22 @@ concept IsolatorLaw = ForceLaw<Law> || WeightBearing<Law>;
 template <IsolatorLaw Law>
 struct Isolator {
   std::string name = "bearings";  ///< Unique in its model.
-  NodeId lower = ground;          ///< Below.
+  NodeId lower = ground;          ///< The node below, or `ground`.
   /// The floor on it. A ShearBuilding sets it; give it when you add an isolator yourself.
   NodeId upper{};
-  Law law;  ///< Its force.
+  Law law;  ///< Gives the force from the deformation.
   /// >= 1: of equal bearings side by side, each with this law.
   int count = 1;
   /// > 0 N on all of them, for laws that need it (pendulums, sliders); a ShearBuilding sets it.
   Force weight{};
   /// Position along the line, from the middle of the building; for AxialForces.
   Length at{};
-  /// > 0 N/m of all of them, for AxialForces; left out: the same for all isolators.
+  /// > 0 N/m of all of them, for AxialForces; left out: the same for every bearing.
   Stiffness vertical_stiffness{};
   /// Whether `weight` is that at rest, of a building with AxialForces. A ShearBuilding sets it.
   bool weight_changes = false;
 
-  /// That of the law on all of them, or of this isolator; 0 N where neither is given.
+  /// Returns the weight that the law states, on all bearings, or this isolator; 0 N where neither does.
   [[nodiscard]] Force own_weight() const {
     if constexpr (WeightBearing<Law>)
       if (law.weight.si() > 0.0) return count * law.weight;

@@ -15,7 +15,7 @@ namespace moat {
 ///     .isolation = BearingDesign{.strength_ratio = 0.06, .isolation_period = 3 * s, .yield_displacement = 15 * mm}
 ///     .bearings = grid(4, 3, BearingDesign{...})
 struct BearingDesign {
-  static constexpr std::string_view name = "BearingDesign";  ///< In reports.
+  static constexpr std::string_view name = "BearingDesign";  ///< Reports call it so.
 
   /// W > 0 N: of everything the bearings carry; that of the building if left out.
   Force weight{};
@@ -45,7 +45,7 @@ struct BearingDesign {
 /// Reports `isolator_force` [N] and `isolator_deformation` [m] under its name, positive to the right.
 struct LeadRubberBearing {
   std::string name = "bearings";  ///< Unique in its model.
-  NodeId lower = ground;          ///< Below.
+  NodeId lower = ground;          ///< The node below, or `ground`.
   /// The node above. A ShearBuilding sets it; give it when you add a bearing yourself.
   NodeId upper{};
   /// F_y > 0 N.

@@ -16,8 +16,8 @@ namespace moat {
 /// (ViscousDamper), so that the storey shear is that of the columns.
 struct ShearSpring {
   std::string name;        ///< Unique in its model.
-  Required<NodeId> lower;  ///< Below.
-  Required<NodeId> upper;  ///< Above.
+  Required<NodeId> lower;  ///< The node below, or `ground`.
+  Required<NodeId> upper;  ///< The node above.
   /// > 0 N/m.
   Required<Stiffness> stiffness;
 };

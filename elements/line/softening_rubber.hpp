@@ -24,7 +24,7 @@ namespace moat {
 /// instant; without them N is the weight on it, and only D changes. Reports `critical_load` [N], P_cr(D). Where N
 /// exceeds it the run goes on with a warning, and `bearing_unstable` says how often and when first.
 struct SofteningRubber {
-  static constexpr std::string_view name = "SofteningRubber";  ///< In reports.
+  static constexpr std::string_view name = "SofteningRubber";  ///< Reports call it so.
   static constexpr bool is_rubber = true;                      ///< It does not slide, and may pull.
 
   /// The law without axial force; name and nodes of a LeadRubberBearing do not count.

@@ -13,9 +13,9 @@ namespace moat {
 template <ForceLaw Law>
 struct Spring {
   std::string name;                                  ///< Unique in its model.
-  Required<NodeId> lower;                            ///< Below.
-  Required<NodeId> upper;                            ///< Above.
-  Law law;                                           ///< Its force.
+  Required<NodeId> lower;                            ///< The node below, or `ground`.
+  Required<NodeId> upper;                            ///< The node above.
+  Law law;                                           ///< Gives the force from the deformation.
   std::string deformation_quantity = "deformation";  ///< Under which the deformation is reported, m.
   std::string force_quantity = "force";              ///< Under which the force is reported, N.
 };

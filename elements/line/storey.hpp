@@ -13,9 +13,9 @@ namespace moat {
 template <ForceLaw Law>
 struct Storey {
   std::string name;        ///< Unique in its model.
-  Required<NodeId> lower;  ///< Below.
-  Required<NodeId> upper;  ///< Above.
-  Law law;                 ///< Its force.
+  Required<NodeId> lower;  ///< The node below, or `ground`.
+  Required<NodeId> upper;  ///< The node above.
+  Law law;                 ///< Gives the force from the drift.
 };
 
 /// Throws InputError for unknown or equal nodes, a name that is taken, or a parameter that the law refuses.

@@ -9,8 +9,8 @@ namespace moat {
 /// these: the stiffness part in each storey, the mass part from each floor to the base. Not reported.
 struct ViscousDamper {
   std::string name;        ///< Unique in its model.
-  Required<NodeId> lower;  ///< Below.
-  Required<NodeId> upper;  ///< Above.
+  Required<NodeId> lower;  ///< The node below, or `ground`.
+  Required<NodeId> upper;  ///< The node above.
   /// > 0 N s/m.
   Required<DampingCoefficient> damping;
 };

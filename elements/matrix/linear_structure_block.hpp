@@ -25,14 +25,15 @@ class LinearStructureBlock final : public ElementBlock {
   /// Appends one that was checked.
   void add(ElementInfo info, StructureMatrices matrices);
 
-  [[nodiscard]] const std::vector<StructureMatrices>& matrices() const { return matrices_; }  ///< As added.
+  /// In the order in which they were added.
+  [[nodiscard]] const std::vector<StructureMatrices>& matrices() const { return matrices_; }
 
   std::unique_ptr<ElementBlock> clone() const override { return std::make_unique<LinearStructureBlock>(*this); }
   const std::deque<ElementInfo>& infos() const override { return infos_; }
   BlockKind kind() const override { return {.constant_tangent = true, .linear_between_events = true}; }
   LawAsGiven law_of_block(std::size_t element) const override;
   std::span<const ReportedQuantity> quantities(std::size_t) const override { return {}; }
-  /// That of its stiffest degree of freedom.
+  /// Returns the stiffness of the stiffest degree of freedom, N/m.
   double linear_stiffness(std::size_t element, StiffnessStage stage) const override;
   double delivered_restitution(std::size_t element, double approach_speed) const override;
   void add_couplings(Couplings& couplings) const override;

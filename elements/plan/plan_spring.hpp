@@ -15,11 +15,11 @@ namespace moat {
 template <ForceLaw Law>
 struct PlanSpring {
   std::string name;           ///< Unique in its model.
-  Required<PlanPoint> lower;  ///< Below.
-  Required<PlanPoint> upper;  ///< Above.
+  Required<PlanPoint> lower;  ///< The lower end, or `ground`.
+  Required<PlanPoint> upper;  ///< The upper end.
   /// Any length > 0.
   PlanVector direction{1.0, 0.0};
-  Law law;                                           ///< Its force.
+  Law law;                                           ///< Gives the force from the deformation.
   std::string deformation_quantity = "deformation";  ///< Under which the deformation is reported, m.
   std::string force_quantity = "force";              ///< Under which the force is reported, N.
   /// Where its peaks are listed together with those of others; its own name if empty.

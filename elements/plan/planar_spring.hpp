@@ -12,16 +12,16 @@ namespace moat {
 template <PlanarLaw Law>
 struct PlanarSpring {
   std::string name;                                  ///< Unique in its model.
-  Required<PlanPoint> lower;                         ///< Below.
-  Required<PlanPoint> upper;                         ///< Above.
-  Law law;                                           ///< Its force.
+  Required<PlanPoint> lower;                         ///< The lower end, or `ground`.
+  Required<PlanPoint> upper;                         ///< The upper end.
+  Law law;                                           ///< Gives the force from the deformation.
   std::string deformation_quantity = "deformation";  ///< Under which the deformation is reported, m.
   std::string force_quantity = "force";              ///< Under which the force is reported, N.
   /// Where its peaks are listed together with those of others; its own name if empty.
   std::string place{};
   bool isolates = false;                     ///< Whether it separates a building from the ground.
   std::optional<LawAsGiven> law_as_given{};  ///< For reports, where the law follows from a design.
-  std::optional<BearingOnSlab> on_slab{};    ///< Of a bearing of a building with AxialForces.
+  std::optional<BearingOnSlab> on_slab{};    ///< Given where the building has AxialForces.
 };
 
 /// A bearing under a floor: a PlanarSpring between the ground and the floor above, at a position in plan. Reports
@@ -32,11 +32,11 @@ struct PlanBearing {
   /// The floor on it.
   Required<DiaphragmId> under;
   PlanPosition at{};  ///< Where it stands at rest.
-  Law law;            ///< Its force.
+  Law law;            ///< Gives the force from the deformation.
   /// Where its peaks are listed together with those of others; its own name if empty.
   std::string place{};
   std::optional<LawAsGiven> law_as_given{};  ///< For reports, where the law follows from a design.
-  std::optional<BearingOnSlab> on_slab{};    ///< Of a building with AxialForces, which sets it.
+  std::optional<BearingOnSlab> on_slab{};    ///< A building with AxialForces sets it.
 };
 
 /// Throws InputError for points that are not of this model or on the same body, a name that is taken, or a parameter

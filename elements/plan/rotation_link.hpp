@@ -11,7 +11,7 @@ struct RotationSpring {
   std::string name;  ///< Unique in its model.
   /// A diaphragm or `ground`.
   Required<NodeId> lower;
-  Required<NodeId> upper;  ///< Above.
+  Required<NodeId> upper;  ///< The node above.
   /// > 0 N m/rad.
   Required<Energy> stiffness;
 };
@@ -21,14 +21,14 @@ struct RotationDamper {
   std::string name;  ///< Unique in its model.
   /// A diaphragm or `ground`.
   Required<NodeId> lower;
-  Required<NodeId> upper;  ///< Above.
+  Required<NodeId> upper;  ///< The node above.
   /// > 0 N m s/rad.
   Required<Quantity<1, 4, -1>> damping;
 };
 
 /// Throw InputError for a bad parameter, bodies that do not turn or are the same, or a name that is taken.
 void add(Model& model, const RotationSpring& spring);
-/// As for a spring.
+/// Adds the damper, and throws as for a spring.
 void add(Model& model, const RotationDamper& damper);
 
 }  // namespace moat

@@ -25,11 +25,12 @@ PlanVector overlap_slope(const RubberBearing& rubber, PlanVector d) {
 }  // namespace
 
 AxialSoftening::AxialSoftening(const RubberBearing& rubber, double compression, PlanVector farthest) {
-  const Length x = farthest.x * units::m, y = farthest.y * units::m;
-  const double at_rest = rubber.critical_load().si();
-  critical_load = rubber.critical_load(x, y).si();
+  const double at_rest = rubber.critical_load().si(),
+               overlap = rubber.overlap(farthest.x * units::m, farthest.y * units::m),
+               share = RubberBearing::critical_share(overlap);
+  critical_load = share * at_rest;
   // The part that remains at any displacement does not fall.
-  if (rubber.overlap(x, y) * at_rest >= critical_load) critical_slope = at_rest * overlap_slope(rubber, farthest);
+  if (share == overlap) critical_slope = at_rest * overlap_slope(rubber, farthest);
   if (compression <= 0.0) return;
   constexpr double least = 0.01;
   const double ratio = compression / critical_load;

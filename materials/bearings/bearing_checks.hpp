@@ -59,7 +59,7 @@ struct BearingDemand {
 /// | pressure at rest, pressure | N/slider_area | |
 /// | speed, pressure times speed, force | abs(v), p abs(v), abs(F) | |
 ///
-/// A given capacity goes before a limit. Limits are cited from memory, as the formulas (RubberBearing): compare them
+/// A given capacity goes before a limit. Limits are recalled, not read, as the formulas (RubberBearing): compare them
 /// with the edition that governs your project. K_L and gamma_m of EN 15129 are 1; give strain_capacity for others.
 std::vector<BearingDemand> demands(const BearingCapacities& capacities, CheckRules rules, const DemandAt& at);
 

@@ -17,7 +17,7 @@ namespace moat {
 ///     | |                    W   weight on them, static
 ///     |_|d_y___________ d
 ///
-/// Codes ask for both bounds of the properties: make one backbone of each. Clauses are cited from memory: compare them
+/// Codes ask for both bounds of the properties: make one backbone of each. Clauses are recalled, not read: compare them
 /// with the edition that governs your project.
 struct Backbone {
   /// Q >= 0 N.
@@ -44,21 +44,21 @@ struct RestoringCheck {
 
 /// The rules at the design displacement D > 2 d_y, m:
 ///
-///     ASCE 7-16, 17.2.4.4         (F(D) - F(D/2))/W >= 0.025
+///     ASCE 7-16, chapter 17       (F(D) - F(D/2))/W >= 0.025
 ///     AASHTO, restoring force     (F(D) - F(D/2))/W >= 1/80
 ///     AASHTO, period              2 pi sqrt(W/(g k)) <= 6 s, of the tangent at D
 ///     EN 15129                    E_s/E_h >= 0.25, E_s = k D^2/2 stored and E_h = Q D dissipated on the way 0..D
-///     EN 1998-2, 7.7.1            D k/Q >= 0.5; where it is not kept, displacement_demand_en_1998_2()
+///     EN 1998-2                   D k/Q >= 0.5; where it is not kept, displacement_demand_en_1998_2()
 ///
 /// Throws InputError for a bad backbone or a displacement that is not > 0 m.
 std::vector<RestoringCheck> restoring_checks(const Backbone& backbone, Length displacement);
 
 /// rho = 1 + 1.35 (1 - (d_y/d)^0.6)/(1 + 80 (d/d_r)^1.5), the growth of displacements by earlier earthquakes in
-/// EN 1998-2, 7.7.1. displacement d >= d_y, yield_displacement d_y > 0, stuck_displacement d_r =
+/// EN 1998-2. displacement d >= d_y, yield_displacement d_y > 0, stuck_displacement d_r =
 /// Backbone::largest_stuck_displacement() > 0, all m.
 double accumulation_en_1998_2(Length displacement, Length yield_displacement, Length stuck_displacement);
 
-/// Returns the displacement d_0 + 1.20 d rho that isolators must bear by EN 1998-2, 7.7.1, where they do not restore
+/// Returns the displacement d_0 + 1.20 d rho that isolators must bear by EN 1998-2 where they do not restore
 /// enough. offset: d_0 >= 0 m, of creep, shrinkage and temperature.
 Length displacement_demand_en_1998_2(Length offset, Length displacement, Length yield_displacement,
                                      Length stuck_displacement);

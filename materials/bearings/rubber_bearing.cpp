@@ -63,7 +63,7 @@ Force RubberBearing::critical_load() const {
 }
 
 Force RubberBearing::critical_load(Length d_x, Length d_y) const {
-  return std::max(overlap(d_x, d_y), 0.2) * critical_load();
+  return critical_share(overlap(d_x, d_y)) * critical_load();
 }
 
 Force RubberBearing::buckling_load_en_15129() const {

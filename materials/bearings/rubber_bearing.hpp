@@ -1,6 +1,8 @@
 // Formulas of elastomeric bearings: critical load, vertical stiffness, shear strains.
 #pragma once
 
+#include <algorithm>
+
 #include "base/check.hpp"
 
 namespace moat {
@@ -28,7 +30,7 @@ enum class StrainFormula {
 ///
 /// Sources: Constantinou, Kalpakidis, Filiatrault & Ecker Lay (2011), MCEER-11-0004; Warn & Whittaker (2006) for the
 /// displaced bearing; the area, E_r and P_cr are as in LeadRubberX of OpenSees. Clauses of AASHTO, EN 15129 and
-/// EN 1337-3 are cited from memory: compare them with the edition that governs your project.
+/// EN 1337-3 are recalled, not read: compare them with the edition that governs your project.
 struct RubberBearing {
   /// D > 0 m, of a round bearing; or give both widths.
   Length diameter{};
@@ -56,8 +58,9 @@ struct RubberBearing {
   /// P_cr0 = sqrt(P_E G A_s): P_E = pi^2 E_r I_s/h^2, A_s = A h/T_r, I_s = I h/T_r about the weaker axis; h cancels.
   /// Haringx's column with P_E much above G A_s. 0.218 G D^4/(t T_r) of a circle.
   [[nodiscard]] Force critical_load() const;
-  /// P_cr(d) = P_cr0 max(A_r/A, 0.2): a fifth remains at any displacement (Warn & Whittaker 2006).
-  [[nodiscard]] Force critical_load(Length d_x, Length d_y = {}) const;
+  /// P_cr(d)/P_cr0 = max(A_r/A, 0.2): a fifth remains at any displacement (Warn & Whittaker 2006).
+  [[nodiscard]] static double critical_share(double overlap) { return std::max(overlap, 0.2); }
+  [[nodiscard]] Force critical_load(Length d_x, Length d_y = {}) const;  ///< P_cr(d)
   /// The buckling load of EN 15129 at rest, lambda G A a' S/T_r: lambda = 1.1 and a' = D of a circle, 1.3 and the
   /// shorter side of a rectangle.
   [[nodiscard]] Force buckling_load_en_15129() const;

@@ -5,8 +5,9 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <optional>
 
-#include "materials/contact/contact_state.hpp"
+#include "materials/contact/contact_damping.hpp"
 #include "materials/response.hpp"
 
 namespace moat {
@@ -26,6 +27,9 @@ struct BilinearContact {
   double loading_stiffness = 0.0;   ///< K1 > K2, N/m
   double yielding_stiffness = 0.0;  ///< K2 > 0 N/m
   double yield_indentation = 0.0;   ///< d_y > 0 m
+  /// K1 - K2 > 0 N/m of a contact, where it depends on the approach speed; a K1 + (1 - a) K2 is the same in each.
+  std::optional<ContactDamping> difference{};
+  double yield_share = 0.1;  ///< a, of `difference`
 
   using State = ContactState;
 
@@ -38,20 +42,22 @@ struct BilinearContact {
   Response evaluate(const State& committed, double indentation, double, State& trial) const {
     trial = committed;
     if (committed.phase != ContactPhase::loaded) return {};
-    const double sliding = loading_stiffness - yielding_stiffness, stretch = stretch_of(committed, indentation);
+    const Pair k = stiffnesses(committed.damping);
+    const double stretch = stretch_of(committed, indentation);
     trial.slip = indentation - stretch;
-    return {yielding_stiffness * indentation + sliding * stretch,
-            committed.yields == 0 ? loading_stiffness : yielding_stiffness, 0.0};
+    return {k.yielding * indentation + (k.loading - k.yielding) * stretch,
+            committed.yields == 0 ? k.loading : k.yielding, 0.0};
   }
   double stored_energy(const State& committed, double indentation) const {
     if (committed.phase == ContactPhase::open) return 0.0;
+    const Pair k = stiffnesses(committed.damping);
     const double stretch = stretch_of(committed, indentation);
-    return 0.5 * yielding_stiffness * indentation * indentation +
-           0.5 * (loading_stiffness - yielding_stiffness) * stretch * stretch;
+    return 0.5 * k.yielding * indentation * indentation + 0.5 * (k.loading - k.yielding) * stretch * stretch;
   }
   double dissipation_rate(const State& committed, double, double rate) const {
     if (committed.phase != ContactPhase::loaded || committed.yields != 1) return 0.0;
-    return (loading_stiffness - yielding_stiffness) * yield_indentation * std::max(rate, 0.0);
+    const Pair k = stiffnesses(committed.damping);
+    return (k.loading - k.yielding) * yield_indentation * std::max(rate, 0.0);
   }
   double linear_stiffness(StiffnessStage) const { return 0.0; }
 
@@ -65,7 +71,7 @@ struct BilinearContact {
   }
   State next_regime(const State& committed, double indentation, double rate) const {
     if (committed.phase != ContactPhase::loaded || indentation <= 0.0)
-      return next_contact_state(committed, indentation, rate);
+      return next_contact_state(committed, indentation, rate, difference.value_or(0.0));
     State next = committed;
     const double stretch = stretch_of(committed, indentation);
     next.slip = indentation - stretch;
@@ -75,11 +81,21 @@ struct BilinearContact {
   }
   /// Half a period of the stiffer spring, s: pi sqrt(m/K1); m is the effective mass. A contact that yields takes
   /// longer.
-  double contact_duration(double effective_mass, double /*approach_speed*/) const {
-    return std::numbers::pi * std::sqrt(effective_mass / loading_stiffness);
+  double contact_duration(double effective_mass, double approach_speed) const {
+    const double at_touch = difference ? difference->at(approach_speed) : 0.0;
+    return std::numbers::pi * std::sqrt(effective_mass / stiffnesses(at_touch).loading);
   }
 
  private:
+  struct Pair {
+    double loading, yielding;  // N/m
+  };
+  // Returns the stiffnesses of a contact with this difference, N/m.
+  [[nodiscard]] Pair stiffnesses(double of_contact) const {
+    if (!difference) return {loading_stiffness, yielding_stiffness};
+    const double effective = yield_share * loading_stiffness + (1.0 - yield_share) * yielding_stiffness;
+    return {effective + (1.0 - yield_share) * of_contact, effective - yield_share * of_contact};
+  }
   // Returns the stretch of the spring that yields, m.
   [[nodiscard]] double stretch_of(const State& state, double indentation) const {
     if (state.yields == 0) return indentation - state.slip;

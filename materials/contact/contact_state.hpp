@@ -39,6 +39,7 @@ struct ContactState {
   double approach_speed = 0.0;              ///< m/s, >= least_approach_speed while not open
   double slip = 0.0;                        ///< m, in this contact, of laws that yield
   int yields = 0;                           ///< +1, -1: with the motion in this direction; 0: elastic
+  double damping = 0.0;                     ///< of this contact, where it depends on the approach speed
 
   friend bool operator==(const ContactState&, const ContactState&) = default;
 };

@@ -21,7 +21,7 @@
 namespace moat {
 
 /// Every impact law, in the order of the guide. A law in this list has its name in NamedImpactLaw, passes the tests of
-/// all laws, and stands in the table of docs/guide.md. CONTRIBUTING.md shows how to add one.
+/// all laws, and stands in the table of docs/reference/impact_laws.md. CONTRIBUTING.md shows how to add one.
 using AllImpactLaws = LawList<Hertz, HertzDamp, HuntCrossley, Gonthier, Ye2009, HuGuo, ExactHertzDamp,
                               NonlinearViscoelastic, ModifiedHertzDampPrinted, LinearElastic, Kelvin,
                               KelvinByDampingRatio, ModifiedLinearViscoelastic, ExactKelvin, BilinearImpact>;

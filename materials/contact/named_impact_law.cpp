@@ -129,6 +129,17 @@ std::vector<Parameter> NamedImpactLaw::parameters() const { return entry_of(*thi
 
 std::string_view name_of(const NamedImpactLaw& law) { return entry_of(law).type_name; }
 
+std::optional<double> restitution_of_law(const NamedImpactLaw& law) {
+  const bool is_elastic = law.parameters().size() == 1;  // its stiffness
+  return is_elastic ? std::nullopt : std::optional{number_of_restitution(law.restitution)};
+}
+
+NamedImpactLaw with_stiffness_factor(NamedImpactLaw law, double factor) {
+  law.linear_stiffness *= factor;
+  law.hertz_stiffness *= factor;
+  return law;
+}
+
 std::vector<std::string> impact_law_names() {
   std::vector<std::string> names;
   for (const Entry& each : all_entries()) names.push_back(each.name);

@@ -1,9 +1,12 @@
 // An impact law chosen by its name, so that a script can offer it as an option.
 #pragma once
 
+#include <optional>
 #include <string>
+#include <vector>
 
 #include "materials/contact/any_contact.hpp"
+#include "materials/contact/changed_law.hpp"
 
 namespace moat {
 
@@ -23,8 +26,8 @@ struct NamedImpactLaw {
   Stiffness linear_stiffness{};
   /// > 0 N/m^1.5, for the others.
   HertzStiffness hertz_stiffness{};
-  /// 0 < e <= 1, and at least 0.001 for laws that divide by it; elastic laws ignore it.
-  double restitution = 1.0;
+  /// 0 < e <= 1, and at least 0.001 for laws that divide by it; elastic laws ignore it. It may fall with the speed.
+  Restitution restitution = 1.0;
   /// Whether the contact may pull, for laws with this field; the others ignore it.
   bool may_pull = false;
 
@@ -39,6 +42,13 @@ struct NamedImpactLaw {
 
 /// "HertzDamp" of the law "hertz_damp", for reports. Throws InputError for an unknown name.
 std::string_view name_of(const NamedImpactLaw& law);
+
+/// Returns true: it has one, under two names.
+inline bool has_stiffness(const NamedImpactLaw&) { return true; }
+/// Returns nothing for an elastic law, which ignores the field.
+std::optional<double> restitution_of_law(const NamedImpactLaw& law);
+/// Returns the law with both stiffnesses times `factor`.
+NamedImpactLaw with_stiffness_factor(NamedImpactLaw law, double factor);
 
 /// The names, sorted, those of aliases among them.
 std::vector<std::string> impact_law_names();

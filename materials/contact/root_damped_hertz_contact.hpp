@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "materials/contact/contact_state.hpp"
+#include "materials/contact/contact_damping.hpp"
 #include "materials/contact/restitution_formulas.hpp"
 #include "materials/response.hpp"
 
@@ -28,7 +28,7 @@ struct RootDampedHertzContact {
   static constexpr std::string_view name = "RootDampedHertzContact";
 
   double stiffness = 0.0;                             ///< k > 0, N/m^1.5
-  double damping = 0.0;                               ///< c >= 0, N s/m^1.25
+  ContactDamping damping{};                           ///< c >= 0, N s/m^1.25
   bool approach_only = false;                         ///< whether the dashpot acts only while the bodies approach
   Separation separation = Separation::at_zero_force;  ///< how contact ends
 
@@ -39,7 +39,7 @@ struct RootDampedHertzContact {
 
   [[nodiscard]] std::vector<Parameter> parameters() const {
     return {{"stiffness", stiffness, "N/m^1.5"},
-            {"damping", damping, "N s/m^1.25"},
+            {"damping", damping.shown(), "N s/m^1.25"},
             {"approach_only", approach_only ? 1.0 : 0.0, "1"},
             {"may_pull", separation == Separation::at_opening ? 1.0 : 0.0, "1"}};
   }
@@ -49,7 +49,7 @@ struct RootDampedHertzContact {
     if (committed.phase != ContactPhase::loaded || indentation <= 0.0) return {};
     const double root = std::sqrt(indentation);
     const FourthRoot fourth = fourth_root(indentation);
-    const double dashpot = acting_damping(rate);
+    const double dashpot = acting_damping(committed, rate);
     return {stiffness * indentation * root + dashpot * fourth.value * rate,
             1.5 * stiffness * root + dashpot * fourth.slope * rate, dashpot * fourth.value};
   }
@@ -61,7 +61,7 @@ struct RootDampedHertzContact {
     if (committed.phase == ContactPhase::open || indentation <= 0.0) return 0.0;
     if (committed.phase == ContactPhase::released)
       return std::max(-stiffness * indentation * std::sqrt(indentation) * rate, 0.0);
-    return acting_damping(rate) * fourth_root(indentation).value * rate * rate;
+    return acting_damping(committed, rate) * fourth_root(indentation).value * rate * rate;
   }
   double linear_stiffness(StiffnessStage) const { return 0.0; }
 
@@ -69,13 +69,13 @@ struct RootDampedHertzContact {
     return contact_margin(committed, indentation, push(committed, indentation, rate));
   }
   State next_regime(const State& committed, double indentation, double rate) const {
-    return next_contact_state(committed, indentation, rate);
+    return next_contact_state(committed, indentation, rate, damping);
   }
   /// Duration of a free elastic impact, s, 2.94328 (5 m v0^2/(4 k))^0.4 / v0; m is the effective mass. Damping
   /// makes a contact longer, but beyond half of critical (2 x > 1) the time constant of its dashpot is shorter: then
   /// 1/(2 x) of that.
   double contact_duration(double effective_mass, double approach_speed) const {
-    const double twice_ratio = 2.0 * damping / std::sqrt(5.0 * stiffness * effective_mass);
+    const double twice_ratio = 2.0 * damping.at(approach_speed) / std::sqrt(5.0 * stiffness * effective_mass);
     return elastic_hertz_duration(stiffness, effective_mass, approach_speed) / std::max(twice_ratio, 1.0);
   }
 
@@ -91,16 +91,18 @@ struct RootDampedHertzContact {
     const double value = std::sqrt(std::sqrt(indentation));
     return {value, 0.25 * value / indentation};
   }
-  [[nodiscard]] double acting_damping(double rate) const { return approach_only && rate < 0.0 ? 0.0 : damping; }
+  [[nodiscard]] double acting_damping(const State& committed, double rate) const {
+    return approach_only && rate < 0.0 ? 0.0 : damping.in(committed);
+  }
   // The force over k d^0.25, so that it crosses zero with a finite slope, and over L^0.25 with L = (c v0/k)^0.8, the
   // depth at which the dashpot at v0 pushes as hard as the spring: m.
   [[nodiscard]] double push(const State& committed, double indentation, double rate) const {
-    if (approach_only || separation == Separation::at_opening || damping == 0.0 ||
-        committed.phase == ContactPhase::open)
+    const double c = damping.in(committed);
+    if (approach_only || separation == Separation::at_opening || c == 0.0 || committed.phase == ContactPhase::open)
       return std::numeric_limits<double>::infinity();
     const double depth = std::max(indentation, 0.0);
     const double elastic = depth > 0.0 ? depth * std::sqrt(depth) / fourth_root(depth).value : 0.0;
-    const double by_rate = damping / stiffness;
+    const double by_rate = c / stiffness;
     return (elastic + by_rate * rate) / std::pow(by_rate * committed.approach_speed, 0.2);
   }
 };

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "materials/contact/contact_state.hpp"
+#include "materials/contact/contact_damping.hpp"
 #include "materials/contact/restitution_formulas.hpp"
 #include "materials/response.hpp"
 
@@ -26,7 +26,7 @@ struct ViscousHertzContact {
   static constexpr std::string_view name = "ViscousHertzContact";
 
   double stiffness = 0.0;                             ///< k > 0, N/m^1.5
-  double damping_factor = 0.0;                        ///< z >= 0, dimensionless
+  ContactDamping damping_factor{};                    ///< z >= 0, dimensionless
   Separation separation = Separation::at_zero_force;  ///< how contact ends
 
   using State = ContactState;
@@ -36,7 +36,7 @@ struct ViscousHertzContact {
 
   [[nodiscard]] std::vector<Parameter> parameters() const {
     return {{"stiffness", stiffness, "N/m^1.5"},
-            {"damping_factor", damping_factor, "1"},
+            {"damping_factor", damping_factor.shown(), "1"},
             {"may_pull", separation == Separation::at_opening ? 1.0 : 0.0, "1"}};
   }
 
@@ -46,9 +46,9 @@ struct ViscousHertzContact {
     const double root = std::sqrt(indentation);
     const double elastic = stiffness * indentation * root;
     const double ratio = speed_ratio(committed, rate);
-    const double factor = 1.0 + damping_factor * ratio;
+    const double z = damping_factor.in(committed), factor = 1.0 + z * ratio;
     return {elastic * factor, 1.5 * stiffness * root * factor,
-            std::abs(ratio) < largest_speed_ratio ? elastic * damping_factor / committed.approach_speed : 0.0};
+            std::abs(ratio) < largest_speed_ratio ? elastic * z / committed.approach_speed : 0.0};
   }
   double stored_energy(const State& committed, double indentation) const {
     if (committed.phase == ContactPhase::open || indentation <= 0.0) return 0.0;
@@ -58,7 +58,7 @@ struct ViscousHertzContact {
     if (committed.phase == ContactPhase::open || indentation <= 0.0) return 0.0;
     const double elastic = stiffness * indentation * std::sqrt(indentation);
     if (committed.phase == ContactPhase::released) return std::max(-elastic * rate, 0.0);
-    return elastic * damping_factor * speed_ratio(committed, rate) * rate;
+    return elastic * damping_factor.in(committed)*speed_ratio(committed, rate) * rate;
   }
   double linear_stiffness(StiffnessStage) const { return 0.0; }
 
@@ -66,7 +66,7 @@ struct ViscousHertzContact {
     return contact_margin(committed, indentation, push(committed, indentation, rate));
   }
   State next_regime(const State& committed, double indentation, double rate) const {
-    return next_contact_state(committed, indentation, rate);
+    return next_contact_state(committed, indentation, rate, damping_factor);
   }
   /// Duration of a free elastic impact, s, 2.94328 (5 m v0^2/(4 k))^0.4 / v0; m is the effective mass. Damping
   /// makes a contact longer.
@@ -79,7 +79,7 @@ struct ViscousHertzContact {
   [[nodiscard]] double push(const State& committed, double indentation, double rate) const {
     if (separation == Separation::at_opening || committed.phase == ContactPhase::open)
       return std::numeric_limits<double>::infinity();
-    return std::max(indentation, 0.0) * (1.0 + damping_factor * speed_ratio(committed, rate));
+    return std::max(indentation, 0.0) * (1.0 + damping_factor.in(committed)*speed_ratio(committed, rate));
   }
   static double speed_ratio(const State& committed, double rate) {
     return std::clamp(rate / committed.approach_speed, -largest_speed_ratio, largest_speed_ratio);

@@ -14,10 +14,10 @@ namespace moat {
 ///       brace K  damper
 ///
 /// C as in NonlinearViscous: reference_force/reference_speed^alpha. The force follows by the trapezoidal rule over a
-/// step of h, F1 + (K h/2) g(F1) = F0 + K (d1 - d0) - (K h/2) g(F0), which has one root; where the rule would ring, K h
-/// g'/2 > 4 at the start of the step, by the backward Euler rule for dF/dt = K (dd/dt - g(F)): the force then follows
-/// the rate at the end, as without a brace. The damper is without force at the start. Stored
-/// energy F^2/(2 K). Typical: K 50 to 500 MN/m. Source: Akcelyan & Lignos, ViscousDamper of OpenSees. Tension positive.
+/// step of h, F1 + (K h/2) g(F1) = F0 + K (d1 - d0) - (K h/2) g(F0), which has one root. Where the rule would ring, K h
+/// g'/2 > 4 at the start of the step, the backward Euler rule for dF/dt = K (dd/dt - g(F)) takes its place: the force
+/// then follows the rate at the end, as without a brace. The damper is without force at the start. Stored energy F^2/(2
+/// K). Typical: K 50 to 500 MN/m. Source: Akcelyan & Lignos, ViscousDamper of OpenSees. Tension positive.
 struct MaxwellDamper {
   static constexpr std::string_view name = "MaxwellDamper";
   static constexpr std::string_view formula = "F = K (d - x), dx/dt = (F/C)^(1/alpha)";

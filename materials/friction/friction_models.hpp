@@ -244,7 +244,7 @@ struct LubricatedPtfe {
 ///     .friction = VelocityDependent{.slow = 0.03, .fast = 0.06, .rate = 50 * s / m}
 class Friction {
  public:
-  /// All models.
+  /// Lists all models.
   using Model = std::variant<Coulomb, VelocityDependent, VelocityPressureDependent, VelocityForceDependent,
                              KumarFriction, LomientoFriction, LubricatedPtfe>;
 
@@ -256,7 +256,7 @@ class Friction {
   [[nodiscard]] FrictionCoefficient at(double speed, double normal_force) const {
     return std::visit([&](const auto& model) { return model.at(speed, normal_force); }, model_);
   }
-  /// At all speeds.
+  /// Whether it is the same at all speeds.
   [[nodiscard]] bool is_constant() const {
     return std::holds_alternative<Coulomb>(model_) || std::holds_alternative<LomientoFriction>(model_) ||
            std::holds_alternative<LubricatedPtfe>(model_);

@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "materials/contact/bilinear_contact.hpp"
-#include "materials/contact/impact_checks.hpp"
 
 namespace moat {
 
@@ -27,7 +26,7 @@ struct BilinearImpact {
   /// k_h > 0 N/m^1.5.
   Required<HertzStiffness> stiffness;
   /// e, the intended coefficient of restitution: 0 < e <= 1.
-  Required<double> restitution;
+  Required<Restitution> restitution;
   /// d_m > 0 m: the largest indentation that is expected.
   Required<Length> expected_indentation;
   /// 0 < a <= 0.5: d_y over d_m.
@@ -57,24 +56,30 @@ struct BilinearImpact {
   /// Throws InputError for a parameter outside its range.
   void check(const Check& check) const {
     check.positive("stiffness", stiffness);
-    check_restitution(check, restitution);
+    restitution.value().check(check);
     check.positive("expected_indentation", expected_indentation);
     check.above_up_to("yield_share", yield_share, 0.0, 0.5, "1", "0.1 is usual.");
   }
   /// The parameters as given.
   [[nodiscard]] std::vector<Parameter> parameters() const {
-    return {{"stiffness", stiffness.si(), "N/m^1.5"},
-            {"restitution", restitution, "1"},
-            {"expected_indentation", expected_indentation.si(), "m"},
-            {"yield_share", yield_share, "1"}};
+    return with_restitution(
+        {"stiffness", stiffness.si(), "N/m^1.5"}, restitution,
+        {{"expected_indentation", expected_indentation.si(), "m"}, {"yield_share", yield_share, "1"}});
   }
   /// The law between two bodies; it does not depend on their mass.
   [[nodiscard]] BilinearContact between(double) const {
     const double largest = expected_indentation.si(), effective = stiffness.si() * std::sqrt(largest);
-    const double lost = effective * (1.0 - restitution * restitution) / 2.5;  // dE/d_m^2
-    return {.loading_stiffness = effective + lost / yield_share,
-            .yielding_stiffness = effective - lost / (1.0 - yield_share),
-            .yield_indentation = yield_share * largest};
+    const auto lost_of = [effective](double e) { return effective * (1.0 - e * e) / 2.5; };  // dE/d_m^2
+    const Restitution& e = restitution;
+    const double lost = lost_of(e.at(1.0));
+    BilinearContact contact{.loading_stiffness = effective + lost / yield_share,
+                            .yielding_stiffness = effective - lost / (1.0 - yield_share),
+                            .yield_indentation = yield_share * largest,
+                            .yield_share = yield_share};
+    if (!e.is_constant())
+      contact.difference = ContactDamping{
+          e, [lost_of, a = yield_share](double at_touch) { return lost_of(at_touch) / (a * (1.0 - a)); }};
+    return contact;
   }
 };
 

@@ -1,9 +1,6 @@
 // Kelvin impact law that delivers the intended restitution exactly.
 #pragma once
 
-#include <cmath>
-
-#include "materials/contact/impact_checks.hpp"
 #include "materials/contact/restitution_formulas.hpp"
 #include "materials/contact/viscous_linear_contact.hpp"
 
@@ -24,27 +21,25 @@ struct ExactKelvin {
   /// k > 0 N/m.
   Required<Stiffness> stiffness;
   /// e, the intended coefficient of restitution: 0 < e <= 1.
-  Required<double> restitution;
+  Required<Restitution> restitution;
   /// Whether the contact lasts until the gap opens, pulling before it does. e is delivered either way.
   bool may_pull = false;
 
   /// Throws InputError for a parameter outside its range.
   void check(const Check& check) const {
     check.positive("stiffness", stiffness);
-    check_restitution(check, restitution);
+    restitution.value().check(check);
   }
   /// The parameters as given.
   [[nodiscard]] std::vector<Parameter> parameters() const {
-    return {{"stiffness", stiffness.si(), "N/m"},
-            {"restitution", restitution, "1"},
-            {"may_pull", may_pull ? 1.0 : 0.0, "1"}};
+    return with_restitution({"stiffness", stiffness.si(), "N/m"}, restitution,
+                            {{"may_pull", may_pull ? 1.0 : 0.0, "1"}});
   }
   /// The law between two bodies of the given effective mass m1 m2/(m1 + m2) > 0 kg; a fixed wall is infinite.
   [[nodiscard]] ViscousLinearContact between(double effective_mass) const {
-    const double damping_ratio =
-        may_pull ? damping_ratio_of_pulling_contact(restitution) : damping_ratio_of_clamped_contact(restitution);
     return {.stiffness = stiffness.si(),
-            .damping = 2.0 * damping_ratio * std::sqrt(stiffness.si() * effective_mass),
+            .damping = damping_by_ratio(restitution, stiffness.si(), effective_mass,
+                                        may_pull ? damping_ratio_of_pulling_contact : damping_ratio_of_clamped_contact),
             .separation = separation(may_pull)};
   }
 };

@@ -2,7 +2,10 @@
 #pragma once
 
 #include <cmath>
+#include <optional>
 
+#include "materials/contact/changed_law.hpp"
+#include "materials/contact/restitution_formulas.hpp"
 #include "materials/contact/viscous_linear_contact.hpp"
 
 namespace moat {
@@ -46,5 +49,21 @@ struct KelvinByDampingRatio {
             .separation = separation(may_pull)};
   }
 };
+
+/// Returns the restitution that the law delivers.
+inline std::optional<double> restitution_of_law(const KelvinByDampingRatio& law) {
+  return law.may_pull ? restitution_of_pulling_contact(law.damping_ratio)
+                      : restitution_of_clamped_contact(law.damping_ratio);
+}
+
+/// Returns the law whose damping ratio delivers the changed restitution.
+inline KelvinByDampingRatio with_restitution_change(KelvinByDampingRatio law, double change) {
+  const double before = *restitution_of_law(law), after = changed_restitution(before, change);
+  // Equal bits where nothing changes: the formulas are inverses but for round-off.
+  if (after != before)
+    law.damping_ratio =
+        law.may_pull ? damping_ratio_of_pulling_contact(after) : damping_ratio_of_clamped_contact(after);
+  return law;
+}
 
 }  // namespace moat

@@ -3,7 +3,6 @@
 
 #include <cmath>
 
-#include "materials/contact/impact_checks.hpp"
 #include "materials/contact/root_damped_hertz_contact.hpp"
 
 namespace moat {
@@ -35,7 +34,7 @@ struct ModifiedHertzDampPrinted {
   /// k > 0 N/m^1.5.
   Required<HertzStiffness> stiffness;
   /// e, the intended coefficient of restitution: 0.001 <= e <= 1, because the damping grows as 1/e^2.
-  Required<double> restitution;
+  Required<Restitution> restitution;
   /// Whether the dashpot acts only while the bodies approach; else throughout.
   bool approach_only = true;
   /// Whether the contact lasts until the gap opens, pulling before it does. Only if the dashpot acts throughout.
@@ -44,25 +43,24 @@ struct ModifiedHertzDampPrinted {
   /// Throws InputError for a parameter outside its range.
   void check(const Check& check) const {
     check.positive("stiffness", stiffness);
-    check_restitution_in_divisor(check, restitution);
+    restitution.value().check(check, least_restitution_in_divisor);
     check.that(!(may_pull && approach_only), "may_pull", may_pull, "1", "false where approach_only is true",
                "A dashpot that acts on approach only never pulls.");
-    check.that(!may_pull || restitution >= 0.409, "restitution", restitution, "1",
-               ">= 0.409 where the contact may pull", "A contact that pulls and is damped critically never ends.");
+    const double smallest = restitution.value().smallest();
+    check.that(!may_pull || smallest >= 0.409, "restitution", smallest, "1", ">= 0.409 where the contact may pull",
+               "A contact that pulls and is damped critically never ends.");
   }
   /// The parameters as given.
   [[nodiscard]] std::vector<Parameter> parameters() const {
-    return {{"stiffness", stiffness.si(), "N/m^1.5"},
-            {"restitution", restitution, "1"},
-            {"approach_only", approach_only ? 1.0 : 0.0, "1"},
-            {"may_pull", may_pull ? 1.0 : 0.0, "1"}};
+    return with_restitution(
+        {"stiffness", stiffness.si(), "N/m^1.5"}, restitution,
+        {{"approach_only", approach_only ? 1.0 : 0.0, "1"}, {"may_pull", may_pull ? 1.0 : 0.0, "1"}});
   }
   /// The law between two bodies of the given effective mass m1 m2/(m1 + m2) > 0 kg; a fixed wall is infinite.
   [[nodiscard]] RootDampedHertzContact between(double effective_mass) const {
-    const double e = restitution;
-    const double damping_ratio = std::sqrt(5.0) * (1.0 - e * e) / (10.0 * e * e);
+    const auto ratio_of = [](double e) { return std::sqrt(5.0) * (1.0 - e * e) / (10.0 * e * e); };
     return {.stiffness = stiffness.si(),
-            .damping = 2.0 * damping_ratio * std::sqrt(stiffness.si() * effective_mass),
+            .damping = damping_by_ratio(restitution, stiffness.si(), effective_mass, ratio_of),
             .approach_only = approach_only,
             .separation = separation(may_pull)};
   }

@@ -1,10 +1,8 @@
 // Modified linear viscoelastic impact law.
 #pragma once
 
-#include <cmath>
 #include <numbers>
 
-#include "materials/contact/impact_checks.hpp"
 #include "materials/contact/viscous_linear_contact.hpp"
 
 namespace moat {
@@ -25,23 +23,22 @@ struct ModifiedLinearViscoelastic {
   /// k > 0 N/m.
   Required<Stiffness> stiffness;
   /// e, the intended coefficient of restitution: 0.001 <= e <= 1, because the damping grows as 1/e.
-  Required<double> restitution;
+  Required<Restitution> restitution;
 
   /// Throws InputError for a parameter outside its range.
   void check(const Check& check) const {
     check.positive("stiffness", stiffness);
-    check_restitution_in_divisor(check, restitution);
+    restitution.value().check(check, least_restitution_in_divisor);
   }
   /// The parameters as given.
   [[nodiscard]] std::vector<Parameter> parameters() const {
-    return {{"stiffness", stiffness.si(), "N/m"}, {"restitution", restitution, "1"}};
+    return with_restitution({"stiffness", stiffness.si(), "N/m"}, restitution);
   }
   /// The law between two bodies of the given effective mass m1 m2/(m1 + m2) > 0 kg; a fixed wall is infinite.
   [[nodiscard]] ViscousLinearContact between(double effective_mass) const {
-    const double e = restitution;
-    const double damping_ratio = (1.0 - e * e) / (e * (e * (std::numbers::pi - 2.0) + 2.0));
+    const auto ratio_of = [](double e) { return (1.0 - e * e) / (e * (e * (std::numbers::pi - 2.0) + 2.0)); };
     return {.stiffness = stiffness.si(),
-            .damping = 2.0 * damping_ratio * std::sqrt(stiffness.si() * effective_mass),
+            .damping = damping_by_ratio(restitution, stiffness.si(), effective_mass, ratio_of),
             .approach_only = true};
   }
 };

@@ -191,7 +191,7 @@ struct HeatedLeadRubber {
   [[nodiscard]] double warming(const State& state, double rate) const {
     const double cooling = steel().cooling(state.temperature, state.steel);
     if (state.direction == 0) return -cooling;
-    // The slip rate is that of the deformation less that of the elastic part, which follows the strength.
+    // The slip rate is the rate of the deformation less that of the elastic part, which follows the strength.
     const double limit = strength_at(state.temperature), per_slip = -weakening * limit * limit / heat_capacity();
     return (limit * state.direction * rate / heat_capacity() - cooling) / (1.0 + per_slip / elastic_stiffness());
   }

@@ -46,7 +46,7 @@ struct KikuchiAikenRubber {
   Compound compound = Compound::x06;  ///< Compound of this bearing.
 
   using Reversal = RubberLoop::Reversal;             ///< A turn of the deformation.
-  static constexpr std::size_t most_reversals = 64;  ///< That are remembered.
+  static constexpr std::size_t most_reversals = 64;  ///< More are forgotten.
   struct State {
     double strain = 0.0, largest = 0.0;            ///< g, g_m
     double heat = 0.0;                             ///< J, dissipated so far

@@ -22,7 +22,7 @@ namespace moat {
 struct BiaxialFrictionPendulum {
   static constexpr std::string_view name = "BiaxialFrictionPendulum";
 
-  /// Its parameters; `weight` is that on this bearing, > 0 N.
+  /// The parameters; `weight` is the static load of this bearing, > 0 N.
   FrictionPendulum pendulum;
 
   struct State {

@@ -21,7 +21,7 @@ namespace moat {
 struct BiaxialGrantRubber {
   static constexpr std::string_view name = "BiaxialGrantRubber";
 
-  /// Its parameters.
+  /// The parameters of the rubber in one direction.
   GrantRubber rubber;
 
   struct State {

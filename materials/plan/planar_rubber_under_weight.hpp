@@ -6,9 +6,9 @@
 
 namespace moat {
 
-/// RubberUnderWeight in plan: k_2 is the same in all directions, and q that of BiaxialBilinear. P_cr is that of the
-/// smallest overlap so far, at the ends of steps: of a round bearing that of the largest resultant, of a rectangle that
-/// of both components at an instant. Where it begins and ends to fall is not located in plan.
+/// RubberUnderWeight in plan: k_2 is the same in all directions, and q that of BiaxialBilinear. P_cr belongs to the
+/// smallest overlap so far, at the ends of steps. A round bearing has it at the largest resultant, a rectangle at both
+/// components of one instant. Where it begins and ends to fall is not located in plan.
 struct PlanarRubberUnderWeight : SofteningLaw<BiaxialBilinear, PlanVector> {
   static constexpr std::string_view name = "PlanarRubberUnderWeight";
 

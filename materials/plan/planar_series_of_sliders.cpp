@@ -90,15 +90,11 @@ class Piece {
         weight_before_{weight_before},
         weight_{weight} {}
 
-  // Finds equal forces by Newton's method; false where it does not converge.
-  bool solve(PlanVector increment) {
+  // Finds equal forces by Newton's method, for a hard step from the increments of the return mapping; false where it
+  // does not converge.
+  bool solve(PlanVector increment, bool hard = false) {
     increments = rates_of(law_, from_, weight_before_, increment).displacements;
-    return iterate(FrictionRule::exact);
-  }
-  // Starts Newton's method from the increments of the return mapping.
-  bool solve_from_return_mapping(PlanVector increment) {
-    increments = rates_of(law_, from_, weight_before_, increment).displacements;
-    iterate(FrictionRule::return_mapping);
+    if (hard) iterate(FrictionRule::return_mapping);
     return iterate(FrictionRule::exact);
   }
 
@@ -165,18 +161,31 @@ class Piece {
     const PlanVector u = from_.sliders[i].displacement + increments[i];
     const double limit = coefficient * weight_, mean = 0.5 * coefficient * (weight_before_ + weight_),
                  elastic = law_.line.elastic_stiffness;
-    const CircularFriction friction = CircularFriction::after(
-        from_.sliders[i].friction_force, limit, mean, elastic, [&](const SaturatingSlip& slip, PlanVector z0) {
-          return rule == FrictionRule::exact ? slip.advance(z0, increments[i], {}, rates_[i], 0.0)
-                                             : return_mapping(z0, increments[i], elastic / limit);
+    // Where the circle shrinks, the slip that this needs at a displacement that rests counts as an increment: a slider
+    // that moves back needs less of it.
+    const PlanVector before = from_.sliders[i].friction_force;
+    const double size = length(before);
+    const bool sheds = size > limit;
+    const PlanVector way = sheds ? before / size : PlanVector{},
+                     increment = increments[i] + (sheds ? (size - limit) / elastic : 0.0) * way;
+    const CircularFriction friction =
+        CircularFriction::after(before, limit, mean, elastic, [&](const SaturatingSlip& slip, PlanVector z0) {
+          return rule == FrictionRule::exact ? slip.advance(z0, increment, {}, rates_[i], 0.0)
+                                             : return_mapping(z0, increment, elastic / limit);
         });
     SliderForce slider{.friction = friction.force, .by_friction_before = friction.by_force_before};
+    if (sheds)
+      slider.by_friction_before =
+          slider.by_friction_before + 1.0 / elastic * friction.by_increment *
+                                          ((1.0 - limit / size) * one + limit / size * PlanMatrix::product(way, way));
     slider.of_slope = curvature * (u + beyond(u, branch.first_stop));
     slider.value = weight_ * slider.of_slope + law_.line.stop_stiffness * beyond(u, branch.capacity) + friction.force;
     slider.by_place = spring_tangent(law_, i, u, weight_);
     slider.by_increment = slider.by_place + friction.by_increment;
     slider.by_weight_before = 0.5 * coefficient * friction.by_mean;
-    slider.by_weight = slider.of_slope + coefficient * friction.by_limit + slider.by_weight_before;
+    slider.by_weight = slider.of_slope +
+                       coefficient * (friction.by_limit + -1.0 / elastic * friction.by_increment * way) +
+                       slider.by_weight_before;
     return slider;
   }
 
@@ -211,7 +220,7 @@ bool follow(const Law& law, const Law::State& committed, PlanVector increment, P
     const auto at = [&](double share) { return weight_before + share * (weight - weight_before); };
     const Law::State from = trial;
     Piece piece{law, from, rate, at(begin), at(end)};
-    if (!piece.solve(increment / pieces)) converges = piece.solve_from_return_mapping(increment / pieces) && converges;
+    if (!piece.solve(increment / pieces)) converges = piece.solve(increment / pieces, true) && converges;
     // First the derivatives of all forces at fixed increments, then those of the common force and of the increments.
     std::array<Derivative, Law::most> at_fixed;
     Derivative force{PlanMatrix::diagonal(1.0 / pieces), {}};
@@ -246,12 +255,16 @@ PlanarAxialResponse PlanarSeriesOfSliders::evaluate(const State& committed, Plan
                weight = std::max(compression, least);
   const bool starts = committed.compression <= 0.0;
   const double before = starts ? weight : std::max(committed.compression, least);
+  // The friction of the law under W/100, of which a light bearing has a share.
+  State from = committed;
+  if (!starts && committed.compression < least)
+    for (Slider& slider : from.sliders) slider.friction_force = least / committed.compression * slider.friction_force;
   PlanVector increment = deformation;
   for (const Slider& slider : committed.sliders) increment = increment - slider.displacement;
   PlanarAxialResponse response;
   constexpr int most_pieces = 64;
   int pieces = 1;
-  while (!follow(*this, committed, increment, rate, before, weight, starts, pieces, trial, response)) {
+  while (!follow(*this, from, increment, rate, before, weight, starts, pieces, trial, response)) {
     pieces *= 2;
     if (pieces <= most_pieces) continue;
     // The step is too long: no number is accepted.
@@ -270,10 +283,10 @@ PlanarAxialResponse PlanarSeriesOfSliders::evaluate(const State& committed, Plan
   trial.compression = axial.compression;
   trial.heat = committed.heat;
   for (std::size_t i = 0; i < line.count; ++i) {
-    const Slider &from = committed.sliders[i], &to = trial.sliders[i];
+    const Slider &old = committed.sliders[i], &now = trial.sliders[i];
     const PlanVector slip =
-        to.displacement - from.displacement - (to.friction_force - from.friction_force) / line.elastic_stiffness;
-    trial.heat += 0.5 * dot(from.friction_force + to.friction_force, slip);
+        now.displacement - old.displacement - (now.friction_force - old.friction_force) / line.elastic_stiffness;
+    trial.heat += 0.5 * dot(old.friction_force + now.friction_force, slip);
   }
   return response;
 }

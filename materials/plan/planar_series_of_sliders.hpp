@@ -25,12 +25,12 @@ namespace moat {
 /// In a step every slider moves straight, and its friction follows exactly (materials/saturating_slip.hpp): a path that
 /// turns is right to second order. Newton's method finds the displacements at which all forces are equal, from the
 /// return mapping or in up to 64 equal pieces of the step where it does not converge at once. The force does not depend
-/// on speed. Below W/100 it is in proportion to N: zero where the bearing lifts, N <= 0.
+/// on speed. Below W/100 it is that under W/100 times N/(W/100): zero where the bearing lifts, N <= 0.
 ///
 /// Stored energy is that of the springs; dissipated is the mean friction of a step times the change of slip.
 struct PlanarSeriesOfSliders {
   static constexpr std::string_view name = "PlanarSeriesOfSliders";
-  static constexpr std::size_t most = SeriesOfSliders::most;  ///< Sliders, at most.
+  static constexpr std::size_t most = SeriesOfSliders::most;  ///< Largest number of sliders.
 
   SeriesOfSliders line;        ///< The law on a line, under `static_weight`.
   double static_weight = 0.0;  ///< W > 0 N

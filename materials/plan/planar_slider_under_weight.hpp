@@ -17,9 +17,9 @@ namespace moat {
 ///     F = (N/R + k_r) d + q,   q' = k_0 d' inside |q| < L = mu(|v|, N) N, and on the circle with slip along q
 ///
 /// Along a line it is SlidingUnderWeight but for events, which are not located in plan; under a constant weight it is
-/// BiaxialFrictionPendulum. The circle of a step is that of speed and N at its end, and the direction turns with that
-/// of the mean N: friction that depends on speed, and N that changes, are of second order in the step. A circle that
-/// shrinks takes the force along. Lifted, N <= 0, it has no friction, and its direction starts again.
+/// BiaxialFrictionPendulum. The circle of a step belongs to speed and N at its end, and the direction turns with the
+/// circle of the mean N: friction that depends on speed, and N that changes, are of second order in the step. A circle
+/// that shrinks takes the force along. Lifted, N <= 0, it has no friction, and its direction starts again.
 struct PlanarSliderUnderWeight {
   static constexpr std::string_view name = "PlanarSliderUnderWeight";
 

@@ -46,7 +46,7 @@ CommandLine::CommandLine(int argc, char** argv, std::string title)
   app_->footer(
       "Write quantities with their unit: \"12 cm\", 0.4g, \"2.5 ms\".\n"
       "Exit code: 0 done, 1 bad input, 2 wrong usage, 3 a step did not converge,\n"
-      "130, 143 or 129 stopped by a signal.");
+      "130, 143, 138 or 129 stopped by a signal.");
 }
 
 CommandLine::~CommandLine() = default;
@@ -60,9 +60,8 @@ void CommandLine::require_new(const std::string& name) const {
   if (name.empty() || name.front() == '-' || !std::ranges::all_of(name, allowed))
     throw InputError{"Script: \"" + name + "\" cannot be the name of an option. Use letters, digits, - and _."};
   if (app_->get_option_no_throw("--" + name) != nullptr)
-    throw InputError{"--" + name + ": there is an option of this name. Name each once; help, record and record-unit, " +
-                     "out, force, step, tolerance, integrator, end, frame-interval, check, quiet, json, threads, case, "
-                     "cases, retry and accept-changes are those of Script itself."};
+    throw InputError{"--" + name +
+                     ": there is an option of this name. Name each once; --help lists those of Script itself."};
 }
 
 void CommandLine::add_flag(const std::string& name, bool& value, const std::string& help) {

@@ -39,7 +39,7 @@ class CommandLine {
   [[nodiscard]] bool json_wanted() const { return json_wanted_ && !help_wanted_; }
   /// Name of the program, without folder and extension.
   [[nodiscard]] const std::string& program() const { return program_; }
-  /// As given to main().
+  /// Returns the arguments given to main().
   [[nodiscard]] const std::vector<std::string>& arguments() const { return arguments_; }
   /// Every option looked up so far and every flag that was given, with its value.
   [[nodiscard]] const std::vector<std::pair<std::string, std::string>>& values() const { return known_; }

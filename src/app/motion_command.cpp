@@ -197,7 +197,7 @@ std::vector<RecordChannel> read(const std::string& file, const Options& options)
   if (!options.step.empty()) text.step = parse<Time>(options.step, "--step");
   try {
     std::vector<RecordChannel> channels = read_channels(file, text);
-    check_unit(channels, text.unit);
+    check_text(channels, text);
     return channels;
   } catch (const MissingUnit& error) {
     throw InputError{error.problem() + " Give the unit: --unit g, or --unit cm/s^2."};
@@ -229,9 +229,10 @@ int main(int argc, char** argv) {
   CLI::App app{"Shows peaks, intensity, duration, pulse period and spectrum of accelerograms", "moat motion"};
   Options options;
   app.add_option("FILE", options.files, motion_formats())->required();
-  app.add_option("--unit", options.unit, "unit of plain text: g, gal, cm/s^2 ...");
-  app.add_option("--step", options.step, "time step of plain text without times: 0.01 s");
-  app.add_option("--columns", options.columns, "columns of plain text: time,x or x,y,z or series ...");
+  // The long names are those of scripts, and of the messages of the readers.
+  app.add_option("--unit,--record-unit", options.unit, "unit of plain text: g, gal, cm/s^2 ...");
+  app.add_option("--step,--record-step", options.step, "time step of plain text without times: 0.01 s");
+  app.add_option("--columns,--record-columns", options.columns, "columns of plain text: time,x or x,y,z or series ...");
   app.add_option("--damping", options.damping, "damping ratio of the spectrum")->capture_default_str();
   app.add_option("--out", options.folder, "folder for spectrum.svg and spectrum.csv");
   app.add_flag("--json", options.json, "print JSON, all numbers in SI units");

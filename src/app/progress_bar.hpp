@@ -23,6 +23,8 @@ class ProgressBar {
   void operator()(double done, double all, const std::string& note = "");
   /// Shows the progress of a study, with rate, remaining time, impacts and failures so far.
   void operator()(const StudyProgress& progress);
+  /// Shows the next work from 0 on. The quiet time does not begin again.
+  void restart() { shown_percent_ = 0; }
   /// Removes an unfinished bar from the terminal.
   void clear();
 
@@ -34,13 +36,13 @@ class ProgressBar {
   int shown_percent_ = 0;
 };
 
-/// Shows the time that an analysis has reached.
+/// Shows the time that an analysis has reached; of several analyses one after the other.
 class ProgressObserver final : public StepObserver {
  public:
   /// end: s, > 0, the time at which the analysis ends.
   explicit ProgressObserver(double end, const std::string& title = "") : end_{end}, bar_{title, "s"} {}
 
-  void start(const StepView&) override {}
+  void start(const StepView&) override { bar_.restart(); }
   void step(const StepView& view) override { bar_(view.state.time(), end_); }
   void event(const StepView&, std::span<const RegimeChange>) override {}
   void finish(const StepView&) override { bar_.clear(); }

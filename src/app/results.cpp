@@ -11,6 +11,7 @@
 #include "output/files/csv_writer.hpp"
 #include "output/files/peak_table.hpp"
 #include "output/files/results_folder.hpp"
+#include "output/files/sensitivity_table.hpp"
 #include "output/files/summary.hpp"
 #include "output/peaks/peak_groups.hpp"
 #include "output/recorders/energy_columns.hpp"
@@ -118,8 +119,8 @@ std::string terminal_summary(const CaseResult& result) {
   const std::string buildings = text_of(building_table(result));
   return (buildings.empty() ? "" : "\n" + buildings) + period_lines(result.periods) + "\n" + peak_table(result) +
          clearance_table(result) + table_at_the_end(residual_displacements(result.histories)) +
-         error_bar_line(result.error_bars) + energy_lines(result.energy) + "\n" +
-         count_of(static_cast<long>(result.impacts.size()), "impact") + ", " +
+         error_bar_line(result.error_bars) + sensitivity_table(result.contact_sensitivity, result.solver.cpu_seconds) +
+         energy_lines(result.energy) + "\n" + count_of(static_cast<long>(result.impacts.size()), "impact") + ", " +
          std::to_string(result.solver.accepted_steps) + " steps, " + std::to_string(result.solver.newton_iterations) +
          " Newton iterations, " + to_significant(result.solver.cpu_seconds, 3) + " s of processor time\n";
 }

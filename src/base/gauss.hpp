@@ -10,9 +10,10 @@ namespace moat {
 /// scripts compile longer.
 struct Gauss {
   static constexpr std::array<double, 5> points{0.04691007703066802, 0.23076534494715845, 0.5, 0.7692346550528415,
-                                                0.953089922969332};  ///< Ascending.
+                                                0.953089922969332};  ///< Positions, 0 to 1, ascending.
   static constexpr std::array<double, 5> weights{0.11846344252809454, 0.23931433524968324, 0.28444444444444444,
-                                                 0.23931433524968324, 0.11846344252809454};  ///< Their sum is 1.
+                                                 0.23931433524968324,
+                                                 0.11846344252809454};  ///< Positive, with the sum 1.
 
   /// Calls visit(x, weight) at the points between `from` and `to`; the weights add up to to - from.
   template <class Visit>

@@ -34,7 +34,7 @@ class HermiteCubic {
   [[nodiscard]] double value(double x) const {
     return value_ + x * (rise_ + (1.0 - x) * ((1.0 - x) * left_ + x * right_));
   }
-  /// Per second.
+  /// Returns the rate of the value, per second.
   [[nodiscard]] double rate(double x) const {
     return (rise_ + (1.0 - x) * (1.0 - 3.0 * x) * left_ + x * (2.0 - 3.0 * x) * right_) / h_;
   }
@@ -73,7 +73,7 @@ class HermiteQuintic {
   [[nodiscard]] double value(double x) const {
     return c_[0] + x * (c_[1] + x * (c_[2] + x * (c_[3] + x * (c_[4] + x * c_[5]))));
   }
-  /// Per second.
+  /// Returns the rate of the value, per second.
   [[nodiscard]] double rate(double x) const {
     return (c_[1] + x * (2.0 * c_[2] + x * (3.0 * c_[3] + x * (4.0 * c_[4] + x * 5.0 * c_[5])))) / h_;
   }
@@ -105,7 +105,7 @@ class HermiteQuinticsAt {
   [[nodiscard]] Value value(Value value0, Value rate0, Value second0, Value value1, Value rate1, Value second1) const {
     return value0 + value_.sum(value1 - value0, rate0, second0, rate1, second1);
   }
-  /// Per second.
+  /// Returns the rate of the value, per second.
   template <class Value>
   [[nodiscard]] Value rate(Value value0, Value rate0, Value second0, Value value1, Value rate1, Value second1) const {
     return rate_.sum(value1 - value0, rate0, second0, rate1, second1);

@@ -23,7 +23,7 @@ constexpr KnownUnit known_unit(std::string_view name, Q unit) {
   return {name, unit.si(), Q::mass_exponent, Q::half_length_exponent, Q::time_exponent};
 }
 
-/// Those that have the same name in scripts and on the command line.
+/// These units have the same name in scripts and on the command line.
 inline constexpr std::array common_units{
     known_unit("m", units::m),   known_unit("mm", units::mm),       known_unit("cm", units::cm),
     known_unit("km", units::km), known_unit("s", units::s),         known_unit("ms", units::ms),

@@ -27,8 +27,8 @@ class Places : public std::vector<Place> {
   Place& operator[](std::size_t index) { return List::operator[](checked(index)); }  ///< Returns it likewise.
   const Place& at(std::size_t index) const { return (*this)[index]; }                ///< Returns it likewise.
   Place& at(std::size_t index) { return (*this)[index]; }                            ///< Returns it likewise.
-  const Place& front() const { return (*this)[0]; }                                  ///< The first.
-  const Place& back() const { return (*this)[this->size() - 1]; }                    ///< The last.
+  const Place& front() const { return (*this)[0]; }                ///< Throws where the list is empty.
+  const Place& back() const { return (*this)[this->size() - 1]; }  ///< Throws where the list is empty.
   /// Counted from 1, as names do. Throws InputError outside 1 to size(), naming the owner and the parameter.
   const Place& numbered(int number, const Check& owner, std::string_view parameter) const {
     const auto count = static_cast<int>(this->size());

@@ -24,9 +24,9 @@ class Quantity {
   static constexpr int mass_exponent = mass;                                         ///< Exponent of kg.
   static constexpr int half_length_exponent = half_length;                           ///< Exponent of m^1/2.
   static constexpr int time_exponent = time;                                         ///< Exponent of s.
-  static constexpr bool dimensionless = mass == 0 && half_length == 0 && time == 0;  ///< A plain number.
+  static constexpr bool dimensionless = mass == 0 && half_length == 0 && time == 0;  ///< Whether it is a plain number.
 
-  /// Zero.
+  /// Makes zero.
   constexpr Quantity() = default;
 
   /// From a value that is already in SI units. A plain number becomes a quantity only where the

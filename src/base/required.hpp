@@ -24,8 +24,8 @@ class Required {
            !(std::integral<T> && std::floating_point<std::remove_cvref_t<Source>>)) constexpr Required(Source&& value)
       : value_(std::forward<Source>(value)) {}
 
-  constexpr operator const T&() const { return value_; }             ///< The value.
-  [[nodiscard]] constexpr const T& value() const { return value_; }  ///< The value.
+  constexpr operator const T&() const { return value_; }             ///< Returns the value.
+  [[nodiscard]] constexpr const T& value() const { return value_; }  ///< Returns the value.
 
   /// The value of a quantity in SI units.
   [[nodiscard]] constexpr double si() const requires requires(const T& quantity) { quantity.si(); }

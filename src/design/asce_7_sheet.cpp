@@ -27,32 +27,29 @@ double asce_7_damping_coefficient(double beta) {
 class Asce7Lines : SheetLines {
  public:
   explicit Asce7Lines(const Asce7Sheet& in)
-      : SheetLines{"Asce7Sheet", in.building.value(), "ASCE/SEI 7-16 and 7-22, chapter 17"}, code_{in} {
-    const auto spectral = [&](const char* field, const char* symbol, double value) {
-      check_.above_up_to(field, value, 0.0, 5.0, "g", "It is a fraction of g: 60 % of g is 0.6.");
-      give(symbol, value, "g");
-    };
-    spectral("s_m1", "S_M1", in.s_m1);
-    spectral("s_ds", "S_DS", in.s_ds);
-    spectral("s_d1", "S_D1", in.s_d1);
-    spectral("s_1", "S_1", in.s_1);
-    const double corner = in.s_d1 / in.s_ds;
-    check_.that(in.long_period.si() >= corner && std::isfinite(in.long_period.si()), "long_period", in.long_period.si(),
-                "s", ">= T_S = s_d1/s_ds = " + to_text(corner) + " s and finite");
+      : SheetLines{"Asce7Sheet", in.building.value(), "ASCE/SEI 7-16 and 7-22, chapter 17"},
+        code_{in},
+        spectrum_{in.spectrum.value()} {
+    check_.above_up_to("s_1", in.s_1, 0.0, 5.0, "g", "It is a fraction of g: 60 % of g is 0.6.");
+    static_cast<void>(spectrum_.design());  // its checks
     check_.between("response_modification", in.response_modification, 1.0, 8.0, "1");
     check_.between("importance", in.importance, 1.0, 1.5, "1");
     check_.not_negative("wind", in.wind);
     if (in.mce_spectrum)
       check_.that(in.mce_spectrum->damping_ratio == 0.05, "mce_spectrum.damping_ratio", in.mce_spectrum->damping_ratio,
                   "1", "0.05", "B_M brings the damping of the isolators.");
-    give("T_L", in.long_period.si(), "s");
+    give("S_M1", s_m1_, "g");
+    give("S_DS", spectrum_.s_ds, "g");
+    give("S_D1", spectrum_.s_d1, "g");
+    give("S_1", in.s_1, "g");
+    give("T_L", spectrum_.long_period.si(), "s");
     give("R", in.response_modification, "1");
     give("I_e", in.importance, "1");
   }
 
   DesignSheet made() {
     const auto spectrum = [&](Time t) {
-      return code_.mce_spectrum ? code_.mce_spectrum->acceleration(t).si() / standard_gravity : code_.s_m1 / t.si();
+      return code_.mce_spectrum ? code_.mce_spectrum->acceleration(t).si() / standard_gravity : s_m1_ / t.si();
     };
     solve("D_M", [&](std::size_t i, double d) {
       const double t = period(loops_[i].stiffness(Length{d}).si());
@@ -100,14 +97,20 @@ class Asce7Lines : SheetLines {
   }
 
   void add_forces() {
-    const std::string exponent = code_.abrupt_transition ? "3.5" : "2.5";
     const double slope = code_.abrupt_transition ? 3.5 : 2.5, r = code_.response_modification;
+    const std::string exponent = "(W_s/W)^(1 - " + to_text(slope) + " beta_M)";
+    if (const double most = std::ranges::max(beta_); slope * most > 1.0)
+      sheet_.notes.push_back("beta_M " + to_text(most) + " makes the exponent 1 - " + to_text(slope) +
+                             " beta_M negative: it is held at 0, V_st at V_b.");
     const double r_i = std::clamp(0.375 * r, 1.0, 2.0);
-    const auto above = [&](double force, double beta) { return force * std::pow(w_s_ / w_, 1.0 - slope * beta); };
+    // Beyond beta_M = 1/slope the formula would give the superstructure more than the base.
+    const auto above = [&](double force, double beta) {
+      return force * std::pow(w_s_ / w_, std::max(0.0, 1.0 - slope * beta));
+    };
     v_b_ = by_bound([&](std::size_t i) { return k_[i] * d_[i]; });
     const Values v_st = by_bound([&](std::size_t i) { return above(v_b_[i], beta_[i]); });
     add({"V_b", "k_M D_M", "17.5.4.1", followed, v_b_, "N"}, Governs::largest);
-    add({"V_st", "V_b (W_s/W)^(1 - " + exponent + " beta_M)", "17.5.4.2", followed, v_st, "N"}, Governs::largest);
+    add({"V_st", "V_b " + exponent, "17.5.4.2", followed, v_st, "N"}, Governs::largest);
     add({"R_I", "3 R/8, at least 1, at most 2", "17.5.4.2", followed, {r_i}});
     add_least_shear(r / code_.importance, exponent, above);
     const Values v_s = by_bound([&](std::size_t i) { return std::max(v_st[i] / r_i, least_shear_); });
@@ -132,10 +135,11 @@ class Asce7Lines : SheetLines {
 
   template <class Above>
   void add_least_shear(double reduction, const std::string& exponent, const Above& above) {
-    const bool is_long = t_[2] > code_.long_period.si(), is_near = code_.s_1 >= 0.6;
-    const double falling = code_.s_d1 * (is_long ? code_.long_period.si() / t_[2] : 1.0) / (t_[2] * reduction);
-    const double c_s = std::max({std::min(code_.s_ds / reduction, falling), 0.044 * code_.s_ds * code_.importance, 0.01,
-                                 is_near ? 0.5 * code_.s_1 / reduction : 0.0});
+    const bool is_long = t_[2] > spectrum_.long_period.si(), is_near = code_.s_1 >= 0.6;
+    const double falling = spectrum_.s_d1 * (is_long ? spectrum_.long_period.si() / t_[2] : 1.0) / (t_[2] * reduction);
+    const double c_s =
+        std::max({std::min(spectrum_.s_ds / reduction, falling), 0.044 * spectrum_.s_ds * code_.importance, 0.01,
+                  is_near ? 0.5 * code_.s_1 / reduction : 0.0});
     const double f_y = std::max(loops_[2].yield_force().si(), 1.5 * loops_[1].yield_force().si());
     const double by_yield = above(f_y, beta_[2]);
     add({"C_s",
@@ -150,7 +154,7 @@ class Asce7Lines : SheetLines {
     add({"F_y", "Q + k_2 d_y", "", by_statics, by_bound([&](std::size_t i) { return loops_[i].yield_force().si(); }),
          "N"});
     add({"F_s", "F_y of upper bounds, >= 1.5 times nominal", "17.5.4.3", recalled, {f_y}, "N"}).of = Bound::upper;
-    add({"V_s3", "F_s (W_s/W)^(1 - " + exponent + " beta_M)", "17.5.4.3", recalled, {by_yield}, "N"}).of = Bound::upper;
+    add({"V_s3", "F_s " + exponent, "17.5.4.3", recalled, {by_yield}, "N"}).of = Bound::upper;
     least_shear_ = std::max({c_s * w_s_, code_.wind.si(), by_yield});
   }
 
@@ -193,45 +197,57 @@ class Asce7Lines : SheetLines {
     if (in_.suite) {
       if (const Values centre = of_suite(&SuiteValues::displacement); std::ranges::max(centre) > 0.0)
         add({"D_M,dyn", "histories, centre", "17.6", recalled, centre, "m", in_.suite->statistic}, Governs::largest);
-      compare({"D_TM,dyn", "histories, corner, >= D_min", "17.6.4", recalled, corner, "m"}, least);
-      compare({"V_b,dyn", "histories, >= V_min", "17.6.4", recalled, shear, "N"}, share(0.9));
-      compare({"V_above", code_.regular ? "histories, >= 0.8 V_b, regular" : "histories, >= V_b, irregular", "17.6.4",
-               recalled, shear, "N"},
-              share(code_.regular ? 0.8 : 1.0));
+      const bool hides = in_.suite->base_shear_has_impacts;
+      const std::string of = hides ? "histories, base shear" : "histories, isolators alone";
+      compare({"D_TM,dyn", "histories, corner, resultant, >= D_min", "17.6.4", recalled, corner, "m"}, least, false);
+      compare({"V_b,dyn", of + ", both directions, >= V_min", "17.6.4", recalled, shear, "N"}, share(0.9), hides);
+      compare({"V_above",
+               of + (code_.regular ? ", both directions, >= 0.8 V_b, regular" : ", both directions, >= V_b, irregular"),
+               "17.6.4", recalled, shear, "N"},
+              share(code_.regular ? 0.8 : 1.0), hides);
       Values above = of_suite(&SuiteValues::storey_shear);
       for (double& each : above) each /= r_i_;
-      compare({"V_s,dyn", "histories, V_st,dyn/R_I >= V_s1 to V_s3", "17.6.4", recalled, above, "N"},
-              Values(3, least_shear_));
+      compare({"V_s,dyn", "histories, storey 1, both directions, V_st,dyn/R_I >= V_s1 to V_s3", "17.6.4", recalled,
+               above, "N"},
+              Values(3, least_shear_), true);
       if (const Values drift = of_suite(&SuiteValues::drift); std::ranges::max(drift) > 0.0)
         add_rule({"drift", "histories, <= 0.020 h", "17.6.4.4", recalled, drift, "1", in_.suite->statistic},
                  Governs::largest, 0.02, "too much");
     }
     const bool is_dynamic = std::ranges::max(corner) > 0.0;
-    add_gap(is_dynamic ? "D_TM,dyn" : "D_TM", "17.2.5.2", by_bound([&](std::size_t i) {
+    add_gap("D_TM,dyn", corner, "D_TM", "17.2.5.2", by_bound([&](std::size_t i) {
               // A bound without histories has the displacement of the formula; nominal properties lie between.
               const bool by_histories = is_dynamic && (corner[i] > 0.0 || static_cast<Bound>(i) == Bound::nominal);
               return by_histories ? std::max(corner[i], least[i]) : amplification_ * d_[i];
             }));
   }
 
-  /// A result of histories against its minimum, at the bound with the smallest ratio.
-  void compare(SheetLine line, const Values& least) {
+  /// A result of histories against its minimum, at the bound with the smallest ratio. Impacts that add to the result
+  /// may hide that it is too small: then the rule is not judged as kept.
+  void compare(SheetLine line, const Values& least, bool impacts_add) {
     std::optional<std::size_t> worst;
     const Values& found = line.values;
     for (std::size_t i = 0; i < found.size(); ++i)
       if (found[i] > 0.0 && (!worst || found[i] / least[i] < found[*worst] / least[*worst])) worst = i;
     if (!worst) return;
-    line.numbers = in_.suite->statistic;
+    const std::string touching = touching_records();
+    line.numbers = in_.suite->statistic + (touching.empty() ? "" : "; " + touching);
     SheetLine& added = add(std::move(line));
     added.of = static_cast<Bound>(*worst);
     added.governs = true;
     const double ratio = added.value() / least[*worst];
+    const bool hidden = ratio >= 1.0 && impacts_add && !touching.empty();
     judge(added, ratio >= 1.0,
           named_value(added) + (ratio >= 1.0 ? " >= " : " < ") + sheet_value(least[*worst], added.unit) +
-              (ratio >= 1.0 ? "" : ": multiply the results by " + sheet_value(1.0 / ratio, "1")));
+              (ratio < 1.0 ? ": multiply the results by " + sheet_value(1.0 / ratio, "1")
+               : hidden    ? ", not judged: " + touching + ", and the forces of impacts are in it"
+                           : ""));
+    if (hidden) added.is_kept.reset();
   }
 
   const Asce7Sheet& code_;
+  const Asce7Spectrum spectrum_;
+  const double s_m1_ = 1.5 * spectrum_.s_d1;  // of MCE_R
   Values v_b_{};
   double amplification_ = 1.0, least_shear_ = 0.0, r_i_ = 1.0;
 };

@@ -5,6 +5,7 @@
 
 #include "design/design_sheet.hpp"
 #include "design/sheet_inputs.hpp"
+#include "motions/spectra/code_spectra.hpp"
 #include "motions/spectra/target_spectrum.hpp"
 
 namespace moat {
@@ -12,17 +13,18 @@ namespace moat {
 /// Isolated buildings by ASCE/SEI 7-16 and 7-22, chapter 17: the equivalent lateral force procedure, and the minima
 /// that it sets for histories. It converts to its sheet:
 ///
-///     const DesignSheet sheet = Asce7Sheet{.building = hospital, .s_m1 = 0.9, .s_ds = 1.0, .s_d1 = 0.6, .s_1 = 0.6,
-///                                          .long_period = 8 * s, .response_modification = 5};
+///     const Asce7Spectrum spectrum{.s_ds = 1.0, .s_d1 = 0.6, .long_period = 8 * s};
+///     const DesignSheet sheet = Asce7Sheet{.building = hospital, .spectrum = spectrum, .s_1 = 0.6,
+///                                          .response_modification = 5};
 ///
 /// At D_M the spectrum, with the damping and the secant stiffness of the loop at D_M, asks for D_M again; this is
-/// solved to the last digits. Nobody of moat has read the code itself: clauses from memory are marked on the sheet.
+/// solved to the last digits. Nobody of moat has read the code itself: recalled clauses are marked on the sheet.
 struct Asce7Sheet {
   Required<SheetBuilding> building;  ///< The isolated building.
-  /// S_M1 of the MCE_R spectrum, S_DS and S_D1 of the design spectrum, and the mapped S_1: fractions of g, > 0, <= 5.
-  Required<double> s_m1, s_ds, s_d1, s_1;
-  /// T_L >= S_D1/S_DS, s.
-  Required<Time> long_period;
+  /// S_DS, S_D1 and T_L; S_M1 = 1.5 S_D1.
+  Required<Asce7Spectrum> spectrum;
+  /// The mapped S_1, a fraction of g, > 0, <= 5.
+  Required<double> s_1;
   /// R of the superstructure, 1 to 8.
   Required<double> response_modification;
   double importance = 1.0;  ///< I_e, 1 to 1.5.

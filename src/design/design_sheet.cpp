@@ -32,7 +32,7 @@ std::vector<const SheetLine*> DesignSheet::rules() const {
   for (const SheetLine& each : lines)
     if (!each.verdict.empty()) found.push_back(&each);
   std::ranges::stable_sort(found, {}, [](const SheetLine* each) {
-    return each->symbol == "gap" ? 0 : each->is_kept == false ? 1 : 2;
+    return each->symbol == "gap" ? 0 : each->is_kept == false ? 1 : each->is_kept ? 3 : 2;
   });
   return found;
 }

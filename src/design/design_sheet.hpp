@@ -12,8 +12,8 @@ namespace moat {
 /// Where the formula of a clause comes from. A sheet shows it beside the clause.
 enum class ClauseSource {
   followed,    ///< Read in published programs that follow the code, not in the code itself.
-  recalled,    ///< From memory: read the clause before you sign.
-  by_statics,  ///< Follows from equilibrium; the number of the clause is from memory.
+  recalled,    ///< Recalled, not read in the code: read the clause before you sign.
+  by_statics,  ///< Follows from equilibrium; the number of the clause is recalled.
 };
 
 /// The three sets of isolator properties, in the order of the values of a line.
@@ -35,7 +35,7 @@ struct SheetLine {
   std::string numbers{};                         ///< the formula with the numbers of the bound `of`, in kN, m and s
   Bound of = Bound::nominal;                     ///< see `numbers`
   bool governs = false;                          ///< whether the value of `of` is that for design, shown bold
-  std::optional<bool> is_kept{};                 ///< of a rule that is judged
+  std::optional<bool> is_kept{};                 ///< of a rule; none where it is not judged
   std::string verdict{};                         ///< of a rule: "clearance 0.45 m < D_TM 0.5717 m (lower bounds)"
 
   /// The value of a bound, SI. Throws InputError for a line without values.
@@ -63,7 +63,7 @@ struct DesignSheet {
 
   /// The line of a symbol. Throws InputError for an unknown one, with all that there are.
   [[nodiscard]] const SheetLine& line(std::string_view symbol) const;
-  /// The rules: the gap first, then those that are not kept, then the others.
+  /// The rules: the gap first, then those that are not kept, those that are not judged, and the others.
   [[nodiscard]] std::vector<const SheetLine*> rules() const;
 };
 

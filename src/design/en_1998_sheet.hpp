@@ -14,7 +14,8 @@ namespace moat {
 ///                                           .spectrum = {.ground_acceleration = 0.3 * g, .ground = 'C'}};
 ///
 /// d_dc is the displacement at which the spectrum, with the damping and the secant stiffness of the loop at d_dc, asks
-/// for d_dc again; it is solved to the last digits. Clauses are from memory, and marked so on the sheet.
+/// for d_dc again; it is solved to the last digits. Clauses are recalled, not read in the code, and marked so on the
+/// sheet.
 struct En1998Sheet {
   Required<SheetBuilding> building;  ///< The isolated building.
   /// S_e. Its damping ratio is not used: that of the isolators is.

@@ -1,6 +1,7 @@
 // Inputs and results of analyses that the design sheets of all codes take.
 #pragma once
 
+#include <cstddef>
 #include <functional>
 #include <optional>
 #include <string>
@@ -78,22 +79,26 @@ struct SheetFloor {
 
 /// Results of histories for one set of isolator properties, each zero where there is none.
 struct SuiteValues {
-  Length displacement{};         ///< Of the isolators at the centre of mass, >= 0 m.
-  Length corner_displacement{};  ///< Of the corner that moves most, with accidental eccentricity, >= 0 m.
-  Force base_shear{};            ///< Through all isolators, >= 0 N.
-  Force storey_shear{};          ///< Of the storey above the base, not reduced, >= 0 N.
+  Length displacement{};         ///< Isolators at the centre of mass, >= 0 m; in plan the resultant.
+  Length corner_displacement{};  ///< Resultant of the corner that moves most, with accidental eccentricity, >= 0 m.
+  Force base_shear{};            ///< Through all isolators, >= 0 N; in plan the smaller of x and y, for minima.
+  Force storey_shear{};          ///< First storey above the base, not reduced, >= 0 N; in plan as base_shear.
   double drift = 0.0;            ///< Largest drift over height of the storey, >= 0.
+  std::size_t touching = 0;      ///< Records with an impact.
 };
 
 /// Results of a suite of histories that a sheet compares with its minima: the mean, or the largest of few.
 struct SuiteForSheet {
   std::string statistic;                    ///< "mean of 7 records"
   SuiteValues lower{}, nominal{}, upper{};  ///< by bound
+  /// Whether base_shear has the forces of impacts too, which are not those of the isolators.
+  bool base_shear_has_impacts = false;
+  std::vector<std::string> scaling{};  ///< ScaledSuite::description(), for the notes of the sheet.
 };
 
 /// A building on isolators, as the design sheets of all codes take it.
 struct SheetBuilding {
-  std::string name{};  ///< In the title.
+  std::string name{};  ///< The title of the sheet has it.
   /// W > 0 N, of everything on the isolators, with the base level.
   Required<Force> weight;
   /// From the first above the base upwards. The sum of their weights is W_s <= W.

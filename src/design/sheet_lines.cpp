@@ -85,6 +85,14 @@ void SheetLines::add_rule(SheetLine line, Governs governs, double limit, const s
             sheet_value(limit, added.unit) + (is_kept ? "" : ": " + otherwise));
 }
 
+std::string SheetLines::touching_records() const {
+  if (!in_.suite) return "";
+  const SuiteForSheet& suite = *in_.suite;
+  const std::size_t most = std::max({suite.lower.touching, suite.nominal.touching, suite.upper.touching});
+  if (most == 0) return "";
+  return std::to_string(most) + (most == 1 ? " record touches" : " records touch");
+}
+
 std::string SheetLines::bare(double value, const std::string& unit) {
   const std::string text = sheet_value(value, unit);
   return text.substr(0, text.find(' '));
@@ -118,6 +126,10 @@ std::string SheetLines::with_numbers(const std::string& formula, Bound of) const
 }
 
 DesignSheet SheetLines::finished() {
+  if (in_.suite && !in_.suite->scaling.empty()) {
+    std::string& note = sheet_.notes.emplace_back();
+    for (const std::string& line : in_.suite->scaling) note += (note.empty() ? "" : " ") + line + ".";
+  }
   // Formulas have symbols of later lines too.
   for (SheetLine& line : sheet_.lines)
     if (line.numbers.empty()) line.numbers = with_numbers(line.formula, line.of);
@@ -169,13 +181,21 @@ SheetLines::Values SheetLines::restoring() const {
       [&](std::size_t i) { return (loops_[i].force(Length{d_[i]}) - loops_[i].force(Length{0.5 * d_[i]})).si() / w_; });
 }
 
-void SheetLines::add_gap(const std::string& needed, const std::string& clause, Values values) {
-  SheetLine& line = add({"gap", needed, clause, ClauseSource::recalled, std::move(values), "m"}, Governs::largest);
+void SheetLines::add_gap(const std::string& of_histories, const Values& corner, const std::string& of_formula,
+                         const std::string& clause, Values values) {
+  SheetLine& line = add({"gap", "", clause, ClauseSource::recalled, std::move(values), "m"}, Governs::largest);
+  const std::string& needed = corner[static_cast<std::size_t>(line.of)] > 0.0 ? of_histories : of_formula;
+  line.formula = needed;
   const std::string value = sheet_value(line.value(), "m") + " (" + std::string{name_of(line.of)} + ")";
   if (in_.clearance) {
     const bool is_kept = in_.clearance->si() >= line.value();
     judge(line, is_kept,
           "clearance " + sheet_value(in_.clearance->si(), "m") + (is_kept ? " >= " : " < ") + needed + " " + value);
+    // Walls limit the displacements of these records.
+    if (const std::string touching = touching_records(); is_kept && !touching.empty()) {
+      line.is_kept.reset();
+      line.verdict += ", not judged: " + touching + "; repeat the histories with a gap that stays open";
+    }
   } else {
     line.verdict = "gap needed: " + needed + " " + value;
   }

@@ -57,10 +57,14 @@ class SheetLines {
     else
       return {(suite.lower.*value).si(), (suite.nominal.*value).si(), (suite.upper.*value).si()};
   }
+  /// "2 records touch" where histories have impacts, by the bound with most; else empty.
+  [[nodiscard]] std::string touching_records() const;
   /// The number alone, in the unit of sheets.
   static std::string bare(double value, const std::string& unit);
-  /// The gap that is needed, and its verdict.
-  void add_gap(const std::string& needed, const std::string& clause, Values values);
+  /// The gap that is needed, and its verdict: by the histories of a bound that has a displacement of its corner, else
+  /// by the formula.
+  void add_gap(const std::string& of_histories, const Values& corner, const std::string& of_formula,
+               const std::string& clause, Values values);
   /// (F(d) - F(d/2))/W at d_.
   [[nodiscard]] Values restoring() const;
   /// The forces of floors, each the share of its floor in the total; the numbers are the product. The total is a copy:

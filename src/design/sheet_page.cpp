@@ -22,7 +22,7 @@ std::string verdict_box(const DesignSheet& sheet) {
     is_broken = is_broken || rule->is_kept == false;
     if (rule->symbol == "gap")
       first = "<strong>" + text + "</strong>";
-    else if (rule->is_kept == false)
+    else if (rule->is_kept != true)
       broken += "<br>" + text;
     else
       ++kept;
@@ -55,7 +55,7 @@ std::string line_row(const SheetLine& line, bool repeats) {
   return "<tr><td>" + formula_as_html(line.symbol) + "</td><td>" + (repeats ? "" : formula_as_html(line.formula)) +
          "</td><td>" + formula_as_html(line.numbers) + "</td>" + value_cells(line) + "<td class=\"unit\">" + unit +
          "</td><td>" +
-         (!line.is_kept   ? ""
+         (!line.is_kept   ? (line.verdict.empty() ? "" : "not judged")
           : *line.is_kept ? "kept"
                           : "<span class=\"broken\">not kept</span>") +
          "</td><td>" + (repeats ? "" : escaped(line.clause)) + mark + "</td></tr>\n";

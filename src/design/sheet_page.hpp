@@ -10,7 +10,7 @@
 namespace moat {
 
 /// A whole page that needs nothing else: for each sheet the gap and all rules that are not kept, the given numbers, and
-/// a table of all lines. Each prints on A4 pages of its own: lines of 12 storeys fit on one. Clauses from memory are
+/// a table of all lines. Each prints on A4 pages of its own: lines of 12 storeys fit on one. Recalled clauses are
 /// marked; the value that governs is bold.
 std::string sheet_page(const std::vector<DesignSheet>& sheets);
 

@@ -38,4 +38,7 @@ void run_tests(const Places& places, bool all, const Command& words);
 /// Builds the headers that checks need and hands over to the bootstrap script, which runs those of these names, or all.
 void run_checks(const Places& places, const Command& names);
 
+/// Has the bootstrap script build the fuzz targets and run one of them.
+void run_fuzzer(const Places& places, const std::string& target, int seconds);
+
 }  // namespace moat::launcher

@@ -42,8 +42,9 @@ A script may include files beside it: #include "my_law.hpp". It is compiled agai
 library has changed. The compiled programs in build/scripts/ may be deleted at any time.
 
 Options of most scripts, which its own --help explains: --out, --force, --step, --tolerance, --integrator, --end,
---frame-interval, --check, --quiet, --json, --record, --record-up, --record-unit, --record-step, --record-columns,
---records-table; of studies --threads, --case, --cases, --retry.
+--frame-interval, --check, --sensitivity, --no-sensitivity, --quiet, --json, --record, --record-2, --record-up,
+--record-unit, --record-step, --record-columns, --records-table, --incidence; of studies --threads, --case, --cases,
+--retry, --accept-changes.
 
 Exit code: that of the script; 1 when building fails, 2 for wrong usage, 3 when packages cannot be installed.)"},
     {"new", "Start a script of your own", R"(
@@ -69,19 +70,21 @@ in the folder that the environment variable MOAT_RECORDS names, and are skipped 
 
 With --all nothing may be skipped: it installs the programs that some tests need (cmake/packages/all.txt), demands
 MOAT_RECORDS, and fails when a test was skipped.)"},
-    {"bench", "Compute the benchmarks: the source paper, accuracy, isolators, performance, OpenSees beside moat", R"(
+    {"bench", "Compute the benchmarks: the paper, accuracy, experiments, isolators, performance, OpenSees", R"(
 ./moat bench paper [--out FOLDER] [--write-docs] [--coarse]
 ./moat bench accuracy [--out FOLDER] [--write-docs] [--only-random] [--models N] [--seed N] [--threads N] [--csv FILE]
+./moat bench experiments [--out FOLDER] [--write-docs]
 ./moat bench isolators [--write-docs]
 ./moat bench performance [--out FOLDER] [--write-docs] [--only SECTION] [--rounds N] [--quick]
 ./moat bench peers [--out FOLDER] [--write-docs] [--rounds N]
 
 paper: every table and figure of Zhao, Liu & Li (2017) beside the printed numbers, on a page to open from disk,
 results/paper/index.html. accuracy: error of the peaks against the number of steps, and errors over 200 random models
-against an independent reference, in about two minutes of processor time. isolators: bearings whose lead or sliding
-surface heats, beside a published test and another program. performance: ratios taken in one run, each with its spread,
-in under ten minutes; it installs the libraries compared with moat (cmake/packages/bench.txt). peers: moat beside
-OpenSees, the program that OPENSEES names or the one on the path. --write-docs brings the tables of docs up to date.
+against an independent reference, in about two minutes of processor time. experiments: measured tests and published
+buildings, from the folder that MOAT_EXPERIMENTS names. isolators: bearings whose lead or sliding surface heats, beside
+a published test and another program. performance: ratios taken in one run, each with its spread, in under ten minutes;
+it installs the libraries compared with moat (cmake/packages/bench.txt). peers: moat beside OpenSees, the program that
+OPENSEES names or the one on the path. --write-docs brings the tables of docs up to date.
 
   MOAT_RECORDS=~/records ./moat bench paper       without recorded motions: Table 1 and a synthetic pulse
   ./moat bench paper --help                       its options, from the program itself, which is built first
@@ -128,8 +131,22 @@ For those who change moat. Runs checks one after the other, goes on when one fai
   warnings     everything compiles with warnings as errors (build/dev)
   tidy         clang-tidy finds nothing in the library (.clang-tidy)
   sanitizers   all tests pass with the address and undefined-behaviour sanitizers (build/asan)
+  fuzz         10,000 damaged inputs of every reader end in a result or a refusal (build/fuzz)
+  faults       runs and studies that are killed, stopped or lack disk leave whole files; 4 minutes
 
   ./moat check format shell                       two of them, in a minute)"},
+    {"fuzz", "Try damaged inputs on one of the readers", R"(
+./moat fuzz TARGET [SECONDS]
+
+For those who change moat. Builds the readers with sanitizers and lets libFuzzer change valid inputs (build/fuzz/corpus)
+for 60 seconds, or as long as given. An input that ends in more than a refusal is kept in build/fuzz/found. With
+MOAT_FORMATS and MOAT_RECORDS, folders of records, these files are inputs too.
+
+  record  record_table  matrix  sap2000  table  spectrum  quantity  command_line  study_file  compile_errors
+
+  ./moat fuzz record 600                          files of all networks, for ten minutes
+
+Exit code: 0 nothing found, 1 an input was kept, 2 wrong usage.)"},
     {"completion", "Print a script that completes this command line in bash", R"(
   source <(./moat completion bash)                put this line, with the whole path of moat, into ~/.bashrc)"},
     {"doctor", "Show installed and missing packages", R"(

@@ -29,7 +29,7 @@ void become_library_program(const Places& places, const std::string& command, co
 }
 
 void run_benchmark(const Places& places, const Command& words) {
-  const std::vector<std::string> names{"paper", "accuracy", "isolators", "performance", "peers"};
+  const std::vector<std::string> names{"paper", "accuracy", "experiments", "isolators", "performance", "peers"};
   const std::string name = words.empty() ? "" : words.front();
   if (std::ranges::find(names, name) == names.end())
     throw Stop{exit_usage,
@@ -67,6 +67,12 @@ void run_checks(const Places& places, const Command& names) {
                             .package_lists = {"test", "check"},
                             .cmake_option = "MOAT_BUILD_TESTS"});
   call_bootstrap(places, {"--check"}, names);
+}
+
+void run_fuzzer(const Places& places, const std::string& target, int seconds) {
+  find_records();
+  bring_up_to_date(places, {.what = "the launcher", .targets = {"moat_launcher"}, .package_lists = {"check"}});
+  call_bootstrap(places, {"--fuzz"}, {target, std::to_string(seconds)});
 }
 
 }  // namespace moat::launcher

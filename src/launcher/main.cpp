@@ -78,8 +78,18 @@ int run_command_line(const Places& places, int count, char** words) {
   CLI::App* const check = app.get_subcommand("check");
   Command names;
   check->add_option("NAME", names, "one or more of those below; all if none is given")
-      ->check(CLI::IsMember({"format", "shell", "package", "warnings", "tidy", "sanitizers"}));
+      ->check(CLI::IsMember({"format", "shell", "package", "warnings", "tidy", "sanitizers", "fuzz", "faults"}));
   check->callback([&] { run_checks(places, names); });
+
+  CLI::App* const fuzz = app.get_subcommand("fuzz");
+  std::string target;
+  int seconds = 60;
+  fuzz->add_option("TARGET", target, "one of those below")
+      ->required()
+      ->check(CLI::IsMember({"record", "record_table", "matrix", "sap2000", "table", "spectrum", "quantity",
+                             "command_line", "study_file", "compile_errors"}));
+  fuzz->add_option("SECONDS", seconds, "how long")->check(CLI::Range(1, 1'000'000));
+  fuzz->callback([&] { run_fuzzer(places, target, seconds); });
 
   CLI::App* const completion = app.get_subcommand("completion");
   std::string shell;
@@ -87,7 +97,7 @@ int run_command_line(const Places& places, int count, char** words) {
   completion->callback([] { std::fputs(help::bash_completion, stdout); });
   app.get_subcommand("doctor")->callback([&] { doctor(places); });
 
-  for (const std::string name : {"bench", "test", "check"})
+  for (const std::string name : {"bench", "test", "check", "fuzz"})
     app.get_subcommand(name)->preparse_callback([&places, name](std::size_t) {
       if (!places.installed()) return;
       throw Stop{exit_usage, name + " needs the sources of moat, and this is an installed package.\n" +

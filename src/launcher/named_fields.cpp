@@ -154,11 +154,13 @@ std::optional<Mistake> mistake_in_fields(const std::string& source, std::size_t 
   if (arguments.size() == 1)
     if (auto mistake = mistake_in_list(source, code, arguments.front(), argument, headers)) return mistake;
   depth = 0;
-  for (std::size_t i = offset; i-- > 0;) {
+  int lists = 10;  // Deeper ones are no lists of fields; each is compared with all headers.
+  for (std::size_t i = offset; i-- > 0 && lists > 0;) {
     depth += nesting(code[i]);
     if (depth <= 0) continue;
     depth = 0;
     if (code[i] != '{') continue;
+    --lists;
     if (auto mistake = mistake_in_list(source, code, i, type_before(code, i), headers)) return mistake;
   }
   return {};

@@ -18,11 +18,11 @@ void say(const std::string& line);
 /// With a log it has no input, and all output goes there. Throws Stop where the log cannot be written.
 int run(Command command, const std::filesystem::path& log = {});
 
-/// As run(), but a command that takes longer than 0.3 s is shown as a line of progress, "moat: build     the library
-/// ... 12.3 s"; a shorter one passes in silence.
+/// Runs as run() does, but a command that takes longer than 0.3 s is shown as a line of progress, "moat: build     the
+/// library ... 12.3 s"; a shorter one passes in silence.
 int phase(const std::filesystem::path& log, const std::string& name, const std::string& detail, const Command& command);
 
-/// As phase(), but throws Stop with the end of the log where the command fails.
+/// Runs as phase() does, but throws Stop with the end of the log where the command fails.
 void required_phase(const std::filesystem::path& log, const std::string& name, const std::string& detail,
                     const Command& command);
 

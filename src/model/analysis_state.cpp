@@ -114,12 +114,21 @@ void AnalysisState::evaluate_rates() {
   const auto add_rates = [&](const std::vector<std::size_t>& blocks, Vector& rates) {
     for (const std::size_t b : blocks) elements_[b]->evaluate_rates(trial_.acceleration.data(), rates.data());
   };
+  const auto turn_into_jerk = [&](Vector& rates) {
+    solve(rates);
+    rates.head(count) *= -1.0;
+    rates[count] = 0.0;
+  };
+  if (weights_.empty()) {
+    trial_.jerk.setZero(count + 1);
+    add_rates(other_blocks_, trial_.jerk);
+    turn_into_jerk(trial_.jerk);
+    return;
+  }
   const auto find_jerk = [&](const Vector& others, Vector& jerk) {
     jerk = others;
     add_rates(blocks_under_weight_, jerk);
-    solve(jerk);
-    jerk.head(count) *= -1.0;
-    jerk[count] = 0.0;
+    turn_into_jerk(jerk);
   };
   const auto find_axial_rates = [&] {
     for (WeightOnBearings& weight : weights_) weight.find_rates(trial_, vertical_ground_rate_, elements_);
@@ -127,7 +136,6 @@ void AnalysisState::evaluate_rates() {
   rates_of_others_.setZero(count + 1);
   add_rates(other_blocks_, rates_of_others_);
   find_jerk(rates_of_others_, trial_.jerk);
-  if (weights_.empty()) return;
   find_axial_rates();
   if (!feels_accelerations_) return;
   find(coupling_);

@@ -6,7 +6,7 @@
 
 #include "base/copyable_pointer.hpp"
 #include "model/model.hpp"
-#include "model/weight_on_bearings.hpp"
+#include "model/weight/weight_on_bearings.hpp"
 
 namespace moat {
 
@@ -26,7 +26,7 @@ class AnalysisState {
   /// without nodes.
   explicit AnalysisState(const Model& model);
 
-  [[nodiscard]] const Model& model() const { return *model_; }  ///< As given.
+  [[nodiscard]] const Model& model() const { return *model_; }  ///< The model that is analysed.
   /// Whether nothing was added to the model since this state was made.
   [[nodiscard]] bool fits_model() const { return additions_ == model_->additions(); }
 
@@ -68,15 +68,17 @@ class AnalysisState {
   /// The rate of the ground's vertical acceleration, m/s^3, from the committed instant on. Where it jumps and axial
   /// forces follow it: finds the rates of the committed state again, and returns true.
   bool turn_ground(double vertical_rate);
-  [[nodiscard]] double vertical_ground_rate() const { return vertical_ground_rate_; }  ///< That of axial forces, m/s^3.
+  /// Returns the rate that turn_ground() set, m/s^3.
+  [[nodiscard]] double vertical_ground_rate() const { return vertical_ground_rate_; }
   [[nodiscard]] double kinetic_energy() const;  ///< J, of the motion relative to the ground.
   /// Starts the energy accounts of all elements at the committed state; they are kept from then on.
   void start_energy_accounts();
-  [[nodiscard]] bool keeps_energy_accounts() const { return keeps_energy_accounts_; }  ///< Once started.
+  /// Whether start_energy_accounts() was called.
+  [[nodiscard]] bool keeps_energy_accounts() const { return keeps_energy_accounts_; }
 
   /// The state that evaluate() uses; analyses fill it.
   [[nodiscard]] MotionState& trial() { return trial_; }
-  [[nodiscard]] const MotionState& trial() const { return trial_; }  ///< To read.
+  [[nodiscard]] const MotionState& trial() const { return trial_; }  ///< The trial motion, to read.
   /// Computes all elements and internal_forces() at the trial state.
   void evaluate();
   /// After evaluate(): the rates of all forces at the trial state, from both tangents and the trial accelerations, and

@@ -45,7 +45,7 @@ struct GeneralisedBody {
   std::string name;                                ///< Unique in its model.
   std::vector<GeneralisedCoordinate> coordinates;  ///< At least one.
   Eigen::MatrixXd mass;                            ///< kg, symmetric and positive definite, as large as coordinates.
-  Length x{}, y{}, height{};                       ///< Its position at rest.
+  Length x{}, y{}, height{};                       ///< Position at rest.
   bool free = false;                               ///< Whether nothing need hold it, as Node::free.
 };
 

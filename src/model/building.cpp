@@ -143,4 +143,13 @@ std::vector<Building> all_buildings(const Model& model) {
   return buildings;
 }
 
+std::vector<std::string> bodies_beside_buildings(const Model& model) {
+  std::vector<std::string> names;
+  if (model.buildings().empty()) return names;
+  const std::vector<Building> buildings = all_buildings(model);
+  for (std::size_t b = model.buildings().size(); b < buildings.size(); ++b)
+    if (buildings[b].base == ground && buildings[b].floors.size() == 1) names.push_back(buildings[b].name);
+  return names;
+}
+
 }  // namespace moat

@@ -9,9 +9,9 @@
 
 #include "base/check.hpp"
 #include "base/places.hpp"
-#include "model/axial_forces.hpp"
 #include "model/body.hpp"
 #include "model/node.hpp"
+#include "model/weight/axial_forces.hpp"
 
 namespace moat {
 
@@ -53,9 +53,8 @@ struct ParticipatingMass {
 ///     add(model, Building{.base = base, .floors = {floor_1, floor_2}});
 ///
 /// The sum of mass times absolute acceleration over its nodes, and those of buildings on its base, is the force of
-/// isolators and impacts together
-/// (`total_base_shear`); the sum of the maxima of its terms is the design value that many papers quote
-/// (`sum_of_floor_inertia_maxima`). Both are listed at "base", or at "<name> base".
+/// isolators and impacts together (`total_base_shear`). The sum of the maxima of its terms is the design value that
+/// many papers quote (`sum_of_floor_inertia_maxima`). Both are listed at "base", or at "<name> base".
 struct Building {
   /// Put before "base" in results; needed where a model has several buildings.
   std::string name{};
@@ -99,5 +98,9 @@ std::vector<int> connected_parts(const Model& model);
 /// The buildings of a model, and every connected part in which there is none, as a building with the name of its first
 /// node. Its base is the first of its nodes on isolators.
 std::vector<Building> all_buildings(const Model& model);
+
+/// Returns the names of single bodies on the ground beside the buildings of a model, walls for example; none for a
+/// model without buildings.
+std::vector<std::string> bodies_beside_buildings(const Model& model);
 
 }  // namespace moat

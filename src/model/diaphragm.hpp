@@ -21,8 +21,9 @@ struct DiaphragmId {
   /// Nodes of ux, uy and w.
   NodeId x{}, y{}, r{};
 
-  [[nodiscard]] constexpr bool specified() const { return x.specified(); }                        ///< Made by add().
-  [[nodiscard]] constexpr std::array<NodeId, 3> degrees_of_freedom() const { return {x, y, r}; }  ///< All three.
+  [[nodiscard]] constexpr bool specified() const { return x.specified(); }  ///< Whether add() made it.
+  /// Motions along x and y, and the rotation.
+  [[nodiscard]] constexpr std::array<NodeId, 3> degrees_of_freedom() const { return {x, y, r}; }
   /// Stands for the whole floor where a Building or a recorder takes a node.
   constexpr operator NodeId() const { return x; }
   friend constexpr bool operator==(const DiaphragmId& a, const DiaphragmId& b) {
@@ -73,7 +74,7 @@ struct Diaphragm {
 /// A diaphragm of a model, in SI.
 struct PlacedDiaphragm {
   std::string name;             ///< Unique in its model.
-  DiaphragmId id;               ///< Its degrees of freedom.
+  DiaphragmId id;               ///< Finds its degrees of freedom.
   double mass = 0.0;            ///< kg
   double gyration = 0.0;        ///< r = sqrt(J/m), m
   PlanVector centre_of_mass{};  ///< m

@@ -53,11 +53,14 @@ struct ElementInfo {
   [[nodiscard]] const std::string& listed_under() const { return place.empty() ? name : place; }
   /// Null where it has none of these details.
   [[nodiscard]] const LawAsGiven* law_as_given() const { return detail(&ElementDetails::law_as_given); }
-  [[nodiscard]] const MemberEnds* member_ends() const { return detail(&ElementDetails::member_ends); }  ///< As the law.
-  [[nodiscard]] const PlanPlaces* plan_places() const { return detail(&ElementDetails::plan_places); }  ///< As the law.
-  [[nodiscard]] const CornerPair* corner_pair() const { return detail(&ElementDetails::corner_pair); }  ///< As the law.
+  /// Null where the element has none.
+  [[nodiscard]] const MemberEnds* member_ends() const { return detail(&ElementDetails::member_ends); }
+  /// Null where the element has none.
+  [[nodiscard]] const PlanPlaces* plan_places() const { return detail(&ElementDetails::plan_places); }
+  /// Null where the element has none.
+  [[nodiscard]] const CornerPair* corner_pair() const { return detail(&ElementDetails::corner_pair); }
 
-  /// As the law.
+  /// Null where the element has none.
   [[nodiscard]] const std::vector<NodeId>* joined() const { return detail(&ElementDetails::joined); }
 
   /// Whether its deformation and force have two components: a bearing in plan.
@@ -92,7 +95,7 @@ class ElementBlock {
 
   /// A copy of all elements.
   [[nodiscard]] virtual std::unique_ptr<ElementBlock> clone() const = 0;
-  /// As they were added; they do not move when elements are added.
+  /// Returns the elements as they were added; they do not move when elements are added.
   [[nodiscard]] virtual const std::deque<ElementInfo>& infos() const = 0;
   /// The facts that its elements have in common.
   [[nodiscard]] virtual BlockKind kind() const = 0;
@@ -100,7 +103,7 @@ class ElementBlock {
   [[nodiscard]] virtual LawAsGiven law_of_block(std::size_t element) const = 0;
   /// Quantities that its law reports besides deformation and force.
   [[nodiscard]] virtual std::span<const ReportedQuantity> quantities(std::size_t element) const = 0;
-  /// That of a linear analysis, N/m; of a bearing in plan in all directions alike.
+  /// Returns the stiffness for a linear analysis, N/m; a bearing in plan has it in all directions alike.
   [[nodiscard]] virtual double linear_stiffness(std::size_t element, StiffnessStage stage) const = 0;
   /// Restitution that the law of a contact delivers in a free impact at this approach speed, m/s. NaN if the speed is
   /// not positive, for a law whose contact never ends, and for elements that are no contacts.
@@ -116,7 +119,7 @@ class ElementBlock {
 
   /// Number of elements.
   [[nodiscard]] std::size_t size() const { return infos().size(); }
-  /// As it was added.
+  /// Returns the element as it was added.
   [[nodiscard]] const ElementInfo& info(std::size_t element) const { return infos()[element]; }
   /// The law of an element as a report names it: as the script gave it, else as its block names it.
   [[nodiscard]] LawAsGiven law(std::size_t element) const {

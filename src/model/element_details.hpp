@@ -1,16 +1,21 @@
 // Facts that few elements have.
 #pragma once
 
+#include <cstddef>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "base/parameter.hpp"
 #include "base/plan_vector.hpp"
-#include "model/axial_forces.hpp"
 #include "model/node.hpp"
+#include "model/weight/axial_forces.hpp"
 
 namespace moat {
+
+class ElementBlock;
+struct ContactChange;
 
 /// Name and parameters of a law, for reports.
 struct LawAsGiven {
@@ -51,6 +56,16 @@ struct MemberEnds {
   friend bool operator==(const MemberEnds&, const MemberEnds&) = default;
 };
 
+/// The parameters of a contact that can be changed, or of soil behind a wall (model/with_contacts.hpp).
+struct ChangeableContact {
+  std::string law{};                    ///< Name of its law; empty of soil.
+  bool has_stiffness = false;           ///< Whether its law has one.
+  std::optional<double> restitution{};  ///< As its law states it; an elastic law has none.
+  /// Changes the element in its block. The contact made of a law does not show its restitution, so that the law itself
+  /// is kept in this function. Throws InputError where the law refuses a changed parameter.
+  std::function<void(ElementBlock&, std::size_t element, const ContactChange&)> change{};
+};
+
 /// Facts that few elements have, and that many may have in common.
 struct ElementDetails {
   /// The law as the script gave it; none where it is the block's law.
@@ -65,6 +80,8 @@ struct ElementDetails {
   std::optional<std::vector<NodeId>> joined{};
   /// None but for isolators whose weight is known.
   std::optional<BearingOnSlab> bearing_on_slab{};
+  /// None but for gaps and soil behind walls.
+  std::optional<ChangeableContact> changeable_contact{};
 };
 
 }  // namespace moat

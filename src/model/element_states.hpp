@@ -35,7 +35,7 @@ struct ElementResults {
   ResultsOf<double> line{};      ///< of elements with one component
   ResultsOf<PlanVector> plan{};  ///< of elements that deform in two directions at once: bearings in plan
 
-  /// Those of one element.
+  /// Returns the results of one element.
   [[nodiscard]] ElementResult operator[](std::size_t element) const {
     if (plan.forces.empty())
       return {line.deformations[element], line.rates[element], line.forces[element], line.force_rates[element]};

@@ -39,10 +39,10 @@ class Model {
  public:
   // All of these are defaults; compiled in the library, they cost no time in scripts.
   Model();
-  Model(const Model& other);                 ///< A complete, independent copy.
-  Model(Model&& other) noexcept;             ///< All of it.
-  Model& operator=(const Model& other);      ///< As the copy.
-  Model& operator=(Model&& other) noexcept;  ///< All of it.
+  Model(const Model& other);                 ///< Makes a complete, independent copy.
+  Model(Model&& other) noexcept;             ///< Takes the whole model.
+  Model& operator=(const Model& other);      ///< Makes a complete, independent copy.
+  Model& operator=(Model&& other) noexcept;  ///< Takes the whole model.
   ~Model();
 
   /// Throws InputError for a mass that is not positive, a name that exists, a direction that has not length 1, and in a
@@ -90,8 +90,10 @@ class Model {
   [[nodiscard]] const PlacedDiaphragm* diaphragm_of(NodeId node) const;
   /// Whether it has diaphragms: it moves in plan, not on a line.
   [[nodiscard]] bool is_plan() const { return !diaphragms_.empty(); }
-  [[nodiscard]] const std::vector<Building>& buildings() const { return buildings_; }  ///< As added.
-  [[nodiscard]] const std::vector<std::string>& notes() const { return notes_; }       ///< As added.
+  /// In the order in which they were added.
+  [[nodiscard]] const std::vector<Building>& buildings() const { return buildings_; }
+  /// In the order in which they were added.
+  [[nodiscard]] const std::vector<std::string>& notes() const { return notes_; }
   /// All elements.
   [[nodiscard]] const std::vector<CopyablePointer<ElementBlock>>& blocks() const { return blocks_; }
 

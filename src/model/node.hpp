@@ -20,7 +20,7 @@ struct NodeId {
   static constexpr int first_follower = 1 << 28;  ///< Followers count from here (model/body.hpp).
   int index = unspecified;                        ///< In its model; -1: the ground.
 
-  [[nodiscard]] constexpr bool specified() const { return index != unspecified; }       ///< Made by add().
+  [[nodiscard]] constexpr bool specified() const { return index != unspecified; }       ///< Whether add() made it.
   [[nodiscard]] constexpr bool is_follower() const { return index >= first_follower; }  ///< No degree of freedom.
   friend constexpr auto operator<=>(NodeId, NodeId) = default;
 };

@@ -17,7 +17,7 @@ inline constexpr double same_place = 1e-9;
 
 /// A point in plan, in coordinates of the whole model: x to the right, y up.
 struct PlanPosition {
-  /// Coordinates.
+  /// Coordinates on the plan.
   Length x{}, y{};
 
   [[nodiscard]] constexpr PlanVector si() const { return {x.si(), y.si()}; }  ///< m

@@ -18,7 +18,7 @@ using MotionFile = FileRead;
 
 /// A component as it was read or made, before it became a part of a motion.
 struct MotionComponent {
-  std::string name;           ///< In outputs.
+  std::string name;           ///< Outputs call it so.
   MotionFile file{};          ///< Where it was read.
   double scale_factor = 1.0;  ///< Factor of all its accelerations, since then.
 };
@@ -40,13 +40,13 @@ class GroundMotion {
   GroundMotion(std::string name, double time_step, std::vector<double> samples, std::vector<std::string> notes = {},
                MotionFile file = {});
   // All of these are defaults; compiled in the library, they cost no time in scripts.
-  GroundMotion(const GroundMotion& other);                 ///< A copy.
+  GroundMotion(const GroundMotion& other);                 ///< Makes a copy.
   GroundMotion(GroundMotion&& other) noexcept;             ///< Takes all of it.
-  GroundMotion& operator=(const GroundMotion& other);      ///< A copy.
+  GroundMotion& operator=(const GroundMotion& other);      ///< Makes a copy.
   GroundMotion& operator=(GroundMotion&& other) noexcept;  ///< Takes all of it.
   ~GroundMotion();
 
-  [[nodiscard]] const std::string& name() const { return name_; }                 ///< In outputs.
+  [[nodiscard]] const std::string& name() const { return name_; }                 ///< Outputs call it so.
   [[nodiscard]] const std::vector<std::string>& notes() const { return notes_; }  ///< For reports.
   [[nodiscard]] const MotionFile& file() const { return file_; }                  ///< Where it was read.
   /// The factor of all accelerations since the motion was read or made; of several components that of the first.

@@ -10,7 +10,6 @@
 #include "base/text/number_format.hpp"
 #include "base/units.hpp"
 #include "motions/readers/read_motion.hpp"
-#include "motions/spectra/pair_spectra.hpp"
 
 namespace moat {
 namespace {
@@ -133,11 +132,6 @@ PlanMotion PlanMotion::scaled_to_larger_pga(Acceleration target) const {
   const double larger = std::max(first.peak_acceleration().si(), second.peak_acceleration().si());
   check.that(larger > 0.0, "a motion that is zero everywhere cannot be scaled to a peak acceleration.");
   return scaled_by(target.si() / larger);
-}
-
-std::vector<double> maximum_direction_spectrum(const PlanMotion& motion, const std::vector<Time>& periods,
-                                               double damping_ratio) {
-  return pair_spectra(motion, periods, damping_ratio).rotd100;
 }
 
 }  // namespace moat

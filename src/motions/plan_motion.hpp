@@ -2,7 +2,6 @@
 #pragma once
 
 #include <optional>
-#include <vector>
 
 #include "base/quantity.hpp"
 #include "motions/ground_motion.hpp"
@@ -44,7 +43,7 @@ struct PlanMotion {
   [[nodiscard]] PlanMotion rotated(Angle angle) const;
   /// All components times one finite factor; without the vertical one if that has its own vertical_factor.
   [[nodiscard]] PlanMotion scaled_by(double factor) const;
-  /// As scaled_by(): the larger of both horizontal peak accelerations becomes `target` > 0.
+  /// Scales as scaled_by() does: the larger of both horizontal peak accelerations becomes `target` > 0.
   [[nodiscard]] PlanMotion scaled_to_larger_pga(Acceleration target) const;
 };
 
@@ -56,11 +55,5 @@ struct PlanMotion {
 /// Throws InputError for a motion of several components, and for sampling intervals of which the longer is no multiple
 /// of the shorter.
 [[nodiscard]] GroundMotion with_vertical(const GroundMotion& horizontal, const GroundMotion& vertical);
-
-/// Spectral accelerations of a pair of components in the direction that makes each of them largest (RotD100): the
-/// largest resultant over time of an oscillator's pseudo-acceleration, m/s^2, one for each period (> 0 s), by steps of
-/// 1 degree. `damping_ratio` >= 0, < 1. Boore 2010.
-[[nodiscard]] std::vector<double> maximum_direction_spectrum(const PlanMotion& motion, const std::vector<Time>& periods,
-                                                             double damping_ratio);
 
 }  // namespace moat

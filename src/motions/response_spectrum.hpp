@@ -25,8 +25,8 @@ struct ResponseSpectrum {
 ///     u'' + 2 damping_ratio w u' + w^2 u = -a_g(t),   w = 2 pi / T
 ///
 /// Stepped with the exact solution for a ground acceleration that is linear between samples (Nigam and Jennings,
-/// Bulletin of the Seismological Society of America 59(2), 1969), at most T/32 at a time, so that peaks between
-/// samples are found to about 4e-6 of their value. The free vibration after the end of the motion counts.
+/// Bulletin of the Seismological Society of America 59(2), 1969). A step is at most T/32, so that peaks between samples
+/// are found to about 4e-6 of their value. The free vibration after the end of the motion counts.
 ///
 /// periods: each either 0 (a rigid oscillator: both accelerations are the PGA) or from time_step/100 to 1000 s.
 /// damping_ratio: >= 0 and < 1. Throws InputError otherwise.

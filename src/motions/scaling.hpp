@@ -24,19 +24,19 @@ Acceleration average_spectral_acceleration(const GroundMotion& motion, std::span
 /// Returns the motion with every acceleration multiplied so that the measure has the target value > 0. These throw
 /// InputError if it is zero, or a parameter is outside its range.
 GroundMotion scaled_to_pgv(const GroundMotion& motion, Speed target);
-/// As above, for the spectral acceleration at a period.
+/// Scales the motion until its spectral acceleration at this period is `target`.
 GroundMotion scaled_to_sa(const GroundMotion& motion, Time period, Acceleration target, double damping_ratio = 0.05);
-/// As above, for the average spectral acceleration.
+/// Scales the motion until its average spectral acceleration over these periods is `target`.
 GroundMotion scaled_to_average_sa(const GroundMotion& motion, std::span<const Time> periods, Acceleration target,
                                   double damping_ratio = 0.05);
 
 /// Both components with one factor, so that the geometric mean of their measures has the target value.
 PlanMotion scaled_to_pga(const PlanMotion& pair, Acceleration target);
-/// As above, for PGV.
+/// Scales both components with one factor, so that the geometric mean of their PGV is `target`.
 PlanMotion scaled_to_pgv(const PlanMotion& pair, Speed target);
-/// As above, for the spectral acceleration at a period.
+/// Scales both components alike, until the geometric mean of their spectral accelerations at this period is `target`.
 PlanMotion scaled_to_sa(const PlanMotion& pair, Time period, Acceleration target, double damping_ratio = 0.05);
-/// As above, for the average spectral acceleration.
+/// Scales both components alike, until the geometric mean of their average spectral accelerations is `target`.
 PlanMotion scaled_to_average_sa(const PlanMotion& pair, std::span<const Time> periods, Acceleration target,
                                 double damping_ratio = 0.05);
 

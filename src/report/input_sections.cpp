@@ -81,6 +81,7 @@ std::string analysis_section(const AnalysisFacts& analysis) {
   html += row_if_known("integrator", analysis.integrator);
   html += row_if_known("events", analysis.events);
   html += row_if_known("error bars", analysis.error_bars);
+  html += row_if_known("sensitivity to contacts", analysis.contact_sensitivity);
   for (const Parameter& option : analysis.options)
     html += number_row(std::string{option.name}, value_with_unit(option.value, option.unit));
   return html + "</table>\n";

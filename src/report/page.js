@@ -216,6 +216,22 @@ document.querySelectorAll("table.sortable th").forEach((heading) => {
         zoomCallback: (from, to) => zoomAll([from, to]),
       }));
     });
+    // Long quiet parts of a record would squeeze the motion: the page begins with the part where a curve exceeds 5 % of
+    // its largest value.
+    const times = (row) => run.start + row * run.interval;
+    let first = run.rows, last = 0;
+    for (const chart of run.charts)
+      for (const series of chart.series) {
+        const threshold = 0.05 * Math.max(...series.values.map(Math.abs));
+        const moves = (value) => Math.abs(value) > threshold;
+        const begin = series.values.findIndex(moves);
+        if (begin < 0) continue;
+        first = Math.min(first, begin);
+        last = Math.max(last, series.values.length - 1 - [...series.values].reverse().findIndex(moves));
+      }
+    const margin = Math.ceil(0.1 * (last - first));
+    if (last - first + 2 * margin < 0.6 * run.rows)
+      zoomAll([times(Math.max(first - margin, 0)), times(Math.min(last + margin, run.rows - 1))]);
     // The values at the time of the drawing.
     listeners.push((t) => {
       const row = Math.round((t - run.start) / run.interval);

@@ -35,13 +35,13 @@ std::string error_bar_note(const ErrorBars& bars) {
 std::string table_of(const PeakGroup& group, bool with_errors, std::string_view last, const ErrorBars& bars) {
   std::string html = "<table>\n<tr class=\"group\"><th scope=\"col\">" + escaped(capitalised(group.quantity)) +
                      "</th><th class=\"number\" scope=\"col\">" + escaped(with_raised_digits(group.unit)) + "</th>";
-  if (with_errors) html += "<th scope=\"col\">error</th>";
+  if (with_errors) html += "<th scope=\"col\">numerical error</th>";
   if (!group.second_unit.empty()) html += "<th class=\"number\" scope=\"col\">" + group.second_unit + "</th>";
   const bool has_last = std::ranges::any_of(group.rows, [](const PeakRow& peak) { return !peak.side.empty(); });
   html += "<th class=\"number\" scope=\"col\">at s</th><th scope=\"col\">" + std::string{has_last ? last : ""} +
           "</th></tr>\n";
   for (const PeakRow& peak : group.rows) {
-    const bool unsettled = std::ranges::any_of(bars.unsettled, [&](const Peak& each) {
+    const bool unsettled = std::ranges::any_of(bars.unsettled_peaks, [&](const Peak& each) {
       return in_words(each.quantity) == group.quantity && each.where == peak.where;
     });
     html += std::string{unsettled ? "<tr class=\"unsettled\">" : "<tr>"} + "<td>" + escaped(peak.where) +
@@ -122,8 +122,9 @@ std::string bearing_section(const CaseResult& result) {
   html +=
       "<div class=\"wide\"><table class=\"dense\">\n<tr><th scope=\"col\">Bearing</th><th scope=\"col\">Type</th>"
       "<th class=\"number\" scope=\"col\">x [m]</th><th class=\"number\" scope=\"col\">y [m]</th>"
-      "<th class=\"number\" scope=\"col\">Deformation [cm]</th><th></th><th class=\"number\" scope=\"col\">at s</th>"
-      "<th class=\"number\" scope=\"col\">Force [kN]</th><th></th></tr>\n";
+      "<th class=\"number\" scope=\"col\">Deformation [cm]</th><th scope=\"col\">numerical error</th><th "
+      "class=\"number\" scope=\"col\">at s</th>"
+      "<th class=\"number\" scope=\"col\">Force [kN]</th><th scope=\"col\">numerical error</th></tr>\n";
   for (std::size_t i = 0; i < rows.size(); ++i) {
     const ElementFacts& bearing = *rows[i].bearing;
     const PlanVector at = bearing.plan_places ? bearing.plan_places->second : PlanVector{};

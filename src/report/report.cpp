@@ -90,6 +90,7 @@ void write_report_html(const CaseResult& result, const ResultCharts& charts, con
       grid_of("Largest values over height", charts.floor_profiles, 300) +
       grid_of("Isolators", charts.isolator_loops, 340) + html::bearing_section(result) +
       html::bearing_check_section(result) + html::impact_section(result, charts.impact_loops) +
+      html::sensitivity_section(result.contact_sensitivity, charts.sensitivity) +
       energy_section(result, charts.energy) + grid_of("Floor response spectra", charts.floor_spectra, 320) +
       html::peak_section(result) + html::clearance_section(result) + html::section_at_the_end(result) +
       period_section(result) + input_section(result);

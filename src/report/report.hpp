@@ -8,10 +8,11 @@
 
 namespace moat {
 
-/// Writes `folder`/report.html, one file that needs nothing else and no network: a summary in one screen, warnings, the
-/// model drawn to scale and moved by the histories, histories that zoom together, profiles over height, loops of
-/// isolators and impacts, table of impacts, energies, floor response spectra, peaks, clearances, periods; and folded
-/// motion, model, origin, solver and assumptions.
+/// Writes `folder`/report.html, one file that needs nothing else and no network. It begins with a summary in one
+/// screen, warnings, the model drawn to scale and moved by the histories, and histories that zoom together. Then come
+/// profiles over height, loops of isolators and impacts, table of impacts, tornado charts of contact parameters,
+/// energies, floor response spectra, peaks, clearances and periods. Folded are motion, model, origin, solver and
+/// assumptions.
 ///
 /// Without JavaScript the drawing is at rest and the histories are pictures. They are so too where the package
 /// libjs-dygraphs is not installed when the report is written. Models of more than `most_drawn_nodes` nodes have no

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "output/charts/chart.hpp"
+#include "output/charts/tornado.hpp"
 #include "output/files/case_result.hpp"
 
 namespace moat::html {
@@ -31,6 +32,10 @@ std::string drawing_section(const CaseResult& result);
 /// The table of impacts, a sentence on each of its columns, and the loops (impact_loops()), each with the restitution
 /// that its law asks for and the one that it delivered.
 std::string impact_section(const CaseResult& result, const std::vector<Chart>& loops);
+
+/// How peaks move with the parameters of contacts: charts, the number of impacts of every run, and notes; one sentence
+/// where it was left out of a large run. Empty without contacts, and where it was not wanted.
+std::string sensitivity_section(const ContactSensitivity& sensitivity, const std::vector<Tornado>& charts);
 
 /// A table of peaks for each quantity, side by side where there is room, with errors and the method behind them.
 std::string peak_section(const CaseResult& result);

@@ -24,7 +24,7 @@ std::string force_card(const CaseResult& result) {
     if (peak.quantity == "impact_force" && (largest == nullptr || peak.magnitude() > largest->magnitude()))
       largest = &peak;
   if (largest == nullptr || largest->value == 0.0) return "";
-  const bool unsettled = std::ranges::any_of(result.error_bars.unsettled, [&](const Peak& each) {
+  const bool unsettled = std::ranges::any_of(result.error_bars.unsettled_peaks, [&](const Peak& each) {
     return each.quantity == largest->quantity && each.where == largest->where;
   });
   const PeakGroup group = group_peaks({*largest}).front();
@@ -79,14 +79,16 @@ std::string summary_section(const CaseResult& result) {
   html += ".</p>\n" + table_of(building_table(result)) + "<div class=\"cards\">\n" + force_card(result);
   html += card("Impacts", std::to_string(result.impacts.size()),
                result.impacts.empty() ? "no contact" : "first at " + to_fixed(result.impacts.front().start, 3) + " s");
-  return html + energy_card(result.energy) + "</div>\n";
+  html += energy_card(result.energy) + "</div>\n";
+  const bool has_errors = html.find("&plusmn;") != std::string::npos;
+  return html + (has_errors ? "<p class=\"subtitle\">&plusmn; numerical error, not that of the model.</p>\n" : "");
 }
 
 std::string warning_section(const CaseResult& result) {
   std::string html;
-  if (result.error_bars.sensitive)
-    html += "<p class=\"notice\"><strong>The case is sensitive:</strong> " + escaped(result.error_bars.reason) + "." +
-            (result.error_bars.unsettled.empty() ? "" : " Peaks that are not settled are shaded.") + "</p>\n";
+  if (result.error_bars.unsettled)
+    html += "<p class=\"notice\"><strong>The case is not settled:</strong> " + escaped(result.error_bars.reason) + "." +
+            (result.error_bars.unsettled_peaks.empty() ? "" : " Peaks that are not settled are shaded.") + "</p>\n";
   if (result.warnings.empty()) return html;
   html += "<div class=\"notice\"><strong>Warnings</strong>\n<ul>\n";
   for (const std::string& warning : result.warnings) html += "<li>" + escaped(warning) + "</li>\n";

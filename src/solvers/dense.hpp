@@ -8,7 +8,9 @@ namespace moat {
 
 /// Eigenvalues, ascending, and an eigenvector in each column.
 struct EigenPairs {
+  /// Eigenvalues, rising.
   Eigen::VectorXd values;
+  /// Eigenvectors, one per column.
   Eigen::MatrixXd vectors;
 };
 

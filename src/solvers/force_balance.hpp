@@ -12,10 +12,10 @@ struct WorstRow {
   int degree_of_freedom = 0;  ///< where it is
 };
 
-/// Rows balance where each residual is small relative to the scale of its own row, or is round-off (of displacements,
-/// for example) and negligible: beside the scale of its row, or beside the largest of all rows in any solution so far.
-/// Where a structure is released, rows far from there have no forces but such round-off for many steps; behind the end
-/// of a motion that may hold for all rows.
+/// Rows balance where each residual is small relative to the scale of its own row. A residual of round-off (of
+/// displacements, for example) may also be negligible beside the scale of its row, or beside the largest of all rows in
+/// any solution so far. Where a structure is released, rows far from there have no forces but such round-off for many
+/// steps; behind the end of a motion that may hold for all rows.
 class ForceBalance {
  public:
   /// Limit for residuals that pass as round-off. The estimate of round-off uses the tangent of the previous iterate,

@@ -23,7 +23,7 @@ struct Mode {
 /// A mass matrix that is not diagonal takes the dense solution.
 /// Throws InputError if count is not from 1 to the size, Error if the iteration does not converge.
 std::vector<Mode> slowest_modes(const SparseMatrix& stiffness, const Vector& mass, int count);
-/// As above with a symmetric and positive definite matrix M, kg.
+/// Finds them for a symmetric and positive definite matrix M, kg; throws as for masses of the diagonal.
 std::vector<Mode> slowest_modes(const SparseMatrix& stiffness, const SparseMatrix& mass, int count);
 
 }  // namespace moat

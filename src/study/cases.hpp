@@ -88,7 +88,7 @@ class StudyCase {
   [[nodiscard]] std::size_t position(std::string_view axis) const;
   /// Value on an axis, in the axis' unit.
   [[nodiscard]] double value(std::string_view axis) const;
-  /// Its label; without labels the value in its shortest form.
+  /// Returns the label on an axis; without labels the value in its shortest form.
   [[nodiscard]] std::string label(std::string_view axis) const;
   /// "gap = 12 cm, record = KBU000".
   [[nodiscard]] std::string description() const;

@@ -28,9 +28,10 @@ struct LognormalDistribution {
 
 /// A parameter with a distribution; its numbers are in `unit`.
 struct RandomVariable {
-  std::string name;                                                                           ///< Name of the axis.
-  std::string unit;                                                                           ///< Unit of its values.
-  std::variant<UniformDistribution, NormalDistribution, LognormalDistribution> distribution;  ///< Their distribution.
+  std::string name;  ///< Name of the axis.
+  std::string unit;  ///< Unit of its values.
+  std::variant<UniformDistribution, NormalDistribution, LognormalDistribution>
+      distribution;  ///< Distribution of the values.
 };
 
 /// How samples are drawn.

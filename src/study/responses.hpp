@@ -8,7 +8,7 @@ namespace moat {
 /// Whether charts and statistics show a quantity: no errors, energies or answers of other questions.
 inline bool is_response(std::string_view quantity) {
   return !quantity.ends_with("_error") && !quantity.starts_with("energy_") && !quantity.starts_with("ida_") &&
-         quantity != "sensitive" && quantity != "collapsed";
+         quantity != "unsettled" && quantity != "collapsed";
 }
 
 /// Whether it exists after a collapse too, as results at gaps do.

@@ -24,9 +24,9 @@ class StudyResult {
   /// One outcome for every case.
   StudyResult(StudyCases cases, std::vector<CaseOutcome> outcomes);
   // All of these are defaults; compiled in the library, they cost no time in scripts.
-  StudyResult(const StudyResult& other);                 ///< A copy.
+  StudyResult(const StudyResult& other);                 ///< Makes a copy.
   StudyResult(StudyResult&& other) noexcept;             ///< Takes all of it.
-  StudyResult& operator=(const StudyResult& other);      ///< A copy.
+  StudyResult& operator=(const StudyResult& other);      ///< Makes a copy.
   StudyResult& operator=(StudyResult&& other) noexcept;  ///< Takes all of it.
   ~StudyResult();
 

@@ -43,22 +43,27 @@ std::string other_axes(const StudyCase& each, std::string_view axis) {
   return text;
 }
 
+// Returns the envelope in the sense of the quantity. NaN, the value of a group without results, exceeds nothing.
 RecordStatistics envelope_of(std::span<const RecordStatistics> groups, double sense) {
-  const auto by_design = [&](const RecordStatistics& each) { return sense * each.design_value(); };
-  RecordStatistics envelope = *std::ranges::max_element(groups, {}, by_design);
+  const auto exceeds = [sense](double value, double other) {
+    return !std::isnan(value) && (std::isnan(other) || sense * value > sense * other);
+  };
+  const RecordStatistics* governing = &groups.front();
+  for (const RecordStatistics& group : groups)
+    if (exceeds(group.design, governing->design)) governing = &group;
+  RecordStatistics envelope = *governing;
   envelope.envelope = true;
   Statistics& of = envelope.statistics;
   of.lognormal_median = of.lognormal_84 = of.dispersion = Statistics::unknown;
-  envelope.solved = envelope.collapsed = envelope.unsolved = 0;
   for (const RecordStatistics& group : groups) {
     const Statistics& its = group.statistics;
-    envelope.solved = std::max(envelope.solved, group.solved);
+    envelope.solved = std::min(envelope.solved, group.solved);
     envelope.collapsed = std::max(envelope.collapsed, group.collapsed);
     envelope.unsolved = std::max(envelope.unsolved, group.unsolved);
-    if (sense * its.largest > sense * of.largest) envelope.record = group.record;
+    if (exceeds(its.largest, of.largest)) envelope.record = group.record;
     for (double Statistics::*value :
          {&Statistics::mean, &Statistics::median, &Statistics::fractile_84, &Statistics::largest})
-      if (sense * its.*value > sense * of.*value) of.*value = its.*value;
+      if (exceeds(its.*value, of.*value)) of.*value = its.*value;
   }
   return envelope;
 }
@@ -74,6 +79,16 @@ std::string touching_records(const StudyResult& study, const std::string& axis) 
     if (impacts[number] > 0.0) touching.insert(study.cases().position(index, number));
   return std::to_string(touching.size()) + " of " + std::to_string(study.axes()[index].values.size()) +
          " records touch. ";
+}
+
+// Says which statistic the groups with values have as design value: some may have the mean, and others the largest.
+std::string rule_of_design_values(const std::vector<RecordStatistics>& list) {
+  bool any_mean = false, any_largest = false;
+  for (const RecordStatistics& each : list)
+    if (!each.envelope && each.solved > 0) (each.solved >= fewest_for_mean ? any_mean : any_largest) = true;
+  if (any_mean && any_largest) return "The design value is the mean of at least seven records, of fewer the largest";
+  return any_mean ? "The design value is the mean of the records"
+                  : "The design value is the largest: the mean needs seven records";
 }
 
 std::string in_report(double value, const std::string& unit) {
@@ -129,12 +144,7 @@ std::vector<RecordStatistics> statistics_over(const StudyResult& study, std::str
     const double sense = sense_of(column.quantity);
     const std::size_t first = list.size();
     for (const auto& [group, numbers] : groups) {
-      RecordStatistics each{.quantity = column.quantity,
-                            .where = column.where,
-                            .unit = column.unit,
-                            .group = group,
-                            .statistics = {},
-                            .record = {}};
+      RecordStatistics each{.quantity = column.quantity, .where = column.where, .unit = column.unit, .group = group};
       std::vector<double> values;
       std::vector<std::size_t> of_values;
       for (const std::size_t number : numbers) {
@@ -146,14 +156,15 @@ std::vector<RecordStatistics> statistics_over(const StudyResult& study, std::str
                                                                   : sense * column.values[number]);
         of_values.push_back(number);
       }
-      if (values.empty()) continue;
+      // Models of a combination may lack the place; one without any solved case is a row all the same.
+      if (values.empty() && each.unsolved < numbers.size()) continue;
       each.solved = values.size();
       each.statistics = in_sense(statistics_of(values), sense);
-      each.record = StudyCase{study.cases(), of_values[each.statistics.at_largest]}.label(name);
+      each.design = each.solved >= fewest_for_mean ? each.statistics.mean : each.statistics.largest;
+      if (!values.empty()) each.record = StudyCase{study.cases(), of_values[each.statistics.at_largest]}.label(name);
       list.push_back(std::move(each));
     }
-    if (list.size() - first < 2) continue;
-    list.push_back(envelope_of(std::span{list}.subspan(first), sense));
+    if (groups.size() > 1 && list.size() > first) list.push_back(envelope_of(std::span{list}.subspan(first), sense));
   }
   return list;
 }
@@ -186,26 +197,24 @@ Table table_of(const std::vector<RecordStatistics>& list) {
   add_number("fractile_84", [](Row each) { return each.statistics.fractile_84; });
   add_number("largest", [](Row each) { return each.statistics.largest; });
   add_text("record", [](Row each) { return each.record; });
-  add_number("design_value", [](Row each) { return each.design_value(); });
+  add_number("design_value", [](Row each) { return each.design; });
   add_number("lognormal_median", [](Row each) { return each.statistics.lognormal_median; });
   add_number("lognormal_84", [](Row each) { return each.statistics.lognormal_84; });
   add_number("dispersion", [](Row each) { return each.statistics.dispersion; });
   return table;
 }
 
-std::string statistics_section(const StudyResult& study) {
+std::string statistics_section(const StudyResult& study, const std::vector<RecordStatistics>& list) {
   const std::string axis = axis_of_records(study);
   if (axis.empty() || study.axes()[study.cases().index_of(axis)].values.size() < 2) return "";
-  const std::vector<RecordStatistics> all = statistics_over(study, axis);
-  const bool has_envelope = std::ranges::any_of(all, &RecordStatistics::envelope);
-  // Of every quantity the place with the largest design value.
+  const bool has_envelope = std::ranges::any_of(list, &RecordStatistics::envelope);
+  // Every quantity has the place with the largest design value.
   std::vector<const RecordStatistics*> rows;
   for (const std::string_view quantity : main_quantities) {
     const RecordStatistics* decides = nullptr;
-    for (const RecordStatistics& each : all)
+    for (const RecordStatistics& each : list)
       if (each.quantity == quantity && each.envelope == has_envelope &&
-          (decides == nullptr ||
-           sense_of(quantity) * each.design_value() > sense_of(quantity) * decides->design_value()))
+          (decides == nullptr || sense_of(quantity) * each.design > sense_of(quantity) * decides->design))
         decides = &each;
     if (decides != nullptr) rows.push_back(decides);
   }
@@ -214,27 +223,26 @@ std::string statistics_section(const StudyResult& study) {
   for (const char* heading : {"design value", "mean", "median", "84 %", "largest", "record"})
     html += std::string{"<th>"} + heading + "</th>";
   html += has_envelope ? "<th>governed by</th></tr>\n" : "</tr>\n";
-  std::size_t unsolved = 0, collapsed = 0, fewest = rows.front()->solved;
+  std::size_t unsolved = 0, collapsed = 0;
   for (const RecordStatistics* row : rows) {
     const Statistics& of = row->statistics;
     html += "<tr>" + html::cell(capitalised(in_words(row->quantity))) + html::cell(row->where) +
-            "<td class=\"number\"><strong>" + in_report(row->design_value(), row->unit) + "</strong></td>";
+            "<td class=\"number\"><strong>" + in_report(row->design, row->unit) + "</strong></td>";
     for (const double value : {of.mean, of.median, of.fractile_84, of.largest})
       html += "<td class=\"number\">" + in_report(value, row->unit) + "</td>";
     html += html::cell(row->record) + (has_envelope ? html::cell(row->group) : "") + "</tr>\n";
     unsolved = std::max(unsolved, row->unsolved);
     collapsed = std::max(collapsed, row->collapsed);
-    fewest = std::min(fewest, row->solved);
   }
   html += "</table></div>\n<p>" + touching_records(study, axis) +
-          "Each quantity at the place that decides; all places are in the table of statistics. ";
-  html += fewest >= fewest_for_mean ? "The design value is the mean of the records"
-                                    : "The design value is the largest: the mean needs seven records";
-  if (has_envelope) html += ", in the group with the largest";
-  html += ". ";
+          "Each quantity at the place that decides; all places are in the table of statistics. " +
+          rule_of_design_values(list) + (has_envelope ? ", in the group with the largest. " : ". ");
   if (collapsed > 0) html += std::to_string(collapsed) + " collapsed, which counts as infinite. ";
   if (unsolved > 0)
     html += std::to_string(unsolved) + " have no result and do not count: this is not the whole suite. ";
+  for (const auto& [group, numbers] : groups_over(study, axis))
+    if (std::ranges::all_of(numbers, [&](std::size_t i) { return study.outcomes()[i].state != CaseState::done; }))
+      html += html::escaped(group) + " has no result at all. ";
   return html + "</p>\n";
 }
 

@@ -1,11 +1,13 @@
 #include "study/study_report.hpp"
 
 #include <algorithm>
+#include <exception>
 #include <fstream>
 #include <map>
 #include <set>
 
 #include "base/error.hpp"
+#include "base/sha256.hpp"
 #include "base/text/number_format.hpp"
 #include "output/files/csv_writer.hpp"
 #include "output/files/engineering_unit.hpp"
@@ -13,8 +15,8 @@
 #include "report/charts/chart_columns.hpp"
 #include "report/html.hpp"
 #include "report/sections.hpp"
-#include "study/profiles.hpp"
-#include "study/statistics.hpp"
+#include "study/clearance_chart.hpp"
+#include "study/floor_spectra_of_records.hpp"
 #include "study/study_charts.hpp"
 
 namespace moat {
@@ -47,16 +49,24 @@ bool is_own(const fs::path& path) {
   return false;
 }
 
+std::string line_of(const fs::path& path, int number) {
+  std::ifstream file{path};
+  std::string line;
+  for (int i = 0; i < number; ++i) std::getline(file, line);
+  return line;
+}
+
 /// Whether nothing is there, or a file whose first line begins so.
 bool has_heading(const fs::path& path, std::string_view heading) {
   std::error_code none;
   const fs::file_status status = fs::symlink_status(path, none);
   if (!fs::is_regular_file(status)) return !fs::exists(status);
-  std::ifstream file{path};
-  std::string line;
-  std::getline(file, line);
-  return line.starts_with(heading);
+  return line_of(path, 1).starts_with(heading);
 }
+
+/// The second line of a picture names the first line of the table beside it by its hash: a table of another is none of
+/// its own.
+std::string mark_of(std::string_view heading) { return "<!-- table " + sha256_of(heading) + " -->"; }
 
 /// The folder of the pictures, in which every one has a name of its own.
 class PictureFolder {
@@ -64,28 +74,40 @@ class PictureFolder {
   explicit PictureFolder(fs::path folder) : folder_{std::move(folder)} {}
 
   void write(const std::string& title, const std::string& svg, const Table& numbers = {}) {
-    const std::string name = file_name_of(title);
+    const std::string name = file_name_of(title), heading = csv_heading(numbers);
     std::string free = name;
     const auto is_free = [&] {
-      return is_own(folder_ / (free + ".svg")) && has_heading(folder_ / (free + ".csv"), csv_heading(numbers)) &&
+      return is_own(path(free, ".svg")) && (has_own_table(free) || has_heading(path(free, ".csv"), heading)) &&
              names_.insert(free).second;
     };
     for (int i = 2; !is_free(); ++i) free = name + "_" + std::to_string(i);
     std::error_code ignored;  // writing the file says more
     fs::create_directories(folder_, ignored);
-    write_file(folder_ / (free + ".svg"), std::string{svg_prolog} + "\n" + svg);
-    if (numbers.rows() > 0) write_csv(numbers, folder_ / (free + ".csv"));
+    if (has_own_table(free)) fs::remove(path(free, ".csv"), ignored);
+    write_file(path(free, ".svg"),
+               std::string{svg_prolog} + "\n" + (numbers.rows() > 0 ? mark_of(heading) + "\n" : "") + svg);
+    if (numbers.rows() > 0) write_csv(numbers, path(free, ".csv"));
   }
   /// The report before the answers of the script had this picture.
   void remove(const std::string& title) {
     std::error_code ignored;
-    const fs::path picture = folder_ / (file_name_of(title) + ".svg");
-    if (!is_own(picture)) return;
-    fs::remove(picture, ignored);
-    fs::remove(folder_ / (file_name_of(title) + ".csv"), ignored);
+    const std::string name = file_name_of(title);
+    if (!is_own(path(name, ".svg"))) return;
+    if (has_own_table(name)) fs::remove(path(name, ".csv"), ignored);
+    fs::remove(path(name, ".svg"), ignored);
   }
 
  private:
+  [[nodiscard]] fs::path path(const std::string& name, const char* extension) const {
+    return folder_ / (name + extension);
+  }
+  /// Whether the table beside a picture was written with it.
+  [[nodiscard]] bool has_own_table(const std::string& name) const {
+    std::error_code none;
+    return fs::is_regular_file(fs::symlink_status(path(name, ".csv"), none)) &&
+           line_of(path(name, ".svg"), 2) == mark_of(line_of(path(name, ".csv"), 1));
+  }
+
   fs::path folder_;
   std::set<std::string> names_;
 };
@@ -145,9 +167,14 @@ std::string study_section(const NamedStudy& study, const std::set<std::string>& 
     html += html::wide_picture(picture.svg);
     folder.write(prefix + picture.title, picture.svg, picture.numbers);
   }
-  const std::vector<Chart> spectra = floor_spectra_over_records(study.result);
+  const std::vector<Chart> spectra = floor_spectra_over_records(study.statistics);
   if (!spectra.empty()) html += html::chart_grid(spectra, 500, 320);
   for (const Chart& chart : spectra) folder.write(prefix + chart.title, svg_text({chart}, 700, 420), table_of(chart));
+  if (const std::optional<Chart> chart = clearance_chart(study.result)) {
+    const std::string svg = svg_text({*chart});
+    html += html::wide_picture(svg);
+    folder.write(prefix + chart->title, svg, table_of(*chart));
+  }
   for (const HeatMap& map : heat_maps(study.result)) {
     const std::string svg = svg_text(map);
     html += html::wide_picture(svg);
@@ -204,6 +231,18 @@ void write_own_csv(const Table& table, const fs::path& path) {
   write_csv(table, path);
 }
 
+void write_all(std::span<const std::function<void()>> files) {
+  std::exception_ptr first;
+  for (const std::function<void()>& write : files) {
+    try {
+      write();
+    } catch (...) {
+      if (!first) first = std::current_exception();
+    }
+  }
+  if (first) std::rethrow_exception(first);
+}
+
 void write_study_report(const StudyReport& report, const fs::path& folder) {
   for (const char* name : {"report.html", "pictures"}) require_own(folder / name);
   std::string page;
@@ -213,12 +252,9 @@ void write_study_report(const StudyReport& report, const fs::path& folder) {
   if (!report.answers.empty() || !report.pictures.empty() || !report.tables.empty()) page += "<h2>Answers</h2>\n";
   page += paragraphs(report.answers);
   for (const NamedStudy& study : report.studies)
-    if (const std::string section = statistics_section(study.result); !section.empty())
+    if (const std::string section = statistics_section(study.result, study.statistics); !section.empty())
       page += "<h2>" + escaped(capitalised(study.name)) + " over its records</h2>\n" + section;
-  for (const StudyTable& each : report.tables) {
-    page += table_section(each);
-    write_own_csv(each.table, folder / (file_name_of(each.title) + ".csv"));
-  }
+  for (const StudyTable& each : report.tables) page += table_section(each);
   for (const StudyPicture& picture : report.pictures) {
     page += html::wide_picture(picture.svg);
     shown.insert(picture.title);
@@ -228,6 +264,10 @@ void write_study_report(const StudyReport& report, const fs::path& folder) {
   if (!report.records.empty()) page += "<h2>Files of records</h2>\n" + paragraphs(report.records);
   page += html::provenance_section(report.provenance);
   write_file(folder / "report.html", html::page(report.title, page));
+  std::vector<std::function<void()>> tables;
+  for (const StudyTable& each : report.tables)
+    tables.emplace_back([&] { write_own_csv(each.table, folder / (file_name_of(each.title) + ".csv")); });
+  write_all(tables);
 }
 
 }  // namespace moat

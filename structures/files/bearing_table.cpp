@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "structures/files/table.hpp"
+#include "structures/files/input_table.hpp"
 
 namespace moat {
 
@@ -15,7 +15,7 @@ PlanBearings read_bearings(const std::filesystem::path& file, const BearingTypes
                "type \"" + type->name + "\" is given twice.", "Give every type once.");
     list += (type == types.begin() ? "" : ", ") + type->name;
   }
-  const Table table{read_text_file(file), {"name", "x [m]", "y [m]", "type"}, {"weight [kN]"}};
+  const InputTable table{read_text_file(file), {"name", "x [m]", "y [m]", "type"}, {"weight [kN]"}};
   table.require_unique("name");
   std::vector<PlanBearings::Placed> bearings;
   for (std::size_t row = 0; row < table.size(); ++row) {

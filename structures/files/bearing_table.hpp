@@ -17,7 +17,7 @@ struct BearingType {
   BearingType(std::string type, Bearing law) : name{std::move(type)}, bearing{PlanPosition{}, std::move(law)} {}
 
   std::string name;              ///< As in the column `type`.
-  PlanBearings::Placed bearing;  ///< One of them.
+  PlanBearings::Placed bearing;  ///< The bearing of one line.
 };
 
 /// The types that a table of bearings may name.

@@ -63,10 +63,10 @@ MatrixInUnits in_units(Eigen::MatrixXd values, const MatrixUnits& units);
 /// A note says when no number has more than 6 digits: these spoil the long periods of a stiff building, in frames of
 /// twelve storeys by 1e-4.
 ///
-/// Throws InputError for a unit that is left out or not > 0, FileError naming file, line and mistake: a line with
-/// another count of numbers than the first, a matrix that is not square, anything that is no number, a decimal comma,
-/// names of rows that are not those of the columns, an entry that is given twice, and matrices that are complex,
-/// patterns or skew.
+/// Throws InputError for a unit that is left out or not > 0, and FileError naming file, line and mistake. Mistakes are
+/// a line with another count of numbers than the first, a matrix that is not square, anything that is no number, and a
+/// decimal comma. Refused are also names of rows that differ from the columns', an entry that is given twice, and
+/// matrices that are complex, patterns or skew.
 MatrixInUnits read_matrix(const std::filesystem::path& file, const MatrixUnits& units);
 
 }  // namespace moat

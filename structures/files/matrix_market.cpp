@@ -1,9 +1,12 @@
 #include "structures/files/matrix_market.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <map>
 #include <span>
 #include <sstream>
+#include <utility>
 
 namespace moat {
 namespace {
@@ -39,7 +42,7 @@ bool is_matrix_market(const TextFile& file) {
 }
 
 Eigen::MatrixXd matrix_market_of(const Rows& rows) {
-  constexpr Eigen::Index most_rows = 30'000;
+  constexpr Eigen::Index most_rows = 10'000;  // 800 MB
   std::istringstream first_line{rows.file.text.substr(0, rows.file.text.find('\n'))};
   const std::vector<std::string> words{std::istream_iterator<std::string>{first_line}, {}};
   if (!is_matrix_market(rows.file) || words.size() != 5)
@@ -53,12 +56,14 @@ Eigen::MatrixXd matrix_market_of(const Rows& rows) {
   const Eigen::Index n = whole_number(rows, head, 0, most_rows);
   if (whole_number(rows, head, 1, most_rows) != n) rows.refuse(head, quoted(head.text) + " is no square matrix.");
   const std::span<const Row> entries = std::span{rows.list}.subspan(1);
-  const double asked = is_array ? static_cast<double>(is_symmetric ? n * (n + 1) / 2 : n * n) : rows.number(head, 2);
-  if (static_cast<double>(entries.size()) != asked)
+  const Eigen::Index asked = !is_array      ? whole_number(rows, head, 2, most_rows * most_rows)
+                             : is_symmetric ? n * (n + 1) / 2
+                                            : n * n;
+  if (std::ssize(entries) != asked)
     rows.refuse("it has " + std::to_string(entries.size()) + (entries.size() == 1 ? " entry" : " entries") +
-                ", and its size asks for " + std::to_string(static_cast<std::size_t>(asked)) + ".");
+                ", and its size asks for " + std::to_string(asked) + ".");
   Eigen::MatrixXd values = Eigen::MatrixXd::Zero(n, n);
-  Eigen::MatrixXi lines = Eigen::MatrixXi::Zero(n, n);  // where an entry is given
+  std::map<std::pair<Eigen::Index, Eigen::Index>, std::size_t> lines;  // where an entry is given
   Eigen::Index i = 0, j = 0;
   for (const Row& row : entries) {
     if (is_array) {
@@ -67,17 +72,15 @@ Eigen::MatrixXd matrix_market_of(const Rows& rows) {
       require_fields(rows, row, 3, "row, column, value");
       i = whole_number(rows, row, 0, n) - 1;
       j = whole_number(rows, row, 1, n) - 1;
-      if (lines(i, j) != 0)
+      const auto place = is_symmetric ? std::pair{std::max(i, j), std::min(i, j)} : std::pair{i, j};
+      const auto [given, is_new] = lines.emplace(place, row.line_number);
+      if (!is_new)
         rows.refuse(row, "entry " + row.fields[0] + " " + row.fields[1] + " stands in line " +
-                             std::to_string(lines(i, j)) + " too. " +
+                             std::to_string(given->second) + " too. " +
                              (is_symmetric ? "A symmetric file has one triangle." : "Give it once."));
     }
     values(i, j) = rows.number(row, is_array ? 0 : 2);
-    lines(i, j) = static_cast<int>(row.line_number);
-    if (is_symmetric) {
-      values(j, i) = values(i, j);
-      lines(j, i) = lines(i, j);
-    }
+    if (is_symmetric) values(j, i) = values(i, j);
     // An array is written column by column, from the diagonal down where it is symmetric.
     if (!is_array || ++i < n) continue;
     ++j;

@@ -3,7 +3,7 @@
 
 #include <Eigen/Core>
 
-#include "structures/files/rows.hpp"
+#include "base/text/rows.hpp"
 
 namespace moat {
 

@@ -6,13 +6,13 @@
 #include <numbers>
 
 #include "base/check.hpp"
-#include "structures/files/table.hpp"
+#include "structures/files/input_table.hpp"
 
 namespace moat {
 namespace {
 
 void read_eigenvalues(const std::filesystem::path& file, ModesFromFile& modes) {
-  const Table table{read_text_file(file), {"mode"}, {"period [s]", "eigenvalue [1/s2]", "ratio"}};
+  const InputTable table{read_text_file(file), {"mode"}, {"period [s]", "eigenvalue [1/s2]", "ratio"}};
   if (table.has("period") == table.has("eigenvalue"))
     refuse_file(file, "give period [s] or eigenvalue [1/s2], one of them.");
   modes.eigenvalues.resize(static_cast<Eigen::Index>(table.size()));
@@ -22,6 +22,8 @@ void read_eigenvalues(const std::filesystem::path& file, ModesFromFile& modes) {
     modes.eigenvalues[static_cast<Eigen::Index>(row)] =
         table.has("period") ? std::pow(2.0 * std::numbers::pi / table.positive<Time>(row, "period").si(), 2)
                             : table.positive<Quantity<0, 0, -2>>(row, "eigenvalue").si();
+    if (!std::isfinite(modes.eigenvalues[static_cast<Eigen::Index>(row)]))
+      table.refuse(row, "period is " + table.text(row, "period") + "; it is too small. Check its unit.");
     if (!table.has("ratio")) continue;
     modes.ratios.push_back(table.at<Dimensionless>(row, "ratio"));
     if (!(modes.ratios.back() >= 0.0 && modes.ratios.back() < 1.0))
@@ -32,7 +34,7 @@ void read_eigenvalues(const std::filesystem::path& file, ModesFromFile& modes) {
 }
 
 // "floor 3" for 3, "floor 3" and the third of `floors`.
-std::string name_of_floor(const Table& table, std::size_t row, const std::vector<std::string>& floors) {
+std::string name_of_floor(const InputTable& table, std::size_t row, const std::vector<std::string>& floors) {
   const std::string word = table.word(row, "floor");
   if (const auto given = std::ranges::find(floors, word); given != floors.end())
     return "floor " + std::to_string(given - floors.begin() + 1);
@@ -43,7 +45,7 @@ std::string name_of_floor(const Table& table, std::size_t row, const std::vector
 }
 
 void read_table_of_shapes(const Rows& rows, const std::vector<std::string>& floors, ModesFromFile& modes) {
-  const Table table{rows, {"mode", "floor", "x [m]"}, {"y [m]", "rotation [rad]"}};
+  const InputTable table{rows, {"mode", "floor", "x [m]"}, {"y [m]", "rotation [rad]"}};
   std::vector<std::string> directions{"x"};
   if (table.has("y") || table.has("rotation")) directions = {"x", "y", "rotation"};
   const auto count = static_cast<std::size_t>(modes.eigenvalues.size()), rows_of_mode = table.size() / count;

@@ -6,13 +6,13 @@
 #include <utility>
 
 #include "base/check.hpp"
-#include "structures/files/table.hpp"
+#include "structures/files/input_table.hpp"
 
 namespace moat {
 namespace {
 
 // Finds the height of the storey under a floor, which stands on row `below`, or on the ground at 0.
-Length height_of(const Table& table, std::size_t row, std::optional<std::size_t> below) {
+Length height_of(const InputTable& table, std::size_t row, std::optional<std::size_t> below) {
   if (!table.has("elevation")) return table.positive<Length>(row, "height");
   const Length height = table.at<Length>(row, "elevation") - (below ? table.at<Length>(*below, "elevation") : Length{});
   if (!(height.si() > 0.0)) table.refuse(row, "elevation must be above the row below, or above 0 m.");
@@ -24,7 +24,7 @@ Length height_of(const Table& table, std::size_t row, std::optional<std::size_t>
   return height;
 }
 
-StoreyRow floor_of(const Table& table, std::size_t row, const Outlines& outlines) {
+StoreyRow floor_of(const InputTable& table, std::size_t row, const Outlines& outlines) {
   StoreyRow floor{.name = table.word(row, "name"), .mass = table.positive<Mass>(row, "mass")};
   if (table.has("inertia")) floor.rotary_inertia = table.positive<RotaryInertia>(row, "inertia");
   if (table.has("x_mass") || table.has("y_mass"))
@@ -40,7 +40,7 @@ StoreyRow floor_of(const Table& table, std::size_t row, const Outlines& outlines
   return floor;
 }
 
-void put_storey(const Table& table, std::size_t row, StoreyRow& floor) {
+void put_storey(const InputTable& table, std::size_t row, StoreyRow& floor) {
   if (table.has("kx")) floor.stiffness_x = table.positive<Stiffness>(row, "kx");
   if (table.has("ky")) floor.stiffness_y = table.positive<Stiffness>(row, "ky");
   if (!table.has("k_rotation")) return;
@@ -51,7 +51,7 @@ void put_storey(const Table& table, std::size_t row, StoreyRow& floor) {
 }  // namespace
 
 Outlines read_outlines(const std::filesystem::path& file) {
-  const Table table{read_text_file(file), {"name", "x [m]", "y [m]"}};
+  const InputTable table{read_text_file(file), {"name", "x [m]", "y [m]"}};
   Outlines outlines;
   for (std::size_t row = 0; row < table.size(); ++row)
     outlines[table.word(row, "name")].corners.push_back({table.at<Length>(row, "x"), table.at<Length>(row, "y")});
@@ -60,10 +60,10 @@ Outlines read_outlines(const std::filesystem::path& file) {
 }
 
 StoreyTable read_storeys(const std::filesystem::path& file, const Outlines& outlines) {
-  const Table table{read_text_file(file),
-                    {"name", "mass [t]"},
-                    {"height [m]", "elevation [m]", "inertia [t m2]", "x_mass [m]", "y_mass [m]", "x_rigidity [m]",
-                     "y_rigidity [m]", "kx [kN/m]", "ky [kN/m]", "k_rotation [kN m]", "outline"}};
+  const InputTable table{read_text_file(file),
+                         {"name", "mass [t]"},
+                         {"height [m]", "elevation [m]", "inertia [t m2]", "x_mass [m]", "y_mass [m]", "x_rigidity [m]",
+                          "y_rigidity [m]", "kx [kN/m]", "ky [kN/m]", "k_rotation [kN m]", "outline"}};
   table.require_unique("name");
   StoreyTable storeys{.source = table.source(), .notes = table.notes()};
   std::vector<std::size_t> rows(table.size());
@@ -98,6 +98,25 @@ StoreyTable read_storeys(const std::filesystem::path& file, const Outlines& outl
     below = row;
   }
   if (storeys.floors.empty()) refuse_file(file, "there is no floor in it.");
+  return storeys;
+}
+
+StoreyTable with_eccentricity(StoreyTable storeys, double share_of_x, double share_of_y) {
+  const Check check{"with_eccentricity", storeys.source};
+  check.between("share_of_x", share_of_x, -0.5, 0.5, "1", "5 % is 0.05.");
+  check.between("share_of_y", share_of_y, -0.5, 0.5, "1", "5 % is 0.05.");
+  if (share_of_x == 0.0 && share_of_y == 0.0) return storeys;
+  const auto move = [&](StoreyRow& row) {
+    check.that(!row.outline.empty(), row.name + " has no outline.", "Give one: the eccentricity is a share of it.");
+    const auto extent = [&](Length PlanPosition::*along) {
+      const auto [low, high] = std::ranges::minmax(row.outline.corners, {}, along);
+      return high.*along - low.*along;
+    };
+    row.centre_of_mass.x += share_of_x * extent(&PlanPosition::x);
+    row.centre_of_mass.y += share_of_y * extent(&PlanPosition::y);
+  };
+  if (storeys.base) move(*storeys.base);
+  std::ranges::for_each(storeys.floors, move);
   return storeys;
 }
 

@@ -14,6 +14,7 @@ namespace moat {
 
 /// A floor, and the storey below it. Quantities whose columns are missing are zero.
 struct StoreyRow {
+  /// Name of the floor.
   std::string name{};
   Length height{};                    ///< > 0 m, of the storey below the floor
   Mass mass{};                        ///< > 0 kg, of the floor
@@ -62,5 +63,10 @@ Outlines read_outlines(const std::filesystem::path& file);
 ///
 /// Throws FileError naming file, line, column and remedy; also for a "floor 3" that is not the third from below.
 StoreyTable read_storeys(const std::filesystem::path& file, const Outlines& outlines = {});
+
+/// All centres of mass, of the base too, moved along x and y by these shares of the extent of their outlines there:
+/// accidental eccentricity. ASCE 7 takes 5 % of the plan dimension across the motion. Throws InputError for a share
+/// outside -0.5 to 0.5, and unless both are 0 for a row without outline.
+StoreyTable with_eccentricity(StoreyTable storeys, double share_of_x, double share_of_y);
 
 }  // namespace moat

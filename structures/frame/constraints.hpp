@@ -19,7 +19,7 @@ class NodeNumbers {
   NodeNumbers(const std::vector<FrameNode>& nodes, const Check& check);
   /// Throws InputError for an unknown node; `whose`: "member 7: ", or empty.
   [[nodiscard]] std::size_t of(const NodeName& name, const std::string& whose = {}) const;
-  [[nodiscard]] std::string name(std::size_t node) const;  ///< That of the node, or its number from 1.
+  [[nodiscard]] std::string name(std::size_t node) const;  ///< The name of the node, or its number from 1.
   /// "node 17, rotation about x" of motion 6 i + d.
   [[nodiscard]] std::string motion_name(Eigen::Index motion) const;
 

@@ -18,10 +18,10 @@ namespace moat {
 /// The name of a node; a number is a name too.
 class NodeName {
  public:
-  NodeName() = default;                                            ///< No name.
+  NodeName() = default;                                            ///< Has no name.
   NodeName(int number) : text_{std::to_string(number)} {}          ///< "17" of 17.
-  NodeName(const char* text) : text_{text} {}                      ///< As it stands.
-  NodeName(std::string text) : text_{std::move(text)} {}           ///< As it stands.
+  NodeName(const char* text) : text_{text} {}                      ///< Takes the text as it stands.
+  NodeName(std::string text) : text_{std::move(text)} {}           ///< Takes the text as it stands.
   [[nodiscard]] const std::string& text() const { return text_; }  ///< As it stands in messages.
 
  private:
@@ -76,7 +76,7 @@ enum class Feet {
 
 /// Treatment of masses on motions that are condensed, such as the vertical ones.
 enum class Vanishing {
-  refuse,  ///< InputError
+  refuse,  ///< Throws InputError.
   drop,    ///< left out, with a note
   guyan,   ///< moved to the levels by the static deflection; periods become too short
   keep     ///< none: these motions stay beside those of the levels
@@ -90,7 +90,7 @@ enum class Vanishing {
 /// A model with along_x whose nodes have all the same y moves in its plane: y and the rotations about x and z of all
 /// nodes are held; likewise along_y.
 struct FiniteElements {
-  std::string name{};                    ///< For messages.
+  std::string name{};                    ///< Messages call it so.
   std::vector<FrameNode> nodes{};        ///< At least one.
   SparseMatrix stiffness{};              ///< Symmetric; N/m, N, N m.
   SparseMatrix mass{};                   ///< Symmetric; kg, kg m, kg m^2; none if left out.
@@ -98,8 +98,8 @@ struct FiniteElements {
   std::vector<FrameLevel> diaphragms{};  ///< From the lowest up, tower by tower.
   Feet feet = Feet::clamped;             ///< Feet that belong to a level move with it in plan.
   std::vector<NodeName> foot_nodes{};    ///< All nodes within 1 mm of the lowest height if left out.
-  LevelMotion motion = LevelMotion::in_plan;  ///< Of all levels.
-  Vanishing masses = Vanishing::refuse;       ///< Of motions that are condensed.
+  LevelMotion motion = LevelMotion::in_plan;  ///< How all levels move.
+  Vanishing masses = Vanishing::refuse;       ///< Where motions that are condensed have none.
 };
 
 /// A level of a condensed structure.
@@ -146,8 +146,8 @@ struct CondensedStructure {
 /// With Vanishing::guyan M_c = G^T M G, G = [1; -K_ss^-1 K_sm]; a note gives the first-order error of each period.
 ///
 /// Throws InputError for matrices that are not symmetric (relative to the diagonal: above 1e-12 a note, above 1e-6 an
-/// error), a level without nodes, with nodes at several heights or with a node of another level, a motion that nothing
-/// holds (with its node), and masses as Vanishing says. `kind` begins its messages.
+/// error). It throws too for a level without nodes, with nodes at several heights or with a node of another level, a
+/// motion that nothing holds (with its node), and masses as Vanishing says. `kind` begins its messages.
 CondensedStructure condensed(const FiniteElements& model, std::string_view kind = "FiniteElements");
 
 }  // namespace moat

@@ -43,7 +43,7 @@ struct RectangularSection {
   Required<Length> h;             ///< > 0 m, along local y.
   bool shear_deformation = true;  ///< false: shear areas of 0.
 
-  operator MemberSection() const;  ///< Its properties.
+  operator MemberSection() const;  ///< Computes the properties.
 };
 
 /// An elastic material.
@@ -73,7 +73,7 @@ struct FrameMember {
   std::string name{};                      ///< "member 7" in the order of the list if left out.
   Required<NodeName> from, to;             ///< Different nodes at different places.
   MemberSection section;                   ///< In local axes.
-  ElasticMaterial material;                ///< Of all its length.
+  ElasticMaterial material;                ///< One material over the whole length.
   std::array<double, 3> reference{};       ///< Direction in the local plane x-y; zeros for the one of MemberSection.
   RigidOffset offset_from{}, offset_to{};  ///< From the nodes inwards.
   EndReleases releases_from{}, releases_to{};  ///< At the ends of the flexible part.
@@ -90,16 +90,16 @@ struct FrameMember {
 /// Members with a density give half of the mass of their flexible part to each of their nodes, along x and y: vertical
 /// inertia is left out. Nodes that belong to no level are condensed.
 struct Frame {
-  std::string name{};                         ///< For messages.
+  std::string name{};                         ///< Messages call it so.
   std::vector<FrameNode> nodes{};             ///< At least two.
   std::vector<FrameMember> members{};         ///< At least one.
   std::vector<FrameLevel> levels{};           ///< From the lowest up, with the masses of the floors.
   Feet feet = Feet::clamped;                  ///< Feet that belong to a level move with it in plan.
   std::vector<NodeName> foot_nodes{};         ///< All nodes within 1 mm of the lowest height if left out.
-  LevelMotion motion = LevelMotion::in_plan;  ///< Of all levels.
-  Vanishing masses = Vanishing::refuse;       ///< Of nodes that belong to no level.
+  LevelMotion motion = LevelMotion::in_plan;  ///< How all levels move.
+  Vanishing masses = Vanishing::refuse;       ///< Where nodes that belong to no level have none.
 
-  /// Its nodes and matrices, six motions for each node. Throws InputError for a bad parameter.
+  /// Assembles nodes and matrices, six motions for each node. Throws InputError for a bad parameter.
   [[nodiscard]] FiniteElements finite_elements() const;
   /// Throws InputError for a bad parameter, and as condensed(FiniteElements) does.
   [[nodiscard]] CondensedStructure condensed() const;

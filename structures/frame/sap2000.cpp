@@ -7,7 +7,7 @@
 #include <unordered_map>
 
 #include "base/parse_quantity.hpp"
-#include "structures/files/rows.hpp"
+#include "base/text/rows.hpp"
 
 namespace moat {
 namespace {
@@ -94,6 +94,9 @@ Equations read_equations(const std::filesystem::path& path, double length, Finit
     sheet.refuse("it has " + std::to_string(joints_found) + " joints, the file of joints has " +
                  std::to_string(model.nodes.size()) + ".");
   if (equations.empty()) sheet.refuse("it has no equations.");
+  if (const int last = equations.rbegin()->first; std::ssize(equations) != last)
+    sheet.refuse("it has " + counted(equations.size(), "equation") + ", and the last has the number " +
+                 std::to_string(last) + ". They must be numbered 1, 2, 3 and so on.");
   std::map<int, std::vector<std::pair<int, double>>> terms;  // equations and coefficients of all numbers in TXE
   if (std::ranges::any_of(motions, [](const auto& motion) { return motion.second < 0; })) {
     const Sheet constraints{path.string() + ".TXC", '\t', 3};

@@ -13,8 +13,8 @@ namespace moat {
 
 /// A building beside another one: any that add() returned, a Building made of nodes or diaphragms, or one floor.
 struct BuildingLevels {
-  std::string name;  ///< Of the building; empty for a floor.
-  /// Its base, or `ground` for a fixed building, and its floors from the lowest up: level i carries storey i + 1.
+  std::string name;  ///< Name of the building; empty for a floor.
+  /// The base, or `ground` for a fixed building, and the floors from the lowest up: level i carries storey i + 1.
   std::vector<NodeId> levels;
   /// In plan: the positions of the columns of storeys 1, 2, ...; empty where they are not known.
   std::vector<std::vector<PlanPosition>> columns{};
@@ -36,7 +36,7 @@ struct BuildingLevels {
   /// One floor in plan.
   BuildingLevels(DiaphragmId floor) : levels{floor} {}
 
-  /// Its name, else that of its highest level, in quotation marks.
+  /// Returns the name, else that of the highest level, in quotation marks.
   [[nodiscard]] std::string title(const Model& model) const;
   /// "hospital storey 2", by its number in names.
   [[nodiscard]] std::string storey_name(std::size_t storey) const;
@@ -45,9 +45,9 @@ struct BuildingLevels {
 /// A floor of one of two buildings, and the floor or the column of the other one that it can hit.
 struct LevelPair {
   bool of_first = true;   ///< Whether the floor is one of the first building.
-  std::size_t floor = 0;  ///< Its level.
+  std::size_t floor = 0;  ///< Level of this floor.
   std::size_t other = 0;  ///< The level of the other building that it meets, or the one above the point of its column.
-  double share = 1.0;     ///< That of the level above in the motion of the point, > 0; 1 where two floors meet.
+  double share = 1.0;     ///< Share of the level above in the motion of the point, > 0; 1 where two floors meet.
   double height = 0.0;    ///< m, of the contact
 
   [[nodiscard]] bool is_at_column() const { return share < 1.0; }  ///< Whether the floor meets a column.
@@ -56,7 +56,7 @@ struct LevelPair {
 /// All pairs of two buildings from the lowest up, and remarks about levels that meet nothing.
 struct LevelPairs {
   std::vector<LevelPair> pairs;    ///< From the lowest up.
-  std::vector<std::string> notes;  ///< Sentences.
+  std::vector<std::string> notes;  ///< Sentences for the user.
 };
 
 /// Two levels whose heights differ by no more than `slab` meet each other, also one with two. A level without such a

@@ -26,7 +26,7 @@ class Clearance {
  public:
   /// A field that is left out does not compile, as with Required.
   Clearance() = delete;
-  Clearance(Length everywhere) : list_{{{}, everywhere}} {}                          ///< The same at every height.
+  Clearance(Length everywhere) : list_{{{}, everywhere}} {}  ///< One clearance for every height.
   Clearance(std::initializer_list<ClearanceAt> over_height) : list_{over_height} {}  ///< From the lowest up.
 
   /// At a height, m. Throws InputError for heights that do not rise, and outside the heights of a list.
@@ -57,7 +57,7 @@ struct Neighbours {
   Required<BuildingLevels> right;   ///< The other building.
   Clearance clearance;              ///< >= 0 m at rest; 0 is wall to wall.
   Required<AnyImpactLaw> law;       ///< The force of floors against floors.
-  /// That of floors against columns; left out: as `law`. A column is softer than a slab, and its own shear is not
+  /// The force of floors against columns; left out: as `law`. A column is softer than a slab, and its own shear is not
   /// checked.
   std::optional<AnyImpactLaw> column_law{};
   Length slab = 30.0 * units::cm;  ///< >= 0 m: levels within it meet each other.
@@ -65,7 +65,7 @@ struct Neighbours {
 
 /// The gaps of two buildings.
 struct NeighbourGaps {
-  std::vector<std::string> names;  ///< Of all gaps, from the lowest up.
+  std::vector<std::string> names;  ///< Names of all gaps, from the lowest up.
   std::vector<std::string> notes;  ///< Sentences: levels that meet nothing, and columns with the law of slabs.
 };
 

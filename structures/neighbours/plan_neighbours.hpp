@@ -35,7 +35,7 @@ struct PlanNeighbours {
   Required<BuildingLevels> first;
   Required<BuildingLevels> second;  ///< The other floor or building.
   Required<AnyImpactLaw> law;       ///< The force of floors against floors.
-  /// That of floors against columns; left out: as `law`. A column is softer than a slab, and its own shear is not
+  /// The force of floors against columns; left out: as `law`. A column is softer than a slab, and its own shear is not
   /// checked.
   std::optional<AnyImpactLaw> column_law{};
   CornerFriction friction{};  ///< Along the edges.

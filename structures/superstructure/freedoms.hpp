@@ -64,7 +64,7 @@ std::vector<Freedom> freedoms_named(const Check& check, const std::vector<std::s
 /// Where every freedom of the floors stands among `given`: floor by floor from the lowest up, x alone or x, y and
 /// rotation. Throws InputError for a freedom that is given twice, a floor that lacks a direction or is missing.
 std::vector<int> positions_of(const Check& check, const std::vector<Freedom>& given, int floors, bool in_plan);
-/// Those of the slabs of the base, likewise.
+/// Returns and throws likewise for the slabs of the base.
 std::vector<int> positions_of_base(const Check& check, const std::vector<Freedom>& given, int slabs, bool in_plan);
 
 /// The rows of every floor in a standard order.

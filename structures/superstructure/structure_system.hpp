@@ -58,7 +58,7 @@ struct StructureSystem {
   [[nodiscard]] RigidMotions rigid_motions(const std::vector<SystemFloor>& of) const;
   /// Returns the columns that a base makes: along x, along y, and about z; on a line x alone.
   [[nodiscard]] Eigen::MatrixXd of_base(const RigidMotions& of_rows) const;
-  /// Both together.
+  /// Returns the columns for these rows in one step.
   [[nodiscard]] Eigen::MatrixXd rigid_motion(const std::vector<SystemFloor>& of) const {
     return of_base(rigid_motions(of));
   }

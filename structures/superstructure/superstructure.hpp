@@ -45,7 +45,7 @@ struct SuperstructureBase {
 struct ModalDamping {
   std::vector<double> ratios;  ///< >= 0 and < 1 each: one for all modes, or one for each; the last holds for the rest.
 
-  ModalDamping(double ratio) : ratios{ratio} {}                        ///< The same in all modes.
+  ModalDamping(double ratio) : ratios{ratio} {}                        ///< One ratio for all modes.
   ModalDamping(std::vector<double> list) : ratios{std::move(list)} {}  ///< From the slowest mode on.
   ModalDamping(std::initializer_list<double> list) : ratios{list} {}   ///< From the slowest mode on.
 };
@@ -65,10 +65,10 @@ struct StructureModes {
   Eigen::MatrixXd shapes{};           ///< A row for each freedom, a column for each mode; rotations in rad.
   Length length = units::m;           ///< Unit of the translations of the shapes.
   Mass mass = units::kg;              ///< Unit of mass in which the shapes have norm 1.
-  std::vector<std::string> names{};   ///< Of the rows, "floor 1 x"; where given, they go before freedoms.
+  std::vector<std::string> names{};   ///< Names of the rows, "floor 1 x"; where given, they go before freedoms.
   std::vector<std::string> notes{};   ///< Remarks about their files, which results repeat.
   std::vector<double> ratios{};       ///< Damping ratios, as ModalDamping; for a building without `damping`.
-  ShapeNorm norm = ShapeNorm::mass;   ///< Never guessed.
+  ShapeNorm norm = ShapeNorm::mass;   ///< moat never guesses it.
   int keep = 0;                       ///< How many of the first modes are used; 0: all.
   /// Replaces the shapes by Phi (Phi' M Phi)^(-1/2). The periods are then exactly those given. It changes the building.
   bool orthonormalise = false;
@@ -105,7 +105,7 @@ struct Superstructure {
   std::optional<StoreyTable> storeys{};
   /// Mass of the floors; left out: diagonal, from `floors`.
   std::optional<MatrixInUnits> mass{};
-  FreedomOrder freedoms = per_floor(Freedoms::x_y_rotation);  ///< Of the rows of all matrices and shapes.
+  FreedomOrder freedoms = per_floor(Freedoms::x_y_rotation);  ///< Order of the rows of all matrices and shapes.
   std::vector<SuperstructureFloor> floors{};                  ///< From the lowest up.
   /// Damping of the superstructure held at its base; left out: the ratios of `modes`, or none.
   std::variant<std::monostate, ModalDamping, RayleighDamping, MatrixInUnits> damping{};
@@ -129,7 +129,7 @@ struct SuperstructureParts {
   /// Not specified() for a fixed building. On a line it stands for a node: its y and r are not given.
   DiaphragmId base;
   Places<DiaphragmId, floors_remedy> floors;  ///< From the lowest up, without the base; on a line nodes, as the base.
-  std::vector<ParticipatingMass> modes;       ///< Of the superstructure held at its base.
+  std::vector<ParticipatingMass> modes;       ///< Modes of the superstructure held at its base.
   std::vector<std::string> notes;             ///< Sentences about the input, which results repeat.
 
   /// By its number in names: floor(1) is the lowest. Throws InputError outside 1 to the number of floors.

@@ -80,6 +80,15 @@ TEST_F(MotionCommand, RefusesWithTheRemedy) {
   EXPECT_EQ(result.exit_code, 1);
   EXPECT_EQ(result.output, "");
   EXPECT_NE(result.errors.find("Give the unit: --unit g,"), std::string::npos) << result.errors;
+  // The readers name options as scripts have them; both names serve.
+  std::ofstream{folder / "series.txt"} << "0.1\n0.5\n-0.2\n";
+  result = motion({"series.txt", "--unit", "g"});
+  EXPECT_NE(result.errors.find("Give it: --record-step"), std::string::npos) << result.errors;
+  for (const char* name : {"--record-step", "--step"}) {
+    result = motion({"series.txt", "--record-unit", "g", name, "0.01 s", "--record-columns", "series"});
+    EXPECT_EQ(result.exit_code, 0) << result.errors;
+    EXPECT_NE(result.output.find("every 0.01 s"), std::string::npos) << result.output;
+  }
   result = motion({"none.AT2"});
   EXPECT_EQ(result.exit_code, 1);
   EXPECT_NE(result.errors.find("there is no such file"), std::string::npos);

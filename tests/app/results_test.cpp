@@ -36,6 +36,20 @@ TEST(TerminalSummary, SaysWhereTheErrorBarsComeFrom) {
       << terminal_summary(result);
 }
 
+TEST(TerminalSummary, HasTheSensitivityToContactsBehindThePeaks) {
+  CaseResult result;
+  result.peaks = {{"displacement", "base", 0.5, "m", 4.5}};
+  result.solver.cpu_seconds = 2.0;
+  result.contact_sensitivity.runs_left_out = 6;
+  const std::string text = terminal_summary(result);
+  const std::size_t peaks = text.find("peak displacement"),
+                    sensitivity =
+                        text.find("Sensitivity to contact parameters: not computed, about 12 s; --sensitivity"),
+                    energy = text.find("energy [kJ]");
+  EXPECT_LT(peaks, sensitivity) << text;
+  EXPECT_LT(sensitivity, energy) << text;
+}
+
 using WriteResults = testing::InFolder;
 
 TEST_F(WriteResults, ReportsItsProgress) {

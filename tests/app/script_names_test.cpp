@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <string>
+#include <vector>
+
 #include "app/script/script.hpp"
 #include "base/units.hpp"
 #include "message_of.hpp"
@@ -36,6 +39,21 @@ TEST_F(OptionNames, OfTheScriptItselfAreTaken) {
   add(model, Node{.name = "body", .mass = 1 * units::kg});
   const std::string message = message_of([&] { script.run(model, near_fault_pulse()); });
   EXPECT_TRUE(message.starts_with("--quiet: there is an option of this name.")) << message;
+}
+
+TEST(RecordOptions, OfATableNeedARecord) {
+  const PlanMotion preset{near_fault_pulse(), near_fault_pulse(), {}};
+  for (const std::vector<std::string>& words : std::vector<std::vector<std::string>>{
+           {"script", "--records-table", "records.csv"},
+           {"script", "--record", "a.AT2", "--record-2", "b.AT2", "--records-table", "records.csv"}}) {
+    std::vector<std::string> line = words;
+    std::vector<char*> arguments;
+    for (std::string& word : line) arguments.push_back(word.data());
+    arguments.push_back(nullptr);
+    Script script{static_cast<int>(line.size()), arguments.data(), "records"};
+    EXPECT_EQ(message_of([&] { (void)script.plan_motion(preset); }),
+              "--records-table: give it together with --record FILE or FOLDER, and without --record-2.");
+  }
 }
 
 TEST_F(OptionNames, AreLettersDigitsDashesAndUnderscores) {

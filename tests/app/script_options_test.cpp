@@ -208,6 +208,8 @@ TEST_F(ScriptOptions, HelpListsEveryOptionWithItsUnitAndDefault) {
                            "--end [s]=",
                            "--frame-interval [s]=",
                            "--check",
+                           "--sensitivity",
+                           "--no-sensitivity",
                            "--quiet",
                            "Exit code: 0 done, 1 bad input"})
     EXPECT_NE(help.find(line), std::string::npos) << line << "\n" << help;

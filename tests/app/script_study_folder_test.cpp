@@ -50,6 +50,20 @@ TEST_F(StudyInFolder, ReplacesNoFileOfAnother) {
   EXPECT_EQ(text_of(folder / "a/study.csv"), "mine");
 }
 
+// Only the results say which tables a study has. Hours of computing are then not lost.
+TEST_F(StudyInFolder, HasAReportWhereATableOfAnotherIsInTheWay) {
+  write(folder / "a/study_statistics.csv", "mine\n");
+  const ProgramResult refused = run({"--out", "a", "--pulses", "2"});
+  EXPECT_EQ(refused.exit_code, 1);
+  EXPECT_NE(refused.errors.find("a/study_statistics.csv is not this table"), std::string::npos) << refused.errors;
+  EXPECT_EQ(text_of(folder / "a/study_statistics.csv"), "mine\n");
+  EXPECT_NE(text_of(folder / "a/report.html").find("Study over its records"), std::string::npos);
+  EXPECT_TRUE(fs::exists(folder / "a/study.csv"));
+  fs::remove(folder / "a/study_statistics.csv");
+  ASSERT_EQ(run({"--out", "a", "--pulses", "2"}).exit_code, 0);
+  EXPECT_TRUE(fs::exists(folder / "a/study_statistics.csv"));
+}
+
 TEST_F(StudyInFolder, HasDesignSheets) {
   ::setenv("MOAT_TEST_SHEET", "1", 1);
   for (int i = 0; i < 2; ++i) {  // the second replaces the first

@@ -4,6 +4,7 @@
 
 #include <cstdlib>
 #include <fstream>
+#include <regex>
 
 #include "study_runs.hpp"
 
@@ -141,8 +142,11 @@ TEST_F(ScriptStudyRun, GoesOnAfterAChangeThatIsAccepted) {
   const ProgramResult shown = study_command({"show", "a/study.db"});
   EXPECT_NE(shown.output.find("changes were accepted before this run:\n  file "), std::string::npos) << shown.output;
   EXPECT_NE(shown.output.find("option --failing: 3 -> 4"), std::string::npos) << shown.output;
-  // Other axes are another study in any case.
-  EXPECT_EQ(run({"--out", "a", "--gaps", "21", "--accept-changes"}).exit_code, 1);
+  // Other axes cannot be accepted, and the message does not offer it.
+  const ProgramResult other_axes = run({"--out", "a", "--gaps", "21", "--accept-changes"});
+  EXPECT_EQ(other_axes.exit_code, 1);
+  EXPECT_NE(other_axes.errors.find("Give another folder (--out), restore the former state"), std::string::npos)
+      << other_axes.errors;
 }
 
 TEST_F(ScriptStudyRun, PartsMergedAreTheWhole) {
@@ -168,6 +172,37 @@ TEST_F(ScriptStudyRun, PartsMergedAreTheWhole) {
     EXPECT_EQ(refused.exit_code, 1) << wrong;
     EXPECT_NE(refused.errors.find("is not allowed"), std::string::npos) << refused.errors;
   }
+}
+
+TEST_F(ScriptStudyRun, SaysHowLongItTookAndHowMuchMemory) {
+  const std::vector<std::string> arguments{"--out", "a", "--gaps", "3", "--threads", "1"};
+  const ProgramResult first = run(arguments);
+  ASSERT_EQ(first.exit_code, 0) << first.errors;
+  const std::regex cost{"\n6 cases in [0-9.e-]+ s on 1 thread; largest memory ([0-9]+) MB\n"};
+  std::smatch found;
+  ASSERT_TRUE(std::regex_search(first.output, found, cost)) << first.output;
+  EXPECT_GE(std::stoi(found[1]), 1);
+  EXPECT_EQ(run(arguments).output.find("largest memory"), std::string::npos) << "nothing was computed";
+}
+
+TEST_F(ScriptStudyRun, ASuiteHasStatisticsFloorSpectraClearancesAndLoops) {
+  const ProgramResult result = run({"--suite", "2", "--out", "a"});
+  ASSERT_EQ(result.exit_code, 0) << result.errors;
+  EXPECT_NE(result.output.find("Results: a/  (report.html, suite.csv, suite.db, suite_statistics.csv, "
+                               "suite_floor_spectra.csv)"),
+            std::string::npos)
+      << result.output;
+  EXPECT_TRUE(text_of(folder / "a/suite_floor_spectra.csv")
+                  .starts_with("floor,place,direction,group,damping [1],period [s],mean [m/s^2],"))
+      << text_of(folder / "a/suite_floor_spectra.csv");
+  EXPECT_TRUE(fs::exists(folder / "a/suite_statistics.csv"));
+  EXPECT_TRUE(fs::exists(folder / "a/pictures/suite_clearance_left.svg"));
+  std::size_t loops = 0;
+  for (const fs::directory_entry& each : fs::directory_iterator{folder / "a/pictures"})
+    if (each.path().extension() == ".svg" &&
+        each.path().filename().string().starts_with("suite_loops_of_the_isolators"))
+      ++loops;
+  EXPECT_EQ(loops, 3U) << "of the lower, the nominal and the upper bound";
 }
 
 // Profiles and statistics are those of the other records.

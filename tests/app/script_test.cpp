@@ -216,7 +216,7 @@ TEST_F(ScriptRun, ErrorBarsOfALongRunAreMadeOnlyIfAsked) {
   std::vector<std::string> checked = common;
   checked.insert(checked.end(), {"--check", "--out", "checked"});
   const ProgramResult asked = tour(checked);
-  EXPECT_NE(asked.output.find("cm]\n  base "), std::string::npos);
+  EXPECT_NE(asked.output.find("cm], +- numerical error\n  base "), std::string::npos);
   EXPECT_NE(asked.output.find(" +- "), std::string::npos) << asked.output;
   const json with = json::parse(text_of(folder / "checked/summary.json"));
   EXPECT_EQ(with.at("error_bars").at("checked"), true);
@@ -224,6 +224,36 @@ TEST_F(ScriptRun, ErrorBarsOfALongRunAreMadeOnlyIfAsked) {
   EXPECT_EQ(with.at("error_bars").at("companion_impacts"), with.at("impacts"));
   for (std::size_t i = 0; i < with.at("peaks").size(); ++i)
     EXPECT_EQ(with.at("peaks").at(i).at("value"), without.at("peaks").at(i).at("value")) << i;
+}
+
+TEST_F(ScriptRun, StatesHowPeaksMoveWithContactsUnlessThatTakesLongOrIsNotWanted) {
+  const auto run = [&](std::vector<std::string> options, const std::string& out) {
+    for (const char* common : {"--end", "6 s", "--frame-interval", "0 s", "--out"}) options.emplace_back(common);
+    options.push_back(out);
+    return tour(options);
+  };
+  const auto sensitivity = [&](const std::string& out) {
+    return json::parse(text_of(folder / out / "summary.json")).at("contact_sensitivity");
+  };
+  const ProgramResult plain = run({}, "plain");
+  EXPECT_NE(plain.output.find("  if contact differs"), std::string::npos) << plain.output;
+  EXPECT_NE(plain.output.find("Rigid walls: a wall that gives way changes this more than k."), std::string::npos);
+  EXPECT_EQ(sensitivity("plain").at("computed"), true);
+  EXPECT_EQ(sensitivity("plain").at("changes").size(), 6u);
+
+  const ProgramResult without = run({"--no-sensitivity"}, "without");
+  EXPECT_EQ(without.output.find("if contact differs"), std::string::npos) << without.output;
+  EXPECT_EQ(without.output.find("Sensitivity"), std::string::npos) << without.output;
+  EXPECT_EQ(sensitivity("without").at("reason"), "It was not wanted.");
+
+  const ProgramResult fine = run({"--step", "0.1 ms"}, "fine");
+  EXPECT_NE(fine.output.find("Sensitivity to contact parameters: not computed, about "), std::string::npos)
+      << fine.output;
+  EXPECT_EQ(sensitivity("fine").at("computed"), false);
+
+  const ProgramResult both = run({"--sensitivity", "--no-sensitivity"}, "both");
+  EXPECT_EQ(both.exit_code, 1);
+  EXPECT_NE(both.errors.find("both --sensitivity and --no-sensitivity are given."), std::string::npos) << both.errors;
 }
 
 TEST_F(ScriptRun, QuietSaysNothing) {

@@ -40,6 +40,22 @@ StudyModel mass_in_a_moat(const GroundMotion& motion, Length gap, double stiffne
   return one;
 }
 
+Model isolated_house(const SuiteCase& each) {
+  Model model;
+  const auto house =
+      add(model, ShearBuilding{.storeys = 1,
+                               .floor_mass = 500 * tonne,
+                               .storey_stiffness = 1000 * MN / m,
+                               .base_mass = 500 * tonne,
+                               .isolation = LeadRubberBearing{.yield_force = each.factors.strength * 0.5 * MN,
+                                                              .yield_displacement = 1 * cm,
+                                                              .post_yield_stiffness = 6 * MN / m}});
+  add(model, Moat{.around = house.base,
+                  .clearance = 1 * m,
+                  .law = HertzDamp{.stiffness = 1e9 * N / m_3_2, .restitution = 0.6}});
+  return model;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -54,7 +70,15 @@ int main(int argc, char** argv) {
                     pairs = script.text("pairs", "", "folder of pairs of records, a case for each");
   const int pulses = script.integer("pulses", 0, "a case for each");
   const int times = script.integer("times", 1, "studies of one name");
+  const int suite = script.integer("suite", 0, "records of a suite");
   if (const char* folder = std::getenv("MOAT_TEST_RECORDS")) static_cast<void>(read_record_folder(folder));
+  if (suite > 0) {
+    script.suite({motions_of("", suite),
+                  {.bounds = PropertyBounds{.lower = {.strength = 0.9}, .upper = {.strength = 1.3}},
+                   .study = {.floor_spectra = FloorSpectraOptions{.floors = {"base"}, .periods = {0.1 * s, 1 * s}}}}},
+                 isolated_house);
+    return script.finish();
+  }
   if (!pairs.empty()) {
     const std::vector<PlanMotion> motions = read_record_pairs(pairs);
     script.study({record_axis("pair", motions)}, [&](const StudyCase& each) {

@@ -67,6 +67,13 @@ struct Comma : std::numpunct<char> {
   char do_decimal_point() const override { return ','; }
 };
 
+TEST(Numbers, KeepAllTheirDigits) {
+  for (const double value : {0.01, 1.0 / 60.0, 9.80665, 1.0 / 3.0, -1e-300, 0.1 + 0.2})
+    EXPECT_EQ(std::stod(to_exact(value)), value);
+  EXPECT_EQ(to_exact(0.005), "0.005");
+  EXPECT_EQ(to_exact(90.0), "90");
+}
+
 TEST(NumberFormat, DoesNotFollowTheLocaleOfTheProgram) {
   const std::locale before = std::locale::global(std::locale{std::locale::classic(), new Comma});
   EXPECT_EQ(to_fixed(0.5, 1), "0.5");

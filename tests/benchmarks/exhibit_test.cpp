@@ -15,7 +15,8 @@ class ExhibitInFolder : public InFolder {
   [[nodiscard]] std::vector<Exhibit> example(bool held) const {
     Exhibit exhibit{folder, "example", "An <example>", "example_source", false};
     exhibit.text("Text & more.");
-    exhibit.table({"Caption", {"a", "b"}, {{"1|2", "3"}}});
+    exhibit.table({"On the page alone", {"c", "d"}, {{"4", "5"}}});
+    exhibit.documented_table({"Caption", {"a", "b"}, {{"1|2", "3"}}});
     exhibit.figure(
         {"curve",
          "A curve.",
@@ -24,6 +25,7 @@ class ExhibitInFolder : public InFolder {
     exhibit.assert_that(held, "two is three");
     exhibit.report(4);
     exhibit.finding({"1.2", "a claim", "a criterion", "a number", Verdict::partly});
+    exhibit.finding({"1.3", "another", "a criterion", "many numbers", Verdict::fails, "few numbers"});
     return {exhibit};
   }
 };
@@ -41,15 +43,30 @@ TEST_F(ExhibitInFolder, MakesAPageThatNeedsNoOtherFile) {
   const std::string page = text_of("index.html");
   for (const char* part :
        {"2 asserted, 1 held, 4 reported", "An &lt;example&gt;", "Text &amp; more.", "<figure id=\"curve\">", "<svg",
-        "did not hold</span> two is three", "<td>a claim</td>", "<td class=\"partly\">partly", "example_source.cpp"})
+        "did not hold</span> two is three", "<td>a claim</td>", "<td class=\"partly\">partly", "example_source.cpp",
+        "<caption>On the page alone", "<caption>Caption", "<td>many numbers</td>"})
     EXPECT_NE(page.find(part), std::string::npos) << part;
   for (const char* part : {"<img", "<?xml", "<script", "<link"}) EXPECT_EQ(page.find(part), std::string::npos) << part;
 }
 
-TEST_F(ExhibitInFolder, WritesTablesAsMarkdown) {
+TEST_F(ExhibitInFolder, DocumentsTheTablesMeantForItAndTheFindingsInShort) {
   const std::string text = documentation(example(true));
-  EXPECT_NE(text.find("| a | b |\n| --- | --- |\n| 1\\|2 | 3 |\n"), std::string::npos) << text;
-  EXPECT_NE(text.find("| 1.2 | a claim | a criterion | a number | partly |"), std::string::npos) << text;
+  EXPECT_NE(text.find("### An <example>"), std::string::npos) << text;
+  EXPECT_NE(text.find("**Caption**\n\n| a | b |\n| --- | --- |\n| 1\\|2 | 3 |\n"), std::string::npos) << text;
+  EXPECT_NE(text.find("| 1.2 | a claim | a number | partly |\n| 1.3 | another | few numbers | does not hold |"),
+            std::string::npos)
+      << text;
+  for (const char* part : {"On the page alone", "Text & more.", "A curve.", "a criterion", "many numbers"})
+    EXPECT_EQ(text.find(part), std::string::npos) << part;
+}
+
+TEST_F(ExhibitInFolder, IsMissingInTheDocumentationWithoutTablesUnlessAnAssertionFailed) {
+  Exhibit exhibit{folder, "example", "An example", "example_source", false};
+  exhibit.table({"On the page alone", {"c", "d"}, {{"4", "5"}}});
+  exhibit.assert_that(true, "one is one");
+  EXPECT_EQ(exhibit.markdown(), "");
+  exhibit.assert_that(false, "two is three");
+  EXPECT_NE(exhibit.markdown().find("- Did not hold: two is three"), std::string::npos) << exhibit.markdown();
 }
 
 TEST_F(ExhibitInFolder, SaysOnThePageThatItFailed) {

@@ -27,6 +27,8 @@ TEST(Costs, AreReadOffTheTimesOfEveryRound) {
   const std::vector<Cost> found = costs({ladder("one", {1.0, 4.0, 16.0}, 0.1)}, reference, 1e-3, 3);
   ASSERT_EQ(found.size(), 1u);
   ASSERT_EQ(found[0].seconds.size(), 3u);
+  ASSERT_EQ(found[0].errors.size(), 3u) << "one of every setting";
+  EXPECT_NEAR(found[0].errors[1], 0.1 * 0.1 / 16.0, 1e-12);
   for (const double seconds : found[0].seconds) EXPECT_NEAR(seconds, 0.1 / std::sqrt(1e-3), 1e-9);
 }
 

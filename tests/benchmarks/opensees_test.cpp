@@ -13,7 +13,9 @@
 #include <string>
 #include <vector>
 
+#include "experiments/yielding_building.hpp"
 #include "in_folder.hpp"
+#include "written_tcl.hpp"
 
 namespace moat::peers {
 namespace {
@@ -44,34 +46,16 @@ Model tower(bool linear_contact) {
   return model;
 }
 
-// The lines of a Tcl file as words.
-struct Tcl {
-  std::vector<std::vector<std::string>> lines;
-  std::vector<int> gaps;
-
-  [[nodiscard]] std::vector<std::vector<std::string>> starting_with(const std::string& word) const {
-    std::vector<std::vector<std::string>> found;
-    for (const auto& line : lines)
-      if (line.front() == word) found.push_back(line);
-    return found;
-  }
-};
-
 Tcl tcl_of(const Model& model) {
-  std::stringstream text;
-  Tcl tcl;
-  tcl.gaps = write_opensees_model(AnalysisState{model}, text);
-  for (std::string line; std::getline(text, line);) {
-    std::istringstream words{line};
-    auto& list = tcl.lines.emplace_back();
-    for (std::string word; words >> word;) list.push_back(word);
-  }
+  std::ostringstream text;
+  std::vector<int> tags = write_opensees_model(AnalysisState{model}, {}, text);
+  Tcl tcl{text.str()};
+  tcl.measured = std::move(tags);
   return tcl;
 }
 
 /// The matrices that OpenSees' definitions of the written lines give are those of moat.
-TEST(OpenSeesModel, HasTheMatricesOfTheModel) {
-  const Model model = tower(true);
+void expect_matrices_of(const Model& model) {
   const Tcl tcl = tcl_of(model);
   std::map<std::string, std::pair<double, double>> materials;  // initial stiffness and damping
   for (const auto& line : tcl.starting_with("uniaxialMaterial")) {
@@ -105,6 +89,10 @@ TEST(OpenSeesModel, HasTheMatricesOfTheModel) {
   for (const auto& line : tcl.starting_with("mass")) mass += std::stod(line[2]);
   EXPECT_NEAR(mass, model.mass_matrix().diagonal().sum(), 1e-6);
 }
+TEST(OpenSeesModel, HasTheMatricesOfTheModel) {
+  expect_matrices_of(tower(true));
+  expect_matrices_of(experiments::YieldingBuilding{}.model);
+}
 
 /// `zeroLength` strains by second minus first, and ElasticPPGap with a negative gap closes under compression.
 TEST(OpenSeesModel, ClosesItsGapsOnTheRightSides) {
@@ -114,7 +102,7 @@ TEST(OpenSeesModel, ClosesItsGapsOnTheRightSides) {
   for (const auto& line : tcl.starting_with("uniaxialMaterial"))
     if (line[1] == "ElasticPPGap") gaps[line[2]] = line;
   ASSERT_EQ(gaps.size(), 2u);
-  ASSERT_EQ(tcl.gaps.size(), 2u);
+  ASSERT_EQ(tcl.measured.size(), 2u);
   double sum_of_closing_moves = 0.0;
   for (const auto& line : tcl.starting_with("element")) {
     const auto found = gaps.find(line[6]);
@@ -126,6 +114,16 @@ TEST(OpenSeesModel, ClosesItsGapsOnTheRightSides) {
     sum_of_closing_moves += line[3] == "1" ? 1.0 : -1.0;
   }
   EXPECT_EQ(sum_of_closing_moves, 0.0) << "one wall on either side";
+}
+
+/// A zeroLength element that is added later takes the displacements that it finds as those of its rest.
+TEST(OpenSeesModel, SetsItsStateBehindItsElements) {
+  bool set = false;
+  for (const auto& line : tcl_of(tower(true)).lines) {
+    set = set || line[0] == "setNodeDisp";
+    EXPECT_FALSE(set && line[0] == "element");
+  }
+  EXPECT_TRUE(set);
 }
 
 TEST(OpenSeesModel, GivesHertzDampItsDampingRatio) {
@@ -147,7 +145,7 @@ TEST(OpenSeesModel, RefusesALawThatOpenSeesDoesNotHave) {
                  .clearance = 1 * cm,
                  .law = ExactKelvin{.stiffness = 1 * GN / m, .restitution = 0.5}});
   std::ostringstream text;
-  EXPECT_THROW(write_opensees_model(AnalysisState{model}, text), InputError);
+  EXPECT_THROW(write_opensees_model(AnalysisState{model}, {}, text), InputError);
 }
 
 class OpenSeesProgram : public paper::InFolder {
@@ -162,9 +160,9 @@ class OpenSeesProgram : public paper::InFolder {
     setenv("OPENSEES", program.c_str(), 1);
   }
   [[nodiscard]] OpenSeesRun run() const {
-    const Model model = tower(true);
+    const Case tower_case{"tower", tower(true), NodeId{0}, NodeId{3}, near_fault_pulse(), 1.0};
     return OpenSees::find(folder / "files")
-        ->run(AnalysisState{model}, near_fault_pulse(), 0.005, 1.0, {"textbook", "Newmark"}, NodeId{0}, NodeId{3});
+        ->run(AnalysisState{tower_case.model}, tower_case, 0.005, {"textbook", "Newmark"});
   }
 };
 
@@ -179,12 +177,19 @@ TEST_F(OpenSeesProgram, IsCalledWithTheModelAndItsResultIsRead) {
   std::istringstream lines{text_of("arguments")};
   std::vector<std::string> arguments;
   for (std::string line; std::getline(lines, line);) arguments.push_back(line);
-  ASSERT_EQ(arguments.size(), 10u);
-  EXPECT_TRUE(std::filesystem::exists(arguments[0]) && std::filesystem::exists(arguments[1]));
+  ASSERT_EQ(arguments.size(), 11u);
+  EXPECT_TRUE(std::filesystem::exists(arguments[0]));
+  EXPECT_TRUE(std::filesystem::exists(arguments[1].substr(1, arguments[1].find('}') - 1))) << "a list of one file";
   EXPECT_EQ(std::stod(arguments[3]) * std::stod(arguments[4]), 1.0) << "steps to the end";
   EXPECT_EQ(arguments[5], "textbook");
-  EXPECT_EQ(arguments[7], "1");
-  EXPECT_EQ(arguments[8], "4");
+  EXPECT_EQ(arguments[7], "impacts");
+  EXPECT_EQ(arguments[8], "1");
+  EXPECT_EQ(arguments[9], "4");
+}
+
+TEST_F(OpenSeesProgram, NamesItsVersion) {
+  install("echo '   OpenSees' >&2\necho '      Version 3.7.1 64-Bit' >&2\n");
+  EXPECT_EQ(OpenSees::find(folder)->version(), "Version 3.7.1 64-Bit");
 }
 
 TEST_F(OpenSeesProgram, MayFailToSolveAStep) {

@@ -33,6 +33,21 @@ TEST(Curves, FindTheirEnds) {
   EXPECT_EQ(position_of_maximum({3, 1, 2}), 0u);
 }
 
+TEST(JudgeMotions, CountsTheRecordsInShort) {
+  const SweepResult result{
+      {1.0},
+      {"A", "B"},
+      StudyResult{StudyCases{StudyAxis::of_names("record", {"A", "B"})}, std::vector<CaseOutcome>(2)}};
+  Exhibit exhibit;
+  judge_motions(exhibit, result, {"1.1", "a claim", "a criterion", ""}, [](std::size_t motion) {
+    return Answer{motion == 0, std::to_string(motion)};
+  });
+  ASSERT_EQ(exhibit.findings.size(), 1u);
+  EXPECT_EQ(exhibit.findings.front().found, "A yes (0); B no (1)");
+  EXPECT_EQ(exhibit.findings.front().in_short, "1 of 2 records");
+  EXPECT_EQ(exhibit.findings.front().verdict, Verdict::partly);
+}
+
 /// The stated 2.5 s of the paper's building needs 1.93e7 N/m, ten times the printed value.
 TEST(PaperBuilding, HasTheStatedIsolationPeriod) {
   EXPECT_NEAR(stiffness_for_period(2.5 * s, 5).si(), 1.93e7, 0.005e7);

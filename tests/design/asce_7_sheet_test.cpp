@@ -17,11 +17,8 @@ constexpr double mega = 1e6;
 
 Asce7Sheet sheet_of(SheetBuilding building = sheet_building()) {
   return {.building = std::move(building),
-          .s_m1 = 0.9,
-          .s_ds = 1.0,
-          .s_d1 = 0.6,
+          .spectrum = Asce7Spectrum{.s_ds = 1.0, .s_d1 = 0.6, .long_period = 8 * s},
           .s_1 = 0.6,
-          .long_period = 8 * s,
           .response_modification = 5};
 }
 
@@ -191,13 +188,14 @@ TEST(Asce7Sheet, KeepsTheLeastShear) {
   sheet.s_1 = 0.59;
   const double t = made(sheet).line("T_M").value(Bound::upper);
   EXPECT_NEAR(made(sheet).line("C_s").value(), 0.6 / (5.0 * t), 1e-15);
-  sheet.long_period = 1 * s;
-  sheet.s_ds = 0.6;
-  EXPECT_NEAR(made(sheet).line("C_s").value(), std::max(0.6 / (5.0 * t * t), 0.044 * 0.6), 1e-15);
+  sheet.spectrum = Asce7Spectrum{.s_ds = 0.6, .s_d1 = 0.6, .long_period = 1.5 * s};
+  EXPECT_NEAR(made(sheet).line("C_s").value(), 0.6 * 1.5 / (5.0 * t * t), 1e-15);
   EXPECT_EQ(made(sheet).line("C_s").formula, "S_D1 T_L/(T_M^2 R/I_e) <= S_DS/(R/I_e); >= 0.044 S_DS I_e, 0.01");
-  sheet.s_ds = sheet.s_d1 = 0.01;
-  sheet.long_period = 8 * s;
-  EXPECT_DOUBLE_EQ(made(sheet).line("C_s").value(), 0.01 * (0.01 / (5.0 * t) < 0.01 ? 1.0 : 0.0));
+  // The displacement is that of another spectrum.
+  sheet.mce_spectrum = TargetSpectrum{
+      .name = "site", .source = "", .longest = 9 * s, .value = [](double period) { return 9.80665 * 0.9 / period; }};
+  sheet.spectrum = Asce7Spectrum{.s_ds = 0.01, .s_d1 = 0.01, .long_period = 8 * s};
+  EXPECT_DOUBLE_EQ(made(sheet).line("C_s").value(), 0.01);
   // Wind above all.
   sheet = sheet_of();
   sheet.wind = 5 * MN;
@@ -266,10 +264,91 @@ TEST(Asce7Sheet, ComparesHistoriesWithTheirMinima) {
   EXPECT_EQ(low.line("D_TM,dyn").verdict, "D_TM,dyn 0.4 m (lower bounds) < 0.4474 m: multiply the results by 1.118");
   // Histories of nominal properties alone do not replace the displacement by lower bounds.
   building.suite = {.statistic = "mean of 7 records", .nominal = {0.42 * m, 0.48 * m, 7.5 * MN, 7 * MN, 0.012}};
-  EXPECT_EQ(made(sheet_of(building)).line("gap").verdict, "clearance 0.5 m < D_TM,dyn 0.5717 m (lower bounds)");
+  EXPECT_EQ(made(sheet_of(building)).line("gap").verdict, "clearance 0.5 m < D_TM 0.5717 m (lower bounds)");
   // A suite without results changes nothing.
   building.suite = SuiteForSheet{};
   EXPECT_EQ(made(sheet_of(building)).lines.size(), made(sheet_of()).lines.size());
+}
+
+// Walls limit displacements, and impacts add to forces.
+TEST(Asce7Sheet, DoesNotJudgeAsKeptWhatImpactsMayHide) {
+  SheetBuilding building = sheet_building();
+  building.clearance = 0.5 * m;
+  building.suite = {.statistic = "mean of 7 records",
+                    .lower = {0.42 * m, 0.48 * m, 8.6 * MN, 7 * MN, 0.012, 2},
+                    .upper = {0.25 * m, 0.30 * m, 8.6 * MN, 7.4 * MN, 0.012}};
+  const DesignSheet alone = sheet_of(building);
+  EXPECT_EQ(alone.line("V_b,dyn").formula, "histories, isolators alone, both directions, >= V_min");
+  EXPECT_TRUE(*alone.line("V_b,dyn").is_kept);
+  EXPECT_TRUE(*alone.line("V_above").is_kept);
+  EXPECT_TRUE(*alone.line("D_TM,dyn").is_kept) << "walls make it smaller";
+  EXPECT_EQ(alone.line("D_TM,dyn").numbers, "mean of 7 records; 2 records touch");
+  EXPECT_FALSE(alone.line("V_s,dyn").is_kept.has_value());
+  EXPECT_EQ(alone.line("V_s,dyn").verdict,
+            "V_s,dyn 3733 kN (lower bounds) >= 2649 kN, not judged: 2 records touch, and the forces of impacts are in "
+            "it");
+  EXPECT_FALSE(alone.line("gap").is_kept.has_value());
+  EXPECT_EQ(alone.line("gap").verdict,
+            "clearance 0.5 m >= D_TM,dyn 0.48 m (lower bounds), not judged: 2 records touch; repeat the histories with "
+            "a gap that stays open");
+  building.suite->base_shear_has_impacts = true;
+  const DesignSheet together = sheet_of(building);
+  EXPECT_EQ(together.line("V_b,dyn").formula, "histories, base shear, both directions, >= V_min");
+  EXPECT_EQ(together.line("V_b,dyn").verdict,
+            "V_b,dyn 8600 kN (upper bounds) >= 7490 kN, not judged: 2 records touch, and the forces of impacts are in "
+            "it");
+  EXPECT_FALSE(together.line("V_above").is_kept.has_value());
+  // Behind those that are not kept.
+  EXPECT_EQ(together.rules()[1]->symbol, "V_b,dyn");
+  // Without impacts it would be still less.
+  building.suite->lower.base_shear = 6 * MN;
+  EXPECT_FALSE(*made(sheet_of(building)).line("V_b,dyn").is_kept);
+  EXPECT_EQ(made(sheet_of(building)).line("V_b,dyn").numbers, "mean of 7 records; 2 records touch");
+  building.suite->lower.touching = 0;
+  building.suite->upper.touching = 1;
+  building.suite->lower.base_shear = 8.6 * MN;
+  EXPECT_NE(made(sheet_of(building)).line("V_b,dyn").verdict.find("not judged: 1 record touches"), std::string::npos);
+  building.suite->upper.touching = 0;
+  EXPECT_TRUE(*made(sheet_of(building)).line("V_b,dyn").is_kept);
+}
+
+// Beyond beta_M = 1/2.5 (sliders: 1/3.5) the formula would exceed V_b, and F_1 would be negative.
+TEST(Asce7Sheet, HoldsTheExponentOfTheShearAboveTheBaseAtZero) {
+  SheetBuilding building = sheet_building();
+  building.bounds = {};
+  const auto at = [&](double strength_ratio, bool abrupt) {
+    building.isolation = IsolationLoop{strength_ratio * 30 * MN, 6 * MN / m, 1 * mm};
+    Asce7Sheet sheet = sheet_of(building);
+    sheet.abrupt_transition = abrupt;
+    return made(sheet);
+  };
+  const auto has_note = [](const DesignSheet& sheet, const std::string& words) {
+    return std::ranges::any_of(sheet.notes,
+                               [&](const std::string& note) { return note.find(words) != std::string::npos; });
+  };
+  const DesignSheet held = at(0.12, false);
+  EXPECT_GT(held.line("beta_M").value(), 0.4);
+  EXPECT_DOUBLE_EQ(held.line("V_st").value(), held.line("V_b").value());
+  EXPECT_DOUBLE_EQ(held.line("F_1").value(), 0.0);
+  EXPECT_DOUBLE_EQ(held.line("V_s3").value(), held.line("F_s").value());
+  EXPECT_TRUE(has_note(held, "makes the exponent 1 - 2.5 beta_M negative: it is held at 0, V_st at V_b."));
+  const DesignSheet slider = at(0.08, true), smooth = at(0.08, false);
+  const double beta = slider.line("beta_M").value();
+  EXPECT_GT(beta, 1.0 / 3.5);
+  EXPECT_LT(beta, 0.4);
+  EXPECT_DOUBLE_EQ(slider.line("V_st").value(), slider.line("V_b").value());
+  EXPECT_TRUE(has_note(slider, "1 - 3.5 beta_M"));
+  EXPECT_FALSE(has_note(smooth, "exponent"));
+  EXPECT_NEAR(smooth.line("V_st").value() / smooth.line("V_b").value(), std::pow(25.0 / 30.0, 1.0 - 2.5 * beta), 1e-12);
+}
+
+TEST(Asce7Sheet, NotesHowTheRecordsWereScaled) {
+  SheetBuilding building = sheet_building();
+  building.suite = {.statistic = "mean of 7 records",
+                    .lower = {0.42 * m, 0.48 * m, 7.5 * MN, 7 * MN, 0.012},
+                    .scaling = {"Scaling by ASCE 7-16", "Mean SRSS of 7 records >= 0.9 target from 1 to 3 s"}};
+  EXPECT_EQ(made(sheet_of(building)).notes.back(),
+            "Scaling by ASCE 7-16. Mean SRSS of 7 records >= 0.9 target from 1 to 3 s.");
 }
 
 TEST(Asce7Sheet, RefusesBadInput) {
@@ -278,17 +357,18 @@ TEST(Asce7Sheet, RefusesBadInput) {
     change(sheet);
     return message_of([&] { static_cast<void>(made(sheet)); });
   };
-  EXPECT_EQ(refused([](Asce7Sheet& each) { each.s_d1 = 60.0; }),
-            "Asce7Sheet \"Hospital\": s_d1 = 60 g is not allowed; it must be > 0 g and <= 5 g. It is a fraction of g: "
+  EXPECT_EQ(refused([](Asce7Sheet& each) { each.s_1 = 60.0; }),
+            "Asce7Sheet \"Hospital\": s_1 = 60 g is not allowed; it must be > 0 g and <= 5 g. It is a fraction of g: "
             "60 % of g is 0.6.");
-  EXPECT_NE(refused([](Asce7Sheet& each) { each.long_period = 0.4 * s; }).find("long_period = 0.4 s"),
-            std::string::npos);
-  EXPECT_NE(refused([](Asce7Sheet& each) { each.long_period = 0.4 * s; }).find("T_S = s_d1/s_ds = 0.6 s"),
-            std::string::npos);
+  const auto spectrum = [](double s_ds, Time long_period) {
+    return
+        [=](Asce7Sheet& each) { each.spectrum = Asce7Spectrum{.s_ds = s_ds, .s_d1 = 0.6, .long_period = long_period}; };
+  };
+  EXPECT_NE(refused(spectrum(-1.0, 8 * s)).find("Asce7Spectrum: s_ds = -1 "), std::string::npos);
+  EXPECT_NE(refused(spectrum(1.0, 0.4 * s)).find("Asce7Spectrum: long_period = 0.4 s"), std::string::npos);
   for (const auto& [field, message] : std::vector<std::pair<std::function<void(Asce7Sheet&)>, std::string>>{
-           {[](Asce7Sheet& each) { each.s_m1 = 0.0; }, "s_m1 = 0 g"},
-           {[](Asce7Sheet& each) { each.s_ds = -1.0; }, "s_ds = -1 g"},
            {[](Asce7Sheet& each) { each.s_1 = 6.0; }, "s_1 = 6 g"},
+           {[](Asce7Sheet& each) { each.s_1 = 0.0; }, "s_1 = 0 g"},
            {[](Asce7Sheet& each) { each.response_modification = 0.5; }, "response_modification = 0.5"},
            {[](Asce7Sheet& each) { each.importance = 2.0; }, "importance = 2"},
            {[](Asce7Sheet& each) {

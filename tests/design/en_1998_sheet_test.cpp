@@ -126,6 +126,28 @@ TEST(En1998Sheet, TakesTheGapFromHistories) {
   EXPECT_EQ(sheet.line("d_bd,dyn").numbers, "mean of 7 records");
 }
 
+// Histories of nominal properties alone do not replace the displacements by bounds.
+TEST(En1998Sheet, TakesTheFormulaForBoundsWithoutHistories) {
+  SheetBuilding building = sheet_building();
+  building.clearance = 0.19 * m;
+  building.suite = {.statistic = "mean of 7 records", .nominal = {.corner_displacement = 0.1 * m}};
+  const SheetLine gap = made(sheet_of(building)).line("gap");
+  EXPECT_NEAR(gap.value(Bound::nominal), 0.12, 1e-15);
+  expect_printed(gap.value(Bound::lower), ".19795660", "d_max");
+  expect_printed(gap.value(Bound::upper), ".17339579", "d_max");
+  EXPECT_EQ(gap.verdict, "clearance 0.19 m < d_max 0.198 m (lower bounds)");
+  EXPECT_FALSE(*gap.is_kept);
+  // And of upper bounds alone.
+  building.suite = {.statistic = "largest of 3 records", .upper = {.corner_displacement = 0.2 * m, .touching = 1}};
+  building.clearance = 0.45 * m;
+  const DesignSheet upper = sheet_of(building);
+  expect_printed(upper.line("gap").value(Bound::lower), ".19795660", "d_max");
+  EXPECT_EQ(upper.line("gap").verdict,
+            "clearance 0.45 m >= gamma_x d_bd,dyn + d_slow 0.24 m (upper bounds), not judged: 1 record touches; repeat "
+            "the histories with a gap that stays open");
+  EXPECT_EQ(upper.line("d_bd,dyn").numbers, "largest of 3 records; 1 record touches");
+}
+
 TEST(En1998Sheet, MarksClausesFromMemory) {
   const DesignSheet sheet = sheet_of();
   EXPECT_EQ(sheet.line("S_e").source, ClauseSource::followed);

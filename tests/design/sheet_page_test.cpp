@@ -19,11 +19,8 @@ using namespace units;
 
 DesignSheet asce_7(const SheetBuilding& building = sheet_building()) {
   return Asce7Sheet{.building = building,
-                    .s_m1 = 0.9,
-                    .s_ds = 1.0,
-                    .s_d1 = 0.6,
+                    .spectrum = Asce7Spectrum{.s_ds = 1.0, .s_d1 = 0.6, .long_period = 8 * s},
                     .s_1 = 0.6,
-                    .long_period = 8 * s,
                     .response_modification = 5};
 }
 
@@ -134,6 +131,23 @@ TEST(SheetPage, ShowsADashWhereACaseWasNotComputed) {
   EXPECT_NE(page.find("<td>mean of 7 &lt;records&gt;</td><td class=\"number\">7500</td><td class=\"number\">-</td>"),
             std::string::npos);
   EXPECT_EQ(badly_closed(page), "");
+}
+
+// A result that impacts may have made large enough stands in the box, and is no kept rule.
+TEST(SheetPage, SaysWhatIsNotJudged) {
+  SheetBuilding building = sheet_building();
+  building.clearance = 0.6 * m;
+  building.suite = {.statistic = "mean of 7 records",
+                    .lower = {.base_shear = 9 * MN, .touching = 3},
+                    .upper = {.base_shear = 9 * MN},
+                    .base_shear_has_impacts = true};
+  const std::string page = sheet_page({asce_7(building)});
+  EXPECT_NE(page.find("<div class=\"verdict\"><strong>clearance 0.6 m ≥ D<sub>TM</sub> 0.5717 m (lower bounds), not "
+                      "judged: 3 records touch; repeat the histories with a gap that stays open</strong><br>"
+                      "V<sub>b,dyn</sub> 9000 kN (upper bounds) ≥ 7490 kN, not judged: 3 records touch"),
+            std::string::npos);
+  EXPECT_NE(page.find("<br>2 other rules are kept.</div>"), std::string::npos);
+  EXPECT_EQ(count(page, "<td>not judged</td>"), 3u) << "gap, V_b,dyn and V_above";
 }
 
 using SheetFile = InFolder;

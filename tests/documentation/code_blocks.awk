@@ -4,12 +4,17 @@
 #   fragments.cpp   all others: inside main(), each in the scope of those before it, so that it may use their names; those
 #                   that begin with an #include, a struct or a template stand in front of main()
 #
+# Fragments may use `script`, `model`, `motion`, `base` and `building` (docs/README.md says so).
 # A comment "<!-- given: TEXT -->" in the line before a block gives what the block takes for granted.
 # "<!-- given at namespace scope: TEXT | TEXT -->" puts a block between two texts in front of main().
 
 BEGIN {
   usual = "#include <moat.hpp>\n\n#include <algorithm>\n#include <cmath>\n#include <filesystem>\n#include <iostream>\n\n" \
     "using namespace moat;\nusing namespace moat::units;\n"
+  usual_names = "Script script{argc, argv, \"document\"};\nModel model;\nGroundMotion motion = near_fault_pulse();\n" \
+    "const NodeId base = add(model, Node{.name = \"base\", .mass = 1 * tonne});\n" \
+    "Building building = add(model, ShearBuilding{.name = \"tower\", .storeys = 3, .floor_mass = 1 * tonne,\n" \
+    ".storey_stiffness = 1 * MN / m});\n"
 }
 
 function finish_block(    line) {
@@ -58,7 +63,7 @@ inside {
 
 END {
   file = folder "/fragments.cpp"
-  printf "%s%sint main(int argc, char** argv) {\nstatic_cast<void>(argc);\nstatic_cast<void>(argv);\n%s", usual, top, body >file
+  printf "%s%sint main(int argc, char** argv) {\n%s%s", usual, top, usual_names, body >file
   for (i = 0; i < scopes; ++i) printf "}\n" >file
   print "}" >file
   printf "%d scripts, %d fragments\n", scripts, scopes

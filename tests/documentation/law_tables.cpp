@@ -33,7 +33,7 @@ std::string delivered(bool may_pull) {
 template <class Law>
 std::string row() {
   std::ostringstream text;
-  text << "| [`" << Law::name << "`](../materials/impact/" << option_name(Law::name) << ".hpp)";
+  text << "| [`" << Law::name << "`](../../materials/impact/" << option_name(Law::name) << ".hpp)";
   if (!alias_of<Law>().empty()) text << ", also `" << alias_of<Law>() << "`";
   text << " | ";
   const char* separator = "";
@@ -71,7 +71,7 @@ std::filesystem::path folder_of(const Family& family) {
 template <class Law>
 std::string spring_row(const Family& family) {
   std::ostringstream text;
-  text << "| [`" << Law::name << "`](../materials/" << family.folder << "/" << option_name(Law::name) << ".hpp) | "
+  text << "| [`" << Law::name << "`](../../materials/" << family.folder << "/" << option_name(Law::name) << ".hpp) | "
        << Law::formula << " | ";
   const char* separator = "";
   for (const Parameter& parameter : Law::typical().parameters()) {

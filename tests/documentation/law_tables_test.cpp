@@ -26,11 +26,26 @@ TEST(ImpactLawTables, HaveATableForEveryFormAndARowForEveryLaw) {
   EXPECT_EQ(lines_that_begin("| [`"), AllImpactLaws::size);
 }
 
-TEST(Guide, HasTheTablesOfLaws) {
-  for (const std::string& tables : {impact_law_tables(), spring_law_tables()})
-    EXPECT_NE(read_file(MOAT_SOURCE_DIR "/docs/guide.md").find(tables), std::string::npos)
-        << "docs/guide.md does not show the laws as they are. Write its tables again:\n"
-           "    cmake --build build/release --target guide_tables";
+TEST(Reference, HasTheTablesOfLaws) {
+  const auto expect_in = [](const std::string& page, const std::string& tables) {
+    EXPECT_NE(read_file(MOAT_SOURCE_DIR "/docs/reference/" + page).find(tables), std::string::npos)
+        << page << " does not show the laws as they are. Write its tables again:\n"
+        << "    cmake --build build/release --target guide_tables";
+  };
+  expect_in("impact_laws.md", impact_law_tables());
+  expect_in("isolators_and_storeys.md", spring_law_tables());
+}
+
+TEST(Reference, HasALoopOfEveryLaw) {
+  const auto expect_in = [](const std::string& picture, const auto& laws) {
+    const std::string svg = read_file(MOAT_SOURCE_DIR "/docs/images/" + picture);
+    laws.for_each([&]<class Law>() {
+      EXPECT_NE(svg.find(">" + std::string{Law::name} + "<"), std::string::npos)
+          << picture << " has no " << Law::name << ": cmake --build build/release --target guide_tables";
+    });
+  };
+  expect_in("impact_laws.svg", AllImpactLaws{});
+  expect_in("spring_laws.svg", AllSpringLaws{});
 }
 
 // The name of every parameter is that of a field, and the typical values are allowed.

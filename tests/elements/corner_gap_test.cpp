@@ -113,6 +113,30 @@ TEST(CornerGap, TangentIsTheDerivativeOfTheForces) {
   }
 }
 
+// The spring that follows the normal law: 0.85 x 1.5 k sqrt(d), of the share of the law.
+TEST(CornerGap, TangentialStiffnessFollowsTheNormalLaw) {
+  Slabs slabs;
+  slabs.gap.friction = {1.0, 0.85};
+  slabs.gap.share = 0.5;
+  slabs.add_gap();
+  AnalysisState state{slabs.model};
+  const Vector touch{{0.8, 0.1, 0.02, -0.2, 0.0, 0.03}}, still = Vector::Zero(6);
+  for (const std::size_t changes : {1u, 0u}) {
+    testing::move_to(state, touch, still, changes == 1u ? 0.1 : 0.0);
+    state.evaluate_rates();
+    ASSERT_EQ(testing::commit_with_regimes(state).size(), changes);
+  }
+  const double d = state.elements(0).results()[0].deformation, spring = 0.85 * 1.5 * 0.5 * 1000.0 * std::sqrt(d);
+  // Along the edge alone, so that d stays: the friction grows by the spring times the way.
+  const PlanVector t = PlanVector{-0.5, 5.0} / length(PlanVector{-0.5, 5.0});
+  const Vector along = touch + 1e-4 * Vector{{t.x, t.y, 0.0, 0.0, 0.0, 0.0}};
+  testing::forces_at(state, along, still, 0.1);
+  EXPECT_NEAR(state.elements(0).contact(0).friction_force / (spring * 1e-4), 1.0, 1e-6);
+  EXPECT_EQ(slabs.model.blocks()[0]->info(0).law_as_given()->parameters.back().name, "share");
+  const auto& parameters = slabs.model.blocks()[0]->info(0).law_as_given()->parameters;
+  EXPECT_EQ(parameters[parameters.size() - 2], (Parameter{"tangential_stiffness_ratio", 0.85, "1"}));
+}
+
 TEST(CornerGap, JamsWhereFrictionPressesTheCornerIn) {
   // J = m: 1/m_n = 1 + 1, |m_nt| = 3 x 1, so that friction from 2/3 on jams.
   for (const double friction : {0.66, 0.67}) {
@@ -168,6 +192,13 @@ TEST(CornerGap, BadInputIsRefused) {
             }),
             "CornerGap \"gap\": tangential_stiffness = -1 N/m is not allowed; it must be > 0 N/m and finite. Give the "
             "stiffness before sliding, or leave it out for 0.85 times that of the normal law.");
+  for (const double ratio : {-0.5, 1.5})
+    EXPECT_EQ(message([&](Slabs& slabs) {
+                slabs.gap.friction = {0.4, ratio};
+              }),
+              "CornerGap \"gap\": tangential_stiffness = " + to_text(ratio) +
+                  " is not allowed; it must be > 0 and <= 1. A number is the ratio to the tangent of the normal law, "
+                  "0.85 for example; a constant has a unit, N/m.");
   EXPECT_NE(message([](Slabs& slabs) { slabs.gap.share = 1.5; }).find("share = 1.5"), std::string::npos);
 }
 

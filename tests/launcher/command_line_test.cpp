@@ -40,9 +40,9 @@ std::vector<std::string> words_of(const std::string& line) {
 }
 
 TEST_F(CommandLine, ExplainsEveryCommand) {
-  for (const char* line :
-       {"--help", "help", "run --help", "new --help", "test --help", "bench --help", "bench paper --help",
-        "study --help", "motion --help", "report --help", "completion --help", "check --help", "doctor --help"}) {
+  for (const char* line : {"--help", "help", "run --help", "new --help", "test --help", "bench --help",
+                           "bench paper --help", "study --help", "motion --help", "report --help", "completion --help",
+                           "check --help", "fuzz --help", "doctor --help"}) {
     const auto result = launch(words_of(line));
     EXPECT_EQ(result.exit_code, 0) << line;
     EXPECT_EQ(result.errors, "") << line;
@@ -75,6 +75,9 @@ TEST_F(CommandLine, RefusesWrongUsageWithAHint) {
                                  "completion",
                                  "completion zsh",
                                  "check everything",
+                                 "fuzz",
+                                 "fuzz everything",
+                                 "fuzz record 0",
                                  "test --all"}) {
     const auto result = launch(words_of(line));
     EXPECT_EQ(result.exit_code, 2) << line;

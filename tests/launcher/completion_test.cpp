@@ -44,7 +44,7 @@ TEST_F(Completion, OffersCommands) {
   EXPECT_EQ(offered({"re"}), std::vector<std::string>{"report"});
   EXPECT_EQ(offered({"mo"}), std::vector<std::string>{"motion"});
   for (const char* command :
-       {"run", "new", "test", "bench", "motion", "report", "study", "check", "completion", "doctor"})
+       {"run", "new", "test", "bench", "motion", "report", "study", "check", "fuzz", "completion", "doctor"})
     EXPECT_TRUE(offers({""}, command)) << command;
 }
 
@@ -52,6 +52,7 @@ TEST_F(Completion, OffersOptionsOfCommands) {
   EXPECT_EQ(offered({"new", "--p"}), std::vector<std::string>{"--project"});
   EXPECT_EQ(offered({"test", "--a"}), std::vector<std::string>{"--all"});
   EXPECT_EQ(offered({"check", "san"}), std::vector<std::string>{"sanitizers"});
+  EXPECT_EQ(offered({"check", "fa"}), std::vector<std::string>{"faults"});
   EXPECT_EQ(offered({"bench", "perf"}), std::vector<std::string>{"performance"});
   EXPECT_EQ(offered({"study", "m"}), std::vector<std::string>{"merge"});
 }

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "launcher/compile_errors.hpp"
 #include "launcher/process.hpp"
 #include "launcher/text.hpp"
@@ -70,6 +72,17 @@ TEST_F(LongLines, MayStandInHeadersAndScripts) {
     }
     for (const char* place : {":2:5", ":3:12", ":2:1000005"})
       EXPECT_LT(explained(script.string() + place + error, folder).size(), longest_message) << piece;
+  }
+}
+
+// Each could be a list of fields; comparing all of them with the headers would not end.
+TEST_F(LongLines, MayBeBracesInBraces) {
+  const std::filesystem::path script = folder / "tower.cpp";
+  for (const std::string open : {"{", "Gap{", "{.law = "}) {
+    std::string text = repeated(open);
+    text += std::string(static_cast<std::size_t>(std::ranges::count(text, '{')), '}');
+    write_text(script, text);
+    EXPECT_FALSE(explained(script.string() + ":1:1000001: error: x\n", MOAT_SOURCE_DIR).empty()) << open;
   }
 }
 

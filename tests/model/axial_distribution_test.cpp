@@ -1,5 +1,5 @@
 // Compressions of bearings under a rigid slab.
-#include "model/axial_distribution.hpp"
+#include "model/weight/axial_distribution.hpp"
 
 #include <gtest/gtest.h>
 
@@ -102,6 +102,11 @@ TEST(AxialDistribution, DoesNotExistWhereTheSlabRocksOrFlies) {
   EXPECT_TRUE(distributed(supports, Span::line, overturned(supports, {59.9999999, 0.0})).exists);
   EXPECT_FALSE(distributed(supports, Span::line, {0.0, {}}, 0.0).exists);
   EXPECT_FALSE(distributed(supports, Span::line, {-1.0, {}}, -0.1).exists);
+  // While it flies, N and its rates are zero.
+  const Found flies = distributed(supports, Span::line, {-1.0, {}}, -0.1);
+  std::vector<double> rates(4, -1.0);
+  flies.distribution.rates(0.5, {5.0, {1.0, 0.0}}, {}, rates);
+  EXPECT_EQ(rates, std::vector<double>(4, 0.0));
   const auto plan = four_in_plan();
   EXPECT_FALSE(distributed(plan, Span::plan, overturned(plan, {20.0, 31.0})).exists);
   EXPECT_FALSE(distributed(plan, Span::plan, overturned(plan, {0.0, 30.0})).exists);

@@ -89,6 +89,31 @@ TEST_F(Cosmos, TakesTheUnitByItsNumber) {
   }
 }
 
+TEST_F(Cosmos, RefusesAUnitThatIsNotThatOfItsNumber) {
+  SyntheticFile file;
+  file.data_line = "      11 acceleration pts, approx    0 secs, units=g(04), Format=(8f10.5)";
+  EXPECT_NE(refusal(file).find("the unit is \"G\", but its number 4 stands for cm/s^2"), std::string::npos)
+      << refusal(file);
+}
+
+TEST_F(Cosmos, TakesAnUnknownAzimuthFromLine9) {
+  const std::string text = SyntheticFile{}.text(), line = "Line 9 of a synthetic file",
+                    site = "Line 5 of a synthetic file";
+  const auto with = [&](std::string words, const std::string& code) {
+    std::string changed = text;
+    changed.replace(changed.find(line), line.size(), words);
+    changed.replace(changed.find(site), site.size(), code);
+    return read_channels(write("RECORD.V2", changed))[0];
+  };
+  const RecordChannel channel =
+      with("Sta Cha:  1: 340 deg (Rcrdr Chan  1) Location: Up", "Statn No: 1 Code:CE-J2236 Town");
+  EXPECT_EQ(channel.azimuth, 340.0);
+  EXPECT_EQ(channel.station, "CE-J2236");
+  EXPECT_EQ(with("STA CHAN  1:  90 DEG LOCATION: ROOF", "STATN NO: 1 CODE:CE-J2236").azimuth, 90.0);
+  EXPECT_EQ(with("STA CHAN  1:  90 DEG LOCATION: ROOF", "STATN NO: 1 CODE:CE-J2236").station, "CE-J2236");
+  EXPECT_EQ(with("Location of the channel 1: Up", "").component, "");
+}
+
 TEST_F(Cosmos, ReadsColumnsThatTouchAndEveryKindOfFormat) {
   SyntheticFile file;
   file.values = {};

@@ -52,6 +52,15 @@ TEST_F(Esm, ReadsValuesIntervalAndNotes) {
   EXPECT_EQ(motion.notes().size(), 9u);
 }
 
+TEST_F(Esm, RefusesADurationThatStepAndCountDoNotMake) {
+  const auto with = [&](const std::string& duration) {
+    return esm({{"HEADER_FORMAT", " DYNA 1.0"}, {"DURATION_S", duration}});
+  };
+  for (const char* allowed : {"", " 0.015", " 0.010"})
+    EXPECT_EQ(read_motion(write("A.ASC", with(allowed))).samples().size(), 3u) << allowed;
+  EXPECT_EQ(refusal(with(" 0.5")), ": 3 values every 0.005 s make 0.015 s, but DURATION_S is 0.5.");
+}
+
 TEST_F(Esm, ReadsAnOlderHeaderAndUnprocessedAcceleration) {
   const std::string text = esm({{"HEADER_FORMAT", " DYNA 1.0"}, {"VS30_M/S", "no line"}});
   EXPECT_EQ(read_motion(write("A.ASC", text)).samples().size(), 3u);

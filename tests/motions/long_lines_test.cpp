@@ -9,6 +9,7 @@
 #include "motion_files.hpp"
 #include "motions/readers/layouts/layouts.hpp"
 #include "motions/readers/read_motion.hpp"
+#include "motions/readers/record_lines.hpp"
 
 namespace moat {
 namespace {
@@ -100,6 +101,17 @@ TEST(LongLines, OfValuesAreRead) {
   const std::size_t count = 3 * values.size() / 19;
   const std::string header = "a\nb\nACCELERATION IN UNITS OF G\nNPTS= " + std::to_string(count) + ", DT= .02 SEC\n";
   EXPECT_EQ(read_peer_at2({"record", header + values + "\n", ""})[0].samples.size(), count);
+}
+
+// No number begins at any of the digits: a reader that scanned from each of them would not end.
+TEST(LongLines, OfDigitsAreScannedOnce) {
+  const std::string digits(megabyte, '1');
+  for (const std::string& text : {digits, digits + "e", "." + digits + "e", digits + "e" + digits}) {
+    EXPECT_FALSE(first_number(text));
+    EXPECT_TRUE(numbers_in(text).empty());
+  }
+  EXPECT_EQ(first_number(digits + "e 25")->value, 25.0);
+  EXPECT_EQ(numbers_in(digits + "e/25/" + digits + " 3"), (std::vector<double>{25.0, 3.0}));
 }
 
 class LongLinesOfFiles : public MotionFiles {};

@@ -152,22 +152,6 @@ TEST(WithVertical, AddsAComponentToAMotionOnALine) {
     EXPECT_NE(std::find(notes.begin(), notes.end(), note), notes.end());
 }
 
-TEST(PlanMotion, MaximumDirectionSpectrumDoesNotDependOnTheAxes) {
-  const GroundMotion a = wave("a", 0.01, 4.0, 5.0, 300), b = wave("b", 0.01, 2.0, 8.0, 300);
-  const std::vector<Time> periods{0.5 * s, 1 * s};
-  const auto spectrum = maximum_direction_spectrum({a, b}, periods, 0.05),
-             turned = maximum_direction_spectrum({a, b, 30 * deg}, periods, 0.05);
-  for (std::size_t i = 0; i < periods.size(); ++i) {
-    // A turn by whole degrees takes the same directions.
-    EXPECT_NEAR(turned[i] / spectrum[i], 1.0, 1e-12);
-    EXPECT_GE(spectrum[i], response_spectrum(a, periods, 0.05).pseudo_acceleration[i] * (1.0 - 1e-12));
-    EXPECT_GE(spectrum[i], response_spectrum(b, periods, 0.05).pseudo_acceleration[i] * (1.0 - 1e-12));
-  }
-  // One component alone: its own spectrum.
-  const auto alone = maximum_direction_spectrum({a, a.scaled_by(0.0)}, periods, 0.05);
-  EXPECT_NEAR(alone[0] / response_spectrum(a, periods, 0.05).pseudo_acceleration[0], 1.0, 1e-12);
-}
-
 TEST(PlanMotion, BadPairsAreRefused) {
   const GroundMotion a = wave("a", 0.01, 1.0, 5.0, 300), b = wave("b", 0.015, 1.0, 8.0, 300);
   EXPECT_EQ(message_of([&] {

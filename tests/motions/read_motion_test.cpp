@@ -4,10 +4,12 @@
 
 #include <string>
 
+#include "base/check.hpp"
 #include "base/error.hpp"
 #include "base/sha256.hpp"
 #include "base/units.hpp"
 #include "motion_files.hpp"
+#include "motions/readers/record.hpp"
 
 namespace moat {
 namespace {
@@ -90,6 +92,25 @@ TEST_F(ReadMotion, RefusesAnotherUnitThanTheHeaderSays) {
       "read_motion \"" + file.string() +
           "\": a unit of 1 m/s^2 was given, but this file (PEER AT2) holds accelerations in g. Leave the unit out, "
           "and use scaled_by() if the values are to be multiplied.");
+}
+
+// --record-step and --record-columns are never left unused.
+TEST_F(ReadMotion, RefusesAnotherStepAndColumnsThanTheFileHas) {
+  const auto file = write("a.AT2", synthetic_at2);
+  const double step = read_motion(file).time_step();
+  EXPECT_EQ(read_motion(file, TextColumns{.step = step * s}).time_step(), step);
+  for (const auto& [text, words] : std::vector<std::pair<TextColumns, std::string>>{
+           {{.step = 2.0 * step * s}, " s was given, but this file (PEER AT2) has one of " + to_text(step) + " s."},
+           {{.columns = "time,x"}, "columns were named, \"time,x\", but this file (PEER AT2) names its own."}})
+    for (const bool is_record : {false, true}) {
+      const std::string message = message_of<InputError>([&] {
+        if (is_record)
+          (void)read_record({file}, {.text = text});
+        else
+          (void)read_motion(file, text);
+      });
+      EXPECT_NE(message.find(words), std::string::npos) << message;
+    }
 }
 
 TEST_F(ReadMotion, ExplainsABrokenAt2HeaderAsSuch) {

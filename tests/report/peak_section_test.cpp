@@ -21,7 +21,7 @@ TEST(PeakSection, ShowsErrorsAndTheirMethod) {
   EXPECT_NE(html.find("estimated numerical error"), std::string::npos);
   EXPECT_NE(html.find("The same &amp; finer."), std::string::npos);
   EXPECT_NE(html.find("7 impacts"), std::string::npos);
-  result.error_bars.unsettled = {result.peaks[1]};
+  result.error_bars.unsettled_peaks = {result.peaks[1]};
   html = html::peak_section(result);
   EXPECT_NE(html.find("<tr class=\"unsettled\"><td>floor 1</td>"), std::string::npos);
   EXPECT_EQ(count(html, "class=\"unsettled\""), 1u);

@@ -73,7 +73,7 @@ TEST_F(Report, NamesItsOrigin) {
                        "0.1.0",
                        "0123456789",
                        "2026-01-31T12:00:00Z"};
-  result.analysis = {"Newmark's method", "located", "always", {{"largest_step", 0.005, "s"}}};
+  result.analysis = {"Newmark's method", "located", "always", "never", {{"largest_step", 0.005, "s"}}};
   result.motion.components = {{"a", {"/records/a.AT2", "beef"}, 1.25}};
   result.motion.notes = {"PEER <header>"};
   result.model = {

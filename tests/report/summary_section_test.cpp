@@ -52,9 +52,9 @@ TEST(SummarySection, NamesTheEnergyThatItsErrorIsComparedWith) {
 
 TEST(SummarySection, ShadesWhatIsNotSettled) {
   CaseResult result = example();
-  result.error_bars.unsettled = {result.peaks[2]};
+  result.error_bars.unsettled_peaks = {result.peaks[2]};
   EXPECT_EQ(count(html::summary_section(result), "<td class=\"unsettled\""), 1u);
-  result.error_bars.unsettled = {result.peaks[3]};
+  result.error_bars.unsettled_peaks = {result.peaks[3]};
   EXPECT_EQ(count(html::summary_section(result), "class=\"card unsettled\""), 1u);
 }
 
@@ -79,11 +79,11 @@ TEST(WarningSection, ShowsVerdictAndWarnings) {
   CaseResult result = example();
   EXPECT_EQ(html::warning_section(result), "");
   result.warnings = {"a < b"};
-  result.error_bars.sensitive = true;
+  result.error_bars.unsettled = true;
   result.error_bars.reason = "1 < 2 peaks are not settled";
   const std::string html = html::warning_section(result);
   EXPECT_NE(html.find("<li>a &lt; b</li>"), std::string::npos);
-  EXPECT_NE(html.find("The case is sensitive:</strong> 1 &lt; 2 peaks are not settled."), std::string::npos);
+  EXPECT_NE(html.find("The case is not settled:</strong> 1 &lt; 2 peaks are not settled."), std::string::npos);
 }
 
 }  // namespace

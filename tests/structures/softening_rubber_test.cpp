@@ -194,7 +194,7 @@ TEST(SofteningRubber, ThatExceedsItsCriticalLoadIsAnEventAndAWarning) {
   EXPECT_NEAR(std::min(left, right), reference.first_unstable, 1e-3);
   EXPECT_GE(peak_in(result, "bearing_unstable", "right").value, 1.0);
   EXPECT_TRUE(std::ranges::any_of(result.warnings, [](const std::string& warning) {
-    return warning.find("is unstable from t = ") != std::string::npos;
+    return warning.find("is unstable for the first time at t = ") != std::string::npos;
   }));
   const CaseResult light =
       run_case(Block{.weight = 4e6, .height = 1.0}.model(), horizontal(0.2), {.error_bars = ErrorBarMode::never});

@@ -47,7 +47,7 @@ class Checksums : public testing::InTemporaryFolder {
                         {"drift_error", "storey 1", "m", 1e-3 * x},
                         {"x", "", "1", number % 2 == 0 ? std::nan("") : -0.0},
                         {"y", "", "1", number == 2 ? -INFINITY : 4.9e-324},
-                        {"sensitive", "", "1", 1.0}},
+                        {"unsettled", "", "1", 1.0}},
             .files = {of_file("a"), of_file("b")},
             .steps = 100 + static_cast<long>(number),
             .energy_error = number == 3 ? std::nan("") : 1e-9 * x,

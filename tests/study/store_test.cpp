@@ -194,15 +194,44 @@ TEST_F(Store, RefusesOtherFiles) {
 
 TEST_F(Store, RefusesADamagedVersion) {
   open();
-  for (const std::string text : {"b", "-1", "0x", "1 ", "99999999999999999999999", "4000000000"}) {
+  for (const std::string text : {"b", "-1", "0x", "1 ", "99999999999999999999999", "4000000000", "999990"}) {
     sqlite::Database{file, sqlite::Database::Access::write}
         .prepare("UPDATE study SET value = ? WHERE key = 'version'")
         .run(text);
-    EXPECT_EQ(
-        message_of<FileError>([&] { (void)read_study(file); }),
-        "study " + file.string() + ": its version is \"" + text +
-            "\"; it must be a whole number. The file is damaged: restore a copy, or start again in another file.");
+    EXPECT_EQ(message_of<FileError>([&] { (void)read_study(file); }),
+              "study " + file.string() + ": its version is \"" + text +
+                  "\"; it must be a whole number up to 10000. The file is damaged: restore a copy, or start again in "
+                  "another file.");
   }
+}
+
+TEST_F(Store, RefusesVersionsAndSessionsThatAreNone) {
+  open().write(0, done({}));
+  std::filesystem::copy_file(file, folder / "good.db");
+  const auto message = [&](const std::string& statement) {
+    std::filesystem::copy_file(folder / "good.db", file, std::filesystem::copy_options::overwrite_existing);
+    sqlite::Database{file, sqlite::Database::Access::write}.run(statement.c_str());
+    return message_of<FileError>([&] { (void)read_study(file); });
+  };
+  for (const std::string table : {"versions", "sessions"})
+    for (const std::string number : {"-1", "4000000000000"})
+      EXPECT_EQ(message("UPDATE " + table + " SET version = " + number),
+                "study " + file.string() + ": it has a version " + number +
+                    ". The file is damaged: restore a copy, or start again in another file.");
+  EXPECT_EQ(message("DELETE FROM sessions"),
+            "study " + file.string() +
+                ": it lacks session 1, which computed a case. The file is damaged: restore a copy, or start again in "
+                "another file.");
+}
+
+// Without hashes and options a version has no rows.
+TEST_F(Store, KnowsVersionsWithoutNames) {
+  for (const StudyIdentity& each : {identity, StudyIdentity{}, identity})
+    StudyStore{file, cases, each, {}, StudyChanges::accept};
+  const StoredStudy study = read_study(file);
+  EXPECT_EQ(study.versions, (std::vector<StudyIdentity>{identity, {}}));
+  EXPECT_EQ(study.sessions.at(1).version, 1u);
+  EXPECT_EQ(study.current_version, 0u);
 }
 
 TEST_F(Store, WritesNoCaseTwice) {

@@ -6,6 +6,7 @@
 
 #include <fstream>
 
+#include "message_of.hpp"
 #include "run_program.hpp"
 
 namespace moat {
@@ -51,6 +52,49 @@ TEST_F(StudyReportFile, WritesEveryPictureAsAFileOfItsOwn) {
     ASSERT_TRUE(has(name)) << name;
     EXPECT_TRUE(text_of(folder / "pictures" / (std::string{name} + ".svg")).starts_with("<?xml")) << name;
   }
+}
+
+// A study that goes on may have other curves: of another group, or of more records.
+TEST_F(StudyReportFile, ReplacesAPictureTogetherWithItsTable) {
+  const auto picture = [](const std::string& curve, double y) {
+    const Chart chart{.title = "Drift",
+                      .x_label = "x [m]",
+                      .y_label = "y [m]",
+                      .series = {{.name = curve, .x = {0, 1}, .y = {0, y}}}};
+    return StudyPicture{"Drift", svg_text({chart}), table_of(chart)};
+  };
+  const auto write = [&](const StudyPicture& shown) {
+    page({.title = "A study", .pictures = {shown}, .studies = {{"fine", study()}}});
+  };
+  const std::filesystem::path table = folder / "pictures/drift.csv";
+  write(picture("lower", 2.0));
+  EXPECT_EQ(text_of(table), "x [m],y [m] lower\n0,0\n1,2\n");
+  write(picture("upper", 3.0));
+  EXPECT_EQ(text_of(table), "x [m],y [m] upper\n0,0\n1,3\n") << "other curves";
+  EXPECT_FALSE(has("drift_2"));
+  // A picture without numbers takes the table of its predecessor away.
+  write({"Drift", "<svg>drawn</svg>"});
+  EXPECT_FALSE(std::filesystem::exists(table));
+  EXPECT_FALSE(has("drift_2"));
+  // A table of the user beside a picture is none of its own.
+  std::ofstream{table} << "my notes\n";
+  write(picture("lower", 2.0));
+  EXPECT_EQ(text_of(table), "my notes\n");
+  EXPECT_TRUE(has("drift_2"));
+  write({"Drift", "<svg>drawn</svg>"});
+  EXPECT_EQ(text_of(table), "my notes\n");
+}
+
+TEST_F(StudyReportFile, IsWrittenWhereATableOfAnotherIsInTheWay) {
+  std::ofstream{folder / "first.csv"} << "mine\n";
+  const Table table{{{"gap", "", "m", {0.1, 0.2}}}};
+  const StudyReport report{
+      .title = "A study", .tables = {{"First", table}, {"Second", table}}, .studies = {{"fine", study()}}};
+  EXPECT_NE(testing::message_of([&] { write_study_report(report, folder); }).find("first.csv is not this table"),
+            std::string::npos);
+  EXPECT_EQ(text_of(folder / "first.csv"), "mine\n");
+  EXPECT_NE(text_of(folder / "report.html").find("<h3>Second</h3>"), std::string::npos);
+  EXPECT_EQ(text_of(folder / "second.csv"), "gap [m]\n0.1\n0.2\n");
 }
 
 TEST_F(StudyReportFile, PrefersThePicturesOfTheScript) {

@@ -55,6 +55,14 @@ class BenchmarkBuilding {
     building.bearings = bearings(BiaxialLinear{.stiffness = 919.422 * kN / m});
     return building;
   }
+  /// On 92 lead-rubber bearings.
+  [[nodiscard]] Superstructure on_lead_rubber() const {
+    using namespace units;
+    Superstructure building = from_matrices();
+    building.bearings = bearings(
+        LeadRubberBearing{.yield_force = 30 * kN, .yield_displacement = 6 * mm, .post_yield_stiffness = 0.6 * MN / m});
+    return building;
+  }
   [[nodiscard]] Superstructure from_modes() const {
     Superstructure building = from_matrices();
     building.stiffness.reset();
@@ -122,5 +130,72 @@ class BenchmarkBuilding {
                                    {32.83 * units::m, 30.69 * units::m},
                                    {-17.25 * units::m, 30.69 * units::m}}};
 };
+
+struct BenchmarkRun {
+  CaseResult result;
+  SuperstructureParts parts;
+};
+/// The building under both components of the record.
+inline BenchmarkRun run_benchmark(const Superstructure& building, bool has_walls, bool has_dashpots) {
+  Model model;
+  const SuperstructureParts parts = add(model, building);
+  if (has_dashpots) BenchmarkBuilding{}.add_dashpots(model, parts.base);
+  if (has_walls) BenchmarkBuilding::add_walls(model, parts.base);
+  CaseRun run{model, newhall(true), {.history_interval = 1 * units::ms}};
+  run.run();
+  return {run.take_result(), parts};
+}
+
+/// A peak of an independent program (Runge-Kutta of fourth order, converged), in SI units.
+struct ExpectedPeak {
+  const char *quantity, *where;
+  double value;
+};
+
+/// On linear bearings with their dashpots.
+inline const std::vector<ExpectedPeak> without_walls{{"displacement", "base", 0.486784},
+                                                     {"displacement_x", "base", 0.484273},
+                                                     {"displacement_y", "base", 0.192924},
+                                                     {"rotation", "base", 0.00859755},
+                                                     {"absolute_acceleration_x", "floor 8", 2.823545},
+                                                     {"absolute_acceleration_y", "floor 8", 0.988657},
+                                                     {"absolute_acceleration_x", "base", 2.208395},
+                                                     {"absolute_acceleration_y", "base", 0.757872},
+                                                     {"storey_shear_x", "storey 1", 30759.49e3},
+                                                     {"storey_shear_y", "storey 1", 13924.62e3},
+                                                     {"storey_torque", "storey 1", 491471.9e3},
+                                                     {"overturning_moment_x", "storey 1", 622768.0e3},
+                                                     {"overturning_moment_y", "storey 1", 257957.8e3},
+                                                     {"total_base_shear_x", "base", 38561.32e3},
+                                                     {"total_base_shear_y", "base", 16615.32e3},
+                                                     {"total_base_torque", "base", 591551.1e3},
+                                                     {"isolator_deformation", "bearings", 0.8171428}};
+/// Likewise, between the walls.
+inline const std::vector<ExpectedPeak> with_walls{{"displacement", "base", 0.375334},
+                                                  {"displacement_x", "base", 0.344938},
+                                                  {"displacement_y", "base", 0.286304},
+                                                  {"rotation", "base", 0.00609136},
+                                                  {"absolute_acceleration_x", "floor 8", 10.294864},
+                                                  {"absolute_acceleration_y", "floor 8", 2.580955},
+                                                  {"absolute_acceleration_x", "base", 5.277758},
+                                                  {"absolute_acceleration_y", "base", 1.883291},
+                                                  {"impact_force", "moat", 28305.80e3},
+                                                  {"storey_shear_x", "storey 1", 58029.14e3},
+                                                  {"storey_torque", "storey 1", 560614.7e3},
+                                                  {"storey_shear_y", "storey 1", 26327.12e3},
+                                                  {"overturning_moment_x", "storey 1", 1325317e3},
+                                                  {"overturning_moment_y", "storey 1", 480418.6e3},
+                                                  {"isolator_deformation", "bearings", 0.3977890}};
+/// On lead-rubber bearings without dashpots.
+inline const std::vector<ExpectedPeak> on_lead_rubber{{"displacement", "base", 0.6381119},
+                                                      {"displacement_x", "base", 0.6372032},
+                                                      {"displacement_y", "base", 0.2391328},
+                                                      {"rotation", "base", 0.008404145},
+                                                      {"absolute_acceleration_x", "floor 8", 1.957909},
+                                                      {"absolute_acceleration_y", "floor 8", 1.188950},
+                                                      {"absolute_acceleration_x", "base", 1.589654},
+                                                      {"storey_shear_x", "storey 1", 29492.64e3},
+                                                      {"isolator_deformation", "bearings", 0.8849756},
+                                                      {"isolator_force", "bearings", 536.4002e3}};
 
 }  // namespace moat::testing

@@ -62,7 +62,11 @@ ImpactCase impact_case(const std::string& way, bool may_pull, void (*set)(Law&))
   };
   return {std::string{Law::name} + way,
           [law](double k, double e, double mass) { return AnyContact{law(k, e).between(mass)}; },
-          [law](double k, double e, double mass, double speed) { return delivered_by(law(k, e), mass, speed); },
+          [law](double k, double e, double mass, double speed) {
+            Law given = law(k, e);
+            if constexpr (requires { given.restitution; }) given.restitution = given.restitution.value().at(speed);
+            return delivered_by(given, mass, speed);
+          },
           [law](double e) {
             try {
               law(1e9, e).check(Check{"law", ""});
@@ -78,6 +82,11 @@ inline std::vector<ImpactCase> all_impact_cases() {
   std::vector<ImpactCase> cases;
   AllImpactLaws::for_each([&]<class Law>() {
     cases.push_back(impact_case<Law>("", false, [](Law&) {}));
+    if constexpr (requires(Law law) { law.restitution; }) {
+      cases.push_back(impact_case<Law>("ThatFalls", false, [](Law& law) {
+        law.restitution = FallingRestitution{.restitution = e_of(law), .at_speed = Speed{0.3}, .largest = 1.0};
+      }));
+    }
     constexpr bool chooses_damping = requires(Law law) { law.approach_only; };
     if constexpr (chooses_damping) {
       cases.push_back(impact_case<Law>("Throughout", false, [](Law& law) { law.approach_only = false; }));

@@ -15,7 +15,7 @@ namespace moat {
 /// Where frames cannot be written the analysis goes on without them.
 class FramesOfScript final : public StepObserver {
  public:
-  /// As FrameRecorder.
+  /// Takes the parameters of FrameRecorder.
   FramesOfScript(const Model& model, const std::filesystem::path& folder, double interval) {
     attempt([&] { frames_.emplace(model, folder, interval); });
   }

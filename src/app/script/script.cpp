@@ -28,7 +28,7 @@
 namespace moat {
 namespace {
 
-// Of the script that runs, for an error before all of its options are known.
+// Keeps the command line of the script that runs, for an error before all of its options are known.
 const CommandLine* line_of_script = nullptr;
 
 // An exception that leaves main() ends here. The user sees only its message, or the help that was asked for.
@@ -103,7 +103,13 @@ void Script::attach(StepObserver& observer) { parts_->observers.push_back(&obser
 // The options of run().
 struct Script::RunOptions {
   std::filesystem::path folder;
-  bool force = false, quiet = false, check = false;
+  bool force = false, quiet = false, check = false, sensitivity = false, no_sensitivity = false;
+
+  [[nodiscard]] ContactSensitivityMode contact_sensitivity() const {
+    return sensitivity      ? ContactSensitivityMode::always
+           : no_sensitivity ? ContactSensitivityMode::never
+                            : ContactSensitivityMode::automatic;
+  }
   TransientOptions transient{};
   Time frame_interval{};
 };
@@ -140,7 +146,8 @@ int Script::run(const Model& model, const GroundMotion& motion, const TransientO
               motion,
               {.title = parts_->line.title(),
                .transient = options.transient,
-               .error_bars = options.check ? ErrorBarMode::always : ErrorBarMode::automatic}};
+               .error_bars = options.check ? ErrorBarMode::always : ErrorBarMode::automatic,
+               .contact_sensitivity = options.contact_sensitivity()}};
   for (StepObserver* observer : parts_->observers) run.attach(*observer);
   ResultsFolder folder{options.folder, options.force ? WhenFolderExists::overwrite : WhenFolderExists::use_new_number,
                        parts_->origin.command_line};
@@ -195,6 +202,8 @@ std::optional<int> Script::read_options(const GroundMotion& motion, RunOptions& 
   options.frame_interval = time("frame-interval", std::max(50 * units::ms, options.transient.end / 400.0),
                                 "between VTK frames; 0 s writes none");
   line.add_flag("check", options.check, "error bars, by a second run, for runs of any size");
+  line.add_flag("sensitivity", options.sensitivity, "how peaks move with contact parameters, for runs of any size");
+  line.add_flag("no-sensitivity", options.no_sensitivity, "without the runs with other contact parameters");
   line.add_flag("quiet", options.quiet, "print warnings and errors only");
   line.add_json_flag();
   parts_->checked = true;
@@ -206,19 +215,24 @@ std::optional<int> Script::read_options(const GroundMotion& motion, RunOptions& 
   // Before the results folder is made.
   if (integrator != name_of(options.transient.integrator))
     options.transient.integrator = integrator_named(integrator, "--integrator");
-  Check{"Script", ""}.not_negative("--frame-interval", options.frame_interval);
+  const Check check{"Script", ""};
+  check.not_negative("--frame-interval", options.frame_interval);
+  check.that(!options.sensitivity || !options.no_sensitivity, "both --sensitivity and --no-sensitivity are given.",
+             "Give one of them.");
   parts_->origin.options = line.values();
   return std::nullopt;
 }
 
 Script::Outcome Script::compute(CaseRun& run, const RunOptions& options) {
-  std::optional<ProgressObserver> progress, progress_of_check;
+  std::optional<ProgressObserver> progress, progress_of_check, progress_of_contacts;
   if (!options.quiet) {
     for (const std::string& note : record_folder_notes()) print_text(std::cout, note + "\n");
     print_text(std::cout, parts_->line.title() + "\n" + run.transient().motion().description() + "\n");
     run.attach(progress.emplace(run.transient().end_time()));
     // Without --check the second run is over at once.
     if (options.check) run.attach_to_companion(progress_of_check.emplace(run.transient().end_time(), "check"));
+    if (options.sensitivity)
+      run.attach_to_changed_contacts(progress_of_contacts.emplace(run.transient().end_time(), "sensitivity"));
   }
   Outcome outcome;
   run.stop_when([] { return StopSignals::received() != 0; });

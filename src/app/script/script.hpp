@@ -51,9 +51,9 @@ inline const bool exceptions_are_reported = report_exceptions_that_leave_main();
 ///
 /// Errors: an exception that leaves main() is printed as one message to standard error and ends the program with exit
 /// code 1; in a program of your own, once a Script exists. Exit codes: 0 done; 1 bad input or another error; 2 wrong
-/// usage of the command line; 3 a step did not converge (the results up to that step are in the results folder); 130,
-/// 143 and 129 stopped by SIGINT (Ctrl-C), SIGTERM and SIGHUP (the results up to then are there; with --force beside
-/// old ones, in a folder with a new number).
+/// usage of the command line; 3 a step did not converge (the results up to that step are in the results folder). Codes
+/// 130, 143 and 129: stopped by SIGINT (Ctrl-C), SIGTERM and SIGHUP (the results up to then are there; with --force
+/// beside old ones, in a folder with a new number).
 class Script {
  public:
   Script(int argc, char** argv, std::string title);  ///< The arguments of main(), and a title for reports.
@@ -82,8 +82,9 @@ class Script {
   GroundMotion motion(const GroundMotion& preset);
 
   /// Adds --record FILE, with both components in it (or a folder with the files of one record, read_record(), with
-  /// --records-table FILE.csv), or with --record-2 FILE for the second one; --record-up FILE, and --incidence NUMBER,
-  /// the angle in degrees from +x to the first component. Returns the motion of all components, else the preset.
+  /// --records-table FILE.csv), or with --record-2 FILE for the second one. Adds also --record-up FILE, and --incidence
+  /// NUMBER, the angle in degrees from +x to the first component. Returns the motion of all components, else the
+  /// preset.
   PlanMotion plan_motion(const PlanMotion& preset);
 
   /// Before run(): calls the observer too, at every step; it must outlive the run. The quantities of a QuantityRecorder
@@ -91,7 +92,8 @@ class Script {
   void attach(StepObserver& observer);
 
   /// Computes the model under the motion, shows progress and peaks, writes the results folder, and returns the exit
-  /// code. Adds --out, --force, --step, --tolerance, --integrator, --end, --frame-interval, --check, --quiet, --json.
+  /// code. Adds --out, --force, --step, --tolerance, --integrator, --end, --frame-interval, --check,
+  /// --sensitivity, --no-sensitivity, --quiet, --json.
   /// With --json standard output holds summary.json alone, with the member "results_folder" in front, and all else goes
   /// to standard error. The observers are attached before. Throws InputError for one that is null.
   int run(const Model& model, const GroundMotion& motion, std::initializer_list<StepObserver*> observers = {});
@@ -128,7 +130,8 @@ class Script {
 
   /// Computes a suite as a study: records with bounds, eccentricities and directions. As of every study over records,
   /// the report has statistics and profiles over them, and NAME_statistics.csv has those of all results; of a
-  /// ScaledSuite also factors and spectra.
+  /// ScaledSuite also factors and spectra. Of every bound the case with the largest deformation of an isolator is
+  /// computed once more, for the loops of its isolators.
   ///
   ///     const StudyResult result = script.suite({pairs, {.bounds = bounds, .eccentricity = 0.05}},
   ///                                             [&](const SuiteCase& each) { ... return model; });

@@ -113,6 +113,8 @@ PlanMotion Script::plan_motion(const PlanMotion& preset) {
                                 "angle in degrees from +x to the first component, counter-clockwise");
   const RecordLine record{parts_->line, "accelerogram of the first component, or of all in a file or folder"};
   if (second && !record.file) throw InputError{"--record and --record-2: give both components, or none."};
+  if (table && (!record.file || second))
+    throw InputError{"--records-table: give it together with --record FILE or FOLDER, and without --record-2."};
   PlanMotion motion = !record.file ? preset : record.reading([&] {
     if (second) return PlanMotion{read_motion(*record.file, record.text()), read_motion(*second, record.text()), {}};
     return read_record({*record.file}, {.table = table.value_or(""), .text = record.text()}).plan();

@@ -1,9 +1,13 @@
 #include "app/script/script_study.hpp"
 
+#include <sys/resource.h>
+
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <cstdlib>
 #include <iostream>
+#include <thread>
 
 #include "analyses/questions/answer_charts.hpp"
 #include "app/progress_bar.hpp"
@@ -11,6 +15,7 @@
 #include "app/script/script_parts.hpp"
 #include "app/script/stop_signals.hpp"
 #include "base/check.hpp"
+#include "base/text/number_format.hpp"
 #include "base/text/terminal.hpp"
 #include "design/sheet_page.hpp"
 #include "motions/readers/record.hpp"
@@ -18,6 +23,7 @@
 #include "output/files/building_parts.hpp"
 #include "output/files/csv_writer.hpp"
 #include "output/files/results_folder.hpp"
+#include "study/floor_spectra_of_records.hpp"
 #include "study/profiles.hpp"
 #include "study/statistics.hpp"
 
@@ -26,6 +32,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
+// A study over records has files of its name with these endings.
+constexpr const char *statistics_ending = "_statistics.csv", *floor_spectra_ending = "_floor_spectra.csv";
+
 [[noreturn]] void end_program(int exit_code) {
   std::cout.flush();
   std::exit(exit_code);
@@ -33,6 +42,20 @@ namespace fs = std::filesystem;
 
 std::string part_name(const std::pair<std::size_t, std::size_t>& part) {
   return ".cases_" + std::to_string(part.first) + "_" + std::to_string(part.second);
+}
+
+std::string in_threads(int threads) {
+  if (threads == 0) threads = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+  return std::to_string(threads) + (threads == 1 ? " thread" : " threads");
+}
+
+// "210 cases in 14.2 s on 2 threads; largest memory 182 MB"
+std::string cost_of(const StudyProgress& computed, const std::string& engine) {
+  rusage usage{};
+  ::getrusage(RUSAGE_SELF, &usage);
+  constexpr double kib_per_mb = 1e6 / 1024.0;  // Linux counts in KiB
+  return std::to_string(computed.computed) + " cases in " + to_significant(computed.seconds, 3) + " s on " + engine +
+         "; largest memory " + to_fixed(static_cast<double>(usage.ru_maxrss) / kib_per_mb, 0) + " MB\n";
 }
 
 int exit_code_of(std::size_t failed, std::size_t without_solution) {
@@ -56,6 +79,7 @@ StudyResult ScriptStudy::run(const StudyCases& cases, const std::function<StudyR
   const fs::path file = options_.folder / (name + (options_.part ? part_name(*options_.part) : "") + ".db");
   const bool reports = speaks() && !options_.quiet;
   if (options_.threads > 0) options.threads = options_.threads;
+  const StudySession now = session(origin, title, options.threads);
   options.ranks = ranks_;
   options.part = options_.part;
   options.keep_failures = true;
@@ -64,16 +88,18 @@ StudyResult ScriptStudy::run(const StudyCases& cases, const std::function<StudyR
   if (speaks()) {
     for (const std::string& mine : {std::string{"report.html"}, name + ".csv", std::string{"pictures"}})
       if (!options_.part) require_own(options_.folder / mine);
-    store.emplace(file, cases, identity_of_script(*line_, origin), session(origin, title, options.threads),
+    store.emplace(file, cases, identity_of_script(*line_, origin), now,
                   options_.accept_changes ? StudyChanges::accept : StudyChanges::refuse);
     if (options_.retry) store->forget_failures();
     options.store = &*store;
   }
   ProgressBar bar{name};
-  if (!reports)
-    options.progress = {};
-  else if (!options.progress)
-    options.progress = [&](const StudyProgress& now) { bar(now); };
+  StudyProgress last;
+  options.progress = [&, show = std::move(options.progress)](const StudyProgress& progress) {
+    last = progress;
+    if (reports && show) show(progress);
+    if (reports && !show) bar(progress);
+  };
   for (const std::string& note : report_.records)
     if (reports && report_.studies.empty()) print_text(std::cout, note + "\n");
   if (reports) print_text(std::cout, title + ": " + name + ", " + std::to_string(cases.count()) + " cases\n");
@@ -85,6 +111,7 @@ StudyResult ScriptStudy::run(const StudyCases& cases, const std::function<StudyR
   try {
     StudyResult result = compute(options);
     close("finished");
+    if (reports && last.computed > 0) print_text(std::cout, cost_of(last, now.engine));
     if (const std::string warning = failure_message(result); speaks() && !warning.empty())
       print_text(std::cerr, "moat: warning: " + name + ": " + warning + "\n");
     if (options_.part) {
@@ -125,7 +152,7 @@ void ScriptStudy::choose_part(const StudyCases& cases) {
 }
 
 StudySession ScriptStudy::session(const Provenance& origin, const std::string& title, int threads) const {
-  std::string engine = threads > 0 ? std::to_string(threads) + " threads" : "all cores";
+  std::string engine = in_threads(threads);
   if (ranks_ != nullptr)
     engine = std::to_string(ranks_->count()) + " ranks" + (threads > 1 ? ", the first with " + engine : "");
   return {.title = title,
@@ -142,15 +169,27 @@ void ScriptStudy::keep(const StudyResult& result, const std::string& name) {
   StudyAnswers answers = answers_of(result);
   study.answers = std::move(answers.sentences);
   study.pictures = std::move(answers.pictures);
-  require_own(options_.folder / (name + ".csv"));
-  write_csv(result.case_table(), options_.folder / (name + ".csv"));
-  if (const std::string axis = axis_of_records(result); !axis.empty())
-    write_own_csv(table_of(statistics_over(result, axis)), options_.folder / (name + "_statistics.csv"));
-  if (!report_.records.empty()) {
+  if (const std::string axis = axis_of_records(result); !axis.empty()) study.statistics = statistics_over(result, axis);
+  const auto path = [&](const std::string& ending) { return options_.folder / (name + ending); };
+  const auto write_cases = [&] {
+    require_own(path(".csv"));
+    write_csv(result.case_table(), path(".csv"));
+  };
+  const auto write_statistics = [&] {
+    if (!study.statistics.empty()) write_own_csv(table_of(study.statistics), path(statistics_ending));
+  };
+  const auto write_floor_spectra = [&] {
+    if (const Table table = floor_spectra_table(study.statistics); table.rows() > 0)
+      write_own_csv(table, path(floor_spectra_ending));
+  };
+  const auto write_records = [&] {
+    if (report_.records.empty()) return;
     require_own_table(options_.folder / results_file::records, "file,channel,record,component");
     write_record_table(options_.folder / results_file::records);
-  }
-  write_study_report(report_, options_.folder);
+  };
+  const auto write_report = [&] { write_study_report(report_, options_.folder); };
+  write_all(std::array<std::function<void()>, 5>{write_cases, write_statistics, write_floor_spectra, write_records,
+                                                 write_report});
 }
 
 void ScriptStudy::end_of_part(const StudyResult& result, const fs::path& file, const std::string& name) const {
@@ -186,6 +225,11 @@ void ScriptStudy::add_profiles(const Model& like) {
   report_.studies.back().profiles = profiles_over_records(report_.studies.back().result, std::move(result));
 }
 
+void ScriptStudy::add_charts(const std::vector<Chart>& charts) {
+  std::vector<Chart>& all = report_.studies.back().profiles;
+  all.insert(all.end(), charts.begin(), charts.end());
+}
+
 void ScriptStudy::answer(const std::string& sentence) {
   report_.answers.push_back(sentence);
   print_text(std::cout, sentence + "\n");
@@ -202,6 +246,9 @@ int ScriptStudy::finish(const std::vector<DesignSheet>& sheets) {
     failed += study.result.count(CaseState::failed);
     without_solution += study.result.count(CaseState::not_converged);
     files += ", " + study.name + ".csv, " + study.name + ".db";
+    if (!study.statistics.empty()) files += ", " + study.name + statistics_ending;
+    if (std::ranges::find(study.statistics, "floor_sa", &RecordStatistics::quantity) != study.statistics.end())
+      files += ", " + study.name + floor_spectra_ending;
   }
   if (!sheets.empty()) files += std::string{", "} + results_file::design_sheet;
   if (speaks()) {

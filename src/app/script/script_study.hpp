@@ -36,6 +36,8 @@ class ScriptStudy {
   void show(StudyTable table) { report_.tables.push_back(std::move(table)); }
   /// Adds the profiles of the last study, whose models are like this one.
   void add_profiles(const Model& like);
+  /// Adds charts to the last study.
+  void add_charts(const std::vector<Chart>& charts);
 
   /// Writes the sheets, and the report with the answers and their verdicts, and prints where it is.
   int finish(const std::vector<DesignSheet>& sheets);

@@ -2,10 +2,13 @@
 #include <algorithm>
 #include <string>
 
+#include "analyses/case/case_run.hpp"
+#include "analyses/questions/suite.hpp"
 #include "app/script/script.hpp"
 #include "app/script/script_parts.hpp"
 #include "base/error.hpp"
 #include "output/charts/suite_charts.hpp"
+#include "report/charts/result_charts.hpp"
 #include "study/statistics.hpp"
 
 namespace moat {
@@ -21,7 +24,7 @@ StudyResult Script::study(const StudyCases& cases, const std::function<StudyMode
   StudyResult result = study_parts().run(
       cases, [&](const StudyOptions& each) { return run_study(cases, make, each); }, options, name, parts_->origin,
       parts_->line.title());
-  // Of a case that went well: its model can be made.
+  // A case that went well is taken: its model can be made.
   const auto done = std::ranges::find(result.outcomes(), CaseState::done, &CaseOutcome::state);
   if (parts_->speaks() && !axis_of_records(result).empty() && done != result.outcomes().end()) {
     const auto number = static_cast<std::size_t>(done - result.outcomes().begin());
@@ -36,6 +39,16 @@ StudyResult Script::suite(const Suite& suite, const std::function<Model(const Su
     return suite.model(each, make);
   };
   StudyResult result = study(suite.cases(), model, suite.study(), name);
+  // Cases of a study keep no histories: those of the loops are computed once more.
+  if (parts_->speaks())
+    for (const std::size_t number : cases_with_largest_deformation(result)) {
+      const StudyCase each{result.cases(), number};
+      const StudyModel widest = model(each);
+      std::vector<Chart> loops = isolator_loops(run_case(
+          widest.model, widest.motion, {.transient = suite.study().transient, .error_bars = ErrorBarMode::never}));
+      for (Chart& loop : loops) loop.title += ", " + each.description();
+      parts_->study->add_charts(loops);
+    }
   if (const std::optional<ScaledSuite>& scaled = suite.records().scaled()) {
     std::string scaling;
     for (const std::string& line : scaled->description()) scaling += line + ". ";

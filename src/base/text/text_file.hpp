@@ -58,7 +58,7 @@ std::optional<std::size_t> take_whole_number(std::string_view& text);
 std::string upper_case(std::string_view text);
 /// In quotes for a message, cut to a readable length.
 std::string quoted(std::string_view text);
-/// Likewise. Without it a std::string would go to std::quoted.
+/// Quotes likewise. Without it a std::string would go to std::quoted.
 inline std::string quoted(const std::string& text) { return quoted(std::string_view{text}); }
 
 /// A number at the beginning of a text.

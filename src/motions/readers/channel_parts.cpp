@@ -25,7 +25,7 @@ std::optional<double> azimuth_in_degrees(std::string_view word) {
   const ScannedNumber number = scan_number(word);
   const std::string_view rest = trimmed(word.substr(number.length));
   if (number.problem || !is_figure(word[0]) || number.has_exponent || number.value > full_turn ||
-      (!rest.empty() && rest != "DEG"))
+      (!rest.empty() && rest != "DEG" && rest != "DEG." && rest != "DEGREES"))
     return std::nullopt;
   return std::fmod(number.value, full_turn);
 }
@@ -75,10 +75,11 @@ std::optional<double> acceleration_unit(std::string_view name) {
 }
 
 std::optional<ComponentWord> component_word(std::string_view text) {
-  static const std::set<std::string_view> up{"UP", "VER", "VERT", "VERTICAL", "V", "Z", "U", "UD", "U-D"},
+  static const std::set<std::string_view> up{"UP", "VER", "VERT", "VERTICAL", "VRT", "V", "Z", "U", "UD", "U-D"},
       down{"DOWN", "DWN", "DN"}, unknown{"H1", "H2", "L", "T", "R", "FN", "FP", "LONG", "TRAN", "X", "Y"};
-  static const std::map<std::string_view, double> azimuths{{"N", 0.0},   {"NS", 0.0},   {"N-S", 0.0}, {"E", 90.0},
-                                                           {"EW", 90.0}, {"E-W", 90.0}, {"S", 180.0}, {"W", 270.0}};
+  static const std::map<std::string_view, double> azimuths{
+      {"N", 0.0},   {"NS", 0.0},  {"N-S", 0.0},   {"E", 90.0},    {"EW", 90.0},     {"E-W", 90.0},
+      {"S", 180.0}, {"W", 270.0}, {"NORTH", 0.0}, {"EAST", 90.0}, {"SOUTH", 180.0}, {"WEST", 270.0}};
   const std::string capitals = upper_case(trimmed(text));
   if (capitals.empty()) return std::nullopt;
   std::string_view word = capitals;
@@ -104,9 +105,9 @@ DividedName divided_name(const std::filesystem::path& file) {
   const std::string capitals = upper_case(name);
   const std::size_t size = name.size(), separator = name.find_last_of("-_. ");
   std::size_t length = separator == std::string::npos ? 0 : size - separator - 1;
-  const auto is_number = [](std::string_view word) { return std::ranges::all_of(word, is_figure); };
+  const auto has_figures_only = [](std::string_view word) { return std::ranges::all_of(word, is_figure); };
   // Numbers of fewer digits may count records.
-  const bool ends_in_azimuth = size > 3 && is_number(name.substr(size - 3)) && !is_figure(name[size - 4]);
+  const bool ends_in_azimuth = size > 3 && has_figures_only(name.substr(size - 3)) && !is_figure(name[size - 4]);
   if (ends_in_azimuth) length = 3;
   const bool ends_in_up = size > 2 && name.ends_with("UP") &&
                           (is_figure(name[size - 3]) || std::isupper(static_cast<unsigned char>(name[size - 3])) != 0);

@@ -33,7 +33,7 @@ void set_samples(RecordChannel& channel, const std::vector<double>& values);
 
 /// Takes the first number in a text, in `unit`, m/s^2, as the peak that the header states.
 void state_peak(RecordChannel& channel, std::string_view text, double unit);
-/// The same for a number that is not rounded.
+/// Takes a peak that is not rounded.
 void state_peak(RecordChannel& channel, double peak, double unit);
 
 /// Adds the warnings about peak and mean.

@@ -34,7 +34,8 @@ constexpr std::array layouts{Layout{"K-NET", is_knet, read_knet},
 
 std::vector<RecordChannel> parsed(const TextFile& file, const TextColumns& text) {
   if (file.text.starts_with("file,channel,record,"))
-    throw NotARecord{file.path.string() + ": this is a table of records. Give it by --records-table."};
+    throw NotARecord{file.path.string() +
+                     ": this is a table of records. Scripts take it by --records-table, beside --record."};
   const auto layout = std::ranges::find_if(layouts, [&](const Layout& each) { return each.recognises(file); });
   // A name alone makes a file one of PEER.
   if (layout == layouts.end() || layout->read == read_peer_at2) refuse_other_records(file);
@@ -82,15 +83,22 @@ std::vector<RecordChannel> read_channels(const std::filesystem::path& path, cons
   return channels;
 }
 
-void check_unit(const std::vector<RecordChannel>& channels, const std::optional<Acceleration>& unit) {
+void check_text(const std::vector<RecordChannel>& channels, const TextColumns& text) {
   const RecordChannel& channel = channels.at(0);
   const std::optional<double> own = acceleration_unit(channel.unit);
-  if (!unit || !own) return;
-  Check{"read_motion", channel.file.path}.that(
-      std::abs(unit->si() - *own) < 1e-9 * *own,
-      "a unit of " + to_text(unit->si()) + " m/s^2 was given, but this file (" + channel.format +
-          ") holds accelerations in " + channel.unit + ".",
-      "Leave the unit out, and use scaled_by() if the values are to be multiplied.");
+  if (channel.format == "text" || !own) return;
+  const Check check{"read_motion", channel.file.path};
+  const std::string here = ", but this file (" + channel.format + ") ";
+  check.that(!text.unit || std::abs(text.unit->si() - *own) < 1e-9 * *own,
+             "a unit of " + to_text(text.unit ? text.unit->si() : 0.0) + " m/s^2 was given" + here +
+                 "holds accelerations in " + channel.unit + ".",
+             "Leave the unit out, and use scaled_by() if the values are to be multiplied.");
+  check.that(!text.step || std::abs(text.step->si() - channel.step) < 1e-5 * channel.step,
+             "a step of " + to_text(text.step ? text.step->si() : 0.0) + " s was given" + here + "has one of " +
+                 to_text(channel.step) + " s.",
+             "Leave the step out.");
+  check.that(text.columns.empty(), "columns were named, \"" + text.columns + "\"" + here + "names its own.",
+             "Leave the columns out.");
 }
 
 GroundMotion motion_of(const RecordChannel& channel) {

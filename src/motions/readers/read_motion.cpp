@@ -5,13 +5,12 @@
 #include <string>
 
 #include "base/text/text_file.hpp"
-#include "motions/readers/record_formats.hpp"
 
 namespace moat {
 
 GroundMotion read_motion(const std::filesystem::path& path, const TextColumns& text) try {
   const std::vector<RecordChannel> channels = read_channels(path, text);
-  check_unit(channels, text.unit);
+  check_text(channels, text);
   if (channels.size() == 1) return motion_of(channels[0]);
   const auto is_horizontal = [](const RecordChannel& channel) { return !channel.vertical; };
   if (std::ranges::count_if(channels, is_horizontal) == 1)
@@ -29,10 +28,5 @@ GroundMotion read_motion(const std::filesystem::path& path, const TextColumns& t
 GroundMotion read_motion(const std::filesystem::path& path, std::optional<Acceleration> unit) {
   return read_motion(path, TextColumns{.unit = unit});
 }
-
-GroundMotion read_peer_at2(const std::filesystem::path& path) { return read_motion(path); }
-GroundMotion read_cosmos(const std::filesystem::path& path) { return read_motion(path); }
-GroundMotion read_esm(const std::filesystem::path& path) { return read_motion(path); }
-GroundMotion read_two_columns(const std::filesystem::path& path, Acceleration unit) { return read_motion(path, unit); }
 
 }  // namespace moat

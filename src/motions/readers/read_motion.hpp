@@ -13,7 +13,7 @@ namespace moat {
 /// Reads the channel of a file, or of several channels the only horizontal one (read_channels() lists the formats). A
 /// record that says that it is vertical gets a note, and cases that it shakes a warning.
 ///
-/// Throws as read_channels() and check_unit(), and FileError for a file with several horizontal channels: read_record()
+/// Throws as read_channels() and check_text(), and FileError for a file with several horizontal channels: read_record()
 /// takes them.
 GroundMotion read_motion(const std::filesystem::path& path, const TextColumns& text);
 

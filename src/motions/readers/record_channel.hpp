@@ -21,7 +21,7 @@ enum class RecordLevel { raw, uncorrected, corrected };
 struct RecordChannel {
   std::string format{};               ///< "K-NET"
   FileRead file{};                    ///< Where it was read.
-  std::size_t number = 1, count = 1;  ///< Its place in the file, from 1, and how many the file has.
+  std::size_t number = 1, count = 1;  ///< Place in the file, from 1, and how many the file has.
   /// The name of the file without its ending; behind it the component, if the file has several or its ending says it.
   std::string name{};
   std::string network{}, station{}, location{}, event{};  ///< Empty where the file does not say them.
@@ -33,11 +33,13 @@ struct RecordChannel {
   double step = 0.0;                ///< s
   std::optional<double> start{};    ///< Time of the first sample, s since 1970 in UTC.
   std::vector<double> samples{};    ///< m/s^2; of a vertical component positive upwards.
+  /// Whether the network has corrected it.
   RecordLevel level = RecordLevel::corrected;
-  std::vector<std::string> notes{};     ///< The header.
+  std::vector<std::string> notes{};     ///< Lines of the header.
   std::vector<std::string> warnings{};  ///< Doubts about the file.
   double stated_peak = 0.0;             ///< m/s^2, without sign; 0 where the header states none.
   double peak_digit = 0.0;              ///< One unit of the last digit of the stated peak, m/s^2.
+  std::string columns{};                ///< TextColumns::columns by which plain text was read.
 };
 
 /// A file that is recognised as something else than a history of acceleration, or not recognised at all.
@@ -84,8 +86,8 @@ struct TextColumns {
 /// without unit.
 std::vector<RecordChannel> read_channels(const std::filesystem::path& file, const TextColumns& text = {});
 
-/// Throws InputError where a unit was given beside another one that the file states.
-void check_unit(const std::vector<RecordChannel>& channels, const std::optional<Acceleration>& unit);
+/// Throws InputError where a unit, step or columns were given for a file that states others itself.
+void check_text(const std::vector<RecordChannel>& channels, const TextColumns& text);
 
 /// The motion of a channel, with its header and warnings as notes, and one that says if it is vertical.
 GroundMotion motion_of(const RecordChannel& channel);

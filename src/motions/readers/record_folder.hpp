@@ -17,7 +17,7 @@ namespace moat {
 /// has no horizontal channel, and as read_records().
 std::vector<GroundMotion> read_record_folder(const std::filesystem::path& folder);
 
-/// Those records of read_records() that have two horizontal components, without the vertical one. Throws FileError
+/// Reads the records of read_records() that have two horizontal components, without the vertical one. Throws FileError
 /// where there is none.
 std::vector<PlanMotion> read_record_pairs(const std::filesystem::path& folder);
 

@@ -32,8 +32,17 @@ std::optional<FortranFormat> fortran_format(std::string_view text) {
   return found;
 }
 
+namespace {
+
+/// Behind a place where no number begins: all digits at once, since a million of them would be scanned from each.
+void pass_over(std::string_view& text) {
+  text.remove_prefix(std::max<std::size_t>(1, std::min(text.find_first_not_of("0123456789"), text.size())));
+}
+
+}  // namespace
+
 std::optional<PrintedNumber> first_number(std::string_view text) {
-  for (; !text.empty(); text.remove_prefix(1)) {
+  for (; !text.empty(); pass_over(text)) {
     const ScannedNumber scanned = scan_number(text);
     if (scanned.problem) continue;
     const std::string_view digits = text.substr(0, scanned.length);
@@ -49,9 +58,12 @@ std::vector<double> numbers_in(std::string_view text) {
   std::vector<double> numbers;
   while (!text.empty()) {
     const ScannedNumber scanned = scan_number(text);
-    const bool is_number = !scanned.problem && text[0] != '-' && text[0] != '+';
-    if (is_number) numbers.push_back(scanned.value);
-    text.remove_prefix(is_number ? scanned.length : 1);
+    if (scanned.problem || text[0] == '-' || text[0] == '+') {
+      pass_over(text);
+    } else {
+      numbers.push_back(scanned.value);
+      text.remove_prefix(scanned.length);
+    }
   }
   return numbers;
 }

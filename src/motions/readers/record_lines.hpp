@@ -51,7 +51,9 @@ class RecordLines {
   std::vector<double> numbers(std::size_t count, const FortranFormat& format, const std::string& what);
   /// Throws FileError naming the line read last.
   [[noreturn]] void refuse(const std::string& problem) const { lines_.refuse(problem); }
-  [[nodiscard]] std::size_t line_number() const { return lines_.line_number(); }  ///< Of the line read last, from 1.
+  [[nodiscard]] std::size_t line_number() const {
+    return lines_.line_number();
+  }  ///< Counts from 1; the line read last.
 
  private:
   const TextFile* file_;
@@ -84,7 +86,7 @@ class HeaderKeys {
 /// A time in a line of a file, s.
 struct PrintedTime {
   PrintedNumber time{};  ///< s
-  std::size_t line = 0;  ///< Its number, from 1.
+  std::size_t line = 0;  ///< From 1.
 };
 
 /// The step of at least two times that grow evenly, s: `stated`, or the one at which all times are printed, each within

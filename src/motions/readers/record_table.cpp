@@ -5,7 +5,8 @@
 #include <fstream>
 
 #include "base/check.hpp"
-#include "base/text/text_file.hpp"
+#include "base/text/number_format.hpp"
+#include "base/text/rows.hpp"
 #include "motions/readers/channel_parts.hpp"
 #include "motions/readers/record_folder.hpp"
 
@@ -15,41 +16,49 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char *table_name = "records.csv",
-                     *table_columns = "file,channel,record,component,azimuth,unit,step,sign";
+                     *table_columns = "file,channel,record,component,azimuth,unit,step,sign,columns";
+/// The columns that the table has, and those behind them that write_record_table() adds.
+const std::set<std::string> known_columns{"file", "channel", "record", "component", "azimuth", "unit", "step",
+                                          "sign", "columns", "format", "level",     "reason",  "peak", "start"};
 
 std::mutex notes_mutex;
 std::vector<std::string> all_notes;
 /// Rows of the table by file and channel.
 std::map<std::pair<std::string, std::size_t>, std::string> all_rows;
 
-std::vector<std::string> fields_of_row(std::string_view line) {
-  std::vector<std::string> fields;
-  for (std::size_t comma = 0; comma != std::string_view::npos; line.remove_prefix(std::min(comma + 1, line.size()))) {
-    comma = line.find(',');
-    fields.emplace_back(trimmed(line.substr(0, comma)));
-  }
-  return fields;
+/// In quotes where the table would take it for something else.
+std::string field_of(std::string text) {
+  std::ranges::replace(text, '"', '\'');
+  const bool is_plain = text.find(',') == std::string::npos && !text.starts_with('#') && !text.starts_with('%');
+  return is_plain ? text : '"' + text + '"';
 }
 
-std::string without_commas(std::string text) {
-  std::ranges::replace(text, ',', ' ');
-  return text;
-}
-
-/// The row that reads the channel again as it was understood.
+/// The row that reads the channel again as it was understood. The component and azimuth of a file that says them need
+/// no word of the table.
 std::string row_of(const SortedChannel& sorted) {
   const RecordChannel& channel = sorted.channel;
-  const bool is_out = sorted.fate.starts_with("left out");
-  std::string component = is_out ? "out" : channel.vertical ? "vertical" : sorted.component;
-  if (component.empty() && !channel.azimuth) component = sorted.fate.substr(0, sorted.fate.find(' '));
+  const std::string component = sorted.fate.starts_with("left out") ? "out" : sorted.component;
   double peak = 0.0;
   for (const double sample : channel.samples) peak = std::max(peak, std::abs(sample));
   constexpr const char* levels[] = {"raw", "uncorrected", "corrected"};
-  return fs::path{channel.file.path}.filename().string() + "," + std::to_string(channel.number) + "," +
-         without_commas(sorted.record) + "," + component + "," + (channel.azimuth ? to_text(*channel.azimuth) : "") +
-         "," + channel.unit + "," + (channel.step > 0.0 ? to_text(channel.step) : "") + ",," + channel.format + "," +
-         levels[static_cast<std::size_t>(channel.level)] + "," + without_commas(sorted.fate) + "," + to_text(peak) +
-         "," + (channel.start ? std::to_string(*channel.start) : "");
+  std::string row = field_of(fs::path{channel.file.path}.filename().string()) + "," + std::to_string(channel.number);
+  for (const std::string& field :
+       {field_of(sorted.record), component, sorted.azimuth ? to_exact(*sorted.azimuth) : "", field_of(channel.unit),
+        sorted.step > 0.0 ? to_exact(sorted.step) : "", sorted.sign < 0.0 ? std::string{"-1"} : "",
+        field_of(channel.columns), field_of(channel.format),
+        std::string{channel.format.empty() ? "" : levels[static_cast<std::size_t>(channel.level)]},
+        field_of(sorted.fate), to_text(peak), channel.start ? std::to_string(*channel.start) : ""})
+    row += "," + field;
+  return row;
+}
+
+/// m/s^2, by a name or as "9.80665 m/s^2"; nothing for others.
+std::optional<double> unit_of(std::string_view name) {
+  constexpr std::string_view si = " m/s^2";
+  const std::optional<double> named = acceleration_unit(name);
+  if (named || !name.ends_with(si)) return named;
+  const ScannedNumber number = parse_number(name.substr(0, name.size() - si.size()));
+  return number.problem ? std::nullopt : std::optional{number.value};
 }
 
 }  // namespace
@@ -77,6 +86,9 @@ SortedFiles::SortedFiles(const std::vector<fs::path>& files, const RecordOptions
   for (const fs::path& file : files) names.insert(file.filename().string());
   if (!options.table.empty()) read_table(options.table, true, names);
   for (const fs::path& file : files) read(file, options, false);
+  // Some of several files may be plain text.
+  if (files.size() == 1)
+    for (const SortedChannel& each : channels_) check_text({each.channel}, options.text);
 }
 
 void SortedFiles::refuse(const std::string& problem) const {
@@ -109,56 +121,53 @@ void SortedFiles::note(SortedChannel& channel, const std::string& fate) const {
 void SortedFiles::read_table(const fs::path& table, bool is_needed, const std::set<std::string>& names) {
   table_ = table;
   if (!is_needed && !fs::exists(table)) return;
-  const TextFile text = read_text_file(table);
-  LineReader lines{text};
-  std::vector<std::string> columns;
-  for (std::string_view line; lines.next(line);) {
-    if (trimmed(line).empty()) continue;
-    const std::vector<std::string> fields = fields_of_row(line);
-    const std::string row =
-        "line " + std::to_string(lines.line_number()) + " of its table, " + moat::quoted(line) + ", ";
+  Rows lines{read_text_file(table), ','};
+  const Row heading = lines.take_heading();
+  const std::vector<std::string>& columns = heading.fields;
+  const auto refuse_row = [&](const Row& row, const std::string& problem) {
+    refuse("line " + std::to_string(row.line_number) + " of its table, " + moat::quoted(row.text) + ", " + problem);
+  };
+  const auto place_of = [&](std::string_view column) {
+    return static_cast<std::size_t>(std::ranges::find(columns, column) - columns.begin());
+  };
+  if (place_of("file") == columns.size()) refuse_row(heading, "does not name its columns.");
+  for (std::size_t i = 0; i < columns.size(); ++i)
+    if (!known_columns.contains(columns[i]) || place_of(columns[i]) != i)
+      refuse_row(heading, "has a column " + moat::quoted(columns[i]) + " that is not known, or there twice.");
+  for (const Row& row : lines.list) {
+    if (row.fields.size() != columns.size()) refuse_row(row, "is not of this form.");
     const auto field = [&](std::string_view column) -> std::string {
-      const auto at = static_cast<std::size_t>(std::ranges::find(columns, column) - columns.begin());
-      return at < fields.size() ? fields[at] : "";
+      const std::size_t at = place_of(column);
+      return at < columns.size() ? row.fields[at] : "";
     };
-    if (columns.empty()) {
-      columns = fields;
-      if (std::ranges::find(columns, "file") == columns.end()) refuse(row + "does not name its columns.");
-      continue;
-    }
-    if (fields.size() != columns.size()) refuse(row + "is not of this form.");
-    const auto number = [&](const char* column) -> std::optional<double> {
-      const std::string value = field(column);
-      if (value.empty()) return std::nullopt;
-      const ScannedNumber scanned = parse_number(value);
-      if (scanned.problem) refuse(row + "has no number as " + column + ".");
-      return scanned.value;
+    const auto number = [&](std::string_view column) {
+      return field(column).empty() ? std::nullopt : std::optional{lines.number(row, place_of(column))};
     };
     const std::string file = field("file"), unit = field("unit");
-    RecordRow entry{.line = lines.line_number(),
+    RecordRow entry{.line = row.line_number,
                     .record = field("record"),
                     .component = field("component"),
+                    .columns = field("columns"),
                     .azimuth = number("azimuth"),
-                    .unit = acceleration_unit(unit),
+                    .unit = unit_of(unit),
                     .step = number("step"),
                     .sign = number("sign")};
     const double channel = number("channel").value_or(0.0);
-    if (!(channel >= 0.0 && channel < 1e6)) refuse(row + "has a channel below 0 or above 1e6.");
+    if (!(channel >= 0.0 && channel < 1e6 && channel == std::floor(channel)))
+      refuse_row(row, "has a channel that is no whole number from 0 to 1e6.");
     entry.channel = static_cast<std::size_t>(channel);
     static const std::set<std::string> components{"", "x", "y", "z", "first", "second", "vertical", "out"};
-    if (!components.contains(entry.component)) refuse(row + "names no component.");
+    if (!components.contains(entry.component)) refuse_row(row, "names no component.");
     if (entry.azimuth && !(*entry.azimuth >= 0.0 && *entry.azimuth <= 360.0))
-      refuse(row + "has an azimuth outside 0 to 360 deg.");
-    if (entry.step && !(*entry.step > 0.0)) refuse(row + "has a step that is not > 0 s.");
-    if (entry.sign && std::abs(*entry.sign) != 1.0) refuse(row + "has a sign that is neither 1 nor -1.");
-    if (const std::string_view of_si = " m/s^2"; !entry.unit && unit.ends_with(of_si))
-      entry.unit = parse_number(std::string_view{unit}.substr(0, unit.size() - of_si.size())).value;
-    if (!unit.empty() && !(entry.unit > 0.0)) refuse(row + "has a unit that is not known.");
-    if (!names.contains(file)) refuse(row + "names a file that is not there.");
+      refuse_row(row, "has an azimuth outside 0 to 360 deg.");
+    if (entry.step && !(*entry.step > 0.0)) refuse_row(row, "has a step that is not > 0 s.");
+    if (entry.sign && std::abs(*entry.sign) != 1.0) refuse_row(row, "has a sign that is neither 1 nor -1.");
+    if (!unit.empty() && !(entry.unit > 0.0)) refuse_row(row, "has a unit that is not known.");
+    if (!names.contains(file)) refuse_row(row, "names a file that is not there.");
     std::vector<RecordRow>& rows = rows_[file];
     for (const RecordRow& other : rows)
       if (other.channel == entry.channel || other.channel == 0 || entry.channel == 0)
-        refuse(row + "names a file for the second time.");
+        refuse_row(row, "names a file for the second time.");
     rows.push_back(std::move(entry));
   }
 }
@@ -176,6 +185,7 @@ void SortedFiles::read(const fs::path& file, const RecordOptions& options, bool 
       return leave_out(table_.filename().string() + " says \"out\"");
     if (row.unit) text.unit = Acceleration{*row.unit};
     if (row.step) text.step = Time{*row.step};
+    if (!row.columns.empty()) text.columns = row.columns;
   }
   if (may_leave_out && !fs::is_regular_file(file)) return leave_out("it is no file");
   try {
@@ -188,9 +198,19 @@ void SortedFiles::read(const fs::path& file, const RecordOptions& options, bool 
       files = reading.files();
     }
     std::ranges::for_each(files, note_file_read);
+    if (found != rows_.end())
+      for (const RecordRow& row : found->second)
+        if (row.channel > channels.size())
+          refuse("line " + std::to_string(row.line) + " of its table names channel " + std::to_string(row.channel) +
+                 " of " + file.filename().string() + ", which has " + std::to_string(channels.size()) + ".");
     for (RecordChannel& channel : channels) {
       SortedChannel sorted{.channel = std::move(channel)};
       apply_table(sorted);
+      // Words of --record-columns are those of the table.
+      if (sorted.component.empty() && sorted.channel.source == "--record-columns")
+        sorted.component = sorted.channel.component;
+      sorted.step = sorted.channel.step;
+      sorted.azimuth = sorted.channel.azimuth;
       if (sorted.component == "out")
         note(sorted, "left out: " + table_.filename().string() + " says \"out\"");
       else
@@ -217,21 +237,23 @@ void SortedFiles::apply_table(SortedChannel& sorted) {
                        : row.component == "second"   ? "y"
                        : row.component == "vertical" ? "z"
                                                      : row.component;
-    const bool is_text = channel.format == "text";
-    if (row.unit && !is_text && std::abs(*row.unit - acceleration_unit(channel.unit).value()) > 1e-9 * *row.unit)
-      refuse("line " + std::to_string(row.line) + " of its table has another unit than the file, " + channel.unit +
-             ".");
-    if (row.step && !is_text && std::abs(*row.step - channel.step) > 1e-5 * channel.step)
-      refuse("line " + std::to_string(row.line) + " of its table has another step than the file, " +
-             to_text(channel.step) + " s.");
+    const std::string line = "line " + std::to_string(row.line) + " of its table has another ";
+    if (row.unit && std::abs(*row.unit - unit_of(channel.unit).value()) > 1e-9 * *row.unit)
+      refuse(line + "unit than the file, " + channel.unit + ".");
+    if (row.step && std::abs(*row.step - channel.step) > 1e-5 * channel.step)
+      refuse(line + "step than the file, " + to_text(channel.step) + " s.");
+    if (!row.columns.empty() && row.columns != channel.columns)
+      refuse(line + "meaning of columns than the file; only plain text has one, and all of its rows the same.");
+    // A word of the file stays where the table says the same.
+    const bool is_turned = row.azimuth && std::fmod(*row.azimuth, 360.0) != channel.azimuth;
     if (row.azimuth) channel.azimuth = std::fmod(*row.azimuth, 360.0);
-    if (row.azimuth || !sorted.component.empty()) {
+    if (is_turned || !sorted.component.empty()) {
       channel.component = sorted.component.empty() ? to_text(*row.azimuth) : row.component;
       channel.source = table_.filename().string();
       channel.vertical = sorted.component == "z";
     }
-    if (row.sign)
-      for (double& sample : channel.samples) sample *= *row.sign;
+    sorted.sign = row.sign.value_or(1.0);
+    for (double& sample : channel.samples) sample *= sorted.sign;
   }
 }
 

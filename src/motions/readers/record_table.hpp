@@ -16,7 +16,7 @@ namespace moat {
 /// A row of the table.
 struct RecordRow {
   std::size_t line = 0, channel = 0;                        ///< RecordChannel 0: all in the file.
-  std::string record{}, component{};                        ///< Empty where the row leaves them to the file.
+  std::string record{}, component{}, columns{};             ///< Empty where the row leaves them to the file.
   std::optional<double> azimuth{}, unit{}, step{}, sign{};  ///< Degrees, m/s^2, s, 1 or -1.
 };
 
@@ -26,14 +26,17 @@ struct SortedChannel {
   std::string record{};     ///< By the table; else empty.
   std::string component{};  ///< x, y, z or out by the table; else empty.
   std::string fate{};       ///< "first of Kobe", "left out: ..."
+  /// File and table say these; a record is resampled, and its azimuths may be assumed.
+  double step = 0.0, sign = 1.0;
+  std::optional<double> azimuth{};
 };
 
 /// The channels of files or of a folder, sorted by names of files.
 class SortedFiles {
  public:
-  /// All files in a folder; those that are no records are left out.
+  /// Reads all files in a folder; those that are no records are left out.
   SortedFiles(const std::filesystem::path& folder, const RecordOptions& options);
-  /// These files.
+  /// Reads these files.
   SortedFiles(const std::vector<std::filesystem::path>& files, const RecordOptions& options);
 
   /// The horizontal and vertical channels that are used.

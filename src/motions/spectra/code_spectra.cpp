@@ -56,6 +56,26 @@ TargetSpectrum Asce7Spectrum::design() const { return asce_7(*this, "ASCE 7 desi
 
 TargetSpectrum Asce7Spectrum::mce_r() const { return asce_7(*this, "ASCE 7 MCE_R", 1.5); }
 
+Asce7Spectrum asce_7_parameters(const TargetSpectrum& spectrum, SpectrumLevel level, Speed shear_wave_velocity,
+                                Time long_period) {
+  Check{"asce_7_parameters", spectrum.name}.positive("shear_wave_velocity", shear_wave_velocity);
+  constexpr double share = 0.9, step = 1e-3, at_1_s = 1.0, first = 0.2, last = 5.0;
+  constexpr Speed stiff_soil = 442.0 * (units::m / units::s);
+  const double last_of_s_m1 = shear_wave_velocity > stiff_soil ? 2.0 : last;
+  const auto acceleration = [&](double t) { return spectrum.acceleration(Time{t}).si() / standard_gravity; };
+  double short_periods = 0.0, one_second = acceleration(at_1_s);
+  const auto read = [&](double t) {
+    if (t < first || t > last) return;
+    short_periods = std::max(short_periods, share * acceleration(t));
+    if (t >= at_1_s && t <= last_of_s_m1) one_second = std::max(one_second, share * t * acceleration(t));
+  };
+  for (const Time corner : spectrum.corners) read(corner.si());
+  for (const double end : {first, last_of_s_m1, last}) read(end);
+  for (double t = first; t < last; t += step) read(t);
+  const double of_design = level == SpectrumLevel::design ? 1.0 : 2.0 / 3.0;
+  return {.s_ds = of_design * short_periods, .s_d1 = of_design * one_second, .long_period = long_period};
+}
+
 En1998Spectrum::operator TargetSpectrum() const {
   constexpr double end = 4.0, end_of_annex = 10.0, largest = 2.0, largest_soil_factor = 10.0, least_eta = 0.55;
   const double on_rock = ground_acceleration.si();

@@ -19,19 +19,32 @@ namespace moat {
 ///            +---+------+--------+-->  S_D1 T_L/T^2             beyond
 ///               T_0    T_S      T_L  T
 ///
-/// Source: ASCE/SEI 7-22 11.4.5.2 (clause recalled, not read in the code; the branches are those of ASCE 7-10 in public
-/// scripts). MCE_R is 1.5 times the design spectrum (11.4.7).
+/// Source: ASCE/SEI 7-22, chapter 11 (recalled, not read in the code; the branches are those of ASCE 7-10 in public
+/// scripts). MCE_R is 1.5 times the design spectrum.
 struct Asce7Spectrum {
   /// Design accelerations as fractions of g, at short periods and at 1 s: > 0, <= 10. S_D1/S_DS: from 0.05 to 3 s.
   Required<double> s_ds, s_d1;
   /// T_L of the map, > S_D1/S_DS; usually from 4 to 16 s.
   Required<Time> long_period;
 
-  /// These throw InputError for values outside their ranges.
+  /// These throw InputError for values outside their ranges. There is no conversion: a script says which one it means.
   [[nodiscard]] TargetSpectrum design() const;
-  [[nodiscard]] TargetSpectrum mce_r() const;           ///< 1.5 times design().
-  operator TargetSpectrum() const { return design(); }  ///< The design spectrum.
+  [[nodiscard]] TargetSpectrum mce_r() const;  ///< 1.5 times design().
 };
+
+/// S_DS, S_D1 and T_L of a multi-period spectrum of ASCE 7-22, for example of read_target_spectrum():
+///
+///     S_MS = 0.9 max S_a from 0.2 to 5 s
+///     S_M1 = max(0.9 max T S_a/1 s, S_a(1 s)), T from 1 to 2 s where v_s30 > 442 m/s, else to 5 s
+///     S_DS = 2/3 S_MS, S_D1 = 2/3 S_M1; at the level of design S_a gives them at once
+///
+/// Spectra are read at their corners and every 1 ms between. Source: ASCE/SEI 7-22 21.4 (as in the news of the R
+/// package newmark, not read in the code).
+///
+/// shear_wave_velocity: v_s30 > 0 m/s. long_period: T_L of the map. Throws InputError for a spectrum that does not
+/// reach from 0.2 to 5 s, and for a shear wave velocity that is not positive.
+[[nodiscard]] Asce7Spectrum asce_7_parameters(const TargetSpectrum& spectrum, SpectrumLevel level,
+                                              Speed shear_wave_velocity, Time long_period);
 
 /// Parameters of a spectrum of EN 1998-1, for national annexes.
 struct En1998Shape {
@@ -62,9 +75,9 @@ struct En1998Spectrum {
   double damping_ratio = 0.05;         ///< >= 0, < 1
   /// 3.2.2.3: 0.9 a_g (type 2: 0.45), 3.0 for 2.5, no S, T_B, T_C, T_D of 0.05, 0.15 and 1.0 s.
   bool vertical = false;
-  /// Goes on to 10 s by the informative annex A, which needs the ground (recalled, not read in the code): the last
-  /// branch to T_E = 4.5 s (A), 5 s (B) or 6 s (C, D, E), then, with T_F = 10 s, the displacement 0.025 a_g S T_C T_D
-  /// (2.5 eta + (T - T_E)/(T_F - T_E) (1 - 2.5 eta)).
+  /// Goes on to 10 s by the informative annex A, which needs the ground (recalled, not read in the code). The last
+  /// branch goes to T_E = 4.5 s (A), 5 s (B) or 6 s (C, D, E). Beyond it stands, with T_F = 10 s, the displacement
+  /// 0.025 a_g S T_C T_D (2.5 eta + (T - T_E)/(T_F - T_E) (1 - 2.5 eta)).
   bool beyond_4_s = false;
 
   operator TargetSpectrum() const;  ///< Throws InputError for values outside their ranges.

@@ -9,6 +9,7 @@
 #include "base/check.hpp"
 #include "base/hermite.hpp"
 #include "base/plan_vector.hpp"
+#include "motions/motion_measures.hpp"
 #include "motions/oscillators.hpp"
 #include "motions/response_spectrum.hpp"
 
@@ -145,16 +146,17 @@ std::vector<PathStep> ground_of(const GroundMotion& motion) {
 }  // namespace
 
 std::string name_of(PairSpectrum spectrum) {
-  constexpr const char* names[]{"first component", "second component", "SRSS",   "SRSS/1.3",
-                                "geometric mean",  "RotD50",           "RotD100"};
+  constexpr const char* names[]{"first component", "second component", "SRSS",    "SRSS/1.3",
+                                "geometric mean",  "RotD50",           "RotD100", "each component"};
   return names[static_cast<std::size_t>(spectrum)];
 }
 
 std::vector<double> PairSpectra::of(PairSpectrum spectrum) const {
-  const std::vector<double>* all[]{&first, &second, &srss, &srss, &geometric_mean, &rotd50, &rotd100};
+  const std::vector<double>* all[]{&first, &second, &srss, &srss, &geometric_mean, &rotd50, &rotd100, &first};
   std::vector<double> values = *all[static_cast<std::size_t>(spectrum)];
   if (spectrum == PairSpectrum::srss_over_1_3)
     for (double& value : values) value /= 1.3;
+  if (spectrum == PairSpectrum::each_component) values.insert(values.end(), second.begin(), second.end());
   return values;
 }
 
@@ -187,11 +189,8 @@ std::vector<Time> periods_between(Time shortest, Time longest) {
   check.positive("shortest", shortest);
   check.that(longest > shortest, "longest", longest.si(), "s", "> " + to_text(shortest.si()) + " s");
   constexpr double largest_ratio = 1.02;
-  const double ratio = longest / shortest, intervals = std::ceil(std::log(ratio) / std::log(largest_ratio));
-  std::vector<Time> periods;
-  for (double i = 0.0; i < intervals; ++i) periods.push_back(std::pow(ratio, i / intervals) * shortest);
-  periods.push_back(longest);
-  return periods;
+  return spaced_periods(shortest, longest,
+                        1 + static_cast<int>(std::ceil(std::log(longest / shortest) / std::log(largest_ratio))));
 }
 
 }  // namespace moat

@@ -10,8 +10,9 @@
 
 namespace moat {
 
-/// One of the spectra of a pair. `srss_over_1_3` is SRSS/1.3 (EN 1998-2, recalled, not read in the code).
-enum class PairSpectrum { first, second, srss, srss_over_1_3, geometric_mean, rotd50, rotd100 };
+/// One of the spectra of a pair. `srss_over_1_3` is SRSS/1.3 (EN 1998-2, recalled, not read in the code);
+/// `each_component` are two, `first` and `second`.
+enum class PairSpectrum { first, second, srss, srss_over_1_3, geometric_mean, rotd50, rotd100, each_component };
 
 /// "RotD100".
 [[nodiscard]] std::string name_of(PairSpectrum spectrum);
@@ -33,7 +34,8 @@ struct PairSpectra {
   std::vector<double> rotd50;          ///< median over the directions: the mean of the 90th and 91st value of 180
   std::vector<double> rotd100;         ///< largest over the directions
 
-  [[nodiscard]] std::vector<double> of(PairSpectrum spectrum) const;  ///< One of them.
+  /// Returns one of them; each_component has the second component behind the first.
+  [[nodiscard]] std::vector<double> of(PairSpectrum spectrum) const;
 };
 
 /// The spectra of a pair. Periods and damping_ratio as in response_spectrum(); the accuracy is 1e-5 of each value.

@@ -51,10 +51,10 @@ SuiteScaling SuiteScaling::asce_7_ch16(Time shortest_period, Time longest_period
   return scaling;
 }
 
-SuiteScaling SuiteScaling::en_1998_1(Time first_period) {
-  SuiteScaling scaling =
-      preset("EN 1998-1", std::string{"EN 1998-1:2004 3.2.3.1.2"} + all_recalled, first_period, first_period, 0.2, 2.0);
-  scaling.spectrum = PairSpectrum::first;
+SuiteScaling SuiteScaling::en_1998_1(Time period_upper_bound, Time period_lower_bound) {
+  SuiteScaling scaling = preset("EN 1998-1", std::string{"EN 1998-1:2004 3.2.3.1.2"} + all_recalled, period_upper_bound,
+                                period_lower_bound, 0.2, 2.0);
+  scaling.spectrum = PairSpectrum::each_component;
   scaling.fraction = 0.9;
   scaling.mean_at_zero = true;
   return scaling;
@@ -105,23 +105,29 @@ ScaledSuite scale_suite(const std::vector<NamedPair>& pairs, const TargetSpectru
   }
   check.that(weights.sum() > 0.0, "all weights are zero.", "Give a weight > 0 to a period of the range.");
 
+  // The rows of the second component stand behind those of the first.
+  const Eigen::Index parts = scaling.spectrum == PairSpectrum::each_component ? 2 : 1;
   const auto columns = static_cast<Eigen::Index>(pairs.size());
-  Eigen::ArrayXXd spectra(rows, columns), srss(rows, columns), rotd100(rows, columns);
+  Eigen::ArrayXXd spectra(parts * rows, columns), srss(rows, columns), rotd100(rows, columns);
   for (Eigen::Index i = 0; i < columns; ++i) {
     const NamedPair& pair = pairs[static_cast<std::size_t>(i)];
     const PairSpectra of_pair = pair_spectra(pair.motion, periods, target.damping_ratio);
     const auto column = [&](const std::vector<double>& values) {
-      return Eigen::Map<const Eigen::ArrayXd>(values.data(), rows);
+      return Eigen::Map<const Eigen::ArrayXd>(values.data(), static_cast<Eigen::Index>(values.size()));
     };
     spectra.col(i) = column(of_pair.of(scaling.spectrum));
     srss.col(i) = column(of_pair.srss);
     rotd100.col(i) = column(of_pair.rotd100);
-    check.that((spectra.col(i) > 0.0).all(), "pair " + pair.name + " has no motion in the range.", "Leave it out.");
+    constexpr double round_off = 1e-9;  // of a component without motion, in turned axes
+    check.that((spectra.col(i) > round_off * srss.col(i).replicate(parts, 1)).all(),
+               "pair " + pair.name + " has no motion in the range" + (parts > 1 ? " in one of its components." : "."),
+               parts > 1 ? "Leave it out, or set `spectrum`." : "Leave it out.");
   }
 
-  const SuiteFactors factors = suite_factors(spectra, prescribed, required, weights, scaling.own_factor);
+  const SuiteFactors factors = suite_factors(spectra, prescribed.replicate(parts, 1), required.replicate(parts, 1),
+                                             weights.replicate(parts, 1), scaling.own_factor);
   suite.common_factor = scaling.only_up ? std::max(1.0, factors.common) : factors.common;
-  suite.governing_period = periods[static_cast<std::size_t>(factors.governing)];
+  suite.governing_period = periods[static_cast<std::size_t>(factors.governing % rows)];
   const Eigen::ArrayXd final_factors = suite.common_factor * factors.own;
   for (std::size_t i = 0; i < pairs.size(); ++i) {
     const double factor = final_factors[static_cast<Eigen::Index>(i)];
@@ -132,10 +138,14 @@ ScaledSuite scale_suite(const std::vector<NamedPair>& pairs, const TargetSpectru
                                to_text(scaling.allowed.first) + " to " + to_text(scaling.allowed.second) + ".");
   }
   if (pairs.size() < scaling.least_pairs)
-    suite.warnings.push_back("Only " + std::to_string(pairs.size()) + " records: the mean of responses needs " +
-                             std::to_string(scaling.least_pairs) + "; with fewer the largest is taken.");
-  const auto ratios = [&](const Eigen::ArrayXXd& values) -> Eigen::ArrayXd {
-    return ((values.rowwise() * final_factors.transpose()).rowwise().mean() / prescribed).head(in_range);
+    suite.warnings.push_back("Only " + std::to_string(pairs.size()) +
+                             " records: " + (scaling.name.empty() ? "the rule" : scaling.name) + " asks for " +
+                             std::to_string(scaling.least_pairs) +
+                             ". The design value of a response is the mean of at least 7, else the largest.");
+  const auto ratios = [&](const Eigen::ArrayXXd& values) -> Eigen::ArrayXXd {
+    const Eigen::ArrayXd means = (values.rowwise() * final_factors.transpose()).rowwise().mean();
+    const auto by_part = means.reshaped(rows, values.rows() / rows);
+    return (by_part.colwise() / prescribed).topRows(in_range);
   };
   suite.least_ratio = ratios(spectra).minCoeff();
   suite.largest_ratio = ratios(spectra).maxCoeff();

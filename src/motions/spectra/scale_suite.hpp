@@ -16,8 +16,8 @@
 
 namespace moat {
 
-/// How the own factor f of a pair with the spectrum S fits the target t, with weights w over the periods of the range:
-/// ln f = sum w (ln t - ln S)/sum w, or f = sum w t S/sum w S^2.
+/// How the own factor f of a pair with the spectrum S fits the target t, with weights w over the periods of the range.
+/// Either ln f = sum w (ln t - ln S)/sum w, or f = sum w t S/sum w S^2.
 enum class OwnFactor { logarithmic, linear };
 
 /// How a suite is scaled. Every field can be changed after a preset:
@@ -26,9 +26,10 @@ enum class OwnFactor { logarithmic, linear };
 ///     scaling.fraction = 0.9;
 struct SuiteScaling {
   std::string name{}, source{};                ///< The code, and the origin of range and fraction.
-  PairSpectrum spectrum = PairSpectrum::srss;  ///< Compared with the target.
+  PairSpectrum spectrum = PairSpectrum::srss;  ///< Compared with the target; of `each_component` both are.
   Time shortest{}, longest{};                  ///< The range: 0 < shortest < longest.
   double fraction = 1.0;                       ///< The mean reaches this share of the target in the range; > 0.
+  /// How the factor of a pair is found.
   OwnFactor own_factor = OwnFactor::logarithmic;
   std::function<double(Time)> weight{};          ///< >= 0 at every period of the range; 1 if not given.
   bool only_up = false;                          ///< The common factor is at least 1.
@@ -36,10 +37,10 @@ struct SuiteScaling {
   std::pair<double, double> allowed{0.25, 4.0};  ///< Final factors outside are warned of.
   std::size_t least_pairs = 7;                   ///< Fewer are warned of.
 
-  /// ASCE/SEI 7-16 17.3.3: SRSS not below MCE_R from 0.75 T_M (upper bounds of the properties) to 1.25 T_M (lower
+  /// ASCE/SEI 7-16, chapter 17: SRSS not below MCE_R from 0.75 T_M (upper bounds of the properties) to 1.25 T_M (lower
   /// bounds); range and fraction recalled, not read in the code. These throw InputError for the longer period first.
   static SuiteScaling asce_7_16(Time period_upper_bound, Time period_lower_bound);
-  /// ASCE/SEI 7-22 17.3 with 16.2.3.2: RotD100 not below 0.9 MCE_R over the same range, which is recalled, not read in
+  /// ASCE/SEI 7-22, chapters 17 and 16: RotD100 not below 0.9 MCE_R over the same range, which is recalled, not read in
   /// the code; the fraction as in the program QuakeManager.
   static SuiteScaling asce_7_22(Time period_upper_bound, Time period_lower_bound);
   /// ASCE/SEI 7-10: SRSS not below the target from 0.5 T_D to 1.25 T_M; recalled, not read in the code.
@@ -47,15 +48,18 @@ struct SuiteScaling {
   /// ASCE/SEI 7 chapter 16: RotD100 of 11 pairs not below 0.9 MCE_R from 0.2 of the shortest to twice the longest
   /// period; range recalled, not read in the code, fraction as in QuakeManager.
   static SuiteScaling asce_7_ch16(Time shortest_period, Time longest_period);
-  /// EN 1998-1 3.2.3.1.2: the mean of one component, `first`, not below 0.9 S_e from 0.2 T_1 to 2 T_1, nor below a_g S
-  /// at T = 0; recalled, not read in the code. For pairs in plan set `spectrum`, for example srss_over_1_3.
-  static SuiteScaling en_1998_1(Time first_period);
+  /// EN 1998-1: the mean of each component not below 0.9 S_e from 0.2 T_1 to 2 T_1, nor below a_g S at T = 0;
+  /// recalled, not read in the code. T_1 of isolated buildings changes with the bounds: the range spans those of both,
+  /// the shorter one first. EN 1998-2 has srss_over_1_3 instead.
+  static SuiteScaling en_1998_1(Time period_upper_bound, Time period_lower_bound);
+  /// Takes one T_1 for both bounds.
+  static SuiteScaling en_1998_1(Time first_period) { return en_1998_1(first_period, first_period); }
 };
 
 /// A record of a suite.
 struct NamedPair {
   std::string name;   ///< Different for every record.
-  PlanMotion motion;  ///< Its components.
+  PlanMotion motion;  ///< Both horizontal components.
 };
 
 /// Factors of a suite.
@@ -74,17 +78,19 @@ struct SuiteFactors {
 
 /// A suite with one factor per pair, for all of its components.
 struct ScaledSuite {
+  /// The rule.
   SuiteScaling scaling;
+  /// The target.
   TargetSpectrum target;
   std::vector<NamedPair> pairs;     ///< Scaled.
-  std::vector<double> own_factors;  ///< As many.
-  double common_factor;             ///< Of all pairs.
+  std::vector<double> own_factors;  ///< One for each pair.
+  double common_factor;             ///< Multiplies all pairs.
   Time governing_period;            ///< SuiteFactors::governing; only_up may hold the mean above the requirement.
   std::vector<Time> periods;        ///< The grid of the range.
-  /// Least and largest ratio of the mean to the target in the range; the least ones of the mean SRSS and the mean
-  /// RotD100, which is 0.71 to 1.0 of SRSS.
+  /// Least and largest ratio of the mean to the target in the range, of both means for `each_component`; the least ones
+  /// of the mean SRSS and the mean RotD100, which is 0.71 to 1.0 of SRSS.
   double least_ratio = 0.0, largest_ratio = 0.0, least_srss_ratio = 0.0, least_rotd100_ratio = 0.0;
-  std::vector<std::string> warnings{};  ///< Sentences.
+  std::vector<std::string> warnings{};  ///< Sentences for the user.
 
   /// Final factors, common times own.
   [[nodiscard]] std::vector<double> factors() const;

@@ -13,7 +13,7 @@ namespace moat {
 
 /// A prescribed spectrum of pseudo-accelerations. The spectra of code_spectra.hpp and tables become one.
 struct TargetSpectrum {
-  std::string name;             ///< In outputs.
+  std::string name;             ///< Outputs call it so.
   std::string source;           ///< One line: clause, origin of the values, and the parts that nobody read there.
   double damping_ratio = 0.05;  ///< >= 0, < 1
   Time shortest{}, longest{};   ///< The range; the longest period may be infinite.
@@ -27,13 +27,13 @@ struct TargetSpectrum {
 
 /// A spectrum by points, straight between them.
 struct SpectrumTable {
-  std::string name;                          ///< In outputs.
+  std::string name;                          ///< Outputs call it so.
   std::vector<Time> periods;                 ///< >= 0 s, increasing; at least two.
   std::vector<Acceleration> accelerations;   ///< > 0, one per period.
   double damping_ratio = 0.05;               ///< >= 0, < 1
   std::string source = "table of the user";  ///< One line.
   /// T_L of ASCE 7-22, for tables that reach 10 s: behind the last point S_a falls with 1/T up to T_L, then with 1/T^2;
-  /// with 1/T^2 alone where the table reaches T_L (11.4.5.1, recalled, not read in the code). Without it longer periods
+  /// with 1/T^2 alone where the table reaches T_L (recalled, not read in the code). Without it longer periods
   /// are refused.
   std::optional<Time> long_period{};
 
@@ -46,9 +46,9 @@ enum class SpectrumLevel { design, mce_r };
 
 /// How read_target_spectrum() takes a file.
 struct TargetFile {
-  /// Of JSON files, which hold both, the one to read; of CSV files part of the name.
+  /// JSON files hold both levels: this one is read. It becomes a part of the name of a CSV file's spectrum.
   std::optional<SpectrumLevel> level{};
-  double damping_ratio = 0.05;        ///< Of the spectrum, >= 0, < 1.
+  double damping_ratio = 0.05;        ///< At which the spectrum holds, >= 0, < 1.
   std::optional<Time> long_period{};  ///< As in SpectrumTable; JSON files state it.
 };
 

@@ -39,7 +39,7 @@ struct SecondUnit {
 
 /// Curves over one pair of axes.
 struct Chart {
-  std::string title{};  ///< Above it.
+  std::string title{};  ///< Stands above the chart.
   /// With units: "time [s]".
   std::string x_label{}, y_label{};
   std::vector<Series> series{};  ///< In the order of the legend.
@@ -64,9 +64,9 @@ Table table_of(const Chart& chart);
 /// about two points per pixel and keep their peaks. Title and description say the same in words. The text has no
 /// prolog and no ids, so it may be placed inside an HTML page, several times.
 ///
-/// Throws InputError for no chart or a size below 200 x 150 pixels for each, and where a chart has no point to draw, a
-/// series has x and y of different length or a value that is not finite, a logarithmic axis gets a value that is not
-/// positive, one from zero a negative one, or an x range ends before it starts.
+/// Throws InputError for no chart or a size below 200 x 150 pixels for each. It throws too where a chart has no point
+/// to draw, a series has x and y of different length or a value that is not finite, or an x range ends before it
+/// starts. A logarithmic axis refuses a value that is not positive, one from zero a negative one.
 std::string svg_text(const std::vector<Chart>& charts, int width = 1000, int height = 420, int columns = 1);
 
 /// Writes one chart. Throws as svg_text does, and FileError.

@@ -8,7 +8,7 @@ namespace moat {
 
 /// Cells from left to right and from bottom to top.
 struct HeatMap {
-  std::string title;  ///< Above it.
+  std::string title;  ///< Stands above the chart.
   /// With units: "gap [cm]".
   std::string x_label, y_label;
   std::string value_label;  ///< with unit: "drift [cm]"

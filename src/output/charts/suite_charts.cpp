@@ -1,8 +1,8 @@
 #include "output/charts/suite_charts.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <functional>
+#include <iterator>
 #include <limits>
 #include <numbers>
 #include <string>
@@ -10,15 +10,14 @@
 
 #include "base/check.hpp"
 #include "base/units.hpp"
+#include "motions/motion_measures.hpp"
 
 namespace moat {
 namespace {
 
 std::vector<Time> periods_of_pictures(const TargetSpectrum& target) {
   constexpr Time first = 0.02 * units::s, last = 10.0 * units::s;
-  constexpr int number = 200;
-  std::vector<Time> periods;
-  for (int i = 0; i < number; ++i) periods.push_back(std::pow(last / first, i / (number - 1.0)) * first);
+  std::vector<Time> periods = spaced_periods(first, last, 200);
   periods.insert(periods.end(), target.corners.begin(), target.corners.end());
   std::erase_if(periods, [&](Time each) {
     return each < std::max(first, target.shortest) || each > std::min(last, target.longest);
@@ -44,7 +43,8 @@ Chart chart_of(const ScaledSuite& suite, const Table& spectra, const std::functi
   constexpr std::size_t first_record = 3, blue = 4, black = 6, red = 1, yellow = 5;
   for (std::size_t i = first_record; i < columns.size(); ++i)
     add(i == first_record ? "records" : "", columns[i], blue, 1.0, Style::line);
-  add("mean", columns[2], black, 1.0, Style::line);
+  add(suite.scaling.spectrum == PairSpectrum::each_component ? "smaller mean" : "mean", columns[2], black, 1.0,
+      Style::line);
   add(suite.target.name, columns[1], red, 1.0, Style::line);
   if (suite.scaling.fraction != 1.0)
     add(to_text(suite.scaling.fraction) + " target", columns[1], red, suite.scaling.fraction, Style::dashed);
@@ -65,14 +65,23 @@ Table spectra_table(const ScaledSuite& suite) {
     period.values.push_back(each.si());
     target.values.push_back(suite.target.acceleration(each).si());
   }
-  Column mean{quantity, "mean", unit, std::vector(periods.size(), 0.0)};
+  // Each component is a column, and the smaller mean counts.
+  const bool apart = suite.scaling.spectrum == PairSpectrum::each_component;
+  std::vector<Column> means(apart ? 2 : 1, Column{quantity, "mean", unit, std::vector(periods.size(), 0.0)});
   Table table{{std::move(period), std::move(target), {}}};
   for (const NamedPair& pair : suite.pairs) {
-    const PairSpectra spectra = pair_spectra(pair.motion, periods, suite.target.damping_ratio);
-    table.columns.push_back({quantity, pair.name, unit, spectra.of(suite.scaling.spectrum)});
-    for (std::size_t k = 0; k < periods.size(); ++k)
-      mean.values[k] += table.columns.back().values[k] / static_cast<double>(suite.pairs.size());
+    const std::vector<double> values =
+        pair_spectra(pair.motion, periods, suite.target.damping_ratio).of(suite.scaling.spectrum);
+    for (std::size_t part = 0; part < means.size(); ++part) {
+      const auto first = values.begin() + static_cast<std::ptrdiff_t>(part * periods.size());
+      const std::string of = apart ? (part == 0 ? ", first" : ", second") : "";
+      table.columns.push_back({quantity, pair.name + of, unit, {first, first + std::ssize(periods)}});
+      for (std::size_t k = 0; k < periods.size(); ++k)
+        means[part].values[k] += table.columns.back().values[k] / static_cast<double>(suite.pairs.size());
+    }
   }
+  Column mean = means.front();
+  for (std::size_t k = 0; k < periods.size(); ++k) mean.values[k] = std::min(mean.values[k], means.back().values[k]);
   table.columns[2] = std::move(mean);
   return table;
 }

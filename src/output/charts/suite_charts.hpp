@@ -10,10 +10,10 @@
 namespace moat {
 
 /// Pseudo-accelerations over periods from 0.02 to 10 s, those of the target alone, with its corners: target, mean and
-/// every scaled record.
+/// every scaled record; where each component is scaled, the smaller mean and both components.
 [[nodiscard]] Table spectra_table(const ScaledSuite& suite);
 
-/// The same as charts: records in one light colour, their mean in black, the target, fraction times target dashed, and
+/// Draws the spectra: records in one light colour, their mean in black, the target, fraction times target dashed, and
 /// the range of scaling shaded; accelerations on logarithmic axes, and displacements S_a (T/(2 pi))^2.
 [[nodiscard]] std::vector<Chart> suite_charts(const ScaledSuite& suite);
 

@@ -38,12 +38,14 @@ std::vector<BuildingParts> parts_of_buildings(const Model& model) {
   std::vector<BuildingParts> list;
   const auto name_of = [&](NodeId node) { return std::string{model.body_name(node)}; };
   const std::vector<Building> buildings = all_buildings(model);
+  const std::vector<std::string> bodies_beside = bodies_beside_buildings(model);
   const std::vector<std::vector<ElementId>> isolators = isolators_of(model, buildings);
   for (std::size_t b = 0; b < buildings.size(); ++b) {
     const Building& building = buildings[b];
     BuildingParts parts{.name = building.name, .base = building.base == ground ? "" : name_of(building.base)};
     for (const NodeId floor : building.floors) parts.floors.push_back(name_of(floor));
     parts.modes = building.modes;
+    parts.is_body_beside_buildings = std::ranges::find(bodies_beside, building.name) != bodies_beside.end();
     for (const ElementId id : isolators[b]) parts.isolators.push_back(model.blocks()[id.block]->info(id.element).name);
     std::set<std::string> bodies;
     for (const NodeId node : building.nodes()) bodies.insert(name_of(node));

@@ -85,7 +85,7 @@ BuildingCell peak_cell(const CaseResult& result, const BuildingParts& building,
   return {.value = row.second.empty() ? value : row.second + " " + group.second_unit,
           .more = row.second.empty() ? "" : value,
           .where = (is_element ? side : row.where) + " at " + row.time + " s",
-          .unsettled = std::ranges::any_of(result.error_bars.unsettled, [&](const Peak& each) {
+          .unsettled = std::ranges::any_of(result.error_bars.unsettled_peaks, [&](const Peak& each) {
             // The companion knows no ratios, but the drifts behind them.
             return each.where == largest->where && each.time == largest->time;
           })};
@@ -97,8 +97,9 @@ BuildingTable building_table(const CaseResult& result) {
   constexpr std::size_t most_buildings = 20;
   const bool in_plan = !result.model.diaphragms.empty();
   BuildingTable table{{"gap", "margin", "isolators", "drift", "acceleration"}, {}};
-  for (std::size_t b = 0; b < std::min(result.buildings.size(), most_buildings); ++b) {
-    const BuildingParts& building = result.buildings[b];
+  for (const BuildingParts& building : result.buildings) {
+    if (table.rows.size() == most_buildings) break;
+    if (building.is_body_beside_buildings) continue;
     const auto peak = [&](std::initializer_list<const char*> quantities) {
       return peak_cell(result, building, quantities);
     };
@@ -142,6 +143,7 @@ std::string text_of(const BuildingTable& table) {
     row.erase(row.find_last_not_of(' ') + 1);
     if (!row.empty()) text += row + "\n";
   }
+  if (text.find("+-") != std::string::npos) text += "  +- numerical error\n";
   return text;
 }
 

@@ -18,7 +18,7 @@ struct BuildingCell {
 
 /// A table with a row for every building.
 struct BuildingTable {
-  /// A building.
+  /// A row has the cells of one building.
   struct Row {
     std::string name;                 ///< "building" where it has none
     std::vector<BuildingCell> cells;  ///< as many as headings
@@ -27,9 +27,9 @@ struct BuildingTable {
   std::vector<Row> rows;              ///< in the order of the result
 };
 
-/// Whether gaps of a building closed, and where; its least margin, negative where the sides indented each other; the
-/// largest deformation of its isolators; the largest ratio of drift, or drift where storeys have no heights; and the
-/// largest absolute acceleration of base and floors, in plan at their corners. At most 20 buildings.
+/// Says whether gaps of a building closed, and where, and its least margin, negative where the sides indented each
+/// other. It has the largest deformation of the isolators, the largest ratio of drift, or drift where storeys have no
+/// heights, and the largest absolute acceleration of base and floors, in plan at their corners. At most 20 buildings.
 BuildingTable building_table(const CaseResult& result);
 
 /// The table as text. Empty without buildings.

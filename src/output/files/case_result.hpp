@@ -15,6 +15,7 @@
 #include "model/building.hpp"
 #include "motions/ground_motion.hpp"
 #include "motions/response_spectrum.hpp"
+#include "output/files/contact_sensitivity.hpp"
 #include "output/files/model_facts.hpp"
 #include "output/files/provenance.hpp"
 #include "output/files/table.hpp"
@@ -24,10 +25,11 @@ namespace moat {
 
 /// The options of an analysis, as they were given in code and on the command line.
 struct AnalysisFacts {
-  std::string integrator{};          ///< its name, or its description where it has parameters
-  std::string events{};              ///< "located" or "at_end_of_step"
-  std::string error_bars{};          ///< "automatic", "always" or "never"
-  std::vector<Parameter> options{};  ///< all numbers of TransientOptions, CaseOptions and the scheme, by their names
+  std::string integrator{};           ///< its name, or its description where it has parameters
+  std::string events{};               ///< "located" or "at_end_of_step"
+  std::string error_bars{};           ///< "automatic", "always" or "never"
+  std::string contact_sensitivity{};  ///< the same of the runs with changed contacts
+  std::vector<Parameter> options{};   ///< all numbers of TransientOptions, CaseOptions and the scheme, by their names
 };
 
 /// The value of largest magnitude that a quantity reached over continuous time.
@@ -85,7 +87,7 @@ struct Impact {
 
 /// Energy dissipated by the elements reported at one place.
 struct DissipatedEnergy {
-  std::string where;   ///< The place.
+  std::string where;   ///< Place of the elements.
   double value = 0.0;  ///< J
 };
 
@@ -132,7 +134,7 @@ struct EnergyBalance {
 
 /// The cost of the solution.
 struct SolverStatistics {
-  long accepted_steps = 0;     ///< Taken.
+  long accepted_steps = 0;     ///< Steps that were kept.
   long rejected_steps = 0;     ///< cut because Newton did not converge
   long repeated_steps = 0;     ///< repeated shorter because the error estimate was too large
   long event_solves = 0;       ///< solved again to end at a change of regime
@@ -149,11 +151,11 @@ struct ErrorBars {
   bool checked = false;                 ///< the companion ran to its end: every peak has an error
   std::string companion{};              ///< how it was computed, one sentence; why there is none if it was not
   std::size_t companion_impacts = 0;    ///< the main run's are CaseResult::impacts
-  SolverStatistics companion_solver{};  ///< Its cost.
+  SolverStatistics companion_solver{};  ///< Cost of the companion run.
   /// The two runs differ in their number of impacts, or there are unsettled peaks.
-  bool sensitive = false;
-  std::string reason{};           ///< of `sensitive`, one sentence
-  std::vector<Peak> unsettled{};  ///< copies of the peaks whose error exceeds 1 % of their value
+  bool unsettled = false;
+  std::string reason{};                 ///< of `unsettled`, one sentence
+  std::vector<Peak> unsettled_peaks{};  ///< copies of the peaks whose error exceeds 1 % of their value
 };
 
 /// The motion as it was applied.
@@ -184,6 +186,7 @@ struct BuildingParts {
   std::vector<GapOfBuilding> gaps{};       ///< between the building and others, walls or the ground
   std::set<std::string> places{};          ///< where peaks of its nodes and elements are listed
   std::vector<ParticipatingMass> modes{};  ///< of a building given by matrices or modes, held at its base
+  bool is_body_beside_buildings = false;   ///< one body on the ground, a wall for example, in a model with buildings
 };
 
 /// A period with the name of the part that vibrates.
@@ -249,8 +252,8 @@ struct FloorSpectrum {
 struct CaseResult {
   std::string title;         ///< Title of the script.
   Provenance provenance{};   ///< Command, script, version, date.
-  AnalysisFacts analysis{};  ///< Its integrator and options.
-  MotionFacts motion;        ///< As applied.
+  AnalysisFacts analysis{};  ///< Integrator and options.
+  MotionFacts motion;        ///< The motion as it was applied.
   ModelFacts model{};        ///< The whole model.
   /// For drawings; its indices of nodes are those of `model.nodes`. Empty for models of more than `most_drawn_nodes`.
   Scene scene{};
@@ -266,11 +269,12 @@ struct CaseResult {
   std::vector<FloorSpectrum> floor_spectra{};  ///< FloorSpectra of the script; where it has none, of base and top.
   /// Quantities in `histories` that recorders of the script offered (output/recorders/quantity_recorder.hpp).
   std::vector<OfferedQuantity> offered{};
-  EnergyBalance energy;                  ///< At the end.
-  SolverStatistics solver;               ///< Cost.
-  ErrorBars error_bars{};                ///< How the errors of peaks were estimated.
-  std::vector<std::string> warnings;     ///< problems of accuracy or input, with the remedy
-  std::vector<std::string> assumptions;  ///< one sentence each: scheme, step, damping, sign conventions ...
+  EnergyBalance energy;                      ///< The balance at the end.
+  SolverStatistics solver;                   ///< Steps and iterations of the run.
+  ErrorBars error_bars{};                    ///< How the errors of peaks were estimated.
+  ContactSensitivity contact_sensitivity{};  ///< How peaks move when contacts change.
+  std::vector<std::string> warnings;         ///< problems of accuracy or input, with the remedy
+  std::vector<std::string> assumptions;      ///< one sentence each: scheme, step, damping, sign conventions ...
 };
 
 }  // namespace moat

@@ -16,7 +16,7 @@ namespace moat {
 /// is quoted as in RFC 4180. Throws InputError where columns differ in length, FileError where the file cannot be
 /// written.
 void write_csv(const Table& table, const std::filesystem::path& path);
-/// Its header row.
+/// Returns the header row of the file.
 std::string csv_heading(const Table& table);
 
 /// One row per impact: `where,start [s],duration [s],approach_speed [m/s],largest_indentation [m],largest_force [N],

@@ -55,7 +55,8 @@ std::string table_of(std::vector<PeakGroup> groups, const std::string& heading) 
   };
   std::string text;
   for (const PeakGroup& group : groups) {
-    text += heading + group.quantity + " [" + group.unit + "]\n";
+    const bool has_errors = !std::ranges::all_of(group.rows, &std::string::empty, &PeakRow::error);
+    text += heading + group.quantity + " [" + group.unit + "]" + (has_errors ? ", +- numerical error\n" : "\n");
     for (const PeakRow& row : group.rows)
       text += "  " + row.where + padding(where_width + 2, row.where) + padding(value_width, row.value + row.missing) +
               row.value + std::string(row.missing.size(), ' ') + error_column(row) + second_column(group, row) +

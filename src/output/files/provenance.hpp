@@ -9,7 +9,7 @@ namespace moat {
 
 /// Enough to compute a result again. Texts that are not known are empty.
 struct Provenance {
-  /// As it may be given to a shell again: "moat run tower.cpp --gap '12 cm'".
+  /// It may be given to a shell again: "moat run tower.cpp --gap '12 cm'".
   std::string command_line{};
   std::string script{};         ///< absolute path of the source; of the program, where the source is not known
   std::string script_sha256{};  ///< of the source; empty where that is not known

@@ -40,9 +40,9 @@ inline constexpr const char* unfinished = "unfinished";
 inline constexpr const char* list = ".moat";
 /// All files and sub-folders of results.
 inline constexpr std::array all_names{
-    summary,         histories_csv, histories_vtt, impacts,      peaks,  participating_masses,
-    bearing_checks,  floor_spectra, report,        design_sheet, charts, frames,
-    paraview_script, frames_folder, charts_folder, unfinished,   list};
+    summary,         histories_csv, histories_vtt, impacts,      peaks,      participating_masses,
+    bearing_checks,  floor_spectra, report,        design_sheet, charts,     frames,
+    paraview_script, frames_folder, charts_folder, records,      unfinished, list};
 }  // namespace results_file
 
 /// How a folder is treated that already holds something.

@@ -33,6 +33,7 @@ Json json_of(const AnalysisFacts& analysis) {
   return {{"integrator", text_or_null(analysis.integrator)},
           {"events", text_or_null(analysis.events)},
           {"error_bars", text_or_null(analysis.error_bars)},
+          {"contact_sensitivity", text_or_null(analysis.contact_sensitivity)},
           {"options", json_of_parameters(analysis.options)}};
 }
 
@@ -162,17 +163,46 @@ Json json_of(const SolverStatistics& solver) {
 
 Json json_of(const ErrorBars& bars) {
   Json json{{"checked", bars.checked},      {"method", error_bar_method},  {"companion", bars.companion},
-            {"companion_impacts", nullptr}, {"companion_solver", nullptr}, {"sensitive", nullptr},
+            {"companion_impacts", nullptr}, {"companion_solver", nullptr}, {"unsettled", nullptr},
             {"reason", bars.reason}};
   if (bars.checked) {
     json["companion_impacts"] = bars.companion_impacts;
     json["companion_solver"] = json_of(bars.companion_solver);
-    json["sensitive"] = bars.sensitive;
+    json["unsettled"] = bars.unsettled;
   }
-  json["unsettled"] = list_of(bars.unsettled, [](const Peak& peak) {
+  json["unsettled_peaks"] = list_of(bars.unsettled_peaks, [](const Peak& peak) {
     return Json{{"quantity", peak.quantity}, {"where", peak.where}};
   });
   return json;
+}
+
+Json json_of(const ContactVariation& variation) {
+  Json json{{"parameter", variation.parameter}, {"places", nullptr}, {"impacts", variation.impacts}};
+  if (variation.parameter == "restitution") {
+    json["difference"] = variation.difference;
+    json["restitutions"] = variation.restitutions;
+  } else {
+    json["factor"] = variation.factor;
+  }
+  json["contact"] = Json::object();
+  for (const auto& [place, change] : variation.contact) json["contact"][place] = change;
+  json["failure"] = text_or_null(variation.failure);
+  return json;
+}
+
+Json json_of(const ContactSensitivity& sensitivity) {
+  const auto peak = [](const ChangedPeak& each) {
+    return Json{{"quantity", each.quantity}, {"where", each.where}, {"unit", each.unit},
+                {"value", each.value},       {"error", each.error}, {"changed", each.changed}};
+  };
+  return {{"computed", sensitivity.computed},
+          {"reason", text_or_null(sensitivity.reason)},
+          {"unsettled", sensitivity.unsettled},
+          {"rigid_walls", sensitivity.rigid_walls},
+          {"impacts", sensitivity.impacts},
+          {"changes", list_of(sensitivity.changes, [](const ContactVariation& each) { return json_of(each); })},
+          {"peaks", list_of(sensitivity.peaks, peak)},
+          {"unchanged_laws", sensitivity.unchanged_laws}};
 }
 
 }  // namespace
@@ -208,6 +238,7 @@ void write_summary_json(const CaseResult& result, const std::filesystem::path& p
   });
   json["constant_quantities"] = constant_quantities(result.histories);
   json["error_bars"] = json_of(result.error_bars);
+  json["contact_sensitivity"] = result.clearances.empty() ? Json{} : json_of(result.contact_sensitivity);
   json["impacts"] = result.impacts.size();
   const std::vector<ImpactColumn> columns = columns_of(result.impacts);
   json["impact_units"] = Json::object();

@@ -31,8 +31,9 @@ namespace moat {
 ///                  "corners": [ { "element", "corner", "edge", "position", "normal", "edge_begin", "edge_end": [ x, y
 ///                  ],
 ///                                 "clearance" } ] },
-///       "analysis": { "integrator", "events", "error_bars", "options": { name as in TransientOptions and CaseOptions,
-///                     or number of the scheme: { "value", "unit" } } },
+///       "analysis": { "integrator", "events", "error_bars", "contact_sensitivity",
+///                     "options": { name as in TransientOptions and CaseOptions, or number of the scheme:
+///                                  { "value", "unit" } } },
 ///       "periods": [ { "name", "value" } ], "assumptions": [ ... ],
 ///       "peaks": [ { "quantity", "where", "value": with its sign, "unit", "time", "error": estimated, same unit, null
 ///                    if not known, "side" } ],
@@ -40,8 +41,17 @@ namespace moat {
 ///       "isolators_at_the_end": [ { "where", "deformation", "residual_displacement", "time" } ],
 ///       "constant_quantities": [ names of quantities that never change ],
 ///       "error_bars": { "checked", "method", "companion", "companion_impacts",
-///                       "companion_solver": { the fields of SolverStatistics }, "sensitive", "reason",
-///                       "unsettled": [ { "quantity", "where" } ] }, three of them null if not checked,
+///                       "companion_solver": { the fields of SolverStatistics }, "unsettled", "reason",
+///                       "unsettled_peaks": [ { "quantity", "where" } ] }, three of them null if not checked,
+///       "contact_sensitivity": null without contacts, else { "computed", "reason": null with runs, "unsettled":
+///       whether
+///                       the nominal run is, "rigid_walls", "impacts": of the nominal run,
+///                       "changes": [ { "parameter": "stiffness", "restitution", "clearance" or "soil",
+///                                      "factor", or of the restitution "difference" and "restitutions": those used,
+///                                      "places": null for all, "impacts", "contact": { place: "same", "fewer", "more",
+///                                      "appears" or "vanishes" }, "failure": null with results } ],
+///                       "peaks": [ { "quantity", "where", "unit", "value", "error", "changed": [ one per change, with
+///                                  its sign ] } ], "unchanged_laws": [ names of laws ] },
 ///       "impacts": number of impacts,
 ///       "impact_table": [ { "where", "start", "duration", "approach_speed", "largest_indentation", "largest_force",
 ///                           "rebound_ratio", "restitution", "energy_lost" } ],

@@ -65,7 +65,7 @@ class PeakTrackers {
   /// For the caller to fill, with as many values and rates as quantities.
   [[nodiscard]] CommonInstant& next() { return instants_[(newest_ + 1) % kept]; }
   [[nodiscard]] const CommonInstant& last() const { return before(0); }   ///< The end of the last step.
-  [[nodiscard]] const CommonInstant& start() const { return before(1); }  ///< Its start.
+  [[nodiscard]] const CommonInstant& start() const { return before(1); }  ///< The start of the last step.
 
   /// The values of next(), at the end of a step. `inside(quantity, fraction, value)` is as for find_turn().
   template <class Inside>

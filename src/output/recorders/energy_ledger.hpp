@@ -23,7 +23,7 @@ class EnergyLedger final : public StepObserver {
 
   /// Keeps balance() of the last state.
   void finish(const StepView& view) override { at_end_ = balance(view.state); }
-  /// As finish() kept it.
+  /// Returns the balance that finish() kept.
   [[nodiscard]] const EnergyBalance& at_end() const { return at_end_; }
 
   /// The sums at the committed state, without lists and the worst element. Walks over all elements.

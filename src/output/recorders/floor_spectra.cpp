@@ -186,7 +186,11 @@ std::vector<FloorSpectrum> FloorSpectra::spectra() const {
       ResponseSpectrum& spectrum = list.back().spectrum;
       spectrum.damping_ratio = groups[g].damping_ratio;
       OscillatorMotion at_end = *motion++;
-      at_end.vibrate_freely<true>(groups[g], {groups[g], groups[g].periods.maxCoeff()});
+      const OscillatorInterval longest_period{groups[g], groups[g].periods.maxCoeff()};
+      if (options_.absolute_acceleration)
+        at_end.vibrate_freely<true>(groups[g], longest_period);
+      else
+        at_end.vibrate_freely<false>(groups[g], longest_period);
       for (int i = 0; i < oscillators_per_group && spectrum.period.size() < options_.periods.size(); ++i) {
         const double pseudo = at_end.pseudo_accelerations()[i], frequency = groups[g].frequency[i];
         spectrum.period.push_back(groups[g].periods[i]);

@@ -24,7 +24,7 @@ struct ImpactColumn {
   int least_decimals = 0;  ///< in the report
 };
 
-/// In their order.
+/// The columns stand in this order.
 inline constexpr std::array impact_columns{
     ImpactColumn{"start", "s", "Instant of the first touch.", &Impact::start, 4},
     ImpactColumn{"duration", "s", "From the first touch until the gap opens again.", &Impact::duration},

@@ -12,10 +12,9 @@ namespace moat {
 /// Lists every contact from touch until the gap opens, with the true rate of the indentation at touch as approach
 /// speed. The restitution of the law alone is filled in at finish().
 ///
-/// The rebound ratio is NaN in three cases: for a contact that still lasts at the end, which is listed with its
-/// duration so far; for one without approach, closed when the model starts (time 0) or touched at a speed <= 0, which
-/// has no restitution either; and for one driven after a slow touch, which would rebound with more than
-/// `largest_rebound_ratio`.
+/// The rebound ratio is NaN in three cases. A contact may still last at the end: it is listed with its duration so far.
+/// One without approach, closed when the model starts (time 0) or touched at a speed <= 0, has no restitution either.
+/// The third is one driven after a slow touch, which would rebound with more than `largest_rebound_ratio`.
 class ImpactRecorder final : public StepObserver {
  public:
   /// Without energies an impact has its touch alone, where, start and approach_speed; energies cost a third of an

@@ -36,7 +36,7 @@ class PlanChannels {
   /// Appends the channels to `list`.
   PlanChannels(const Model& model, std::vector<Channel>& list);
 
-  /// Writes its values and rates among those of all channels, from those of the nodes, which are there already.
+  /// Writes its values and rates among all channels, from the motion of the nodes, which is there already.
   void sample(const StepView& view, double* values, double* rates) const;
   /// Appends the channels of a contact's friction.
   void add_friction(std::size_t block, std::size_t element, std::vector<std::size_t>& bent) const;

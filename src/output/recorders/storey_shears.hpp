@@ -11,9 +11,9 @@
 
 namespace moat {
 
-/// The shear of storeys: the sum of the forces between the body below and the body above. On a line that of the
-/// springs, which report a force, without dashpots; in plan that of columns, bearings and dashpots together; of a
-/// building that is given by its matrix the elastic force.
+/// The shear of storeys: the sum of the forces between the body below and the body above. On a line springs, which
+/// report a force, count without dashpots. In plan columns, bearings and dashpots count together. A building that is
+/// given by its matrix has the elastic force.
 class StoreyShears {
  public:
   /// storeys: the bodies below and above each.

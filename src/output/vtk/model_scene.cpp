@@ -51,7 +51,7 @@ class SceneBuilder {
     return body == ground ? PlanVector{} : spread_[static_cast<std::size_t>(model_.place(body))];
   }
 
-  // `spread` is that of the node, or for a point of the ground that of the body beside it.
+  // `spread` is taken from the node, or for a point of the ground from the body beside it.
   int point(double x, double z, int node, PlanVector spread) {
     scene_.points.push_back({.x = x, .y = 0.0, .z = z, .node = node, .spread = spread});
     return static_cast<int>(scene_.points.size()) - 1;

@@ -34,7 +34,7 @@ bool is_zero(const Column* column) {
   return std::ranges::all_of(column->values, [](double value) { return value == 0.0; });
 }
 
-// Those of the gaps that closed; of many the largest, one for each colour.
+// Returns the forces of the gaps that closed; of many the largest, one for each colour.
 std::vector<const Column*> impact_forces(const Table& table) {
   std::vector<const Column*> forces = columns_of(table, "impact_force");
   std::erase_if(forces, is_zero);

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "output/charts/chart.hpp"
+#include "output/charts/tornado.hpp"
 #include "output/files/case_result.hpp"
 
 namespace moat {
@@ -50,18 +51,25 @@ std::vector<Chart> floor_spectra(const CaseResult& result);
 /// corner of the outline. None on a line and without histories.
 std::vector<Chart> orbit_charts(const CaseResult& result);
 
+/// How the largest peaks move with the parameters of contacts (largest_changed_peaks()): a chart for each, the
+/// parameter that moves it most on top. None without runs with changed contacts.
+std::vector<Tornado> sensitivity_charts(const ContactSensitivity& sensitivity);
+
 /// All charts of a run.
 struct ResultCharts {
+  /// Charts of one kind each.
   std::vector<Chart> histories, floor_profiles, isolator_loops, impact_loops, energy, floor_spectra, orbits;
+  /// Tornado charts of the contacts.
+  std::vector<Tornado> sensitivity{};
 
-  /// Returns all charts, in this order.
+  /// Returns all of them with curves, in this order.
   [[nodiscard]] std::vector<const Chart*> all() const;
 };
 
 /// Throws InputError where columns of the histories differ in length.
 ResultCharts result_charts(const CaseResult& result);
 
-/// For papers: `charts/<title>.svg` and `charts/<title>.csv`, the numbers of its curves, for every chart, and
+/// For papers: `charts/<title>.svg` and `charts/<title>.csv`, its numbers, for every chart, and
 /// charts.svg with all histories. Names of files have small letters, digits and underscores. Throws FileError.
 void write_charts(const ResultCharts& charts, const std::filesystem::path& folder);
 

@@ -34,8 +34,7 @@ std::string parameters_of(const StudyCases& cases, std::size_t number) {
 std::string checksum_of(std::size_t number, const std::string& parameters, CaseOutcome outcome, std::int64_t session) {
   // They are read in this order.
   std::ranges::sort(outcome.files, {}, [](const FileRead& file) { return std::tie(file.path, file.sha256); });
-  const auto twice = std::ranges::unique(outcome.files);
-  outcome.files.erase(twice.begin(), twice.end());
+  outcome.files.erase(std::unique(outcome.files.begin(), outcome.files.end()), outcome.files.end());
   return sha256_of(parameters + "\n" + std::to_string(session) + "\n" + std::to_string(number) + "\n" +
                    to_bytes({outcome}));
 }

@@ -3,6 +3,7 @@
 #include <unistd.h>
 
 #include <array>
+#include <iterator>
 #include <utility>
 
 #include "base/error.hpp"
@@ -46,7 +47,7 @@ struct StudyStore::Parts {
   }
 
  private:
-  /// Those that cases have read, as they are now. Refuses every change that is not accepted.
+  /// Returns the files that cases have read, as they are now. Refuses every change that is not accepted.
   std::vector<FileRead> changed_files(const StudyIdentity& identity, StudyChanges changes) const {
     if (file.is_new()) return {};
     const Database& database = file.database();
@@ -64,7 +65,7 @@ struct StudyStore::Parts {
     }
     const std::string all = differences(before, now);
     if (!file.axis_differences().empty() || (!all.empty() && changes == StudyChanges::refuse))
-      file.refuse(file.axis_differences() + all);
+      file.refuse(file.axis_differences() + all, file.axis_differences().empty());
     return changed;
   }
 };
@@ -109,8 +110,12 @@ StoredStudy read_study(const fs::path& file) {
                     .session_of_case = {},
                     .result = StudyResult{cases, std::move(stored.outcomes)}};
   // Sessions count from 1 in the file.
-  for (const std::int64_t session : stored.sessions)
+  for (const std::int64_t session : stored.sessions) {
     study.session_of_case.push_back(session > 0 ? static_cast<std::size_t>(session - 1) : 0);
+    if (session > std::ssize(study.sessions))
+      throw FileError{"study " + file.string() + ": it lacks session " + std::to_string(session) +
+                      ", which computed a case. The file is damaged: restore a copy, or start again in another file."};
+  }
   return study;
 }
 

@@ -100,10 +100,11 @@ StudyFile::~StudyFile() {
   database_.become_one_file();
 }
 
-void StudyFile::refuse(const std::string& differences) const {
-  throw InputError{"study " + database_.file().string() +
-                   " was begun with something else, and results are not mixed:" + differences +
-                   "\nGive another file or folder, restore the former state, or remove the file and start again."};
+void StudyFile::refuse(const std::string& differences, bool can_be_accepted) const {
+  throw InputError{"study " + database_.file().string() + " was begun with something else, and results are not mixed:" +
+                   differences + "\nGive another folder (--out), " +
+                   (can_be_accepted ? "go on with --accept-changes (earlier cases stay as they are), " : "") +
+                   "restore the former state, or remove the file and start again."};
 }
 
 }  // namespace moat

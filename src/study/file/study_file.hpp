@@ -47,7 +47,7 @@ class StudyFile {
   void require_in_its_place() const;
 
   /// Throws InputError with all differences.
-  [[noreturn]] void refuse(const std::string& differences) const;
+  [[noreturn]] void refuse(const std::string& differences, bool can_be_accepted) const;
 
  private:
   FileLock lock_;  // first: held until the database is closed

@@ -15,6 +15,7 @@ using sqlite::Database;
 using sqlite::Statement;
 
 constexpr const char* format = "4";
+constexpr std::size_t most_versions = 10'000;
 
 constexpr const char* schema = R"(
 CREATE TABLE study (key TEXT PRIMARY KEY, value TEXT NOT NULL) WITHOUT ROWID;
@@ -37,6 +38,8 @@ CREATE VIEW case_results AS SELECT number, quantity, place, unit, value FROM res
 CREATE VIEW case_versions AS SELECT number, version, session, date, moat_version, git_commit FROM cases
                              JOIN sessions USING (session);
 )";
+
+constexpr std::string_view remedy_of_damage = ". The file is damaged: restore a copy, or start again in another file.";
 
 [[noreturn]] void refuse(const Database& database, const std::string& problem) {
   throw FileError{"study " + database.file().string() + ": " + problem};
@@ -110,13 +113,15 @@ void set_property(const Database& database, const std::string& key, const std::s
 }
 
 std::vector<StudyIdentity> versions_of(const Database& database) {
-  // The current version may have no rows: a study may depend on its axes alone.
+  // A version may have no rows: a study may depend on its axes alone.
   std::vector<StudyIdentity> versions(current_version(database) + 1);
-  Statement rows = database.prepare("SELECT version, name, value FROM versions ORDER BY version, name");
+  Statement rows = database.prepare(
+      "SELECT version, name, value FROM versions UNION SELECT version, '', '' FROM sessions ORDER BY version, name");
   while (rows.step()) {
-    const auto version = static_cast<std::size_t>(rows.integer(0));
+    const auto version = static_cast<std::size_t>(rows.integer(0));  // above all if it is negative
+    if (version > most_versions) refuse(database, "it has a version " + rows.text(0) + std::string{remedy_of_damage});
     if (version >= versions.size()) versions.resize(version + 1);
-    versions[version].emplace(rows.text(1), rows.text(2));
+    if (const std::string name = rows.text(1); !name.empty()) versions[version].emplace(name, rows.text(2));
   }
   return versions;
 }
@@ -136,13 +141,12 @@ std::size_t version_with(const Database& database, const StudyIdentity& identity
 
 std::size_t current_version(const Database& database) {
   const std::string text = property(database, "version");
-  constexpr std::size_t most = 1'000'000;
   std::size_t version = 0;
   const auto [end, failure] = std::from_chars(text.data(), text.data() + text.size(), version);
-  if (text.empty() || (failure == std::errc{} && end == text.data() + text.size() && version <= most)) return version;
+  if (text.empty() || (failure == std::errc{} && end == text.data() + text.size() && version <= most_versions))
+    return version;
   refuse(database,
-         "its version is \"" + text +
-             "\"; it must be a whole number. The file is damaged: restore a copy, or start again in another file.");
+         "its version is \"" + text + "\"; it must be a whole number up to 10000" + std::string{remedy_of_damage});
 }
 
 void set_current_version(const Database& database, std::size_t version) {

@@ -225,13 +225,13 @@ TEST(EnergyWarnings, NameTheWorstElement) {
             std::string::npos);
 }
 
-TEST(SensitivityWarning, SaysWhyAndWhatToDo) {
-  ErrorBars bars{.checked = true, .companion_impacts = 8, .sensitive = true, .reason = "this differs"};
-  const std::string pounding = sensitivity_warning(bars, 7, adapted);
-  EXPECT_TRUE(pounding.starts_with("The case is sensitive: this differs. Take a tighter tolerance")) << pounding;
+TEST(UnsettledWarning, SaysWhyAndWhatToDo) {
+  ErrorBars bars{.checked = true, .companion_impacts = 8, .unsettled = true, .reason = "this differs"};
+  const std::string pounding = unsettled_warning(bars, 7, adapted);
+  EXPECT_TRUE(pounding.starts_with("The case is not settled: this differs. Take a tighter tolerance")) << pounding;
   EXPECT_NE(pounding.find("known to their error bars only"), std::string::npos);
   bars.companion_impacts = 0;
-  EXPECT_EQ(sensitivity_warning(bars, 0, fixed).find("Impacts"), std::string::npos);
+  EXPECT_EQ(unsettled_warning(bars, 0, fixed).find("Impacts"), std::string::npos);
 }
 
 TEST(PlanWarnings, OneLineIsEnoughForAllFloorsThatTurn) {

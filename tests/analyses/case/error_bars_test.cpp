@@ -1,4 +1,4 @@
-// Errors of peaks: closed forms lie within them, and a case that finer steps change is called sensitive.
+// Errors of peaks: closed forms lie within them, and a case that finer steps change is called unsettled.
 
 #include "moat.hpp"
 #include "peak_in.hpp"
@@ -105,8 +105,8 @@ TEST(ErrorBars, HoldAnOscillatorWithCoarseFixedSteps) {
     expect_within_bar(result, "displacement", Oscillator::peak_displacement(), 4.0 * phase);
     expect_within_bar(result, "velocity", Oscillator::peak_velocity(), 4.0 * phase);
     EXPECT_TRUE(result.error_bars.checked);
-    EXPECT_FALSE(result.error_bars.sensitive) << result.error_bars.reason;
-    EXPECT_TRUE(result.error_bars.unsettled.empty());
+    EXPECT_FALSE(result.error_bars.unsettled) << result.error_bars.reason;
+    EXPECT_TRUE(result.error_bars.unsettled_peaks.empty());
   }
 }
 
@@ -117,7 +117,7 @@ TEST(ErrorBars, HoldAnOscillatorWithAdaptedAndExactSteps) {
       const CaseResult result = Oscillator::run({.integrator = integrator, .tolerance = tolerance});
       expect_within_bar(result, "displacement", Oscillator::peak_displacement(), 1e-2);
       expect_within_bar(result, "velocity", Oscillator::peak_velocity(), 1e-2);
-      EXPECT_FALSE(result.error_bars.sensitive) << result.error_bars.reason;
+      EXPECT_FALSE(result.error_bars.unsettled) << result.error_bars.reason;
     }
   }
 }
@@ -138,23 +138,23 @@ TEST(ErrorBars, HoldTheForceAndIndentationOfAnElasticImpact) {
 
 TEST(ErrorBars, AreUnsettledWhereTheStepIsFarTooLong) {
   const CaseResult result = Oscillator::run({.step = 200 * ms});  // five to a period
-  EXPECT_TRUE(result.error_bars.sensitive);
-  ASSERT_FALSE(result.error_bars.unsettled.empty());
-  const Peak& worst = result.error_bars.unsettled.front();
+  EXPECT_TRUE(result.error_bars.unsettled);
+  ASSERT_FALSE(result.error_bars.unsettled_peaks.empty());
+  const Peak& worst = result.error_bars.unsettled_peaks.front();
   EXPECT_GT(worst.error, 0.01 * worst.value);
-  for (const Peak& peak : result.error_bars.unsettled)
+  for (const Peak& peak : result.error_bars.unsettled_peaks)
     EXPECT_LE(peak.error / peak.magnitude(), worst.error / worst.magnitude());
   const std::string warning = result.warnings.back();
-  EXPECT_TRUE(warning.starts_with("The case is sensitive: ")) << warning;
+  EXPECT_TRUE(warning.starts_with("The case is not settled: ")) << warning;
   EXPECT_NE(warning.find(worst.where), std::string::npos) << warning;
   EXPECT_TRUE(warning.ends_with("Take a shorter step (now 0.2 s).")) << warning;
   expect_within_bar(result, "displacement", Oscillator::peak_displacement(), 1.0);
 }
 
-// --- Sensitive cases
+// --- Unsettled cases
 
 // The oscillator with a wall between the peaks of a run with this step and of its companion: one of them touches.
-TEST(ErrorBars, AGrazingContactIsSensitive) {
+TEST(ErrorBars, AGrazingContactIsUnsettled) {
   const GroundMotion motion = constant_acceleration(Oscillator::pull, 4 * s, 20 * ms);
   const TransientOptions options{.step = 20 * ms};
   const auto peak_with = [&](const TransientOptions& each) {
@@ -174,12 +174,12 @@ TEST(ErrorBars, AGrazingContactIsSensitive) {
   const CaseResult result = run_case(model, motion, {.transient = options, .error_bars = ErrorBarMode::always});
   const ErrorBars& bars = result.error_bars;
   EXPECT_EQ(result.impacts.size() + bars.companion_impacts, 1u);
-  EXPECT_TRUE(bars.sensitive);
+  EXPECT_TRUE(bars.unsettled);
   EXPECT_NE(bars.reason.find(result.impacts.empty() ? "has 1 impact instead of 0" : "has 0 impacts instead of 1"),
             std::string::npos)
       << bars.reason;
-  const auto unsettled = std::ranges::find(bars.unsettled, "impact_force", &Peak::quantity);
-  ASSERT_NE(unsettled, bars.unsettled.end()) << "one run has a force and the other has none";
+  const auto unsettled = std::ranges::find(bars.unsettled_peaks, "impact_force", &Peak::quantity);
+  ASSERT_NE(unsettled, bars.unsettled_peaks.end()) << "one run has a force and the other has none";
   EXPECT_EQ(unsettled->where, "wall");
   EXPECT_NE(result.warnings.back().find("Impacts amplify every small difference"), std::string::npos);
 }
@@ -222,7 +222,7 @@ TEST(EstimateErrors, IsAtLeastRichardsons) {
   EXPECT_LE(peaks[0].error, 10.0 * 0.03);
   EXPECT_NEAR(peaks[1].error, 0.1 * peaks[0].error, 1e-4 * peaks[1].error);
   EXPECT_TRUE(bars.checked);
-  EXPECT_FALSE(bars.sensitive);
+  EXPECT_FALSE(bars.unsettled);
   EXPECT_EQ(bars.reason, "");
 }
 
@@ -259,36 +259,36 @@ TEST(EstimateErrors, PromisesNoMoreThanTheToleranceWhereBendsAreNotLocated) {
 TEST(EstimateErrors, LeavesNoErrorToAForceThatNeitherRunHas) {
   const auto [bars, peaks] = estimate({{"displacement", 1.0, 1.001}, {"indentation", 0.0, 0.0}});
   EXPECT_EQ(peaks[1].error, 0.0);
-  EXPECT_FALSE(bars.sensitive);
+  EXPECT_FALSE(bars.unsettled);
 }
 
 // A body that does not move but for round-off, and surfaces of a pendulum that never slide. A slip of a micrometre is a
 // motion.
-TEST(EstimateErrors, DoesNotCallRoundOffSensitive) {
-  EXPECT_FALSE(estimate({{"displacement", 1.0, 1.0001}, {"displacement", 3e-17, 7e-17}}).bars.sensitive);
-  EXPECT_FALSE(estimate({{"displacement", 0.2, 0.2001}, {"third_surface_slip", 1.6e-19, -7e-20}}).bars.sensitive);
-  EXPECT_TRUE(estimate({{"displacement", 0.2, 0.2001}, {"third_surface_slip", 1e-6, 1.1e-6}}).bars.sensitive);
+TEST(EstimateErrors, DoesNotCallRoundOffUnsettled) {
+  EXPECT_FALSE(estimate({{"displacement", 1.0, 1.0001}, {"displacement", 3e-17, 7e-17}}).bars.unsettled);
+  EXPECT_FALSE(estimate({{"displacement", 0.2, 0.2001}, {"third_surface_slip", 1.6e-19, -7e-20}}).bars.unsettled);
+  EXPECT_TRUE(estimate({{"displacement", 0.2, 0.2001}, {"third_surface_slip", 1e-6, 1.1e-6}}).bars.unsettled);
 }
 
-TEST(EstimateErrors, OtherImpactsAreSensitiveEvenIfThePeaksAgree) {
+TEST(EstimateErrors, OtherImpactsAreUnsettledEvenIfThePeaksAgree) {
   const Estimate same = estimate({{"displacement", 1.0, 1.0001}}, touches(7), touches(7)),
                  other = estimate({{"displacement", 1.0, 1.0001}}, touches(7), touches(8));
-  EXPECT_FALSE(same.bars.sensitive);
-  EXPECT_TRUE(other.bars.sensitive);
+  EXPECT_FALSE(same.bars.unsettled);
+  EXPECT_TRUE(other.bars.unsettled);
   EXPECT_EQ(other.bars.reason,
             "with finer steps it has 8 impacts instead of 7; all peaks are known to 1 % nevertheless");
   EXPECT_GT(other.peaks[0].error, same.peaks[0].error) << "the difference of two motions is no measure of an error";
 }
 
 // Two runs of a chaotic case have equally many impacts and, by chance, the same peaks, but their impacts part.
-TEST(EstimateErrors, ImpactsThatPartAreSensitiveEvenIfThePeaksAgree) {
+TEST(EstimateErrors, ImpactsThatPartAreUnsettledEvenIfThePeaksAgree) {
   std::vector<Impact> finer = touches(7);
   finer[5].approach_speed = 0.991;
   const Estimate close = estimate({{"displacement", 1.0, 1.0001}}, touches(7), finer);
-  EXPECT_FALSE(close.bars.sensitive);
+  EXPECT_FALSE(close.bars.unsettled);
   finer[5].approach_speed = 0.989;
   const Estimate far = estimate({{"displacement", 1.0, 1.0001}}, touches(7), finer);
-  EXPECT_TRUE(far.bars.sensitive);
+  EXPECT_TRUE(far.bars.unsettled);
   EXPECT_EQ(far.bars.reason,
             "from t = 5.00 s on, impacts with finer steps have other speeds, by more than 1 % of the fastest, so that "
             "bars of later peaks may be too small");
@@ -299,7 +299,7 @@ TEST(EstimateErrors, ImpactsThatPartAreSensitiveEvenIfThePeaksAgree) {
 TEST(EstimateErrors, ComparesImpactsGapByGap) {
   const Impact left{.where = "left", .start = 1.0, .approach_speed = 0.5},
       right{.where = "right", .start = 1.0, .approach_speed = 0.9};
-  EXPECT_FALSE(estimate({{"displacement", 1.0, 1.0001}}, {left, right}, {right, left}).bars.sensitive);
+  EXPECT_FALSE(estimate({{"displacement", 1.0, 1.0001}}, {left, right}, {right, left}).bars.unsettled);
 }
 
 TEST(EstimateErrors, NamesTheWorstPeaksFirst) {
@@ -310,9 +310,9 @@ TEST(EstimateErrors, NamesTheWorstPeaksFirst) {
     companion.back().value *= 1.0 + share;
   }
   const ErrorBars bars = estimate_errors(peaks, touches(2), {companion, touches(2), {}});
-  ASSERT_EQ(bars.unsettled.size(), 6u) << "the last is judged by a share of the median of all";
-  EXPECT_EQ(bars.unsettled[0].where, "storey 5");
-  EXPECT_EQ(bars.unsettled[1].where, "storey 4");
+  ASSERT_EQ(bars.unsettled_peaks.size(), 6u) << "the last is judged by a share of the median of all";
+  EXPECT_EQ(bars.unsettled_peaks[0].where, "storey 5");
+  EXPECT_EQ(bars.unsettled_peaks[1].where, "storey 4");
   EXPECT_TRUE(
       bars.reason.starts_with("6 of 6 peaks are not settled, with an error above 1 %: drift of \"storey 5\" (more "
                               "than 100 %), drift of \"storey 4\" ("))
@@ -325,8 +325,8 @@ TEST(EstimateErrors, DoesNotKnowTheErrorOfAPeakThatIsMissingOrNotANumber) {
   const auto [bars, peaks] = estimate({{"a", 1.0, 1.0}, {"b", 1.0, nan}, {"c", nan, 1.0}, {"d", 1.0, {}}});
   EXPECT_TRUE(std::isfinite(peaks[0].error));
   for (const std::size_t i : {1u, 2u, 3u}) EXPECT_TRUE(std::isnan(peaks[i].error)) << i;
-  EXPECT_EQ(bars.unsettled.size(), 3u);
-  EXPECT_TRUE(bars.sensitive);
+  EXPECT_EQ(bars.unsettled_peaks.size(), 3u);
+  EXPECT_TRUE(bars.unsettled);
 }
 
 // --- When there is a companion

@@ -1,6 +1,7 @@
 // Corners of a free slab that hit walls: closed forms of impulse, and the energy of friction.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 
@@ -101,6 +102,88 @@ TEST(CornerImpact, WithSlidingFrictionHasTheClosedForm) {
       EXPECT_NEAR((impact.friction_loss + impact.energy_lost) / kinetic_loss, 1.0, 3.0 * tolerance);
       EXPECT_NEAR(result.energy.friction, impact.friction_loss, 1e-9 * impact.friction_loss);
     }
+  }
+}
+
+// A sphere that hits a wall at an angle from its normal, without spin: 2 kg, radius 5 cm, 2 m/s.
+namespace sphere {
+
+constexpr double weight = 2.0, radius = 0.05, turning = 0.4 * weight * radius * radius;  // kg, m, kg m^2
+constexpr double hertz = 1e9, rebound = 0.9, mu = 0.3, speed = 2.0;
+
+struct After {
+  double tangential = 0.0, spin = 0.0, energy_lost_over_kinetic = 0.0;
+};
+
+After computed(double angle, const CornerFriction& friction, const TransientOptions& options) {
+  Model model;
+  const DiaphragmId ball = add(model, Diaphragm{.name = "ball",
+                                                .mass = weight * kg,
+                                                .rotary_inertia = turning * kg * m * m,
+                                                .initial_velocity_x = speed * std::cos(angle) * m / s,
+                                                .initial_velocity_y = speed * std::sin(angle) * m / s});
+  add(model, CornerGap<ExactHertzDamp>{.name = "contact",
+                                       .corner = PlanPoint{ball, {radius * m, 0 * m}},
+                                       .edge_of = ground,
+                                       .edge_begin = PlanPosition{(radius + 1e-3) * m, -1 * m},
+                                       .edge_end = PlanPosition{(radius + 1e-3) * m, 1 * m},
+                                       .law = {.stiffness = hertz * N / m_3_2, .restitution = rebound},
+                                       .friction = friction});
+  const auto [result, state] =
+      run_to_end(model, still_ground(10 * ms, 1 * ms), {.transient = options, .error_bars = ErrorBarMode::never});
+  const EnergyBalance& energy = result.energy;
+  const double start = 0.5 * weight * speed * speed;
+  EXPECT_EQ(result.impacts.size(), 1U);
+  EXPECT_NEAR(state.velocity(ball.x) / (-rebound * speed * std::cos(angle)), 1.0, 2e-3);
+  return {state.velocity(ball.y), state.angular_velocity(ball),
+          (energy.kinetic + energy.strain + energy.impact + energy.friction) / start};
+}
+
+// The same impact by a million steps of the contact alone. Friction with a spring of `ratio` times the elastic tangent:
+// it keeps its force while the tangent grows, and its stretch while it falls.
+After by_hand(double angle, double ratio) {
+  const double z = damping_factor_of_viscous_hertz(rebound), v0 = speed * std::cos(angle);
+  double d = 0.0, v = v0, w = 0.0, tangential = speed * std::sin(angle), force = 0.0, spring = 0.0;
+  const double h = elastic_hertz_duration(hertz, weight, v0) / 1e6;
+  while (true) {
+    const double middle = d + 0.5 * h * v;
+    if (middle <= 0.0) return {tangential, w, 0.0};
+    v -= h / weight * hertz * std::pow(middle, 1.5) * (1.0 + z * v / v0);
+    d = std::max(middle + 0.5 * h * v, 0.0);
+    const double spring_now = ratio * 1.5 * hertz * std::sqrt(d);
+    if (spring_now < spring) force *= spring_now / spring;
+    spring = spring_now;
+    const double limit = mu * hertz * std::pow(d, 1.5) * (1.0 + z * v / v0);
+    force = std::clamp(force + spring * h * (tangential + radius * w), -limit, limit);
+    tangential -= h / weight * force;
+    w -= h / turning * radius * force;
+  }
+}
+
+}  // namespace sphere
+
+TEST(CornerImpact, OfASphereWithASpringThatFollowsTheNormalLaw) {
+  for (const double degrees : {5.0, 20.0, 40.0}) {
+    SCOPED_TRACE(degrees);
+    const double angle = degrees * deg, turn = sphere::speed / sphere::radius;
+    const sphere::After expected = sphere::by_hand(angle, 0.85);
+    for (const auto& [options, tolerance] : {std::pair{TransientOptions{}, 2e-3}, std::pair{tight(), 2e-5}}) {
+      const sphere::After found = sphere::computed(angle, {sphere::mu, 0.85}, options);
+      EXPECT_NEAR(found.tangential, expected.tangential, tolerance * sphere::speed);
+      EXPECT_NEAR(found.spin, expected.spin, tolerance * turn);
+      EXPECT_NEAR(found.energy_lost_over_kinetic, 0.0, tolerance == 2e-5 ? 1e-6 : 1e-3);
+    }
+  }
+}
+
+// It slides throughout where tan(angle) exceeds 7/2 mu (1 + e): the spring does not matter.
+TEST(CornerImpact, OfASphereThatSlidesHasTheClosedForm) {
+  const double angle = 70.0 * deg, push = sphere::mu * (1.0 + sphere::rebound) * sphere::speed * std::cos(angle);
+  for (const CornerFriction& friction : {CornerFriction{sphere::mu, 0.85}, CornerFriction{sphere::mu, 1e9 * N / m}}) {
+    const sphere::After found = sphere::computed(angle, friction, tight());
+    EXPECT_NEAR(found.tangential, sphere::speed * std::sin(angle) - push, 1e-5 * sphere::speed);
+    EXPECT_NEAR(found.spin, -2.5 * push / sphere::radius, 1e-5 * sphere::speed / sphere::radius);
+    EXPECT_NEAR(found.energy_lost_over_kinetic, 0.0, 1e-6);
   }
 }
 

@@ -89,6 +89,38 @@ TEST(ImpactRestitution, ExactLawsDeliverToAMillionthWithTightSettings) {
     }
 }
 
+TEST(ImpactRestitution, FallsWithTheApproachSpeed) {
+  const TransientOptions tight{.tolerance = 1e-8, .steps_per_contact = 2048};
+  const FallingRestitution falling{.restitution = 0.65, .at_speed = 0.3 * m / s, .largest = 0.9};
+  // min(0.9, 0.65 (v/0.3)^(-1/4))
+  for (const auto& [speed, expected] : {std::pair{0.05, 0.9}, std::pair{0.3, 0.65}, std::pair{4.8, 0.325}}) {
+    SCOPED_TRACE(speed);
+    const Collision collision{5.5e5, 3e6, speed};
+    const ExactHertzDamp hertz{.stiffness = 1e10 * N / m_3_2, .restitution = falling};
+    EXPECT_NEAR(delivered(hertz, collision, tight), expected, 1e-6);
+    const ExactKelvin kelvin{.stiffness = 1e9 * N / m, .restitution = falling};
+    EXPECT_NEAR(delivered(kelvin, collision, tight), expected, 1e-6);
+  }
+}
+
+TEST(ImpactRestitution, OfAGapThatIsClosedAtTheStartIsThatOfAnImpactOfItsDepth) {
+  const auto speed_after = [](const Restitution& restitution) {
+    Model model;
+    const NodeId body =
+        add(model, Node{.name = "body", .mass = 550 * tonne, .initial_displacement = 2 * cm, .free = true});
+    add(model, Gap<ExactHertzDamp>{.name = "gap",
+                                   .left = body,
+                                   .right = ground,
+                                   .clearance = 1 * cm,
+                                   .law = {.stiffness = 1e10 * N / m_3_2, .restitution = restitution}});
+    return run_to_end(model, still_ground(1 * s, 5 * ms)).state.velocity(body);
+  };
+  // An elastic impact of m v^2/2 = 0.4 k d^2.5 reaches the depth of 1 cm.
+  const double speed = std::sqrt(0.8 * 1e10 * std::pow(0.01, 2.5) / 550e3);
+  EXPECT_NEAR(speed_after(FallingRestitution{}), speed_after(0.65 * std::pow(speed / 0.3, -0.25)), 1e-9);
+  EXPECT_LT(speed_after(FallingRestitution{}), 0.0);
+}
+
 TEST(ImpactRestitution, EveryLawDeliversItsClosedForm) {
   AllImpactLaws::for_each([]<class Law>() {
     SCOPED_TRACE(Law::name);

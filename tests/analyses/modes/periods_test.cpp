@@ -53,6 +53,7 @@ TEST(Periods, OfThePapersBuildingByName) {
   EXPECT_NEAR(periods.at("first mode, initial bearings"), first_period_with_bearings(yield_force / yield_displacement),
               1e-9);
 
+  EXPECT_NEAR(fixed_base_period(model, model.buildings().front()), periods.at("fixed base"), 1e-12);
   EXPECT_NEAR(periods.at("fixed base"), 0.494, 0.0005);
   EXPECT_NEAR(periods.at("isolation, rigid building"), 2.498, 0.0005);
   EXPECT_NEAR(periods.at("first mode, post-yield bearings"), 2.533, 0.0005);

@@ -1,5 +1,6 @@
 // Fragilities of studies.
 
+#include "message_of.hpp"
 #include "moat.hpp"
 
 #include <gtest/gtest.h>
@@ -97,6 +98,13 @@ TEST(Fragility, ApproachesThatOfTheCapacitiesAsLevelsGetCloser) {
 
 TEST(Fragility, RefusesUnknownResults) {
   EXPECT_THROW((void)event_counts(study_of({0.3}), "Sa", exceeds("drift", "storey 9", 1.0)), InputError);
+  // A threshold of another dimension than the result.
+  EXPECT_EQ(
+      testing::message_of(
+          [] { (void)event_counts(study_of({0.3}), "Sa", exceeds("drift", "storey 1", 1 * units::kN)); }),
+      "exceeds: drift of storey 1 is in m, the threshold in N. Give a threshold of its dimension, or a number where "
+      "it has none.");
+  EXPECT_NO_THROW((void)event_counts(study_of({0.3}), "Sa", exceeds("drift", "storey 1", 1 * units::m)));
   EXPECT_THROW((void)event_counts(study_of({0.3}), "PGA", collapse), InputError);
 }
 

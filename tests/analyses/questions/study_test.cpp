@@ -219,7 +219,7 @@ TEST(Study, GivesEveryPeakItsErrorIfAsked) {
   const StudyResult with = run_study(gaps, pounding_building, {.error_bars = true});
   EXPECT_EQ(with.values("impact_force", "moat"), without.values("impact_force", "moat"));
   EXPECT_THROW((void)without.values("impact_force_error", "moat"), InputError);
-  EXPECT_THROW((void)without.values("sensitive", ""), InputError);
+  EXPECT_THROW((void)without.values("unsettled", ""), InputError);
   // The column stands beside its peak, in the same unit.
   const std::vector<Column>& columns = with.table().columns;
   const auto peak = std::ranges::find(columns, "impact_force", &Column::quantity);
@@ -227,6 +227,28 @@ TEST(Study, GivesEveryPeakItsErrorIfAsked) {
   EXPECT_EQ((peak + 1)->quantity, "impact_force_error");
   EXPECT_EQ((peak + 1)->where, "moat");
   EXPECT_EQ((peak + 1)->unit, "N");
+}
+
+TEST(Study, TakesContactParametersAsAxes) {
+  const StudyCases softer{{.name = "gap", .unit = "cm", .values = {10.0}},
+                          {.name = "contact_stiffness_factor", .unit = "", .values = {1.0, 3.0}},
+                          {.name = "restitution_change", .unit = "", .values = {-0.1}},
+                          {.name = "clearance_factor", .unit = "", .values = {0.9}}};
+  const StudyCase second{softer, 1};
+  const ContactChange change = contact_change(second);
+  EXPECT_EQ(change.stiffness_factor, 3.0);
+  EXPECT_EQ(change.restitution_change, -0.1);
+  EXPECT_EQ(change.clearance_factor, 0.9);
+  EXPECT_EQ(change.soil_factor, 1.0) << "a parameter without axis stays";
+  const StudyResult result = run_study(softer, [](const StudyCase& each) {
+    StudyModel study = pounding_building(each);
+    study.model = with_contacts(study.model, contact_change(each));
+    return study;
+  });
+  const StudyModel nominal = pounding_building(second);
+  const PeaksAndImpacts by_hand = compute_peaks(with_contacts(nominal.model, change), nominal.motion, {});
+  for (const Peak& peak : by_hand.peaks)
+    EXPECT_EQ(result.values(peak.quantity, peak.where)[1], peak.magnitude()) << peak.quantity << " " << peak.where;
 }
 
 TEST(Study, TablesHaveTheNamesOfAnAxis) {
@@ -251,7 +273,7 @@ TEST(Study, HasThePeaksErrorsClearancesAndImpactsOfASingleRun) {
       EXPECT_EQ(value_of(record, peak.quantity, peak.where), peak.magnitude()) << peak.quantity << " " << peak.where;
       EXPECT_EQ(value_of(record, peak.quantity + "_error", peak.where), peak.error) << peak.quantity << peak.where;
     }
-    EXPECT_EQ(value_of(record, "sensitive", ""), result.error_bars.sensitive ? 1.0 : 0.0);
+    EXPECT_EQ(value_of(record, "unsettled", ""), result.error_bars.unsettled ? 1.0 : 0.0);
     EXPECT_EQ(value_of(record, "impacts", ""), static_cast<double>(result.impacts.size())) << i;
     ASSERT_EQ(result.clearances.size(), 2u);
     for (const GapClearance& gap : result.clearances) {

@@ -67,6 +67,44 @@ TEST(Suite, GivesTheStatisticsOfItsRecords) {
   EXPECT_EQ(found->group, "bounds = upper");
 }
 
+TEST(SuiteRecords, HashTheirSamplesOnce) {
+  const std::vector motions{record("a", 1.0), record("b", 2.0)};
+  const SuiteRecords records{motions};
+  EXPECT_EQ(&records.axis(), &records.axis());
+  EXPECT_EQ(records.axis().name, "record");
+  EXPECT_EQ(records.axis().labels, (std::vector<std::string>{"a", "b"}));
+  EXPECT_EQ(records.axis().hashes, record_axis("record", motions).hashes);
+  EXPECT_NE(records.axis().hashes[0], records.axis().hashes[1]);
+  EXPECT_EQ(Suite(records, {}).cases().axes()[0].hashes, records.axis().hashes);
+}
+
+// Two cases with lower bounds are left out: the largest collapsed, and another did not converge. All cases with upper
+// bounds collapsed.
+TEST(Suite, NamesTheCasesWithTheLargestDeformation) {
+  StudyAxis axis = StudyAxis::of_names("record", {"a", "b", "c", "d"});
+  const StudyAxis of_bounds = StudyAxis::of_names("bounds", {"lower", "nominal", "upper"});
+  const auto suite_of = [](const StudyCases& cases) {
+    std::vector<CaseOutcome> outcomes;
+    for (std::size_t i = 0; i < cases.count(); ++i) {
+      const StudyCase each{cases, i};
+      const double record = each.value("record");
+      const std::size_t bound = cases.axes().size() > 1 ? each.position("bounds") : 0;
+      CaseOutcome& outcome = outcomes.emplace_back();
+      if (bound == 0 && record == 2.0) continue;
+      outcome.state = CaseState::done;
+      const bool collapsed = bound == 2 || (bound == 0 && record == 3.0);
+      outcome.results = {{"isolator_deformation", "bearing 1", "m", bound == 1 ? 0.4 - 0.1 * record : 0.1 * record},
+                         {"isolator_deformation", "bearing 2", "m", 0.01},
+                         {"collapsed", "", "1", collapsed ? 1.0 : 0.0}};
+    }
+    return StudyResult{cases, outcomes};
+  };
+  const StudyCases cases{axis, of_bounds};  // three for every record
+  EXPECT_EQ(cases_with_largest_deformation(suite_of(cases)), (std::vector<std::size_t>{3, 1}));
+  EXPECT_EQ(cases_with_largest_deformation(suite_of({axis})), (std::vector<std::size_t>{1}));
+  EXPECT_TRUE(cases_with_largest_deformation(StudyResult{cases, std::vector<CaseOutcome>(cases.count())}).empty());
+}
+
 TEST(Suite, RefusesWhatHasNoMeaning) {
   const std::vector motions{record("a", 1.0)};
   EXPECT_EQ(message_of([&] { Suite(motions, {.directions = {0 * deg}}); }),

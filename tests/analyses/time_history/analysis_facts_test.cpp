@@ -14,7 +14,8 @@ using namespace units;
 
 // All facts in one text.
 std::string text_of(const AnalysisFacts& facts) {
-  std::string text = facts.integrator + ", " + facts.events + ", " + facts.error_bars;
+  std::string text =
+      facts.integrator + ", " + facts.events + ", " + facts.error_bars + ", " + facts.contact_sensitivity;
   for (const Parameter& option : facts.options)
     text +=
         ", " + std::string{option.name} + " " + std::to_string(1e12 * option.value) + " " + std::string{option.unit};
@@ -50,7 +51,9 @@ TEST(AnalysisFacts, DifferWhereAnyOptionOfTheCaseDiffers) {
                                      {.history_interval = 2.5 * ms},
                                      {.warn_above_energy_error = 1e-2},
                                      {.error_bars = ErrorBarMode::always},
-                                     {.error_bars = ErrorBarMode::never}};
+                                     {.error_bars = ErrorBarMode::never},
+                                     {.contact_sensitivity = ContactSensitivityMode::automatic},
+                                     {.contact_sensitivity = ContactSensitivityMode::always}};
   const auto facts_of_case = [](const CaseOptions& options) {
     Model model = testing::oscillator({});
     return text_of(run_case(model, GroundMotion{"short", 0.01, {0.0, 1.0, 0.0}}, options).analysis);

@@ -73,7 +73,7 @@ TEST(Collapse, LeavesNoPeakAnErrorBar) {
     const CaseResult result = run(2.0, {}, mode);
     for (const Peak& peak : result.peaks) EXPECT_TRUE(std::isnan(peak.error)) << peak.quantity;
     EXPECT_FALSE(result.error_bars.checked);
-    EXPECT_FALSE(result.error_bars.sensitive);
+    EXPECT_FALSE(result.error_bars.unsettled);
     EXPECT_EQ(result.error_bars.companion,
               mode == ErrorBarMode::never
                   ? "No error bars: they were not wanted (CaseOptions::error_bars)."
@@ -85,7 +85,7 @@ TEST(Collapse, LeavesNoPeakAnErrorBar) {
 TEST(Collapse, IsNotJudgedInAStudyEither) {
   Model model = building();
   const StudyRecord record = peaks_of(model, constant_acceleration(2.0, 60 * s), {}, true);
-  EXPECT_TRUE(std::isnan(value_of(record, "sensitive", "")));
+  EXPECT_TRUE(std::isnan(value_of(record, "unsettled", "")));
   EXPECT_TRUE(std::isnan(value_of(record, "drift_error", "storey")));
   EXPECT_GT(value_of(record, "drift", "storey"), 100.0);
 }
@@ -98,7 +98,7 @@ TEST_F(CollapseFiles, SayThatTheErrorsAreNotKnown) {
   write_report_html(result, result_charts(result), folder);
   const std::string summary = read_file(folder / "summary.json"), report = read_file(folder / "report.html");
   EXPECT_NE(summary.find("\"error\": null"), std::string::npos);
-  EXPECT_NE(summary.find("\"sensitive\": null"), std::string::npos);
+  EXPECT_NE(summary.find("\"unsettled\": null"), std::string::npos);
   for (const std::string& text : {summary, report}) {
     EXPECT_NE(text.find("No error bars: the model collapsed"), std::string::npos);
     EXPECT_EQ(text.find(">nan"), std::string::npos);

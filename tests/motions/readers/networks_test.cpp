@@ -1,48 +1,25 @@
-// Small synthetic files in the layouts of the networks, with zeros and peaks whose places are known.
-
 #include <gtest/gtest.h>
 
-#include <cmath>
-#include <cstdio>
 #include <numeric>
+#include <optional>
 
 #include "base/error.hpp"
 #include "message_of.hpp"
 #include "motions/readers/read_motion.hpp"
 #include "motions/readers/record_channel.hpp"
+#include "network_files.hpp"
 #include "written_files.hpp"
 
 namespace moat {
 namespace {
 
-template <class... Values>
-std::string printed(const char* format, Values... values) {
-  char text[256];
-  std::snprintf(text, sizeof text, format, values...);
-  return text;
-}
-
-/// `count` numbers of one format on lines of `per_line`.
-std::string table(const std::vector<double>& values, const char* format, std::size_t per_line) {
-  std::string text;
-  for (std::size_t i = 0; i < values.size(); ++i)
-    text += printed(format, values[i]) + (i % per_line == per_line - 1 || i + 1 == values.size() ? "\r\n" : "");
-  return text;
-}
+using namespace networks;
 
 std::string replaced(std::string text, const std::string& old, const std::string& by) {
   const std::size_t at = text.find(old);
   EXPECT_NE(at, std::string::npos) << old;
   return at == std::string::npos ? text : text.replace(at, old.size(), by);
 }
-
-std::string lines(std::size_t count, const std::string& line = "Line of a synthetic file") {
-  std::string text;
-  for (std::size_t i = 0; i < count; ++i) text += line + "\r\n";
-  return text;
-}
-
-const std::vector<double> wave{0.0, 1.5, -12.25, 3.0, 0.0, 7.75, 0.0, 0.0, 0.0, 0.0, 0.0};
 
 class Networks : public testing::WrittenFiles {
  protected:
@@ -63,14 +40,6 @@ void expect_wave(const RecordChannel& channel, double unit) {
   for (std::size_t i = 0; i < wave.size(); ++i) EXPECT_NEAR(channel.samples[i], unit * wave[i], 1e-12) << i;
 }
 
-const std::string knet =
-    "Origin Time       2018/01/24 19:51:00\nLat.              41.0\nLong.             142.5\nDepth. (km)       30\n"
-    "Mag.              6.2\nStation Code      XYZ001\nStation Lat.      41.5\nStation Long.     140.9\n"
-    "Station Height(m) 39\nRecord Time       2018/01/24 19:51:43\nSampling Freq(Hz) 4Hz\nDuration Time(s)  2\n"
-    "Dir.              E-W\nScale Factor      2000(gal)/1000\nMax. Acc. (gal)   37.5\n"
-    "Last Correction   2018/01/24 19:51:43\nMemo.             \n"
-    "     100      101      102      103      104      105      106       79 \n";
-
 TEST_F(Networks, ReadsKnet) {
   const std::vector<RecordChannel> channels = read(knet);
   ASSERT_EQ(channels.size(), 1u);
@@ -90,6 +59,7 @@ TEST_F(Networks, ReadsKnet) {
   ASSERT_EQ(channel.warnings.size(), 1u);
   EXPECT_EQ(channel.warnings[0], "the header says a peak of 0.375 m/s^2, the samples reach 0.42 m/s^2: damaged?");
   EXPECT_TRUE(read(replaced(knet, "37.5", "42.0"))[0].warnings.empty());
+  EXPECT_EQ(read(replaced(knet, "Max. Acc. (gal)   37.5", "Max Acc. (gal)    37.5"))[0].warnings, channel.warnings);
 }
 
 TEST_F(Networks, ReadsKikNetInTheBoreholeAndAtTheSurface) {
@@ -108,14 +78,6 @@ TEST_F(Networks, ReadsKikNetInTheBoreholeAndAtTheSurface) {
   expect_refused(replaced(knet, "4Hz", "0Hz"), "SAMPLING FREQ(HZ): 0Hz in the header is not allowed");
 }
 
-const std::string afad =
-    "STRONG GROUND MOTION RECORDS OF TURKIYE\r\nPLACE                   : AYD\xDDN\r\n" + lines(4, "KEY : value") +
-    "STATION ID              : 0921\r\n" + lines(4, "KEY : value") +
-    "RECORD TIME             : 20/07/2017 22:30:58.500000 (GMT)\r\nNUMBER OF DATA          : 3\r\n"
-    "SAMPLING INTERVAL (sec) : 0.01\r\nRAW PGA VALUES (gal)    : (N-S) 13.25 (E-W) 12.16 (U-D) 9.5\r\n" +
-    lines(2, "Copyright") +
-    "       E-W          N-S          U-D\r\n0.5 1.0 -1.0\r\n-12.16 -13.25 9.5\r\n1.0 2.0 3.0\r\n\r\n";
-
 TEST_F(Networks, ReadsAfadInTheOrderOfItsColumns) {
   const std::vector<RecordChannel> channels = read(afad);
   ASSERT_EQ(channels.size(), 3u);
@@ -133,14 +95,6 @@ TEST_F(Networks, ReadsAfadInTheOrderOfItsColumns) {
   expect_refused(replaced(afad, "U-D\r\n0.5", "\r\n0.5"), "expected the names of the columns");
 }
 
-const std::string cwa =
-    "#Earthquake Information\r\n\r\n#StationCode: EAS\r\n#StartTime(GMT+08): 2018/02/06-23:50:29.000\r\n"
-    "#RecordLength(sec): 0.1\r\n#SampleRate(Hz): 50\r\n#AmplitudeUnit:  gal. DCoffset(corr)\r\n"
-    "#AmplitudeMAX. U:    0.500~   -0.750\r\n#DataSequence: Time U(+); N(+); E(-)\r\n#Data: 4F10.3 \r\n"
-    "     0.000     0.500     1.000     0.000\r\n     0.020    -0.750     0.000     2.000\r\n"
-    "     0.040     0.000     0.000     0.000\r\n     0.060     0.000     0.000     0.000\r\n"
-    "     0.080     0.000     0.000-9999.125\r\n";
-
 TEST_F(Networks, ReadsCwaWithItsVerticalFirst) {
   const std::vector<RecordChannel> channels = read(cwa);
   ASSERT_EQ(channels.size(), 3u);
@@ -152,27 +106,18 @@ TEST_F(Networks, ReadsCwaWithItsVerticalFirst) {
   EXPECT_DOUBLE_EQ(channels[2].samples[4], -99.99125) << "columns may touch";
   EXPECT_DOUBLE_EQ(channels[0].step, 0.02);
   EXPECT_DOUBLE_EQ(channels[0].start.value(), 1517932229.0);
+  for (const RecordChannel& channel : channels) EXPECT_EQ(channel.step, channels[0].step) << "one column of times";
+  // Files of 1999 say neither origin nor zone.
+  const RecordChannel old =
+      read(replaced(replaced(cwa, "(GMT+08): 2018", ": 2018"), "#Earthquake Information\r\n\r\n", ""))[0];
+  EXPECT_EQ(old.start, std::nullopt);
+  EXPECT_EQ(old.event, "2018/02/06-23:50:29.000") << "two of one station are two";
   expect_refused(replaced(cwa, "     0.040 ", "     0.045 "),
                  "line 13: times are not even: 0.045 s is 0.005 s behind 2 steps of 0.02 s");
   expect_refused(replaced(cwa, "#AmplitudeUnit:  gal", "#AmplitudeUnit:  count"), "Only gal is read");
   expect_refused(replaced(cwa, "4F10.3", "3F10.3"), "differ in the number of columns");
   expect_refused(replaced(cwa, "U(+)", "U"), "is not of the form");
   expect_refused(replaced(cwa, "(sec): 0.1", "(sec): 120"), "makes 6000 rows, but the file holds 5");
-}
-
-std::string geonet_channel(const std::string& component, const std::string& peak) {
-  std::vector<double> integers(40, 0.0), reals(60, 0.0);
-  const double date[] = {2018, 2, 12, 21, 15, 540};
-  std::copy(std::begin(date), std::end(date), integers.begin());
-  integers[33] = static_cast<double>(wave.size());
-  integers[34] = 12;  // velocities
-  reals[21] = 5.0;
-  reals[24] = 0.005;
-  reals[25] = 0.02;
-  return "Corrected accelerogram 20180212_211554_XYZ_20 GNS Science\r\nSite XYZ      39 56 38S  176 35 04E\r\n" +
-         lines(10) + "Component " + component + "  Longitudinal\r\nAcceleration:  peak " + peak +
-         " mm/s/s at 0.04 sec\r\n" + lines(2) + table(integers, "%8.0f", 10) + table(reals, "%8.2f", 10) +
-         table(wave, "%8.2f", 10) + table(std::vector<double>(12, 1.0), "%8.2f", 10);
 }
 
 TEST_F(Networks, ReadsGeoNet) {
@@ -187,39 +132,17 @@ TEST_F(Networks, ReadsGeoNet) {
   expect_wave(channels[2], -1e-3);
   EXPECT_DOUBLE_EQ(channels[0].step, 0.02);
   EXPECT_EQ(channels[0].station, "XYZ");
-  EXPECT_DOUBLE_EQ(channels[0].start.value(), 1518470149.0) << "5 s before the stated 21:15:54";
+  EXPECT_DOUBLE_EQ(channels[0].start.value(), 1518470112.25) << "5 s of zeros before 21:15:17.25";
   EXPECT_EQ(channels[0].level, RecordLevel::corrected);
   const std::vector<RecordChannel> raw = read("Unc" + geonet_channel("N10E", "12.25").substr(1));
   EXPECT_EQ(raw[0].level, RecordLevel::uncorrected);
   EXPECT_EQ(raw[0].azimuth, 10.0);
+  expect_refused(replaced(text, "    0.02", "    0.01"), "11 accelerations every 0.01 s make 0.11 s, but number 24");
   expect_refused(replaced(text, "S16W", "S96W"), "the component \"S96W  Longitudinal\" is none such as N80W or Up");
   expect_refused(text.substr(0, text.size() - 50), "the file ends before the last value of velocity");
+  for (const std::string count : {"    1e30", "      -1"})
+    expect_refused(replaced(text, "      11      12", "      11" + count), "it must be >= 0 and <= 1e9");
   expect_refused(geonet_channel("Up", "1") + "other\r\n", "expected the beginning of a channel");
-}
-
-std::string csmip_channel(const std::string& component, double azimuth, const std::string& format) {
-  std::vector<double> integers(100, -999.0), reals(100, -999.0);
-  integers[26] = azimuth;
-  reals[60] = 0.02;
-  reals[65] = -12.25;
-  std::string text = lines(23);
-  const auto line = [&](const std::string& words) { text += words + "\r\n"; };
-  text = "";
-  line("Corrected accelerogram   15481673      Chan  1");
-  line("Uncorrected Accelerogram Data             Processed: 04/30/14");
-  text += lines(2);
-  line("15481673.CI.WLT     Start time:  3/29/14, 04:09:34.0 UTC (GPS)");
-  line("Station Id. WLT     34.009N, 117.951W");
-  text += lines(1);
-  line("Chan  1: " + component);
-  text += lines(17);
-  text += table(integers, "%5.0f", 16) + table(reals, "%10.4f", 8);
-  line("    11 points of accel data equally spaced at  .020 sec, in cm/sec2. " + format);
-  text += table(wave, "%10.5f", 8);
-  line("     1 points of veloc data equally spaced at  .020 sec, in cm/sec.  (8f10.7)");
-  line(" 1.0000000");
-  line("/&  ----------  End of data for channel  1  ----------");
-  return text;
 }
 
 TEST_F(Networks, ReadsCsmip) {
@@ -235,6 +158,20 @@ TEST_F(Networks, ReadsCsmip) {
   EXPECT_DOUBLE_EQ(channels[0].step, 0.02);
   EXPECT_EQ(channels[0].station, "WLT");
   EXPECT_DOUBLE_EQ(channels[0].start.value(), 1396066174.0);
+  for (const auto& [written, start] : std::vector<std::pair<std::string, std::optional<double>>>{
+           {"3/29/14, 04:09:34.0 PST", 1396066174.0 + 8 * 3600.0},
+           {"3/29/14, 04:09:34.0 PDT", 1396066174.0 + 7 * 3600.0},
+           {"3-29-14, 04:09:34.0 GMT (Q=5)", 1396066174.0},
+           {"3/29/14, 04:09 UTC (Q=5)", std::nullopt},
+           {"3/29/14, 04:09:34.0", std::nullopt},
+           {"3/29/14, 04:09:34.0 HST", std::nullopt}})
+    EXPECT_EQ(read(replaced(text, "3/29/14, 04:09:34.0 UTC (GPS)", written))[0].start, start) << written;
+  // Old files are in capitals.
+  const RecordChannel capitals = read(replaced(
+      replaced(text, "Station Id. WLT     34.009N", "STATION NO. 24400   34.09N"), "Start time:", "TRIGGER TIME:"))[0];
+  EXPECT_EQ(capitals.station, "24400");
+  EXPECT_DOUBLE_EQ(capitals.start.value(), 1396066174.0);
+  expect_refused(replaced(text, "Station Id. WLT     34.009N, 117.951W", ""), "expected \"Station No. 89146\"");
   EXPECT_EQ(read(csmip_channel("360 Deg", 900, "(8f10.5)"))[0].warnings,
             std::vector<std::string>{"azimuth 900 in the header, \"360 Deg\" in the text: text taken"});
   EXPECT_EQ(read(csmip_channel("90 Deg", 500, "(8f10.5)"))[0].azimuth, 90.0);
@@ -248,27 +185,6 @@ TEST_F(Networks, ReadsCsmip) {
   expect_refused(text.substr(0, text.size() - 60), "expected the end of the channel, \"/&\"");
 }
 
-std::string smc(std::size_t count = wave.size()) {
-  std::vector<double> integers(48, -32768.0), reals(50, 0.17e39);
-  const double known[] = {-32768, 1989, 291, 0, 4, 15, 500};
-  std::copy(std::begin(known), std::end(known), integers.begin());
-  integers[12] = 90;
-  integers[13] = 360;
-  integers[15] = 1;
-  integers[16] = static_cast<double>(count);
-  reals[1] = 200.0;
-  reals[29] = 7.75;
-  reals[31] = -12.25;
-  std::string values;
-  for (std::size_t i = 0; i < wave.size(); ++i) {
-    const int tens = std::abs(wave[i]) >= 10.0 ? 1 : 0;
-    values += printed("%7.4fE+%d", wave[i] / (tens ? 10.0 : 1.0), tens) + (i % 8 == 7 ? "\r\n" : "");
-  }
-  return "2 CORRECTED ACCELEROGRAM    \r\n*\r\nSAF0A\r\n     1989  10  18\r\nMoment Mag=\r\n"
-         "station = San Francisco, 1295    component=    360\r\nepicentral dist =\r\ninst type\r\n*\r\n*\r\n*\r\n" +
-         table(integers, "%10.0f", 8) + table(reals, "%15.7E", 5) + "|comment\r\n" + values + "\r\n";
-}
-
 TEST_F(Networks, ReadsSmc) {
   const std::vector<RecordChannel> channels = read(smc());
   ASSERT_EQ(channels.size(), 1u);
@@ -280,30 +196,21 @@ TEST_F(Networks, ReadsSmc) {
   EXPECT_DOUBLE_EQ(channels[0].start.value(), 624672255.5);
   EXPECT_TRUE(read(replaced(smc(), "        90       360", "       180       360"))[0].vertical);
   EXPECT_DOUBLE_EQ(read(replaced(smc(), "        90       360", "       180       360"))[0].samples[1], -0.015);
+  // Without an angle the azimuth does not say that a component is horizontal.
+  const std::string no_angle = replaced(smc(), "        90       360", "    -32768       360");
+  EXPECT_EQ(read(no_angle)[0].azimuth, 0.0) << "by line 6";
+  EXPECT_TRUE(read(replaced(no_angle, "component=    360", "component=     UP"))[0].vertical);
+  EXPECT_EQ(read(replaced(no_angle, "component=    360", "component=       "))[0].component, "");
+  EXPECT_EQ(read(replaced(smc(), "component=    360", "component=     UP"))[0].warnings,
+            std::vector<std::string>{"component \"UP\" in the text, \"360\" in the header: header taken"});
+  EXPECT_EQ(read(replaced(smc(), "component=", "COMPONENT="))[0].station, "San Francisco, 1295");
   expect_refused(replaced(smc(), "        90       360", "        45       360"), "inclined by 45 deg");
   expect_refused(replaced(smc(), " 2.0000000E+02", " 1.7000000E+38"), "the header states no rate");
   expect_refused(smc(8), "text follows the 8 values that the header announces");
+  expect_refused(smc(2'000'000'000), "it must be >= 2 and <= 1e9");
   expect_refused(smc(12), "expected 4 values of acceleration in columns of 10 characters, but found 3");
   expect_refused(replaced(smc(), "|comment", "comment"), "expected a comment");
   EXPECT_EQ(read(replaced(smc(), "2 CORRECTED", "1 UNCORRECTED"))[0].level, RecordLevel::uncorrected);
-}
-
-std::string volume_channel(const std::string& component, bool is_chilean) {
-  std::string text = is_chilean ? lines(5) + "CUYA\r\nCHAN  1: " + component +
-                                      "        (STA CHN:  1)\r\nUNIVERSIDAD DE CHILE - RENADIC\r\n" + lines(2)
-                                : "* VOL1DS FILE:  1/01\r\n" + lines(3) + component + "\r\n\r\nCOMP " + component +
-                                      "1\r\nAhar        Station   38 N  Azimuth L 352   T 82 \r\n" + lines(2);
-  text += is_chilean ? "NO. OF POINTS =     11  RECORD LENGTH = 0.055 SEC\r\nUNITS OF UNCOR ACCEL ARE SEC AND G/10.    "
-                       " MAX  =  1.225 G, AT  0.010 SEC\r\n"
-                     : "NO. OF POINTS =     11      DURATION =   .055\r\nUNITS ARE SECONDS AND G/10\r\n";
-  text += lines(15);
-  if (!is_chilean) return text + table(wave, "%13.6E", 10) + "/&\r\n";
-  std::vector<double> pairs;
-  for (std::size_t i = 0; i < wave.size(); ++i) {
-    pairs.push_back(0.005 * static_cast<double>(i));
-    pairs.push_back(wave[i]);
-  }
-  return text + table(pairs, "%7.3f", 10) + "/&  ----------  END OF DATA FOR CHANNEL 1  ----------\r\n";
 }
 
 TEST_F(Networks, ReadsBhrcAndRenadicAsUncorrected) {
@@ -324,24 +231,19 @@ TEST_F(Networks, ReadsBhrcAndRenadicAsUncorrected) {
     expect_refused(replaced(text, "=     11", "=     10"),
                    is_chilean ? "times are not even" : "expected \"/&\" behind the last value");
     expect_refused(replaced(text, "G/10", "G/12"), "expected the unit G/10");
+    expect_refused(replaced(text, "G/10", "G/100"), "expected the unit G/10");
     expect_refused(replaced(text, is_chilean ? "CHAN  1: L" : "L\r\n", is_chilean ? "CHAN  1: Q" : "Q\r\n"),
                    "is none of L, V and T");
   }
+  // In capitals, as older files are.
+  const std::string site = "Ahar        Station   38 N  Azimuth L 352   T 82 ";
+  const RecordChannel capitals =
+      read(replaced(volume_channel("L", false), site, "AHAR        STATION   38 N  AZIMUTH L 352   T 82 "))[0];
+  EXPECT_EQ(capitals.station, "AHAR");
+  EXPECT_EQ(capitals.azimuth, 352.0);
   expect_refused(replaced(volume_channel("L", true), "  0.010-12.250", "  0.011-12.250"),
                  "line 28: times are not even");
 }
-
-const std::string unam =
-    lines(6) +
-    "=== ARCHIVO ESTANDAR DE ACELERACION ===\r\nCLAVE DE LA ESTACION : XYZ1\r\n"
-    "ORIENTACION C1-C6 (rumbo;orientacion) : /V/N90E/N00E\r\nINTERVALO DE MUESTREO, C1-C6 (s) : /0.010/0.010/0.010\r\n"
-    "NUM. TOTAL DE MUESTRAS, C1-C6 : /3/3/3\r\nDURACION DEL REGISTRO (s), C1-C6 : /0.03/0.03/0.03\r\n"
-    "ACEL. MAX.(Gal), C1-C6 : /2.500/4.000/1.000\r\nUNIDADES DE LOS DATOS : Gal\r\nFACTOR DE DECIMACION : 1\r\n"
-    "FORMATO DATOS : 3F10.3\r\n" +
-    lines(3) +
-    "DATOS DE ACELERACION:\r\n---------+---------+---------+\r\n"
-    "   CANAL-1   CANAL-2   CANAL-3\r\n---------+---------+---------+\r\n"
-    "     2.500     0.000     1.000\r\n     0.000     4.000    -1.000\r\n    -2.500    -4.000     0.000\r\n";
 
 TEST_F(Networks, ReadsUnamWithItsVerticalFirst) {
   const std::vector<RecordChannel> channels = read(unam);
@@ -353,9 +255,15 @@ TEST_F(Networks, ReadsUnamWithItsVerticalFirst) {
   EXPECT_DOUBLE_EQ(channels[2].step, 0.01);
   EXPECT_EQ(channels[0].station, "XYZ1");
   expect_refused(replaced(unam, "/3/3/3", "/6/3/3"), "do not make DURACION DEL REGISTRO");
+  expect_refused(unam + "     1.000     2.000     3.000\r\n", "text follows the 3 rows of NUM. TOTAL DE MUESTRAS");
+  expect_refused(
+      replaced(replaced(unam, "/0.010/0.010/0.010", "/0.010/0.020/0.010"), "/0.03/0.03/0.03", "/0.03/0.06/0.03"),
+      "INTERVALO DE MUESTREO differs between columns");
   expect_refused(replaced(unam, ": Gal", ": Cuentas"), "only Gal is read");
   expect_refused(replaced(unam, "3F10.3", "2F10.3"), "is no format of 3 columns");
-  expect_refused(replaced(unam, "/V/N90E", "/V/west"), "ORIENTACION \"west\" is none such as");
+  EXPECT_EQ(read(replaced(unam, "/V/N90E", "/V;-/N90E"))[0].warnings.back(),
+            "of ORIENTACION \"V;-\" only \"V\" is used");
+  expect_refused(replaced(unam, "/V/N90E", "/V/gone"), "ORIENTACION \"gone\" is none such as");
 }
 
 TEST_F(Networks, RefusesWhatIsNoRecordByName) {

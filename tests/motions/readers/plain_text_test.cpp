@@ -174,6 +174,9 @@ TEST_F(PlainText, RefusesRowsOfOtherLengths) {
       ". Separate the columns with blanks, a tab, a comma or a semicolon, and write decimals with a point.";
   EXPECT_EQ(refusal("0 1\n0.1 2 3\n0.2 1\n"),
             ", line 2: expected 2 columns, as above, but found 3 in \"0.1 2 3\"" + advice);
+  EXPECT_EQ(refusal("1e30 0.005\n0.1\n0.2\n"),
+            ", line 2: expected 2 columns, as above, but found 1 in \"0.1\"" + advice)
+      << "no number of values";
   EXPECT_EQ(refusal("0 1\n0.1\n0.2 1\n"), ", line 2: expected 2 columns, as above, but found 1 in \"0.1\"" + advice);
   expect_refused("0,00;0,1\n0,01;0,2\n", "the file has 4 columns");
   expect_refused("0,,1\n0.1,,2\n", "\"\" is not a number");

@@ -4,53 +4,14 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cmath>
-#include <fstream>
 
-#include "base/error.hpp"
-#include "base/units.hpp"
-#include "message_of.hpp"
-#include "motions/readers/read_motion.hpp"
-#include "motions/readers/record_folder.hpp"
-#include "written_files.hpp"
+#include "record_files.hpp"
 
 namespace moat {
 namespace {
 
 using namespace units;
-
-class Records : public testing::WrittenFiles {
- protected:
-  /// A file of PEER with values in g.
-  void put(const std::string& name, const std::string& component, const std::string& values = "0.0 0.1 -0.1",
-           const std::string& step = ".01", const std::string& station = "Kobe Japan, 1/16/1995, KJMA") const {
-    (void)write(name, "PEER NGA STRONG MOTION DATABASE RECORD\n" + station + ", " + component +
-                          "\nACCELERATION TIME SERIES IN UNITS OF G\nNPTS= " +
-                          std::to_string(std::count(values.begin(), values.end(), ' ') + 1) + ", DT= " + step +
-                          " SEC\n" + values + "\n");
-  }
-  [[nodiscard]] Record read(const RecordOptions& options = {}) const { return read_record({folder}, options); }
-  [[nodiscard]] std::string refusal(const RecordOptions& options = {}) const {
-    return testing::message_of<FileError>([&] { (void)read_records(folder, options); });
-  }
-  void expect_refused(const std::string& words, const RecordOptions& options = {}) const {
-    const std::string message = refusal(options);
-    EXPECT_NE(message.find(words), std::string::npos) << message;
-  }
-  [[nodiscard]] bool notes_have(const std::string& words) const {
-    return std::ranges::any_of(record_folder_notes(), [&](const std::string& note) {
-      return note.find(folder.string() + ": " + words) != std::string::npos;
-    });
-  }
-};
-
-/// In g.
-std::vector<double> values_of(const GroundMotion& motion) {
-  std::vector<double> values(motion.samples().begin(), motion.samples().end());
-  for (double& value : values) value /= standard_gravity;
-  return values;
-}
 
 TEST_F(Records, XIsTheChannelWhoseAzimuthIs90DegreesLarger) {
   for (const auto& [one, two, x] :
@@ -153,16 +114,65 @@ TEST_F(Records, AssumeAzimuthsOfLAndT) {
   EXPECT_TRUE(notes_have("azimuths of \"KJMA\" are assumed"));
 }
 
-// As K-NET has them: starts 14:00:00 and 14:00:00.02.
-std::string knet(const std::string& component, const std::string& start, const std::string& counts,
-                 int frequency = 100) {
-  const auto count = std::count(counts.begin(), counts.end(), ' ') + 1;
-  return "Origin Time       2018/01/24 19:51:00\nLat.\nLong.\nDepth. (km)\nMag.\nStation Code      XYZ001\nStation "
-         "Lat.\nStation Long.\n"
-         "Station Height(m)\nRecord Time       2018/01/24 " +
-         start + "\nSampling Freq(Hz) " + std::to_string(frequency) + "Hz\nDuration Time(s)  " +
-         std::to_string(static_cast<double>(count) / frequency) + "\nDir.              " + component +
-         "\nScale Factor      980.665(gal)/1\nMax. Acc. (gal)\nLast Correction\nMemo.\n" + counts + "\n";
+// Also where the file of the second component stands in front, or says its azimuth.
+TEST_F(Records, AssumeThatTheSecondIsClockwiseOfTheFirst) {
+  for (const auto& [one, two, x] : std::vector<std::tuple<std::string, std::string, double>>{{"T", "L", 90.0},
+                                                                                             {"H2", "H1", 90.0},
+                                                                                             {"T", "352", 82.0},
+                                                                                             {"271", "T", 1.0},
+                                                                                             {"T", "271", 1.0},
+                                                                                             {"82", "L", 82.0},
+                                                                                             {"HN2", "HN1", 90.0}}) {
+    put("a.AT2", one);
+    put("b.AT2", two);
+    const Record record = read();
+    EXPECT_EQ(record.frame.azimuth, x) << one << two;
+    EXPECT_TRUE(record.frame.is_assumed) << one << two;
+  }
+}
+
+TEST_F(Records, OfAnUnknownEarthquakeAreNotMixed) {
+  put("A1-N.AT2", "?", "0.5 0.0", ".01", "Somewhere");
+  put("A1-360.AT2", "?", "0.25 0.0", ".01", "Somewhere");
+  put("A1-E.AT2", "?", "0.25 0.0", ".01", "Somewhere");
+  expect_refused("A1-360.AT2 and A1-N.AT2 hold the same component of A1, and do not say of which earthquake.");
+}
+
+// As DYNA has them.
+std::string dyna(const std::string& stream, const std::string& type, const std::string& start,
+                 const std::string& values) {
+  return "EVENT_NAME: test\nEVENT_ID: 1\nNETWORK: XY\nSTATION_CODE: ABC\nLOCATION:\n"
+         "DATE_TIME_FIRST_SAMPLE_YYYYMMDD_HHMMSS: 20190728_" +
+         start +
+         "\nSAMPLING_INTERVAL_S: 1.0\nNDATA: " + std::to_string(std::count(values.begin(), values.end(), '\n')) +
+         "\nSTREAM: " + stream + "\nUNITS: cm/s^2\nDATA_TYPE: " + type + "\n" + values;
+}
+
+// Processing puts 5 s of zeros in front; the next earthquake begins 100 s later.
+TEST_F(Records, OfCorrectedAndUncorrectedFilesTakeTheCorrectedOnes) {
+  (void)write("raw.HNE.ASC", dyna("HNE", "UNPROCESSED ACCELERATION", "160900", "1\n-1\n1\n-1\n1\n-1\n1\n-1\n"));
+  (void)write("raw.HNN.ASC", dyna("HNN", "UNPROCESSED ACCELERATION", "160900", "2\n-2\n2\n-2\n2\n-2\n2\n-2\n"));
+  (void)write("raw.HNZ.ASC", dyna("HNZ", "UNPROCESSED ACCELERATION", "160900", "2\n-2\n2\n-2\n2\n-2\n2\n-2\n"));
+  (void)write("vol2.HNE.ASC", dyna("HNE", "ACCELERATION", "160855", "0\n0\n0\n0\n0\n3\n-3\n"));
+  (void)write("vol2.HNN.ASC", dyna("HNN", "ACCELERATION", "160855", "0\n0\n0\n0\n0\n4\n-4\n"));
+  Record record = read();
+  EXPECT_EQ(record.name, "vol2");
+  EXPECT_DOUBLE_EQ(record.first.samples()[5], 0.03);
+  EXPECT_DOUBLE_EQ(record.second->samples()[5], 0.04);
+  EXPECT_FALSE(record.vertical) << "it is not mixed in";
+  for (const char* name : {"raw.HNE.ASC", "raw.HNN.ASC", "raw.HNZ.ASC"})
+    EXPECT_TRUE(notes_have(name + std::string{" is left out: vol2.HNE.ASC holds this record, further processed."}))
+        << name;
+  EXPECT_EQ(read_record_folder(folder).size(), 2u);
+  // The table may mix them.
+  (void)write("records.csv",
+              "file,record,component\nraw.HNE.ASC,R,x\nvol2.HNN.ASC,R,y\nraw.HNN.ASC,,out\nraw.HNZ.ASC,,out\n"
+              "vol2.HNE.ASC,,out\n");
+  EXPECT_DOUBLE_EQ(read().first.samples()[5], 0.01);
+  std::filesystem::remove(folder / "records.csv");
+  (void)write("next.HNE.ASC", dyna("HNE", "ACCELERATION", "161035", "3\n-3\n"));
+  (void)write("next.HNN.ASC", dyna("HNN", "ACCELERATION", "161035", "4\n-4\n"));
+  EXPECT_EQ(read_records(folder).size(), 2u);
 }
 
 TEST_F(Records, DelayComponentsThatStartLater) {
@@ -191,64 +201,6 @@ TEST_F(Records, BoreholeAndSurfaceAreTwo) {
   const std::vector<Record> records = read_records(folder);
   ASSERT_EQ(records.size(), 2u);
   EXPECT_EQ(records[0].name + ", " + records[1].name, "ABC borehole, ABC surface");
-}
-
-TEST_F(Records, TableDecides) {
-  put("a.AT2", "0", "0.5 0.0");
-  put("b.AT2", "90", "0.25 0.0");
-  (void)write("c.txt", "0.125\n0.0\n");
-  (void)write("readme.md", "Records\nof a test\nhere\n");
-  (void)write("study.db", std::string(2000, '\1'));
-  const auto table = [&](const std::string& rows) {
-    (void)write("records.csv", "file,channel,record,component,azimuth,unit,step,sign\n" + rows);
-  };
-  table("a.AT2,1,Kobe,x,,,,-1\nb.AT2,1,Kobe,y,,g,.01,\nc.txt,,Kobe,z,,mg,0.01,\n");
-  Record record = read();
-  EXPECT_EQ(record.name, "Kobe");
-  EXPECT_NEAR(values_of(record.first)[0], -0.5, 1e-12) << "mirrored by the user";
-  EXPECT_NEAR(values_of(*record.second)[0], 0.25, 1e-12);
-  EXPECT_NEAR(values_of(*record.vertical)[0], 0.125e-3, 1e-12);
-  EXPECT_TRUE(notes_have("readme.md is left out: unknown format."));
-  EXPECT_TRUE(notes_have("study.db is left out: this is no plain text"));
-  table("a.AT2,,,,45,,,\nb.AT2,,,,315,,,\n");
-  record = read();
-  EXPECT_EQ(record.frame.azimuth, 45.0);
-  EXPECT_TRUE(notes_have("c.txt is left out: plain text does not say its unit"));
-  for (const auto& [rows, problem] : std::vector<std::pair<std::string, std::string>>{
-           {"a.AT2,,,,45\n", "is not of this form"},
-           {"a.AT2,,,q,,,,\n", "names no component"},
-           {"a.AT2,,,,400,,,\n", "an azimuth outside 0 to 360 deg"},
-           {"a.AT2,,,,,,,2\n", "a sign that is neither 1 nor -1"},
-           {"a.AT2,,,,,bananas,,\n", "a unit that is not known"},
-           {"a.AT2,,,,,,0,\n", "a step that is not > 0 s"},
-           {"a.AT2,,,,x,,,\n", "has no number as azimuth"},
-           {"d.AT2,,,,,,,\n", "names a file that is not there"},
-           {"a.AT2,,,,,gal,,\n", "has another unit than the file, g"},
-           {"a.AT2,,,,,,.02,\n", "has another step than the file"},
-           {"a.AT2,,K,x,,,,\nb.AT2,,K,x,,,,\n", "K has two components x, a.AT2 and b.AT2"}}) {
-    table(rows);
-    expect_refused(problem);
-  }
-  expect_refused("no such file", {.table = folder / "none.csv"});
-}
-
-TEST_F(Records, WrittenTableReadsThemAgain) {
-  put("a.AT2", "260", "1.0 0.0 0.3");
-  put("b.AT2", "345", "0.0 1.0 0.7");
-  put("c.AT2", "DWN", "0.0 0.5 0.0");
-  put("d.AT2", "L", "0.5 0.0", ".01", "Elsewhere, 1/1/2000, X");
-  put("e.AT2", "T", "0.25 0.0", ".01", "Elsewhere, 1/1/2000, X");
-  const std::vector<Record> before = read_records(folder);
-  write_record_table(folder / "records.csv", folder);
-  const std::vector<Record> after = read_records(folder);
-  ASSERT_EQ(before.size(), 2u);
-  ASSERT_EQ(after.size(), 2u);
-  for (std::size_t i = 0; i < 2; ++i) {
-    EXPECT_EQ(values_of(before[i].first), values_of(after[i].first));
-    EXPECT_EQ(values_of(*before[i].second), values_of(*after[i].second));
-    EXPECT_EQ(before[i].frame.azimuth, after[i].frame.azimuth);
-  }
-  EXPECT_NEAR(values_of(*before[0].vertical)[1], -0.5, 1e-12) << "down is turned up";
 }
 
 TEST_F(Records, ReadFilesThatAreNamed) {

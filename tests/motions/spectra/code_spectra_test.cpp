@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -36,9 +37,10 @@ const Asce7Spectrum asce_7{.s_ds = 1.0, .s_d1 = 0.6, .long_period = 8 * s};
 
 TEST(Asce7Spectrum, HasTheOrdinatesOfItsBranches) {
   const Ordinates ordinates{{0.0, 0.4}, {0.05, 0.65}, {0.3, 1.0}, {3.0, 0.2}, {10.0, 0.048}, {20.0, 0.012}};
-  expect_ordinates(asce_7, ordinates);
+  expect_ordinates(asce_7.design(), ordinates);
   for (const auto& [period, value] : ordinates) expect_ordinates(asce_7.mce_r(), {{period, 1.5 * value}});
-  expect_continuous(asce_7);
+  expect_continuous(asce_7.design());
+  static_assert(!std::is_convertible_v<Asce7Spectrum, TargetSpectrum>, "a script says design or MCE_R");
   const TargetSpectrum spectrum = asce_7.mce_r();
   EXPECT_EQ(spectrum.name, "ASCE 7 MCE_R");
   EXPECT_NE(spectrum.source.find("recalled, not read in the code"), std::string::npos);
@@ -47,6 +49,46 @@ TEST(Asce7Spectrum, HasTheOrdinatesOfItsBranches) {
   EXPECT_NEAR(spectrum.corners[0].si(), 0.12, 1e-15);
   EXPECT_NEAR(spectrum.corners[1].si(), 0.6, 1e-15);
   EXPECT_EQ(spectrum.corners[2], 8 * s);
+}
+
+// S_a falls straight from 2 g at 0.1 s to 1.6 g at 0.3 s, to 1.2 g at 1 s, to 0.5 g at 5 s: at 0.2 s 1.8 g. On [1, 5]
+// S_a = 1.375 - 0.175 T, so that T S_a is largest at 3.92857 s with 2.70089, on [1, 2] at 2 s with 2.05.
+TEST(Asce7Parameters, AreThoseOfTheTableWorkedByHand) {
+  const SpectrumTable table{.name = "site",
+                            .periods = {0 * s, 0.1 * s, 0.3 * s, 1 * s, 5 * s},
+                            .accelerations = {0.8 * g, 2 * g, 1.6 * g, 1.2 * g, 0.5 * g}};
+  const auto of = [&](const SpectrumTable& each, SpectrumLevel level, double velocity) {
+    return asce_7_parameters(each, level, velocity * m / s, 8 * s);
+  };
+  const Asce7Spectrum soft = of(table, SpectrumLevel::mce_r, 442), stiff = of(table, SpectrumLevel::mce_r, 443);
+  EXPECT_NEAR(soft.s_ds, 2.0 / 3.0 * 0.9 * 1.8, 1e-9);
+  EXPECT_NEAR(soft.s_d1, 2.0 / 3.0 * 0.9 * 1.375 * 1.375 / 0.7, 1e-6);
+  EXPECT_NEAR(stiff.s_ds, soft.s_ds, 1e-15);
+  EXPECT_NEAR(stiff.s_d1, 2.0 / 3.0 * 0.9 * 2.05, 1e-9);
+  EXPECT_EQ(soft.long_period.value(), 8 * s);
+  const Asce7Spectrum design = of(table, SpectrumLevel::design, 443);
+  EXPECT_NEAR(design.s_ds, 1.5 * stiff.s_ds, 1e-12);
+  EXPECT_NEAR(design.s_d1, 1.5 * stiff.s_d1, 1e-12);
+  // Falling faster than 1/T: all of S_a(1 s), where T S_a would give 0.9 of it.
+  SpectrumTable steep = table;
+  steep.accelerations[4] = 0.01 * g;
+  steep.periods = {0 * s, 0.1 * s, 0.3 * s, 1 * s, 5 * s};
+  steep.periods.insert(steep.periods.begin() + 4, 1.5 * s);
+  steep.accelerations.insert(steep.accelerations.begin() + 4, 0.4 * g);
+  EXPECT_NEAR(of(steep, SpectrumLevel::mce_r, 200).s_d1, 2.0 / 3.0 * 1.2, 1e-12);
+}
+
+TEST(Asce7Parameters, NeedTheWholeRangeAndAVelocity) {
+  SpectrumTable table{.name = "short", .periods = {0.1 * s, 4 * s}, .accelerations = {1 * g, 0.2 * g}};
+  EXPECT_NE(message_of([&] {
+              (void)asce_7_parameters(table, SpectrumLevel::mce_r, 300 * m / s, 8 * s);
+            }).find("TargetSpectrum \"short\": period = 5 s"),
+            std::string::npos);
+  table.periods.back() = 6 * s;
+  EXPECT_NE(message_of([&] {
+              (void)asce_7_parameters(table, SpectrumLevel::mce_r, 0 * m / s, 8 * s);
+            }).find("asce_7_parameters \"short\": shear_wave_velocity = 0 m/s"),
+            std::string::npos);
 }
 
 TEST(En1998Spectrum, HasTheOrdinatesOfItsBranches) {
@@ -142,7 +184,7 @@ TEST(CodeSpectra, RefusePeriodsOutsideTheirRange) {
   EXPECT_NE(
       message(Gb50011Spectrum{.alpha_max = 0.9, .characteristic_period = 0.4 * s}, 6.1 * s).find("from 0 s to 6 s"),
       std::string::npos);
-  EXPECT_EQ(message(asce_7, -1 * s),
+  EXPECT_EQ(message(asce_7.design(), -1 * s),
             "TargetSpectrum \"ASCE 7 design\": period = -1 s is not allowed; it must be >= 0 s.");
 }
 

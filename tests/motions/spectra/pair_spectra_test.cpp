@@ -146,6 +146,8 @@ TEST(PeriodsBetween, HaveEqualRatiosOfAtMostTwoPercent) {
   EXPECT_EQ(periods.back(), 3 * s);
   for (std::size_t i = 1; i < periods.size(); ++i)
     EXPECT_NEAR(periods[i] / periods[i - 1], std::pow(6.0, 1.0 / 91.0), 1e-12);
+  const std::vector<Time> close = periods_between(1 * s, 1.001 * s);
+  EXPECT_EQ(close, (std::vector{1 * s, 1.001 * s})) << "both ends at least";
   EXPECT_EQ(message_of([] { (void)periods_between(3 * s, 1 * s); }),
             "periods_between: longest = 1 s is not allowed; it must be > 3 s.");
 }

@@ -178,6 +178,37 @@ TEST(ScaleSuite, OfEn1998ReachesTheGroundAccelerationToo) {
     EXPECT_EQ(governed.common_factor, free.common_factor);
 }
 
+// Records whose second component is the weaker one: it governs, not `first`.
+TEST(ScaleSuite, OfEn1998LiftsTheMeanOfEachComponent) {
+  const TargetSpectrum target = En1998Spectrum{.ground_acceleration = 0.3 * g, .ground = 'C'};
+  std::vector<NamedPair> pairs;
+  for (int i = 0; i < 7; ++i) {
+    const GroundMotion first = pair_of(1.3 + 0.3 * i, 1.0).first;
+    pairs.push_back({"record " + std::to_string(i), PlanMotion{first, first.scaled_by(0.4)}});
+  }
+  SuiteScaling scaling = SuiteScaling::en_1998_1(1.4 * s, 1.8 * s);
+  EXPECT_NEAR(scaling.shortest.si(), 0.28, 1e-15);
+  EXPECT_NEAR(scaling.longest.si(), 3.6, 1e-15);
+  scaling.mean_at_zero = false;
+  const ScaledSuite suite = scale_suite(pairs, target, scaling);
+  const auto [least, largest] = ratios(suite, PairSpectrum::second);
+  EXPECT_NEAR(least, 0.9, 1e-9);
+  EXPECT_NEAR(suite.least_ratio, least, 1e-9);
+  EXPECT_NEAR(suite.largest_ratio, largest / 0.4, 1e-9) << "that of the first";
+  // Own factors fit both: f = exp(mean(ln t - ln S)/2 + mean(ln t - ln 0.4 S)/2) = f(first)/sqrt(0.4).
+  scaling.spectrum = PairSpectrum::first;
+  const ScaledSuite one = scale_suite(pairs, target, scaling);
+  for (std::size_t i = 0; i < pairs.size(); ++i)
+    EXPECT_NEAR(suite.own_factors[i] / one.own_factors[i], 1.0 / std::sqrt(0.4), 1e-9);
+  EXPECT_NEAR(suite.factors()[0] / one.factors()[0], 1.0 / 0.4, 1e-9);
+  EXPECT_EQ(suite.governing_period, one.governing_period);
+  EXPECT_EQ(suite.description()[2].substr(0, 19), "Mean each component");
+  pairs[0].motion.second = pairs[0].motion.second.scaled_by(0.0);
+  EXPECT_EQ(message_of([&] { (void)scale_suite(pairs, target, SuiteScaling::en_1998_1(1.5 * s)); }),
+            "scale_suite \"EN 1998-1\": pair record 0 has no motion in the range in one of its components. Leave it "
+            "out, or set `spectrum`.");
+}
+
 TEST(ScaleSuite, SaysWhereItsRuleComesFrom) {
   const ScaledSuite suite = scale_suite(suite_of_seven(), mce_r, SuiteScaling::asce_7_22(2.16 * s, 2.82 * s));
   const std::vector<std::string> lines = suite.description();
@@ -196,13 +227,17 @@ TEST(ScaleSuite, WarnsOfFewRecordsAndLargeFactors) {
   SuiteScaling chapter_16 = SuiteScaling::asce_7_ch16(2 * s, 2.5 * s);
   ASSERT_FALSE(scale_suite(pairs, mce_r, chapter_16).warnings.empty());
   EXPECT_EQ(scale_suite(pairs, mce_r, chapter_16).warnings.back(),
-            "Only 7 records: the mean of responses needs 11; with fewer the largest is taken.");
+            "Only 7 records: ASCE 7 chapter 16 asks for 11. The design value of a response is the mean of at least 7, "
+            "else the "
+            "largest.");
   pairs.erase(pairs.begin() + 5, pairs.end());
   pairs[1].motion = pairs[1].motion.scaled_by(0.01);
   const ScaledSuite suite = scale_suite(pairs, mce_r, asce_7_16);
   ASSERT_EQ(suite.warnings.size(), 2u);
   EXPECT_EQ(suite.warnings[0], "The factor " + to_text(suite.factors()[1]) + " of record 1 is outside 0.25 to 4.");
-  EXPECT_EQ(suite.warnings[1], "Only 5 records: the mean of responses needs 7; with fewer the largest is taken.");
+  EXPECT_EQ(suite.warnings[1],
+            "Only 5 records: ASCE 7-16 asks for 7. The design value of a response is the mean of at least 7, else the "
+            "largest.");
   SuiteScaling wide = asce_7_16;
   wide.allowed = {0.001, 1000.0};
   EXPECT_EQ(scale_suite(pairs, mce_r, wide).warnings.size(), 1u);

@@ -46,6 +46,25 @@ TEST(SpectraTable, HoldsTargetMeanAndRecords) {
   }
 }
 
+TEST(SpectraTable, HoldsBothComponentsWhereEachIsScaled) {
+  ScaledSuite scaled = suite();
+  scaled.scaling.spectrum = PairSpectrum::each_component;
+  const Table table = spectra_table(scaled);
+  ASSERT_EQ(table.columns.size(), 7u);
+  const auto column = [&](const char* where) { return table.values("spectral_acceleration", where); };
+  const auto &periods = table.values("period"), &mean = table.values("spectral_acceleration", "mean");
+  for (std::size_t k = 0; k < periods.size(); k += 20) {
+    const PairSpectra two = pair_spectra(scaled.pairs[1].motion, std::vector{periods[k] * s});
+    EXPECT_EQ(column("two, first")[k], two.first[0]);
+    EXPECT_EQ(column("two, second")[k], two.second[0]);
+    EXPECT_NEAR(mean[k],
+                0.5 * std::min(column("one, first")[k] + column("two, first")[k],
+                               column("one, second")[k] + column("two, second")[k]),
+                1e-14);
+  }
+  EXPECT_EQ(suite_charts(scaled)[0].series[5].name, "smaller mean");
+}
+
 TEST(SuiteCharts, ShowRecordsMeanTargetAndRange) {
   const ScaledSuite scaled = suite();
   const std::vector<Chart> charts = suite_charts(scaled);

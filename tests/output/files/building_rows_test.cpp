@@ -49,6 +49,23 @@ TEST(BuildingTable, HasARowForEveryBuilding) {
   EXPECT_TRUE(table.rows[1].cells[4].where.starts_with("old floor 1 at ")) << "each has its own largest value";
 }
 
+// A wall is a body on the ground: its acceleration would hide that of the building.
+TEST(BuildingTable, LeavesOutWallsThatGiveWay) {
+  Model model;
+  const Building house = add(
+      model, ShearBuilding{.name = "house", .storeys = 1, .floor_mass = 300 * tonne, .storey_stiffness = 50 * MN / m});
+  add(model, Moat{.around = house.floor(1),
+                  .clearance = 1 * cm,
+                  .law = LinearElastic{.stiffness = 1 * GN / m},
+                  .wall = FlexibleWall{.mass = 10 * tonne, .stiffness = 100 * MN / m}});
+  const CaseResult result = run_case(model, near_fault_pulse().scaled_to_pga(0.4 * g),
+                                     {.transient = {.end = 5 * s}, .error_bars = ErrorBarMode::never});
+  ASSERT_EQ(result.buildings.size(), 3U);
+  const BuildingTable table = building_table(result);
+  ASSERT_EQ(table.rows.size(), 1U);
+  EXPECT_EQ(table.rows[0].name, "house");
+}
+
 TEST(BuildingTable, SaysWhichShareOfTheClearanceIsLeft) {
   const BuildingTable table = building_table(two_buildings(5 * m));
   const BuildingCell& margin = table.rows[0].cells[1];

@@ -31,12 +31,12 @@ TEST(PeakTable, GivesEveryValueTheDigitsThatItsErrorLeaves) {
                   {"impact_force", "moat left", 25.6512e6, "N", 4.25, 33e3},
                   {"impact_force", "moat right", 0.0, "N", 0.0, 0.0}};
   EXPECT_EQ(peak_table(result),
-            "peak displacement [cm]\n"
+            "peak displacement [cm], +- numerical error\n"
             "  base       53.28 +- 0.016    at  4.500 s\n"
             "  floor 1    53.3  +- 0.4      at 14.500 s\n"
             "  floor 2    53.28 +- 0.0004   at 14.500 s\n"
             "  floor 3    53.28             at  4.500 s\n"
-            "peak impact force [kN]\n"
+            "peak impact force [kN], +- numerical error\n"
             "  moat left  25650 +- 40       at  4.250 s\n")
       << "a gap that stayed open has no row";
 }
@@ -46,9 +46,9 @@ TEST(PeakTable, NamesTheElementThatReachedThePeakOfSeveral) {
   result.peaks = {{"displacement", "base", -0.5, "m", 4.5, 0.0, "left"},
                   {"impact_force", "moat", 25.65e6, "N", 4.25, 0.0, "moat right"}};
   EXPECT_EQ(peak_table(result),
-            "peak displacement [cm]\n"
+            "peak displacement [cm], +- numerical error\n"
             "  base  -50.00 +- 0   at 4.500 s\n"
-            "peak impact force [kN]\n"
+            "peak impact force [kN], +- numerical error\n"
             "  moat   25650 +- 0   at 4.250 s   moat right\n");
 }
 
@@ -96,7 +96,7 @@ TEST(ClearanceTable, SaysHowMuchWasLeft) {
   EXPECT_EQ(clearance_table(result), "");
   result.clearances = {{"moat left", 0.5, 0.20187, 3.25, 0.0021}, {"moat right", 0.1, -0.0123, 4.5, 0.00004}};
   EXPECT_EQ(clearance_table(result),
-            "clearance left [cm]\n"
+            "clearance left [cm], +- numerical error\n"
             "  moat left   20.2  +- 0.3     at 3.250 s   of 50 cm\n"
             "  moat right  -1.23 +- 0.004   at 4.500 s   of 10 cm\n");
 }

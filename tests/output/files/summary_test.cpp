@@ -36,7 +36,7 @@ CaseResult example() {
                     .second_other = "floor 2",
                     .second_share = 0.25}}};
   result.buildings = {{"tower", "base", {"floor 1"}, {"bearing"}}};
-  result.analysis = {"Newmark", "located", "always", {{"step", 0.005, "s"}, {"max_cuts", 12.0, "1"}}};
+  result.analysis = {"Newmark", "located", "always", "never", {{"step", 0.005, "s"}, {"max_cuts", 12.0, "1"}}};
   result.clearances = {{"moat left", 0.5, 0.2, 3.5}};
   result.periods = {{"isolated", 2.1}, {"fixed base", 1.0 / 3.0}};
   result.peaks = {{"displacement", "base", 0.1234567, "m", 4.5},
@@ -93,8 +93,8 @@ TEST_F(Summary, ReadsBackWithEveryField) {
   EXPECT_EQ(json["periods"][1]["name"], "fixed base");
   EXPECT_EQ(json["periods"][1]["unit"], "s");
   EXPECT_EQ(json["periods"][1]["value"].get<double>(), 1.0 / 3.0);
-  EXPECT_EQ(json["analysis"],
-            Json::parse(R"({"integrator": "Newmark", "events": "located", "error_bars": "always", "options": {
+  EXPECT_EQ(json["analysis"], Json::parse(R"({"integrator": "Newmark", "events": "located", "error_bars": "always",
+                            "contact_sensitivity": "never", "options": {
                                                "step": {"value": 0.005, "unit": "s"},
                                                "max_cuts": {"value": 12.0, "unit": "1"}}})"));
   EXPECT_EQ(json["assumptions"], Json::parse(R"(["Average acceleration.", "Signs: tension positive."])"));
@@ -146,9 +146,9 @@ TEST_F(Summary, HasTheErrorsOfPeaks) {
                        .companion = "Finer.",
                        .companion_impacts = 3,
                        .companion_solver = {.accepted_steps = 22, .cpu_seconds = 0.75},
-                       .sensitive = true,
+                       .unsettled = true,
                        .reason = "it has 3 impacts instead of 2",
-                       .unsettled = {result.peaks[1]}};
+                       .unsettled_peaks = {result.peaks[1]}};
   write_summary_json(result, folder / "summary.json");
   const Json json = Json::parse(testing_output::read_file(folder / "summary.json"));
   EXPECT_EQ(json["peaks"][0]["error"].get<double>(), 0.001 * 0.1234567);
@@ -162,9 +162,9 @@ TEST_F(Summary, HasTheErrorsOfPeaks) {
   EXPECT_EQ(bars["companion_solver"]["cpu_seconds"], 0.75);
   EXPECT_EQ(bars["companion_solver"].size(), json["solver"].size());
   EXPECT_EQ(json["solver"]["accepted_steps"], 11) << "the costs of the two runs stay apart";
-  EXPECT_EQ(bars["sensitive"], true);
+  EXPECT_EQ(bars["unsettled"], true);
   EXPECT_EQ(bars["reason"], "it has 3 impacts instead of 2");
-  EXPECT_EQ(bars["unsettled"], Json::parse(R"([{"quantity": "absolute_acceleration", "where": "floor 5"}])"));
+  EXPECT_EQ(bars["unsettled_peaks"], Json::parse(R"([{"quantity": "absolute_acceleration", "where": "floor 5"}])"));
 }
 
 TEST_F(Summary, SaysWhyThereAreNoErrors) {
@@ -174,9 +174,47 @@ TEST_F(Summary, SaysWhyThereAreNoErrors) {
   const Json bars = Json::parse(testing_output::read_file(folder / "summary.json"))["error_bars"];
   EXPECT_EQ(bars["checked"], false);
   EXPECT_EQ(bars["companion"], "No error bars: a reason.");
-  for (const char* field : {"companion_impacts", "companion_solver", "sensitive"})
+  for (const char* field : {"companion_impacts", "companion_solver", "unsettled"})
     EXPECT_TRUE(bars.at(field).is_null()) << field;
-  EXPECT_EQ(bars["unsettled"], Json::array());
+  EXPECT_EQ(bars["unsettled_peaks"], Json::array());
+}
+
+TEST_F(Summary, HasTheSensitivityToContacts) {
+  CaseResult result = example();
+  result.contact_sensitivity = {
+      .computed = true,
+      .rigid_walls = true,
+      .impacts = 2,
+      .changes = {{.parameter = "stiffness", .factor = 3.0, .impacts = 3, .contact = {{"moat", "more"}}},
+                  {.parameter = "restitution",
+                   .difference = -0.1,
+                   .restitutions = {0.55},
+                   .impacts = 0,
+                   .contact = {{"moat", "vanishes"}}},
+                  {.parameter = "clearance", .factor = 0.9, .failure = "it failed."}},
+      .peaks = {{.quantity = "displacement",
+                 .where = "base",
+                 .unit = "m",
+                 .value = -0.125,
+                 .error = 0.5,
+                 .changed = {-0.25, 0.5, std::numeric_limits<double>::quiet_NaN()}}},
+      .unchanged_laws = {"Mine"}};
+  write_summary_json(result, folder / "summary.json");
+  EXPECT_EQ(Json::parse(testing_output::read_file(folder / "summary.json"))["contact_sensitivity"],
+            Json::parse(R"({"computed": true, "reason": null, "unsettled": false, "rigid_walls": true, "impacts": 2,
+                            "changes": [{"parameter": "stiffness", "places": null, "impacts": 3, "factor": 3.0,
+                                         "contact": {"moat": "more"}, "failure": null},
+                                        {"parameter": "restitution", "places": null, "impacts": 0, "difference": -0.1,
+                                         "restitutions": [0.55], "contact": {"moat": "vanishes"}, "failure": null},
+                                        {"parameter": "clearance", "places": null, "impacts": 0, "factor": 0.9,
+                                         "contact": {}, "failure": "it failed."}],
+                            "peaks": [{"quantity": "displacement", "where": "base", "unit": "m", "value": -0.125,
+                                       "error": 0.5, "changed": [-0.25, 0.5, null]}],
+                            "unchanged_laws": ["Mine"]})"));
+  result.clearances.clear();
+  write_summary_json(result, folder / "summary.json");
+  EXPECT_TRUE(Json::parse(testing_output::read_file(folder / "summary.json")).at("contact_sensitivity").is_null())
+      << "without contacts";
 }
 
 TEST_F(Summary, WritesNullForWhatIsNotKnown) {

@@ -119,6 +119,21 @@ TEST(FloorSpectra, AreResponseSpectraOfTheSameMotionInUnequalSteps) {
   }
 }
 
+// The largest values come during the free vibration after a short push.
+TEST(FloorSpectra, AreTheSameWithoutAbsoluteAccelerations) {
+  std::vector<std::vector<double>> pseudo;
+  for (const bool absolute : {true, false}) {
+    ShakenFloor floor{{.periods = {0.1 * s, 0.5 * s, 2 * s}, .absolute_acceleration = absolute}};
+    floor.start(0.0);
+    for (const double acceleration : {3.0, -1.0, 2.0, 0.0}) floor.step(0.02, acceleration);
+    const ResponseSpectrum spectrum = floor.spectra.spectra().at(0).spectrum;
+    EXPECT_EQ(spectrum.absolute_acceleration.empty(), !absolute);
+    pseudo.push_back(spectrum.pseudo_acceleration);
+  }
+  for (std::size_t i = 0; i < 3; ++i) EXPECT_NEAR(pseudo[0][i], pseudo[1][i], 1e-5 * pseudo[0][i]);
+  EXPECT_GT(pseudo[0][2], 0.0);
+}
+
 TEST(FloorSpectra, OfAFloorOnAStiffSpringAreThoseOfTheGround) {
   Model model;
   const NodeId floor = add(model, Node{.name = "floor", .mass = 1 * tonne});

@@ -141,6 +141,7 @@ TEST_F(ReadMatrix, RefusesRowsThatAreNoMatrix) {
   EXPECT_EQ(refusal(""), ": it has no lines, or comments only.");
   EXPECT_EQ(refusal("# K\n\n"), ": it has no lines, or comments only.");
   EXPECT_EQ(refusal("stiffness\n"), ": there are no numbers in it.");
+  EXPECT_EQ(refusal("stiffness\nfloor_1\nfloor_2\n"), ", line 2: there is no number behind \"floor_1\".");
 }
 
 TEST_F(ReadMatrix, RefusesDecimalCommas) {
@@ -187,6 +188,11 @@ TEST_F(ReadMatrix, RefusesDamagedMatrixMarket) {
   EXPECT_EQ(body("array real general", "2 2 4\n1\n"), ", line 2: \"2 2 4\" must be rows, columns.");
   EXPECT_EQ(body("coordinate real general", "2 2 3\n2 1 5\n"), ": it has 1 entry, and its size asks for 3.");
   EXPECT_EQ(body("array real symmetric", "2 2\n1\n2\n3\n4\n"), ": it has 4 entries, and its size asks for 3.");
+  for (const std::string count : {"-3", "1e300", "0"})
+    EXPECT_EQ(body("coordinate real general", "2 2 " + count + "\n2 1 5\n"),
+              ", line 2: \"" + count + "\" must be a whole number from 1 to 100000000.");
+  EXPECT_EQ(body("coordinate real general", "10001 10001 1\n2 1 5\n"),
+            ", line 2: \"10001\" must be a whole number from 1 to 10000.");
   EXPECT_EQ(body("coordinate real general", "2 2 1\n3 1 5\n"), ", line 3: \"3\" must be a whole number from 1 to 2.");
   EXPECT_EQ(body("coordinate real general", "2 2 1\n0 1 5\n"), ", line 3: \"0\" must be a whole number from 1 to 2.");
   EXPECT_EQ(body("coordinate real general", "2 2 1\n1 1.5 5\n"),

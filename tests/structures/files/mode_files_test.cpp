@@ -78,6 +78,8 @@ TEST_F(ReadModes, RefusesBadModes) {
   EXPECT_EQ(refusal("mode,period [s]\n2,1\n", shapes),
             "modes.csv, line 2: mode is 2; modes are numbered 1, 2, 3 from row to row.");
   EXPECT_EQ(refusal("mode,period [s]\n1,0\n", shapes), "modes.csv, line 2: period is 0; it must be > 0.");
+  EXPECT_EQ(refusal("mode,period [s]\n1,1e-200\n", shapes),
+            "modes.csv, line 2: period is 1e-200; it is too small. Check its unit.");
   EXPECT_EQ(refusal("mode,eigenvalue [1/s2]\n1,-4\n", shapes), "modes.csv, line 2: eigenvalue is -4; it must be > 0.");
   EXPECT_EQ(refusal("mode,eigenvalue [1/s]\n1,4\n", shapes),
             "modes.csv, line 2, eigenvalue: \"4 1/s\" is in 1/s, but it must be in s^-2 or multiples of it.");

@@ -166,5 +166,27 @@ TEST(StoreysOfAFrame, AreRead) {
   EXPECT_DOUBLE_EQ(table.floors[11].mass / tonne, 50.0);
 }
 
+// 5 % of 20 m and of 10 m; the roof is smaller. Masses that are off the centre stay so.
+TEST(StoreyTableWithEccentricity, MovesAllCentresOfMass) {
+  StoreyTable table;
+  table.base = StoreyRow{.name = "base", .outline = rectangle(20 * m, 10 * m)};
+  table.floors = {{.name = "floor 1", .centre_of_mass = {1 * m, 2 * m}, .outline = rectangle(20 * m, 10 * m)},
+                  {.name = "roof", .outline = rectangle(8 * m, 4 * m, {3 * m, 0 * m})}};
+  const StoreyTable moved = with_eccentricity(table, 0.05, -0.05);
+  EXPECT_NEAR(moved.base->centre_of_mass.x / m, 1.0, 1e-15);
+  EXPECT_NEAR(moved.base->centre_of_mass.y / m, -0.5, 1e-15);
+  EXPECT_NEAR(moved.floors[0].centre_of_mass.x / m, 2.0, 1e-15);
+  EXPECT_NEAR(moved.floors[0].centre_of_mass.y / m, 1.5, 1e-15);
+  EXPECT_NEAR(moved.floors[1].centre_of_mass.x / m, 0.4, 1e-15);
+  EXPECT_NEAR(moved.floors[1].centre_of_mass.y / m, -0.2, 1e-15);
+  EXPECT_NE(message_of([&] { (void)with_eccentricity(table, 0.6, 0.0); }).find("share_of_x = 0.6"), std::string::npos);
+  EXPECT_NE(message_of([&] { (void)with_eccentricity(table, 0.0, -0.6); }).find("share_of_y = -0.6"),
+            std::string::npos);
+  table.floors[1].outline = {};
+  EXPECT_EQ(message_of([&] { (void)with_eccentricity(table, 0.05, 0.0); }),
+            "with_eccentricity: roof has no outline. Give one: the eccentricity is a share of it.");
+  EXPECT_EQ(with_eccentricity(table, 0.0, 0.0).floors.size(), 2u);
+}
+
 }  // namespace
 }  // namespace moat

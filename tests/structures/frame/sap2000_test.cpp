@@ -115,6 +115,10 @@ TEST_F(Sap2000, BadFilesAreRefused) {
   EXPECT_EQ(message("space_floor.TXC", "-2\t14", "-2\t31"),
             "space_floor.TXC, line 4: TXE has no equation 31, TXC has.");
   EXPECT_EQ(message("space_floor.TXC", "-12\t15", "-13\t15"), "space_floor.TXE: TXC has no constraint -12, TXE has.");
+  EXPECT_EQ(
+      message("space_floor.TXE", "\t0\t15", "\t0\t1000000000"),
+      "space_floor.TXE: it has 15 equations, and the last has the number 1000000000. They must be numbered 1, 2, 3 "
+      "and so on.");
   EXPECT_EQ(message("space_floor.TXE", "\n8\t", "\n9\t"),
             "space_floor.TXE, line 9: joint 9 has no coordinates. Add it to the file of joints.");
   EXPECT_EQ(message("joints.csv", "8,1,5,3.5", "8,1,5,3.5\n9,1,1,1"),

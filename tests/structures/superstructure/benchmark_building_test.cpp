@@ -16,7 +16,10 @@ namespace {
 
 using namespace units;
 using testing::BenchmarkBuilding;
+using testing::BenchmarkRun;
+using testing::ExpectedPeak;
 using testing::peak;
+using testing::run_benchmark;
 
 class BenchmarkBuildingTest : public ::testing::Test {
  protected:
@@ -25,19 +28,6 @@ class BenchmarkBuildingTest : public ::testing::Test {
       GTEST_SKIP() << "MOAT_EXPERIMENTS is not set: the benchmark building is left out.";
   }
 
-  struct Run {
-    CaseResult result;
-    SuperstructureParts parts;
-  };
-  [[nodiscard]] static Run run(const Superstructure& building, bool has_walls, bool has_dashpots) {
-    Model model;
-    const SuperstructureParts parts = add(model, building);
-    if (has_dashpots) BenchmarkBuilding{}.add_dashpots(model, parts.base);
-    if (has_walls) BenchmarkBuilding::add_walls(model, parts.base);
-    CaseRun run{model, testing::newhall(true), {.history_interval = 1 * ms}};
-    run.run();
-    return {run.take_result(), parts};
-  }
   // The largest resultant of a drift at the centre of mass.
   [[nodiscard]] static double drift(const CaseResult& result, const std::string& floor) {
     const std::vector<double>&x = result.histories.values("drift_x", floor),
@@ -48,49 +38,11 @@ class BenchmarkBuildingTest : public ::testing::Test {
   }
 };
 
-struct Expected {
-  const char *quantity, *where;
-  double value;
-};
-
-void expect_peaks(const CaseResult& result, const std::vector<Expected>& list, double tolerance) {
-  for (const Expected& each : list)
+void expect_peaks(const CaseResult& result, const std::vector<ExpectedPeak>& list, double tolerance) {
+  for (const ExpectedPeak& each : list)
     EXPECT_NEAR(peak(result, each.quantity, each.where), each.value, tolerance * each.value)
         << each.quantity << " at " << each.where;
 }
-
-const std::vector<Expected> without_walls{{"displacement", "base", 0.486784},
-                                          {"displacement_x", "base", 0.484273},
-                                          {"displacement_y", "base", 0.192924},
-                                          {"rotation", "base", 0.00859755},
-                                          {"absolute_acceleration_x", "floor 8", 2.823545},
-                                          {"absolute_acceleration_y", "floor 8", 0.988657},
-                                          {"absolute_acceleration_x", "base", 2.208395},
-                                          {"absolute_acceleration_y", "base", 0.757872},
-                                          {"storey_shear_x", "storey 1", 30759.49e3},
-                                          {"storey_shear_y", "storey 1", 13924.62e3},
-                                          {"storey_torque", "storey 1", 491471.9e3},
-                                          {"overturning_moment_x", "storey 1", 622768.0e3},
-                                          {"overturning_moment_y", "storey 1", 257957.8e3},
-                                          {"total_base_shear_x", "base", 38561.32e3},
-                                          {"total_base_shear_y", "base", 16615.32e3},
-                                          {"total_base_torque", "base", 591551.1e3},
-                                          {"isolator_deformation", "bearings", 0.8171428}};
-const std::vector<Expected> with_walls{{"displacement", "base", 0.375334},
-                                       {"displacement_x", "base", 0.344938},
-                                       {"displacement_y", "base", 0.286304},
-                                       {"rotation", "base", 0.00609136},
-                                       {"absolute_acceleration_x", "floor 8", 10.294864},
-                                       {"absolute_acceleration_y", "floor 8", 2.580955},
-                                       {"absolute_acceleration_x", "base", 5.277758},
-                                       {"absolute_acceleration_y", "base", 1.883291},
-                                       {"impact_force", "moat", 28305.80e3},
-                                       {"storey_shear_x", "storey 1", 58029.14e3},
-                                       {"storey_torque", "storey 1", 560614.7e3},
-                                       {"storey_shear_y", "storey 1", 26327.12e3},
-                                       {"overturning_moment_x", "storey 1", 1325317e3},
-                                       {"overturning_moment_y", "storey 1", 480418.6e3},
-                                       {"isolator_deformation", "bearings", 0.3977890}};
 
 void expect_isolated_periods(const Superstructure& building, const std::vector<std::pair<std::size_t, double>>& list) {
   Model model;
@@ -102,11 +54,11 @@ void expect_isolated_periods(const Superstructure& building, const std::vector<s
 }
 
 TEST_F(BenchmarkBuildingTest, FromMatrices) {
-  const Run open = run(BenchmarkBuilding{}.from_matrices(), false, true);
+  const BenchmarkRun open = run_benchmark(BenchmarkBuilding{}.from_matrices(), false, true);
   const std::vector<double> periods = open.parts.periods();
   for (const auto& [mode, period] : {std::pair{0, 0.897356}, {1, 0.780084}, {2, 0.658486}})
     EXPECT_NEAR(periods[static_cast<std::size_t>(mode)], period, 6e-7);
-  expect_peaks(open.result, without_walls, 1e-4);
+  expect_peaks(open.result, testing::without_walls, 1e-4);
   EXPECT_NEAR(drift(open.result, "floor 1"), 0.00497187, 1e-4 * 0.00497187);
   EXPECT_NEAR(drift(open.result, "floor 8"), 0.00539085, 1e-4 * 0.00539085);
   expect_isolated_periods(BenchmarkBuilding{}.from_matrices(),
@@ -114,26 +66,26 @@ TEST_F(BenchmarkBuildingTest, FromMatrices) {
 }
 
 TEST_F(BenchmarkBuildingTest, FromMatricesWithWalls) {
-  const Run open = run(BenchmarkBuilding{}.from_matrices(), true, true);
-  expect_peaks(open.result, with_walls, 1e-3);
+  const BenchmarkRun open = run_benchmark(BenchmarkBuilding{}.from_matrices(), true, true);
+  expect_peaks(open.result, testing::with_walls, 1e-3);
   EXPECT_EQ(open.result.impacts.size(), 9U);
   EXPECT_NEAR(drift(open.result, "floor 1"), 0.00888729, 1e-3 * 0.00888729);
   EXPECT_NEAR(drift(open.result, "floor 8"), 0.01537396, 1e-3 * 0.01537396);
 }
 
 TEST_F(BenchmarkBuildingTest, FromAllModes) {
-  const Run open = run(BenchmarkBuilding{}.from_modes(), false, true);
-  expect_peaks(open.result, without_walls, 1e-4);
+  const BenchmarkRun open = run_benchmark(BenchmarkBuilding{}.from_modes(), false, true);
+  expect_peaks(open.result, testing::without_walls, 1e-4);
   EXPECT_NEAR(open.parts.periods()[0], 0.89735621, 1e-8);
-  const Run walls = run(BenchmarkBuilding{}.from_modes(), true, true);
-  expect_peaks(walls.result, with_walls, 1e-3);
+  const BenchmarkRun walls = run_benchmark(BenchmarkBuilding{}.from_modes(), true, true);
+  expect_peaks(walls.result, testing::with_walls, 1e-3);
   EXPECT_EQ(walls.result.impacts.size(), 9U);
 }
 
 TEST_F(BenchmarkBuildingTest, FromNineModes) {
   Superstructure building = BenchmarkBuilding{}.from_modes();
   building.modes->keep = 9;
-  const Run open = run(building, false, true);
+  const BenchmarkRun open = run_benchmark(building, false, true);
   expect_peaks(open.result,
                {{"displacement", "base", 0.486766},
                 {"rotation", "base", 0.00859752},
@@ -141,7 +93,7 @@ TEST_F(BenchmarkBuildingTest, FromNineModes) {
                 {"absolute_acceleration_y", "floor 8", 0.986490},
                 {"absolute_acceleration_x", "base", 2.208831}},
                1e-3);
-  const Run walls = run(building, true, true);
+  const BenchmarkRun walls = run_benchmark(building, true, true);
   expect_peaks(walls.result,
                {{"displacement", "base", 0.375218},
                 {"absolute_acceleration_x", "floor 8", 10.313344},
@@ -154,7 +106,7 @@ TEST_F(BenchmarkBuildingTest, FromThreeModes) {
   Superstructure building = BenchmarkBuilding{}.from_modes();
   building.modes->keep = 3;
   expect_isolated_periods(building, {{0, 3.379091}, {3, 0.550385}});
-  const Run walls = run(building, true, true);
+  const BenchmarkRun walls = run_benchmark(building, true, true);
   expect_peaks(walls.result,
                {{"displacement", "base", 0.378074},
                 {"displacement_x", "base", 0.347514},
@@ -173,7 +125,7 @@ TEST_F(BenchmarkBuildingTest, FromThreeModes) {
 TEST_F(BenchmarkBuildingTest, OrthonormalisedModes) {
   Superstructure building = BenchmarkBuilding{}.from_modes();
   building.modes->orthonormalise = true;
-  const Run open = run(building, false, true);
+  const BenchmarkRun open = run_benchmark(building, false, true);
   expect_peaks(open.result,
                {{"displacement", "base", 0.486358},
                 {"absolute_acceleration_x", "floor 8", 2.794098},
@@ -181,7 +133,7 @@ TEST_F(BenchmarkBuildingTest, OrthonormalisedModes) {
                 {"absolute_acceleration_x", "base", 2.200887}},
                1e-3);
   expect_isolated_periods(building, {{0, 3.380172}, {3, 0.565470}});
-  const Run walls = run(building, true, true);
+  const BenchmarkRun walls = run_benchmark(building, true, true);
   expect_peaks(walls.result,
                {{"displacement", "base", 0.375451},
                 {"displacement_x", "base", 0.345019},
@@ -198,23 +150,7 @@ TEST_F(BenchmarkBuildingTest, OrthonormalisedModes) {
 }
 
 TEST_F(BenchmarkBuildingTest, OnLeadRubberBearings) {
-  const BenchmarkBuilding benchmark;
-  Superstructure building = benchmark.from_matrices();
-  building.bearings = benchmark.bearings(
-      LeadRubberBearing{.yield_force = 30 * kN, .yield_displacement = 6 * mm, .post_yield_stiffness = 0.6 * MN / m});
-  const Run open = run(building, false, false);
-  expect_peaks(open.result,
-               {{"displacement", "base", 0.6381119},
-                {"displacement_x", "base", 0.6372032},
-                {"displacement_y", "base", 0.2391328},
-                {"rotation", "base", 0.008404145},
-                {"absolute_acceleration_x", "floor 8", 1.957909},
-                {"absolute_acceleration_y", "floor 8", 1.188950},
-                {"absolute_acceleration_x", "base", 1.589654},
-                {"storey_shear_x", "storey 1", 29492.64e3},
-                {"isolator_deformation", "bearings", 0.8849756},
-                {"isolator_force", "bearings", 536.4002e3}},
-               1e-3);
+  expect_peaks(run_benchmark(BenchmarkBuilding{}.on_lead_rubber(), false, false).result, testing::on_lead_rubber, 1e-3);
 }
 
 class Frame12 : public ::testing::Test {

@@ -84,10 +84,19 @@ std::size_t unit_in(RecordLines& file, std::string_view line, double number_in_h
   const std::string capitals = upper_case(line);
   std::string_view rest = capitals;
   std::optional<std::size_t> number;
-  if (take_behind(rest, "UNITS") && take(rest, "=") && take_behind(rest, "(")) number = take_whole_number(rest);
+  std::string_view name;
+  if (take_behind(rest, "UNITS") && take(rest, "=")) {
+    name = trimmed(rest.substr(0, rest.find('(')));
+    if (take_behind(rest, "(")) number = take_whole_number(rest);
+  }
   if (!number || !take(rest, ")"))
     file.refuse("expected the unit with its number, as \"units=cm/sec2(04)\", but found " + quoted(trimmed(line)) +
                 ".");
+  const auto known = cosmos_units.find(*number);
+  if (const auto named = acceleration_unit(name);
+      named && known != cosmos_units.end() && std::abs(*named - *acceleration_unit(known->second)) > 1e-9)
+    file.refuse("the unit is " + quoted(name) + ", but its number " + std::to_string(*number) + " stands for " +
+                known->second + ".");
   if (number_in_header != unknown && number_in_header != static_cast<double>(*number))
     file.refuse("the unit is number " + std::to_string(*number) + " here, but value 3 of the integer header is " +
                 to_text(number_in_header) + ".");
@@ -123,19 +132,20 @@ void set_cosmos_component(RecordChannel& channel, double code, const std::vector
   static const std::map<double, const char*> names{{400, "UP"}, {401, "DOWN"}, {402, "VERTICAL"},
                                                    {500, "R"},  {501, "T"},    {600, "L"},
                                                    {601, "T"},  {700, "H1"},   {701, "H2"}};
-  std::string_view station;
-  for (const std::string_view comment : comments) {
-    std::string_view rest = comment;
+  std::string station;
+  for (const std::string& comment : comments) {
+    const std::string capitals = upper_case(comment);
+    std::string_view rest = capitals;
     if (take_behind(rest, "<SCNL>")) station = trimmed(rest.substr(0, rest.find(' ')));
   }
   const std::size_t one = std::min(station.find('.'), station.size()),
                     two = std::min(station.find('.', one + 1), station.size()),
                     three = std::min(station.find('.', two + 1), station.size());
-  const std::string_view code_of_channel = two > one ? station.substr(one + 1, two - one - 1) : std::string_view{};
+  const std::string code_of_channel = two > one ? station.substr(one + 1, two - one - 1) : "";
   const bool is_vertical = code_of_channel.ends_with('Z');
   if (two > one) {
     channel.station = station.substr(0, one);
-    channel.network = two < three ? station.substr(two + 1, three - two - 1) : std::string_view{};
+    channel.network = two < three ? station.substr(two + 1, three - two - 1) : "";
   }
   const auto name = names.find(code);
   if (is_vertical)
@@ -145,9 +155,11 @@ void set_cosmos_component(RecordChannel& channel, double code, const std::vector
   else if (code >= 1.0 && code <= 360.0)
     set_component(channel, to_text(code));
   else {
-    std::string_view text = channel.notes.size() > 8 ? std::string_view{channel.notes[8]} : std::string_view{};
-    const bool has_text = take_behind(text, "Chan") && take_behind(text, ":");
-    if (!has_text || !set_component(channel, text.substr(0, text.find('(')))) set_component(channel, code_of_channel);
+    // "Sta Chan  1: 340 deg (Rcrdr Chan  1) Location: ..." or "Sta Cha:  1: 340 deg"
+    const std::string line = channel.notes.size() > 8 ? upper_case(channel.notes[8]) : "";
+    std::string_view text = std::string_view{line}.substr(0, std::min(line.find('('), line.find("LOCATION")));
+    if (!take_behind(text, "STA CHA") || !set_component(channel, text.substr(text.rfind(':') + 1)))
+      set_component(channel, code_of_channel);
   }
   // The word "DOWN" turns the samples, and stays.
   if (channel.component.empty() || (is_vertical && code != 401.0 && !code_of_channel.empty()))
@@ -188,8 +200,9 @@ Series read_series(RecordLines& file, std::string_view first) {
                                                                 : ". Take the file with processed acceleration.");
   channel.step = checked_interval(file, reals, *count);
   if (channel.notes.size() > 4) {
-    std::string_view code = channel.notes[4];
-    if (take_behind(code, "Code:")) code = trimmed(code), channel.station = code.substr(0, code.find(' '));
+    const std::string site = upper_case(channel.notes[4]);
+    std::string_view code = site;
+    if (take_behind(code, "CODE:")) code = trimmed(code), channel.station = code.substr(0, code.find(' '));
   }
   channel.event = channel.notes.size() > 3 ? channel.notes[3] : "";
   // Year, day of the year, month, day, hour, minute.

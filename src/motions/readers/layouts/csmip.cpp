@@ -1,5 +1,6 @@
 #include <algorithm>
-#include <cmath>
+#include <array>
+#include <utility>
 
 #include "base/check.hpp"
 #include "motions/readers/channel_parts.hpp"
@@ -39,6 +40,24 @@ void set_csmip_component(RecordLines& lines, RecordChannel& channel, double code
   if (!header || header->vertical != channel.vertical || header->azimuth != channel.azimuth)
     channel.warnings.push_back("azimuth " + to_text(code) + " in the header, " + quoted(word) +
                                " in the text: text taken");
+}
+
+/// "Start time:  2/13/12, 21:06:45.0 UTC (GPS)" of line 5, or "TRIGGER TIME: 05/02/83, 16:42:48.2 PDT"; nothing for a
+/// zone that is not stated or not known.
+std::optional<double> csmip_start(std::string_view line) {
+  const std::string capitals = upper_case(line);
+  std::string_view text = capitals;
+  if (!take_behind(text, "TIME:")) return std::nullopt;
+  constexpr std::array<std::pair<std::string_view, double>, 4> zones{
+      {{"UTC", 0.0}, {"GMT", 0.0}, {"PST", 8.0}, {"PDT", 7.0}}};
+  for (const auto& [zone, hours_behind] : zones) {
+    const std::vector<double> date = numbers_in(text.substr(0, text.find(zone)));
+    if (text.find(zone) == std::string_view::npos || date.size() != 6) continue;
+    const double year = date[2] + (date[2] < 70.0 ? 2000.0 : date[2] < 100.0 ? 1900.0 : 0.0);
+    if (const auto local = utc_seconds({year, date[0], date[1], date[3], date[4], date[5]}))
+      return *local + 3600.0 * hours_behind;
+  }
+  return std::nullopt;
 }
 
 /// The unit and the format in " 2000 points of accel data equally spaced at .02 sec, in cm/sec2. (8f10.6)".
@@ -83,28 +102,25 @@ std::vector<RecordChannel> read_csmip(const TextFile& file) {
     const std::string title{trimmed(first)};
     channel.notes = lines.text(csmip_text_lines - 1, "the last of its 25 lines of text");
     channel.notes.insert(channel.notes.begin(), title);
-    std::string_view station = channel.notes[5];
-    if (take(station, "Station")) station = station.substr(std::min(station.find('.') + 1, station.size()));
+    // "Station No. 89146   40.941N, 123.633W"; old files are in capitals.
+    const std::string site = upper_case(channel.notes[5]);
+    std::string_view station = site;
+    if (take(station, "STATION") && (take(station, "NO") || take(station, "ID"))) take(station, ".");
     station = trimmed(station);
     channel.station = station.substr(0, station.find(' '));
+    if (channel.station.empty()) lines.refuse("expected \"Station No. 89146\" in line 6 of the channel.");
     channel.event = trimmed(channel.notes[2].substr(0, channel.notes[2].find("   ")));
-    const std::string& start = channel.notes[4];
-    if (const std::size_t at = start.find("Start time:"); at != std::string::npos) {
-      std::vector<double> date = numbers_in(std::string_view{start}.substr(at));
-      if (date.size() == 6) {
-        const double year = date[2] + (date[2] < 70.0 ? 2000.0 : date[2] < 100.0 ? 1900.0 : 0.0);
-        channel.start = utc_seconds({year, date[0], date[1], date[3], date[4], date[5]});
-      }
-    }
+    channel.start = csmip_start(channel.notes[4]);
     const std::vector<double> integers = lines.numbers(100, csmip_integers, "the header of whole numbers"),
                               reals = lines.numbers(100, csmip_reals, "the header of numbers");
     set_csmip_component(lines, channel, integers[26]);
     const std::string_view line = lines.line("the line above its accelerations");
     const std::optional<std::size_t> count = points_of(line, "ACCEL");
     if (!count) lines.refuse("expected \" 2000 points of accel data\", but found " + quoted(line) + ".");
-    std::string_view rest = line;
+    const std::string words = upper_case(line);
+    std::string_view rest = words;
     std::optional<PrintedNumber> step;
-    if (take_behind(rest, "at") || take_behind(rest, "AT")) step = first_number(rest);
+    if (take_behind(rest, "SPACED AT")) step = first_number(rest);
     channel.step = reals[60] > 0.0 ? reals[60] : step ? step->value : 0.0;
     if (!(channel.step > 0.0)) lines.refuse("there is no step > 0 s, neither here nor in value 61 of the header.");
     if (step && std::abs(step->value - channel.step) > 0.51 * step->digit)

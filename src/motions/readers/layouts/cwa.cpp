@@ -9,10 +9,10 @@
 namespace moat {
 
 bool is_cwa(const TextFile& file) {
-  const std::string_view beginning = std::string_view{file.text}.substr(0, 4000);
-  return beginning.starts_with("#Earthquake Information") ||
-         (beginning.starts_with('#') && beginning.find("\n#DataSequence") != std::string_view::npos &&
-          beginning.find("\n#Data:") != std::string_view::npos);
+  const std::string beginning = upper_case(std::string_view{file.text}.substr(0, 4000));
+  return beginning.starts_with("#EARTHQUAKE INFORMATION") ||
+         (beginning.starts_with('#') && beginning.find("\n#DATASEQUENCE") != std::string::npos &&
+          beginning.find("\n#DATA:") != std::string::npos);
 }
 
 std::vector<RecordChannel> read_cwa(const TextFile& file) {
@@ -32,14 +32,14 @@ std::vector<RecordChannel> read_cwa(const TextFile& file) {
   const std::optional<FortranFormat> format = fortran_format(keys.find("#DATA"));
   if (!format) lines.refuse("expected a Fortran format such as 4F10.3, but found " + quoted(keys.find("#DATA")) + ".");
   const std::string unit = keys.value("#AMPLITUDEUNIT");
-  if (!upper_case(unit).starts_with("GAL"))
+  if (upper_case(unit.substr(0, unit.find_first_of(" .,;("))) != "GAL")
     refuse_file(file.path, "the header says #AmplitudeUnit: " + unit + ". Only gal is read; convert the file.");
 
   std::vector<RecordChannel> channels;
   std::vector<std::string> names;
-  const std::string sequence = keys.value("#DATASEQUENCE");
+  const std::string sequence = upper_case(keys.value("#DATASEQUENCE"));
   std::string_view rest = sequence;
-  if (!take(rest, "Time")) refuse_file(file.path, "#DataSequence: " + sequence + " does not begin with Time.");
+  if (!take(rest, "TIME")) refuse_file(file.path, "#DataSequence: " + sequence + " does not begin with Time.");
   while (!trimmed(rest).empty()) {
     const std::string& name = names.emplace_back(trimmed(rest.substr(0, rest.find('('))));
     const bool named = take_behind(rest, "(") && rest.size() > 1 && rest[1] == ')';
@@ -80,17 +80,19 @@ std::vector<RecordChannel> read_cwa(const TextFile& file) {
         std::abs(expected - static_cast<double>(times.size())) > 1.0)
       refuse_file(file.path, "#RecordLength(sec): " + length + " makes " + to_text(expected) +
                                  " rows, but the file holds " + std::to_string(times.size()) + ". Fetch it again.");
+  const double even = even_step(file.path, times, step);
   std::optional<double> start = utc_seconds(numbers_in(keys.find("#STARTTIME(GMT+08)")));
   if (start) *start -= 8.0 * 3600.0;
   for (std::size_t i = 0; i < channels.size(); ++i) {
     RecordChannel& channel = channels[i];
     channel.station = keys.value("#STATIONCODE");
-    channel.event = keys.find("#ORIGIN TIME(GMT+08)");
-    channel.step = even_step(file.path, times, step);
+    // Older files say neither the origin nor the zone of their time.
+    channel.event = keys.find("#ORIGIN TIME(GMT+08)") + keys.find("#STARTTIME");
+    channel.step = even;
     channel.start = start;
     channel.notes = header;
     set_samples(channel, values[i]);
-    const std::string extremes = keys.find("#AMPLITUDEMAX. " + upper_case(names[i]));
+    const std::string extremes = keys.find("#AMPLITUDEMAX. " + names[i]);
     const std::string_view least = std::string_view{extremes}.substr(std::min(extremes.find('~') + 1, extremes.size()));
     const auto one = first_number(extremes), two = first_number(least);
     if (one && two) state_peak(channel, std::abs(one->value) > std::abs(two->value) ? extremes : least, 0.01);

@@ -1,6 +1,8 @@
 #include <algorithm>
+#include <cmath>
 #include <optional>
 
+#include "base/check.hpp"
 #include "motions/readers/channel_parts.hpp"
 #include "motions/readers/layouts/layouts.hpp"
 #include "motions/readers/record_lines.hpp"
@@ -76,6 +78,11 @@ std::vector<RecordChannel> read_dyna(const TextFile& file) {
                                std::to_string(channel.samples.size()) +
                                ". The file is damaged or was cut; fetch it again.");
   channel.step = keys.positive("SAMPLING_INTERVAL_S", "s");
+  if (!keys.find("DURATION_S").empty())
+    if (const double length = static_cast<double>(count) * channel.step, stated = keys.positive("DURATION_S", "s");
+        std::abs(length - stated) > 1.1 * channel.step + 0.01)
+      refuse_file(file.path, std::to_string(count) + " values every " + to_text(channel.step) + " s make " +
+                                 to_text(length) + " s, but DURATION_S is " + to_text(stated) + ".");
   channel.network = keys.find("NETWORK");
   channel.station = keys.find("STATION_CODE");
   channel.location = keys.find("LOCATION");

@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::size_t geonet_text_lines = 16, geonet_per_line = 10;
 // Numbers of values in the headers, from 0.
-constexpr std::size_t counts_value = 33, in_front_value = 21, step_value = 25;
+constexpr std::size_t counts_value = 33, in_front_value = 21, seconds_value = 23, step_value = 25;
 constexpr FortranFormat geonet_integers{geonet_per_line, 8, true}, geonet_reals{geonet_per_line, 8, false};
 
 }  // namespace
@@ -51,12 +51,19 @@ std::vector<RecordChannel> read_geonet(const TextFile& file) {
     channel.step = reals[step_value];
     if (!(channel.step > 0.0))
       lines.refuse("the step, number 26 of the header, is " + to_text(channel.step) + " s; it must be > 0 s.");
+    // Files count their length with and without the interval behind the last sample.
+    if (const double length = integers[counts_value] * channel.step;
+        reals[seconds_value] > 0.0 && std::abs(reals[seconds_value] - length) > 1.1 * channel.step + 0.01)
+      lines.refuse(to_text(integers[counts_value]) + " accelerations every " + to_text(channel.step) + " s make " +
+                   to_text(length) + " s, but number 24 of the header is " + to_text(reals[seconds_value]) + " s.");
+    // The first values are the origin of the earthquake. Zeros in front of a corrected record are not in the buffer.
     if (const auto start =
-            utc_seconds({integers[0], integers[1], integers[2], integers[3], integers[4], 0.1 * integers[5]}))
+            utc_seconds({integers[8], integers[9], integers[18], integers[19], integers[38], 1e-3 * integers[39]}))
       channel.start = *start - reals[in_front_value];
     for (std::size_t part = 0; part < 3; ++part) {
       const double count = integers[counts_value + part];
-      if (count < 0.0) lines.refuse("a number of values is negative.");
+      if (!(count >= 0.0 && count <= 1e9))
+        lines.refuse("a number of values is " + to_text(count) + "; it must be >= 0 and <= 1e9.");
       if (part == 0)
         set_samples(channel, lines.numbers(static_cast<std::size_t>(count), geonet_reals, "acceleration"));
       else

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "base/check.hpp"
+#include "base/units.hpp"
 #include "motions/readers/channel_parts.hpp"
 #include "motions/readers/layouts/layouts.hpp"
 #include "motions/readers/record_lines.hpp"
@@ -38,11 +39,14 @@ Volume volume_header(RecordLines& lines, std::string_view first, const std::stri
   const std::vector<double> numbers = numbers_in(notes[10].substr(std::min(notes[10].find('='), notes[10].size())));
   if (numbers.size() < 2 || !(numbers[0] >= 2.0 && numbers[0] < 1e9) || !(numbers[1] > 0.0))
     lines.refuse("expected count and duration in line 11 of the channel, but found " + moat::quoted(notes[10]) + ".");
-  if (upper_case(notes[11]).find("G/10") == std::string::npos)
+  const std::string unit = upper_case(notes[11]);
+  // G/100 is another one.
+  const std::size_t at = unit.find("G/10");
+  if (at == std::string::npos || unit.substr(at + 4, 1) == "0")
     lines.refuse("expected the unit G/10 in line 12 of the channel, but found " + moat::quoted(notes[11]) + ".");
   volume.count = static_cast<std::size_t>(numbers[0]);
   volume.duration = numbers[1];
-  // Their facts are in the text too, and lines of BHRC are cut.
+  // These headers repeat facts of the text, and lines of BHRC are cut.
   lines.skip(volume_number_lines, "the last of its headers of numbers");
   return volume;
 }
@@ -57,7 +61,9 @@ void check_volume_end(RecordLines& lines) {
 
 }  // namespace
 
-bool is_bhrc(const TextFile& file) { return file.text.starts_with("* VOL") && line_has(file, 7, "COMP"); }
+bool is_bhrc(const TextFile& file) {
+  return upper_case(file.text.substr(0, 5)) == "* VOL" && line_has(file, 7, "COMP");
+}
 
 std::vector<RecordChannel> read_bhrc(const TextFile& file) {
   RecordLines lines{file};
@@ -65,14 +71,14 @@ std::vector<RecordChannel> read_bhrc(const TextFile& file) {
   for (std::string_view first; lines.next_filled(first);) {
     auto [channel, count, duration] = volume_header(lines, first, "BHRC");
     channel.network = "BHRC";
-    const std::string &site = channel.notes[7], component{trimmed(channel.notes[4])};
-    channel.station = trimmed(std::string_view{site}.substr(0, site.find("Station")));
-    channel.event = trimmed(channel.notes[2]);
+    // "Ahar   Station  38.474 N ...  Azimuth L 352   T 82"
+    const std::string site = upper_case(channel.notes[7]), component = upper_case(trimmed(channel.notes[4]));
+    channel.station = trimmed(std::string_view{channel.notes[7]}.substr(0, site.find("STATION ")));
+    channel.event = channel.notes[0] + " " + channel.notes[2];
     if (!set_component(channel, component))
       lines.refuse("the component " + quoted(component) + " is none of L, V and T.");
-    // "Azimuth L 352   T 82"
     std::string_view azimuths = site;
-    if (take_behind(azimuths, "Azimuth") && take_behind(azimuths, component + " ") && !channel.vertical)
+    if (take_behind(azimuths, "AZIMUTH") && take_behind(azimuths, " " + component + " ") && !channel.vertical)
       if (const auto azimuth = take_whole_number(azimuths))
         channel.azimuth = std::fmod(static_cast<double>(*azimuth), 360.0);
     channel.step = duration / static_cast<double>(count);
@@ -92,14 +98,15 @@ std::vector<RecordChannel> read_renadic(const TextFile& file) {
     auto [channel, count, duration] = volume_header(lines, first, "RENADIC");
     channel.network = "RENADIC";
     channel.station = trimmed(channel.notes[5]);
-    channel.event = trimmed(channel.notes[2].substr(0, channel.notes[2].find("   ")));
+    // Digitised films may have no date; the number of the record stands in line 2.
+    channel.event = channel.notes[1] + " " + channel.notes[2].substr(0, channel.notes[2].find("   "));
     std::string_view component = channel.notes[6];
     take_behind(component, ":");
     component = trimmed(component.substr(0, component.find('(')));
     if (!set_component(channel, component))
       lines.refuse("the component " + quoted(component) + " is none of L, V and T.");
     std::string_view peak = channel.notes[11];
-    if (take_behind(peak, "MAX") && take_behind(peak, "=")) state_peak(channel, peak, standard_gravity);
+    if (take_behind(peak, "MAX ") && take_behind(peak, "=")) state_peak(channel, peak, standard_gravity);
     const std::size_t before = lines.line_number();
     const std::vector<double> pairs = lines.numbers(2 * count, renadic_values, "time and acceleration");
     std::vector<PrintedTime> times;

@@ -82,7 +82,8 @@ std::vector<RecordChannel> read_knet(const TextFile& file) {
   const double mean = std::accumulate(channel.samples.begin(), channel.samples.end(), 0.0) /
                       static_cast<double>(channel.samples.size());
   for (double& sample : channel.samples) sample = unit * (sample - mean);
-  state_peak(channel, keys.find("MAX. ACC. (GAL)"), 0.01);
+  // The documentation has it without the first point.
+  state_peak(channel, keys.find("MAX. ACC. (GAL)") + keys.find("MAX ACC. (GAL)"), 0.01);
   return {channel};
 }
 

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "base/check.hpp"
+#include "base/text/number_format.hpp"
 #include "motions/readers/channel_parts.hpp"
 #include "motions/readers/layouts/layouts.hpp"
 #include "motions/readers/record_lines.hpp"
@@ -112,7 +113,7 @@ Rows parse_rows(const TextFile& file) {
     // "4000 0.005" above one column, or above more than two.
     if (rows.lines.size() == 1 && rows.columns == 2 && fields.size() != 2 && announced == 0 && is_number(fields[0])) {
       const double count = rows.values[0];
-      if (count >= 2.0 && count == std::round(count) && rows.values[1] > 0.0 && rows.values[1] < 1.0) {
+      if (count >= 2.0 && count <= 1e9 && count == std::round(count) && rows.values[1] > 0.0 && rows.values[1] < 1.0) {
         announced = static_cast<std::size_t>(count);
         const double step = rows.values[1];
         rows = {.heading = "count and step", .step = step};
@@ -244,11 +245,11 @@ std::vector<RecordChannel> read_plain_text(const TextFile& file, const TextColum
         "Give the unit: read_motion(file, 1 * g), or 1 * m / s / s."};
   Check{"read_motion", file.path.native()}.positive("unit", *columns.unit,
                                                     "Give the unit of the accelerations: 1 * g, or 1 * m / s / s.");
-  RecordChannel common{.format = "text"};
+  RecordChannel common{.format = "text", .columns = columns.columns};
   if (!rows.heading.empty()) common.notes.push_back("columns: " + rows.heading);
   common.notes.push_back("accelerations in units of " + to_text(columns.unit->si()) + " m/s^2");
   common.step = step_of_text(file, rows, !meaning.empty() && meaning[0] == "time", columns.step, common);
-  common.unit = to_text(columns.unit->si()) + " m/s^2";
+  common.unit = to_exact(columns.unit->si()) + " m/s^2";
   const auto named =
       std::ranges::count_if(meaning, [](const std::string& word) { return word != "-" && word != "time"; });
   std::vector<RecordChannel> channels;

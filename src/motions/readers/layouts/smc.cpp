@@ -52,8 +52,8 @@ std::vector<RecordChannel> read_smc(const TextFile& file) {
         file.path.string() +
         ": the header states no rate: pairs of time and value, and times are not even. Resample the record "
         "to a constant step, as two columns."};
-  if (!(count >= 2.0))
-    lines.refuse("the number of values, 17 of the header, is " + to_text(count) + "; it must be >= 2.");
+  if (!(count >= 2.0 && count <= 1e9))
+    lines.refuse("the number of values, 17 of the header, is " + to_text(count) + "; it must be >= 2 and <= 1e9.");
   channel.step = 1.0 / rate;
   // Day of the year; seconds may be unknown.
   if (const auto year = integer(2), day = integer(3), hour = integer(4), minute = integer(5), second = integer(6);
@@ -62,19 +62,32 @@ std::vector<RecordChannel> read_smc(const TextFile& file) {
       channel.start = *new_year + 86400.0 * (*day - 1.0) + 3600.0 * *hour + 60.0 * *minute + *second +
                       1e-3 * integer(7).value_or(0.0);
   channel.event = trimmed(channel.notes[3]);
-  std::string_view station = channel.notes[5], word = channel.notes[5];
+  // "station = San Francisco, 1295    component=    360"
+  std::string_view station = channel.notes[5];
+  const std::size_t place = std::min(upper_case(station).find("COMPONENT"), station.size());
+  std::string_view word = station.substr(place);
+  station = station.substr(0, place);
   take_behind(station, "=");
-  channel.station = trimmed(station.substr(0, station.find("component")));
-  take_behind(word, "component=");
-  const double angle = integer(13).value_or(90.0);
+  take_behind(word, "=");
+  channel.station = trimmed(station);
+  const std::optional<double> angle = integer(13);
   const std::string azimuth = integer(14) ? to_text(*integer(14)) : "";
-  if (angle == 0.0 || angle == 180.0)
-    set_component(channel, angle == 0.0 ? "UP" : "DOWN");
-  else if (angle != 90.0)
-    lines.refuse("the component is inclined by " + to_text(angle) +
+  if (angle && *angle != 0.0 && *angle != 90.0 && *angle != 180.0)
+    lines.refuse("the component is inclined by " + to_text(*angle) +
                  " deg (value 13 of the header); only 0, 90 and 180 deg are read.");
+  // A component whose angle is not known may be vertical: its name decides.
+  const std::optional<ComponentWord> named = component_word(word);
+  if (!angle)
+    set_component(channel, word);
+  else if (*angle != 90.0)
+    set_component(channel, *angle == 0.0 ? "UP" : "DOWN");
   else if (!set_component(channel, azimuth))
     set_component(channel, word);
+  if (named && !channel.component.empty() &&
+      (named->vertical != channel.vertical ||
+       (named->azimuth && channel.azimuth && *named->azimuth != *channel.azimuth)))
+    channel.warnings.push_back("component " + quoted(trimmed(word)) + " in the text, " +
+                               moat::quoted(channel.component) + " in the header: header taken");
   if (const auto large = real(30), small = real(32); large && small)
     state_peak(channel, std::max(std::abs(*large), std::abs(*small)), 0.01);
   for (double comments = integer(16).value_or(0.0); comments > 0.0; --comments)

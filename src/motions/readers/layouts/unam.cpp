@@ -59,7 +59,7 @@ std::vector<RecordChannel> read_unam(const TextFile& file) {
   if (names.empty() || steps.size() < names.size() || counts.size() < names.size())
     lines.refuse(
         "the header must list ORIENTACION C1-C6, INTERVALO DE MUESTREO and NUM. TOTAL DE MUESTRAS of each channel.");
-  if (!upper_case(unit).starts_with("GAL"))
+  if (upper_case(unit.substr(0, unit.find_first_of(" .,;(/"))) != "GAL")
     lines.refuse("UNIDADES DE LOS DATOS is " + quoted(unit) + "; only Gal is read.");
   if (!format || format->per_line != names.size())
     lines.refuse("FORMATO DATOS " + quoted(format_text) + " is no format of " + std::to_string(names.size()) +
@@ -74,6 +74,8 @@ std::vector<RecordChannel> read_unam(const TextFile& file) {
     if (!set_component(channel, word)) lines.refuse("ORIENTACION " + quoted(names[i]) + " is none such as V or N90E.");
     if (step.problem || !(step.value > 0.0) || count.problem || !(count.value >= 2.0))
       lines.refuse("INTERVALO DE MUESTREO and NUM. TOTAL DE MUESTRAS must be numbers, > 0 s and >= 2.");
+    if (step.value != channels[0].step && i > 0)
+      lines.refuse("INTERVALO DE MUESTREO differs between columns of the same rows.");
     if (i < durations.size())
       if (const ScannedNumber duration = parse_number(durations[i]);
           !duration.problem && std::abs(duration.value / step.value - count.value) > 1.01)
@@ -83,6 +85,8 @@ std::vector<RecordChannel> read_unam(const TextFile& file) {
     channel.station = value("CLAVE DE LA ESTACION");
     channel.event = value("FECHA DEL SISMO") + " " + value("HORA EPICENTRO");
     channel.warnings.emplace_back("this is the uncorrected record");
+    if (word.size() < names[i].size())
+      channel.warnings.push_back("of ORIENTACION " + quoted(names[i]) + " only " + quoted(word) + " is used");
     channel.notes = header;
     channel.step = step.value;
     if (i < peaks.size()) state_peak(channel, peaks[i], 0.01);
@@ -95,6 +99,9 @@ std::vector<RecordChannel> read_unam(const TextFile& file) {
     for (std::size_t i = 0; i < names.size(); ++i)
       if (row < channels[i].samples.size()) values[i].push_back(numbers[i]);
   }
+  if (lines.next_filled(line))
+    lines.refuse("text follows the " + std::to_string(rows) + " rows of NUM. TOTAL DE MUESTRAS: " + quoted(line) +
+                 ". The number is wrong, or files were joined.");
   for (std::size_t i = 0; i < names.size(); ++i) {
     channels[i].samples.clear();
     set_samples(channels[i], values[i]);

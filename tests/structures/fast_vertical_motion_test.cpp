@@ -1,0 +1,97 @@
+// Sliders in series under a weight that changes fast, with bearings that lift.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "moat.hpp"
+#include "output/recorders/energy_ledger.hpp"
+
+namespace moat::testing {
+namespace {
+
+using namespace units;
+
+// A rigid block of 1200 t on bearings at three places.
+template <class Law>
+Model block_on(const Law& law, double height) {
+  constexpr double mass = 1.2e6, gravity = 9.80665;  // kg, m/s^2
+  Model model;
+  const NodeId node = add(model, Node{.name = "block", .mass = mass * kg});
+  for (const double at : {-4.0, 0.0, 4.0})
+    add(model, Isolator<Law>{.name = "at " + std::to_string(at),
+                             .upper = node,
+                             .law = law,
+                             .weight = mass * gravity / 3.0 * N,
+                             .at = at * m,
+                             .weight_changes = true});
+  add(model,
+      Building{.name = "block",
+               .base = node,
+               .axial_forces = AxialForces{.base_height = height * m, .rocking = AxialForces::Rocking::continues}});
+  return model;
+}
+
+// `up_amplitude`: amplitude of the vertical acceleration, m/s^2. Above g the building flies for parts of each cycle.
+GroundMotion shaking(double up_amplitude) {
+  std::vector<double> along, up;
+  for (int i = 0; i <= 300; ++i) {
+    along.push_back(std::sin(0.02 * i * 2.4) + 0.4 * std::sin(0.02 * i * 9.0));
+    up.push_back(up_amplitude * std::sin(i * 0.9));
+  }
+  return with_vertical({"push", 0.02, along}, {"up", 0.02, up});
+}
+
+struct Run {
+  double displacement = 0.0;  // m, at the end
+  long steps = 0, events = 0;
+  double flight = 0.0, energy_error = 0.0;  // s, 1
+};
+
+Run run(const Model& model, double step, double up_amplitude = 4.0) {
+  constexpr long most_steps = 100000;
+  Transient analysis{model, shaking(up_amplitude), {.step = step * s, .force_tolerance = 1e-10}};
+  EnergyLedger ledger;
+  analysis.attach(ledger);
+  while (!analysis.finished() && analysis.statistics().accepted_steps < most_steps) analysis.advance();
+  EXPECT_TRUE(analysis.finished());
+  return {analysis.state().motion().displacement[0], analysis.statistics().accepted_steps, analysis.statistics().events,
+          analysis.state().weights()[0].rocking_time(), ledger.totals(analysis.state()).error_share()};
+}
+
+const DoublePendulum double_pendulum{
+    .first_radius = 1 * m, .second_radius = 1 * m, .first_friction = 0.04, .second_friction = 0.08};
+
+// A step is cut once at a change, and a bearing has a few changes between turns.
+template <class Law>
+void expect_few_steps_and_balanced_energy(const Law& law) {
+  for (const double height : {0.0, 10.0})
+    for (const double up_amplitude : {4.0, 12.0}) {
+      const Run run_of_block = run(block_on(law, height), 1e-3, up_amplitude);
+      EXPECT_GT(run_of_block.events, 20) << height;
+      EXPECT_LT(run_of_block.events, 3000) << height;
+      EXPECT_LE(run_of_block.steps, 6000 + 2 * run_of_block.events) << height;
+      EXPECT_LT(run_of_block.energy_error, 1e-6) << height;
+      EXPECT_EQ(run_of_block.flight > 0.0, up_amplitude > 9.80665) << height;
+    }
+}
+
+TEST(FastVerticalMotion, DoublePendulumsPassTheirCorners) { expect_few_steps_and_balanced_energy(double_pendulum); }
+
+TEST(FastVerticalMotion, TriplePendulumsPassTheirCorners) {
+  expect_few_steps_and_balanced_energy(TriplePendulum::typical());
+}
+
+// Between samples the vertical component is linear and steps end at changes of regime. Friction that a falling weight
+// sheds is right to second order: with an error of first order the last halving would leave 1e-4 m.
+TEST(FastVerticalMotion, FixedStepsConverge) {
+  const Model model = block_on(double_pendulum, 0.0);
+  const double coarse = run(model, 2e-3).displacement, middle = run(model, 1e-3).displacement,
+               fine = run(model, 0.5e-3).displacement;
+  EXPECT_NEAR(coarse, fine, 1e-5);
+  EXPECT_NEAR(middle, fine, 5e-6);
+}
+
+}  // namespace
+}  // namespace moat::testing
