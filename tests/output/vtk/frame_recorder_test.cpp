@@ -13,9 +13,9 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <csignal>
+#include <cstdio>
 #include <map>
 #include <string>
 #include <thread>
@@ -142,8 +142,10 @@ TEST_F(FrameRecorderTest, CollectionIsCompleteWhereTheRunIsKilled) {
       FrameRecorder recorder{building.model, run, 0.1};
       for (int frame = 0;; ++frame) recorder.step(building.move(0.1 * frame, 0.0, 0.0));
     }
-    while (!fs::exists(run / "moat.py")) std::this_thread::yield();  // the last file that is made before the frames
-    std::this_thread::sleep_for(std::chrono::milliseconds{i});
+    // The run is killed while it writes one of the frames behind this one, however slow the machine is.
+    char frame_name[32];
+    std::snprintf(frame_name, sizeof frame_name, "frames/frame_%06d.vtu", i);
+    while (!fs::exists(run / frame_name)) std::this_thread::yield();
     ::kill(child, SIGKILL);
     ::waitpid(child, nullptr, 0);
     const std::vector<double> times = listed_times(run);
