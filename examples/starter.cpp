@@ -21,7 +21,8 @@ int main(int argc, char** argv) {
                                                  .base_mass = 450 * tonne,
                                                  .isolation = LeadRubberBearing{.yield_force = 1 * MN,
                                                                                 .yield_displacement = 1 * cm,
-                                                                                .post_yield_stiffness = 10 * MN / m}});
+                                                                                .post_yield_stiffness = 10 * MN / m},
+                                                 .storey_height = 3.5 * m});
   add(model, Moat{.around = building.base,
                   .clearance = gap,
                   .law = ExactHertzDamp{.stiffness = 1e10 * N / m_3_2, .restitution = 0.65}});

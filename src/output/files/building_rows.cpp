@@ -51,14 +51,28 @@ BuildingCell gap_cell(const CaseResult& result, const BuildingParts& building) {
           .more = std::to_string(touches) + (touches == 1 ? " impact" : " impacts")};
 }
 
+// The largest motion of the wall at a gap, m; 0 where it is rigid. "moat right" has the wall "moat right wall"; corners
+// in plan have the name of their wall in front.
+double motion_of_wall(const CaseResult& result, const std::string& gap) {
+  for (const Peak& peak : result.peaks)
+    if (peak.quantity == "wall_deformation" && (peak.where == gap + " wall" || gap.starts_with(peak.where + " ")))
+      return peak.magnitude();
+  return 0.0;
+}
+
 BuildingCell margin_cell(const CaseResult& result, const BuildingParts& building) {
   const GapClearance* least = nullptr;
   for (const GapClearance& gap : result.clearances)
     if (is_of(building, gap) && (least == nullptr || gap.left < least->left)) least = &gap;
   if (least == nullptr) return {};
   const PeakRow row = clearance_group({*least}).rows.front();
+  std::string more = least->clearance > 0.0 ? to_significant(100.0 * least->left / least->clearance, 3) + " %" : "";
+  // A gap that closed on a wall that gives way says little about the gap that is needed.
+  constexpr double seen = 1e-3;  // m
+  if (const double motion = motion_of_wall(result, least->where); least->left < 0.0 && motion > seen)
+    more = "and the wall " + to_significant(100.0 * motion, 3) + " cm";
   return {.value = with_error(row, engineering_unit("m").symbol),
-          .more = least->clearance > 0.0 ? to_significant(100.0 * least->left / least->clearance, 3) + " %" : "",
+          .more = std::move(more),
           .where = least->where + " at " + row.time + " s"};
 }
 

@@ -64,6 +64,13 @@ TEST(BuildingTable, LeavesOutWallsThatGiveWay) {
   const BuildingTable table = building_table(result);
   ASSERT_EQ(table.rows.size(), 1U);
   EXPECT_EQ(table.rows[0].name, "house");
+  // The margin names the motion of the wall beside the indentation of its face.
+  double motion = 0.0;
+  for (const Peak& peak : result.peaks)
+    if (peak.quantity == "wall_deformation") motion = std::max(motion, peak.magnitude());
+  ASSERT_GT(motion, 1e-3);
+  EXPECT_TRUE(table.rows[0].cells[1].more.starts_with("and the wall ")) << table.rows[0].cells[1].more;
+  EXPECT_LE(std::stod(table.rows[0].cells[1].more.substr(13)), 100.0 * motion * 1.01);
 }
 
 TEST(BuildingTable, SaysWhichShareOfTheClearanceIsLeft) {
